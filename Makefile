@@ -1,0 +1,38 @@
+# Everything that the project offers from a fresh checkout. Each target sets up the
+# virtual environment that it needs; PYTHON=python3.12 chooses the interpreter.
+
+BIN := .venv/bin
+PYTHON ?=
+export PYTHON
+
+.DEFAULT_GOAL := help
+.PHONY: help demo test bench runtime dev clean
+
+help:
+	@echo "make demo    solve the shipped example: a 218 bearing at 10 000 rpm, combined load"
+	@echo "make test    check everything: style, types, layers, tests"
+	@echo "make bench   measure the speed"
+	@echo "make clean   remove the virtual environment and all caches"
+
+demo: runtime
+	@$(BIN)/rolamento demo
+
+test: dev
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/mypy
+	$(BIN)/lint-imports --no-cache
+	$(BIN)/pytest -n auto
+
+bench: runtime
+	@$(BIN)/python -m benchmarks
+
+runtime:
+	@sh scripts/setup.sh runtime
+
+dev:
+	@sh scripts/setup.sh dev
+
+clean:
+	rm -rf .venv .mypy_cache .pytest_cache .ruff_cache .hypothesis
+	find src tests benchmarks -name __pycache__ -type d -prune -exec rm -rf {} +

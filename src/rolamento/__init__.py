@@ -1,0 +1,100 @@
+"""Rolamento tells what happens inside a rolling bearing, and what follows from it.
+
+>>> import rolamento
+>>> case = rolamento.load_case("218.toml")  # doctest: +SKIP
+>>> state = rolamento.solve(case)  # doctest: +SKIP
+
+Names are imported when they are first used: neither the compiler nor the readers are
+loaded until needed.
+"""
+
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING, Any, Final
+
+if TYPE_CHECKING:
+    from rolamento.bearing import Bearing
+    from rolamento.case import (
+        Case,
+        case_to_json,
+        case_to_toml,
+        load_case,
+        override,
+        parse_case,
+        save_case,
+    )
+    from rolamento.duty import Displacement, Duty, Load
+    from rolamento.equilibrium import solve, solve_batch
+    from rolamento.errors import (
+        FileError,
+        InputError,
+        RolamentoError,
+        UnitError,
+        UnknownKeyError,
+    )
+    from rolamento.material import Material
+    from rolamento.model import Model
+    from rolamento.state import State
+
+__version__ = "0.1.0"
+
+__all__ = [
+    "Bearing",
+    "Case",
+    "Displacement",
+    "Duty",
+    "FileError",
+    "InputError",
+    "Load",
+    "Material",
+    "Model",
+    "RolamentoError",
+    "State",
+    "UnitError",
+    "UnknownKeyError",
+    "__version__",
+    "case_to_json",
+    "case_to_toml",
+    "load_case",
+    "override",
+    "parse_case",
+    "save_case",
+    "solve",
+    "solve_batch",
+]
+
+_NAMES_OF_MODULES: Final = {
+    "bearing": ("Bearing",),
+    "case": (
+        "Case",
+        "case_to_json",
+        "case_to_toml",
+        "load_case",
+        "override",
+        "parse_case",
+        "save_case",
+    ),
+    "duty": ("Displacement", "Duty", "Load"),
+    "equilibrium": ("solve", "solve_batch"),
+    "errors": ("FileError", "InputError", "RolamentoError", "UnitError", "UnknownKeyError"),
+    "material": ("Material",),
+    "model": ("Model",),
+    "state": ("State",),
+}
+_MODULE_OF_NAME: Final = {
+    name: module for module, names in _NAMES_OF_MODULES.items() for name in names
+}
+
+
+def __getattr__(name: str) -> Any:
+    module = _MODULE_OF_NAME.get(name)
+    if module is None:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    value = getattr(importlib.import_module(f"{__name__}.{module}"), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)

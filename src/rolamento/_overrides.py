@@ -1,0 +1,166 @@
+"""Settings such as ``duty.load.fz=10 kN``, put over the mapping of a case file.
+
+They are applied before anything is validated, so that a setting can put right what
+would be refused, and what replaces a rival (a clearance for a contact angle, a
+displacement for a load) takes its place.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import Any, Final, Literal, get_origin
+
+from pydantic import BaseModel
+from pydantic.fields import FieldInfo
+
+from rolamento.duty import AXES, LOADS
+from rolamento.errors import InputError, UnknownKeyError, nearest
+from rolamento.material import Material
+
+__all__ = ["OVERRIDE_SOURCE", "overridden"]
+
+OVERRIDE_SOURCE: Final = "--set"
+
+_EXAMPLE: Final = 'duty.load.fz="10 kN"'
+_LONGEST_SETTING: Final = 300
+
+Path = tuple[str, ...]
+
+
+def _rivals() -> dict[Path, Path]:
+    pairs: list[tuple[Path, Path]] = [
+        (("bearing", "contact_angle"), ("bearing", "diametral_clearance"))
+    ]
+    for axis, load in zip(AXES, LOADS, strict=True):
+        pairs.append((("duty", "load", load), ("duty", "displacement", axis)))
+    return {one: other for pair in pairs for one, other in (pair, pair[::-1])}
+
+
+_RIVALS: Final = _rivals()
+
+
+def overridden(
+    mapping: Mapping[str, Any], settings: Iterable[str], model: type[BaseModel]
+) -> tuple[dict[str, Any], frozenset[str]]:
+    """Return a copy of a mapping with settings applied, and the fields that they set.
+
+    Parameters
+    ----------
+    mapping
+        The tables of a case file.
+    settings
+        Each ``KEY=VALUE``, with a dotted key and the value as in a case file; the
+        quotes around text may be left out.
+    model
+        The record that the mapping describes.
+
+    Raises
+    ------
+    InputError
+        If a setting is not of that form, or its key names no field.
+    """
+    result = dict(mapping)
+    paths: set[Path] = set()
+    for setting in settings:
+        path, text = _split(setting)
+        value = _value(text, _field(path, model))
+        rival = _RIVALS.get(path)
+        if rival is not None and rival not in paths:
+            _remove(result, rival)
+        _put(result, path, value)
+        paths.add(path)
+    return result, frozenset(".".join(path) for path in paths)
+
+
+def _split(setting: str) -> tuple[Path, str]:
+    key, equals, text = setting.partition("=")
+    if not equals or not key.strip() or len(setting) > _LONGEST_SETTING:
+        raise InputError(
+            "must be KEY=VALUE", value=setting, source=OVERRIDE_SOURCE, example=_EXAMPLE
+        )
+    return tuple(part.strip() for part in key.split(".")), text.strip()
+
+
+def _field(path: Path, model: type[BaseModel]) -> FieldInfo:
+    """Return the field that a path leads to; it must not be a whole table."""
+    field = _found(path, 1, model.model_fields)
+    for depth in range(2, len(path) + 1):
+        field = _found(path, depth, _fields_of(field))
+    inner = _fields_of(field)
+    if inner and field.annotation is not Material:
+        raise InputError(
+            f"is a table; set one of its fields: {', '.join(inner)}",
+            field=".".join(path),
+            source=OVERRIDE_SOURCE,
+            example=_EXAMPLE,
+        )
+    return field
+
+
+def _found(path: Path, depth: int, fields: Mapping[str, FieldInfo]) -> FieldInfo:
+    field = fields.get(path[depth - 1])
+    if field is None:
+        raise _unknown(path, depth, fields)
+    return field
+
+
+def _fields_of(field: FieldInfo) -> dict[str, FieldInfo]:
+    annotation = field.annotation
+    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
+        return annotation.model_fields
+    return {}
+
+
+def _unknown(path: Path, depth: int, fields: Mapping[str, FieldInfo]) -> UnknownKeyError:
+    near = nearest(path[depth - 1], fields)
+    parent = ".".join(path[: depth - 1])
+    known = f"known here: {', '.join(fields)}" if fields else f"{parent} is not a table"
+    return UnknownKeyError(
+        f"is not a known key; {f'did you mean {near}?' if near else known}",
+        field=".".join(path),
+        source=OVERRIDE_SOURCE,
+        example=_EXAMPLE,
+    )
+
+
+def _value(text: str, field: FieldInfo) -> object:
+    """Return the value that a setting's text stands for, as a file would have held it."""
+    if len(text) >= 2 and text[0] == text[-1] and text[0] in "\"'":
+        return text[1:-1]
+    if field.annotation in (str, Material) or get_origin(field.annotation) is Literal:
+        return text
+    if text in ("true", "false"):
+        return text == "true"
+    for number in (int, float):
+        try:
+            return number(text)
+        except ValueError:
+            continue
+    return text
+
+
+def _put(mapping: dict[str, Any], path: Path, value: object) -> None:
+    """Set a value, copying the tables on its path: the caller's stay as they are."""
+    table = mapping
+    for depth, name in enumerate(path[:-1], start=1):
+        inner = table.get(name, {})
+        if not isinstance(inner, dict):
+            raise InputError(
+                "is not a table in this case; set it as a whole, or give a table in the file",
+                field=".".join(path[:depth]),
+                value=inner,
+                source=OVERRIDE_SOURCE,
+            )
+        table[name] = table = dict(inner)
+    table[path[-1]] = value
+
+
+def _remove(mapping: dict[str, Any], path: Path) -> None:
+    """Take a value away, if it is there, likewise."""
+    table = mapping
+    for name in path[:-1]:
+        inner = table.get(name)
+        if not isinstance(inner, dict):
+            return
+        table[name] = table = dict(inner)
+    table.pop(path[-1], None)

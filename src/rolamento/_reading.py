@@ -1,0 +1,188 @@
+"""From a file to a plain mapping, whatever the file holds.
+
+Every failure is a `FileError`: a reader that is fed a photograph, a directory or a
+million brackets says so in one sentence.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import stat
+import sys
+import tomllib
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, Final, Literal, NoReturn, TypeVar
+
+from rolamento.errors import FileError, shown
+
+__all__ = [
+    "STANDARD_INPUT",
+    "TextFormat",
+    "format_of_path",
+    "format_of_text",
+    "parse_mapping",
+    "read_text",
+    "write_text",
+]
+
+TextFormat = Literal["toml", "json"]
+Result = TypeVar("Result")
+
+STANDARD_INPUT: Final = "standard input"
+
+_LARGEST_FILE: Final = 1_000_000
+# The standard library's TOML reader takes memory with the square of the parts of a
+# dotted key: 400 kB of "a.a.a…" fill a machine.
+_MOST_DOTS: Final = 100
+_ENCODING_MARKS: Final = {b"\xff\xfe": "UTF-16", b"\xfe\xff": "UTF-16"}
+
+
+def read_text(path: str | os.PathLike[str]) -> tuple[str, str]:
+    """Return the text of a file, or of standard input for ``"-"``, and what to call it.
+
+    Raises
+    ------
+    FileError
+        If there is no such regular file, it cannot be read, is larger than 1 MB, or
+        is not UTF-8 text.
+    """
+    source = os.fspath(path)
+    if source == "-":
+        return _decoded(_attempt(_standard_input, STANDARD_INPUT), STANDARD_INPUT), STANDARD_INPUT
+    return _decoded(_attempt(lambda: _regular_file(source), source), source), source
+
+
+def write_text(text: str, path: str | os.PathLike[str]) -> None:
+    """Write a text as UTF-8.
+
+    Raises
+    ------
+    FileError
+        If the file cannot be written.
+    """
+    source = os.fspath(path)
+    _attempt(lambda: Path(source).write_text(text, encoding="utf-8", newline="\n"), source)
+
+
+def format_of_path(path: str | os.PathLike[str]) -> TextFormat | None:
+    """Return the format that a file name's ending tells of, if it does."""
+    suffix = os.path.splitext(os.fspath(path))[1].lower()
+    formats: dict[str, TextFormat] = {".toml": "toml", ".json": "json"}
+    return formats.get(suffix)
+
+
+def format_of_text(text: str) -> TextFormat:
+    """Return the format that the first character tells of."""
+    return "json" if text.lstrip().startswith("{") else "toml"
+
+
+def parse_mapping(text: str, text_format: TextFormat, source: str) -> dict[str, Any]:
+    """Return the mapping that a TOML or JSON text describes.
+
+    Raises
+    ------
+    FileError
+        If the text is empty, is not valid TOML or JSON, is nested too deep, repeats a
+        key, or does not hold a table.
+    """
+    if not text.strip():
+        raise FileError("is empty; it should hold a case", source=source)
+    parse = _parsed_json if text_format == "json" else _parsed_toml
+    try:
+        mapping = parse(text)
+    except FileError as error:
+        raise error.with_details(source=source) from None
+    except RecursionError:
+        raise FileError("is nested too deep to be a case", source=source) from None
+    except ValueError as error:
+        raise _syntax_error(error, text, source) from None
+    if not isinstance(mapping, dict):
+        raise FileError(
+            "must hold a table (an object, in JSON)",
+            source=source,
+            example='{"bearing": {…}, "duty": {…}}',
+        )
+    return mapping
+
+
+def _attempt(action: Callable[[], Result], source: str) -> Result:
+    try:
+        return action()
+    except FileError:
+        raise
+    except OSError as error:
+        reason = (error.strerror or str(error)).lower()
+        raise FileError(f"cannot be opened: {reason}", source=source) from None
+    except ValueError:
+        raise FileError("is not a possible file name", source=source) from None
+
+
+def _regular_file(source: str) -> bytes:
+    kind = os.stat(source).st_mode
+    if stat.S_ISDIR(kind):
+        raise FileError("is a directory; give a case file", source=source)
+    if not stat.S_ISREG(kind):
+        raise FileError("is not a regular file; use - for standard input", source=source)
+    with open(source, "rb") as file:
+        return file.read(_LARGEST_FILE + 1)
+
+
+def _standard_input() -> bytes:
+    if sys.stdin is None:
+        raise FileError("is closed", source=STANDARD_INPUT)
+    return sys.stdin.buffer.read(_LARGEST_FILE + 1)
+
+
+def _decoded(content: bytes, source: str) -> str:
+    if len(content) > _LARGEST_FILE:
+        raise FileError("is larger than 1 MB; a case is a page of text", source=source)
+    wrong = _ENCODING_MARKS.get(content[:2])
+    if wrong:
+        raise FileError(f"is {wrong} text; save it as UTF-8", source=source)
+    if b"\0" in content:
+        raise FileError("is a binary file; a case is TOML or JSON text", source=source)
+    try:
+        return content.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line = content.count(b"\n", 0, error.start) + 1
+        raise FileError("is not UTF-8 text", source=source, line=line) from None
+
+
+def _parsed_toml(text: str) -> object:
+    for number, line in enumerate(text.split("\n"), start=1):
+        if line.count(".") > _MOST_DOTS and not line.lstrip().startswith("#"):
+            raise FileError(f"has more than {_MOST_DOTS} dots in one line", line=number)
+    return tomllib.loads(text)
+
+
+def _parsed_json(text: str) -> object:
+    return json.loads(text, object_pairs_hook=_without_repetition, parse_constant=_refused)
+
+
+def _without_repetition(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    mapping = dict(pairs)
+    if len(mapping) < len(pairs):
+        names = [name for name, _ in pairs]
+        repeated = next(name for name in names if names.count(name) > 1)
+        raise FileError(f"gives the key {shown(repeated)} twice")
+    return mapping
+
+
+def _refused(constant: str) -> NoReturn:
+    raise FileError(f"holds {constant}, which is not a number")
+
+
+def _syntax_error(error: ValueError, text: str, source: str) -> FileError:
+    """Return a parser's complaint with its line number taken out of the sentence."""
+    if isinstance(error, json.JSONDecodeError):
+        rule = f"is not valid JSON: {error.msg.lower()}"
+        return FileError(rule, source=source, line=error.lineno)
+    if not isinstance(error, tomllib.TOMLDecodeError):  # the interpreter's limit on digits
+        return FileError("holds a number with too many digits", source=source)
+    reason, _, place = str(error).partition(" (at ")
+    number = re.match(r"line (\d+)", place)
+    line = int(number[1]) if number else text.rstrip().count("\n") + 1
+    return FileError(f"is not valid TOML: {reason[:150].lower()}", source=source, line=line)

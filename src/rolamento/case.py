@@ -1,0 +1,204 @@
+"""A case: one bearing and its duty, read from a file or built in Python."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Iterable, Mapping
+from typing import Any, Self
+
+from pydantic import Field, model_validator
+
+from rolamento._lines import line_of, lines_of_keys
+from rolamento._overrides import OVERRIDE_SOURCE, overridden
+from rolamento._quantity import Line
+from rolamento._reading import (
+    TextFormat,
+    format_of_path,
+    format_of_text,
+    parse_mapping,
+    read_text,
+    write_text,
+)
+from rolamento._record import Record
+from rolamento.bearing import Bearing
+from rolamento.duty import Duty
+from rolamento.errors import FileError, InputError
+from rolamento.model import Model
+from rolamento.units import from_si
+
+__all__ = [
+    "Case",
+    "case_to_json",
+    "case_to_toml",
+    "load_case",
+    "override",
+    "parse_case",
+    "save_case",
+]
+
+
+class Case(Record):
+    """One bearing, its duty, and the models to be used.
+
+    Parameters
+    ----------
+    title
+        One line, at most 200 characters.
+    bearing
+        A `Bearing`.
+    duty
+        A `Duty`.
+    model
+        A `Model`.
+
+    Raises
+    ------
+    InputError
+        If a part is missing or not valid, or the parts contradict each other.
+    """
+
+    title: Line = Field("", examples=["218 angular-contact ball bearing"])
+    bearing: Bearing = Field(examples=["[bearing] as a table"])
+    duty: Duty = Field(examples=["[duty] as a table"])
+    model: Model = Field(default_factory=Model)
+
+    @model_validator(mode="after")
+    def _displacement_within_reason(self) -> Self:
+        """A ring does not move by a ball: such a value has the wrong unit."""
+        limit = self.bearing.ball_diameter
+        for axis in ("x", "y", "z"):
+            shift = getattr(self.duty.displacement, axis)
+            if shift is not None and abs(shift) > limit:
+                raise InputError(
+                    f"must be at most the ball diameter, {from_si(limit, 'length')}",
+                    field=f"duty.displacement.{axis}",
+                    value=from_si(shift, "length"),
+                    example=f'{axis} = "0.01 mm"',
+                )
+        return self
+
+
+def load_case(path: str | os.PathLike[str], overrides: Iterable[str] = ()) -> Case:
+    """Read a case file.
+
+    Parameters
+    ----------
+    path
+        A TOML or JSON file, told apart by the name's ending, else by the first
+        character; ``"-"`` for standard input.
+    overrides
+        Settings ``KEY=VALUE`` that go over the file, such as ``"duty.load.fz=10 kN"``.
+
+    Raises
+    ------
+    FileError
+        If the file cannot be read, or is neither TOML nor JSON.
+    InputError
+        If it does not describe a valid case; with the line number.
+    """
+    text, source = read_text(path)
+    return parse_case(text, format=format_of_path(path), source=source, overrides=overrides)
+
+
+def parse_case(
+    text: str,
+    *,
+    format: TextFormat | None = None,
+    source: str = "",
+    overrides: Iterable[str] = (),
+) -> Case:
+    """Return the case that a TOML or JSON text describes.
+
+    Parameters
+    ----------
+    text
+        The text of a case file.
+    format
+        ``"toml"``, ``"json"``, or ``None`` to go by the first character.
+    source
+        What to call the text in messages.
+    overrides
+        As in `load_case`.
+
+    Raises
+    ------
+    InputError
+        As `load_case`.
+    """
+    known_format = format or format_of_text(text)
+    mapping = parse_mapping(text, known_format, source)
+    try:
+        return _case_from(mapping, overrides)
+    except InputError as error:
+        if error.source:
+            raise
+        line = line_of(error.field, lines_of_keys(text, known_format))
+        raise error.with_details(source=source, line=line) from None
+
+
+def override(case: Case, settings: Iterable[str]) -> Case:
+    """Return a case with settings applied, such as ``["duty.load.fz=10 kN"]``.
+
+    A setting replaces its rival: a clearance takes the place of the contact angle, a
+    displacement that of the load on the same degree of freedom.
+
+    Raises
+    ------
+    InputError
+        If a setting names no field, or the result is not valid.
+    """
+    return _case_from(case.to_mapping(), settings)
+
+
+def save_case(case: Case, path: str | os.PathLike[str]) -> None:
+    """Write a case to a file; `load_case` reads the identical case back.
+
+    Parameters
+    ----------
+    case
+        The case.
+    path
+        A name that ends in ``.toml`` or ``.json``.
+
+    Raises
+    ------
+    FileError
+        If the name ends otherwise or the file cannot be written.
+    """
+    known_format = format_of_path(path)
+    if known_format is None:
+        raise FileError("must end in .toml or .json", source=os.fspath(path), example="case.toml")
+    write_text(case_to_json(case) if known_format == "json" else case_to_toml(case), path)
+
+
+def case_to_toml(case: Case) -> str:
+    """Return a case as the text of a TOML case file."""
+    return "\n".join(_toml_lines(case.to_mapping(), "")).strip() + "\n"
+
+
+def case_to_json(case: Case) -> str:
+    """Return a case as the text of a JSON case file."""
+    return json.dumps(case.to_mapping(), indent=2, ensure_ascii=False) + "\n"
+
+
+def _case_from(mapping: Mapping[str, Any], settings: Iterable[str]) -> Case:
+    changed, fields = overridden(mapping, settings, Case)
+    try:
+        return Case.from_mapping(changed)
+    except InputError as error:
+        if error.field in fields:
+            raise error.with_details(source=OVERRIDE_SOURCE) from None
+        raise
+
+
+def _toml_lines(table: Mapping[str, Any], name: str) -> list[str]:
+    """Return the lines of a table: its own values first, then the tables inside."""
+    values = {key: value for key, value in table.items() if not isinstance(value, dict)}
+    tables = {key: value for key, value in table.items() if isinstance(value, dict)}
+    lines = ["", f"[{name}]"] if name and values else []
+    # Strings of one line and plain numbers are written alike in TOML and JSON.
+    lines += [f"{key} = {json.dumps(value, ensure_ascii=False)}" for key, value in values.items()]
+    for key, inner in tables.items():
+        lines += _toml_lines(inner, f"{name}.{key}" if name else key)
+    return lines

@@ -1,0 +1,73 @@
+"""Many cases through the fast path, the judgement and, where needed, the safe path."""
+# mypy: disable-error-code="no-untyped-def"
+
+from __future__ import annotations
+
+from rolamento.equilibrium import accept, rows
+from rolamento.equilibrium.accept import judge
+from rolamento.equilibrium.blocks import (
+    START_TOLERANCE,
+    TOLERANCE,
+    solve_moving,
+    solve_static,
+    start,
+)
+from rolamento.equilibrium.robust import solve_robust
+from rolamento.equilibrium.single import direction, groove
+from rolamento.numerics.compiled import kernel, shared
+
+
+@shared
+def _start_safely(p, column, cosines, sines, u, x):
+    """A start for the safe path: over-penetrating, every ball half way between the grooves."""
+    start(p, column, cosines.size, u)
+    for j in range(cosines.size):
+        c, s = direction(p, column, cosines[j], sines[j])
+        a1, a2 = groove(p, column, u, c, s)
+        x[j, 0], x[j, 1] = 0.5 * a1, 0.5 * a2
+
+
+@kernel
+def solve_cases(p, control, cosines, sines, moving, first, last, fast, out):
+    """Solve the cases first..last-1 and judge every one.
+
+    p: parameters (rows.PARAMETERS, cases or 1); control: +1/-1 per ball (cases or 1, balls);
+    moving: whether these cases have inertia; fast: whether to try the fast path.
+    out: displacement (cases, 5), position (cases, balls, 2), reaction (cases, 5), stiffness
+    (cases, 5, 5), residual, code, unsupported and iterations (cases), safe (cases): whether the
+    safe path was taken. Tilts and moments are scaled by the arm as in `rows`.
+    """
+    displacement, position, reaction, stiffness, residual, code, unsupported, iterations, safe = out
+    if fast:
+        tolerance = START_TOLERANCE if moving else TOLERANCE
+        solve_static(
+            p, control, cosines, sines, first, last, tolerance, displacement, iterations
+        )
+        if moving:
+            solve_moving(
+                p, control, cosines, sines, first, last, displacement, position, iterations
+            )
+    for case in range(first, last):
+        column = case if p.shape[1] > 1 else 0
+        balls = control[case if control.shape[0] > 1 else 0]
+        u, x = displacement[case], position[case]
+        code[case] = accept.NOT_CONVERGED
+        proposed = fast and iterations[case] != 0
+        if proposed and iterations[case] > 0:
+            code[case], residual[case], unsupported[case] = judge(
+                p, column, balls, cosines, sines, u, x, reaction[case], stiffness[case]
+            )
+        # a proposal that is not quite there is a start; failing that, begin anew
+        for attempt in range(2):
+            if code[case] != accept.NOT_CONVERGED or (attempt == 0 and not proposed):
+                continue
+            if attempt == 1:
+                _start_safely(p, column, cosines, sines, u, x)
+            settled, steps, escaping = solve_robust(p, column, balls, cosines, sines, u, x)
+            safe[case] = True
+            iterations[case] = abs(iterations[case]) + steps
+            code[case], residual[case], unsupported[case] = judge(
+                p, column, balls, cosines, sines, u, x, reaction[case], stiffness[case]
+            )
+            if attempt == 1 and code[case] == accept.NOT_CONVERGED and escaping >= 0:
+                code[case], unsupported[case] = accept.NO_EQUILIBRIUM, escaping

@@ -1,0 +1,216 @@
+"""The fast path, case by case: fill the lanes, start, iterate, hand over.
+
+What comes out is a proposal: `accept` checks every case in exact arithmetic, and `robust`
+solves what was not proposed or not accepted.
+"""
+# mypy: disable-error-code="no-untyped-def"
+
+from __future__ import annotations
+
+from math import sqrt
+from typing import Final
+
+import numpy as np
+
+from rolamento.equilibrium import lanes, rows
+from rolamento.numerics.compiled import inline_exact, shared
+
+STATIC_STEPS: Final = 10
+MOVING_STEPS: Final = 30
+START_TOLERANCE: Final = 1e-2  # of a static start for a moving bearing
+TOLERANCE: Final = 1e-5  # before the last step, which squares it
+
+_LANES: Final = rows.LANES
+_X: Final = rows.POSITION * _LANES
+
+
+@inline_exact
+def _over_penetration(p, case, ball_count):
+    """A displacement x, y, z at which the heaviest ball carries more than its load.
+
+    The potential of the contacts is convex: from the loaded side Newton's method comes down to
+    the solution, from the unloaded side it overshoots.
+    """
+    length = p[rows.OUTER_LENGTH, case] + p[rows.INNER_LENGTH, case]
+    a1, a2 = p[rows.AXIAL_OFFSET, case], p[rows.RADIAL_OFFSET, case]
+    fx, fy, fz = p[rows.APPLIED, case], p[rows.APPLIED + 1, case], p[rows.APPLIED + 2, case]
+    my, mz = p[rows.APPLIED + 3, case], p[rows.APPLIED + 4, case]
+    stiffness = p[rows.SERIES_STIFFNESS, case] * ball_count
+    radial = sqrt(fy * fy + fz * fz)
+    toward_y = fy / radial if radial > 0.0 else 0.0
+    toward_z = fz / radial if radial > 0.0 else 0.0
+    tilt = toward_z * p[rows.IMPOSED + 3, case] - toward_y * p[rows.IMPOSED + 4, case]
+    sine = sqrt(max(length * length - a2 * a2, 0.0)) / length
+
+    if abs(fx) * a2 < radial * sine * length:
+        # few balls carry, at the angle of the load itself
+        load = sqrt(fx * fx + radial * radial)
+        reach = length + (4.5 * load / stiffness) ** (2.0 / 3.0)
+        x = reach * fx / load - a1 - tilt
+        away = reach * radial / load - a2
+    else:
+        axial = (abs(fx) + 2.0 * sqrt(my * my + mz * mz)) / max(sine, 0.2)
+        reach = length + (axial / stiffness) ** (2.0 / 3.0)
+        x = sqrt(max(reach * reach - a2 * a2, 0.0)) * (1.0 if fx > 0.0 else -1.0) - a1
+        away = (4.5 * radial / stiffness) ** (2.0 / 3.0)
+    if fx == 0.0 or (fx < 0.0 and p[rows.ONE_SIDED, case] > 0.0):
+        x = 0.0
+    return x, away * toward_y, away * toward_z
+
+
+@shared
+def start(p, case, ball_count, u):
+    """Write a first displacement of the ring: as held, or so that the balls carry too much."""
+    column = case if p.shape[1] > 1 else 0
+    x, y, z = _over_penetration(p, column, ball_count)
+    guess = (x, y, z, 0.0, 0.0)
+    for i in range(rows.DEGREES_OF_FREEDOM):
+        free = p[rows.FREE + i, column] > 0.0
+        u[i] = guess[i] if free else p[rows.IMPOSED + i, column]
+
+
+@inline_exact
+def _fill(w, b, lane, p, cosines, sines, control, case, u):
+    """Put a case into a lane, its ring at u."""
+    column = case if p.shape[1] > 1 else 0
+    for row in range(rows.PARAMETERS):
+        w[row * _LANES + lane] = p[row, column]
+    for i in range(rows.DEGREES_OF_FREEDOM):
+        w[(rows.DISPLACEMENT + i) * _LANES + lane] = u[i]
+    series, outer = p[rows.SERIES_STIFFNESS, column], p[rows.OUTER_STIFFNESS, column]
+    speed = 0.5 * (p[rows.INNER_SPEED, column] + p[rows.OUTER_SPEED, column])
+    inertia = p[rows.CENTRIFUGAL, column] * speed * speed
+    w[rows.OUTER_SHARE * _LANES + lane] = (series / outer) ** (2.0 / 3.0)
+    w[rows.INERTIA_APPROACH * _LANES + lane] = (inertia / series) ** (2.0 / 3.0)
+    c0, s0 = p[rows.COS_FIRST, column], p[rows.SIN_FIRST, column]
+    sigmas = case if control.shape[0] > 1 else 0
+    for j in range(cosines.size):
+        sigma = control[sigmas, j]
+        b[j, rows.COS * _LANES + lane] = cosines[j] * c0 - sines[j] * s0
+        b[j, rows.SIN * _LANES + lane] = sines[j] * c0 + cosines[j] * s0
+        b[j, rows.SIGMA * _LANES + lane] = sigma
+        b[j, rows.LAMBDA * _LANES + lane] = p[rows.LAMBDA_INNER, column] if sigma > 0 else 2.0
+
+
+@inline_exact
+def _read_displacement(w, lane, u):
+    for i in range(rows.DEGREES_OF_FREEDOM):
+        u[i] = w[(rows.DISPLACEMENT + i) * _LANES + lane]
+
+
+@inline_exact
+def _unbalanced(w, lane):
+    """The ring's greatest unbalanced load, over the scale of its loads; NaN stays NaN."""
+    worst = 0.0
+    scale = 0.0
+    for i in range(rows.DEGREES_OF_FREEDOM):
+        applied = w[(rows.APPLIED + i) * _LANES + lane]
+        reaction = w[(rows.REACTION + i) * _LANES + lane]
+        scale = max(scale, abs(applied), abs(reaction))
+        if w[(rows.FREE + i) * _LANES + lane] > 0.0:
+            miss = abs(applied - reaction)
+            worst = miss if not miss <= worst else worst
+    return worst / scale if scale > 0.0 else worst
+
+
+@inline_exact
+def _any_astray(w):
+    """Whether the ball just moved has left its place in some lane."""
+    for i in range(rows.ASTRAY * _LANES, (rows.ASTRAY + 1) * _LANES):
+        if w[i] > 0.0:
+            return True
+    return False
+
+
+@shared
+def solve_static(p, control, cosines, sines, first, last, tolerance, displacement, iterations):
+    """Newton's method on the ring alone, every ball on the line of the groove centres.
+
+    Blocks of lanes run until the slowest has settled. Writes displacement (cases, 5) and
+    iterations (cases): zero, and the start unchanged, where a lane did not settle.
+    """
+    w = np.zeros(rows.RING_ROWS * _LANES)
+    b = np.zeros((cosines.size, rows.BALL_ROWS * _LANES))
+    for block in range(first, last, _LANES):
+        count = min(_LANES, last - block)
+        for lane in range(_LANES):
+            case = min(block + lane, last - 1)
+            start(p, case, cosines.size, displacement[case])
+            iterations[case] = 0
+            _fill(w, b, lane, p, cosines, sines, control, case, displacement[case])
+        open_lanes = count
+        for step in range(STATIC_STEPS):
+            lanes.reset_sums(w)
+            for j in range(cosines.size):
+                lanes.add_static_ball(w, b[j])
+            for lane in range(count):
+                if iterations[block + lane] == 0 and _unbalanced(w, lane) <= tolerance:
+                    iterations[block + lane] = step + 1
+                    open_lanes -= 1
+            lanes.step_ring(w)
+            if open_lanes == 0:
+                break
+        for lane in range(count):
+            if iterations[block + lane] > 0:
+                _read_displacement(w, lane, displacement[block + lane])
+
+
+@shared
+def solve_moving(p, control, cosines, sines, first, last, displacement, position, iterations):
+    """Newton's method on ring and balls together, from the static displacement.
+
+    A lane that has settled, failed or run out of steps takes the next case. Writes displacement
+    (cases, 5), position (cases, balls, 2) and iterations (cases): zero where a lane failed,
+    negative where it ran out of steps.
+    """
+    balls = cosines.size
+    w = np.zeros(rows.RING_ROWS * _LANES)
+    b = np.zeros((balls, rows.BALL_ROWS * _LANES))
+    holds = np.full(_LANES, -1)  # the case in each lane
+    steps = np.zeros(_LANES, np.int64)
+    settled = np.zeros(_LANES, np.bool_)
+    waiting = first
+    working = 0
+    for lane in range(_LANES):
+        _fill(w, b, lane, p, cosines, sines, control, first, displacement[first])
+    while waiting < last or working > 0:
+        fresh = False
+        for lane in range(_LANES):
+            is_fresh = holds[lane] < 0 and waiting < last
+            w[rows.ASTRAY * _LANES + lane] = 1.0 if is_fresh else 0.0
+            if is_fresh:
+                _fill(w, b, lane, p, cosines, sines, control, waiting, displacement[waiting])
+                holds[lane] = waiting
+                steps[lane] = 0
+                waiting += 1
+                working += 1
+                fresh = True
+        if fresh:
+            for j in range(balls):
+                lanes.replace_ball(w, b[j])
+
+        lanes.reset_sums(w)
+        for j in range(balls):
+            lanes.add_moving_ball(w, b[j], TOLERANCE)
+        for lane in range(_LANES):
+            at_rest = w[rows.FAULT * _LANES + lane] <= 0.0
+            settled[lane] = at_rest and _unbalanced(w, lane) <= TOLERANCE
+            steps[lane] += 1
+        lanes.step_ring(w)
+        for j in range(balls):
+            lanes.follow_ring(w, b[j])
+            if _any_astray(w):
+                lanes.replace_ball(w, b[j])
+
+        for lane in range(_LANES):
+            case = holds[lane]
+            lost = w[rows.DISPLACEMENT * _LANES + lane] != w[rows.DISPLACEMENT * _LANES + lane]
+            if case < 0 or not (settled[lane] or lost or steps[lane] >= MOVING_STEPS):
+                continue
+            iterations[case] = 0 if lost else (steps[lane] if settled[lane] else -steps[lane])
+            _read_displacement(w, lane, displacement[case])
+            for j in range(balls):
+                position[case, j, 0] = b[j, _X + lane]
+                position[case, j, 1] = b[j, _X + _LANES + lane]
+            holds[lane] = -1
+            working -= 1

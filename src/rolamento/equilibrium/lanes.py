@@ -1,0 +1,260 @@
+"""The fast path: Newton's method on ring and balls together, many cases abreast.
+
+Each function is one pass over the lanes and compiles to vector code: no branch, no call that
+is not inlined, every array index unsigned. A lane that fails turns to NaN or does not settle;
+it is left for `robust`, and nothing here decides whether a result may be shown.
+"""
+# mypy: disable-error-code="no-untyped-def"
+
+from __future__ import annotations
+
+from math import sqrt
+
+import numpy as np
+
+from rolamento.equilibrium import rows
+from rolamento.equilibrium.ball import contact_fast, linearised_fast, polar_fast
+from rolamento.equilibrium.rows import lanes
+from rolamento.numerics.compiled import inline_fast, vector_loop
+
+N = np.uintp(rows.LANES)
+
+_COS, _SIN, _SIGMA, _LAMBDA = (lanes(r) for r in (rows.COS, rows.SIN, rows.SIGMA, rows.LAMBDA))
+_X1, _X2 = lanes(rows.POSITION), lanes(rows.POSITION + 1)
+_Q1, _Q2, _W11, _W12, _W21, _W22 = (lanes(rows.FOLLOW + i) for i in range(6))
+
+_L_O, _L_I = lanes(rows.OUTER_LENGTH), lanes(rows.INNER_LENGTH)
+_A1, _A2 = lanes(rows.AXIAL_OFFSET), lanes(rows.RADIAL_OFFSET)
+_GAMMA, _C_F, _C_G = lanes(rows.GAMMA), lanes(rows.CENTRIFUGAL), lanes(rows.GYROSCOPIC)
+_OMEGA_I, _OMEGA_O = lanes(rows.INNER_SPEED), lanes(rows.OUTER_SPEED)
+_FRICTION_ARM = lanes(rows.FRICTION_ARM)
+_KO0, _KO1, _KO2, _KO3, _KO4, _KO5, _KO6 = (lanes(rows.OUTER_STIFFNESS + i) for i in range(7))
+_KI0, _KI1, _KI2, _KI3, _KI4, _KI5, _KI6 = (lanes(rows.INNER_STIFFNESS + i) for i in range(7))
+_KS0, _KS1, _KS2, _KS3, _KS4, _KS5, _KS6 = (lanes(rows.SERIES_STIFFNESS + i) for i in range(7))
+_APPLIED, _FREE = lanes(rows.APPLIED), lanes(rows.FREE)
+_UX, _UY, _UZ, _UP, _UQ = (lanes(rows.DISPLACEMENT + i) for i in range(5))
+_DX, _DY, _DZ, _DP, _DQ = (lanes(rows.STEP + i) for i in range(5))
+_FX, _FY, _FZ, _FP, _FQ = (lanes(rows.REACTION + i) for i in range(5))
+_MATRIX = tuple(lanes(rows.MATRIX + i) for i in range(25))
+_FAULT, _ASTRAY = lanes(rows.FAULT), lanes(rows.ASTRAY)
+_OUTER_SHARE, _INERTIA_APPROACH = lanes(rows.OUTER_SHARE), lanes(rows.INERTIA_APPROACH)
+_FIVE = np.uintp(rows.DEGREES_OF_FREEDOM)
+_ONE = np.uintp(1)
+_RESET = lanes(rows.FAULT + 1 - rows.REACTION)
+
+
+@inline_fast
+def _groove(w, b, i):
+    """Where the inner groove's centre stands at this ball: A1, A2."""
+    c = b[_COS + i]
+    s = b[_SIN + i]
+    a1 = w[_A1 + i] + w[_UX + i] + c * w[_UP + i] - s * w[_UQ + i]
+    a2 = w[_A2 + i] + c * w[_UZ + i] + s * w[_UY + i]
+    return a1, a2
+
+
+@inline_fast
+def _add_row(w, i, row, by_a1, by_a2, c, s):
+    """Add a row of the ring's stiffness, given the derivatives by A1 and A2."""
+    w[_MATRIX[row] + i] += by_a1
+    w[_MATRIX[row + 1] + i] += s * by_a2
+    w[_MATRIX[row + 2] + i] += c * by_a2
+    w[_MATRIX[row + 3] + i] += c * by_a1
+    w[_MATRIX[row + 4] + i] -= s * by_a1
+
+
+@inline_fast
+def _add_to_ring(w, b, i, force, stiffness):
+    """Add one ball's force and stiffness to the ring's.
+
+    With dA1 = dx + c dp - s dq and dA2 = s dy + c dz (p, q: the tilts times the arm), the rows
+    x, y, z, p, q of the ring take f1, s f2, c f2, c h and -s h.
+    """
+    c = b[_COS + i]
+    s = b[_SIN + i]
+    f1, f2, h = force
+    k11, k12, k21, k22, h1, h2 = stiffness
+    w[_FX + i] += f1
+    w[_FY + i] += s * f2
+    w[_FZ + i] += c * f2
+    w[_FP + i] += c * h
+    w[_FQ + i] -= s * h
+    _add_row(w, i, 0, k11, k12, c, s)
+    _add_row(w, i, 5, s * k21, s * k22, c, s)
+    _add_row(w, i, 10, c * k21, c * k22, c, s)
+    _add_row(w, i, 15, c * h1, c * h2, c, s)
+    _add_row(w, i, 20, -s * h1, -s * h2, c, s)
+
+
+@vector_loop
+def reset_sums(w):
+    """Empty the sums over the balls."""
+    for i in range(_FX, _FX + _RESET):
+        w[i] = 0.0
+
+
+@vector_loop
+def add_static_ball(w, b):
+    """A ball without inertia: both contacts in series along the line of groove centres."""
+    for i in range(N):
+        a1, a2 = _groove(w, b, i)
+        stiffness = (
+            w[_KS0 + i], w[_KS1 + i], w[_KS2 + i], w[_KS3 + i], w[_KS4 + i], w[_KS5 + i], w[_KS6 + i]
+        )  # fmt: skip
+        s, c, v, q, kn, ka = contact_fast(a1, a2, w[_L_I + i] + w[_L_O + i], stiffness)
+        k11, k12, k21, k22 = polar_fast(s, c, kn, ka * v, q * v)
+        _add_to_ring(w, b, i, (q * s, q * c, q * s), (k11, k12, k21, k22, k11, k12))
+
+
+@vector_loop
+def add_moving_ball(w, b, tolerance):
+    """A ball in motion: its residual, its step, and the ring's view of it."""
+    for i in range(N):
+        a1, a2 = _groove(w, b, i)
+        outer = (w[_L_O + i], (
+            w[_KO0 + i], w[_KO1 + i], w[_KO2 + i], w[_KO3 + i], w[_KO4 + i], w[_KO5 + i], w[_KO6 + i]
+        ))  # fmt: skip
+        inner = (w[_L_I + i], (
+            w[_KI0 + i], w[_KI1 + i], w[_KI2 + i], w[_KI3 + i], w[_KI4 + i], w[_KI5 + i], w[_KI6 + i]
+        ))  # fmt: skip
+        motion = (
+            w[_GAMMA + i], w[_C_F + i], w[_C_G + i], w[_OMEGA_I + i], w[_OMEGA_O + i],
+            w[_FRICTION_ARM + i],
+        )  # fmt: skip
+        residual, follow, force, stiffness, scale = linearised_fast(
+            a1, a2, b[_X1 + i], b[_X2 + i], inner, outer, motion, b[_SIGMA + i], b[_LAMBDA + i]
+        )
+        r1, r2 = residual
+        allowed = tolerance * scale
+        w[_FAULT + i] = max(w[_FAULT + i], r1 * r1 + r2 * r2 - allowed * allowed)
+        b[_Q1 + i], b[_Q2 + i], b[_W11 + i], b[_W12 + i], b[_W21 + i], b[_W22 + i] = follow
+        _add_to_ring(w, b, i, force, stiffness)
+
+
+@vector_loop
+def follow_ring(w, b):
+    """Move a ball by its own step and with the ring's."""
+    for i in range(N):
+        c = b[_COS + i]
+        s = b[_SIN + i]
+        da1 = w[_DX + i] + c * w[_DP + i] - s * w[_DQ + i]
+        da2 = c * w[_DZ + i] + s * w[_DY + i]
+        dx1 = b[_Q1 + i] + b[_W11 + i] * da1 + b[_W12 + i] * da2
+        dx2 = b[_Q2 + i] + b[_W21 + i] * da1 + b[_W22 + i] * da2
+        x1 = b[_X1 + i] + dx1
+        x2 = b[_X2 + i] + dx2
+        b[_X1 + i] = x1
+        b[_X2 + i] = x2
+        # a place between the axis plane and the line of groove centres, at the outer race
+        a1, a2 = _groove(w, b, i)
+        l_o = w[_L_O + i]
+        side = 1.0 if a1 > 0.0 else -1.0
+        inside = min(side * x1, side * (a1 * x2 - a2 * x1) / l_o) + 0.1 * l_o
+        reach = sqrt(x1 * x1 + x2 * x2)
+        inside = min(inside, min(1.5 * l_o - reach, reach - 0.8 * l_o))
+        w[_ASTRAY + i] = 0.0 if inside > 0.0 else 1.0
+
+
+@vector_loop
+def _hold(w):
+    """Set up the ring's equations: the unbalanced load, and unit rows where it is held."""
+    for row in range(_FIVE):
+        for i in range(N):
+            free = w[_FREE + row * N + i]
+            w[_DX + row * N + i] = free * (w[_APPLIED + row * N + i] - w[_FX + row * N + i])
+        for column in range(_FIVE):
+            entry = _MATRIX[0] + (row * _FIVE + column) * N
+            unit = 1.0 if row == column else 0.0
+            for i in range(N):
+                free = w[_FREE + row * N + i]
+                w[entry + i] = free * w[entry + i] + (1.0 - free) * unit
+
+
+@vector_loop
+def _eliminate(w):
+    """Gauss's elimination and back substitution, the solution in place of the right side."""
+    for pivot in range(_FIVE):
+        diagonal = _MATRIX[0] + (pivot * _FIVE + pivot) * N
+        for row in range(pivot + _ONE, _FIVE):
+            below = _MATRIX[0] + (row * _FIVE + pivot) * N
+            for i in range(N):
+                w[below + i] /= w[diagonal + i]
+            for column in range(pivot + _ONE, _FIVE):
+                target = _MATRIX[0] + (row * _FIVE + column) * N
+                source = _MATRIX[0] + (pivot * _FIVE + column) * N
+                for i in range(N):
+                    w[target + i] -= w[below + i] * w[source + i]
+            for i in range(N):
+                w[_DX + row * N + i] -= w[below + i] * w[_DX + pivot * N + i]
+    for back in range(_FIVE):
+        row = _FIVE - _ONE - back
+        for column in range(row + _ONE, _FIVE):
+            entry = _MATRIX[0] + (row * _FIVE + column) * N
+            for i in range(N):
+                w[_DX + row * N + i] -= w[entry + i] * w[_DX + column * N + i]
+        diagonal = _MATRIX[0] + (row * _FIVE + row) * N
+        for i in range(N):
+            w[_DX + row * N + i] /= w[diagonal + i]
+
+
+@vector_loop
+def step_ring(w):
+    """One Newton step of the ring on its free degrees of freedom."""
+    _hold(w)
+    _eliminate(w)
+    for i in range(_FIVE * N):
+        w[_UX + i] += w[_DX + i]
+
+
+@inline_fast
+def _first_place(w, b, i):
+    """A place near equilibrium for a moving ball, whatever its load: X1, X2.
+
+    The two approaches and the distance |A| make a triangle. A ball that the groove centres hardly
+    reach (|A| < L_o + L_i) is held up by its centrifugal force at its apex; a heavily loaded
+    ball leaves the line of centres only by the turning of its load.
+    """
+    a1, a2 = _groove(w, b, i)
+    c_f = w[_C_F + i]
+    stiffness = (
+        w[_KS0 + i], w[_KS1 + i], w[_KS2 + i], w[_KS3 + i], w[_KS4 + i], w[_KS5 + i], w[_KS6 + i]
+    )  # fmt: skip
+    l_o = w[_L_O + i]
+    l_i = w[_L_I + i]
+    s, c, inverse, q, _, _ = contact_fast(a1, a2, l_i + l_o, stiffness)
+    gamma = w[_GAMMA + i] * c
+    speed = 0.5 * (w[_OMEGA_I + i] * (1.0 - gamma) + w[_OMEGA_O + i] * (1.0 + gamma))
+    f_c = c_f * speed * speed
+
+    length = 1.0 / inverse
+    static = max(length - l_i - l_o, 0.0)
+    alone = w[_INERTIA_APPROACH + i]
+    approach = static + alone * sqrt(alone) / (sqrt(alone) + 1.5 * sqrt(static) + 1e-30)
+    share = w[_OUTER_SHARE + i]
+    l_o += share * approach
+    l_i += (1.0 - share) * approach
+    cosine = 0.5 * (l_o * l_o + length * length - l_i * l_i) * inverse / l_o
+    sine = min(sqrt(max(1.0 - cosine * cosine, 0.0)), 0.5 * f_c * abs(s) / (q + 1e-30))
+    sine = sine if s > 0.0 else -sine
+    cosine = sqrt(1.0 - sine * sine)
+    s_o = s * cosine - c * sine
+    c_o = c * cosine + s * sine
+    beyond = s_o * s < 0.0
+    return l_o * (0.0 if beyond else s_o), l_o * (1.0 if beyond else c_o)
+
+
+@vector_loop
+def place_ball(w, b):
+    """Put a moving ball near its equilibrium."""
+    for i in range(N):
+        b[_X1 + i], b[_X2 + i] = _first_place(w, b, i)
+
+
+@vector_loop
+def replace_ball(w, b):
+    """Put a ball near its equilibrium again in the lanes where it has gone astray."""
+    for i in range(N):
+        x1, x2 = _first_place(w, b, i)
+        astray = w[_ASTRAY + i] > 0.0
+        b[_X1 + i] = x1 if astray else b[_X1 + i]
+        b[_X2 + i] = x2 if astray else b[_X2 + i]

@@ -1,0 +1,67 @@
+"""The layout of the solver's arrays: what stands in which row.
+
+A case is a column of `PARAMETERS` numbers in SI units, ring rotations and moments excepted:
+these are carried as arm times angle (m) and moment over arm (N), with the arm R_i of the inner
+groove's centres, so that the ring's equations have one unit. The vector kernels work on `LANES`
+cases at a time: a row is a run of `LANES` numbers, and `lanes(row)` says where it starts.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+
+LANES: Final = 16
+COEFFICIENTS: Final = 7
+DEGREES_OF_FREEDOM: Final = 5
+
+# --- a case -----------------------------------------------------------------------------------
+OUTER_LENGTH: Final = 0  # L_o = (f_o - 1/2) D
+INNER_LENGTH: Final = 1  # L_i
+AXIAL_OFFSET: Final = 2  # A1 of the unloaded bearing
+RADIAL_OFFSET: Final = 3  # A2
+GAMMA: Final = 4  # gamma' = D / d_m
+CENTRIFUGAL: Final = 5  # m d_m / 2, or 0 where switched off
+GYROSCOPIC: Final = 6  # m d_m / 10, or 0
+INNER_SPEED: Final = 7
+OUTER_SPEED: Final = 8
+FRICTION_ARM: Final = 9  # f_i D / R_i
+LAMBDA_INNER: Final = 10  # the inner race's part of the gyroscopic moment under outer control
+COS_FIRST: Final = 11  # azimuth of the first ball
+SIN_FIRST: Final = 12
+ARM: Final = 13  # R_i
+ONE_SIDED: Final = 14  # 1 where only contact angles above zero are supported
+BALL_DIAMETER: Final = 15
+OUTER_STIFFNESS: Final = 16  # seven coefficients of K_o in cos a
+INNER_STIFFNESS: Final = 23
+SERIES_STIFFNESS: Final = 30  # of both contacts in series at one angle
+APPLIED: Final = 37  # five loads: fx, fy, fz, my / R_i, mz / R_i
+IMPOSED: Final = 42  # five displacements: x, y, z, ry R_i, rz R_i
+FREE: Final = 47  # five flags: 1 where the load is given, 0 where the displacement is
+PARAMETERS: Final = 52
+
+# --- the ring's workspace: the case's parameters, then ----------------------------------------
+DISPLACEMENT: Final = PARAMETERS
+STEP: Final = DISPLACEMENT + 5
+REACTION: Final = STEP + 5  # the balls' forces on the ring
+MATRIX: Final = REACTION + 5  # their derivatives by the ring's displacement, 5 x 5
+FAULT: Final = MATRIX + 25  # greatest residual of a ball beyond what is allowed
+ASTRAY: Final = FAULT + 1  # above zero where a ball has left the place where it can be
+OUTER_SHARE: Final = ASTRAY + 1  # of the outer contact in the approach of both
+INERTIA_APPROACH: Final = OUTER_SHARE + 1  # approach of both contacts under F_c alone
+RING_ROWS: Final = INERTIA_APPROACH + 1
+
+# --- a ball's workspace -----------------------------------------------------------------------
+COS: Final = 0
+SIN: Final = 1
+SIGMA: Final = 2  # +1 outer race control, -1 inner
+LAMBDA: Final = 3
+POSITION: Final = 4  # X1, X2
+FOLLOW: Final = 6  # dX = q + W dA
+BALL_ROWS: Final = 12
+
+
+def lanes(row: int) -> np.uintp:
+    """Start of a row in a lane workspace; unsigned, so that no index can wrap around."""
+    return np.uintp(row * LANES)

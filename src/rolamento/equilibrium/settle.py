@@ -1,0 +1,157 @@
+"""One ball between grooves that stand still: the safe way to its place.
+
+Newton's method first. Where it fails or strays, the ball's place is bracketed: its distance from
+the outer groove's centre at a given outer angle (the force along the outer normal falls with the
+distance), and the outer angle itself, between the radial direction and the line of the groove
+centres (Harris 1991, fig. 8.6: alpha_o <= alpha <= alpha_i).
+"""
+# mypy: disable-error-code="no-untyped-def"
+
+from __future__ import annotations
+
+from math import atan2, cos, pi, sin, sqrt
+from typing import Final
+
+from rolamento.equilibrium import rows
+from rolamento.equilibrium.single import contacts, inner_share, linearised
+from rolamento.numerics.compiled import shared
+
+PRECISION: Final = 1e-12
+NEWTON_STEPS: Final = 20
+BRACKET_STEPS: Final = 80
+
+
+@shared
+def in_place(p, case, a1, x1, x2):
+    """Whether a ball stands where it can: pushed to the same side by both rings, and outward."""
+    slack = 1e-9 * p[rows.OUTER_LENGTH, case]
+    side = 1.0 if a1 >= 0.0 else -1.0
+    return side * x1 >= -slack and x2 > 0.0 and side * (a1 - x1) >= -slack
+
+
+@shared
+def free_ball(p, case, sigma, a1, a2):
+    """A ball that only its centrifugal force presses outward: (whether it is free, X1, X2)."""
+    x2 = p[rows.OUTER_LENGTH, case]
+    stiffness = 0.0
+    for power in range(rows.COEFFICIENTS):  # K_o at a contact angle of zero
+        stiffness += p[rows.OUTER_STIFFNESS + power, case]
+    for _ in range(50):
+        f_c = contacts(p, case, sigma, a1, a2, 0.0, x2)[8]
+        before = x2
+        x2 = p[rows.OUTER_LENGTH, case] + (f_c / stiffness) ** (2.0 / 3.0)
+        if abs(x2 - before) <= 1e-16 * x2:
+            break
+    gap = sqrt(a1 * a1 + (a2 - x2) ** 2)
+    return gap <= p[rows.INNER_LENGTH, case], 0.0, x2
+
+
+@shared
+def _newton(p, case, sigma, a1, a2, x1, x2):
+    """Newton's method with shortened steps: (whether it settled in place, X1, X2)."""
+    longest = 0.2 * p[rows.OUTER_LENGTH, case]
+    residual, follow, _, _, scale = linearised(p, case, sigma, a1, a2, x1, x2)
+    error = sqrt(residual[0] ** 2 + residual[1] ** 2)
+    for _ in range(NEWTON_STEPS):
+        if error <= PRECISION * scale:
+            return in_place(p, case, a1, x1, x2), x1, x2
+        length = sqrt(follow[0] ** 2 + follow[1] ** 2)
+        part = min(1.0, longest / length) if length > 0.0 else 1.0
+        for _ in range(4):
+            y1 = x1 + part * follow[0]
+            y2 = x2 + part * follow[1]
+            residual, ahead, _, _, scale = linearised(p, case, sigma, a1, a2, y1, y2)
+            trial = sqrt(residual[0] ** 2 + residual[1] ** 2)
+            if trial < error:
+                break
+            part *= 0.3
+        if not trial < error:
+            # rounding: as near as it gets, or stuck
+            near = error <= 100.0 * PRECISION * scale
+            return near and in_place(p, case, a1, x1, x2), x1, x2
+        x1, x2, follow, error = y1, y2, ahead, trial
+    return False, x1, x2
+
+
+@shared
+def _along_and_across(p, case, sigma, a1, a2, alpha, reach):
+    """The ball's residual along the outer normal and across it."""
+    s_i, c_i, _, q_i, s_o, c_o, _, q_o, f_c, t = contacts(
+        p, case, sigma, a1, a2, reach * sin(alpha), reach * cos(alpha)
+    )
+    lambda_i = inner_share(p, case, sigma)
+    cosine = c_i * c_o + s_i * s_o
+    sine = s_i * c_o - c_i * s_o
+    along = q_i * cosine + lambda_i * t * sine - q_o + f_c * c_o
+    across = q_i * sine - lambda_i * t * cosine + (2.0 - lambda_i) * t - f_c * s_o
+    return along, across
+
+
+@shared
+def _reach_at(p, case, sigma, a1, a2, alpha):
+    """The distance from the outer groove's centre at which the normal forces balance."""
+    low = p[rows.OUTER_LENGTH, case]
+    f_low, _ = _along_and_across(p, case, sigma, a1, a2, alpha, low)
+    if not f_low > 0.0:
+        return low
+    step = 1e-4 * low
+    high = low + step
+    f_high, _ = _along_and_across(p, case, sigma, a1, a2, alpha, high)
+    while f_high > 0.0 and step < low:
+        low, f_low = high, f_high
+        step *= 4.0
+        high += step
+        f_high, _ = _along_and_across(p, case, sigma, a1, a2, alpha, high)
+    for _ in range(BRACKET_STEPS):
+        middle = high - f_high * (high - low) / (f_high - f_low)
+        if not low < middle < high:
+            middle = 0.5 * (low + high)
+        f_middle, _ = _along_and_across(p, case, sigma, a1, a2, alpha, middle)
+        if f_middle > 0.0:
+            low, f_low = middle, f_middle
+            f_high *= 0.5
+        else:
+            high, f_high = middle, f_middle
+            f_low *= 0.5
+        if f_middle == 0.0 or high - low <= 2e-16 * high:
+            break
+    return high
+
+
+@shared
+def _bracketed(p, case, sigma, a1, a2):
+    """The ball's place between bounds of its outer angle: (whether found, X1, X2); A1 >= 0."""
+    low, high = 0.0, atan2(a1, a2)
+    _, f_high = _along_and_across(p, case, sigma, a1, a2, high,
+                                  _reach_at(p, case, sigma, a1, a2, high))
+    if f_high > 0.0:  # counter-rotating rings turn the ball the other way
+        low, high = high, 0.5 * pi
+    for _ in range(BRACKET_STEPS):
+        middle = 0.5 * (low + high)
+        reach = _reach_at(p, case, sigma, a1, a2, middle)
+        _, across = _along_and_across(p, case, sigma, a1, a2, middle, reach)
+        if across > 0.0:
+            low = middle
+        else:
+            high = middle
+        x1, x2 = reach * sin(middle), reach * cos(middle)
+        found, y1, y2 = _newton(p, case, sigma, a1, a2, x1, x2)
+        if found:
+            return True, y1, y2
+        if high - low <= 1e-15:
+            break
+    return False, reach * sin(middle), reach * cos(middle)
+
+
+@shared
+def settle(p, case, sigma, a1, a2, x1, x2):
+    """Find a moving ball's place from a first guess: (whether found, X1, X2)."""
+    found, y1, y2 = _newton(p, case, sigma, a1, a2, x1, x2)
+    if found:
+        return True, y1, y2
+    free, y1, y2 = free_ball(p, case, sigma, a1, a2)
+    if free:
+        return True, y1, y2
+    side = 1.0 if a1 >= 0.0 else -1.0
+    found, y1, y2 = _bracketed(p, case, sigma, side * a1, a2)
+    return found, side * y1, y2

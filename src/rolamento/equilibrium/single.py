@@ -1,0 +1,129 @@
+"""One ball or one case at a time, in exact arithmetic: the plain form of the equations.
+
+`blocks` is fast; this is what it is measured by. A ball is evaluated as `ball` writes it, a
+ring by a loop over its balls.
+"""
+# mypy: disable-error-code="no-untyped-def"
+
+from __future__ import annotations
+
+from math import sqrt
+from typing import Final
+
+import numpy as np
+
+from rolamento.equilibrium import rows
+from rolamento.equilibrium.ball import contact_exact, inertia_exact, linearised_exact, polar_exact
+from rolamento.numerics.compiled import inline_exact, shared
+
+LOAD_FLOOR: Final = 1e-6  # of the heaviest ball: below it a ball's own load is no scale
+
+
+@inline_exact
+def coefficients(p, row, case):
+    """The seven coefficients of a contact's stiffness."""
+    return (
+        p[row, case], p[row + 1, case], p[row + 2, case], p[row + 3, case],
+        p[row + 4, case], p[row + 5, case], p[row + 6, case],
+    )  # fmt: skip
+
+
+@inline_exact
+def races(p, case):
+    """Inner and outer contact: free length and stiffness."""
+    inner = (p[rows.INNER_LENGTH, case], coefficients(p, rows.INNER_STIFFNESS, case))
+    outer = (p[rows.OUTER_LENGTH, case], coefficients(p, rows.OUTER_STIFFNESS, case))
+    return inner, outer
+
+
+@inline_exact
+def motion(p, case):
+    """gamma', c_f, c_g, the rings' speeds, and the arm of the friction."""
+    return (
+        p[rows.GAMMA, case], p[rows.CENTRIFUGAL, case], p[rows.GYROSCOPIC, case],
+        p[rows.INNER_SPEED, case], p[rows.OUTER_SPEED, case], p[rows.FRICTION_ARM, case],
+    )  # fmt: skip
+
+
+@inline_exact
+def inner_share(p, case, sigma):
+    """lambda_i: the inner race's part of the gyroscopic moment."""
+    return p[rows.LAMBDA_INNER, case] if sigma > 0 else 2.0
+
+
+@inline_exact
+def direction(p, case, cosine, sine):
+    """cos and sin of a ball's azimuth, the first ball's taken in."""
+    c0, s0 = p[rows.COS_FIRST, case], p[rows.SIN_FIRST, case]
+    return cosine * c0 - sine * s0, sine * c0 + cosine * s0
+
+
+@inline_exact
+def groove(p, case, u, c, s):
+    """A1, A2: the inner groove's centre at azimuth (c, s), for the ring's displacement u."""
+    a1 = p[rows.AXIAL_OFFSET, case] + u[0] + c * u[3] - s * u[4]
+    a2 = p[rows.RADIAL_OFFSET, case] + c * u[2] + s * u[1]
+    return a1, a2
+
+
+@shared
+def contacts(p, case, sigma, a1, a2, x1, x2):
+    """Both contacts and the inertia of a ball at X: what a result shows.
+
+    Returns s_i, c_i, |Y|, Q_i, s_o, c_o, |X|, Q_o, F_c, T.
+    """
+    inner, outer = races(p, case)
+    gamma, c_f, c_g, inner_speed, outer_speed, _ = motion(p, case)
+    s_o, c_o, v_o, q_o, _, _ = contact_exact(x1, x2, outer[0], outer[1])
+    s_i, c_i, v_i, q_i, _, _ = contact_exact(a1 - x1, a2 - x2, inner[0], inner[1])
+    f_c, _, _, t, _, _ = inertia_exact(
+        s_i, c_i, s_o, c_o, gamma, c_f, c_g, inner_speed, outer_speed, sigma
+    )
+    return s_i, c_i, 1.0 / v_i, q_i, s_o, c_o, 1.0 / v_o, q_o, f_c, t
+
+
+@shared
+def linearised(p, case, sigma, a1, a2, x1, x2):
+    """`ball.linearised` for a ball of a case."""
+    inner, outer = races(p, case)
+    lambda_i = inner_share(p, case, sigma)
+    return linearised_exact(a1, a2, x1, x2, inner, outer, motion(p, case), sigma, lambda_i)
+
+
+@shared
+def static_ball(p, case, a1, a2):
+    """A ball without inertia: its place X1, X2, and (force, stiffness) as the ring sees it."""
+    inner, outer = races(p, case)
+    series = coefficients(p, rows.SERIES_STIFFNESS, case)
+    s, c, v, q, kn, ka = contact_exact(a1, a2, inner[0] + outer[0], series)
+    k11, k12, k21, k22 = polar_exact(s, c, kn, ka * v, q * v)
+    stiffness = outer[1][6]
+    for power in range(5, -1, -1):
+        stiffness = stiffness * c + outer[1][power]
+    reach = outer[0] + (q / stiffness) ** (2.0 / 3.0)
+    return s * reach, c * reach, (q * s, q * c, q * s), (k11, k12, k21, k22, k11, k12), q
+
+
+@inline_exact
+def add_to_ring(reaction, matrix, c, s, force, stiffness):
+    """Add one ball's force and stiffness to the ring's (see lanes._add_to_ring)."""
+    f1, f2, h = force
+    k11, k12, k21, k22, h1, h2 = stiffness
+    along = (1.0, s, c, c, -s)
+    for row in range(5):
+        load = f1 if row == 0 else (f2 if row < 3 else h)
+        by_a1 = k11 if row == 0 else (k21 if row < 3 else h1)
+        by_a2 = k12 if row == 0 else (k22 if row < 3 else h2)
+        reaction[row] += along[row] * load
+        matrix[row, 0] += along[row] * by_a1
+        matrix[row, 1] += along[row] * s * by_a2
+        matrix[row, 2] += along[row] * c * by_a2
+        matrix[row, 3] += along[row] * c * by_a1
+        matrix[row, 4] -= along[row] * s * by_a1
+
+
+@shared
+def moves(p, case):
+    """Whether the case has inertia at all: a speed, and an effect switched on."""
+    speed = p[rows.INNER_SPEED, case] != 0.0 or p[rows.OUTER_SPEED, case] != 0.0
+    return speed and (p[rows.CENTRIFUGAL, case] > 0.0 or p[rows.GYROSCOPIC, case] > 0.0)

@@ -1,0 +1,171 @@
+"""The exceptions of Rolamento.
+
+::
+
+    RolamentoError                 everything that Rolamento raises on purpose
+    └── InputError (ValueError)    what the user gave is not usable
+        ├── FileError              a file cannot be read, decoded, parsed or written
+        ├── UnknownKeyError        a key that nobody reads, with the nearest known one
+        └── UnitError              a unit that is missing, unknown or of another quantity
+
+A solve that finds no equilibrium raises nothing: its result carries a status.
+"""
+
+from __future__ import annotations
+
+import copy
+import difflib
+from collections.abc import Iterable
+from typing import Any, Final, Self
+
+__all__ = [
+    "FileError",
+    "InputError",
+    "RolamentoError",
+    "UnitError",
+    "UnknownKeyError",
+    "nearest",
+    "shown",
+]
+
+_LONGEST_VALUE: Final = 60
+
+
+class _Absent:
+    """The type of `ABSENT`, which stands for a value that was not given."""
+
+    def __repr__(self) -> str:
+        return "ABSENT"
+
+    def __reduce__(self) -> str:
+        return "ABSENT"
+
+    def __copy__(self) -> Self:
+        return self
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Self:
+        return self
+
+
+ABSENT: Final = _Absent()
+
+
+class RolamentoError(Exception):
+    """Base of every exception that Rolamento raises on purpose."""
+
+
+class InputError(RolamentoError, ValueError):
+    """What the user gave is not usable: where, what, which rule, an example.
+
+    Parameters
+    ----------
+    rule
+        The rule that was broken, as the end of a sentence.
+    field
+        Dotted name of the field, such as ``"bearing.ball_diameter"``.
+    value
+        What was given; shown shortened and with control characters escaped.
+    example
+        A value that would be accepted, as it is written in a case file.
+    source
+        Where the value came from: a file name, ``"standard input"``, ``"--set"``.
+    line
+        Line number in the source, counted from 1.
+    """
+
+    def __init__(
+        self,
+        rule: str,
+        *,
+        field: str = "",
+        value: object = ABSENT,
+        example: str = "",
+        source: str = "",
+        line: int | None = None,
+    ) -> None:
+        super().__init__(rule)
+        self.rule = rule
+        self.field = field
+        self.value = value
+        self.example = example
+        self.source = source
+        self.line = line
+
+    def __str__(self) -> str:
+        example = f" (example: {self.example})" if self.example else ""
+        subject = f"{self._subject()}: " if self._subject() else ""
+        return f"{self._place()}{subject}{self.rule}{example}"
+
+    def _place(self) -> str:
+        line = "" if self.line is None else f"line {self.line}"
+        place = ", ".join(part for part in (_escaped(self.source), line) if part)
+        return f"{place}: " if place else ""
+
+    def _subject(self) -> str:
+        field = _shortened(_escaped(self.field), 2 * _LONGEST_VALUE)
+        if self.value is ABSENT:
+            return field
+        return f"{field} = {shown(self.value)}" if field else shown(self.value)
+
+    def with_details(
+        self,
+        *,
+        field: str | None = None,
+        value: object = ABSENT,
+        example: str | None = None,
+        source: str | None = None,
+        line: int | None = None,
+    ) -> Self:
+        """Return the same error with the given details filled in."""
+        known = copy.copy(self)
+        given = {"field": field, "example": example, "source": source, "line": line}
+        for name, detail in given.items():
+            if detail is not None:
+                setattr(known, name, detail)
+        if value is not ABSENT:
+            known.value = value
+        return known
+
+
+class FileError(InputError):
+    """A file cannot be read, decoded, parsed or written."""
+
+
+class UnknownKeyError(InputError):
+    """A key that nobody reads; the message names the nearest known one."""
+
+
+class UnitError(InputError):
+    """A unit that is missing, unknown or of another quantity."""
+
+
+def shown(value: object) -> str:
+    """Return a value as one short line of printable text, whatever the value is."""
+    if isinstance(value, dict):
+        return "a table"
+    if isinstance(value, list | tuple | set):
+        return "a list"
+    if isinstance(value, str):
+        return f'"{_shortened(_escaped(value), _LONGEST_VALUE)}"'
+    if isinstance(value, bool):
+        return str(value).lower()
+    if isinstance(value, int) and value.bit_length() > 200:
+        return "a very long whole number"
+    return _shortened(_escaped(str(value)), _LONGEST_VALUE)
+
+
+def nearest(word: str, known: Iterable[str]) -> str:
+    """Return the known word most like `word`, or an empty string if none is near."""
+    by_folded = {candidate.casefold(): candidate for candidate in known}
+    # A bounded word: the matching is quadratic in its length.
+    found = difflib.get_close_matches(word[:_LONGEST_VALUE].casefold(), by_folded, n=1, cutoff=0.6)
+    return by_folded[found[0]] if found else ""
+
+
+def _shortened(text: str, longest: int) -> str:
+    return text if len(text) <= longest else text[: longest - 1] + "…"
+
+
+def _escaped(text: str) -> str:
+    head = text[: 4 * _LONGEST_VALUE]
+    return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in head)

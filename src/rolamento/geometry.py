@@ -1,0 +1,240 @@
+"""The geometry of ball and grooves: curvatures, free contact angle, clearances.
+
+Pure functions of plain numbers or arrays, and `RingGeometry`, which gathers what the mechanics
+of a bearing needs. Angles are counted from the radial plane; conformity is the radius of the
+groove over the ball diameter.
+
+Sources: Harris, Rolling Bearing Analysis, 3rd ed. (1991), chapter 2; Jones (1960).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import cos, pi, sin
+from typing import Literal, Protocol
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from rolamento.numerics import FloatArray
+
+Race = Literal["inner", "outer"]
+
+
+class BearingGeometry(Protocol):
+    """What `ring_geometry` reads of a bearing; lengths in m, angle in rad.
+
+    Exactly one of contact_angle and diametral_clearance is given; the other is None.
+    """
+
+    @property
+    def ball_diameter(self) -> float:
+        """D; m."""
+        ...
+
+    @property
+    def pitch_diameter(self) -> float:
+        """d_m; m."""
+        ...
+
+    @property
+    def inner_conformity(self) -> float:
+        """f_i."""
+        ...
+
+    @property
+    def outer_conformity(self) -> float:
+        """f_o."""
+        ...
+
+    @property
+    def contact_angle(self) -> float | None:
+        """Free contact angle α; rad."""
+        ...
+
+    @property
+    def diametral_clearance(self) -> float | None:
+        """P_d; m, negative for interference."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class RaceCurvature:
+    """Curvatures of a ball against a groove, body by body summed; a hollow counts negative.
+
+    rolling, across : arrays, in the rolling direction and across it; 1/m.
+    """
+
+    rolling: FloatArray
+    across: FloatArray
+
+    @property
+    def sum(self) -> FloatArray:
+        """Sum of curvatures Σρ; 1/m. Harris (1991), chapter 2."""
+        return self.rolling + self.across
+
+    @property
+    def difference(self) -> FloatArray:
+        """Relative difference of curvatures F(ρ), in [0, 1). Radaelli (2013) eq. 3."""
+        return np.abs(self.rolling - self.across) / self.sum
+
+
+@dataclass(frozen=True, slots=True)
+class RingGeometry:
+    """What the mechanics needs of a bearing's rings; lengths in m, angle in rad.
+
+    The outer groove centre is the origin; (axial_offset, radial_offset) is where the inner
+    groove centre lies before any displacement, as (x, r).
+    """
+
+    inner_length: float
+    """L_i = (f_i - ½) D, from the ball's centre to the inner groove's, at first contact."""
+    outer_length: float
+    """L_o = (f_o - ½) D."""
+    axial_offset: float
+    """A1_0: BD sin α of a bearing given by its contact angle, 0 of one given by clearance."""
+    radial_offset: float
+    """A2_0: BD cos α, or BD - P_d/2."""
+    inner_groove_radius: float
+    """R_i, the radius of the circle of inner groove centres about the shaft."""
+    free_contact_angle: float
+    one_sided: bool
+    """Whether only one side of the grooves can touch: a bearing given by an angle above zero."""
+    diametral_clearance: float
+    """P_d, given, or the one that goes with the contact angle."""
+    endplay: float
+    """Free axial travel 2 BD sin α of a two-sided ring with this clearance."""
+
+    @property
+    def groove_centre_distance(self) -> float:
+        """BD, the distance of the groove centres at first contact; m."""
+        return self.inner_length + self.outer_length
+
+
+def total_curvature(inner_conformity: ArrayLike, outer_conformity: ArrayLike) -> FloatArray:
+    """Total curvature B = f_i + f_o - 1; dimensionless. Radaelli (2013) eq. 22.
+
+    Parameters: arrays that broadcast. Returns the broadcast shape.
+    """
+    return np.asarray(np.add(inner_conformity, outer_conformity, dtype=np.float64) - 1.0)
+
+
+def groove_centre_distance(
+    ball_diameter: ArrayLike, inner_conformity: ArrayLike, outer_conformity: ArrayLike
+) -> FloatArray:
+    """Distance BD of the groove centres when the ball touches both grooves unloaded; m.
+
+    Parameters: arrays that broadcast, the diameter in m. Returns the broadcast shape.
+    Radaelli (2013) eq. 22.
+    """
+    return np.asarray(ball_diameter) * total_curvature(inner_conformity, outer_conformity)
+
+
+def free_contact_angle(diametral_clearance: ArrayLike, centre_distance: ArrayLike) -> FloatArray:
+    """Contact angle of an axially taken-up, unloaded ring: cos α = 1 - P_d / (2 BD).
+
+    Parameters
+    ----------
+    diametral_clearance : array, P_d; m. Negative for interference, whose angle is 0.
+    centre_distance : array that broadcasts with it, BD; m.
+
+    Returns
+    -------
+    Angle; rad, the broadcast shape; NaN when the clearance exceeds 2 BD: no angle closes it.
+
+    Harris (1991), chapter 2, as a half-angle so that small clearances keep their precision.
+    """
+    clearance = np.asarray(diametral_clearance, dtype=np.float64)
+    half_sine_squared = np.maximum(clearance / (4.0 * np.asarray(centre_distance)), 0.0)
+    half_sine_squared = np.where(half_sine_squared <= 0.5, half_sine_squared, np.nan)
+    return 2.0 * np.arcsin(np.sqrt(half_sine_squared))
+
+
+def clearance_of_angle(contact_angle: ArrayLike, centre_distance: ArrayLike) -> FloatArray:
+    """Diametral clearance P_d = 2 BD (1 - cos α) that goes with a free contact angle; m.
+
+    Parameters: arrays that broadcast; rad, m. Returns the broadcast shape.
+    Harris (1991), chapter 2.
+    """
+    half_sine = np.sin(0.5 * np.asarray(contact_angle, dtype=np.float64))
+    return np.asarray(4.0 * np.asarray(centre_distance) * half_sine**2)
+
+
+def race_curvature(
+    ball_diameter: ArrayLike,
+    pitch_diameter: ArrayLike,
+    conformity: ArrayLike,
+    contact_angle: ArrayLike,
+    race: Race,
+) -> RaceCurvature:
+    """Curvatures of the contact of a ball with one race, at any (loaded) contact angle.
+
+    With γ = D cos α / d_m: in the rolling direction 2/D · 1/(1 - γ) at the inner race and
+    2/D · 1/(1 + γ) at the outer; across it 2/D - 1/(f D) at both.
+
+    Parameters
+    ----------
+    ball_diameter, pitch_diameter : arrays; m.
+    conformity : array, of this race; dimensionless.
+    contact_angle : array; rad.
+    race : "inner" or "outer".
+
+    Returns
+    -------
+    RaceCurvature of the broadcast shape; 1/m.
+
+    Harris (1991), chapter 2.
+    """
+    d = np.asarray(ball_diameter, dtype=np.float64)
+    gamma = d * np.cos(contact_angle) / np.asarray(pitch_diameter)
+    sign = -1.0 if race == "inner" else 1.0
+    rolling = 2.0 / d / (1.0 + sign * gamma)
+    across = (2.0 - 1.0 / np.asarray(conformity)) / d
+    rolling, across = np.broadcast_arrays(rolling, across)
+    return RaceCurvature(rolling, across)
+
+
+def ring_geometry(bearing: BearingGeometry) -> RingGeometry:
+    """Offsets, angles and clearance of a bearing given by its contact angle or its clearance.
+
+    A bearing given by its contact angle starts at first contact, on the +x side; one given by
+    its clearance starts centred, and either side may touch.
+
+    Raises
+    ------
+    ValueError : if both or neither of contact angle and clearance are given, or the angle is
+        outside [0, 90°), or the clearance is too wide for the grooves to be taken up axially.
+    """
+    inner_length = (bearing.inner_conformity - 0.5) * bearing.ball_diameter
+    outer_length = (bearing.outer_conformity - 0.5) * bearing.ball_diameter
+    distance = inner_length + outer_length
+    angle, clearance = _angle_and_clearance(bearing, distance)
+    from_angle = bearing.contact_angle is not None
+    return RingGeometry(
+        inner_length=inner_length,
+        outer_length=outer_length,
+        axial_offset=distance * sin(angle) if from_angle else 0.0,
+        radial_offset=distance * cos(angle) if from_angle else distance - 0.5 * clearance,
+        inner_groove_radius=0.5 * bearing.pitch_diameter + inner_length * cos(angle),
+        free_contact_angle=angle,
+        one_sided=from_angle and angle > 0.0,
+        diametral_clearance=clearance,
+        endplay=2.0 * distance * sin(angle),
+    )
+
+
+def _angle_and_clearance(bearing: BearingGeometry, distance: float) -> tuple[float, float]:
+    angle, clearance = bearing.contact_angle, bearing.diametral_clearance
+    if (angle is None) == (clearance is None):
+        raise ValueError("give either contact_angle or diametral_clearance of the bearing")
+    if angle is not None:
+        if not 0.0 <= angle < 0.5 * pi:
+            raise ValueError(f"contact_angle must lie in [0, 90°), got {angle!r} rad")
+        return angle, float(clearance_of_angle(angle, distance))
+    assert clearance is not None
+    if not clearance < 2.0 * distance:
+        raise ValueError(
+            f"diametral_clearance {clearance!r} m must stay below twice the distance of the "
+            f"groove centres, {2.0 * distance:.3g} m: no contact angle takes it up"
+        )
+    return float(free_contact_angle(clearance, distance)), clearance

@@ -1,0 +1,11 @@
+"""Numerical methods that know no bearings."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+FloatArray = NDArray[np.float64]
+BoolArray = NDArray[np.bool_]
+
+__all__ = ["BoolArray", "FloatArray"]

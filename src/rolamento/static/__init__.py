@@ -1,0 +1,29 @@
+"""Closed static analyses of a ball bearing at rest: radial, axial and combined load.
+
+Each returns a frozen record with a status per load. They stand for themselves and as starting
+points; the general equilibrium lives in `rolamento.equilibrium`.
+"""
+
+from __future__ import annotations
+
+from rolamento.static._common import BallBearing, RaceStiffness, StaticStatus, race_stiffness
+from rolamento.static.axial import AxialSolution, axial_load
+from rolamento.static.combined import CombinedSolution, combined_load
+from rolamento.static.radial import RadialSolution, radial_load
+from rolamento.static.sjovall import load_zone_half_angle, sjovall_axial, sjovall_radial
+
+__all__ = [
+    "AxialSolution",
+    "BallBearing",
+    "CombinedSolution",
+    "RaceStiffness",
+    "RadialSolution",
+    "StaticStatus",
+    "axial_load",
+    "combined_load",
+    "load_zone_half_angle",
+    "race_stiffness",
+    "radial_load",
+    "sjovall_axial",
+    "sjovall_radial",
+]

@@ -1,0 +1,319 @@
+"""The border between what people write and the SI floats inside.
+
+`to_si` reads ``"22.23 mm"`` as 0.02223 and `from_si` writes it back. Both work with
+exact fractions and round once, at the end: ``"22.23 mm"`` is the very float that
+Python reads from ``0.02223``, and what `from_si` writes, `to_si` reads back bit for
+bit. This is the only module that imports pint.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from decimal import Context, Decimal
+from fractions import Fraction
+from functools import lru_cache
+from importlib import resources
+from typing import TYPE_CHECKING, Final, Literal, NamedTuple
+
+from rolamento.errors import UnitError, nearest, shown
+
+if TYPE_CHECKING:
+    import pint
+
+__all__ = ["SI_UNIT", "Dimension", "from_si", "to_si"]
+
+Dimension = Literal[
+    "length", "angle", "angular_speed", "force", "moment", "stress", "density", "temperature"
+]
+
+SI_UNIT: Final[dict[Dimension, str]] = {
+    "length": "m",
+    "angle": "rad",
+    "angular_speed": "rad/s",
+    "force": "N",
+    "moment": "N m",
+    "stress": "Pa",
+    "density": "kg/m^3",
+    "temperature": "K",
+}
+
+
+class _Unit(NamedTuple):
+    """SI value = scale · number + offset, exactly."""
+
+    scale: Fraction
+    offset: Fraction = Fraction(0)
+
+
+_PI: Final = Fraction("3.14159265358979323846264338327950288419716939937510")
+
+# What nearly every case file uses. Importing pint takes longer than solving ten
+# thousand bearings; a file that keeps to these never waits for it. A test holds each
+# line against pint.
+_COMMON: Final[dict[Dimension, dict[str, _Unit]]] = {
+    "length": {
+        "mm": _Unit(Fraction(1, 10**3)),
+        "µm": _Unit(Fraction(1, 10**6)),
+        "um": _Unit(Fraction(1, 10**6)),
+        "m": _Unit(Fraction(1)),
+        "in": _Unit(Fraction(254, 10**4)),
+    },
+    "angle": {"deg": _Unit(_PI / 180), "rad": _Unit(Fraction(1))},
+    "angular_speed": {"rpm": _Unit(_PI / 30), "rad/s": _Unit(Fraction(1))},
+    "force": {"N": _Unit(Fraction(1)), "kN": _Unit(Fraction(10**3))},
+    "moment": {
+        "N m": _Unit(Fraction(1)),
+        "N mm": _Unit(Fraction(1, 10**3)),
+        "kN m": _Unit(Fraction(10**3)),
+    },
+    "stress": {
+        "GPa": _Unit(Fraction(10**9)),
+        "MPa": _Unit(Fraction(10**6)),
+        "Pa": _Unit(Fraction(1)),
+    },
+    "density": {"kg/m^3": _Unit(Fraction(1)), "g/cm^3": _Unit(Fraction(10**3))},
+    "temperature": {
+        "degC": _Unit(Fraction(1), Fraction(27315, 100)),
+        "K": _Unit(Fraction(1)),
+    },
+}
+
+_LONGEST_TEXT: Final = 100
+_GREATEST_EXPONENT: Final = 400
+_NUMBER: Final = r"[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?"
+_QUANTITY: Final = re.compile(rf"({_NUMBER})\s*(.*)", re.DOTALL)
+_FACTOR: Final = re.compile(r"\s*([*/])?\s*([A-Za-zµμ]+)(?:(?:\^|\*\*)?(-?[1-4])(?![0-9]))?\s*")
+_PLAINER: Final = str.maketrans(
+    {"·": "*", "⋅": "*", "×": "*", ".": "*", "²": "2", "³": "3", "⁴": "4", "¹": "1", "⁻": "-"}
+)
+_FIFTEEN_DIGITS: Final = Context(prec=15)
+
+
+def to_si(text: str, dimension: Dimension) -> float:
+    """Read a number with its unit.
+
+    Parameters
+    ----------
+    text
+        Such as ``"22.23 mm"``, ``"10000 rpm"`` or ``"1.5 N·m"``; at most 100 characters.
+    dimension
+        The quantity that is expected.
+
+    Returns
+    -------
+    float
+        The value in the unit of `SI_UNIT`, correctly rounded.
+
+    Raises
+    ------
+    UnitError
+        If the text is not a finite number followed by a unit of that quantity.
+    """
+    if len(text) > _LONGEST_TEXT:
+        raise UnitError(f"must be at most {_LONGEST_TEXT} characters long", value=text)
+    number, unit_text = _split(text, dimension)
+    unit = _unit(unit_text, dimension)
+    try:
+        return float(_exact(number) * unit.scale + unit.offset)
+    except OverflowError:
+        raise UnitError("is beyond the numbers of this machine", value=text) from None
+
+
+def from_si(value: float, dimension: Dimension) -> str:
+    """Write an SI value with a unit so that `to_si` returns the identical float.
+
+    The unit is the one that people use (mm, N or kN, rpm, deg …) if fifteen digits
+    of it say the value exactly, and the SI unit otherwise.
+
+    Parameters
+    ----------
+    value
+        A finite number, in the unit of `SI_UNIT`.
+    dimension
+        The quantity that it is.
+
+    Raises
+    ------
+    ValueError
+        If the value is infinite or not a number.
+    """
+    if not math.isfinite(value):
+        raise ValueError(f"{value} cannot be written: it is not a finite number")
+    unit_text = _familiar_unit(value, dimension)
+    unit = _COMMON[dimension][unit_text]
+    number = (Fraction(value) - unit.offset) / unit.scale
+    decimal = _FIFTEEN_DIGITS.divide(Decimal(number.numerator), Decimal(number.denominator))
+    text = f"{_plain(decimal)} {unit_text}"
+    return text if _reads_as(text, dimension, value) else f"{value!r} {SI_UNIT[dimension]}"
+
+
+def _reads_as(text: str, dimension: Dimension, value: float) -> bool:
+    try:
+        return to_si(text, dimension) == value
+    except UnitError:  # rounding up took it beyond the greatest float
+        return False
+
+
+def _familiar_unit(value: float, dimension: Dimension) -> str:
+    """Return the unit in which people write a value of this size."""
+    if dimension == "force":
+        return "kN" if abs(value) >= 1e3 else "N"
+    if dimension == "stress":
+        return "GPa" if abs(value) >= 1e9 else "MPa"
+    if dimension == "density":
+        return "kg/m^3"
+    return next(iter(_COMMON[dimension]))
+
+
+def _plain(decimal: Decimal) -> str:
+    """Return a decimal without trailing zeros, and without an exponent if it is short."""
+    if not decimal:
+        return "0"
+    short = decimal.normalize()
+    return f"{short:f}" if -7 < short.adjusted() < 15 else f"{short:e}"
+
+
+def _split(text: str, dimension: Dimension) -> tuple[str, str]:
+    """Return the number and the unit of a text, or explain what is wrong with it."""
+    stripped = text.strip()
+    match = _QUANTITY.fullmatch(stripped)
+    if match is None:
+        raise UnitError(
+            f"must be a finite number and a unit of {_name(dimension)}",
+            value=text,
+            example=_example(dimension),
+        )
+    number, unit = match[1], match[2]
+    if not unit:
+        raise UnitError(
+            f"needs its unit: this is {_article(dimension)} {_name(dimension)}",
+            value=text,
+            example=f'"{number} {_usual_units(dimension)[0]}"',
+        )
+    if unit.startswith(","):
+        raise UnitError(
+            "takes a decimal point, not a comma", value=text, example=_example(dimension)
+        )
+    return number, unit
+
+
+def _exact(number: str) -> Fraction:
+    """Return a decimal number as a fraction, refusing exponents that would fill the memory."""
+    _, _, exponent = number.lower().partition("e")
+    if exponent and abs(int(exponent)) > _GREATEST_EXPONENT:
+        raise OverflowError
+    return Fraction(number)
+
+
+def _unit(text: str, dimension: Dimension) -> _Unit:
+    common = _COMMON[dimension].get(text)
+    return common if common is not None else _parsed_unit(text, dimension)
+
+
+@lru_cache(maxsize=1024)
+def _parsed_unit(text: str, dimension: Dimension) -> _Unit:
+    """Return any unit of a quantity, by way of pint."""
+    import pint
+
+    names = _factors(text, dimension)
+    if dimension == "temperature" and (len(names) > 1 or names[0][2] != 1):
+        raise _wrong_dimension(text, dimension)  # a scale with an offset has no powers
+    registry = _registry()
+    for _, name, _ in names:
+        if not _is_known(registry, name):
+            raise _unknown(name, dimension)
+    expression = "".join(f"{operator}{name}**{power}" for operator, name, power in names)
+    zero, one = (registry.Quantity(Fraction(n), expression.lstrip("*")) for n in (0, 1))
+    try:
+        offset = Fraction(zero.m_as(_pint_name(SI_UNIT[dimension])))
+        scale = Fraction(one.m_as(_pint_name(SI_UNIT[dimension]))) - offset
+    except pint.PintError:
+        raise _wrong_dimension(text, dimension) from None
+    return _Unit(scale, offset)
+
+
+def _factors(text: str, dimension: Dimension) -> list[tuple[str, str, int]]:
+    """Return operator, name and power of each factor of a unit.
+
+    The grammar is read here, not by pint, whose parser would evaluate arithmetic.
+    """
+    plain = text.translate(_PLAINER).replace("°C", "degC").replace("°F", "degF")
+    plain = plain.replace("°", "deg")
+    factors: list[tuple[str, str, int]] = []
+    position = 0
+    while position < len(plain):
+        match = _FACTOR.match(plain, position)
+        if match is None or (position == 0 and match[1]):
+            raise _unknown(text, dimension)
+        factors.append((match[1] or "*", match[2], int(match[3] or 1)))
+        position = match.end()
+    return factors
+
+
+def _is_known(registry: pint.UnitRegistry[Fraction], name: str) -> bool:
+    """Tell whether a name is a unit; a plural only of a unit written in full.
+
+    Without that, "Ns" would pass for newtons.
+    """
+    return any(
+        not plural or name == f"{prefix}{unit}{plural}"
+        for prefix, unit, plural in registry.parse_unit_name(name)
+    )
+
+
+@lru_cache(maxsize=1)
+def _registry() -> pint.UnitRegistry[Fraction]:
+    """Return a registry of our own few units: the stock one takes a third of a second."""
+    import pint
+
+    with resources.as_file(resources.files("rolamento") / "data" / "units.txt") as path:
+        return pint.UnitRegistry(path, non_int_type=Fraction)
+
+
+def _pint_name(unit: str) -> str:
+    return unit.replace("^", "**").replace(" ", "*")
+
+
+def _unknown(name: str, dimension: Dimension) -> UnitError:
+    usual = _usual_units(dimension)
+    near = nearest(name, usual)
+    guess = f"; did you mean {near}?" if near else ""
+    return UnitError(
+        f"{shown(name)} is not a known unit{guess}"
+        f" ({_article(dimension)} {_name(dimension)} takes {', '.join(usual)} …)",
+        example=_example(dimension),
+    )
+
+
+def _wrong_dimension(text: str, dimension: Dimension) -> UnitError:
+    return UnitError(
+        f"{shown(text)} is not a unit of {_name(dimension)}"
+        f" (which takes {', '.join(_usual_units(dimension))} …)",
+        example=_example(dimension),
+    )
+
+
+def _usual_units(dimension: Dimension) -> list[str]:
+    return list(_COMMON[dimension])
+
+
+def _example(dimension: Dimension) -> str:
+    return f'"{_EXAMPLE_NUMBERS.get(dimension, "10")} {_usual_units(dimension)[0]}"'
+
+
+def _name(dimension: Dimension) -> str:
+    return dimension.replace("_", " ")
+
+
+def _article(dimension: Dimension) -> str:
+    return "an" if dimension[0] in "aeiou" else "a"
+
+
+_EXAMPLE_NUMBERS: Final[dict[Dimension, str]] = {
+    "length": "22.23",
+    "angle": "40",
+    "angular_speed": "10000",
+    "stress": "207",
+    "density": "7810",
+}

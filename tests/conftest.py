@@ -1,0 +1,44 @@
+"""What all tests share: Hypothesis profiles, and a case to start from."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+from hypothesis import HealthCheck, settings
+
+import rolamento
+from rolamento import Bearing, Case, Duty, Load
+
+settings.register_profile(
+    "ci", deadline=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow]
+)
+settings.register_profile("search", deadline=None, max_examples=2000)
+settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "ci"))
+
+
+@pytest.fixture(scope="session")
+def examples() -> Path:
+    """The directory of the shipped case files."""
+    return Path(rolamento.__file__).parent / "examples"
+
+
+@pytest.fixture(scope="session")
+def bearing_218() -> Bearing:
+    """The 218 angular-contact bearing."""
+    return Bearing(
+        ball_count=16,
+        ball_diameter="22.23 mm",
+        pitch_diameter="125.26 mm",
+        contact_angle="40 deg",
+        inner_conformity=0.5232,
+        outer_conformity=0.5232,
+    )
+
+
+@pytest.fixture(scope="session")
+def case_218(bearing_218: Bearing) -> Case:
+    """The 218 bearing under combined load at 10 000 rpm."""
+    load = Load(fx="20 kN", fz="15 kN")
+    return Case(bearing=bearing_218, duty=Duty(inner_speed="10000 rpm", load=load))

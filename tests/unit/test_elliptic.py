@@ -1,0 +1,82 @@
+"""Elliptic integrals against SciPy's and against their own identities."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+from scipy import special
+
+from rolamento.numerics.elliptic import associate, carlson_rd, carlson_rf, complete, incomplete
+
+COMPLEMENTS = np.concatenate([10.0 ** np.linspace(-25.0, 0.0, 200), [0.5, 1.0 - 1e-12]])
+RANDOM = np.random.default_rng(20)
+
+
+def test_complete_integrals_agree_with_scipy() -> None:
+    k, e = complete(COMPLEMENTS)
+    np.testing.assert_allclose(k, special.ellipkm1(COMPLEMENTS), rtol=5e-15)
+    np.testing.assert_allclose(e, special.ellipe(1.0 - COMPLEMENTS), rtol=2e-14)
+
+
+def test_small_complement_is_not_lost() -> None:
+    """K ≈ ln 4 - ½ ln(1 - m), where passing m itself would give infinity."""
+    k, e = complete(1e-40)
+    assert k == pytest.approx(np.log(4.0) + 20.0 * np.log(10.0), rel=1e-15)
+    assert e == pytest.approx(1.0, rel=1e-14)
+
+
+def test_complete_integrals_at_the_ends() -> None:
+    assert complete(1.0) == pytest.approx((0.5 * np.pi, 0.5 * np.pi), rel=1e-15)
+    k, e = complete(0.0)
+    assert np.isinf(k)
+    assert e == 1.0
+
+
+def test_associate_integrals_agree_with_carlson_forms() -> None:
+    """DLMF 19.25: D = R_D(0, 1-m, 1)/3 and B = (1-m) R_D(0, 1, 1-m)/3."""
+    b, d = associate(COMPLEMENTS)
+    np.testing.assert_allclose(d, special.elliprd(0.0, COMPLEMENTS, 1.0) / 3.0, rtol=5e-15)
+    reference = COMPLEMENTS * special.elliprd(0.0, 1.0, COMPLEMENTS) / 3.0
+    np.testing.assert_allclose(b, reference, rtol=2e-14)
+
+
+def test_legendre_relation() -> None:
+    m = np.linspace(0.01, 0.99, 50)
+    (k, e), (k1, e1) = complete(1.0 - m), complete(m)
+    np.testing.assert_allclose(e * k1 + e1 * k - k * k1, 0.5 * np.pi, rtol=3e-15)
+
+
+def test_outside_the_range_is_nan() -> None:
+    for value in (*complete([-0.1, 1.1, np.nan]), *incomplete([1.6, -1.6, np.nan], 0.5)):
+        assert np.all(np.isnan(value))
+
+
+def test_carlson_forms_agree_with_scipy() -> None:
+    x, y, z = 10.0 ** RANDOM.uniform(-10.0, 10.0, (3, 5000))
+    np.testing.assert_allclose(carlson_rf(x, y, z), special.elliprf(x, y, z), rtol=3e-15)
+    np.testing.assert_allclose(carlson_rd(x, y, z), special.elliprd(x, y, z), rtol=5e-15)
+    np.testing.assert_allclose(carlson_rd(0.0, y, z), special.elliprd(0.0, y, z), rtol=5e-15)
+
+
+def test_incomplete_integrals_agree_with_scipy() -> None:
+    phi = RANDOM.uniform(-0.5 * np.pi, 0.5 * np.pi, 5000)
+    m = RANDOM.uniform(-5.0, 1.0, 5000)
+    f, e = incomplete(phi, m)
+    np.testing.assert_allclose(f, special.ellipkinc(phi, m), rtol=1e-14)
+    np.testing.assert_allclose(e, special.ellipeinc(phi, m), rtol=1e-14)
+
+
+def test_shapes_broadcast() -> None:
+    f, e = incomplete(np.zeros((3, 1)), np.zeros(4))
+    assert f.shape == e.shape == (3, 4)
+    assert np.shape(complete(np.full((2, 5), 0.5))[0]) == (2, 5)
+
+
+def test_the_mechanics_do_not_import_scipy() -> None:
+    """Starting the program must not pay for scipy.special."""
+    modules = "rolamento.static, rolamento.kinematics, rolamento.contact.subsurface"
+    code = f"import sys, {modules}; sys.exit('scipy' in sys.modules)"
+    assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
