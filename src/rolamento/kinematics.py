@@ -22,13 +22,17 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Literal
+from typing import Final, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rolamento.numerics import FloatArray
 from rolamento.numerics.elliptic import complete
+
+LEAST_COSINE: Final = -0.5
+"""Bound of cos(α_i - α_o): no ball that carries load comes near angles 120° apart, and without
+a bound the orbit of one that carries none would have no limit when the outer ring turns."""
 
 ControlCodes = NDArray[np.int64]
 ControlName = Literal["outer", "inner", "none"]
@@ -110,9 +114,8 @@ def ball_motion(
 
     Returns
     -------
-    BallMotion of the broadcast shape. The contact angles of a ball that carries load differ by
-    less than 90°; beyond that (no inner contact, the outer ring turning) cos(α_i - α_o) counts
-    as 0, as in the equilibrium, and the slave contact slips.
+    BallMotion of the broadcast shape. Where cos(α_i - α_o) is below `LEAST_COSINE` (a ball that
+    has lost its inner contact) that bound stands in for it, and the slave contact slips.
 
     Radaelli (2013) eqs. 43 to 46 for outer control and one ring turning; see the module's head.
     """
@@ -278,7 +281,7 @@ def _slave_share(
 ) -> FloatArray:
     """w, the share of the slave ring's speed in the orbit."""
     slave = np.where(sigma > 0, inner, outer)
-    cosine = np.maximum(np.cos(inner - outer), 0.0)
+    cosine = np.maximum(np.cos(inner - outer), LEAST_COSINE)
     return np.asarray((1.0 - sigma * ratio * np.cos(slave)) / (1.0 + cosine))
 
 

@@ -26,6 +26,7 @@ from collections.abc import Callable
 from math import sqrt
 from typing import Any
 
+from rolamento.kinematics import LEAST_COSINE
 from rolamento.numerics.compiled import inline_exact, inline_fast
 
 
@@ -34,7 +35,7 @@ def _formulas(inline: Callable[..., Any]) -> tuple[Any, ...]:
 
     @inline
     def contact(y1, y2, free_length, stiffness):  # type: ignore[no-untyped-def]
-        """A Hertz spring along y: sin a, cos a, 1/|y|, Q, dQ/d|y|, dQ/da.
+        """A Hertz spring along y: sin a, cos a, 1/|y|, approach, Q, dQ/d|y|, dQ/da.
 
         K is a polynomial in cos a; Horner's scheme gives its slope along with it.
         """
@@ -59,7 +60,7 @@ def _formulas(inline: Callable[..., Any]) -> tuple[Any, ...]:
         value = value * c + k0
         root = sqrt(delta)
         power = root * delta
-        return s, c, inverse, value * power, 1.5 * value * root, -s * slope * power
+        return s, c, inverse, delta, value * power, 1.5 * value * root, -s * slope * power
 
     @inline
     def inertia(s_i, c_i, s_o, c_o, gamma, c_f, c_g, inner_speed, outer_speed, sigma):  # type: ignore[no-untyped-def]
@@ -76,10 +77,9 @@ def _formulas(inline: Callable[..., Any]) -> tuple[Any, ...]:
         control_speed = outer_speed if outer else inner_speed
         relative = inner_speed - outer_speed
 
-        # no loaded ball comes near a_i - a_o = 120 degrees: only free balls meet this bound
         cosine = c_i * c_o + s_i * s_o
-        sine = (s_i * c_o - c_i * s_o) * sigma if cosine > -0.5 else 0.0
-        inverse = 1.0 / (1.0 + max(cosine, -0.5))
+        sine = (s_i * c_o - c_i * s_o) * sigma if cosine > LEAST_COSINE else 0.0
+        inverse = 1.0 / (1.0 + max(cosine, LEAST_COSINE))
         w = (1.0 - sigma * gamma * c_slave) * inverse
         w_slave = (sigma * gamma * s_slave + w * sine) * inverse
         w_control = -w * sine * inverse
@@ -120,12 +120,13 @@ def _formulas(inline: Callable[..., Any]) -> tuple[Any, ...]:
         - the Newton step dX = q + W dA with which the ball follows the groove,
         - the force f and moment h that the ring feels after the step q,
         - their derivatives by A with the ball following: k (2 x 2) and h (2),
-        - the scale of the ball's own loads, the greatest of Q_i, Q_o and F_c.
+        - the scale of the ball's own loads, the greatest of Q_i, Q_o and F_c,
+        - how it touches the rings: Q_i, sin a_i, the greater approach.
         """
         gamma, c_f, c_g, inner_speed, outer_speed, arm = motion
         lambda_o = 2.0 - lambda_i
-        s_o, c_o, v_o, q_o, kn_o, ka_o = contact(x1, x2, outer[0], outer[1])
-        s_i, c_i, v_i, q_i, kn_i, ka_i = contact(a1 - x1, a2 - x2, inner[0], inner[1])
+        s_o, c_o, v_o, delta_o, q_o, kn_o, ka_o = contact(x1, x2, outer[0], outer[1])
+        s_i, c_i, v_i, delta_i, q_i, kn_i, ka_i = contact(a1 - x1, a2 - x2, inner[0], inner[1])
         f_c, f_c_i, f_c_o, t, t_i, t_o = inertia(
             s_i, c_i, s_o, c_o, gamma, c_f, c_g, inner_speed, outer_speed, sigma
         )
@@ -193,6 +194,7 @@ def _formulas(inline: Callable[..., Any]) -> tuple[Any, ...]:
             (e1, e2, h),
             (k11, k12, k21, k22, h1, h2),
             scale,
+            (q_i, s_i, max(delta_i, delta_o)),
         )
 
     return contact, inertia, polar, linearised

@@ -3,7 +3,9 @@
 
 from __future__ import annotations
 
-from rolamento.equilibrium import accept, rows
+import numpy as np
+
+from rolamento.equilibrium import accept
 from rolamento.equilibrium.accept import judge
 from rolamento.equilibrium.blocks import (
     START_TOLERANCE,
@@ -40,13 +42,12 @@ def solve_cases(p, control, cosines, sines, moving, first, last, fast, out):
     displacement, position, reaction, stiffness, residual, code, unsupported, iterations, safe = out
     if fast:
         tolerance = START_TOLERANCE if moving else TOLERANCE
-        solve_static(
-            p, control, cosines, sines, first, last, tolerance, displacement, iterations
-        )
+        solve_static(p, control, cosines, sines, first, last, tolerance, displacement, iterations)
         if moving:
             solve_moving(
                 p, control, cosines, sines, first, last, displacement, position, iterations
             )
+    errors = np.zeros((cosines.size, 2))
     for case in range(first, last):
         column = case if p.shape[1] > 1 else 0
         balls = control[case if control.shape[0] > 1 else 0]
@@ -55,7 +56,7 @@ def solve_cases(p, control, cosines, sines, moving, first, last, fast, out):
         proposed = fast and iterations[case] != 0
         if proposed and iterations[case] > 0:
             code[case], residual[case], unsupported[case] = judge(
-                p, column, balls, cosines, sines, u, x, reaction[case], stiffness[case]
+                p, column, balls, cosines, sines, u, x, reaction[case], stiffness[case], errors
             )
         # a proposal that is not quite there is a start; failing that, begin anew
         for attempt in range(2):
@@ -67,7 +68,7 @@ def solve_cases(p, control, cosines, sines, moving, first, last, fast, out):
             safe[case] = True
             iterations[case] = abs(iterations[case]) + steps
             code[case], residual[case], unsupported[case] = judge(
-                p, column, balls, cosines, sines, u, x, reaction[case], stiffness[case]
+                p, column, balls, cosines, sines, u, x, reaction[case], stiffness[case], errors
             )
             if attempt == 1 and code[case] == accept.NOT_CONVERGED and escaping >= 0:
                 code[case], unsupported[case] = accept.NO_EQUILIBRIUM, escaping

@@ -101,7 +101,7 @@ def add_static_ball(w, b):
         stiffness = (
             w[_KS0 + i], w[_KS1 + i], w[_KS2 + i], w[_KS3 + i], w[_KS4 + i], w[_KS5 + i], w[_KS6 + i]
         )  # fmt: skip
-        s, c, v, q, kn, ka = contact_fast(a1, a2, w[_L_I + i] + w[_L_O + i], stiffness)
+        s, c, v, _, q, kn, ka = contact_fast(a1, a2, w[_L_I + i] + w[_L_O + i], stiffness)
         k11, k12, k21, k22 = polar_fast(s, c, kn, ka * v, q * v)
         _add_to_ring(w, b, i, (q * s, q * c, q * s), (k11, k12, k21, k22, k11, k12))
 
@@ -121,7 +121,7 @@ def add_moving_ball(w, b, tolerance):
             w[_GAMMA + i], w[_C_F + i], w[_C_G + i], w[_OMEGA_I + i], w[_OMEGA_O + i],
             w[_FRICTION_ARM + i],
         )  # fmt: skip
-        residual, follow, force, stiffness, scale = linearised_fast(
+        residual, follow, force, stiffness, scale, _ = linearised_fast(
             a1, a2, b[_X1 + i], b[_X2 + i], inner, outer, motion, b[_SIGMA + i], b[_LAMBDA + i]
         )
         r1, r2 = residual
@@ -221,7 +221,7 @@ def _first_place(w, b, i):
     )  # fmt: skip
     l_o = w[_L_O + i]
     l_i = w[_L_I + i]
-    s, c, inverse, q, _, _ = contact_fast(a1, a2, l_i + l_o, stiffness)
+    s, c, inverse, _, q, _, _ = contact_fast(a1, a2, l_i + l_o, stiffness)
     gamma = w[_GAMMA + i] * c
     speed = 0.5 * (w[_OMEGA_I + i] * (1.0 - gamma) + w[_OMEGA_O + i] * (1.0 + gamma))
     f_c = c_f * speed * speed

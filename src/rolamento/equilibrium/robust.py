@@ -48,13 +48,13 @@ def evaluate(p, case, control, cosines, sines, u, x, reaction, matrix):
         if moving:
             found, x[j, 0], x[j, 1] = settle(p, case, control[j], a1, a2, x[j, 0], x[j, 1])
             settled = settled and found
-            _, _, force, stiffness, scale = linearised(
+            _, _, force, stiffness, scale, _ = linearised(
                 p, case, control[j], a1, a2, x[j, 0], x[j, 1]
             )
             if not scale > 0.0:
                 continue  # a ball that nothing touches
         else:
-            x[j, 0], x[j, 1], force, stiffness, scale = static_ball(p, case, a1, a2)
+            x[j, 0], x[j, 1], force, stiffness, scale, _ = static_ball(p, case, a1, a2)
         greatest = max(greatest, scale)
         add_to_ring(reaction, matrix, c, s, force, stiffness)
     return settled, greatest
@@ -129,6 +129,8 @@ def solve_robust(p, case, control, cosines, sines, u, x):
             if settled and ahead >= -0.5 * slope:
                 break
             part *= min(max(slope / (slope - ahead), 0.1), 0.6) if settled else 0.3
+        if not settled:
+            return False, iteration, -1
         u[:] = trial
         x[:] = place
         damping = 0.0 if damping < 1e-9 else 0.01 * damping

@@ -17,6 +17,7 @@ from rolamento.equilibrium.single import contacts, inner_share, linearised
 from rolamento.numerics.compiled import shared
 
 PRECISION: Final = 1e-12
+EPSILON: Final = 2.3e-16
 NEWTON_STEPS: Final = 20
 BRACKET_STEPS: Final = 80
 
@@ -47,27 +48,39 @@ def free_ball(p, case, sigma, a1, a2):
 
 
 @shared
+def _allowed(p, case, scale):
+    """The residual that counts as none: of the ball's loads, or what rounding leaves of it.
+
+    A load Q turns on an approach (Q / K)^(2/3), which is known to a few units in the last place
+    of the distance between ball and groove centre.
+    """
+    length = p[rows.OUTER_LENGTH, case]
+    stiffness = p[rows.SERIES_STIFFNESS, case]
+    slope = 1.5 * (stiffness * stiffness * scale) ** (1.0 / 3.0)
+    return PRECISION * scale + 4.0 * EPSILON * length * slope
+
+
+@shared
 def _newton(p, case, sigma, a1, a2, x1, x2):
     """Newton's method with shortened steps: (whether it settled in place, X1, X2)."""
     longest = 0.2 * p[rows.OUTER_LENGTH, case]
-    residual, follow, _, _, scale = linearised(p, case, sigma, a1, a2, x1, x2)
+    residual, follow, _, _, scale, _ = linearised(p, case, sigma, a1, a2, x1, x2)
     error = sqrt(residual[0] ** 2 + residual[1] ** 2)
     for _ in range(NEWTON_STEPS):
-        if error <= PRECISION * scale:
+        if error <= _allowed(p, case, scale):
             return in_place(p, case, a1, x1, x2), x1, x2
         length = sqrt(follow[0] ** 2 + follow[1] ** 2)
         part = min(1.0, longest / length) if length > 0.0 else 1.0
         for _ in range(4):
             y1 = x1 + part * follow[0]
             y2 = x2 + part * follow[1]
-            residual, ahead, _, _, scale = linearised(p, case, sigma, a1, a2, y1, y2)
+            residual, ahead, _, _, scale, _ = linearised(p, case, sigma, a1, a2, y1, y2)
             trial = sqrt(residual[0] ** 2 + residual[1] ** 2)
             if trial < error:
                 break
             part *= 0.3
         if not trial < error:
-            # rounding: as near as it gets, or stuck
-            near = error <= 100.0 * PRECISION * scale
+            near = error <= 100.0 * _allowed(p, case, scale)
             return near and in_place(p, case, a1, x1, x2), x1, x2
         x1, x2, follow, error = y1, y2, ahead, trial
     return False, x1, x2
@@ -122,8 +135,9 @@ def _reach_at(p, case, sigma, a1, a2, alpha):
 def _bracketed(p, case, sigma, a1, a2):
     """The ball's place between bounds of its outer angle: (whether found, X1, X2); A1 >= 0."""
     low, high = 0.0, atan2(a1, a2)
-    _, f_high = _along_and_across(p, case, sigma, a1, a2, high,
-                                  _reach_at(p, case, sigma, a1, a2, high))
+    _, f_high = _along_and_across(
+        p, case, sigma, a1, a2, high, _reach_at(p, case, sigma, a1, a2, high)
+    )
     if f_high > 0.0:  # counter-rotating rings turn the ball the other way
         low, high = high, 0.5 * pi
     for _ in range(BRACKET_STEPS):

@@ -7,10 +7,7 @@ ring by a loop over its balls.
 
 from __future__ import annotations
 
-from math import sqrt
 from typing import Final
-
-import numpy as np
 
 from rolamento.equilibrium import rows
 from rolamento.equilibrium.ball import contact_exact, inertia_exact, linearised_exact, polar_exact
@@ -53,7 +50,7 @@ def inner_share(p, case, sigma):
 
 @inline_exact
 def direction(p, case, cosine, sine):
-    """cos and sin of a ball's azimuth, the first ball's taken in."""
+    """Cos and sin of a ball's azimuth, the first ball's taken in."""
     c0, s0 = p[rows.COS_FIRST, case], p[rows.SIN_FIRST, case]
     return cosine * c0 - sine * s0, sine * c0 + cosine * s0
 
@@ -74,8 +71,8 @@ def contacts(p, case, sigma, a1, a2, x1, x2):
     """
     inner, outer = races(p, case)
     gamma, c_f, c_g, inner_speed, outer_speed, _ = motion(p, case)
-    s_o, c_o, v_o, q_o, _, _ = contact_exact(x1, x2, outer[0], outer[1])
-    s_i, c_i, v_i, q_i, _, _ = contact_exact(a1 - x1, a2 - x2, inner[0], inner[1])
+    s_o, c_o, v_o, _, q_o, _, _ = contact_exact(x1, x2, outer[0], outer[1])
+    s_i, c_i, v_i, _, q_i, _, _ = contact_exact(a1 - x1, a2 - x2, inner[0], inner[1])
     f_c, _, _, t, _, _ = inertia_exact(
         s_i, c_i, s_o, c_o, gamma, c_f, c_g, inner_speed, outer_speed, sigma
     )
@@ -92,16 +89,17 @@ def linearised(p, case, sigma, a1, a2, x1, x2):
 
 @shared
 def static_ball(p, case, a1, a2):
-    """A ball without inertia: its place X1, X2, and (force, stiffness) as the ring sees it."""
+    """A ball without inertia: its place X1, X2, then as of `linearised` from the force on."""
     inner, outer = races(p, case)
     series = coefficients(p, rows.SERIES_STIFFNESS, case)
-    s, c, v, q, kn, ka = contact_exact(a1, a2, inner[0] + outer[0], series)
+    s, c, v, delta, q, kn, ka = contact_exact(a1, a2, inner[0] + outer[0], series)
     k11, k12, k21, k22 = polar_exact(s, c, kn, ka * v, q * v)
     stiffness = outer[1][6]
     for power in range(5, -1, -1):
         stiffness = stiffness * c + outer[1][power]
     reach = outer[0] + (q / stiffness) ** (2.0 / 3.0)
-    return s * reach, c * reach, (q * s, q * c, q * s), (k11, k12, k21, k22, k11, k12), q
+    force, stiffness = (q * s, q * c, q * s), (k11, k12, k21, k22, k11, k12)
+    return s * reach, c * reach, force, stiffness, q, (q, s, delta)
 
 
 @inline_exact

@@ -18,6 +18,8 @@ import numba
 
 F = TypeVar("F", bound=Callable[..., Any])
 
+_kernels: list[Any] = []
+
 _VECTORISABLE = {"reassoc", "arcp", "contract", "afn", "nsz"}
 
 
@@ -50,6 +52,7 @@ def kernel(function: F) -> F:
         compiled = numba.njit(cache=True, **options)(function)
     except RuntimeError:  # no folder for the cache: compile anew in each process
         compiled = numba.njit(**options)(function)
+    _kernels.append(compiled)
     return compiled  # type: ignore[no-any-return]
 
 
@@ -75,3 +78,20 @@ def vector_loop(function: F) -> F:
 def shared(function: F) -> F:
     """Compile a function that kernels call, exactly, without pressing it into each of them."""
     return numba.njit(error_model="numpy", nogil=True)(function)  # type: ignore[no-any-return]
+
+
+def kernels_are_cached() -> bool:
+    """Tell whether the kernels have been compiled before: if not, the first call takes a while."""
+    return all(_is_cached(compiled) for compiled in _kernels)
+
+
+def _is_cached(compiled: Any) -> bool:
+    """Whether Numba has an index of a kernel for this machine; if it cannot tell, it has not."""
+    cache_of_kernel = getattr(compiled, "_cache", None)
+    folder = getattr(cache_of_kernel, "cache_path", None)
+    if compiled.signatures:
+        return True
+    if folder is None:
+        return False
+    name = f"{Path(compiled.py_func.__code__.co_filename).stem}.{compiled.py_func.__name__}-"
+    return any(entry.name.startswith(name) for entry in Path(folder).glob("*.nbi"))

@@ -1,0 +1,12 @@
+"""The equilibrium of balls and ring: `solve` for a case, `solve_batch` for many duties.
+
+From the inside out: `ball` (one ball's equations), `settle` (one ball's place), `robust` (the
+ring, safely), `lanes` and `blocks` (the ring, fast), `accept` (whether a result may be shown),
+`batch` (all of it compiled), `run` (threads, raceway control), `detail` and `record` (what the
+user sees), `notes` (what he should know).
+"""
+
+from rolamento.equilibrium.solve import solve, solve_batch
+from rolamento.numerics.compiled import kernels_are_cached
+
+__all__ = ["kernels_are_cached", "solve", "solve_batch"]

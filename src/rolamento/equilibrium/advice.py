@@ -1,0 +1,54 @@
+"""What a person can do about a case that has no result."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from rolamento.case import Case
+from rolamento.equilibrium import accept
+from rolamento.equilibrium.batch_state import BatchState
+from rolamento.geometry import ring_geometry
+
+_DIRECTIONS: Final = ("along x", "along y", "along z", "tilting about y", "tilting about z")
+
+
+def advise(case: Case, batch: BatchState) -> str | None:
+    """Advice on the status of the first case of a batch; None where it has a result."""
+    code = int(batch.code[0])
+    if code == accept.CONVERGED:
+        return None
+    if code == accept.NO_EQUILIBRIUM:
+        return _no_equilibrium(case, int(batch.unsupported[0]))
+    if code == accept.OVERLOADED:
+        return (
+            "A ball would sink into its groove by more than 2 % of its diameter, far beyond any "
+            "elastic contact: check the units of the loads and displacements."
+        )
+    if code == accept.INVALID_INPUT:
+        return "A number of this case is not finite."
+    return (
+        f"The solver stopped at a residual of {batch.residual[0]:.1e} of the loads, above "
+        f"{accept.TOLERANCE:.0e}, so it shows no result. Vary a load or the speed a little, hold "
+        "the tilts, or approach the duty in steps; and please report the case."
+    )
+
+
+def _no_equilibrium(case: Case, axis: int) -> str:
+    """Say which direction nothing supports, and what would."""
+    direction = _DIRECTIONS[axis]
+    lost = f"Nothing supports the inner ring {direction}: "
+    if not ring_geometry(case.bearing).one_sided:
+        return lost + (
+            "the balls never come to carry the load. Give a smaller load, or hold this degree of "
+            "freedom with a displacement."
+        )
+    if axis == 0:
+        return lost + (
+            "an angular-contact bearing carries axial load toward +x only, and a radial load "
+            "needs an axial load beside it (about fz tan(contact angle)). Turn the load round, "
+            "add axial preload (duty.load.fx), or hold the ring with duty.displacement.x."
+        )
+    return lost + (
+        "balls would have to carry on the shoulder that an angular-contact bearing lacks. Add "
+        "axial preload (duty.load.fx), lower the moment, or hold the tilt."
+    )

@@ -1,0 +1,97 @@
+"""What happens at every ball, once its place is known: arrays over cases and balls."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rolamento.bearing import Bearing
+from rolamento.contact.hertz import HertzContact, effective_modulus, elliptical_contact
+from rolamento.equilibrium import rows
+from rolamento.geometry import Race, race_curvature
+from rolamento.kinematics import BallMotion, ball_motion
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class ContactTable:
+    """One race's contacts: load (N), contact_angle (rad), deflection (m); (cases, balls)."""
+
+    load: Floats
+    contact_angle: Floats
+    deflection: Floats
+
+
+@dataclass(frozen=True, slots=True)
+class BallTable:
+    """The balls of a batch; every field (cases, balls), SI, NaN where a case has no result."""
+
+    azimuth: Floats
+    inner: ContactTable
+    outer: ContactTable
+    motion: BallMotion
+    centrifugal_force: Floats
+    gyroscopic_moment: Floats
+
+
+def ball_table(
+    p: Floats, control: Floats, displacement: Floats, position: Floats, azimuth: Floats
+) -> BallTable:
+    """Evaluate every ball.
+
+    p: parameters (rows.PARAMETERS, cases); control: +1 or -1 (cases, balls); displacement
+    (cases, 5) in the scaled form of `rows`; position (cases, balls, 2); azimuth (cases, balls).
+    """
+    column = p[:, :, np.newaxis]
+    x, y, z, tilt_y, tilt_z = (displacement[:, i, np.newaxis] for i in range(5))
+    c, s = np.cos(azimuth), np.sin(azimuth)
+    a1 = column[rows.AXIAL_OFFSET] + x + c * tilt_y - s * tilt_z
+    a2 = column[rows.RADIAL_OFFSET] + c * z + s * y
+    x1, x2 = position[..., 0], position[..., 1]
+    outer = _contacts(x1, x2, column, rows.OUTER_LENGTH, rows.OUTER_STIFFNESS)
+    inner = _contacts(a1 - x1, a2 - x2, column, rows.INNER_LENGTH, rows.INNER_STIFFNESS)
+    motion = ball_motion(
+        inner.contact_angle,
+        outer.contact_angle,
+        column[rows.GAMMA],
+        column[rows.INNER_SPEED],
+        column[rows.OUTER_SPEED],
+        control.astype(np.int64),
+    )
+    # J / gamma' D is the parameter: times gamma' D, it is J again
+    inertia = column[rows.GYROSCOPIC] * column[rows.GAMMA] * column[rows.BALL_DIAMETER]
+    return BallTable(
+        azimuth=azimuth,
+        inner=inner,
+        outer=outer,
+        motion=motion,
+        centrifugal_force=column[rows.CENTRIFUGAL] * motion.orbital_speed**2,
+        gyroscopic_moment=inertia
+        * motion.ball_speed
+        * motion.orbital_speed
+        * np.sin(motion.attitude),
+    )
+
+
+def _contacts(y1: Floats, y2: Floats, column: Floats, length: int, stiffness: int) -> ContactTable:
+    """Load, angle and approach of the springs along (y1, y2), as `ball.contact` has them."""
+    distance = np.hypot(y1, y2)
+    approach = np.maximum(distance - column[length], 0.0)
+    cosine = y2 / distance
+    value = column[stiffness + rows.COEFFICIENTS - 1]
+    for power in range(rows.COEFFICIENTS - 2, -1, -1):
+        value = value * cosine + column[stiffness + power]
+    return ContactTable(value * approach * np.sqrt(approach), np.arctan2(y1, y2), approach)
+
+
+def hertz(bearing: Bearing, contacts: ContactTable, race: Race) -> HertzContact:
+    """Ellipse and pressure of every contact of a race at its loaded angle."""
+    conformity = bearing.inner_conformity if race == "inner" else bearing.outer_conformity
+    curvature = race_curvature(
+        bearing.ball_diameter, bearing.pitch_diameter, conformity, contacts.contact_angle, race
+    )
+    modulus = effective_modulus(bearing.ring_material, bearing.ball_material)
+    return elliptical_contact(contacts.load, curvature.rolling, curvature.across, modulus)

@@ -1,0 +1,228 @@
+"""What the user should know about a result: limits passed, contacts lost, assumptions strained.
+
+A note never changes a number. Each check returns sentences; `notes_on` collects them.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Iterable, Iterator
+from math import acos, degrees, pi, radians
+from typing import Final
+
+import numpy as np
+
+from rolamento.duty import AXES
+from rolamento.equilibrium.batch_state import BatchState
+from rolamento.equilibrium.detail import hertz
+from rolamento.equilibrium.problem import ring_arms
+from rolamento.kinematics import RacewayControl, friction_demand, jones_control, spin_resistance
+from rolamento.state import BallState, ContactState, State
+
+STATIC_PRESSURE_LIMIT: Final = 4.2e9
+"""Pa; permanent set of 1e-4 ball diameters at the ball-groove contact (ISO 76)."""
+SPEED_LIMIT: Final = 3.0e6
+"""mm/min: n d_m of the fastest hybrid spindle bearings; 1 mm/min is 1 rpm times 1 mm."""
+TILT_LIMIT: Final = radians(1.0)
+"""rad: the equations take tilts as small; at 1 degree that costs up to 2 % of BD."""
+FRICTION_LIMIT: Final = 0.1
+"""Coefficient of friction above which a lubricated contact will hardly hold the ball."""
+FREE_STIFFNESS: Final = 1e-9
+"""Of the greatest stiffness: a direction with less is free."""
+
+
+def notes_on(state: State, batch: BatchState) -> State:
+    """Add the notes to a converged state."""
+    notes = [
+        *_lost_contacts(state),
+        *_pressures(state),
+        *_shoulders(state),
+        *_steep_angles(state),
+        *_speeds(state),
+        *_tilts(state),
+        *_free_directions(state, batch),
+        *_control(state, batch),
+        *_gyroscopic_slip(state),
+    ]
+    return dataclasses.replace(state, notes=tuple(notes))
+
+
+def _lost_contacts(state: State) -> Iterator[str]:
+    """Balls that the inner ring does not touch."""
+    free = [ball for ball in state.balls if ball.inner.load == 0.0]
+    if len(free) == len(state.balls):
+        yield "No ball touches the inner ring: there is no load to carry."
+    elif free:
+        yield (
+            f"{_count(free)} without inner contact (azimuth {_azimuths(free)}): only "
+            "centrifugal force holds them, if any."
+        )
+
+
+def _pressures(state: State) -> Iterator[str]:
+    for race in ("inner", "outer"):
+        over = [b for b in state.balls if getattr(b, race).max_pressure > STATIC_PRESSURE_LIMIT]
+        if over:
+            worst = max(getattr(ball, race).max_pressure for ball in over)
+            yield (
+                f"Contact pressure at the {race} race is up to {worst / 1e6:.0f} MPa, above "
+                f"4200 MPa (ISO 76), where balls begin to dent the groove: {_count(over)} "
+                f"(azimuth {_azimuths(over)})."
+            )
+
+
+def _shoulders(state: State) -> Iterator[str]:
+    """Contact ellipses that run over the edge of their groove, where the shoulder is given."""
+    bearing = state.case.bearing
+    for race, conformity, height in (
+        ("inner", bearing.inner_conformity, bearing.inner_shoulder_height),
+        ("outer", bearing.outer_conformity, bearing.outer_shoulder_height),
+    ):
+        if height is None:
+            continue
+        radius = conformity * bearing.ball_diameter
+        edge = acos(max(1.0 - height / radius, -1.0))
+        reach = {ball.azimuth: _reach(getattr(ball, race), radius) for ball in state.balls}
+        over = [ball for ball in state.balls if reach[ball.azimuth] > edge]
+        if over:
+            yield (
+                f"The contact ellipse runs over the {race} shoulder: it reaches "
+                f"{degrees(max(reach.values())):.1f}°, the groove ends at {degrees(edge):.1f}° "
+                f"({_count(over)}, azimuth {_azimuths(over)}). Pressure at the edge is higher "
+                "than shown."
+            )
+
+
+def _reach(contact: ContactState, groove_radius: float) -> float:
+    """Angle of the ellipse's far end from the bottom of the groove; of no contact, none."""
+    if contact.load == 0.0:
+        return 0.0
+    return abs(contact.contact_angle) + contact.semi_major / groove_radius
+
+
+def _steep_angles(state: State) -> Iterator[str]:
+    steep = [b for b in state.balls if b.inner.load > 0.0 and abs(b.inner.contact_angle) > pi / 2]
+    if steep:
+        yield (
+            f"The inner contact angle passes 90° at {_count(steep)} (azimuth {_azimuths(steep)}): "
+            "no real groove reaches so far; more axial load would keep the balls in place."
+        )
+
+
+def _speeds(state: State) -> Iterator[str]:
+    duty, bearing = state.case.duty, state.case.bearing
+    fastest = max(abs(duty.inner_speed), abs(duty.outer_speed)) * 30.0 / pi
+    product = fastest * bearing.pitch_diameter * 1e3
+    if product > SPEED_LIMIT:
+        yield (
+            f"The speed factor n·d_m = {product:.2g} mm/min is beyond what rolling bearings reach "
+            f"({SPEED_LIMIT:.0e} mm/min): the rings' own growth and the heat are not in these "
+            "numbers."
+        )
+
+
+def _tilts(state: State) -> Iterator[str]:
+    worst = max(abs(state.displacement.ry), abs(state.displacement.rz))
+    if worst > TILT_LIMIT:
+        yield (
+            f"The ring tilts by {degrees(worst):.2f}°: the equations take tilts as small, good "
+            "to about 1°."
+        )
+
+
+def _free_directions(state: State, batch: BatchState) -> Iterator[str]:
+    """Directions that are under no load and have no stiffness: their displacement is any."""
+    free = np.array(state.case.duty.free)
+    arms = ring_arms(batch._parameters)[:, 0]
+    scaled = state.stiffness / np.outer(arms, arms)
+    greatest = np.abs(scaled).max()
+    if greatest == 0.0:
+        return
+    vectors, values, _ = np.linalg.svd(scaled[np.ix_(free, free)])
+    names = [axis for axis, is_free in zip(AXES, free, strict=True) if is_free]
+    for value, vector in zip(values, vectors.T, strict=True):
+        if value <= FREE_STIFFNESS * greatest:
+            name = names[int(np.abs(vector).argmax())]
+            yield (
+                f"No ball holds the ring along {name}: it carries no load there, and the "
+                "displacement shown is one of many."
+            )
+
+
+def _control(state: State, batch: BatchState) -> Iterator[str]:
+    """Where Jones's criterion does not bear out the raceway control that was assumed."""
+    assumed = state.case.model.raceway_control
+    if assumed == "none" or not _turns(state):
+        return
+    if assumed == "jones":
+        open_balls = [b for b in state.balls if b.raceway_control == "indeterminate"]
+        if open_balls:
+            yield (
+                f"Jones's criterion favours neither race at {_count(open_balls)} (azimuth "
+                f"{_azimuths(open_balls)}): they are taken as before, as controlled by the race "
+                "that they last rolled on, first the outer."
+            )
+        return
+    against = RacewayControl.INNER if assumed == "outer" else RacewayControl.OUTER
+    verdict = _criterion(batch)
+    contradicted = [b for b, code in zip(state.balls, verdict, strict=True) if code == against]
+    if contradicted:
+        yield (
+            f"Jones's criterion contradicts {assumed} raceway control at {_count(contradicted)} "
+            f'(azimuth {_azimuths(contradicted)}); model.raceway_control = "jones" decides '
+            "ball by ball."
+        )
+
+
+def _criterion(batch: BatchState) -> list[int]:
+    table = batch.balls()
+    inner = hertz(batch.bearing, table.inner, "inner")
+    outer = hertz(batch.bearing, table.outer, "outer")
+    codes = jones_control(
+        spin_resistance(inner.load, inner.semi_major, inner.ellipticity),
+        spin_resistance(outer.load, outer.semi_major, outer.ellipticity),
+        table.inner.contact_angle,
+        table.outer.contact_angle,
+    )
+    verdict: list[int] = codes[0].tolist()
+    return verdict
+
+
+def _gyroscopic_slip(state: State) -> Iterator[str]:
+    """Balls whose gyroscopic moment needs more friction than a lubricated contact gives."""
+    diameter = state.case.bearing.ball_diameter
+    demand = {ball.azimuth: _friction(ball, diameter) for ball in state.balls}
+    slipping = [ball for ball in state.balls if demand[ball.azimuth] > FRICTION_LIMIT]
+    if slipping:
+        yield (
+            "To hold the gyroscopic moment as assumed, a coefficient of friction of "
+            f"{max(demand.values()):.2f} is needed, more than about {FRICTION_LIMIT}: "
+            f"{_count(slipping)} will slip (azimuth {_azimuths(slipping)})."
+        )
+
+
+def _friction(ball: BallState, diameter: float) -> float:
+    """The least friction with which the assumed race, or both, hold the ball."""
+    if ball.gyroscopic_moment == 0.0:
+        return 0.0
+    if ball.raceway_control == "none":
+        contacts, share = (ball.inner, ball.outer), 1.0
+    else:
+        contacts, share = (ball.inner if ball.raceway_control == "inner" else ball.outer,), 2.0
+    return max(
+        float(friction_demand(ball.gyroscopic_moment, diameter, contact.load, share))
+        for contact in contacts
+    )
+
+
+def _turns(state: State) -> bool:
+    return state.case.duty.inner_speed != state.case.duty.outer_speed
+
+
+def _count(balls: list[BallState]) -> str:
+    return "1 ball" if len(balls) == 1 else f"{len(balls)} balls"
+
+
+def _azimuths(balls: Iterable[BallState], most: int = 6) -> str:
+    angles = [f"{degrees(ball.azimuth):.4g}°" for ball in balls]
+    return ", ".join(angles[:most]) + (" …" if len(angles) > most else "")

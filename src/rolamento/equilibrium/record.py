@@ -1,0 +1,109 @@
+"""From arrays to the record of one case: every number a user sees, and what he should know."""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+
+from rolamento.bearing import Bearing
+from rolamento.case import Case
+from rolamento.contact.hertz import HertzContact
+from rolamento.contact.subsurface import greatest_shear, orthogonal_shear
+from rolamento.equilibrium.advice import advise
+from rolamento.equilibrium.batch_state import STATUS_NAMES, BatchState
+from rolamento.equilibrium.detail import BallTable, ContactTable, hertz
+from rolamento.equilibrium.notes import notes_on
+from rolamento.equilibrium.problem import Floats
+from rolamento.geometry import Race
+from rolamento.kinematics import RacewayControl
+from rolamento.state import (
+    BallState,
+    ContactState,
+    RingDisplacement,
+    RingLoad,
+    State,
+    Status,
+)
+
+_CONTROL_NAMES: Final = {
+    int(RacewayControl.OUTER): "outer",
+    int(RacewayControl.INNER): "inner",
+    int(RacewayControl.INDETERMINATE): "indeterminate",
+}
+
+
+def state_of(case: Case, batch: BatchState) -> State:
+    """Make the record of a batch of one."""
+    converged = bool(batch.converged[0])
+    table = batch.balls()
+    contacts = {
+        race: _contact_states(case.bearing, contacts, race, spin[0])
+        for race, contacts, spin in (
+            ("inner", table.inner, table.motion.inner_spin_to_roll),
+            ("outer", table.outer, table.motion.outer_spin_to_roll),
+        )
+    }
+    state = State(
+        case=case,
+        status=Status(
+            code=STATUS_NAMES[int(batch.code[0])],
+            converged=converged,
+            residual=float(batch.residual[0]),
+            iterations=int(batch.iterations[0]),
+            advice=advise(case, batch),
+        ),
+        displacement=RingDisplacement(*batch.displacement[0].tolist()),
+        load=RingLoad(*batch.load[0].tolist()),
+        stiffness=batch.stiffness[0],
+        balls=_ball_states(case, batch, table, contacts["inner"], contacts["outer"]),
+    )
+    return state if not converged else notes_on(state, batch)
+
+
+def _contact_states(
+    bearing: Bearing, table: ContactTable, race: Race, spin_to_roll: Floats
+) -> list[ContactState]:
+    """The contacts of the first case's balls with one race."""
+    contact = hertz(bearing, table, race)
+    shear = _shears(bearing, contact)
+    columns = (
+        table.load, table.contact_angle, table.deflection, contact.semi_major, contact.semi_minor,
+        contact.max_pressure, contact.mean_pressure, *shear,
+    )  # fmt: skip
+    rows = np.stack([*(column[0] for column in columns), spin_to_roll], axis=1)
+    return [ContactState(*row) for row in rows.tolist()]
+
+
+def _shears(bearing: Bearing, contact: HertzContact) -> tuple[Floats, Floats, Floats, Floats]:
+    """Greatest shear in the ring under the centre and orthogonal shear, each with its depth."""
+    ellipse = contact.semi_major, contact.semi_minor
+    greatest = greatest_shear(contact.max_pressure, *ellipse, bearing.ring_material.poisson_ratio)
+    orthogonal = orthogonal_shear(contact.max_pressure, *ellipse)
+    return greatest.shear, greatest.depth, orthogonal.amplitude, orthogonal.depth
+
+
+def _ball_states(
+    case: Case,
+    batch: BatchState,
+    table: BallTable,
+    inner: list[ContactState],
+    outer: list[ContactState],
+) -> tuple[BallState, ...]:
+    shared = case.model.raceway_control == "none"
+    motion = table.motion
+    return tuple(
+        BallState(
+            row=0,
+            azimuth=float(table.azimuth[0, j]),
+            inner=inner[j],
+            outer=outer[j],
+            centrifugal_force=float(table.centrifugal_force[0, j]),
+            gyroscopic_moment=float(table.gyroscopic_moment[0, j]),
+            orbital_speed=float(motion.orbital_speed[0, j]),
+            ball_speed=float(motion.ball_speed[0, j]),
+            attitude=float(motion.attitude[0, j]),
+            raceway_control="none" if shared else _CONTROL_NAMES[int(batch.raceway_control[0, j])],
+        )
+        for j in range(case.bearing.ball_count)
+    )

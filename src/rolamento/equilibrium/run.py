@@ -1,0 +1,178 @@
+"""Run the kernels over a batch: threads, races in control, cases with and without inertia."""
+
+from __future__ import annotations
+
+import os
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rolamento.bearing import Bearing
+from rolamento.equilibrium import accept, rows
+from rolamento.equilibrium.batch import solve_cases
+from rolamento.equilibrium.detail import ball_table, hertz
+from rolamento.equilibrium.problem import Floats
+from rolamento.kinematics import RacewayControl, jones_control, spin_resistance
+
+CHUNK: Final = 2048
+JONES_PASSES: Final = 20
+JONES_FLIPS: Final = 4
+"""A ball that has changed its controlling race this often has none: it stays with the outer."""
+
+
+@dataclass(slots=True)
+class Solution:
+    """The kernels' output arrays, in the scaled form of `rows`; filled in place."""
+
+    displacement: Floats
+    position: Floats
+    reaction: Floats
+    stiffness: Floats
+    residual: Floats
+    code: NDArray[np.int64]
+    unsupported: NDArray[np.int64]
+    iterations: NDArray[np.int64]
+    safe: NDArray[np.bool_]
+
+    @classmethod
+    def empty(cls, cases: int, balls: int) -> Solution:
+        """Make room for so many cases."""
+        return cls(
+            displacement=np.full((cases, rows.DEGREES_OF_FREEDOM), np.nan),
+            position=np.full((cases, balls, 2), np.nan),
+            reaction=np.full((cases, rows.DEGREES_OF_FREEDOM), np.nan),
+            stiffness=np.full((cases, rows.DEGREES_OF_FREEDOM, rows.DEGREES_OF_FREEDOM), np.nan),
+            residual=np.full(cases, np.nan),
+            code=np.full(cases, accept.INVALID_INPUT),
+            unsupported=np.full(cases, -1),
+            iterations=np.zeros(cases, np.int64),
+            safe=np.zeros(cases, np.bool_),
+        )
+
+    def arrays(self) -> tuple[NDArray[np.generic], ...]:
+        """All arrays, in the order that the kernel takes them."""
+        return (
+            self.displacement, self.position, self.reaction, self.stiffness, self.residual,
+            self.code, self.unsupported, self.iterations, self.safe,
+        )  # fmt: skip
+
+    def put(self, cases: NDArray[np.intp], part: Solution) -> None:
+        """Copy the solution of some of the cases to their places."""
+        for whole, piece in zip(self.arrays(), part.arrays(), strict=True):
+            whole[cases] = piece
+
+
+def solve_columns(
+    p: Floats, control: Floats, balls: int, *, threads: int | None = None, fast: bool = True
+) -> Solution:
+    """Solve every column of parameters.
+
+    p: (rows.PARAMETERS, cases); control: +1 or -1 (cases, balls) or (1, balls). Columns that are
+    not finite get the code INVALID_INPUT and are left alone.
+    """
+    cases = p.shape[1]
+    solution = Solution.empty(cases, balls)
+    finite = np.isfinite(p).all(axis=0)
+    turning = (p[rows.INNER_SPEED] != 0.0) | (p[rows.OUTER_SPEED] != 0.0)
+    moving = turning & ((p[rows.CENTRIFUGAL] > 0.0) | (p[rows.GYROSCOPIC] > 0.0))
+    for inertia in (True, False):
+        which = np.flatnonzero(finite & (moving == inertia))
+        if len(which) == cases:
+            _run_threads(p, control, balls, inertia, threads, fast, solution)
+        elif len(which):
+            part = Solution.empty(len(which), balls)
+            some = control if len(control) == 1 else control[which]
+            _run_threads(p[:, which], some, balls, inertia, threads, fast, part)
+            solution.put(which, part)
+    return solution
+
+
+def _run_threads(
+    p: Floats,
+    control: Floats,
+    balls: int,
+    moving: bool,
+    threads: int | None,
+    fast: bool,
+    solution: Solution,
+) -> None:
+    """Share the cases out to threads, in chunks small enough to keep all of them busy."""
+    cases = p.shape[1]
+    azimuth = 2.0 * np.pi * np.arange(balls) / balls
+    p, control = np.ascontiguousarray(p), np.ascontiguousarray(control, dtype=np.float64)
+    cosines, sines, out = np.cos(azimuth), np.sin(azimuth), solution.arrays()
+
+    def run(first: int) -> None:
+        last = min(first + CHUNK, cases)
+        solve_cases(p, control, cosines, sines, moving, first, last, fast, out)
+
+    workers = min(threads or os.cpu_count() or 1, -(-cases // CHUNK))
+    if workers == 1:
+        for first in range(0, cases, CHUNK):
+            run(first)
+    else:
+        with ThreadPoolExecutor(workers) as pool:
+            list(pool.map(run, range(0, cases, CHUNK)))
+
+
+def ball_azimuths(p: Floats, balls: int) -> Floats:
+    """Azimuth of every ball of every case in [0, 2π); (cases, balls)."""
+    first = np.arctan2(p[rows.SIN_FIRST], p[rows.COS_FIRST])
+    azimuth = first[:, np.newaxis] + 2.0 * np.pi * np.arange(balls) / balls
+    wrapped = np.mod(azimuth, 2.0 * np.pi)
+    return np.where(wrapped < 2.0 * np.pi, wrapped, 0.0)
+
+
+def criterion(
+    bearing: Bearing, p: Floats, control: Floats, solution: Solution
+) -> NDArray[np.int64]:
+    """Which race controls every ball by Jones's criterion, at a solution; (cases, balls)."""
+    table = ball_table(
+        p,
+        control,
+        solution.displacement,
+        solution.position,
+        ball_azimuths(p, bearing.ball_count),
+    )
+    inner, outer = hertz(bearing, table.inner, "inner"), hertz(bearing, table.outer, "outer")
+    return jones_control(
+        spin_resistance(inner.load, inner.semi_major, inner.ellipticity),
+        spin_resistance(outer.load, outer.semi_major, outer.ellipticity),
+        table.inner.contact_angle,
+        table.outer.contact_angle,
+    )
+
+
+def solve_by_jones(
+    bearing: Bearing, p: Floats, *, threads: int | None = None, fast: bool = True
+) -> tuple[Solution, Floats, NDArray[np.int64]]:
+    """Solve with the race in control that Jones's criterion names, ball by ball.
+
+    Every ball starts under outer control. A ball keeps its control while the criterion favours
+    neither race; one that changes over and over favours neither, and stays with the outer race.
+    Returns the solution, the control (+1, -1) that it was solved with, and the criterion's
+    verdict: 0 where it does not confirm that control.
+    """
+    cases, balls = p.shape[1], bearing.ball_count
+    control = np.ones((cases, balls))
+    flips = np.zeros((cases, balls), np.int64)
+    solution = solve_columns(p, control, balls, threads=threads, fast=fast)
+    for _ in range(JONES_PASSES):
+        verdict = criterion(bearing, p, control, solution)
+        decided = (verdict != RacewayControl.INDETERMINATE) & (flips < JONES_FLIPS)
+        wanted = np.where(decided, verdict, control)
+        wanted[solution.code != accept.CONVERGED] = control[solution.code != accept.CONVERGED]
+        flips += wanted != control
+        wanted[flips >= JONES_FLIPS] = 1.0
+        changed = np.flatnonzero((wanted != control).any(axis=1))
+        control = wanted
+        if not len(changed):
+            break
+        part = solve_columns(p[:, changed], control[changed], balls, threads=threads, fast=fast)
+        solution.put(changed, part)
+    verdict = criterion(bearing, p, control, solution)
+    confirmed = np.where(verdict == control, verdict, RacewayControl.INDETERMINATE)
+    return solution, control, confirmed.astype(np.int64)

@@ -1,0 +1,198 @@
+"""What solving a case returns: the internal state of the bearing, with a status.
+
+Plain frozen records in SI units. A number that does not exist is NaN, and null in JSON.
+"""
+
+from __future__ import annotations
+
+import json
+from dataclasses import asdict, dataclass
+from math import isfinite
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rolamento.case import Case
+
+SCHEMA = 1
+
+
+class RingDisplacement(NamedTuple):
+    """Displacement of the inner ring: x, y, z (m), ry, rz (rad)."""
+
+    x: float
+    y: float
+    z: float
+    ry: float
+    rz: float
+
+
+class RingLoad(NamedTuple):
+    """What the shaft puts on the inner ring: fx, fy, fz (N), my, mz (N·m)."""
+
+    fx: float
+    fy: float
+    fz: float
+    my: float
+    mz: float
+
+
+@dataclass(frozen=True, slots=True)
+class Status:
+    """How the solution ended.
+
+    code: "converged", or why there is no result ("no_equilibrium", "not_converged",
+    "overloaded"). residual: the greatest unbalanced load of ring and balls, each over the scale
+    of its own loads. advice: what a person can do, or None.
+    """
+
+    code: str
+    converged: bool
+    residual: float
+    iterations: int
+    advice: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class ContactState:
+    """One contact of a ball.
+
+    Attributes
+    ----------
+    load
+        normal to the contact (N)
+    contact_angle
+        under load (rad)
+    deflection
+        approach of ball and groove (m)
+    semi_major, semi_minor
+        of the contact ellipse, across and along rolling (m)
+    max_pressure, mean_pressure
+        Hertz pressure (Pa)
+    max_shear, max_shear_depth
+        the greatest shear stress under the centre (Pa) and its depth (m)
+    orthogonal_shear, orthogonal_shear_depth
+        amplitude of the shear that alternates along the surface (Pa) and its depth (m)
+    spin_to_roll
+        ratio of the relative angular speeds about the normal and along the surface
+    """
+
+    load: float
+    contact_angle: float
+    deflection: float
+    semi_major: float
+    semi_minor: float
+    max_pressure: float
+    mean_pressure: float
+    max_shear: float
+    max_shear_depth: float
+    orthogonal_shear: float
+    orthogonal_shear_depth: float
+    spin_to_roll: float
+
+
+@dataclass(frozen=True, slots=True)
+class BallState:
+    """One ball: its place, its contacts, its motion.
+
+    Attributes
+    ----------
+    row
+        of balls, counted from 0
+    azimuth
+        of the ball (rad), 0 at +z, a quarter turn at +y
+    inner, outer
+        the contacts
+    centrifugal_force
+        (N)
+    gyroscopic_moment
+        (N·m), signed: negative when the inner ring turns
+    orbital_speed
+        of the ball about the bearing's axis (rad/s)
+    ball_speed
+        about its own axis (rad/s), signed against the orbit
+    attitude
+        angle of the ball's axis to the bearing's axis (rad)
+    raceway_control
+        the race that the ball rolls on without spin: "outer", "inner", "indeterminate" (Jones's
+        criterion favours neither), or "none" (the gyroscopic moment shared)
+    """
+
+    row: int
+    azimuth: float
+    inner: ContactState
+    outer: ContactState
+    centrifugal_force: float
+    gyroscopic_moment: float
+    orbital_speed: float
+    ball_speed: float
+    attitude: float
+    raceway_control: str
+
+
+@dataclass(frozen=True, slots=True)
+class State:
+    """The internal state of a bearing under a duty.
+
+    Attributes
+    ----------
+    case
+        what was solved
+    status
+        whether and how it was solved
+    displacement
+        of the inner ring
+    load
+        that the shaft puts on the inner ring: given loads, and the reactions of what is held
+    stiffness
+        5 x 5, derivative of the load by the displacement, in the order x, y, z, ry, rz (N/m,
+        N/rad, N·m/m, N·m/rad), the speed's effects included
+    balls
+        from the first ball on
+    notes
+        what the user should know about the result
+    """
+
+    case: Case
+    status: Status
+    displacement: RingDisplacement
+    load: RingLoad
+    stiffness: NDArray[np.float64]
+    balls: tuple[BallState, ...]
+    notes: tuple[str, ...] = ()
+
+    @property
+    def title(self) -> str:
+        """The title of the case."""
+        return self.case.title
+
+    def to_mapping(self) -> dict[str, Any]:
+        """Give the state as plain mappings and lists in SI units, NaN as None."""
+        mapping = {
+            "schema": SCHEMA,
+            "title": self.title,
+            "status": asdict(self.status),
+            "displacement": self.displacement._asdict(),
+            "load": self.load._asdict(),
+            "stiffness": self.stiffness.tolist(),
+            "balls": [asdict(ball) for ball in self.balls],
+            "notes": list(self.notes),
+        }
+        nulled: dict[str, Any] = _without_nan(mapping)
+        return nulled
+
+    def to_json(self, *, indent: int | None = 2) -> str:
+        """Give the state as one JSON object."""
+        return json.dumps(self.to_mapping(), indent=indent, ensure_ascii=False, allow_nan=False)
+
+
+def _without_nan(value: Any) -> Any:
+    """Replace what is not finite by None, at any depth."""
+    if isinstance(value, dict):
+        return {key: _without_nan(item) for key, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [_without_nan(item) for item in value]
+    if isinstance(value, float) and not isfinite(value):
+        return None
+    return value
