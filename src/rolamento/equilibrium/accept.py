@@ -3,7 +3,6 @@
 Residuals alone do not prove a solution: a ball can balance where it can never be (Harris's
 equations have such roots, with alpha_o < 0 at an unloaded ball).
 """
-# mypy: disable-error-code="no-untyped-def"
 
 from __future__ import annotations
 
@@ -21,6 +20,7 @@ from rolamento.equilibrium.single import (
     moves,
     static_ball,
 )
+from rolamento.equilibrium.types import Array
 from rolamento.numerics.compiled import inline_exact, shared
 
 CONVERGED: Final = 0
@@ -35,7 +35,18 @@ LOST_ANGLE: Final = 1e-9  # rad, below which a one-sided bearing has left its sh
 
 
 @shared
-def judge(p, case, control, cosines, sines, u, x, reaction, matrix, errors):
+def judge(
+    p: Array,
+    case: int,
+    control: Array,
+    cosines: Array,
+    sines: Array,
+    u: Array,
+    x: Array,
+    reaction: Array,
+    matrix: Array,
+    errors: Array,
+) -> tuple[int, float, int]:
     """Measure a proposal: (code, residual, unsupported degree of freedom or -1).
 
     The residual is the greatest of the ring's (over the greatest load on it or in it) and the
@@ -81,13 +92,13 @@ def judge(p, case, control, cosines, sines, u, x, reaction, matrix, errors):
 
 
 @inline_exact
-def max_with_nan(a, b):
+def max_with_nan(a: float, b: float) -> float:
     """The greater of two numbers; NaN if either is."""
     return b if not b <= a else a + 0.0 * b
 
 
 @shared
-def _ring_residual(p, case, reaction, heaviest):
+def _ring_residual(p: Array, case: int, reaction: Array, heaviest: float) -> float:
     """The ring's greatest unbalanced load over the greatest load on it or in it."""
     scale, error = heaviest, 0.0
     for i in range(rows.DEGREES_OF_FREEDOM):
@@ -99,7 +110,7 @@ def _ring_residual(p, case, reaction, heaviest):
 
 
 @shared
-def _worst_ball(errors, heaviest):
+def _worst_ball(errors: Array, heaviest: float) -> float:
     """The greatest residual of a ball, each on the scale of its own loads."""
     worst = 0.0
     for j in range(errors.shape[0]):
@@ -109,7 +120,7 @@ def _worst_ball(errors, heaviest):
 
 
 @shared
-def _turned_away(p, case, c, s):
+def _turned_away(p: Array, case: int, c: float, s: float) -> int:
     """The degree of freedom that has taken a groove's centre past the foot of its shoulder."""
     tilt_y = p[rows.FREE + 3, case] * abs(c)
     tilt_z = p[rows.FREE + 4, case] * abs(s)

@@ -26,6 +26,7 @@ from collections.abc import Callable
 from math import sqrt
 from typing import Any
 
+from rolamento.equilibrium.types import Coefficients, Four, Linearised, Motion, Race, Seven, Six
 from rolamento.kinematics import LEAST_COSINE
 from rolamento.numerics.compiled import inline_exact, inline_fast
 
@@ -34,7 +35,7 @@ def _formulas(inline: Callable[..., Any]) -> tuple[Any, ...]:
     """Build the formulas of a ball with the given way to compile them."""
 
     @inline
-    def contact(y1, y2, free_length, stiffness):  # type: ignore[no-untyped-def]
+    def contact(y1: float, y2: float, free_length: float, stiffness: Coefficients) -> Seven:
         """A Hertz spring along y: sin a, cos a, 1/|y|, approach, Q, dQ/d|y|, dQ/da.
 
         K is a polynomial in cos a; Horner's scheme gives its slope along with it.
@@ -63,7 +64,18 @@ def _formulas(inline: Callable[..., Any]) -> tuple[Any, ...]:
         return s, c, inverse, delta, value * power, 1.5 * value * root, -s * slope * power
 
     @inline
-    def inertia(s_i, c_i, s_o, c_o, gamma, c_f, c_g, inner_speed, outer_speed, sigma):  # type: ignore[no-untyped-def]
+    def inertia(
+        s_i: float,
+        c_i: float,
+        s_o: float,
+        c_o: float,
+        gamma: float,
+        c_f: float,
+        c_g: float,
+        inner_speed: float,
+        outer_speed: float,
+        sigma: float,
+    ) -> Six:
         """F_c and T = M_g/D, with their derivatives by the two contact angles.
 
         sigma is +1 when the outer race controls the ball and -1 when the inner race does; the
@@ -100,7 +112,7 @@ def _formulas(inline: Callable[..., Any]) -> tuple[Any, ...]:
         return force, force_i, force_o, moment, moment_i, moment_o
 
     @inline
-    def polar(s, c, nn, nt, tt):  # type: ignore[no-untyped-def]
+    def polar(s: float, c: float, nn: float, nt: float, tt: float) -> Four:
         """The matrix nn n n' + nt n t' + tt t t', by rows."""
         return (
             nn * s * s + nt * s * c + tt * c * c,
@@ -110,7 +122,17 @@ def _formulas(inline: Callable[..., Any]) -> tuple[Any, ...]:
         )
 
     @inline
-    def linearised(a1, a2, x1, x2, inner, outer, motion, sigma, lambda_i):  # type: ignore[no-untyped-def]
+    def linearised(
+        a1: float,
+        a2: float,
+        x1: float,
+        x2: float,
+        inner: Race,
+        outer: Race,
+        motion: Motion,
+        sigma: float,
+        lambda_i: float,
+    ) -> Linearised:
         """The ball at X with the inner groove at A, and the ring's view of it.
 
         inner, outer: (free length L, seven coefficients of K); motion: (gamma', c_f, c_g,

@@ -1,5 +1,4 @@
 """Many cases through the fast path, the judgement and, where needed, the safe path."""
-# mypy: disable-error-code="no-untyped-def"
 
 from __future__ import annotations
 
@@ -16,11 +15,12 @@ from rolamento.equilibrium.blocks import (
 )
 from rolamento.equilibrium.robust import solve_robust
 from rolamento.equilibrium.single import direction, groove
+from rolamento.equilibrium.types import Array, Output
 from rolamento.numerics.compiled import kernel, shared
 
 
 @shared
-def _start_safely(p, column, cosines, sines, u, x):
+def _start_safely(p: Array, column: int, cosines: Array, sines: Array, u: Array, x: Array) -> None:
     """A start for the safe path: over-penetrating, every ball half way between the grooves."""
     start(p, column, cosines.size, u)
     for j in range(cosines.size):
@@ -30,7 +30,17 @@ def _start_safely(p, column, cosines, sines, u, x):
 
 
 @kernel
-def solve_cases(p, control, cosines, sines, moving, first, last, fast, out):
+def solve_cases(
+    p: Array,
+    control: Array,
+    cosines: Array,
+    sines: Array,
+    moving: bool,
+    first: int,
+    last: int,
+    fast: bool,
+    out: Output,
+) -> None:
     """Solve the cases first..last-1 and judge every one.
 
     p: parameters (rows.PARAMETERS, cases or 1); control: +1/-1 per ball (cases or 1, balls);
@@ -64,7 +74,7 @@ def solve_cases(p, control, cosines, sines, moving, first, last, fast, out):
                 continue
             if attempt == 1:
                 _start_safely(p, column, cosines, sines, u, x)
-            settled, steps, escaping = solve_robust(p, column, balls, cosines, sines, u, x)
+            _, steps, escaping = solve_robust(p, column, balls, cosines, sines, u, x)
             safe[case] = True
             iterations[case] = abs(iterations[case]) + steps
             code[case], residual[case], unsupported[case] = judge(

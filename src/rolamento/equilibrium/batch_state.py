@@ -71,7 +71,8 @@ class BatchState:
     @property
     def converged(self) -> NDArray[np.bool_]:
         """(cases,): whether there is a result."""
-        return self.code == accept.CONVERGED
+        converged: NDArray[np.bool_] = self.code == accept.CONVERGED
+        return converged
 
     @property
     def status(self) -> NDArray[np.str_]:

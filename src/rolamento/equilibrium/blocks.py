@@ -3,7 +3,6 @@
 What comes out is a proposal: `accept` checks every case in exact arithmetic, and `robust`
 solves what was not proposed or not accepted.
 """
-# mypy: disable-error-code="no-untyped-def"
 
 from __future__ import annotations
 
@@ -13,6 +12,7 @@ from typing import Final
 import numpy as np
 
 from rolamento.equilibrium import lanes, rows
+from rolamento.equilibrium.types import Array, Three
 from rolamento.numerics.compiled import inline_exact, shared
 
 STATIC_STEPS: Final = 10
@@ -25,7 +25,7 @@ _X: Final = rows.POSITION * _LANES
 
 
 @inline_exact
-def _over_penetration(p, case, ball_count):
+def _over_penetration(p: Array, case: int, ball_count: int) -> Three:
     """A displacement x, y, z at which the heaviest ball carries more than its load.
 
     The potential of the contacts is convex: from the loaded side Newton's method comes down to
@@ -59,7 +59,7 @@ def _over_penetration(p, case, ball_count):
 
 
 @shared
-def start(p, case, ball_count, u):
+def start(p: Array, case: int, ball_count: int, u: Array) -> None:
     """Write a first displacement of the ring: as held, or so that the balls carry too much."""
     column = case if p.shape[1] > 1 else 0
     x, y, z = _over_penetration(p, column, ball_count)
@@ -70,7 +70,17 @@ def start(p, case, ball_count, u):
 
 
 @inline_exact
-def _fill(w, b, lane, p, cosines, sines, control, case, u):
+def _fill(
+    w: Array,
+    b: Array,
+    lane: int,
+    p: Array,
+    cosines: Array,
+    sines: Array,
+    control: Array,
+    case: int,
+    u: Array,
+) -> None:
     """Put a case into a lane, its ring at u."""
     column = case if p.shape[1] > 1 else 0
     for row in range(rows.PARAMETERS):
@@ -93,13 +103,13 @@ def _fill(w, b, lane, p, cosines, sines, control, case, u):
 
 
 @inline_exact
-def _read_displacement(w, lane, u):
+def _read_displacement(w: Array, lane: int, u: Array) -> None:
     for i in range(rows.DEGREES_OF_FREEDOM):
         u[i] = w[(rows.DISPLACEMENT + i) * _LANES + lane]
 
 
 @inline_exact
-def _unbalanced(w, lane):
+def _unbalanced(w: Array, lane: int) -> float:
     """The ring's greatest unbalanced load, over the scale of its loads; NaN stays NaN."""
     worst = 0.0
     scale = 0.0
@@ -114,16 +124,26 @@ def _unbalanced(w, lane):
 
 
 @inline_exact
-def _any_astray(w):
+def _any_astray(w: Array) -> bool:
     """Whether the ball just moved has left its place in some lane."""
+    astray = 0.0
     for i in range(rows.ASTRAY * _LANES, (rows.ASTRAY + 1) * _LANES):
-        if w[i] > 0.0:
-            return True
-    return False
+        astray = max(astray, w[i])
+    return astray > 0.0
 
 
 @shared
-def solve_static(p, control, cosines, sines, first, last, tolerance, displacement, iterations):
+def solve_static(
+    p: Array,
+    control: Array,
+    cosines: Array,
+    sines: Array,
+    first: int,
+    last: int,
+    tolerance: float,
+    displacement: Array,
+    iterations: Array,
+) -> None:
     """Newton's method on the ring alone, every ball on the line of the groove centres.
 
     Blocks of lanes run until the slowest has settled. Writes displacement (cases, 5) and
@@ -156,7 +176,17 @@ def solve_static(p, control, cosines, sines, first, last, tolerance, displacemen
 
 
 @shared
-def solve_moving(p, control, cosines, sines, first, last, displacement, position, iterations):
+def solve_moving(
+    p: Array,
+    control: Array,
+    cosines: Array,
+    sines: Array,
+    first: int,
+    last: int,
+    displacement: Array,
+    position: Array,
+    iterations: Array,
+) -> None:
     """Newton's method on ring and balls together, from the static displacement.
 
     A lane that has settled, failed or run out of steps takes the next case. Writes displacement

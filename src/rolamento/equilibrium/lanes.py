@@ -4,7 +4,6 @@ Each function is one pass over the lanes and compiles to vector code: no branch,
 is not inlined, every array index unsigned. A lane that fails turns to NaN or does not settle;
 it is left for `robust`, and nothing here decides whether a result may be shown.
 """
-# mypy: disable-error-code="no-untyped-def"
 
 from __future__ import annotations
 
@@ -15,6 +14,7 @@ import numpy as np
 from rolamento.equilibrium import rows
 from rolamento.equilibrium.ball import contact_fast, linearised_fast, polar_fast
 from rolamento.equilibrium.rows import lanes
+from rolamento.equilibrium.types import Array, Coefficients, Six, Three, Two
 from rolamento.numerics.compiled import inline_fast, vector_loop
 
 N = np.uintp(rows.LANES)
@@ -28,9 +28,9 @@ _A1, _A2 = lanes(rows.AXIAL_OFFSET), lanes(rows.RADIAL_OFFSET)
 _GAMMA, _C_F, _C_G = lanes(rows.GAMMA), lanes(rows.CENTRIFUGAL), lanes(rows.GYROSCOPIC)
 _OMEGA_I, _OMEGA_O = lanes(rows.INNER_SPEED), lanes(rows.OUTER_SPEED)
 _FRICTION_ARM = lanes(rows.FRICTION_ARM)
-_KO0, _KO1, _KO2, _KO3, _KO4, _KO5, _KO6 = (lanes(rows.OUTER_STIFFNESS + i) for i in range(7))
-_KI0, _KI1, _KI2, _KI3, _KI4, _KI5, _KI6 = (lanes(rows.INNER_STIFFNESS + i) for i in range(7))
-_KS0, _KS1, _KS2, _KS3, _KS4, _KS5, _KS6 = (lanes(rows.SERIES_STIFFNESS + i) for i in range(7))
+_K_O = lanes(rows.OUTER_STIFFNESS)
+_K_I = lanes(rows.INNER_STIFFNESS)
+_K_S = lanes(rows.SERIES_STIFFNESS)
 _APPLIED, _FREE = lanes(rows.APPLIED), lanes(rows.FREE)
 _UX, _UY, _UZ, _UP, _UQ = (lanes(rows.DISPLACEMENT + i) for i in range(5))
 _DX, _DY, _DZ, _DP, _DQ = (lanes(rows.STEP + i) for i in range(5))
@@ -40,11 +40,12 @@ _FAULT, _ASTRAY = lanes(rows.FAULT), lanes(rows.ASTRAY)
 _OUTER_SHARE, _INERTIA_APPROACH = lanes(rows.OUTER_SHARE), lanes(rows.INERTIA_APPROACH)
 _FIVE = np.uintp(rows.DEGREES_OF_FREEDOM)
 _ONE = np.uintp(1)
+_ROW = tuple(lanes(row) for row in range(rows.COEFFICIENTS))
 _RESET = lanes(rows.FAULT + 1 - rows.REACTION)
 
 
 @inline_fast
-def _groove(w, b, i):
+def _groove(w: Array, b: Array, i: int) -> Two:
     """Where the inner groove's centre stands at this ball: A1, A2."""
     c = b[_COS + i]
     s = b[_SIN + i]
@@ -54,7 +55,16 @@ def _groove(w, b, i):
 
 
 @inline_fast
-def _add_row(w, i, row, by_a1, by_a2, c, s):
+def _coefficients(w: Array, first: np.uintp, i: int) -> Coefficients:
+    """The seven coefficients of a contact's stiffness."""
+    return (
+        w[first + i], w[first + _ROW[1] + i], w[first + _ROW[2] + i], w[first + _ROW[3] + i],
+        w[first + _ROW[4] + i], w[first + _ROW[5] + i], w[first + _ROW[6] + i],
+    )  # fmt: skip
+
+
+@inline_fast
+def _add_row(w: Array, i: int, row: int, by_a1: float, by_a2: float, c: float, s: float) -> None:
     """Add a row of the ring's stiffness, given the derivatives by A1 and A2."""
     w[_MATRIX[row] + i] += by_a1
     w[_MATRIX[row + 1] + i] += s * by_a2
@@ -64,7 +74,7 @@ def _add_row(w, i, row, by_a1, by_a2, c, s):
 
 
 @inline_fast
-def _add_to_ring(w, b, i, force, stiffness):
+def _add_to_ring(w: Array, b: Array, i: int, force: Three, stiffness: Six) -> None:
     """Add one ball's force and stiffness to the ring's.
 
     With dA1 = dx + c dp - s dq and dA2 = s dy + c dz (p, q: the tilts times the arm), the rows
@@ -87,36 +97,30 @@ def _add_to_ring(w, b, i, force, stiffness):
 
 
 @vector_loop
-def reset_sums(w):
+def reset_sums(w: Array) -> None:
     """Empty the sums over the balls."""
     for i in range(_FX, _FX + _RESET):
         w[i] = 0.0
 
 
 @vector_loop
-def add_static_ball(w, b):
+def add_static_ball(w: Array, b: Array) -> None:
     """A ball without inertia: both contacts in series along the line of groove centres."""
     for i in range(N):
         a1, a2 = _groove(w, b, i)
-        stiffness = (
-            w[_KS0 + i], w[_KS1 + i], w[_KS2 + i], w[_KS3 + i], w[_KS4 + i], w[_KS5 + i], w[_KS6 + i]
-        )  # fmt: skip
+        stiffness = _coefficients(w, _K_S, i)
         s, c, v, _, q, kn, ka = contact_fast(a1, a2, w[_L_I + i] + w[_L_O + i], stiffness)
         k11, k12, k21, k22 = polar_fast(s, c, kn, ka * v, q * v)
         _add_to_ring(w, b, i, (q * s, q * c, q * s), (k11, k12, k21, k22, k11, k12))
 
 
 @vector_loop
-def add_moving_ball(w, b, tolerance):
+def add_moving_ball(w: Array, b: Array, tolerance: float) -> None:
     """A ball in motion: its residual, its step, and the ring's view of it."""
     for i in range(N):
         a1, a2 = _groove(w, b, i)
-        outer = (w[_L_O + i], (
-            w[_KO0 + i], w[_KO1 + i], w[_KO2 + i], w[_KO3 + i], w[_KO4 + i], w[_KO5 + i], w[_KO6 + i]
-        ))  # fmt: skip
-        inner = (w[_L_I + i], (
-            w[_KI0 + i], w[_KI1 + i], w[_KI2 + i], w[_KI3 + i], w[_KI4 + i], w[_KI5 + i], w[_KI6 + i]
-        ))  # fmt: skip
+        outer = (w[_L_O + i], _coefficients(w, _K_O, i))
+        inner = (w[_L_I + i], _coefficients(w, _K_I, i))
         motion = (
             w[_GAMMA + i], w[_C_F + i], w[_C_G + i], w[_OMEGA_I + i], w[_OMEGA_O + i],
             w[_FRICTION_ARM + i],
@@ -132,7 +136,7 @@ def add_moving_ball(w, b, tolerance):
 
 
 @vector_loop
-def follow_ring(w, b):
+def follow_ring(w: Array, b: Array) -> None:
     """Move a ball by its own step and with the ring's."""
     for i in range(N):
         c = b[_COS + i]
@@ -156,7 +160,7 @@ def follow_ring(w, b):
 
 
 @vector_loop
-def _hold(w):
+def _hold(w: Array) -> None:
     """Set up the ring's equations: the unbalanced load, and unit rows where it is held."""
     for row in range(_FIVE):
         for i in range(N):
@@ -171,7 +175,7 @@ def _hold(w):
 
 
 @vector_loop
-def _eliminate(w):
+def _eliminate(w: Array) -> None:
     """Gauss's elimination and back substitution, the solution in place of the right side."""
     for pivot in range(_FIVE):
         diagonal = _MATRIX[0] + (pivot * _FIVE + pivot) * N
@@ -187,18 +191,18 @@ def _eliminate(w):
             for i in range(N):
                 w[_DX + row * N + i] -= w[below + i] * w[_DX + pivot * N + i]
     for back in range(_FIVE):
-        row = _FIVE - _ONE - back
-        for column in range(row + _ONE, _FIVE):
-            entry = _MATRIX[0] + (row * _FIVE + column) * N
+        up = _FIVE - _ONE - back
+        for column in range(up + _ONE, _FIVE):
+            entry = _MATRIX[0] + (up * _FIVE + column) * N
             for i in range(N):
-                w[_DX + row * N + i] -= w[entry + i] * w[_DX + column * N + i]
-        diagonal = _MATRIX[0] + (row * _FIVE + row) * N
+                w[_DX + up * N + i] -= w[entry + i] * w[_DX + column * N + i]
+        diagonal = _MATRIX[0] + (up * _FIVE + up) * N
         for i in range(N):
-            w[_DX + row * N + i] /= w[diagonal + i]
+            w[_DX + up * N + i] /= w[diagonal + i]
 
 
 @vector_loop
-def step_ring(w):
+def step_ring(w: Array) -> None:
     """One Newton step of the ring on its free degrees of freedom."""
     _hold(w)
     _eliminate(w)
@@ -207,7 +211,7 @@ def step_ring(w):
 
 
 @inline_fast
-def _first_place(w, b, i):
+def _first_place(w: Array, b: Array, i: int) -> Two:
     """A place near equilibrium for a moving ball, whatever its load: X1, X2.
 
     The two approaches and the distance |A| make a triangle. A ball that the groove centres hardly
@@ -216,9 +220,7 @@ def _first_place(w, b, i):
     """
     a1, a2 = _groove(w, b, i)
     c_f = w[_C_F + i]
-    stiffness = (
-        w[_KS0 + i], w[_KS1 + i], w[_KS2 + i], w[_KS3 + i], w[_KS4 + i], w[_KS5 + i], w[_KS6 + i]
-    )  # fmt: skip
+    stiffness = _coefficients(w, _K_S, i)
     l_o = w[_L_O + i]
     l_i = w[_L_I + i]
     s, c, inverse, _, q, _, _ = contact_fast(a1, a2, l_i + l_o, stiffness)
@@ -244,14 +246,14 @@ def _first_place(w, b, i):
 
 
 @vector_loop
-def place_ball(w, b):
+def place_ball(w: Array, b: Array) -> None:
     """Put a moving ball near its equilibrium."""
     for i in range(N):
         b[_X1 + i], b[_X2 + i] = _first_place(w, b, i)
 
 
 @vector_loop
-def replace_ball(w, b):
+def replace_ball(w: Array, b: Array) -> None:
     """Put a ball near its equilibrium again in the lanes where it has gone astray."""
     for i in range(N):
         x1, x2 = _first_place(w, b, i)

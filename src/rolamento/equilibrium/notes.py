@@ -206,13 +206,15 @@ def _friction(ball: BallState, diameter: float) -> float:
     if ball.gyroscopic_moment == 0.0:
         return 0.0
     if ball.raceway_control == "none":
-        contacts, share = (ball.inner, ball.outer), 1.0
+        load, share = min(ball.inner.load, ball.outer.load), 1.0
     else:
-        contacts, share = (ball.inner if ball.raceway_control == "inner" else ball.outer,), 2.0
-    return max(
-        float(friction_demand(ball.gyroscopic_moment, diameter, contact.load, share))
-        for contact in contacts
-    )
+        load, share = getattr(ball, _controlling(ball)).load, 2.0
+    return float(friction_demand(ball.gyroscopic_moment, diameter, load, share))
+
+
+def _controlling(ball: BallState) -> str:
+    """Name the race that the ball was taken to roll on."""
+    return "inner" if ball.raceway_control == "inner" else "outer"
 
 
 def _turns(state: State) -> bool:

@@ -80,7 +80,7 @@ def _bearing_parameters(bearing: Bearing) -> Floats:
     return p
 
 
-def _stiffness_polynomials(bearing: Bearing) -> tuple[Floats, Floats, Floats]:
+def _stiffness_polynomials(bearing: Bearing) -> Floats:
     """Coefficients of K_i, K_o and both in series as polynomials in cos α.
 
     The exact stiffness depends on the loaded angle through the curvatures, weakly: a polynomial
@@ -93,8 +93,7 @@ def _stiffness_polynomials(bearing: Bearing) -> tuple[Floats, Floats, Floats]:
     outer = exact_stiffness(bearing, np.arccos(cosines), "outer")
     powers = np.vander(cosines, count, increasing=True)
     values = np.stack([inner, outer, series_stiffness(inner, outer)], axis=1)
-    coefficients = np.linalg.solve(powers, values)
-    return coefficients[:, 0], coefficients[:, 1], coefficients[:, 2]
+    return np.asarray(np.linalg.solve(powers, values).T, dtype=np.float64)
 
 
 def exact_stiffness(bearing: Bearing, contact_angle: Floats, race: Race) -> Floats:

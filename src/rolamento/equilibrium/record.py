@@ -37,13 +37,9 @@ def state_of(case: Case, batch: BatchState) -> State:
     """Make the record of a batch of one."""
     converged = bool(batch.converged[0])
     table = batch.balls()
-    contacts = {
-        race: _contact_states(case.bearing, contacts, race, spin[0])
-        for race, contacts, spin in (
-            ("inner", table.inner, table.motion.inner_spin_to_roll),
-            ("outer", table.outer, table.motion.outer_spin_to_roll),
-        )
-    }
+    inner_spin, outer_spin = table.motion.inner_spin_to_roll, table.motion.outer_spin_to_roll
+    inner = _contact_states(case.bearing, table.inner, "inner", inner_spin[0])
+    outer = _contact_states(case.bearing, table.outer, "outer", outer_spin[0])
     state = State(
         case=case,
         status=Status(
@@ -56,7 +52,7 @@ def state_of(case: Case, batch: BatchState) -> State:
         displacement=RingDisplacement(*batch.displacement[0].tolist()),
         load=RingLoad(*batch.load[0].tolist()),
         stiffness=batch.stiffness[0],
-        balls=_ball_states(case, batch, table, contacts["inner"], contacts["outer"]),
+        balls=_ball_states(case, batch, table, inner, outer),
     )
     return state if not converged else notes_on(state, batch)
 
@@ -71,7 +67,7 @@ def _contact_states(
         table.load, table.contact_angle, table.deflection, contact.semi_major, contact.semi_minor,
         contact.max_pressure, contact.mean_pressure, *shear,
     )  # fmt: skip
-    rows = np.stack([*(column[0] for column in columns), spin_to_roll], axis=1)
+    rows = np.stack([*(column[0] for column in columns), spin_to_roll + 0.0], axis=1)
     return [ContactState(*row) for row in rows.tolist()]
 
 

@@ -4,7 +4,6 @@ With the inertia loads frozen the problem is convex in the ring's displacement, 
 load along a step falls steadily: a step is shortened until it does not overshoot by much.
 Slower than `blocks` by an order; for what that path gives up.
 """
-# mypy: disable-error-code="no-untyped-def"
 
 from __future__ import annotations
 
@@ -14,6 +13,7 @@ from typing import Final
 import numpy as np
 
 from rolamento.equilibrium import rows
+from rolamento.equilibrium.accept import max_with_nan
 from rolamento.equilibrium.settle import settle
 from rolamento.equilibrium.single import (
     add_to_ring,
@@ -23,16 +23,29 @@ from rolamento.equilibrium.single import (
     moves,
     static_ball,
 )
+from rolamento.equilibrium.types import Array
 from rolamento.numerics.compiled import shared
 from rolamento.numerics.dense import solve_dense
 
 RING_STEPS: Final = 60
 SHORTENINGS: Final = 25
 PRECISION: Final = 1e-11
+LEAST_DAMPING: Final = 1e-10
+MOST_DAMPING: Final = 1e4
 
 
 @shared
-def evaluate(p, case, control, cosines, sines, u, x, reaction, matrix):
+def evaluate(
+    p: Array,
+    case: int,
+    control: Array,
+    cosines: Array,
+    sines: Array,
+    u: Array,
+    x: Array,
+    reaction: Array,
+    matrix: Array,
+) -> tuple[bool, float]:
     """Settle every ball at the ring's place u, from and into x; sum up their forces.
 
     Returns (whether all balls settled, the greatest load of a ball).
@@ -61,77 +74,122 @@ def evaluate(p, case, control, cosines, sines, u, x, reaction, matrix):
 
 
 @shared
-def _newton_step(p, case, unbalanced, matrix, damping, step):
-    """The ring's step on its free degrees of freedom; False where the matrix is singular."""
-    greatest = 0.0
-    for i in range(5):
-        greatest = max(greatest, abs(matrix[i, i]))
-    reference = max(greatest, 1e-6 * p[rows.SERIES_STIFFNESS, case] * sqrt(1e-6))
-    a = matrix.copy()
-    for i in range(5):
+def _unbalance(
+    p: Array, case: int, reaction: Array, greatest: float, unbalanced: Array
+) -> tuple[float, float]:
+    """Fill in the load on the free degrees of freedom that the balls do not bear.
+
+    Returns (its greatest entry, the greatest load on the ring or in it).
+    """
+    error, scale = 0.0, greatest
+    for i in range(rows.DEGREES_OF_FREEDOM):
+        unbalanced[i] = 0.0
         if p[rows.FREE + i, case] > 0.0:
-            a[i, i] += damping * reference
-        else:
-            a[i, :] = 0.0
-            a[i, i] = reference
+            applied = p[rows.APPLIED + i, case]
+            unbalanced[i] = applied - reaction[i]
+            error = max_with_nan(error, abs(unbalanced[i]))
+            scale = max(scale, abs(applied))
+    return error, scale
+
+
+@shared
+def _newton_step(
+    p: Array, case: int, unbalanced: Array, matrix: Array, damping: float, step: Array
+) -> bool:
+    """The ring's step on its free degrees of freedom; False where the matrix is singular.
+
+    The damping is relative to the greatest stiffness, or where no ball touches, to what a
+    contact would have at a picometre of approach.
+    """
+    n = rows.DEGREES_OF_FREEDOM
+    reference = 1.5e-6 * p[rows.SERIES_STIFFNESS, case]
+    for i in range(n):
+        reference = max(reference, abs(matrix[i, i]))
+    a = np.zeros((n, n))
+    for i in range(n):
         step[i] = unbalanced[i]
+        free = p[rows.FREE + i, case] > 0.0
+        for j in range(n):
+            a[i, j] = matrix[i, j] if free else 0.0
+        a[i, i] += damping * reference if free else reference
     return solve_dense(a, step)
 
 
 @shared
-def solve_robust(p, case, control, cosines, sines, u, x):
+def _dot(a: Array, b: Array) -> float:
+    total = 0.0
+    for i in range(a.size):
+        total += a[i] * b[i]
+    return total
+
+
+@shared
+def _line_search(
+    p: Array,
+    case: int,
+    control: Array,
+    cosines: Array,
+    sines: Array,
+    u: Array,
+    x: Array,
+    step: Array,
+    slope: float,
+    reaction: Array,
+    matrix: Array,
+    unbalanced: Array,
+) -> tuple[bool, float]:
+    """Move the ring along the step until it does not overshoot by much, the balls with it.
+
+    slope: the unbalanced load along the step, at its start. Returns what `evaluate` does.
+    """
+    reach = 0.3 * (p[rows.INNER_LENGTH, case] + p[rows.OUTER_LENGTH, case])
+    part = min(1.0, reach / sqrt(_dot(step, step)))
+    from_u, from_x = u.copy(), x.copy()
+    settled, greatest = False, 0.0
+    for _ in range(SHORTENINGS):
+        for i in range(u.size):
+            u[i] = from_u[i] + part * step[i]
+        for j in range(x.shape[0]):
+            x[j, 0], x[j, 1] = from_x[j, 0], from_x[j, 1]
+        settled, greatest = evaluate(p, case, control, cosines, sines, u, x, reaction, matrix)
+        _unbalance(p, case, reaction, greatest, unbalanced)
+        ahead = _dot(step, unbalanced)
+        if settled and ahead >= -0.5 * slope:
+            break
+        part *= min(max(slope / (slope - ahead), 0.1), 0.6) if settled else 0.3
+    return settled, greatest
+
+
+@shared
+def solve_robust(
+    p: Array, case: int, control: Array, cosines: Array, sines: Array, u: Array, x: Array
+) -> tuple[bool, int, int]:
     """Equilibrium of one case from the start (u, x), in place: (settled, iterations, escaping).
 
     escaping is the degree of freedom along which the ring runs away from its balls, or -1.
     """
-    reach = 0.3 * (p[rows.INNER_LENGTH, case] + p[rows.OUTER_LENGTH, case])
     reaction, unbalanced, step = np.zeros(5), np.zeros(5), np.zeros(5)
     matrix = np.zeros((5, 5))
-    trial, place = u.copy(), x.copy()
     damping = 0.0
     settled, greatest = evaluate(p, case, control, cosines, sines, u, x, reaction, matrix)
     for iteration in range(1, RING_STEPS + 1):
-        error, scale = 0.0, greatest
-        for i in range(5):
-            applied = p[rows.APPLIED + i, case]
-            free = p[rows.FREE + i, case] > 0.0
-            unbalanced[i] = applied - reaction[i] if free else 0.0
-            error = abs(unbalanced[i]) if not abs(unbalanced[i]) <= error else error
-            scale = max(scale, abs(applied) if free else 0.0)
+        error, scale = _unbalance(p, case, reaction, greatest, unbalanced)
         if settled and error <= PRECISION * scale:
             return True, iteration, -1
-        if not error < np.inf:
-            return False, iteration, -1
-        for i in range(5):
+        if not error < np.inf or damping > MOST_DAMPING:
+            break
+        for i in range(rows.DEGREES_OF_FREEDOM):
             if abs(u[i]) > p[rows.BALL_DIAMETER, case]:
                 return False, iteration, i
-        if not _newton_step(p, case, unbalanced, matrix, damping, step):
-            damping = max(100.0 * damping, 1e-10)
+        solvable = _newton_step(p, case, unbalanced, matrix, damping, step)
+        slope = _dot(step, unbalanced)
+        if not (solvable and slope > 0.0):
+            damping = max(100.0 * damping, LEAST_DAMPING)
             continue
-        length = sqrt(np.sum(step * step))
-        slope = np.sum(step * unbalanced)
-        if not slope > 0.0:
-            damping = max(100.0 * damping, 1e-10)
-            if damping > 1e4:
-                return False, iteration, -1
-            continue
-        part = min(1.0, reach / length)
-        for _ in range(SHORTENINGS):
-            trial[:] = u + part * step
-            place[:] = x
-            settled, greatest = evaluate(
-                p, case, control, cosines, sines, trial, place, reaction, matrix
-            )
-            ahead = 0.0
-            for i in range(5):
-                if p[rows.FREE + i, case] > 0.0:
-                    ahead += step[i] * (p[rows.APPLIED + i, case] - reaction[i])
-            if settled and ahead >= -0.5 * slope:
-                break
-            part *= min(max(slope / (slope - ahead), 0.1), 0.6) if settled else 0.3
+        settled, greatest = _line_search(
+            p, case, control, cosines, sines, u, x, step, slope, reaction, matrix, unbalanced
+        )
         if not settled:
-            return False, iteration, -1
-        u[:] = trial
-        x[:] = place
-        damping = 0.0 if damping < 1e-9 else 0.01 * damping
-    return False, RING_STEPS, -1
+            break
+        damping = 0.01 * damping if damping > LEAST_DAMPING else 0.0
+    return False, iteration, -1

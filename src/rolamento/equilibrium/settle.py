@@ -5,7 +5,6 @@ the outer groove's centre at a given outer angle (the force along the outer norm
 distance), and the outer angle itself, between the radial direction and the line of the groove
 centres (Harris 1991, fig. 8.6: alpha_o <= alpha <= alpha_i).
 """
-# mypy: disable-error-code="no-untyped-def"
 
 from __future__ import annotations
 
@@ -14,6 +13,7 @@ from typing import Final
 
 from rolamento.equilibrium import rows
 from rolamento.equilibrium.single import contacts, inner_share, linearised
+from rolamento.equilibrium.types import Array, Found, Two
 from rolamento.numerics.compiled import shared
 
 PRECISION: Final = 1e-12
@@ -23,7 +23,7 @@ BRACKET_STEPS: Final = 80
 
 
 @shared
-def in_place(p, case, a1, x1, x2):
+def in_place(p: Array, case: int, a1: float, x1: float, x2: float) -> bool:
     """Whether a ball stands where it can: pushed to the same side by both rings, and outward."""
     slack = 1e-9 * p[rows.OUTER_LENGTH, case]
     side = 1.0 if a1 >= 0.0 else -1.0
@@ -31,7 +31,7 @@ def in_place(p, case, a1, x1, x2):
 
 
 @shared
-def free_ball(p, case, sigma, a1, a2):
+def free_ball(p: Array, case: int, sigma: float, a1: float, a2: float) -> Found:
     """A ball that only its centrifugal force presses outward: (whether it is free, X1, X2)."""
     x2 = p[rows.OUTER_LENGTH, case]
     stiffness = 0.0
@@ -48,20 +48,20 @@ def free_ball(p, case, sigma, a1, a2):
 
 
 @shared
-def _allowed(p, case, scale):
+def _allowed(p: Array, case: int, scale: float) -> float:
     """The residual that counts as none: of the ball's loads, or what rounding leaves of it.
 
     A load Q turns on an approach (Q / K)^(2/3), which is known to a few units in the last place
     of the distance between ball and groove centre.
     """
-    length = p[rows.OUTER_LENGTH, case]
+    length: float = p[rows.OUTER_LENGTH, case]
     stiffness = p[rows.SERIES_STIFFNESS, case]
-    slope = 1.5 * (stiffness * stiffness * scale) ** (1.0 / 3.0)
+    slope: float = 1.5 * (stiffness * stiffness * scale) ** (1.0 / 3.0)
     return PRECISION * scale + 4.0 * EPSILON * length * slope
 
 
 @shared
-def _newton(p, case, sigma, a1, a2, x1, x2):
+def _newton(p: Array, case: int, sigma: float, a1: float, a2: float, x1: float, x2: float) -> Found:
     """Newton's method with shortened steps: (whether it settled in place, X1, X2)."""
     longest = 0.2 * p[rows.OUTER_LENGTH, case]
     residual, follow, _, _, scale, _ = linearised(p, case, sigma, a1, a2, x1, x2)
@@ -87,7 +87,9 @@ def _newton(p, case, sigma, a1, a2, x1, x2):
 
 
 @shared
-def _along_and_across(p, case, sigma, a1, a2, alpha, reach):
+def _along_and_across(
+    p: Array, case: int, sigma: float, a1: float, a2: float, alpha: float, reach: float
+) -> Two:
     """The ball's residual along the outer normal and across it."""
     s_i, c_i, _, q_i, s_o, c_o, _, q_o, f_c, t = contacts(
         p, case, sigma, a1, a2, reach * sin(alpha), reach * cos(alpha)
@@ -101,9 +103,9 @@ def _along_and_across(p, case, sigma, a1, a2, alpha, reach):
 
 
 @shared
-def _reach_at(p, case, sigma, a1, a2, alpha):
+def _reach_at(p: Array, case: int, sigma: float, a1: float, a2: float, alpha: float) -> float:
     """The distance from the outer groove's centre at which the normal forces balance."""
-    low = p[rows.OUTER_LENGTH, case]
+    low: float = p[rows.OUTER_LENGTH, case]
     f_low, _ = _along_and_across(p, case, sigma, a1, a2, alpha, low)
     if not f_low > 0.0:
         return low
@@ -132,7 +134,7 @@ def _reach_at(p, case, sigma, a1, a2, alpha):
 
 
 @shared
-def _bracketed(p, case, sigma, a1, a2):
+def _bracketed(p: Array, case: int, sigma: float, a1: float, a2: float) -> Found:
     """The ball's place between bounds of its outer angle: (whether found, X1, X2); A1 >= 0."""
     low, high = 0.0, atan2(a1, a2)
     _, f_high = _along_and_across(
@@ -158,7 +160,7 @@ def _bracketed(p, case, sigma, a1, a2):
 
 
 @shared
-def settle(p, case, sigma, a1, a2, x1, x2):
+def settle(p: Array, case: int, sigma: float, a1: float, a2: float, x1: float, x2: float) -> Found:
     """Find a moving ball's place from a first guess: (whether found, X1, X2)."""
     found, y1, y2 = _newton(p, case, sigma, a1, a2, x1, x2)
     if found:

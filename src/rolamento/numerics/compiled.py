@@ -12,15 +12,15 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any, TypeVar, cast
 
 import numba
 
 F = TypeVar("F", bound=Callable[..., Any])
 
-_kernels: list[Any] = []
-
 _VECTORISABLE = {"reassoc", "arcp", "contract", "afn", "nsz"}
+
+_kernels: list[Any] = []
 
 
 @cache
@@ -47,37 +47,34 @@ def _discard_stale_caches() -> None:
 def kernel(function: F) -> F:
     """Compile a function that Python calls, with a cache on disk where one can be kept."""
     _discard_stale_caches()
-    options = {"nogil": True, "error_model": "numpy"}
     try:
-        compiled = numba.njit(cache=True, **options)(function)
+        compiled = numba.njit(cache=True, nogil=True, error_model="numpy")(function)
     except RuntimeError:  # no folder for the cache: compile anew in each process
-        compiled = numba.njit(**options)(function)
+        compiled = numba.njit(nogil=True, error_model="numpy")(function)
     _kernels.append(compiled)
-    return compiled  # type: ignore[no-any-return]
-
-
-def inline_fast(function: F) -> F:
-    """Compile a formula into its callers, free to be re-ordered into vector code."""
-    return numba.njit(  # type: ignore[no-any-return]
-        fastmath=_VECTORISABLE, error_model="numpy", forceinline=True
-    )(function)
-
-
-def inline_exact(function: F) -> F:
-    """Compile a formula into its callers, in IEEE 754 arithmetic as it is written."""
-    return numba.njit(error_model="numpy", forceinline=True)(function)  # type: ignore[no-any-return]
-
-
-def vector_loop(function: F) -> F:
-    """Compile a loop over lanes on its own, where the compiler can turn it into vector code."""
-    return numba.njit(  # type: ignore[no-any-return]
-        fastmath=_VECTORISABLE, error_model="numpy", nogil=True
-    )(function)
+    return cast("F", compiled)
 
 
 def shared(function: F) -> F:
     """Compile a function that kernels call, exactly, without pressing it into each of them."""
-    return numba.njit(error_model="numpy", nogil=True)(function)  # type: ignore[no-any-return]
+    return cast("F", numba.njit(error_model="numpy", nogil=True)(function))
+
+
+def inline_exact(function: F) -> F:
+    """Compile a formula into its callers, in IEEE 754 arithmetic as it is written."""
+    return cast("F", numba.njit(error_model="numpy", forceinline=True)(function))
+
+
+def inline_fast(function: F) -> F:
+    """Compile a formula into its callers, free to be re-ordered into vector code."""
+    compiled = numba.njit(fastmath=_VECTORISABLE, error_model="numpy", forceinline=True)(function)
+    return cast("F", compiled)
+
+
+def vector_loop(function: F) -> F:
+    """Compile a loop over lanes on its own, where the compiler can turn it into vector code."""
+    compiled = numba.njit(fastmath=_VECTORISABLE, error_model="numpy", nogil=True)(function)
+    return cast("F", compiled)
 
 
 def kernels_are_cached() -> bool:

@@ -1,13 +1,13 @@
 """Small dense linear systems inside kernels, where calling LAPACK would cost more than solving."""
-# mypy: disable-error-code="no-untyped-def"
 
 from __future__ import annotations
 
+from rolamento.numerics import FloatArray as Array
 from rolamento.numerics.compiled import shared
 
 
 @shared
-def solve_dense(a, b):
+def solve_dense(a: Array, b: Array) -> bool:
     """Solve a x = b in place by elimination with partial pivoting; x replaces b, a is destroyed.
 
     a: (n, n), b: (n,). Returns False where a is singular to working precision or not finite.

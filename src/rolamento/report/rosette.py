@@ -1,6 +1,6 @@
 """The load rosette: a small polar drawing of the ball loads.
 
-The bearing is seen from the +x end, so that x points at the reader: +z is up and +y is to the right,
+The bearing is seen from the +x end, so that x points at the reader: +z is up, +y is to the right,
 and azimuths run clockwise like the hours.
 """
 

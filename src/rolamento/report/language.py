@@ -1,0 +1,249 @@
+"""The languages of report and command line: English and Brazilian Portuguese."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Final
+
+from rolamento.report.sentences import portuguese_sentence
+from rolamento.state import Status
+
+__all__ = ["ENGLISH", "LANGUAGES", "PORTUGUESE", "Words", "words_for"]
+
+_VARIABLES: Final = ("LC_ALL", "LC_MESSAGES", "LANG")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Words:
+    """All that is said in one language; `{…}` are filled in by the one who says it.
+
+    `sentence` translates advice and notes, which the engine gives in English.
+    """
+
+    code: str
+    decimal_mark: str
+    sentence: Callable[[str], str]
+
+    # head
+    untitled: str
+    bearing: str
+    geometry: str
+    given_contact_angle: str
+    given_clearance: str
+    conformities: str
+    one_material: str
+    materials: str
+    duty: str
+    inner_speed: str
+    outer_speed: str
+    at_rest: str
+    model: str
+    raceway_control: Mapping[str, str]
+    without_centrifugal_force: str
+    without_gyroscopic_moment: str
+    status: str
+    converged: str
+    reasons: Mapping[str, str]
+    advice_label: str
+    notes: str
+
+    # ring
+    inner_ring: str
+    given: str
+    free: str
+    held: str
+    stiffness: str
+
+    # balls
+    rosette: str
+    rim: str
+    seen_from: str
+    heaviest: str
+    inner: str
+    outer: str
+    contact_load: str
+    contact_angle: str
+    approach: str
+    max_pressure: str
+    semi_major: str
+    semi_minor: str
+    max_shear: str
+    orthogonal_shear: str
+    at_depth: str
+    balls: str
+    motion: str
+    load_legend: str
+    motion_legend: str
+
+    # command line
+    compiling: str
+    interrupted: str
+    demo_source: str
+    demo_next: str
+    demo_copy: str
+    demo_vary: str
+    demo_data: str
+    demo_written: str
+
+    def reason(self, status: Status) -> str:
+        """Say why there is no result."""
+        return self.reasons.get(status.code, status.code)
+
+    def advice(self, status: Status) -> str:
+        """Say what to do, or nothing."""
+        return self.sentence(status.advice) if status.advice else ""
+
+    def note(self, note: str) -> str:
+        """Say what the engine noted."""
+        return self.sentence(note)
+
+
+ENGLISH: Final = Words(
+    code="en",
+    decimal_mark=".",
+    sentence=str,
+    untitled="Ball bearing",
+    bearing="bearing",
+    geometry="{count} balls of {ball} on a pitch circle of {pitch}, {play}",
+    given_contact_angle="contact angle {angle}",
+    given_clearance="diametral clearance {clearance}",
+    conformities="conformity {inner} inner, {outer} outer; {materials}",
+    one_material="rings and balls {rings}",
+    materials="rings {rings}, balls {balls}",
+    duty="duty",
+    inner_speed="inner ring {speed}",
+    outer_speed="outer ring {speed}",
+    at_rest="at rest",
+    model="model",
+    raceway_control={
+        "outer": "outer raceway control",
+        "inner": "inner raceway control",
+        "jones": "raceway control by Jones's criterion",
+        "none": "no raceway control: the races share the gyroscopic moment",
+    },
+    without_centrifugal_force="no centrifugal force",
+    without_gyroscopic_moment="no gyroscopic moment",
+    status="status",
+    converged="converged in {iterations} iterations, residual {residual}",
+    reasons={
+        "no_equilibrium": "there is no equilibrium",
+        "not_converged": "not converged",
+        "overloaded": "overloaded",
+        "invalid_input": "invalid input",
+    },
+    advice_label="advice",
+    notes="Notes",
+    inner_ring="Inner ring",
+    given="{name} given",
+    free="free",
+    held="held",
+    stiffness="Stiffness",
+    rosette="Load rosette",
+    rim="rim: Q_i = {load} N",
+    seen_from="seen from +x",
+    heaviest="Heaviest ball: #{number} at {azimuth}°",
+    inner="inner",
+    outer="outer",
+    contact_load="load",
+    contact_angle="contact angle",
+    approach="approach",
+    max_pressure="greatest pressure",
+    semi_major="ellipse, semi-major",
+    semi_minor="ellipse, semi-minor",
+    max_shear="greatest shear",
+    orthogonal_shear="orthogonal shear",
+    at_depth="  at a depth of",
+    balls="Balls",
+    motion="Motion of the balls",
+    load_legend="Q load, α contact angle, p greatest pressure; i inner, o outer; ◂ greatest",
+    motion_legend="F_c centrifugal force, M_g gyroscopic moment, n_m cage, n_R ball, s spin/roll",
+    compiling="Compiling the solver's kernels for this machine, once (about 20 s) …",
+    interrupted="interrupted",
+    demo_source="This is the case file {path}",
+    demo_next="Try next:",
+    demo_copy="a copy to work on",
+    demo_vary="ceramic balls, twice the speed",
+    demo_data="the balls as a table, all as JSON",
+    demo_written="Wrote {path}; solve it with: {command} solve {path}",
+)
+
+PORTUGUESE: Final = Words(
+    code="pt",
+    decimal_mark=",",
+    sentence=portuguese_sentence,
+    untitled="Rolamento de esferas",
+    bearing="rolamento",
+    geometry="{count} esferas de {ball}, diâmetro primitivo {pitch}, {play}",
+    given_contact_angle="ângulo de contato {angle}",
+    given_clearance="folga diametral {clearance}",
+    conformities="conformidade {inner} interna, {outer} externa; {materials}",
+    one_material="anéis e esferas de {rings}",
+    materials="anéis de {rings}, esferas de {balls}",
+    duty="serviço",
+    inner_speed="anel interno a {speed}",
+    outer_speed="anel externo a {speed}",
+    at_rest="em repouso",
+    model="modelo",
+    raceway_control={
+        "outer": "controle pela pista externa",
+        "inner": "controle pela pista interna",
+        "jones": "controle de pista pelo critério de Jones",
+        "none": "sem controle de pista: as pistas dividem o momento giroscópico",
+    },
+    without_centrifugal_force="sem força centrífuga",
+    without_gyroscopic_moment="sem momento giroscópico",
+    status="situação",
+    converged="convergiu em {iterations} iterações, resíduo {residual}",
+    reasons={
+        "no_equilibrium": "não há equilíbrio",
+        "not_converged": "não convergiu",
+        "overloaded": "sobrecarga",
+        "invalid_input": "entrada inválida",
+    },
+    advice_label="conselho",
+    notes="Observações",
+    inner_ring="Anel interno",
+    given="{name} dado",
+    free="livre",
+    held="fixo",
+    stiffness="Rigidez",
+    rosette="Distribuição de carga",
+    rim="borda: Q_i = {load} N",
+    seen_from="visto de +x",
+    heaviest="Esfera mais carregada: nº {number}, a {azimuth}°",
+    inner="interno",
+    outer="externo",
+    contact_load="carga",
+    contact_angle="ângulo de contato",
+    approach="aproximação",
+    max_pressure="pressão máxima",
+    semi_major="semieixo maior",
+    semi_minor="semieixo menor",
+    max_shear="cisalhamento máximo",
+    orthogonal_shear="cisalhamento ortogonal",
+    at_depth="  à profundidade de",
+    balls="Esferas",
+    motion="Movimento das esferas",
+    load_legend="Q carga, α ângulo de contato, p pressão máxima; i interno, o externo; ◂ maior",
+    motion_legend="F_c força centrífuga, M_g momento giroscópico, n_m gaiola, n_R esfera, s spin/rol.",
+    compiling="Compilando o código numérico para esta máquina, uma só vez (cerca de 20 s) …",
+    interrupted="interrompido",
+    demo_source="Este é o caso do arquivo {path}",
+    demo_next="A seguir, experimente:",
+    demo_copy="uma cópia para modificar",
+    demo_vary="esferas cerâmicas, o dobro da rotação",
+    demo_data="as esferas em tabela, tudo em JSON",
+    demo_written="{path} gravado; resolva-o com: {command} solve {path}",
+)
+
+LANGUAGES: Final[Mapping[str, Words]] = {words.code: words for words in (ENGLISH, PORTUGUESE)}
+
+
+def words_for(code: str | None = None, environment: Mapping[str, str] | None = None) -> Words:
+    """Return a language by its code, or by the locale of the environment; else English."""
+    if code is None:
+        variables = os.environ if environment is None else environment
+        code = next((variables[name] for name in _VARIABLES if variables.get(name)), "")
+    return LANGUAGES.get(code[:2].lower(), ENGLISH)

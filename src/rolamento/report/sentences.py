@@ -1,0 +1,176 @@
+"""The engine's advice and notes in Brazilian Portuguese.
+
+The engine speaks English, with numbers in its sentences: a sentence is found by its pattern, and
+said again with its numbers. One that nobody has translated stays as it is.
+"""
+
+from __future__ import annotations
+
+import re
+from functools import lru_cache
+from typing import Final
+
+__all__ = ["portuguese_sentence"]
+
+_TERMS: Final = {
+    "inner": "interna",
+    "outer": "externa",
+    "along x": "na direção x",
+    "along y": "na direção y",
+    "along z": "na direção z",
+    "tilting about y": "contra a inclinação em torno de y",
+    "tilting about z": "contra a inclinação em torno de z",
+}
+
+_GROUPS: Final = {
+    "BALLS": r"(?P<balls>\d+ balls?)",
+    "AZIMUTHS": r"(?P<azimuths>[^)]*)",
+    "RACE": r"(?P<race>inner|outer)",
+    "DIRECTION": r"(?P<direction>along [xyz]|tilting about [yz])",
+    "AXIS": r"(?P<axis>\w+)",
+    "NUMBER2": r"(?P<number2>[-+.\de]+)",
+    "NUMBER": r"(?P<number>[-+.\de]+)",
+}
+
+_LOST: Final = "Nothing supports the inner ring DIRECTION: "
+_PERDIDO: Final = "Nada sustenta o anel interno {direction}: "
+
+_SENTENCES: Final = (
+    # advice
+    (
+        _LOST + "the balls never come to carry the load. Give a smaller load, or hold this degree"
+        " of freedom with a displacement.",
+        _PERDIDO + "as esferas nunca chegam a suportar a carga. Reduza a carga ou fixe este grau"
+        " de liberdade com um deslocamento.",
+    ),
+    (
+        _LOST + "an angular-contact bearing carries axial load toward +x only, and a radial load"
+        " needs an axial load beside it (about fz tan(contact angle)). Turn the load round, add"
+        " axial preload (duty.load.fx), or hold the ring with duty.displacement.x.",
+        _PERDIDO + "um rolamento de contato angular só suporta carga axial no sentido +x, e uma"
+        " carga radial precisa de uma carga axial a seu lado (cerca de fz tan(ângulo de contato))."
+        " Inverta a carga, acrescente pré-carga axial (duty.load.fx) ou fixe o anel com"
+        " duty.displacement.x.",
+    ),
+    (
+        _LOST + "balls would have to carry on the shoulder that an angular-contact bearing lacks."
+        " Add axial preload (duty.load.fx), lower the moment, or hold the tilt.",
+        _PERDIDO + "as esferas teriam de se apoiar no rebordo que um rolamento de contato angular"
+        " não tem. Acrescente pré-carga axial (duty.load.fx), reduza o momento ou fixe a"
+        " inclinação.",
+    ),
+    (
+        "A ball would sink into its groove by more than NUMBER % of its diameter, far beyond any"
+        " elastic contact: check the units of the loads and displacements.",
+        "Uma esfera penetraria na pista mais de {number} % do seu diâmetro, muito além de qualquer"
+        " contato elástico: confira as unidades das cargas e dos deslocamentos.",
+    ),
+    (
+        "A number of this case is not finite.",
+        "Um número deste caso não é finito.",
+    ),
+    (
+        "The solver stopped at a residual of NUMBER of the loads, above NUMBER2, so it shows no"
+        " result. Vary a load or the speed a little, hold the tilts, or approach the duty in"
+        " steps; and please report the case.",
+        "O cálculo parou com um resíduo de {number} das cargas, acima de {number2}, e por isso não"
+        " mostra resultado. Varie um pouco uma carga ou a rotação, fixe as inclinações ou"
+        " aproxime-se do serviço em passos; e, por favor, relate o caso.",
+    ),
+    # notes
+    (
+        "No ball touches the inner ring: there is no load to carry.",
+        "Nenhuma esfera toca o anel interno: não há carga a suportar.",
+    ),
+    (
+        "BALLS without inner contact (azimuth AZIMUTHS): only centrifugal force holds them, if"
+        " any.",
+        "{balls} sem contato com a pista interna (azimute {azimuths}): só a força centrífuga, se"
+        " houver, segura essas esferas.",
+    ),
+    (
+        "Contact pressure at the RACE race is up to NUMBER MPa, above NUMBER2 MPa (ISO 76), where"
+        " balls begin to dent the groove: BALLS (azimuth AZIMUTHS).",
+        "A pressão de contato na pista {race} chega a {number} MPa, acima de {number2} MPa"
+        " (ISO 76), quando as esferas começam a marcar a pista: {balls} (azimute {azimuths}).",
+    ),
+    (
+        "The contact ellipse runs over the RACE shoulder: it reaches NUMBER°, the groove ends at"
+        " NUMBER2° (BALLS, azimuth AZIMUTHS). Pressure at the edge is higher than"
+        " shown.",
+        "A elipse de contato passa do rebordo da pista {race}: chega a {number}°, e a pista termina"
+        " a {number2}° ({balls}, azimute {azimuths}). A pressão na borda é maior que a mostrada.",
+    ),
+    (
+        "The inner contact angle passes 90° at BALLS (azimuth AZIMUTHS): no real groove reaches so"
+        " far; more axial load would keep the balls in place.",
+        "O ângulo de contato interno passa de 90° em {balls} (azimute {azimuths}): nenhuma pista"
+        " real chega tão longe; mais carga axial manteria as esferas no lugar.",
+    ),
+    (
+        "The speed factor n·d_m = NUMBER mm/min is beyond what rolling bearings reach (NUMBER2"
+        " mm/min): the rings' own growth and the heat are not in these numbers.",
+        "O fator de velocidade n·d_m = {number} mm/min está além do que rolamentos alcançam"
+        " ({number2} mm/min): a dilatação dos anéis e o calor não estão nestes números.",
+    ),
+    (
+        "The ring tilts by NUMBER°: the equations take tilts as small, good to about NUMBER2°.",
+        "O anel se inclina {number}°: as equações supõem inclinações pequenas, até cerca de"
+        " {number2}°.",
+    ),
+    (
+        "No ball holds the ring along AXIS: it carries no load there, and the displacement shown"
+        " is one of many.",
+        "Nenhuma esfera segura o anel em {axis}: ele não recebe carga ali, e o deslocamento"
+        " mostrado é um entre muitos.",
+    ),
+    (
+        "Jones's criterion favours neither race at BALLS (azimuth AZIMUTHS): they are taken as"
+        " before, as controlled by the race that they last rolled on, first the outer.",
+        "O critério de Jones não favorece nenhuma das pistas em {balls} (azimute {azimuths}):"
+        " continua valendo o controle pela última pista em que rolaram, de início a externa.",
+    ),
+    (
+        "Jones's criterion contradicts RACE raceway control at BALLS (azimuth AZIMUTHS);"
+        ' model.raceway_control = "jones" decides ball by ball.',
+        "O critério de Jones contradiz o controle pela pista {race} em {balls} (azimute"
+        ' {azimuths}); model.raceway_control = "jones" decide esfera por esfera.',
+    ),
+    (
+        "To hold the gyroscopic moment as assumed, a coefficient of friction of NUMBER is needed,"
+        " more than about NUMBER2: BALLS will slip (azimuth AZIMUTHS).",
+        "Para segurar o momento giroscópico como suposto, é preciso um coeficiente de atrito de"
+        " {number}, mais que cerca de {number2}: {balls} vão escorregar (azimute {azimuths}).",
+    ),
+)
+
+
+def portuguese_sentence(sentence: str) -> str:
+    """Return the sentence in Portuguese, or as it is if nobody has translated it."""
+    for pattern, template in _patterns():
+        match = pattern.fullmatch(sentence)
+        if match:
+            groups = match.groupdict()
+            return template.format(**{name: _said(name, text) for name, text in groups.items()})
+    return sentence
+
+
+@lru_cache(maxsize=1)
+def _patterns() -> tuple[tuple[re.Pattern[str], str], ...]:
+    return tuple((re.compile(_expression(english)), said) for english, said in _SENTENCES)
+
+
+def _expression(english: str) -> str:
+    """Return the pattern of a sentence whose words in capitals stand for what varies."""
+    names = "|".join(_GROUPS)
+    parts = re.split(rf"\b({names})\b", english)
+    return "".join(_GROUPS.get(part) or re.escape(part) for part in parts)
+
+
+def _said(name: str, text: str) -> str:
+    """Return a varying part in Portuguese: terms, counts, numbers with a decimal comma."""
+    if name == "balls":
+        return text.replace("ball", "esfera")
+    if name == "azimuths":
+        return text.replace(", ", "; ").replace(".", ",")
+    return _TERMS.get(text, text.replace(".", ","))
