@@ -9,7 +9,13 @@ from rolamento.equilibrium import accept
 from rolamento.equilibrium.batch_state import BatchState
 from rolamento.geometry import ring_geometry
 
-_DIRECTIONS: Final = ("along x", "along y", "along z", "tilting about y", "tilting about z")
+_DIRECTIONS: Final = (
+    "along x",
+    "along y",
+    "along z",
+    "against tilting about y (ry)",
+    "against tilting about z (rz)",
+)
 
 
 def advise(case: Case, batch: BatchState) -> str | None:
@@ -43,7 +49,7 @@ def _no_equilibrium(case: Case, axis: int) -> str:
             "freedom with a displacement."
         )
     if axis == 0:
-        return lost + (
+        return lost.replace("along x", "toward -x") + (
             "an angular-contact bearing carries axial load toward +x only, and a radial load "
             "needs an axial load beside it (about fz tan(contact angle)). Turn the load round, "
             "add axial preload (duty.load.fx), or hold the ring with duty.displacement.x."

@@ -124,6 +124,15 @@ def _unbalanced(w: Array, lane: int) -> float:
 
 
 @inline_exact
+def _lost(w: Array, lane: int) -> bool:
+    """Whether a lane's ring has gone to NaN, as after a step without any stiffness."""
+    total = 0.0
+    for i in range(rows.DEGREES_OF_FREEDOM):
+        total += w[(rows.DISPLACEMENT + i) * _LANES + lane]
+    return total != total
+
+
+@inline_exact
 def _any_astray(w: Array) -> bool:
     """Whether the ball just moved has left its place in some lane."""
     astray = 0.0
@@ -171,8 +180,11 @@ def solve_static(
             if open_lanes == 0:
                 break
         for lane in range(count):
-            if iterations[block + lane] > 0:
-                _read_displacement(w, lane, displacement[block + lane])
+            case = block + lane
+            if iterations[case] > 0 and not _lost(w, lane):
+                _read_displacement(w, lane, displacement[case])
+            else:
+                iterations[case] = 0
 
 
 @shared
@@ -234,7 +246,7 @@ def solve_moving(
 
         for lane in range(_LANES):
             case = holds[lane]
-            lost = w[rows.DISPLACEMENT * _LANES + lane] != w[rows.DISPLACEMENT * _LANES + lane]
+            lost = _lost(w, lane)
             if case < 0 or not (settled[lane] or lost or steps[lane] >= MOVING_STEPS):
                 continue
             iterations[case] = 0 if lost else (steps[lane] if settled[lane] else -steps[lane])

@@ -27,6 +27,8 @@ TILT_LIMIT: Final = radians(1.0)
 """rad: the equations take tilts as small; at 1 degree that costs up to 2 % of BD."""
 FRICTION_LIMIT: Final = 0.1
 """Coefficient of friction above which a lubricated contact will hardly hold the ball."""
+SPINNING_ANGLE: Final = radians(0.1)
+"""rad: a ball at a smaller contact angle hardly spins, whichever race controls it."""
 FREE_STIFFNESS: Final = 1e-9
 """Of the greatest stiffness: a direction with less is free."""
 
@@ -49,14 +51,13 @@ def notes_on(state: State, batch: BatchState) -> State:
 
 def _lost_contacts(state: State) -> Iterator[str]:
     """Balls that the inner ring does not touch."""
-    free = [ball for ball in state.balls if ball.inner.load == 0.0]
+    free = [ball for ball in state.balls if ball.inner.load <= 1e-9 * ball.outer.load]
     if len(free) == len(state.balls):
-        yield "No ball touches the inner ring: there is no load to carry."
+        yield "No ball presses on the inner ring: without a load, its place is one of many."
     elif free:
-        yield (
-            f"{_count(free)} without inner contact (azimuth {_azimuths(free)}): only "
-            "centrifugal force holds them, if any."
-        )
+        pressed = any(ball.outer.load > 0.0 for ball in free)
+        holder = "only centrifugal force presses on them" if pressed else "nothing presses on them"
+        yield f"{_count(free)} without inner contact (azimuth {_azimuths(free)}): {holder}."
 
 
 def _pressures(state: State) -> Iterator[str]:
@@ -136,8 +137,8 @@ def _free_directions(state: State, batch: BatchState) -> Iterator[str]:
     arms = ring_arms(batch._parameters)[:, 0]
     scaled = state.stiffness / np.outer(arms, arms)
     greatest = np.abs(scaled).max()
-    if greatest == 0.0:
-        return
+    if all(load == 0.0 for load in state.load):
+        return  # nothing is held, and _lost_contacts says so
     vectors, values, _ = np.linalg.svd(scaled[np.ix_(free, free)])
     names = [axis for axis, is_free in zip(AXES, free, strict=True) if is_free]
     for value, vector in zip(values, vectors.T, strict=True):
@@ -165,7 +166,11 @@ def _control(state: State, batch: BatchState) -> Iterator[str]:
         return
     against = RacewayControl.INNER if assumed == "outer" else RacewayControl.OUTER
     verdict = _criterion(batch)
-    contradicted = [b for b, code in zip(state.balls, verdict, strict=True) if code == against]
+    contradicted = [
+        ball
+        for ball, code in zip(state.balls, verdict, strict=True)
+        if code == against and abs(ball.inner.contact_angle) > SPINNING_ANGLE
+    ]
     if contradicted:
         yield (
             f"Jones's criterion contradicts {assumed} raceway control at {_count(contradicted)} "

@@ -18,6 +18,8 @@ from rolamento.numerics.compiled import shared
 
 PRECISION: Final = 1e-12
 EPSILON: Final = 2.3e-16
+PLACE_SLACK: Final = 1e-6
+"""rad: a ball that hardly anything holds does not stand more exactly than this."""
 NEWTON_STEPS: Final = 20
 BRACKET_STEPS: Final = 80
 
@@ -25,7 +27,7 @@ BRACKET_STEPS: Final = 80
 @shared
 def in_place(p: Array, case: int, a1: float, x1: float, x2: float) -> bool:
     """Whether a ball stands where it can: pushed to the same side by both rings, and outward."""
-    slack = 1e-9 * p[rows.OUTER_LENGTH, case]
+    slack = PLACE_SLACK * p[rows.OUTER_LENGTH, case]
     side = 1.0 if a1 >= 0.0 else -1.0
     return side * x1 >= -slack and x2 > 0.0 and side * (a1 - x1) >= -slack
 

@@ -7,8 +7,6 @@ import unicodedata
 from dataclasses import dataclass
 from typing import Final, Literal, TextIO
 
-from rich.console import Console
-
 __all__ = ["Medium"]
 
 ColorSystem = Literal["auto", "standard", "256", "truecolor", "windows"]
@@ -46,6 +44,8 @@ class Medium:
     @classmethod
     def of(cls, stream: TextIO) -> Medium:
         """Find out what a stream can show; a pipe or a file gets plain text."""
+        from rich.console import Console
+
         console = Console(file=stream)
         colors: dict[str | None, ColorSystem] = {
             "standard": "standard", "256": "256", "truecolor": "truecolor", "windows": "windows"

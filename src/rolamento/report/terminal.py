@@ -80,26 +80,19 @@ def _head(page: Page, state: State) -> RenderableType:
 
 
 def _bearing(page: Page, bearing: Bearing) -> str:
-    words = page.words
-    rings, balls = bearing.ring_material.name, bearing.ball_material.name
-    materials = (
-        words.one_material if bearing.ring_material == bearing.ball_material else words.materials
+    words, rings, balls = page.words, bearing.ring_material, bearing.ball_material
+    geometry = words.geometry.format(
+        count=bearing.ball_count,
+        ball=_quantity(page, bearing.ball_diameter, "length"),
+        pitch=_quantity(page, bearing.pitch_diameter, "length"),
     )
-    return "\n".join(
-        (
-            words.geometry.format(
-                count=bearing.ball_count,
-                ball=_quantity(page, bearing.ball_diameter, "length"),
-                pitch=_quantity(page, bearing.pitch_diameter, "length"),
-                play=_play(page, bearing),
-            ),
-            words.conformities.format(
-                inner=page.digits.short(bearing.inner_conformity),
-                outer=page.digits.short(bearing.outer_conformity),
-                materials=materials.format(rings=rings, balls=balls),
-            ),
-        )
+    conformities = words.conformities.format(
+        play=_play(page, bearing),
+        inner=page.digits.short(bearing.inner_conformity),
+        outer=page.digits.short(bearing.outer_conformity),
     )
+    materials = words.one_material if rings == balls else words.materials
+    return "\n".join((geometry, conformities, materials.format(rings=rings.name, balls=balls.name)))
 
 
 def _play(page: Page, bearing: Bearing) -> str:

@@ -1,0 +1,5 @@
+"""The command line: `rolamento solve`, `rolamento demo`."""
+
+from rolamento.cli.app import main
+
+__all__ = ["main"]

@@ -1,0 +1,87 @@
+"""Standard output and standard error: what is written arrives, or ends quietly."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Callable
+from contextlib import suppress
+from typing import Final, TextIO
+
+from rolamento._reading import write_text
+from rolamento.errors import FileError
+from rolamento.report.medium import Medium
+
+__all__ = ["STANDARD_STREAM", "complain", "print_data", "print_text", "put"]
+
+STANDARD_STREAM: Final = "-"
+_STANDARD_OUTPUT: Final = "standard output"
+
+
+def print_text(text: str) -> None:
+    """Write for a person to standard output, in its encoding.
+
+    Raises
+    ------
+    FileError
+        If it cannot be written; a reader that has gone away is no error.
+    """
+    _write(sys.stdout, lambda: _encoded(text, sys.stdout), _STANDARD_OUTPUT)
+
+
+def print_data(text: str) -> None:
+    """Write for a program to standard output, in UTF-8 whatever the locale.
+
+    Raises
+    ------
+    FileError
+        As `print_text`.
+    """
+    _write(sys.stdout, lambda: text.encode("utf-8"), _STANDARD_OUTPUT)
+
+
+def put(text: str, path: str) -> None:
+    """Write for a program to a file, or to standard output for ``"-"``.
+
+    Raises
+    ------
+    FileError
+        If it cannot be written.
+    """
+    if path == STANDARD_STREAM:
+        print_data(text)
+    else:
+        write_text(text, path)
+
+
+def complain(text: str) -> None:
+    """Write one line to standard error, if there is one."""
+    with suppress(FileError):
+        _write(sys.stderr, lambda: _encoded(f"rolamento: {text}\n", sys.stderr), "standard error")
+
+
+def _encoded(text: str, stream: TextIO) -> bytes:
+    encoding = stream.encoding or "utf-8"
+    return Medium(encoding=encoding).fitted(text).encode(encoding)
+
+
+def _write(stream: TextIO | None, content: Callable[[], bytes], name: str) -> None:
+    """Write bytes and see them off: what is left in a buffer fails where nobody can tell."""
+    if stream is None:
+        raise FileError("is closed", source=name)
+    try:
+        stream.flush()
+        stream.buffer.write(content())
+        stream.flush()
+    except BrokenPipeError:
+        _silence(stream)
+    except OSError as error:
+        _silence(stream)
+        reason = (error.strerror or str(error)).lower()
+        raise FileError(f"cannot be written: {reason}", source=name) from None
+
+
+def _silence(stream: TextIO) -> None:
+    """Send what is still in the buffer to nowhere, so that the end of the program is quiet."""
+    with open(os.devnull, "wb") as nowhere:
+        os.dup2(nowhere.fileno(), stream.fileno())
