@@ -4,15 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from itertools import chain
 from math import degrees, isfinite, nan, pi
 from typing import Final
 
-from rich.console import Group, RenderableType
-from rich.padding import Padding
 from rich.text import Text
 
 from rolamento.report.numbers import ABSENT, aligned
-from rolamento.report.page import Page
+from rolamento.report.page import Lines, Page
 from rolamento.report.rosette import rosette
 from rolamento.state import BallState, ContactState, State
 
@@ -69,18 +68,18 @@ _MOTION: Final = (
 )
 
 
-def ball_parts(page: Page, state: State) -> list[RenderableType]:
+def ball_parts(page: Page, state: State) -> list[Lines]:
     """Show the balls in one wide table or in two narrow ones; at rest, loads only."""
     words, duty = page.words, state.case.duty
     loads = _BallTable(page, state, words.balls, (_PLACE, *_LOADS), (words.load_legend,))
     if duty.inner_speed == 0.0 == duty.outer_speed:
-        return [loads.rendered(bars=True)]
+        return [loads.lines(bars=True)]
     legends = (words.load_legend, words.motion_legend)
     merged = _BallTable(page, state, words.balls, (_PLACE, *_LOADS, *_MOTION), legends)
     if merged.width <= page.medium.width:
-        return [merged.rendered()]
+        return [merged.lines()]
     motion = _BallTable(page, state, words.motion, (_PLACE, *_MOTION), (words.motion_legend,))
-    return [loads.rendered(bars=True), motion.rendered()]
+    return [loads.lines(bars=True), motion.lines()]
 
 
 class _BallTable:
@@ -98,44 +97,37 @@ class _BallTable:
     ) -> None:
         self._page, self._balls = page, state.balls
         self._heading, self._legends = heading, legends
-        self._headers = [_header(page, column) for column in columns]
-        self._cells = [_numbers(page, state.balls, column) for column in columns]
+        self._columns = [self._numbers(), *(_column(page, state.balls, c) for c in columns)]
+
+    def _numbers(self) -> Lines:
+        return [Text(), Text("#"), *(Text(str(j), "dim") for j in range(len(self._balls)))]
 
     @property
     def width(self) -> int:
         """How many characters the table takes."""
-        texts = (
-            [*header.split("\n"), *cells]
-            for header, cells in zip(self._headers, self._cells, strict=True)
-        )
-        numbers = len(f"  {len(self._balls) - 1}")
-        return numbers + sum(self._GAP + max(map(len, column)) for column in texts)
+        return sum(self._GAP + max(map(len, column)) for column in self._columns)
 
-    def rendered(self, *, bars: bool = False) -> RenderableType:
+    def lines(self, *, bars: bool = False) -> Lines:
         """Return the table between heading and legends; bars show the inner loads."""
-        page, cells = self._page, list(self._cells)
-        table = page.table()
-        table.add_column(page.text("\n#", "dim"), justify="right", no_wrap=True)
-        for header in self._headers:
-            table.add_column(header, justify="right", no_wrap=True)
+        page, columns = self._page, list(self._columns)
         if bars:
-            table.add_column(page.text("Q_i"), no_wrap=True)
             room = page.medium.width - self.width - self._GAP
-            cells.append(_bars(page, self._balls, min(room, _LONGEST_BAR)))
-        for number, line in enumerate(zip(*cells, strict=True)):
-            table.add_row(page.text(f"  {number}", "dim"), *line)
-        legends = (Padding(page.text(text, "dim"), (0, 0, 0, 2)) for text in self._legends)
-        return Group(page.heading(self._heading), table, *legends)
+            columns.append([Text(), Text("Q_i"), *_bars(page, self._balls, room)])
+        rows = list(zip(*columns, strict=True))
+        table = page.columns(rows, "r" * len(self._columns) + "l" * bars, self._GAP)
+        table.insert(2, page.rule(max(map(len, table))))
+        legends = [page.hanging(Text("  "), text, "dim") for text in self._legends]
+        return [page.heading(self._heading), *table, *chain(*legends)]
 
 
-def _header(page: Page, column: _Column) -> Text:
-    """Return symbol above unit, with room for the mark where there may be one."""
+def _column(page: Page, balls: Sequence[BallState], column: _Column) -> Lines:
+    """Return symbol, unit and numbers, with room for the mark where there may be one."""
     room = " " if column.peak else ""
-    symbol, unit = page.text(column.symbol + room), page.text(column.unit + room, "dim")
-    return Text.assemble(symbol, "\n", unit)
+    header = [page.text(column.symbol + room), page.text(column.unit + room, "dim")]
+    return header + _numbers(page, balls, column)
 
 
-def _numbers(page: Page, balls: Sequence[BallState], column: _Column) -> list[Text]:
+def _numbers(page: Page, balls: Sequence[BallState], column: _Column) -> Lines:
     values = [column.of(ball) for ball in balls]
     texts = page.digits.column(values, column.digits, column.most)
     texts = [_centred_dash(text, texts) for text in texts]
@@ -159,11 +151,12 @@ def _marked(page: Page, text: str, top: bool) -> Text:
     return page.text(text + ("◂" if top else " "), style)
 
 
-def _bars(page: Page, balls: Sequence[BallState], longest: int) -> list[Text]:
+def _bars(page: Page, balls: Sequence[BallState], room: int) -> Lines:
     """Draw the inner load of every ball as a bar."""
+    longest = min(max(room, 0), _LONGEST_BAR)
     greatest = max(ball.inner.load for ball in balls)
     parts = (ball.inner.load / greatest if greatest > 0.0 else 0.0 for ball in balls)
-    return [_bar(page, part * max(longest, 0)) for part in parts]
+    return [_bar(page, part * longest) for part in parts]
 
 
 def _bar(page: Page, length: float) -> Text:
@@ -192,25 +185,19 @@ _STRESSES: Final[tuple[tuple[str, str, Callable[[ContactState], float]], ...]] =
 )
 
 
-def heaviest_part(page: Page, state: State) -> RenderableType:
+def heaviest_part(page: Page, state: State) -> Lines:
     """Show the contacts of the heaviest ball and the stresses under them."""
     words = page.words
     number, ball = heaviest(state)
     contacts = (ball.inner, ball.outer)
     columns = [_stresses(page, contact) for contact in contacts]
-    grid = page.grid(gap=1)
-    for justify in ("left", "left", "right", "right"):
-        grid.add_column(justify=justify, no_wrap=True)
-    grid.add_row("", "", page.text(words.inner, "dim"), page.text(words.outer, "dim"))
-    for (name, unit, _), inner, outer in zip(_STRESSES, *columns, strict=True):
-        grid.add_row(
-            page.text(f"  {getattr(words, name)}"),
-            page.text(unit),
-            page.text(inner),
-            page.text(outer),
-        )
+    rows = [(Text(), Text(), page.text(words.inner, "dim"), page.text(words.outer, "dim"))]
+    for (name, unit, _), *cells in zip(_STRESSES, *columns, strict=True):
+        label = page.text(getattr(words, name))
+        rows.append((label, page.text(unit), *map(page.text, cells)))
     place = page.digits.short(degrees(ball.azimuth))
-    return Group(page.heading(words.heaviest.format(number=number, azimuth=place)), grid)
+    heading = page.heading(words.heaviest.format(number=number, azimuth=place))
+    return [heading, *page.columns(rows, "llrr", gap=1)]
 
 
 def _stresses(page: Page, contact: ContactState) -> list[str]:
@@ -220,19 +207,19 @@ def _stresses(page: Page, contact: ContactState) -> list[str]:
     return [f"  {cell}" for cell in aligned(cells, page.words.decimal_mark)]
 
 
-def rosette_part(page: Page, state: State) -> RenderableType:
+def rosette_part(page: Page, state: State) -> Lines:
     """Draw the inner loads round the bearing, with the axes and the scale."""
     _, ball = heaviest(state)
     row = [other for other in state.balls if other.row == ball.row]
     loads, azimuths = [b.inner.load for b in row], [b.azimuth for b in row]
     drawn = rosette(loads, azimuths, _ROSETTE_HEIGHT, braille=page.medium.draws)
-    lines = [Text("+z".center(2 * _ROSETTE_HEIGHT))]
-    for number, line in enumerate(drawn):
-        cells = Text.assemble(*((c.character, "cyan" if c.loaded else "dim") for c in line))
-        lines.append(cells + Text(" +y" if number == _ROSETTE_HEIGHT // 2 else ""))
+    width = 2 * _ROSETTE_HEIGHT
+    lines = [page.heading(page.words.rosette), Text("+z".center(width))]
+    for number, cells in enumerate(drawn):
+        line = Text.assemble(*((c.character, "cyan" if c.loaded else "dim") for c in cells))
+        lines.append(line.append(" +y" if number == _ROSETTE_HEIGHT // 2 else ""))
     greatest = max(loads)
     scale = page.digits.column([greatest])[0] if greatest > 0.0 else ABSENT
-    width = 2 * _ROSETTE_HEIGHT
     for caption in (page.words.rim.format(load=scale), page.words.seen_from):
         lines.append(page.text(caption.center(width), "dim"))
-    return Group(page.heading(page.words.rosette), *lines)
+    return lines

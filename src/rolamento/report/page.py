@@ -1,23 +1,26 @@
-"""What every part of the report is made with: words, numbers, and a medium to fit."""
+"""What every part of the report is made with: words, numbers, lines that stand in columns.
+
+A part is a list of lines. They are set here and not by Rich's tables, which take longer for sixty
+balls than the solver does; Rich does the colours.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Final
+from itertools import zip_longest
+from textwrap import wrap
+from typing import TypeAlias
 
-from rich.box import Box
-from rich.table import Table
 from rich.text import Text
 
 from rolamento.report.language import Words
 from rolamento.report.medium import Medium
 from rolamento.report.numbers import Digits
 
-__all__ = ["Page"]
+__all__ = ["Lines", "Page", "beside"]
 
-_BLANK: Final = "    \n"
-_RULED: Final = Box(2 * _BLANK + " ── \n" + 5 * _BLANK)
-_RULED_IN_ASCII: Final = Box(2 * _BLANK + " -- \n" + 5 * _BLANK, ascii=True)
+Lines: TypeAlias = list[Text]
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,17 +43,53 @@ class Page:
         """Return the heading of a part."""
         return self.text(content, "bold cyan")
 
-    def grid(self, gap: int = 1) -> Table:
-        """Return an empty table without header."""
-        return Table.grid(padding=(0, gap, 0, 0))
+    def rule(self, width: int) -> Text:
+        """Return a line across."""
+        return self.text(("─" if self.medium.shows("─") else "-") * width, "dim")
 
-    def table(self) -> Table:
-        """Return an empty table with a ruled header."""
-        return Table(
-            box=_RULED if self.medium.shows("─") else _RULED_IN_ASCII,
-            show_edge=False,
-            pad_edge=False,
-            padding=(0, 1, 0, 0),
-            collapse_padding=True,
-            header_style="",
-        )
+    def columns(self, rows: Sequence[Sequence[Text]], justify: str, gap: int = 2) -> Lines:
+        """Set cells in columns, indented by two.
+
+        Parameters
+        ----------
+        rows
+            The cells of each line.
+        justify
+            A letter for each column: ``l`` for left, ``r`` for right.
+        gap
+            Between columns, in characters.
+        """
+        widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+        return [_set(row, widths, justify, gap) for row in rows]
+
+    def hanging(self, label: Text, content: str, style: str = "") -> Lines:
+        """Break a text into lines that begin to the right of its label."""
+        width = self.medium.width - len(label)
+        pieces = [
+            piece
+            for line in self.medium.fitted(content).split("\n")
+            for piece in wrap(line, width, break_on_hyphens=False)
+        ]
+        margins = [label] + [Text(" " * len(label))] * (len(pieces) - 1)
+        return [
+            Text.assemble(margin, (piece, style))
+            for margin, piece in zip(margins, pieces, strict=True)
+        ]
+
+
+def beside(left: Lines, right: Lines, gap: int) -> Lines:
+    """Set two parts next to each other."""
+    width = max(map(len, left)) + gap
+    pairs = zip_longest(left, right, fillvalue=Text())
+    return [Text.assemble(one, " " * (width - len(one)), other) for one, other in pairs]
+
+
+def _set(cells: Sequence[Text], widths: Sequence[int], justify: str, gap: int) -> Text:
+    line = Text("  ")
+    for number, (cell, width, side) in enumerate(zip(cells, widths, justify, strict=True)):
+        room = " " * (width - len(cell))
+        line.append(" " * gap if number else "")
+        line.append(room if side == "r" else "")
+        line.append_text(cell)
+        line.append(room if side == "l" else "")
+    return line

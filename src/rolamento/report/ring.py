@@ -5,12 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Final
 
-from rich.console import Group, RenderableType
-from rich.table import Table
+from rich.text import Text
 
 from rolamento.duty import AXES, LOADS, Duty
 from rolamento.report.numbers import aligned
-from rolamento.report.page import Page
+from rolamento.report.page import Lines, Page
 from rolamento.state import State
 
 __all__ = ["ring_part", "stiffness_part"]
@@ -22,28 +21,28 @@ _NEGLIGIBLE: Final = 1e-9
 """Of the stiffnesses on the diagonal: what is less is rounding, and written 0."""
 
 
-def ring_part(page: Page, state: State) -> RenderableType:
+def ring_part(page: Page, state: State) -> Lines:
     """Show displacement and load of the five degrees of freedom, the results in bold."""
     shifts = [1e6 * value for value in state.displacement[:_SHIFTS]]
     tilts = [1e3 * value for value in state.displacement[_SHIFTS:]]
     displacements = _two_groups(page, shifts, tilts)
     loads = _two_groups(page, state.load[:_SHIFTS], state.load[_SHIFTS:])
-    grid = page.grid(gap=1)
-    for justify in ("left", "right", "left", "left", "right", "left", "left"):
-        grid.add_column(justify=justify, no_wrap=True)
+    rows = []
     for position, (axis, load) in enumerate(zip(AXES, LOADS, strict=True)):
-        shift = position < _SHIFTS
         known, load_known = _known(page, state.case.duty, axis, load)
-        grid.add_row(
-            page.text(f"  {axis}"),
-            page.text(displacements[position], "" if not load_known else "bold"),
-            page.text("µm " if shift else "mrad "),
-            page.text(load),
-            page.text(loads[position], "" if load_known else "bold"),
-            page.text("N " if shift else "N·m "),
-            page.text(known, "dim"),
+        units = ("µm", "N") if position < _SHIFTS else ("mrad", "N·m")
+        rows.append(
+            (
+                Text(axis),
+                page.text(displacements[position], "bold" if load_known else ""),
+                page.text(units[0]),
+                Text(f" {load}"),
+                page.text(loads[position], "" if load_known else "bold"),
+                page.text(units[1]),
+                page.text(f" {known}", "dim"),
+            )
         )
-    return Group(page.heading(page.words.inner_ring), grid)
+    return [page.heading(page.words.inner_ring), *page.columns(rows, "lrllrll", gap=1)]
 
 
 def _two_groups(page: Page, first: Sequence[float], second: Sequence[float]) -> list[str]:
@@ -63,32 +62,28 @@ def _known(page: Page, duty: Duty, axis: str, load: str) -> tuple[str, bool]:
     return (words.held if held else words.free), not held
 
 
-def stiffness_part(page: Page, state: State) -> RenderableType:
+def stiffness_part(page: Page, state: State) -> Lines:
     """Show the 5 x 5 matrix in four blocks of one unit each."""
-    matrix = state.stiffness.tolist()
-    grid = page.grid(gap=3)
-    grid.add_column(no_wrap=True)
-    for _ in AXES:
-        grid.add_column(justify="right", no_wrap=True)
-    grid.add_row("", *(page.text(axis) for axis in AXES))
-    columns = _columns(page, matrix)
-    _add_rows(page, grid, columns, range(_SHIFTS), ("N/µm", "N/mrad"))
-    _add_rows(page, grid, columns, range(_SHIFTS, len(AXES)), ("N·m/mm", "N·m/mrad"))
-    return Group(page.heading(page.words.stiffness), grid)
+    columns = _columns(page, state.stiffness.tolist())
+    rows = [
+        [Text(), *map(Text, AXES)],
+        _units(page, "N/µm", "N/mrad"),
+        *(_row(columns, row) for row in range(_SHIFTS)),
+        _units(page, "N·m/mm", "N·m/mrad"),
+        *(_row(columns, row) for row in range(_SHIFTS, len(AXES))),
+    ]
+    return [page.heading(page.words.stiffness), *page.columns(rows, "lrrrrr", gap=3)]
 
 
-def _add_rows(
-    page: Page, grid: Table, columns: list[list[str]], rows: range, units: tuple[str, str]
-) -> None:
-    """Add the rows of the forces or of the moments, below their units."""
-    over = (units[0] if column < _SHIFTS else units[1] for column in range(len(AXES)))
-    grid.add_row("", *(page.text(unit, "dim") for unit in over))
-    for row in rows:
-        cells = (
-            page.text(columns[column][row], "bold" if row == column else "")
-            for column in range(len(AXES))
-        )
-        grid.add_row(page.text(f"  {LOADS[row]}"), *cells)
+def _units(page: Page, shift: str, tilt: str) -> list[Text]:
+    """Return the line of units above the rows of forces or of moments."""
+    units = [shift] * _SHIFTS + [tilt] * (len(AXES) - _SHIFTS)
+    return [Text(), *(page.text(unit, "dim") for unit in units)]
+
+
+def _row(columns: list[list[str]], row: int) -> list[Text]:
+    cells = [Text(column[row], "bold" if row == i else "") for i, column in enumerate(columns)]
+    return [Text(LOADS[row]), *cells]
 
 
 def _columns(page: Page, matrix: list[list[float]]) -> list[list[str]]:

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from io import StringIO
 
-from rich.console import Console, Group, RenderableType
-from rich.table import Table
+from rich.console import Console
+from rich.text import Text
 
 from rolamento.bearing import Bearing
 from rolamento.duty import AXES, LOADS, Duty
 from rolamento.report.balls import ball_parts, heaviest_part, rosette_part
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium
-from rolamento.report.page import Page
+from rolamento.report.page import Lines, Page, beside
 from rolamento.report.ring import ring_part, stiffness_part
 from rolamento.state import State
 from rolamento.units import Dimension, from_si
@@ -33,7 +33,7 @@ def terminal_report(state: State, words: Words = ENGLISH, medium: Medium | None 
         What the text is shown on; by default plain text of 80 columns in UTF-8.
     """
     page = Page(words, medium or Medium())
-    parts: list[RenderableType] = [_head(page, state)]
+    parts = [_head(page, state)]
     if state.status.converged:
         parts += [_middle(page, state), stiffness_part(page, state), *ball_parts(page, state)]
     if state.notes:
@@ -41,7 +41,7 @@ def terminal_report(state: State, words: Words = ENGLISH, medium: Medium | None 
     return _rendered(page.medium, parts)
 
 
-def _rendered(medium: Medium, parts: list[RenderableType]) -> str:
+def _rendered(medium: Medium, parts: list[Lines]) -> str:
     """Return the parts one below the other, with an empty line between them."""
     console = Console(
         file=StringIO(),
@@ -56,27 +56,27 @@ def _rendered(medium: Medium, parts: list[RenderableType]) -> str:
     )
     with console.capture() as capture:
         for number, part in enumerate(parts):
-            if number:
-                console.print()
-            console.print(part)
-    return "\n".join(line.rstrip() for line in capture.get().split("\n"))
+            for line in [Text(), *part] if number else part:
+                line.rstrip()
+                console.print(line, no_wrap=True, overflow="ignore", crop=False)
+    return capture.get()
 
 
-def _head(page: Page, state: State) -> RenderableType:
+def _head(page: Page, state: State) -> Lines:
     """Show the title, what was given, and how the solution ended."""
     words, case = page.words, state.case
-    grid = page.grid(gap=2)
-    grid.add_column(no_wrap=True, style="dim")
-    grid.add_column()
-    grid.add_row(page.text(words.bearing), page.text(_bearing(page, case.bearing)))
-    grid.add_row(page.text(words.duty), page.text(_duty(page, case.duty)))
-    model = _model(page, state)
-    if model:
-        grid.add_row(page.text(words.model), page.text(model))
-    _add_status(page, grid, state)
-    title = page.text(state.title or words.untitled, "bold")
-    rule = page.text(("─" if page.medium.shows("─") else "-") * page.medium.width, "dim")
-    return Group(title, rule, grid)
+    entries = [
+        (words.bearing, _bearing(page, case.bearing), ""),
+        (words.duty, _duty(page, case.duty), ""),
+        (words.model, _model(page, state), ""),
+        *_status(page, state),
+    ]
+    width = max(len(label) for label, _, _ in entries)
+    lines = page.hanging(Text(), state.title or words.untitled, "bold")
+    lines.append(page.rule(page.medium.width))
+    for label, content, style in entries:
+        lines += page.hanging(page.text(f"{label:{width}}  ", "dim"), content, style)
+    return lines
 
 
 def _bearing(page: Page, bearing: Bearing) -> str:
@@ -156,34 +156,26 @@ def _quantity(page: Page, value: float, dimension: Dimension) -> str:
     return page.digits.localised(from_si(value, dimension)).replace(" deg", "°")
 
 
-def _middle(page: Page, state: State) -> RenderableType:
-    """Show the ring above the heaviest ball, and the rosette beside them."""
-    grid = page.grid(gap=3)
-    grid.add_column(no_wrap=True)
-    grid.add_column(no_wrap=True)
-    left = Group(ring_part(page, state), "", heaviest_part(page, state))
-    grid.add_row(left, rosette_part(page, state))
-    return grid
-
-
-def _add_status(page: Page, grid: Table, state: State) -> None:
+def _status(page: Page, state: State) -> list[tuple[str, str, str]]:
+    """Return label, text and style of the status, and of the advice if there is any."""
     words, status = page.words, state.status
     if status.converged:
         text = words.converged.format(
             iterations=status.iterations, residual=page.digits.exponent(status.residual)
         )
-        grid.add_row(page.text(words.status), page.text(f"✓ {text}", "green"))
-        return
-    grid.add_row(page.text(words.status), page.text(f"✗ {words.reason(status)}", "bold red"))
-    advice = words.advice(status)
-    if advice:
-        grid.add_row(page.text(words.advice_label), page.text(advice))
+        return [(words.status, f"✓ {text}", "green")]
+    reason = (words.status, f"✗ {words.reason(status)}", "bold red")
+    return [reason, (words.advice_label, words.advice(status), "")]
 
 
-def _notes(page: Page, state: State) -> RenderableType:
-    grid = page.grid(gap=1)
-    grid.add_column(no_wrap=True)
-    grid.add_column()
+def _middle(page: Page, state: State) -> Lines:
+    """Show the ring above the heaviest ball, and the rosette beside them."""
+    left = [*ring_part(page, state), Text(), *heaviest_part(page, state)]
+    return beside(left, rosette_part(page, state), gap=3)
+
+
+def _notes(page: Page, state: State) -> Lines:
+    lines = [page.heading(page.words.notes)]
     for note in state.notes:
-        grid.add_row(page.text("  •", "yellow"), page.text(page.words.note(note)))
-    return Group(page.heading(page.words.notes), grid)
+        lines += page.hanging(page.text("  • ", "yellow"), page.words.note(note))
+    return lines

@@ -1,0 +1,129 @@
+"""The vector code beside the plain one: the same numbers, lane by lane, whatever the lane."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from rolamento.case import Case
+from rolamento.equilibrium import lanes, rows
+from rolamento.equilibrium.blocks import _fill
+from rolamento.equilibrium.problem import case_parameters
+from rolamento.equilibrium.single import direction, groove, linearised, static_ball
+
+BALLS = 16
+N = rows.LANES
+
+
+@pytest.fixture
+def filled(case_218: Case) -> tuple[np.ndarray, ...]:
+    """Sixteen different duties in the lanes, under mixed raceway control."""
+    rng = np.random.default_rng(3)
+    p = np.repeat(case_parameters(case_218)[:, np.newaxis], N, axis=1)
+    p[rows.INNER_SPEED] = rng.uniform(0.0, 1500.0, N)
+    p[rows.OUTER_SPEED] = rng.uniform(-500.0, 500.0, N)
+    p[rows.LAMBDA_INNER] = rng.integers(0, 2, N)
+    p[rows.FREE : rows.FREE + 5] = rng.integers(0, 2, (5, N))
+    p[rows.COS_FIRST], p[rows.SIN_FIRST] = np.cos(0.3), np.sin(0.3)
+    azimuth = 2.0 * np.pi * np.arange(BALLS) / BALLS
+    cosines, sines = np.cos(azimuth), np.sin(azimuth)
+    control = rng.choice([-1.0, 1.0], (N, BALLS))
+    u = rng.uniform(-1e-5, 4e-5, (N, 5))
+    w = np.zeros(rows.RING_ROWS * N)
+    b = np.zeros((BALLS, rows.BALL_ROWS * N))
+    for lane in range(N):
+        _fill(w, b, lane, p, cosines, sines, control, lane, u[lane])
+    return p, cosines, sines, control, u, w, b
+
+
+def row(array: np.ndarray, first: int, lane: int, count: int = 1) -> np.ndarray:
+    return array[[(first + i) * N + lane for i in range(count)]]
+
+
+def ring_sum(
+    p: np.ndarray, lane: int, cosines: np.ndarray, sines: np.ndarray, pieces: list[tuple]
+) -> tuple[np.ndarray, np.ndarray]:
+    """Reaction and stiffness of the ring from (force, stiffness) of its balls, by matrices."""
+    reaction, matrix = np.zeros(5), np.zeros((5, 5))
+    for cosine, sine, (force, k) in zip(cosines, sines, pieces, strict=True):
+        c, s = direction(p, lane, cosine, sine)
+        to_groove = np.array([[1, 0, 0, c, -s], [0, s, c, 0, 0]])
+        f1, f2, h = force
+        rows_ = np.array([[1, 0, 0], [0, s, 0], [0, c, 0], [0, 0, c], [0, 0, -s]])
+        reaction += rows_ @ np.array([f1, f2, h])
+        matrix += rows_ @ np.reshape(k, (3, 2)) @ to_groove
+    return reaction, matrix
+
+
+def test_moving_balls(filled: tuple[np.ndarray, ...]) -> None:
+    p, cosines, sines, control, u, w, b = filled
+    for ball in b:
+        lanes.place_ball(w, ball)
+    lanes.reset_sums(w)
+    for ball in b:
+        lanes.add_moving_ball(w, ball, 1e-6)
+    for lane in range(N):
+        pieces = []
+        for j in range(BALLS):
+            c, s = direction(p, lane, cosines[j], sines[j])
+            a1, a2 = groove(p, lane, u[lane], c, s)
+            x1, x2 = row(b[j], rows.POSITION, lane, 2)
+            _, follow, force, stiffness, _, _ = linearised(
+                p, lane, control[lane, j], a1, a2, x1, x2
+            )
+            np.testing.assert_allclose(
+                row(b[j], rows.FOLLOW, lane, 6), follow, rtol=1e-7, atol=1e-12
+            )
+            pieces.append((force, stiffness))
+        reaction, matrix = ring_sum(p, lane, cosines, sines, pieces)
+        scale = np.abs(matrix).max()
+        np.testing.assert_allclose(
+            row(w, rows.REACTION, lane, 5), reaction, rtol=1e-9, atol=1e-9 * np.abs(reaction).max()
+        )
+        np.testing.assert_allclose(
+            row(w, rows.MATRIX, lane, 25), matrix.ravel(), rtol=1e-8, atol=1e-9 * scale
+        )
+
+
+def test_static_balls_and_the_ring_step(filled: tuple[np.ndarray, ...]) -> None:
+    p, cosines, sines, _, u, w, b = filled
+    lanes.reset_sums(w)
+    for ball in b:
+        lanes.add_static_ball(w, ball)
+    lanes.step_ring(w)
+    for lane in range(N):
+        pieces = []
+        for j in range(BALLS):
+            c, s = direction(p, lane, cosines[j], sines[j])
+            a1, a2 = groove(p, lane, u[lane], c, s)
+            pieces.append(static_ball(p, lane, a1, a2)[2:4])
+        reaction, matrix = ring_sum(p, lane, cosines, sines, pieces)
+        np.testing.assert_allclose(row(w, rows.REACTION, lane, 5), reaction, rtol=1e-9, atol=1e-6)
+        free = row(w, rows.FREE, lane, 5) > 0.0
+        step = np.zeros(5)
+        unbalanced = row(w, rows.APPLIED, lane, 5) - reaction
+        step[free] = np.linalg.solve(matrix[np.ix_(free, free)], unbalanced[free])
+        np.testing.assert_allclose(
+            row(w, rows.STEP, lane, 5), step, rtol=1e-7, atol=1e-9 * np.abs(step).max()
+        )
+
+
+def test_balls_follow_the_ring(filled: tuple[np.ndarray, ...]) -> None:
+    p, cosines, sines, _, _, w, b = filled
+    for ball in b:
+        lanes.place_ball(w, ball)
+    lanes.reset_sums(w)
+    for ball in b:
+        lanes.add_moving_ball(w, ball, 1e-6)
+    lanes.step_ring(w)
+    before = b.copy()
+    for ball in b:
+        lanes.follow_ring(w, ball)
+    for lane in range(N):
+        dx, dy, dz, dp, dq = row(w, rows.STEP, lane, 5)
+        for j in range(BALLS):
+            c, s = direction(p, lane, cosines[j], sines[j])
+            q1, q2, w11, w12, w21, w22 = row(before[j], rows.FOLLOW, lane, 6)
+            da = np.array([dx + c * dp - s * dq, c * dz + s * dy])
+            moved = row(b[j], rows.POSITION, lane, 2) - row(before[j], rows.POSITION, lane, 2)
+            expected = np.array([q1, q2]) + np.array([[w11, w12], [w21, w22]]) @ da
+            np.testing.assert_allclose(moved, expected, rtol=1e-9, atol=1e-15)

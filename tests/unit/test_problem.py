@@ -1,0 +1,73 @@
+"""The parameters of a case: the stiffness polynomials, scaling, and what a batch may override."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from rolamento.bearing import Bearing
+from rolamento.case import Case
+from rolamento.contact.hertz import series_stiffness
+from rolamento.equilibrium import rows
+from rolamento.equilibrium.columns import spread
+from rolamento.equilibrium.problem import case_parameters, exact_stiffness, ring_arms
+from rolamento.errors import InputError
+
+
+@pytest.mark.parametrize(
+    ("ratio", "tolerance"), [(0.05, 1e-13), (0.1775, 1e-10), (0.3, 5e-9), (0.45, 2e-7)]
+)
+@pytest.mark.parametrize("conformity", [0.505, 0.52, 0.6])
+def test_polynomials_follow_the_exact_stiffness(
+    ratio: float, tolerance: float, conformity: float, case_218: Case
+) -> None:
+    bearing = Bearing(
+        ball_count=4,
+        ball_diameter=0.02,
+        pitch_diameter=0.02 / ratio,
+        contact_angle=0.5,
+        inner_conformity=conformity,
+        outer_conformity=conformity,
+    )
+    p = case_parameters(case_218.replace(bearing=bearing))
+    angles = np.linspace(0.0, np.pi / 2, 200)
+    inner = exact_stiffness(bearing, angles, "inner")
+    outer = exact_stiffness(bearing, angles, "outer")
+    for first, exact in (
+        (rows.INNER_STIFFNESS, inner),
+        (rows.OUTER_STIFFNESS, outer),
+        (rows.SERIES_STIFFNESS, series_stiffness(inner, outer)),
+    ):
+        fitted = np.polynomial.polynomial.polyval(np.cos(angles), p[first : first + 7])
+        np.testing.assert_allclose(fitted, exact, rtol=tolerance)
+
+
+def test_a_batch_repeats_the_case(case_218: Case) -> None:
+    p = spread(case_218, {"fz": [1.0, 2.0, 3.0]})
+    single = case_parameters(case_218)
+    assert p.shape == (rows.PARAMETERS, 3)
+    np.testing.assert_array_equal(p[rows.APPLIED + 2], [1.0, 2.0, 3.0])
+    others = np.arange(rows.PARAMETERS) != rows.APPLIED + 2
+    np.testing.assert_array_equal(p[others], np.repeat(single[others, np.newaxis], 3, axis=1))
+
+
+def test_loads_free_and_displacements_hold(case_218: Case) -> None:
+    p = spread(case_218, {"my": [5.0, 6.0], "x": 1e-5})
+    arm = ring_arms(p)[3]
+    np.testing.assert_array_equal(p[rows.FREE : rows.FREE + 5, 0], [0, 1, 1, 1, 0])
+    np.testing.assert_allclose(p[rows.APPLIED + 3] * arm, [5.0, 6.0])
+    np.testing.assert_array_equal(p[rows.APPLIED], 0.0)
+    np.testing.assert_array_equal(p[rows.IMPOSED], 1e-5)
+
+
+@pytest.mark.parametrize(
+    ("fields", "words"),
+    [
+        ({"fx": [1.0, 2.0], "fz": [1.0]}, "one length"),
+        ({"fx": [[1.0]]}, "one-dimensional"),
+        ({"f_x": [1.0]}, "fx"),
+        ({"x": [0.0], "fx": [1.0]}, "load or a displacement"),
+    ],
+)
+def test_a_batch_refuses(case_218: Case, fields: dict, words: str) -> None:
+    with pytest.raises(InputError, match=words):
+        spread(case_218, fields)

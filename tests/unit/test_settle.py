@@ -1,0 +1,67 @@
+"""One ball's place: the same from every start, by Newton or by brackets, or plainly free."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from rolamento.case import Case
+from rolamento.equilibrium import rows
+from rolamento.equilibrium.problem import case_parameters
+from rolamento.equilibrium.settle import _bracketed, free_ball, in_place, settle
+from rolamento.equilibrium.single import contacts, linearised
+
+
+@pytest.fixture(params=[50.0, 1000.0, 1500.0], ids=lambda speed: f"{speed:.0f} rad/s")
+def parameters(request: pytest.FixtureRequest, case_218: Case) -> np.ndarray:
+    p = case_parameters(case_218)[:, np.newaxis].copy()
+    p[rows.INNER_SPEED] = request.param
+    return p
+
+
+def grooves(p: np.ndarray, count: int = 40) -> np.ndarray:
+    """Places of the inner groove's centre, from far too near to deeply pressed."""
+    rng = np.random.default_rng(11)
+    reach = p[rows.OUTER_LENGTH, 0] + p[rows.INNER_LENGTH, 0] + rng.uniform(-2e-4, 4e-5, count)
+    alpha = rng.uniform(0.05, 1.2, count)
+    return np.stack([reach * np.sin(alpha), reach * np.cos(alpha)], axis=1)
+
+
+def test_one_place_from_every_start(parameters: np.ndarray) -> None:
+    l_o = parameters[rows.OUTER_LENGTH, 0]
+    for a1, a2 in grooves(parameters):
+        places = []
+        for part in (0.3, 0.5, 0.7):
+            found, x1, x2 = settle(parameters, 0, 1.0, a1, a2, part * a1, part * a2)
+            assert found
+            assert in_place(parameters, 0, a1, x1, x2)
+            places.append((x1, x2))
+        np.testing.assert_allclose(places[1:], [places[0]] * 2, atol=1e-8 * l_o)
+        residual, _, _, _, scale, _ = linearised(parameters, 0, 1.0, a1, a2, *places[0])
+        assert np.hypot(*residual) <= 1e-9 * scale
+
+
+def test_brackets_agree_with_newton(parameters: np.ndarray) -> None:
+    l_o = parameters[rows.OUTER_LENGTH, 0]
+    for a1, a2 in grooves(parameters):
+        if free_ball(parameters, 0, 1.0, a1, a2)[0]:
+            continue
+        found, x1, x2 = _bracketed(parameters, 0, 1.0, a1, a2)
+        assert found
+        _, y1, y2 = settle(parameters, 0, 1.0, a1, a2, 0.5 * a1, 0.5 * a2)
+        np.testing.assert_allclose([x1, x2], [y1, y2], atol=1e-8 * l_o)
+
+
+def test_a_ball_on_the_other_side_is_the_mirror_image(parameters: np.ndarray) -> None:
+    for a1, a2 in grooves(parameters):
+        _, x1, x2 = settle(parameters, 0, 1.0, a1, a2, 0.5 * a1, 0.5 * a2)
+        _, y1, y2 = settle(parameters, 0, 1.0, -a1, a2, -0.5 * a1, 0.5 * a2)
+        np.testing.assert_allclose([-y1, y2], [x1, x2], rtol=1e-9, atol=1e-12)
+
+
+def test_a_free_ball_carries_only_its_centrifugal_force(parameters: np.ndarray) -> None:
+    free, x1, x2 = free_ball(parameters, 0, 1.0, 1e-5, 3e-4)
+    assert free
+    assert x1 == 0.0
+    _, _, _, q_i, s_o, _, _, q_o, f_c, t = contacts(parameters, 0, 1.0, 1e-5, 3e-4, x1, x2)
+    assert (q_i, s_o, t) == (0.0, 0.0, 0.0)
+    assert q_o == pytest.approx(f_c, rel=1e-9)
