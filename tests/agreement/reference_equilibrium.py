@@ -55,13 +55,15 @@ def ellipticity(difference: Floats) -> Floats:
         return ((k**2 + 1.0) * second - 2.0 * first) / ((k**2 - 1.0) * second) - difference
 
     before = 1.0339 * ((1.0 + difference) / (1.0 - difference)) ** 0.636
-    k = 1.03 * before
+    k = 1.003 * before
     f_before = excess(before)
     for _ in range(12):
         f = excess(k)
         flat = f == f_before
         slope = np.where(flat, 1.0, (f - f_before) / np.where(flat, 1.0, k - before))
         before, f_before, k = k, f, k - np.where(flat, 0.0, f / slope)
+        if np.abs(k - before).max() < 1e-9 * k.max():  # the next step's error is its square
+            break
     return k
 
 
@@ -293,16 +295,15 @@ def solve_reference(case: Case) -> Solution:
         return side * least * np.sin(alpha), least * np.cos(alpha)
 
     def newton(v: Floats, share: float, loads: Floats) -> tuple[Floats, float]:
-        """Newton's method with central differences and shortened steps."""
+        """Newton's method with differences for derivatives, and shortened steps."""
         scale = np.maximum(loads, thrown(share)[0]) + 1e-9
         value = unbalanced(v, share, scale)
         for _ in range(25):
             jacobian = np.empty((len(v), len(v)))
             for column in range(len(v)):
                 h = np.zeros(len(v))
-                h[column] = 1e-8
-                ahead, behind = (unbalanced(w, share, scale) for w in (v + h, v - h))
-                jacobian[:, column] = (ahead - behind) / 2e-8
+                h[column] = 1e-9
+                jacobian[:, column] = (unbalanced(v + h, share, scale) - value) / 1e-9
             try:
                 step = -np.linalg.solve(jacobian, value)
             except np.linalg.LinAlgError:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+
 from rolamento.case import Case
 from rolamento.equilibrium import rows
 from rolamento.equilibrium.problem import case_parameters

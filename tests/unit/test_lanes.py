@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+
 from rolamento.case import Case
 from rolamento.equilibrium import lanes, rows
 from rolamento.equilibrium.blocks import _fill
@@ -57,10 +58,10 @@ def ring_sum(
 def test_moving_balls(filled: tuple[np.ndarray, ...]) -> None:
     p, cosines, sines, control, u, w, b = filled
     for ball in b:
-        lanes.place_ball(w, ball)
-    lanes.reset_sums(w)
+        lanes.place_ball.compiled(w, ball)
+    lanes.reset_sums.compiled(w)
     for ball in b:
-        lanes.add_moving_ball(w, ball, 1e-6)
+        lanes.add_moving_ball.compiled(w, ball, 1e-6)
     for lane in range(N):
         pieces = []
         for j in range(BALLS):
@@ -86,10 +87,10 @@ def test_moving_balls(filled: tuple[np.ndarray, ...]) -> None:
 
 def test_static_balls_and_the_ring_step(filled: tuple[np.ndarray, ...]) -> None:
     p, cosines, sines, _, u, w, b = filled
-    lanes.reset_sums(w)
+    lanes.reset_sums.compiled(w)
     for ball in b:
-        lanes.add_static_ball(w, ball)
-    lanes.step_ring(w)
+        lanes.add_static_ball.compiled(w, ball)
+    lanes.step_ring.compiled(w)
     for lane in range(N):
         pieces = []
         for j in range(BALLS):
@@ -110,14 +111,14 @@ def test_static_balls_and_the_ring_step(filled: tuple[np.ndarray, ...]) -> None:
 def test_balls_follow_the_ring(filled: tuple[np.ndarray, ...]) -> None:
     p, cosines, sines, _, _, w, b = filled
     for ball in b:
-        lanes.place_ball(w, ball)
-    lanes.reset_sums(w)
+        lanes.place_ball.compiled(w, ball)
+    lanes.reset_sums.compiled(w)
     for ball in b:
-        lanes.add_moving_ball(w, ball, 1e-6)
-    lanes.step_ring(w)
+        lanes.add_moving_ball.compiled(w, ball, 1e-6)
+    lanes.step_ring.compiled(w)
     before = b.copy()
     for ball in b:
-        lanes.follow_ring(w, ball)
+        lanes.follow_ring.compiled(w, ball)
     for lane in range(N):
         dx, dy, dz, dp, dq = row(w, rows.STEP, lane, 5)
         for j in range(BALLS):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+
 from rolamento.bearing import Bearing
 from rolamento.case import Case
 from rolamento.contact.hertz import series_stiffness

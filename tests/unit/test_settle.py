@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+
 from rolamento.case import Case
 from rolamento.equilibrium import rows
 from rolamento.equilibrium.problem import case_parameters
@@ -31,37 +32,37 @@ def test_one_place_from_every_start(parameters: np.ndarray) -> None:
     for a1, a2 in grooves(parameters):
         places = []
         for part in (0.3, 0.5, 0.7):
-            found, x1, x2 = settle(parameters, 0, 1.0, a1, a2, part * a1, part * a2)
+            found, x1, x2 = settle.compiled(parameters, 0, 1.0, a1, a2, part * a1, part * a2)
             assert found
-            assert in_place(parameters, 0, a1, x1, x2)
+            assert in_place.compiled(parameters, 0, a1, x1, x2)
             places.append((x1, x2))
         np.testing.assert_allclose(places[1:], [places[0]] * 2, atol=1e-8 * l_o)
-        residual, _, _, _, scale, _ = linearised(parameters, 0, 1.0, a1, a2, *places[0])
+        residual, _, _, _, scale, _ = linearised.compiled(parameters, 0, 1.0, a1, a2, *places[0])
         assert np.hypot(*residual) <= 1e-9 * scale
 
 
 def test_brackets_agree_with_newton(parameters: np.ndarray) -> None:
     l_o = parameters[rows.OUTER_LENGTH, 0]
     for a1, a2 in grooves(parameters):
-        if free_ball(parameters, 0, 1.0, a1, a2)[0]:
+        if free_ball.compiled(parameters, 0, 1.0, a1, a2)[0]:
             continue
-        found, x1, x2 = _bracketed(parameters, 0, 1.0, a1, a2)
+        found, x1, x2 = _bracketed.compiled(parameters, 0, 1.0, a1, a2)
         assert found
-        _, y1, y2 = settle(parameters, 0, 1.0, a1, a2, 0.5 * a1, 0.5 * a2)
+        _, y1, y2 = settle.compiled(parameters, 0, 1.0, a1, a2, 0.5 * a1, 0.5 * a2)
         np.testing.assert_allclose([x1, x2], [y1, y2], atol=1e-8 * l_o)
 
 
 def test_a_ball_on_the_other_side_is_the_mirror_image(parameters: np.ndarray) -> None:
     for a1, a2 in grooves(parameters):
-        _, x1, x2 = settle(parameters, 0, 1.0, a1, a2, 0.5 * a1, 0.5 * a2)
-        _, y1, y2 = settle(parameters, 0, 1.0, -a1, a2, -0.5 * a1, 0.5 * a2)
+        _, x1, x2 = settle.compiled(parameters, 0, 1.0, a1, a2, 0.5 * a1, 0.5 * a2)
+        _, y1, y2 = settle.compiled(parameters, 0, 1.0, -a1, a2, -0.5 * a1, 0.5 * a2)
         np.testing.assert_allclose([-y1, y2], [x1, x2], rtol=1e-9, atol=1e-12)
 
 
 def test_a_free_ball_carries_only_its_centrifugal_force(parameters: np.ndarray) -> None:
-    free, x1, x2 = free_ball(parameters, 0, 1.0, 1e-5, 3e-4)
+    free, x1, x2 = free_ball.compiled(parameters, 0, 1.0, 1e-5, 3e-4)
     assert free
     assert x1 == 0.0
-    _, _, _, q_i, s_o, _, _, q_o, f_c, t = contacts(parameters, 0, 1.0, 1e-5, 3e-4, x1, x2)
+    _, _, _, q_i, s_o, _, _, q_o, f_c, t = contacts.compiled(parameters, 0, 1.0, 1e-5, 3e-4, x1, x2)
     assert (q_i, s_o, t) == (0.0, 0.0, 0.0)
     assert q_o == pytest.approx(f_c, rel=1e-9)

@@ -47,10 +47,7 @@ def what_next(words: Words) -> str:
     command = _command()
     steps = (
         (words.demo_copy, "demo --write case.toml"),
-        (
-            words.demo_vary,
-            'solve case.toml --set bearing.ball_material=Si3N4 --set duty.inner_speed="15000 rpm"',
-        ),
+        (words.demo_vary, "solve case.toml --set bearing.ball_material=Si3N4"),
         (words.demo_data, "solve case.toml --csv balls.csv --json state.json"),
     )
     lines = [f"  # {purpose}\n  {command} {arguments}\n" for purpose, arguments in steps]

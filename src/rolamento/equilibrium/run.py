@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,6 +18,8 @@ from rolamento.equilibrium.problem import Floats
 from rolamento.kinematics import RacewayControl, jones_control, spin_resistance
 
 CHUNK: Final = 2048
+FEW: Final = 1
+"""Cases that are solved without the compiler, if it has not been loaded yet."""
 JONES_PASSES: Final = 20
 JONES_FLIPS: Final = 4
 """A ball that has changed its controlling race this often has none: it stays with the outer."""
@@ -104,10 +106,16 @@ def _run_threads(
     azimuth = 2.0 * np.pi * np.arange(balls) / balls
     p, control = np.ascontiguousarray(p), np.ascontiguousarray(control, dtype=np.float64)
     cosines, sines, out = np.cos(azimuth), np.sin(azimuth), solution.arrays()
+    if (
+        cases <= FEW
+        and not solve_cases.is_loaded
+        and _interpret(p, control, cosines, sines, moving, 0, cases, False, out)
+    ):
+        return
 
     def run(first: int) -> None:
         last = min(first + CHUNK, cases)
-        solve_cases(p, control, cosines, sines, moving, first, last, fast, out)
+        solve_cases.compiled(p, control, cosines, sines, moving, first, last, fast, out)
 
     workers = min(threads or os.cpu_count() or 1, -(-cases // CHUNK))
     if workers == 1:
@@ -116,6 +124,19 @@ def _run_threads(
     else:
         with ThreadPoolExecutor(workers) as pool:
             list(pool.map(run, range(0, cases, CHUNK)))
+
+
+def _interpret(*arguments: Any) -> bool:
+    """Solve without the compiler, which takes longer to load than a few cases to solve.
+
+    False where plain Python cannot divide by zero and go on, as compiled code can.
+    """
+    try:
+        with np.errstate(all="ignore"):
+            solve_cases(*arguments)
+    except (ZeroDivisionError, OverflowError, ValueError):
+        return False
+    return True
 
 
 def ball_azimuths(p: Floats, balls: int) -> Floats:

@@ -1,26 +1,111 @@
 """How the project's kernels are compiled: in one place, so that each choice is made once.
 
-`kernel` is for what is called from Python: cached on disk, free of the interpreter lock.
-`inline_fast` and `inline_exact` are for the formulas inside, compiled into every caller:
-fast ones may be re-associated, so that they turn into vector code; exact ones follow IEEE 754
-to the letter and serve to check the fast ones. No formula may assume that NaN does not happen:
-a NaN is how a lane says that it has failed.
+A kernel is written once and runs in two ways. Called, it runs as the plain Python it is: slow by
+a factor of hundreds, but without loading a compiler, which is what one case on the command line
+wants. Its attribute `compiled` is the same text through Numba, for everything else. Numba is not
+imported before that.
+
+`kernel` is for what is compiled and called as a whole: cached on disk, free of the interpreter
+lock. `shared` functions are called by kernels. `inline_fast` and `inline_exact` are for formulas,
+compiled into every caller: fast ones may be re-associated, so that they turn into vector code;
+exact ones follow IEEE 754 to the letter and serve to check the fast ones. No formula may assume
+that NaN does not happen: a NaN is how a case says that it has failed.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import cache
+from functools import cache, cached_property, update_wrapper
 from pathlib import Path
-from typing import Any, TypeVar, cast
+from typing import Any, Generic, ParamSpec, TypeVar
 
-import numba
-
-F = TypeVar("F", bound=Callable[..., Any])
+P = ParamSpec("P")
+R = TypeVar("R")
 
 _VECTORISABLE = {"reassoc", "arcp", "contract", "afn", "nsz"}
+_ROOMS = ("numerics", "equilibrium")  # where kernels and their formulas live
 
-_kernels: list[Any] = []
+
+class Kernel(Generic[P, R]):
+    """A function that runs as it is written, or compiled."""
+
+    def __init__(self, function: Callable[P, R], **options: Any) -> None:
+        self.python = function
+        self._options = options
+        update_wrapper(self, function)
+
+    def __call__(self, *args: P.args, **kwargs: P.kwargs) -> R:
+        """Run the function as plain Python."""
+        return self.python(*args, **kwargs)
+
+    @cached_property
+    def compiled(self) -> Callable[P, R]:
+        """The function compiled by Numba, on the first call or from the cache."""
+        numba = _numba()
+        options = {"error_model": "numpy", **self._options}
+        if not options.pop("cache", False):
+            return numba.njit(**options)(self.python)  # type: ignore[no-any-return]
+        _discard_stale_caches()
+        try:
+            return numba.njit(cache=True, **options)(self.python)  # type: ignore[no-any-return]
+        except RuntimeError:  # no folder for the cache: compile anew in each process
+            return numba.njit(**options)(self.python)  # type: ignore[no-any-return]
+
+    @property
+    def is_loaded(self) -> bool:
+        """Whether the compiled function is ready in this process."""
+        return "compiled" in vars(self) and bool(getattr(self.compiled, "signatures", ()))
+
+    @property
+    def is_cached(self) -> bool:
+        """Whether compiled code is on disk or loaded; if not, the first call takes a while."""
+        if self.is_loaded:
+            return True
+        folder = getattr(getattr(self.compiled, "_cache", None), "cache_path", None)
+        if folder is None:
+            return False
+        source = Path(self.python.__code__.co_filename).stem
+        pattern = f"{source}.{self.python.__qualname__}-*.nbi"
+        return any(Path(folder).glob(pattern))
+
+
+def kernel(function: Callable[P, R]) -> Kernel[P, R]:
+    """Make a kernel: compiled code is kept on disk where there is a place for it."""
+    return Kernel(function, nogil=True, cache=True)
+
+
+def shared(function: Callable[P, R]) -> Kernel[P, R]:
+    """Make a function that kernels call, in IEEE 754 arithmetic as it is written."""
+    return Kernel(function, nogil=True)
+
+
+def inline_exact(function: Callable[P, R]) -> Kernel[P, R]:
+    """Make a formula that is compiled into its callers, as it is written."""
+    return Kernel(function, forceinline=True)
+
+
+def inline_fast(function: Callable[P, R]) -> Kernel[P, R]:
+    """Make a formula that is compiled into its callers, free to become vector code."""
+    return Kernel(function, forceinline=True, fastmath=_VECTORISABLE)
+
+
+def vector_loop(function: Callable[P, R]) -> Kernel[P, R]:
+    """Make a loop over lanes, compiled on its own so that it can become vector code."""
+    return Kernel(function, nogil=True, fastmath=_VECTORISABLE)
+
+
+@cache
+def _numba() -> Any:
+    """Import Numba, and teach it that a kernel inside a kernel means the compiled one."""
+    import numba
+    from numba.core import types
+    from numba.extending import typeof_impl
+
+    @typeof_impl.register(Kernel)
+    def _typeof(value: Kernel[Any, Any], context: Any) -> Any:
+        return types.Dispatcher(value.compiled)
+
+    return numba
 
 
 @cache
@@ -30,65 +115,12 @@ def _discard_stale_caches() -> None:
     Numba looks only at the file of the kernel itself, not at the files of what it inlines.
     """
     package = Path(__file__).resolve().parent.parent
-    newest = max(
-        source.stat().st_mtime
-        for room in ("numerics", "equilibrium")
-        for source in (package / room).glob("*.py")
-    )
-    for room in ("numerics", "equilibrium"):
+    sources = [source for room in _ROOMS for source in (package / room).glob("*.py")]
+    newest = max(source.stat().st_mtime for source in sources)
+    for room in _ROOMS:
         for index in (package / room / "__pycache__").glob("*.nbi"):
             try:
                 if index.stat().st_mtime < newest:
                     index.unlink()
             except OSError:  # another process was faster, or the folder is read-only
                 continue
-
-
-def kernel(function: F) -> F:
-    """Compile a function that Python calls, with a cache on disk where one can be kept."""
-    _discard_stale_caches()
-    try:
-        compiled = numba.njit(cache=True, nogil=True, error_model="numpy")(function)
-    except RuntimeError:  # no folder for the cache: compile anew in each process
-        compiled = numba.njit(nogil=True, error_model="numpy")(function)
-    _kernels.append(compiled)
-    return cast("F", compiled)
-
-
-def shared(function: F) -> F:
-    """Compile a function that kernels call, exactly, without pressing it into each of them."""
-    return cast("F", numba.njit(error_model="numpy", nogil=True)(function))
-
-
-def inline_exact(function: F) -> F:
-    """Compile a formula into its callers, in IEEE 754 arithmetic as it is written."""
-    return cast("F", numba.njit(error_model="numpy", forceinline=True)(function))
-
-
-def inline_fast(function: F) -> F:
-    """Compile a formula into its callers, free to be re-ordered into vector code."""
-    compiled = numba.njit(fastmath=_VECTORISABLE, error_model="numpy", forceinline=True)(function)
-    return cast("F", compiled)
-
-
-def vector_loop(function: F) -> F:
-    """Compile a loop over lanes on its own, where the compiler can turn it into vector code."""
-    compiled = numba.njit(fastmath=_VECTORISABLE, error_model="numpy", nogil=True)(function)
-    return cast("F", compiled)
-
-
-def kernels_are_cached() -> bool:
-    """Tell whether the kernels have been compiled before: if not, the first call takes a while."""
-    return all(_is_cached(compiled) for compiled in _kernels)
-
-
-def _is_cached(compiled: Any) -> bool:
-    """Whether Numba has an index of a kernel for this machine; if it cannot tell, it has not."""
-    cache_of_kernel = getattr(compiled, "_cache", None)
-    folder = getattr(cache_of_kernel, "cache_path", None)
-    if compiled.signatures:
-        return True
-    if folder is None:
-        return False
-    name = f"{Path(compiled.py_func.__code__.co_filename).stem}.{compiled.py_func.__name__}-"
-    return any(entry.name.startswith(name) for entry in Path(folder).glob("*.nbi"))

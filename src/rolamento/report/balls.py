@@ -19,6 +19,8 @@ __all__ = ["ball_parts", "heaviest_part", "rosette_part"]
 
 _RPM: Final = 30.0 / pi
 _NO_SPIN: Final = 1e-9
+_NO_LOAD: Final = 1e-9
+"""Of the load at the other race: what is less is rounding, and no contact."""
 _ROSETTE_HEIGHT: Final = 11
 _LONGEST_BAR: Final = 20
 _EIGHTHS: Final = " ▏▎▍▌▋▊▉"
@@ -37,7 +39,7 @@ class _Column:
 
 
 def _inner(of: Callable[[ContactState], float]) -> Callable[[BallState], float]:
-    return lambda ball: of(ball.inner) if ball.inner.load > 0.0 else nan
+    return lambda ball: of(ball.inner) if ball.inner.load > _NO_LOAD * ball.outer.load else nan
 
 
 def _outer(of: Callable[[ContactState], float]) -> Callable[[BallState], float]:
@@ -147,7 +149,7 @@ def _centred_dash(text: str, texts: Sequence[str]) -> str:
 
 
 def _marked(page: Page, text: str, top: bool) -> Text:
-    style = "dim" if text.startswith(ABSENT) else "bold yellow" if top else ""
+    style = "dim" if text.startswith(ABSENT) else "bold magenta" if top else ""
     return page.text(text + ("◂" if top else " "), style)
 
 
@@ -191,10 +193,10 @@ def heaviest_part(page: Page, state: State) -> Lines:
     number, ball = heaviest(state)
     contacts = (ball.inner, ball.outer)
     columns = [_stresses(page, contact) for contact in contacts]
-    rows = [(Text(), Text(), page.text(words.inner, "dim"), page.text(words.outer, "dim"))]
+    rows = [[Text(), Text(), page.text(words.inner, "dim"), page.text(words.outer, "dim")]]
     for (name, unit, _), *cells in zip(_STRESSES, *columns, strict=True):
         label = page.text(getattr(words, name))
-        rows.append((label, page.text(unit), *map(page.text, cells)))
+        rows.append([label, page.text(unit), *map(page.text, cells)])
     place = page.digits.short(degrees(ball.azimuth))
     heading = page.heading(words.heaviest.format(number=number, azimuth=place))
     return [heading, *page.columns(rows, "llrr", gap=1)]

@@ -164,7 +164,7 @@ ENGLISH: Final = Words(
     demo_source="This was {path}",
     demo_next="What to try next",
     demo_copy="a copy to work on",
-    demo_vary="ceramic balls, and half as fast again",
+    demo_vary="the same with ceramic balls",
     demo_data="the balls as a table, and everything as JSON",
     demo_written="Wrote {path}; now try: {command} solve {path}",
 )
@@ -235,7 +235,7 @@ PORTUGUESE: Final = Words(
     demo_source="Este foi o caso {path}",
     demo_next="O que experimentar a seguir",
     demo_copy="uma cópia para modificar",
-    demo_vary="esferas cerâmicas e uma vez e meia a rotação",
+    demo_vary="o mesmo com esferas cerâmicas",
     demo_data="as esferas em tabela, e tudo em JSON",
     demo_written="{path} gravado; agora experimente: {command} solve {path}",
 )

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Final
 
 from rich.text import Text
@@ -25,8 +24,9 @@ def ring_part(page: Page, state: State) -> Lines:
     """Show displacement and load of the five degrees of freedom, the results in bold."""
     shifts = [1e6 * value for value in state.displacement[:_SHIFTS]]
     tilts = [1e3 * value for value in state.displacement[_SHIFTS:]]
-    displacements = _two_groups(page, shifts, tilts)
-    loads = _two_groups(page, state.load[:_SHIFTS], state.load[_SHIFTS:])
+    displacements = page.digits.column(shifts, most=3) + page.digits.column(tilts)
+    forces, moments = state.load[:_SHIFTS], state.load[_SHIFTS:]
+    loads = page.digits.column(forces, most=3) + page.digits.column(moments)
     rows = []
     for position, (axis, load) in enumerate(zip(AXES, LOADS, strict=True)):
         known, load_known = _known(page, state.case.duty, axis, load)
@@ -43,12 +43,6 @@ def ring_part(page: Page, state: State) -> Lines:
             )
         )
     return [page.heading(page.words.inner_ring), *page.columns(rows, "lrllrll", gap=1)]
-
-
-def _two_groups(page: Page, first: Sequence[float], second: Sequence[float]) -> list[str]:
-    """Write shifts and tilts, or forces and moments, each with their own decimals."""
-    cells = page.digits.column(first, most=3) + page.digits.column(second)
-    return aligned(cells, page.words.decimal_mark)
 
 
 def _known(page: Page, duty: Duty, axis: str, load: str) -> tuple[str, bool]:
@@ -68,9 +62,9 @@ def stiffness_part(page: Page, state: State) -> Lines:
     rows = [
         [Text(), *map(Text, AXES)],
         _units(page, "N/µm", "N/mrad"),
-        *(_row(columns, row) for row in range(_SHIFTS)),
+        *(_row(page, columns, row) for row in range(_SHIFTS)),
         _units(page, "N·m/mm", "N·m/mrad"),
-        *(_row(columns, row) for row in range(_SHIFTS, len(AXES))),
+        *(_row(page, columns, row) for row in range(_SHIFTS, len(AXES))),
     ]
     return [page.heading(page.words.stiffness), *page.columns(rows, "lrrrrr", gap=3)]
 
@@ -81,9 +75,11 @@ def _units(page: Page, shift: str, tilt: str) -> list[Text]:
     return [Text(), *(page.text(unit, "dim") for unit in units)]
 
 
-def _row(columns: list[list[str]], row: int) -> list[Text]:
-    cells = [Text(column[row], "bold" if row == i else "") for i, column in enumerate(columns)]
-    return [Text(LOADS[row]), *cells]
+def _row(page: Page, columns: list[list[str]], row: int) -> list[Text]:
+    """Return the stiffnesses of one load, that on the diagonal in bold."""
+    styles = ("bold" if column == row else "" for column in range(len(AXES)))
+    texts = (column[row] for column in columns)
+    return [Text(LOADS[row]), *map(page.text, texts, styles)]
 
 
 def _columns(page: Page, matrix: list[list[float]]) -> list[list[str]]:

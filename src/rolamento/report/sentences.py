@@ -18,15 +18,19 @@ _TERMS: Final = {
     "along x": "na direção x",
     "along y": "na direção y",
     "along z": "na direção z",
-    "tilting about y": "contra a inclinação em torno de y",
-    "tilting about z": "contra a inclinação em torno de z",
+    "toward -x": "no sentido −x",
+    "against tilting about y (ry)": "contra a inclinação em torno de y (ry)",
+    "against tilting about z (rz)": "contra a inclinação em torno de z (rz)",
+    "only centrifugal force presses on them": "só a força centrífuga age sobre elas",
+    "nothing presses on them": "nada age sobre elas",
 }
 
 _GROUPS: Final = {
     "BALLS": r"(?P<balls>\d+ balls?)",
     "AZIMUTHS": r"(?P<azimuths>[^)]*)",
     "RACE": r"(?P<race>inner|outer)",
-    "DIRECTION": r"(?P<direction>along [xyz]|tilting about [yz])",
+    "DIRECTION": r"(?P<direction>along [xyz]|toward -x|against tilting about [yz] \(r[yz]\))",
+    "HOLDER": r"(?P<holder>(?:only centrifugal force|nothing) presses on them)",
     "AXIS": r"(?P<axis>\w+)",
     "NUMBER2": r"(?P<number2>[-+.\de]+)",
     "NUMBER": r"(?P<number>[-+.\de]+)",
@@ -79,14 +83,12 @@ _SENTENCES: Final = (
     ),
     # notes
     (
-        "No ball touches the inner ring: there is no load to carry.",
-        "Nenhuma esfera toca o anel interno: não há carga a suportar.",
+        "No ball presses on the inner ring: without a load, its place is one of many.",
+        "Nenhuma esfera pressiona o anel interno: sem carga, a posição dele é uma entre muitas.",
     ),
     (
-        "BALLS without inner contact (azimuth AZIMUTHS): only centrifugal force holds them, if"
-        " any.",
-        "{balls} sem contato com a pista interna (azimute {azimuths}): só a força centrífuga, se"
-        " houver, segura essas esferas.",
+        "BALLS without inner contact (azimuth AZIMUTHS): HOLDER.",
+        "{balls} sem contato com a pista interna (azimute {azimuths}): {holder}.",
     ),
     (
         "Contact pressure at the RACE race is up to NUMBER MPa, above NUMBER2 MPa (ISO 76), where"

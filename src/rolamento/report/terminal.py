@@ -71,6 +71,7 @@ def _head(page: Page, state: State) -> Lines:
         (words.model, _model(page, state), ""),
         *_status(page, state),
     ]
+    entries = [entry for entry in entries if entry[1]]  # at rest no model matters
     width = max(len(label) for label, _, _ in entries)
     lines = page.hanging(Text(), state.title or words.untitled, "bold")
     lines.append(page.rule(page.medium.width))

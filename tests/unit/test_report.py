@@ -1,0 +1,394 @@
+"""The report: complete, in two languages, on any medium, and never a NaN."""
+
+from __future__ import annotations
+
+import ast
+import csv
+import dataclasses
+import inspect
+import re
+import string
+from functools import cache
+from math import degrees, inf, nan, pi
+from pathlib import Path
+from types import ModuleType
+from typing import get_args
+
+import numpy as np
+import pytest
+
+import rolamento
+from rolamento import Case, State
+from rolamento.equilibrium import advice, notes, solve
+from rolamento.equilibrium.batch_state import STATUS_NAMES
+from rolamento.model import RacewayControl
+from rolamento.report.balls_csv import CSV_COLUMNS, ball_csv
+from rolamento.report.language import ENGLISH, LANGUAGES, PORTUGUESE, Words, words_for
+from rolamento.report.medium import Medium
+from rolamento.report.numbers import ABSENT, Digits, aligned, decimals_for
+from rolamento.report.rosette import rosette
+from rolamento.report.sentences import portuguese_sentence
+from rolamento.report.terminal import terminal_report
+
+EXAMPLES = Path(rolamento.__file__).parent / "examples"
+NAMES = ("218_combined", "218_hybrid", "218_tilted", "209_radial")
+BOTH = pytest.mark.parametrize("words", LANGUAGES.values(), ids=LANGUAGES.keys())
+
+
+@cache
+def solved(name: str, *settings: str) -> State:
+    return solve(rolamento.load_case(EXAMPLES / f"{name}.toml", settings))
+
+
+def plain(state: State, words: Words = ENGLISH, **medium: object) -> str:
+    return terminal_report(state, words, Medium(**medium))  # type: ignore[arg-type]
+
+
+# --- the report -------------------------------------------------------------
+
+
+@BOTH
+@pytest.mark.parametrize("width", [80, 120])
+@pytest.mark.parametrize("name", NAMES)
+def test_no_line_is_wider_than_the_medium(name: str, width: int, words: Words) -> None:
+    lines = plain(solved(name), words, width=width).splitlines()
+    assert max(map(len, lines)) == width
+    assert all(line == line.rstrip() for line in lines)
+
+
+def test_the_report_shows_what_was_given_and_what_follows() -> None:
+    state = solved("218_combined")
+    report = plain(state)
+    assert report.startswith("218 angular-contact ball bearing, combined load\n")
+    assert "16 balls of 22.23 mm, pitch diameter 125.26 mm" in report
+    assert "inner ring 10 000 rpm, fx 20 kN, fz 15 kN" in report
+    assert f"{1e6 * state.displacement.z:.3f} µm" in report
+    assert re.search(r"fz 15 000 N +fz given", report)
+    assert re.search(r"my +656.49 N·m +held", report)
+    assert re.search(r"fy +0 N +free", report)
+
+
+def test_every_ball_has_its_line_with_its_numbers() -> None:
+    state = solved("218_combined")
+    report = plain(state, width=120)
+    for number, ball in enumerate(state.balls):
+        line = next(row for row in report.splitlines() if re.match(rf" +{number} +\d+\.\d\d", row))
+        cells = line.replace("◂", "").replace("−", "-").split()
+        assert float(cells[1]) == pytest.approx(degrees(ball.azimuth), abs=0.006)
+        assert float(cells[2]) == pytest.approx(ball.inner.load, abs=0.06)
+        assert float(cells[5]) == pytest.approx(degrees(ball.outer.contact_angle), abs=0.006)
+        assert float(cells[6]) == pytest.approx(1e-6 * ball.inner.max_pressure, abs=0.6)
+
+
+def test_the_greatest_loads_and_pressures_are_marked_once_each() -> None:
+    marked = [row for row in plain(solved("218_combined")).splitlines() if row.count("◂") == 4]
+    assert len(marked) == 1
+    assert marked[0].split()[0] == "0"
+
+
+def test_a_ball_without_inner_contact_has_dashes() -> None:
+    row = next(r for r in plain(solved("209_radial")).splitlines() if r.startswith("  4  160"))
+    assert row.split()[2:] == [ABSENT] * 6
+
+
+def test_at_rest_nothing_is_said_about_motion() -> None:
+    report = plain(solved("209_radial"))
+    assert "at rest" in report
+    assert "raceway control" not in report
+    assert "F_c" not in report
+
+
+@BOTH
+def test_without_a_result_reason_and_advice_are_given(words: Words) -> None:
+    state = solved("218_combined", "duty.load.fx=-20 kN")
+    report = plain(state, words)
+    assert f"✗ {words.reasons['no_equilibrium']}" in report
+    advice_given = words.sentence(state.status.advice or "")
+    assert " ".join(advice_given.split()) in " ".join(report.split())
+    assert words.stiffness not in report
+
+
+@BOTH
+def test_a_state_of_nothing_but_nan_is_shown(words: Words) -> None:
+    state = solved("218_combined", "duty.load.fx=-20 kN")
+    status = dataclasses.replace(state.status, converged=True, residual=nan)
+    hollow = dataclasses.replace(state, status=status, stiffness=np.full((5, 5), nan))
+    report = plain(hollow, words)
+    assert "nan" not in report
+    assert ABSENT in report
+
+
+@BOTH
+def test_sixty_balls_stay_readable(words: Words) -> None:
+    settings = ("ball_count=60", "ball_diameter=3 mm", "pitch_diameter=80 mm")
+    state = solved("218_combined", *(f"bearing.{setting}" for setting in settings))
+    assert state.status.converged
+    report = plain(state, words)
+    assert max(map(len, report.splitlines())) == 80
+    assert len(re.findall(r"(?m)^ +59 ", report)) == 2
+
+
+def test_a_long_title_is_broken_and_markup_in_it_is_only_text(case_218: Case) -> None:
+    title = "[bold]x[/] :smile: " + "word " * 35
+    report = plain(solve(case_218.replace(title=title.strip())))
+    assert report.startswith("[bold]x[/] :smile: word")
+    assert max(map(len, report.splitlines())) == 80
+
+
+def test_colours_only_where_the_medium_has_them() -> None:
+    state = solved("218_combined")
+    assert "\x1b[" not in plain(state)
+    coloured = plain(state, colors="standard")
+    assert "\x1b[" in coloured
+    assert re.sub(r"\x1b\[[\d;]*m", "", coloured).split() == plain(state).split()
+
+
+@BOTH
+@pytest.mark.parametrize("encoding", ["ascii", "latin-1", "cp1252", "cp437", "utf-8", "no-such"])
+@pytest.mark.parametrize("name", NAMES)
+def test_any_encoding_can_show_it(name: str, encoding: str, words: Words) -> None:
+    report = plain(solved(name), words, encoding=encoding)
+    report.encode("ascii" if encoding == "no-such" else encoding)
+    assert "?" not in report
+
+
+def test_ascii_says_the_same() -> None:
+    report = plain(solved("218_combined"), PORTUGUESE, encoding="ascii")
+    assert "angulo de contato 40deg" in report
+    assert "um    fx 20 000 N    fx dado" in report
+    assert "####" in report
+
+
+# --- languages --------------------------------------------------------------
+
+
+def fields_of(text: str) -> set[str]:
+    return {name for _, name, _, _ in string.Formatter().parse(text) if name}
+
+
+@pytest.mark.parametrize("field", [f.name for f in dataclasses.fields(Words)])
+def test_both_languages_say_everything_with_the_same_places(field: str) -> None:
+    english, portuguese = getattr(ENGLISH, field), getattr(PORTUGUESE, field)
+    if isinstance(english, str):
+        assert english
+        assert portuguese
+        assert fields_of(english) == fields_of(portuguese)
+    elif isinstance(english, dict):
+        assert english.keys() == portuguese.keys()
+
+
+@BOTH
+def test_every_status_and_every_raceway_control_has_words(words: Words) -> None:
+    assert set(words.reasons) == set(STATUS_NAMES.values()) - {"converged"}
+    assert set(words.raceway_control) == set(get_args(RacewayControl))
+
+
+@pytest.mark.parametrize(
+    ("environment", "code"),
+    [
+        ({}, "en"),
+        ({"LANG": "pt_BR.UTF-8"}, "pt"),
+        ({"LANG": "pt_BR.UTF-8", "LC_ALL": "C"}, "en"),
+        ({"LANG": "en_GB.UTF-8", "LC_MESSAGES": "pt_PT"}, "pt"),
+        ({"LANG": "de_DE.UTF-8"}, "en"),
+        ({"LC_ALL": "", "LANG": "PT"}, "pt"),
+    ],
+)
+def test_the_locale_chooses_the_language(environment: dict[str, str], code: str) -> None:
+    assert words_for(None, environment).code == code
+
+
+def sentences_in(module: ModuleType) -> list[str]:
+    """Every sentence that a module of the engine can say, with samples for what varies."""
+    tree = ast.parse(inspect.getsource(module))
+    texts = [_said(node) for node in ast.walk(tree) if isinstance(node, ast.JoinedStr)]
+    inside = {id(part) for n in ast.walk(tree) if isinstance(n, ast.JoinedStr) for part in n.values}
+    texts += [
+        node.value
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Constant) and isinstance(node.value, str) and id(node) not in inside
+    ]
+    docstrings = {ast.get_docstring(n, clean=False) for n in ast.walk(tree) if _documented(n)}
+    documented = {n.value.value for n in ast.walk(tree) if _is_text_alone(n)}  # type: ignore[attr-defined]
+    said = [text for text in texts if text not in docstrings | documented]
+    return [text for text in said if text.endswith(".") and " " in text]
+
+
+def _documented(node: ast.AST) -> bool:
+    return isinstance(node, ast.Module | ast.FunctionDef | ast.ClassDef)
+
+
+def _is_text_alone(node: ast.AST) -> bool:
+    return isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
+
+
+def _said(node: ast.JoinedStr) -> str:
+    return "".join(
+        str(part.value) if isinstance(part, ast.Constant) else _sample(ast.unparse(part))
+        for part in node.values
+    )
+
+
+def _sample(expression: str) -> str:
+    samples = {
+        "_count(": "3 balls",
+        "_azimuths(": "0°, 22.5°",
+        "{race}": "outer",
+        "{assumed}": "inner",
+        "{holder}": "nothing presses on them",
+        "{name}": "rz",
+        "{direction}": "along z",
+    }
+    return next((text for mark, text in samples.items() if mark in expression), "1.5e+06")
+
+
+@pytest.mark.parametrize("sentence", sentences_in(notes))
+def test_every_note_of_the_engine_is_translated(sentence: str) -> None:
+    assert portuguese_sentence(sentence) != sentence
+
+
+@pytest.mark.parametrize("sentence", sentences_in(advice))
+def test_every_advice_of_the_engine_is_translated(sentence: str) -> None:
+    tails = [sentence, f"Nothing supports the inner ring along z: {sentence}"]
+    assert any(portuguese_sentence(tail) != tail for tail in tails)
+
+
+def test_there_are_sentences_to_translate() -> None:
+    assert len(sentences_in(notes)) >= 10
+    assert len(sentences_in(advice)) >= 6
+
+
+@pytest.mark.parametrize("direction", advice._DIRECTIONS)
+def test_every_direction_is_translated(direction: str) -> None:
+    said = portuguese_sentence(
+        f"Nothing supports the inner ring {direction}: the balls never come to carry the load. "
+        "Give a smaller load, or hold this degree of freedom with a displacement."
+    )
+    assert said.startswith("Nada sustenta o anel interno ")
+    assert "along" not in said
+    assert "against" not in said
+
+
+def test_the_engine_is_heard_in_portuguese() -> None:
+    state = solved("218_combined", "duty.load.fx=-20 kN")
+    assert "no sentido −x" in portuguese_sentence(state.status.advice or "")
+    (note,) = solved("209_radial").notes
+    assert portuguese_sentence(note) == (
+        "4 esferas sem contato com a pista interna (azimute 120°; 160°; 200°; 240°):"
+        " nada age sobre elas."
+    )
+    assert portuguese_sentence("Something new.") == "Something new."
+
+
+# --- numbers ----------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("value", "decimals", "text"),
+    [
+        (1234.5, 1, "1234,5"),
+        (12345.6, 1, "12 345,6"),
+        (-1234567.0, 0, "−1 234 567"),
+        (-0.00001, 3, "0,000"),
+        (nan, 2, ABSENT),
+        (-inf, 2, ABSENT),
+    ],
+)
+def test_numbers_are_written_as_people_write_them(value: float, decimals: int, text: str) -> None:
+    assert Digits(",").fixed(value, decimals) == text
+
+
+def test_a_column_has_the_decimals_of_its_greatest_number() -> None:
+    assert Digits(".").column([0.5, 123.456, nan]) == ["0.50", "123.46", ABSENT]
+    assert decimals_for([0.0, nan], 5) == 0
+    assert decimals_for([1e-9], 5) == 4
+
+
+def test_short_numbers_have_no_trailing_zeros() -> None:
+    assert Digits(",").short(0.5232) == "0,5232"
+    assert Digits(".").short(40.0) == "40"
+    assert Digits(".").short(nan) == ABSENT
+
+
+def test_quantities_of_a_case_keep_their_digits() -> None:
+    assert Digits(",").localised("22.23 mm") == "22,23 mm"
+    assert Digits(".").localised("10000 rpm") == "10 000 rpm"
+    assert Digits(".").localised("-20 kN") == "−20 kN"
+
+
+def test_decimal_marks_fall_below_each_other() -> None:
+    assert aligned(["1.25", "10", ABSENT], ".") == ["1.25", "10   ", f"{ABSENT}   "]
+
+
+# --- the rosette ------------------------------------------------------------
+
+
+def drawn(loads: list[float], azimuths: list[float], *, braille: bool = True) -> list[str]:
+    grid = rosette(loads, azimuths, 11, braille=braille)
+    return ["".join("#" if cell.loaded else " " for cell in line) for line in grid]
+
+
+@pytest.mark.parametrize("braille", [True, False])
+@pytest.mark.parametrize(
+    ("azimuth", "rows", "columns"),
+    [
+        (0.0, range(6), range(10, 12)),  # +z is up
+        (pi / 2, range(5, 6), range(10, 22)),  # +y is to the right
+        (pi, range(5, 11), range(10, 12)),
+        (3 * pi / 2, range(5, 6), range(12)),
+    ],
+)
+def test_azimuths_run_from_above_to_the_right(
+    azimuth: float, rows: range, columns: range, braille: bool
+) -> None:
+    lines = drawn([1.0, 0.0, nan], [azimuth, 1.0, 2.0], braille=braille)
+    loaded = {(r, c) for r, line in enumerate(lines) for c, mark in enumerate(line) if mark == "#"}
+    assert loaded
+    assert {row for row, _ in loaded} <= set(rows)
+    assert {column for _, column in loaded} <= set(columns)
+    assert (
+        len({row for row, _ in loaded}) * len({c for _, c in loaded})
+        >= len(rows) * len(columns) / 2
+    )
+
+
+def test_half_the_load_is_half_as_long() -> None:
+    lines = drawn([1.0, 0.5], [pi / 2, 3 * pi / 2])
+    row = lines[5]
+    right, left = row[11:].count("#"), row[:11].count("#")
+    assert right == 11
+    assert left in (5, 6)
+
+
+def test_without_any_load_the_rim_is_drawn() -> None:
+    grid = rosette([0.0, 0.0], [0.0, 1.0], 11)
+    assert any(cell.character != " " for line in grid for cell in line)
+    assert not any(cell.loaded for line in grid for cell in line)
+
+
+# --- the table of balls -----------------------------------------------------
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_csv_reads_back(name: str) -> None:
+    state = solved(name)
+    text = ball_csv(state)
+    assert text.endswith("\r\n")
+    assert text.isascii()
+    rows = list(csv.DictReader(text.splitlines()))
+    assert tuple(rows[0]) == CSV_COLUMNS
+    assert len(rows) == len(state.balls)
+    for row, ball in zip(rows, state.balls, strict=True):
+        assert float(row["azimuth_deg"]) == pytest.approx(degrees(ball.azimuth))
+        assert float(row["inner_load_N"]) == pytest.approx(ball.inner.load)
+        assert float(row["outer_max_pressure_MPa"]) == pytest.approx(1e-6 * ball.outer.max_pressure)
+        assert float(row["gyroscopic_moment_Nmm"]) == pytest.approx(1e3 * ball.gyroscopic_moment)
+        assert row["raceway_control"] == ball.raceway_control
+
+
+def test_the_csv_leaves_empty_what_does_not_exist() -> None:
+    rows = list(
+        csv.DictReader(ball_csv(solved("218_combined", "duty.load.fx=-20 kN")).splitlines())
+    )
+    assert len(rows) == 16
+    assert {row["inner_load_N"] for row in rows} == {""}
