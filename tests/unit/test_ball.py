@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 
@@ -131,6 +133,6 @@ def test_newton_settles_a_ball_quadratically(
         errors.append(np.hypot(*residual) / scale)
         place = place + np.array([0.0, 0.0, follow[0], follow[1]])
     assert errors[-1] < 1e-12
-    order = [np.log(b) / np.log(a) for a, b in zip(errors, errors[1:]) if 1e-7 < a < 1e-2]
+    order = [np.log(b) / np.log(a) for a, b in pairwise(errors) if 1e-7 < a < 1e-2]
     assert order
     assert min(order) > 1.7
