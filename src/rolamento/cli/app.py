@@ -164,14 +164,14 @@ def _same_file(path: str, case: str) -> bool:
 
 
 def _solved(case: rolamento.Case, lang: Language | None) -> rolamento.State:
-    """Solve a case; whoever waits for the first compilation is told why."""
-    from rolamento.equilibrium import kernels_are_cached, solve
+    """Solve a case; whoever waits at a terminal for long is told why."""
+    from rolamento.equilibrium import solve
 
-    if sys.stderr is None or not sys.stderr.isatty() or kernels_are_cached():
+    if sys.stderr is None or not sys.stderr.isatty():
         return solve(case)
     from rolamento.cli.waiting import told
 
-    with told(_words(lang).compiling):
+    with told(_words(lang).waiting):
         return solve(case)
 
 

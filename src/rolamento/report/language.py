@@ -78,7 +78,7 @@ class Words:
     motion_legend: str
 
     # command line
-    compiling: str
+    waiting: str
     interrupted: str
     demo_source: str
     demo_next: str
@@ -159,7 +159,7 @@ ENGLISH: Final = Words(
     motion="Motion of the balls",
     load_legend="Q load, α contact angle, p greatest pressure; i inner, o outer; ◂ greatest",
     motion_legend="F_c centrifugal force, M_g gyroscopic moment, n_m cage, n_R ball, s spin/roll",
-    compiling="Compiling the solver's kernels for this machine, once (about 20 s) …",
+    waiting="Solving; if it compiles its kernels for this machine, once, that takes about 20 s …",
     interrupted="interrupted",
     demo_source="This was {path}",
     demo_next="What to try next",
@@ -230,7 +230,7 @@ PORTUGUESE: Final = Words(
     motion_legend=(
         "F_c força centrífuga, M_g momento giroscópico, n_m gaiola, n_R esfera, s spin/rolamento"
     ),
-    compiling="Compilando o código numérico para esta máquina, uma só vez (cerca de 20 s) …",
+    waiting="Resolvendo; se compila o código para esta máquina, uma só vez, leva cerca de 20 s …",
     interrupted="interrompido",
     demo_source="Este foi o caso {path}",
     demo_next="O que experimentar a seguir",

@@ -68,7 +68,7 @@ class Page:
         pieces = [
             piece
             for line in self.medium.fitted(content).split("\n")
-            for piece in wrap(line, width, break_on_hyphens=False)
+            for piece in wrap(line, width, break_on_hyphens=False) or [""]
         ]
         margins = [label] + [Text(" " * len(label))] * (len(pieces) - 1)
         return [

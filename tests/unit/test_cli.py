@@ -1,0 +1,477 @@
+"""The command line: what it prints, where, and the exit code that it ends with."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import os
+import re
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from typer.testing import CliRunner
+
+import rolamento
+from rolamento import equilibrium
+from rolamento.cli import streams
+from rolamento.cli.app import app
+from rolamento.cli.optional_value import with_values
+
+EXAMPLE = Path(rolamento.__file__).parent / "examples" / "218_combined.toml"
+ENGLISH = {"LC_ALL": "C.UTF-8"}
+needs_sh = pytest.mark.skipif(os.name != "posix", reason="needs a POSIX shell")
+UNSOLVABLE = ("--set", "duty.load.fx=-20 kN")
+
+
+class Outcome:
+    def __init__(self, code: int, out: str, err: str) -> None:
+        self.code, self.out, self.err = code, out, err
+
+
+Run = Callable[..., Outcome]
+
+
+@pytest.fixture
+def run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Run:
+    """Run a command in an empty directory that holds a case file."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "case.toml").write_text(EXAMPLE.read_text(encoding="utf-8"), encoding="utf-8")
+
+    def runner(*arguments: str, given: str | None = None, **environment: str) -> Outcome:
+        result = CliRunner().invoke(app, arguments, input=given, env={**ENGLISH, **environment})
+        if result.exception and not isinstance(result.exception, SystemExit):
+            raise result.exception
+        return Outcome(result.exit_code, result.stdout, result.stderr)
+
+    return runner
+
+
+def strict(text: str) -> Any:
+    def refuse(constant: str) -> None:
+        raise AssertionError(f"{constant} in JSON")
+
+    return json.loads(text, parse_constant=refuse)
+
+
+# --- solve ------------------------------------------------------------------
+
+
+def test_solve_prints_the_report(run: Run) -> None:
+    outcome = run("solve", "case.toml")
+    assert (outcome.code, outcome.err) == (0, "")
+    assert outcome.out.startswith("218 angular-contact ball bearing, combined load\n")
+    assert "converged in" in outcome.out
+
+
+def test_the_case_may_come_from_standard_input(run: Run) -> None:
+    text = EXAMPLE.read_text(encoding="utf-8")
+    assert run("solve", "-", given=text).out == run("solve", "case.toml").out
+
+
+def test_set_overrides_the_case(run: Run) -> None:
+    outcome = run("solve", "case.toml", "--set", "duty.load.fz=10 kN", "--set", "title=Lighter")
+    assert outcome.code == 0
+    assert outcome.out.startswith("Lighter\n")
+    assert "fz 10 kN" in outcome.out
+
+
+@pytest.mark.parametrize(
+    ("arguments", "environment", "first"),
+    [
+        (("--lang", "pt"), {}, "rolamento"),
+        (("--lang", "en"), {"LC_ALL": "pt_BR.UTF-8"}, "bearing"),
+        ((), {"LC_ALL": "pt_BR.UTF-8"}, "rolamento"),
+        ((), {"LC_ALL": "", "LC_MESSAGES": "", "LANG": "pt_BR"}, "rolamento"),
+        ((), {"LC_ALL": "C"}, "bearing"),
+    ],
+)
+def test_the_language_is_asked_for_or_that_of_the_locale(
+    run: Run, arguments: tuple[str, ...], environment: dict[str, str], first: str
+) -> None:
+    outcome = run("solve", "case.toml", *arguments, **environment)
+    assert outcome.out.splitlines()[2].split()[0] == first
+
+
+# --- JSON and CSV -----------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("case.toml", "--json"),
+        ("--json", "case.toml"),
+        ("--json", "-", "case.toml"),
+        ("case.toml", "--json=-"),
+        ("case.toml", "--json", "--set", "title=x"),
+        ("--json", "--", "case.toml"),
+    ],
+)
+def test_json_goes_to_standard_output_alone(run: Run, arguments: tuple[str, ...]) -> None:
+    outcome = run("solve", *arguments)
+    assert (outcome.code, outcome.err) == (0, "")
+    state = strict(outcome.out)
+    assert state["schema"] == 1
+    assert state["status"]["converged"] is True
+    assert os.listdir() == ["case.toml"]
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("case.toml", "--json", "out.json"),
+        ("--json", "out.json", "case.toml"),
+        ("--json=out.json", "case.toml"),
+        ("--set", "title=x", "--json", "out.json", "case.toml"),
+        ("--json", "out.json", "--", "case.toml"),
+    ],
+)
+def test_json_goes_to_a_file_beside_the_report(run: Run, arguments: tuple[str, ...]) -> None:
+    outcome = run("solve", *arguments)
+    assert outcome.code == 0
+    assert "Stiffness" in outcome.out
+    assert strict(Path("out.json").read_text(encoding="utf-8"))["status"]["code"] == "converged"
+
+
+def test_json_has_the_keys_of_the_contract(run: Run) -> None:
+    state = strict(run("solve", "case.toml", "--json").out)
+    expected = {"schema", "title", "status", "displacement", "load", "stiffness", "balls", "notes"}
+    assert expected <= state.keys()
+    assert {"converged", "code", "residual", "iterations", "advice"} == state["status"].keys()
+    assert list(state["displacement"]) == ["x", "y", "z", "ry", "rz"]
+    assert list(state["load"]) == ["fx", "fy", "fz", "my", "mz"]
+    assert [len(row) for row in state["stiffness"]] == [5] * 5
+    assert len(state["balls"]) == 16
+    ball = state["balls"][0]
+    motion = {"centrifugal_force", "gyroscopic_moment", "orbital_speed", "ball_speed"}
+    assert {"row", "azimuth", "inner", "outer"} | motion <= ball.keys()
+    contact = {"load", "contact_angle", "deflection", "semi_major", "semi_minor", "max_pressure"}
+    assert contact <= ball["inner"].keys()
+    assert contact <= ball["outer"].keys()
+    assert state["load"]["fx"] == pytest.approx(20e3)
+
+
+def test_json_says_what_python_says(run: Run) -> None:
+    state = equilibrium.solve(rolamento.load_case(EXAMPLE))
+    assert run("solve", "case.toml", "--json").out == state.to_json() + "\n"
+
+
+def test_json_is_utf_8_whatever_the_locale(run: Run) -> None:
+    run("solve", "case.toml", "--set", "title=Pré-carga", "--json", "out.json", LC_ALL="C")
+    assert strict(Path("out.json").read_bytes().decode("utf-8"))["title"] == "Pré-carga"
+
+
+def test_csv_parses_back(run: Run) -> None:
+    outcome = run("solve", "case.toml", "--csv", "balls.csv", "--json", "out.json")
+    assert outcome.code == 0
+    with open("balls.csv", newline="", encoding="ascii") as file:
+        rows = list(csv.DictReader(file))
+    balls = strict(Path("out.json").read_text(encoding="utf-8"))["balls"]
+    assert [float(r["inner_load_N"]) for r in rows] == pytest.approx(
+        [ball["inner"]["load"] for ball in balls]
+    )
+
+
+def test_csv_goes_to_standard_output_alone(run: Run) -> None:
+    outcome = run("solve", "case.toml", "--csv", "-", "--json", "out.json")
+    assert len(list(csv.reader(io.StringIO(outcome.out)))) == 17
+    assert Path("out.json").exists()
+
+
+# --- no result --------------------------------------------------------------
+
+
+def test_without_equilibrium_the_report_gives_reason_and_advice(run: Run) -> None:
+    outcome = run("solve", "case.toml", *UNSOLVABLE)
+    assert (outcome.code, outcome.err) == (1, "")
+    assert "there is no equilibrium" in outcome.out
+    assert "Nothing supports the inner ring" in outcome.out
+
+
+def test_without_equilibrium_json_has_nulls_and_standard_error_the_reason(run: Run) -> None:
+    outcome = run("solve", "case.toml", *UNSOLVABLE, "--json", "--lang", "pt")
+    assert outcome.code == 1
+    state = strict(outcome.out)
+    assert state["status"]["code"] == "no_equilibrium"
+    assert state["status"]["advice"]
+    assert set(state["displacement"].values()) == {None}
+    assert outcome.err.startswith("rolamento: não há equilíbrio: Nada sustenta o anel interno")
+    assert outcome.err.count("\n") == 1
+
+
+def test_without_equilibrium_csv_is_written_all_the_same(run: Run) -> None:
+    outcome = run("solve", "case.toml", *UNSOLVABLE, "--csv", "balls.csv")
+    assert outcome.code == 1
+    assert Path("balls.csv").read_text(encoding="ascii").count("\n") == 17
+
+
+# --- wrong input ------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (("missing.toml",), "missing.toml: cannot be opened: no such file or directory"),
+        (("case.toml", "--set", "duty.load.fz=10 mm"), "duty.load.fz"),
+        (("case.toml", "--set", "duty.load.fz=10"), "needs its unit"),
+        (("case.toml", "--set", "duty.load.fq=10 N"), "duty.load.fq: is not a known key"),
+        (("case.toml", "--set", "nonsense"), "must be KEY=VALUE"),
+        (("case.toml", "--json", "no/such/place.json"), "no/such/place.json: cannot be opened"),
+        (("case.toml", "--csv", "no/such/place.csv"), "no/such/place.csv: cannot be opened"),
+        (("case.toml", "--json="), "cannot be opened"),
+        (("case.toml", "--json", "case.toml"), "is the case file itself"),
+        (("case.toml", "--csv", "./case.toml"), "is the case file itself"),
+        (("case.toml", "--json", "--csv", "-"), "only one of --json and --csv can go there"),
+        (("case.toml", "--json", "a", "--csv", "a"), "only one of --json and --csv can go there"),
+        ((".",), "is a directory"),
+    ],
+)
+def test_wrong_input_gets_one_line_and_the_code_2(
+    run: Run, arguments: tuple[str, ...], message: str
+) -> None:
+    outcome = run("solve", *arguments)
+    assert outcome.code == 2
+    assert outcome.err.startswith("rolamento: ")
+    assert message in outcome.err
+    assert outcome.err.count("\n") == 1
+    assert "Traceback" not in outcome.err
+    assert Path("case.toml").read_bytes() == EXAMPLE.read_bytes()
+
+
+@pytest.mark.parametrize(
+    "text", ["", "\0", "bearing = 3", '[bearing]\nball_count = "x"\n[duty]\n', "{", "[[[["]
+)
+def test_a_bad_case_on_standard_input_names_its_source(run: Run, text: str) -> None:
+    outcome = run("solve", "-", "--json", given=text)
+    assert (outcome.code, outcome.out) == (2, "")
+    assert outcome.err.startswith("rolamento: standard input")
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("solve", "case.toml", "--unknown"),
+        ("solve",),
+        ("solve", "case.toml", "other.toml"),
+        ("solve", "case.toml", "--lang", "xx"),
+        ("solve", "case.toml", "--csv"),
+        ("dissolve", "case.toml"),
+    ],
+)
+def test_a_wrong_command_line_ends_with_2(run: Run, arguments: tuple[str, ...]) -> None:
+    outcome = run(*arguments)
+    assert (outcome.code, outcome.out) == (2, "")
+    assert "Error: " in outcome.err
+
+
+# --- how it ends ------------------------------------------------------------
+
+
+def test_ctrl_c_gets_one_line_and_the_code_130(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    def interrupted(_: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(equilibrium, "solve", interrupted)
+    outcome = run("solve", "case.toml", "--lang", "pt")
+    assert (outcome.code, outcome.out, outcome.err) == (130, "", "rolamento: interrompido\n")
+
+
+def test_a_bug_is_seen(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    def broken(_: object) -> None:
+        raise ZeroDivisionError
+
+    monkeypatch.setattr(equilibrium, "solve", broken)
+    with pytest.raises(ZeroDivisionError):
+        run("solve", "case.toml")
+
+
+def test_a_closed_standard_output_is_wrong_input(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(sys, "stdout", None)
+    with pytest.raises(rolamento.FileError, match="is closed"):
+        streams.print_text("x")
+
+
+@needs_sh
+@pytest.mark.parametrize(
+    ("term", "after", "told"), [("xterm", 0, 1), ("dumb", 0, 1), ("xterm", 60, 0)]
+)
+def test_who_waits_at_a_terminal_is_told(term: str, after: float, told: int) -> None:
+    code = (
+        "import time; from rolamento.cli.waiting import told\n"
+        f"with told('Solving …', {after}): time.sleep(0.7)\n"
+    )
+    ours, theirs = os.openpty()
+    environment = {**os.environ, **ENGLISH, "TERM": term}
+    subprocess.run([sys.executable, "-c", code], stderr=theirs, env=environment, check=True)
+    os.write(theirs, b"end")
+    shown = os.read(ours, 10_000).decode()
+    os.close(ours)
+    os.close(theirs)
+    assert (shown.count("Solving …") >= 1) == told
+
+
+# --- demo, version, help ----------------------------------------------------
+
+
+def test_demo_solves_the_example_and_says_what_next(run: Run) -> None:
+    outcome = run("demo")
+    assert outcome.code == 0
+    assert outcome.out.startswith(run("solve", "case.toml").out)
+    assert "218_combined.toml" in outcome.out
+    assert "rolamento demo --write case.toml" in outcome.out
+
+
+def test_what_demo_suggests_works(run: Run) -> None:
+    commands = [
+        line.split(maxsplit=1)[1] for line in run("demo").out.splitlines() if "  rolamento " in line
+    ]
+    assert len(commands) == 3
+    Path("case.toml").unlink()
+    for command in commands:
+        assert run(*command.split()).code == 0
+    assert sorted(os.listdir()) == ["balls.csv", "case.toml", "state.json"]
+
+
+def test_demo_writes_the_example_but_not_over_another_file(run: Run) -> None:
+    first = run("demo", "--write", "copy.toml")
+    assert (first.code, first.err) == (0, "")
+    assert "solve copy.toml" in first.out
+    assert Path("copy.toml").read_bytes() == EXAMPLE.read_bytes()
+    Path("copy.toml").write_text("mine", encoding="utf-8")
+    second = run("demo", "--write", "copy.toml")
+    assert second.code == 2
+    assert second.err == "rolamento: copy.toml: exists already; choose another name\n"
+    assert Path("copy.toml").read_text(encoding="utf-8") == "mine"
+
+
+def test_demo_cannot_write_where_there_is_no_directory(run: Run) -> None:
+    outcome = run("demo", "--write", "no/such/place.toml")
+    assert outcome.code == 2
+    assert "cannot be written: no such file or directory" in outcome.err
+
+
+def test_version(run: Run) -> None:
+    assert run("--version").out == f"rolamento {rolamento.__version__}\n"
+
+
+@pytest.mark.parametrize("arguments", [("--help",), ("-h",), ("solve", "--help"), ("demo", "-h")])
+def test_help(run: Run, arguments: tuple[str, ...]) -> None:
+    outcome = run(*arguments)
+    assert outcome.code == 0
+    assert outcome.out.startswith("Usage: ")
+
+
+# --- where the value of --json is left out ----------------------------------
+
+
+@pytest.mark.parametrize(
+    ("given", "meant"),
+    [
+        (["c.toml", "--json"], ["c.toml", "--json=-"]),
+        (["--json", "c.toml"], ["--json=-", "c.toml"]),
+        (["--json", "-"], ["--json=-", "-"]),
+        (["-", "--json", "-"], ["-", "--json=-"]),
+        (["c.toml", "--json", "o"], ["c.toml", "--json=o"]),
+        (["--json", "o", "c.toml"], ["--json=o", "c.toml"]),
+        (["--csv", "b", "--json", "c.toml"], ["--csv", "b", "--json=-", "c.toml"]),
+        (["--set", "--json", "c.toml"], ["--set", "--json", "c.toml"]),
+        (["--json=o", "c.toml"], ["--json=o", "c.toml"]),
+        (["--json", "--csv", "b", "c.toml"], ["--json=-", "--csv", "b", "c.toml"]),
+        (["--json", "o", "--", "c.toml"], ["--json=o", "--", "c.toml"]),
+        (["--json", "--", "c.toml"], ["--json=-", "--", "c.toml"]),
+        (["--", "c.toml", "--json"], ["--", "c.toml", "--json"]),
+        ([], []),
+    ],
+)
+def test_the_word_after_json_is_its_file_if_there_is_a_case(
+    given: list[str], meant: list[str]
+) -> None:
+    assert with_values(given) == meant
+
+
+# --- as a process -----------------------------------------------------------
+
+
+def process(script: str, **environment: str) -> subprocess.CompletedProcess[bytes]:
+    program = f"{sys.executable} -c 'from rolamento.cli import main; main()'"
+    return subprocess.run(
+        ["sh", "-c", script.replace("ROLAMENTO", program)],
+        capture_output=True,
+        env={**os.environ, **ENGLISH, "CASE": str(EXAMPLE), **environment},
+        timeout=300,
+        check=False,
+    )
+
+
+@needs_sh
+def test_a_reader_that_goes_away_is_no_error() -> None:
+    done = process('{ ROLAMENTO solve "$CASE"; echo code $? >&2; } | head -n 1')
+    assert done.stdout == b"218 angular-contact ball bearing, combined load\n"
+    assert done.stderr == b"code 0\n"
+
+
+@needs_sh
+@pytest.mark.skipif(not os.path.exists("/dev/full"), reason="needs /dev/full")
+def test_a_full_disk_is_told() -> None:
+    done = process('ROLAMENTO solve "$CASE" --json >/dev/full')
+    assert done.returncode == 2
+    expected = b"rolamento: standard output: cannot be written: no space left on device\n"
+    assert done.stderr == expected
+
+
+@needs_sh
+@pytest.mark.parametrize("environment", [{"PYTHONIOENCODING": "ascii"}, {"PYTHONUTF8": "0"}])
+def test_a_plain_terminal_gets_plain_characters(environment: dict[str, str]) -> None:
+    done = process('ROLAMENTO solve "$CASE" --lang pt', LC_ALL="C", **environment)
+    assert (done.returncode, done.stderr) == (0, b"")
+    text = done.stdout.decode()
+    assert re.search(r"[aâ]ngulo de contato", text)
+    if "PYTHONIOENCODING" in environment:
+        assert done.stdout.isascii()
+
+
+@needs_sh
+def test_error_messages_in_ascii_too() -> None:
+    done = process("ROLAMENTO solve — --lang pt", PYTHONIOENCODING="ascii")
+    assert done.returncode == 2
+    assert done.stderr.startswith(b"rolamento: ")
+    assert b"Traceback" not in done.stderr
+
+
+def test_version_waits_for_nothing() -> None:
+    code = (
+        "import sys; from rolamento.cli.app import app\n"
+        "try: app(['--version'])\n"
+        "except SystemExit: print(*{'numba', 'numpy', 'pydantic', 'rich'} & set(sys.modules))\n"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout == f"rolamento {rolamento.__version__}\n\n"
+
+
+# --- what the front pages show ----------------------------------------------
+
+
+@pytest.mark.parametrize("page", ["README.md", "README.pt-BR.md"])
+def test_the_examples_of_the_front_page_work(run: Run, page: str) -> None:
+    text = (Path(__file__).parents[2] / page).read_text(encoding="utf-8")
+    blocks = dict(re.findall(r"```(toml|python)\n(.*?)```", text, re.DOTALL))
+    Path("case.toml").write_text(blocks["toml"], encoding="utf-8")
+    assert run("solve", "case.toml", "--set", "duty.load.fz=10 kN").code == 0
+    names: dict[str, Any] = {}
+    exec(blocks["python"], names)
+    assert names["batch"].converged.all()
+
+
+@pytest.mark.parametrize(("page", "language"), [("README.md", "en"), ("README.pt-BR.md", "pt")])
+def test_the_front_page_shows_a_true_report(run: Run, page: str, language: str) -> None:
+    text = (Path(__file__).parents[2] / page).read_text(encoding="utf-8")
+    report = run("solve", "case.toml", "--lang", language).out
+    shown = [line[4:] for line in text.splitlines() if re.match("    .*[°µ⡇█]", line)]
+    assert len(shown) > 15
+    assert all(line in report for line in shown)
