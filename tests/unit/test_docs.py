@@ -1,4 +1,4 @@
-"""The Python examples of the documentation run as they stand."""
+"""The examples of the Python guide run as they stand (those of the README: test_cli)."""
 
 from __future__ import annotations
 
@@ -8,13 +8,8 @@ from pathlib import Path
 
 import pytest
 
-ROOT = Path(__file__).resolve().parents[2]
-BLOCKS = [
-    pytest.param(block, id=f"{page.name}-{i}")
-    for page in (ROOT / "README.md", ROOT / "README.pt-BR.md", ROOT / "docs" / "python.md")
-    if page.exists()
-    for i, block in enumerate(re.findall(r"```python\n(.*?)```", page.read_text("utf-8"), re.S))
-]
+GUIDE = Path(__file__).resolve().parents[2] / "docs" / "python.md"
+BLOCKS = re.findall(r"```python\n(.*?)```", GUIDE.read_text("utf-8"), re.DOTALL)
 
 
 @pytest.mark.parametrize("block", BLOCKS)

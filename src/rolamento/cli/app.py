@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import gc
 import os
 import sys
 from collections.abc import Iterator
@@ -53,7 +52,6 @@ LanguageOption = Annotated[
 
 def main() -> None:
     """Run the command line."""
-    gc.disable()  # a short run: there is nothing to collect, and looking for it takes its time
     app(prog_name="rolamento")
 
 

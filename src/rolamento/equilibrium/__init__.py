@@ -6,12 +6,7 @@ ring, safely), `lanes` and `blocks` (the ring, fast), `accept` (whether a result
 user sees), `notes` (what he should know).
 """
 
-from rolamento.equilibrium.batch import solve_cases
 from rolamento.equilibrium.solve import solve, solve_batch
 
-__all__ = ["kernels_are_cached", "solve", "solve_batch"]
+__all__ = ["solve", "solve_batch"]
 
-
-def kernels_are_cached() -> bool:
-    """Tell whether the kernels of a batch are compiled: if not, the first batch takes a while."""
-    return solve_cases.is_cached

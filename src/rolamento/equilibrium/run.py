@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import os
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
@@ -16,6 +17,8 @@ from rolamento.equilibrium.batch import solve_cases
 from rolamento.equilibrium.detail import ball_table, hertz
 from rolamento.equilibrium.problem import Floats
 from rolamento.kinematics import RacewayControl, jones_control, spin_resistance
+
+_log = logging.getLogger("rolamento")
 
 CHUNK: Final = 2048
 FEW: Final = 1
@@ -112,6 +115,9 @@ def _run_threads(
         and _interpret(p, control, cosines, sines, moving, 0, cases, False, out)
     ):
         return
+
+    if not solve_cases.is_cached:
+        _log.warning("compiling the solver for this machine, once: this takes about half a minute")
 
     def run(first: int) -> None:
         last = min(first + CHUNK, cases)

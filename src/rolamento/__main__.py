@@ -1,0 +1,5 @@
+"""`python -m rolamento` is the command line."""
+
+from rolamento.cli import main
+
+main()
