@@ -1,0 +1,152 @@
+"""Measure the speed: `python -m benchmarks [--quick] [--json FILE]`.
+
+Slow is not wrong: the exit code is 1 only where a case does not converge, where the answers
+differ from SciPy's, or where a command fails.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import sys
+from collections.abc import Callable
+from dataclasses import asdict, dataclass
+from functools import partial
+from pathlib import Path
+
+from rich.console import Console
+from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
+from rich.table import Table
+
+from benchmarks import against_scipy, duty_sets, robustness, start, throughput
+from benchmarks.figures import Figure, Findings, has_avx512
+
+
+@dataclass(frozen=True, slots=True)
+class Effort:
+    """How much is measured."""
+
+    cases: int
+    repeats: int
+    sample: int
+    robust_cases: int
+    runs: int
+
+
+FULL = Effort(cases=duty_sets.CASES, repeats=5, sample=100, robust_cases=100_000, runs=10)
+QUICK = Effort(cases=8_000, repeats=1, sample=5, robust_cases=3_000, runs=2)
+
+
+def steps(effort: Effort) -> list[tuple[str, Callable[[], Findings]]]:
+    """What is measured, in order, each with its name."""
+    e = effort
+    return [
+        *((n, partial(throughput.measure, n, e.cases, e.repeats)) for n in throughput.SETS),
+        ("kernels", partial(throughput.measure_kernels, e.cases, e.repeats)),
+        *(
+            (f"SciPy, {n}", partial(against_scipy.measure, n, e.sample, e.repeats))
+            for n in against_scipy.SETS
+        ),
+        ("start", partial(start.measure, e.runs)),
+        *((n, partial(robustness.measure, n, e.robust_cases)) for n in robustness.KINDS),
+    ]
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Run the benchmarks; the exit code."""
+    options = parse(arguments)
+    errors = Console(stderr=True)
+    findings = run(QUICK if options.quick else FULL, errors)
+    avx512 = has_avx512()
+    show(findings, avx512, Console())
+    if options.json is not None:
+        write_json(findings, avx512, options.json)
+    for failure in findings.failures:
+        errors.print(f"[bold red]Failed:[/] {failure}", highlight=False, soft_wrap=True)
+    return 1 if findings.failures else 0
+
+
+def parse(arguments: list[str] | None) -> argparse.Namespace:
+    parser = argparse.ArgumentParser(prog="python -m benchmarks", description=__doc__)
+    parser.add_argument("--quick", action="store_true", help="fewer cases: some ten seconds")
+    parser.add_argument("--json", type=Path, metavar="FILE", help="write the figures to a file")
+    return parser.parse_args(arguments)
+
+
+def run(effort: Effort, console: Console) -> Findings:
+    """Take all measurements, warm kernels first, and tell what is going on."""
+    findings = Findings.none()
+    columns = TextColumn("{task.description:32}"), BarColumn(), TimeElapsedColumn()
+    with Progress(*columns, console=console, transient=True) as progress:
+        task = progress.add_task("compiling the kernels", total=len(steps(effort)) + 1)
+        throughput.warm_up()
+        for name, measure in steps(effort):
+            progress.update(task, advance=1, description=name)
+            findings.add(measure())
+    return findings
+
+
+def show(findings: Findings, avx512: bool, console: Console) -> None:
+    """Print the table and the remarks."""
+    table = Table(title=f"Speed, {machine(avx512)}", title_justify="left")
+    table.add_column("")
+    table.add_column("measured", justify="right")
+    table.add_column("", justify="left")
+    table.add_column("target", justify="right")
+    table.add_column("reached")
+    group = ""
+    for figure in findings.figures:
+        if figure.group != group:
+            group = figure.group
+            table.add_section()
+            table.add_row(f"[bold]{group}[/]")
+        table.add_row(*cells(figure, avx512))
+    console.print(table)
+    for remark in findings.remarks:
+        console.print(remark, highlight=False, soft_wrap=True)
+
+
+def cells(figure: Figure, avx512: bool) -> tuple[str, str, str, str, str]:
+    """A figure as a row of the table."""
+    target = figure.target
+    if target is None:
+        return f"  {figure.name}", written(figure.value), figure.unit, "", ""
+    sign = "≥" if target.direction == "at least" else "<"
+    reached = "[green]yes[/]" if target.reached(figure.value, avx512) else "[yellow]no[/]"
+    aim = f"{sign} {written(target.value(avx512))}"
+    return f"  {figure.name}", written(figure.value), figure.unit, aim, reached
+
+
+def written(value: float) -> str:
+    """A number with three figures, or in whole thousands."""
+    if value != 0.0 and abs(value) < 1e-3:
+        return f"{value:.1e}"
+    return f"{value:,.0f}".replace(",", " ") if abs(value) >= 1000.0 else f"{value:.3g}"
+
+
+def machine(avx512: bool) -> str:
+    vectors = "with AVX-512" if avx512 else "without AVX-512"
+    return f"{os.cpu_count()} processors {vectors}, Python {sys.version.split()[0]}"
+
+
+def write_json(findings: Findings, avx512: bool, path: Path) -> None:
+    """Write all figures, with the target for this machine and whether it was reached."""
+    figures = []
+    for figure in findings.figures:
+        row = asdict(figure) | {"target": None, "reached": None}
+        if figure.target is not None:
+            row["target"] = figure.target.value(avx512)
+            row["reached"] = figure.target.reached(figure.value, avx512)
+        figures.append(row)
+    record = {
+        "machine": machine(avx512),
+        "figures": figures,
+        "remarks": findings.remarks,
+        "failures": findings.failures,
+    }
+    path.write_text(json.dumps(record, indent=2, ensure_ascii=False) + "\n", encoding="utf-8")
+
+
+if __name__ == "__main__":
+    sys.exit(main())
