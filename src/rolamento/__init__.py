@@ -25,7 +25,7 @@ if TYPE_CHECKING:
         save_case,
     )
     from rolamento.duty import Displacement, Duty, Load
-    from rolamento.equilibrium import solve, solve_batch
+    from rolamento.equilibrium import BatchState, solve, solve_batch
     from rolamento.errors import (
         FileError,
         InputError,
@@ -40,6 +40,7 @@ if TYPE_CHECKING:
 __version__ = "0.1.0"
 
 __all__ = [
+    "BatchState",
     "Bearing",
     "Case",
     "Displacement",
@@ -76,7 +77,7 @@ _NAMES_OF_MODULES: Final = {
         "save_case",
     ),
     "duty": ("Displacement", "Duty", "Load"),
-    "equilibrium": ("solve", "solve_batch"),
+    "equilibrium": ("BatchState", "solve", "solve_batch"),
     "errors": ("FileError", "InputError", "RolamentoError", "UnitError", "UnknownKeyError"),
     "material": ("Material",),
     "model": ("Model",),

@@ -6,7 +6,7 @@ ring, safely), `lanes` and `blocks` (the ring, fast), `accept` (whether a result
 user sees), `notes` (what he should know).
 """
 
+from rolamento.equilibrium.batch_state import BatchState
 from rolamento.equilibrium.solve import solve, solve_batch
 
-__all__ = ["solve", "solve_batch"]
-
+__all__ = ["BatchState", "solve", "solve_batch"]

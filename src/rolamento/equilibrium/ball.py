@@ -11,8 +11,8 @@ T = M_g / D the gyroscopic moment over the ball diameter, the ball presses
     on the inner ring   f = Q_i n_i - lambda_i T t_i
     on the outer ring   g = Q_o n_o - lambda_o T t_o
 
-and is in equilibrium when r = f - g + F_c (0, 1) = 0 (Harris 1991, eqs. 8.27-8.28, with the
-gyroscopic moment signed). The moment about the ring's axis plane has the arm of the groove's
+and is in equilibrium when r = f - g + F_c (0, 1) = 0 (Radaelli 2013, eqs. 76-77; the gyroscopic
+moment is signed). The moment about the ring's axis plane has the arm of the groove's
 centre; the friction lambda_i T acts f_i D further out, at the groove's surface: divided by the
 arm, the moment is h = f_1 + (f_i D / R_i) lambda_i T.
 

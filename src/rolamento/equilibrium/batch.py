@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from rolamento.equilibrium import accept
+from rolamento.equilibrium import accept, rows
 from rolamento.equilibrium.accept import judge
 from rolamento.equilibrium.blocks import (
     START_TOLERANCE,
@@ -20,9 +20,18 @@ from rolamento.numerics.compiled import kernel, shared
 
 
 @shared
-def _start_safely(p: Array, column: int, cosines: Array, sines: Array, u: Array, x: Array) -> None:
-    """A start for the safe path: over-penetrating, every ball half way between the grooves."""
-    start(p, column, cosines.size, u)
+def _start_safely(
+    p: Array, column: int, cosines: Array, sines: Array, u: Array, x: Array, pressed: bool
+) -> None:
+    """A start for the safe path, every ball half way between the grooves.
+
+    Pressed in too far at first; if that leads nowhere, from where the ring stands without load.
+    """
+    if pressed:
+        start(p, column, cosines.size, u)
+    else:
+        for i in range(rows.DEGREES_OF_FREEDOM):
+            u[i] = p[rows.IMPOSED + i, column]
     for j in range(cosines.size):
         c, s = direction(p, column, cosines[j], sines[j])
         a1, a2 = groove(p, column, u, c, s)
@@ -69,16 +78,16 @@ def solve_cases(
                 p, column, balls, cosines, sines, u, x, reaction[case], stiffness[case], errors
             )
         # a proposal that is not quite there is a start; failing that, begin anew
-        for attempt in range(2):
+        for attempt in range(3):
             if code[case] != accept.NOT_CONVERGED or (attempt == 0 and not proposed):
                 continue
-            if attempt == 1:
-                _start_safely(p, column, cosines, sines, u, x)
+            if attempt > 0:
+                _start_safely(p, column, cosines, sines, u, x, attempt == 1)
             _, steps, escaping = solve_robust(p, column, balls, cosines, sines, u, x)
             safe[case] = True
             iterations[case] = abs(iterations[case]) + steps
             code[case], residual[case], unsupported[case] = judge(
                 p, column, balls, cosines, sines, u, x, reaction[case], stiffness[case], errors
             )
-            if attempt == 1 and code[case] == accept.NOT_CONVERGED and escaping >= 0:
+            if attempt == 2 and code[case] == accept.NOT_CONVERGED and escaping >= 0:
                 code[case], unsupported[case] = accept.NO_EQUILIBRIUM, escaping

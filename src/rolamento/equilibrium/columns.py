@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Final
+from typing import Final, TypedDict, cast
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -17,7 +16,25 @@ from rolamento.errors import InputError, UnknownKeyError, nearest
 _SPEEDS: Final = {"inner_speed": rows.INNER_SPEED, "outer_speed": rows.OUTER_SPEED}
 
 
-def spread(case: Case, fields: Mapping[str, ArrayLike]) -> Floats:
+class DutyFields(TypedDict, total=False):
+    """What a batch may vary: scalars, or arrays of one length, in SI units."""
+
+    inner_speed: ArrayLike
+    outer_speed: ArrayLike
+    first_ball_azimuth: ArrayLike
+    fx: ArrayLike
+    fy: ArrayLike
+    fz: ArrayLike
+    my: ArrayLike
+    mz: ArrayLike
+    x: ArrayLike
+    y: ArrayLike
+    z: ArrayLike
+    ry: ArrayLike
+    rz: ArrayLike
+
+
+def spread(case: Case, fields: DutyFields) -> Floats:
     """Repeat the case's parameters over a batch, and put the fields in.
 
     fields: scalars or arrays of one length, by the names of the duty's fields, SI units.
@@ -36,7 +53,8 @@ def spread(case: Case, fields: Mapping[str, ArrayLike]) -> Floats:
                 field=name,
                 example="fx=[1e3, 2e3]",
             )
-    arrays = {name: np.asarray(value, dtype=np.float64) for name, value in fields.items()}
+    given = cast("dict[str, ArrayLike]", fields)
+    arrays = {name: np.asarray(value, dtype=np.float64) for name, value in given.items()}
     lengths = {array.shape for array in arrays.values() if array.ndim}
     if len(lengths) > 1 or any(len(shape) != 1 for shape in lengths):
         raise InputError(

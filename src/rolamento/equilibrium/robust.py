@@ -1,7 +1,8 @@
 """The safe path: the ring by a guarded Newton's method, every ball settled at every step.
 
-With the inertia loads frozen the problem is convex in the ring's displacement, so the unbalanced
-load along a step falls steadily: a step is shortened until it does not overshoot by much.
+With the inertia loads frozen the problem would be convex in the ring's displacement; they vary
+little, and the unbalanced load along a step falls steadily: a step is shortened until it does not
+overshoot by much.
 Slower than `blocks` by an order; for what that path gives up.
 """
 

@@ -109,13 +109,10 @@ def _run_threads(
     azimuth = 2.0 * np.pi * np.arange(balls) / balls
     p, control = np.ascontiguousarray(p), np.ascontiguousarray(control, dtype=np.float64)
     cosines, sines, out = np.cos(azimuth), np.sin(azimuth), solution.arrays()
-    if (
-        cases <= FEW
-        and not solve_cases.is_loaded
-        and _interpret(p, control, cosines, sines, moving, 0, cases, False, out)
-    ):
-        return
-
+    if cases <= FEW and not solve_cases.is_loaded:
+        if _interpret(p, control, cosines, sines, moving, 0, cases, False, out):
+            return
+        solution.put(np.arange(cases), Solution.empty(cases, balls))
     if not solve_cases.is_cached:
         _log.warning("compiling the solver for this machine, once: this takes about half a minute")
 
@@ -199,6 +196,8 @@ def solve_by_jones(
         if not len(changed):
             break
         part = solve_columns(p[:, changed], control[changed], balls, threads=threads, fast=fast)
+        part.iterations += solution.iterations[changed]
+        part.safe |= solution.safe[changed]
         solution.put(changed, part)
     verdict = criterion(bearing, p, control, solution)
     confirmed = np.where(verdict == control, verdict, RacewayControl.INDETERMINATE)

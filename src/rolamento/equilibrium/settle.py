@@ -2,8 +2,9 @@
 
 Newton's method first. Where it fails or strays, the ball's place is bracketed: its distance from
 the outer groove's centre at a given outer angle (the force along the outer normal falls with the
-distance), and the outer angle itself, between the radial direction and the line of the groove
-centres (Harris 1991, fig. 8.6: alpha_o <= alpha <= alpha_i).
+distance), and the outer angle itself: between the radial direction and the line of the groove
+centres, alpha_o <= alpha <= alpha_i, or beyond that line where rings that turn against each other
+reverse the gyroscopic moment.
 """
 
 from __future__ import annotations

@@ -119,23 +119,32 @@ def static_ball(p: Array, case: int, a1: float, a2: float) -> StaticBall:
 
 
 @inline_exact
+def _add_row(matrix: Array, row: int, by_a1: float, by_a2: float, c: float, s: float) -> None:
+    """Add a row of the ring's stiffness, given the derivatives by A1 and A2."""
+    matrix[row, 0] += by_a1
+    matrix[row, 1] += s * by_a2
+    matrix[row, 2] += c * by_a2
+    matrix[row, 3] += c * by_a1
+    matrix[row, 4] -= s * by_a1
+
+
+@shared
 def add_to_ring(
     reaction: Array, matrix: Array, c: float, s: float, force: Three, stiffness: Six
 ) -> None:
-    """Add one ball's force and stiffness to the ring's (see lanes._add_to_ring)."""
+    """Add one ball's force and stiffness to the ring's (as lanes._add_to_ring does)."""
     f1, f2, h = force
     k11, k12, k21, k22, h1, h2 = stiffness
-    along = (1.0, s, c, c, -s)
-    for row in range(5):
-        load = f1 if row == 0 else (f2 if row < 3 else h)
-        by_a1 = k11 if row == 0 else (k21 if row < 3 else h1)
-        by_a2 = k12 if row == 0 else (k22 if row < 3 else h2)
-        reaction[row] += along[row] * load
-        matrix[row, 0] += along[row] * by_a1
-        matrix[row, 1] += along[row] * s * by_a2
-        matrix[row, 2] += along[row] * c * by_a2
-        matrix[row, 3] += along[row] * c * by_a1
-        matrix[row, 4] -= along[row] * s * by_a1
+    reaction[0] += f1
+    reaction[1] += s * f2
+    reaction[2] += c * f2
+    reaction[3] += c * h
+    reaction[4] -= s * h
+    _add_row(matrix, 0, k11, k12, c, s)
+    _add_row(matrix, 1, s * k21, s * k22, c, s)
+    _add_row(matrix, 2, c * k21, c * k22, c, s)
+    _add_row(matrix, 3, c * h1, c * h2, c, s)
+    _add_row(matrix, 4, -s * h1, -s * h2, c, s)
 
 
 @shared

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from typing import Unpack
+
 import numpy as np
-from numpy.typing import ArrayLike
 
 from rolamento.case import Case
 from rolamento.equilibrium import accept, rows
 from rolamento.equilibrium.batch_state import BatchState
-from rolamento.equilibrium.columns import spread
+from rolamento.equilibrium.columns import DutyFields, spread
 from rolamento.equilibrium.problem import Floats, case_parameters, ring_arms
 from rolamento.equilibrium.record import state_of
 from rolamento.equilibrium.run import ball_azimuths, solve_by_jones, solve_columns
@@ -27,7 +28,9 @@ def solve(case: Case) -> State:
     return state_of(case, batch)
 
 
-def solve_batch(case: Case, *, threads: int | None = None, **fields: ArrayLike) -> BatchState:
+def solve_batch(
+    case: Case, *, threads: int | None = None, **fields: Unpack[DutyFields]
+) -> BatchState:
     """Solve a case for many duties at once.
 
     Parameters
