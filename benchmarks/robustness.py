@@ -81,12 +81,17 @@ def random_duties(
     }
 
 
+MOST_ASTRAY: Final = 1e-3
+"""Share of random cases that may end as not_converged: absurd ones, whose rings have moved so far
+off their balls that the grooves, taken as whole circles, pull instead of push."""
+
+
 @dataclass(frozen=True, slots=True)
 class Kind:
     """A kind of random cases.
 
-    part: how many are solved, of those of the first kind; must_end: whether each has to end with
-    a result or with a reason why there is none.
+    part: how many are solved, of those of the first kind; must_end: whether all but a few
+    (`MOST_ASTRAY`) have to end with a result or with a reason why there is none.
     """
 
     control: RacewayControl = "outer"
@@ -133,7 +138,7 @@ def measure(name: str, cases: int) -> Findings:
     failures = []
     if not worst <= PROMISED_RESIDUAL:
         failures.append(f"{name}: a converged case has a residual of {worst:.1e}")
-    if astray and kind.must_end:
+    if kind.must_end and len(astray) > MOST_ASTRAY * cases:
         failures.append(f"{name}: {len(astray)} cases did not converge, among them:")
         failures += astray[:LISTED]
     counted = ", ".join(f"{count} {status}" for status, count in counts.most_common())
