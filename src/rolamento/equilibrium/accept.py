@@ -1,7 +1,7 @@
 """Whether a proposed equilibrium may be shown: every residual, every contact, in exact arithmetic.
 
 Residuals alone do not prove a solution: a ball can balance where it can never be (the equations
-have such roots, with alpha_o < 0 at an unloaded ball).
+have such roots, with alpha_o < 0 at an unloaded ball, or with friction where nothing presses).
 """
 
 from __future__ import annotations
@@ -31,6 +31,7 @@ INVALID_INPUT: Final = 4
 
 TOLERANCE: Final = 5e-9  # of ring and balls: half of what is promised
 GREATEST_APPROACH: Final = 0.02  # of the ball diameter: far beyond any elastic contact
+FRICTION_SLACK: Final = 1e-6  # of a ball's load, at a contact that carries none
 LOST_ANGLE: Final = 1e-9  # rad, below which a one-sided bearing has left its shoulder
 
 
@@ -69,6 +70,9 @@ def judge(
             )
             errors[j, 0] = sqrt(residual[0] ** 2 + residual[1] ** 2)
             placed = placed and in_place(p, case, a1, x[j, 0], x[j, 1])
+            # a race that does not press on the ball has no friction for its gyroscopic moment
+            friction = abs(force[0]) + abs(force[1]) if touch[0] == 0.0 else 0.0
+            placed = placed and friction <= FRICTION_SLACK * scale
         else:
             x[j, 0], x[j, 1], force, stiffness, scale, touch = static_ball(p, case, a1, a2)
         errors[j, 1] = scale

@@ -32,6 +32,18 @@ def advise(case: Case, batch: BatchState) -> str | None:
         )
     if code == accept.INVALID_INPUT:
         return "A number of this case is not finite."
+    if case.model.raceway_control == "inner":
+        return (
+            "Inner raceway control cannot hold a ball that the inner race loads too lightly to "
+            'bear its gyroscopic moment. Take model.raceway_control = "jones" or "outer", or '
+            "more axial load."
+        )
+    if case.duty.inner_speed * case.duty.outer_speed < 0.0:
+        return (
+            "Between rings that turn against each other the balls may orbit so slowly that the "
+            "gyroscopic moment overturns one that carries little load. Add axial load, or change "
+            "the ratio of the speeds."
+        )
     return (
         f"The solver stopped at a residual of {batch.residual[0]:.1e} of the loads, above "
         f"{accept.TOLERANCE:.0e}, so it shows no result. Vary a load or the speed a little, hold "

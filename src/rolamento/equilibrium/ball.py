@@ -6,13 +6,13 @@ Y = A - X, so that the two contacts are alike: each is a spring along its own ve
 outer, Y for the inner), with the groove's offset L as its free length.
 
 With the contact angle's unit vectors n = (sin a, cos a) and t = (cos a, -sin a), and
-T = M_g / D the gyroscopic moment over the ball diameter, the ball presses
+T = M_g / D the gyroscopic moment over the ball diameter,
 
-    on the inner ring   f = Q_i n_i - lambda_i T t_i
-    on the outer ring   g = Q_o n_o - lambda_o T t_o
+    the inner ring presses on the ball with   f = Q_i n_i - lambda_i T t_i
+    the ball presses on the outer ring with   g = Q_o n_o - lambda_o T t_o
 
-and is in equilibrium when r = f - g + F_c (0, 1) = 0 (Radaelli 2013, eqs. 76-77; the gyroscopic
-moment is signed). The moment about the ring's axis plane has the arm of the groove's
+and the ball is in equilibrium when r = f - g + F_c (0, 1) = 0 (Radaelli 2013, eqs. 76-77; the
+gyroscopic moment is signed). The moment about the ring's axis plane has the arm of the groove's
 centre; the friction lambda_i T acts f_i D further out, at the groove's surface: divided by the
 arm, the moment is h = f_1 + (f_i D / R_i) lambda_i T.
 
@@ -140,7 +140,7 @@ def _formulas(inline: Callable[..., Any]) -> tuple[Any, ...]:
 
         - the residual r,
         - the Newton step dX = q + W dA with which the ball follows the groove,
-        - the force f and moment h that the ring feels after the step q,
+        - the force f and moment h that the ball asks of the ring, after the step q,
         - their derivatives by A with the ball following: k (2 x 2) and h (2),
         - the scale of the ball's own loads, the greatest of Q_i, Q_o and F_c,
         - how it touches the rings: Q_i, sin a_i, the greater approach.

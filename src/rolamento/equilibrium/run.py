@@ -23,6 +23,8 @@ _log = logging.getLogger("rolamento")
 CHUNK: Final = 2048
 FEW: Final = 1
 """Cases that are solved without the compiler, if it has not been loaded yet."""
+LEAST_INERTIA: Final = 1e-7
+"""Approach under a ball's own centrifugal force, over the groove's offset, that still counts."""
 JONES_PASSES: Final = 20
 JONES_FLIPS: Final = 4
 """A ball that has changed its controlling race this often has none: it stays with the outer."""
@@ -81,8 +83,10 @@ def solve_columns(
     cases = p.shape[1]
     solution = Solution.empty(cases, balls)
     finite = np.isfinite(p).all(axis=0)
-    turning = (p[rows.INNER_SPEED] != 0.0) | (p[rows.OUTER_SPEED] != 0.0)
-    moving = turning & ((p[rows.CENTRIFUGAL] > 0.0) | (p[rows.GYROSCOPIC] > 0.0))
+    moving = _has_inertia(p)
+    if not moving.all():
+        p = p.copy()
+        p[rows.INNER_SPEED, ~moving] = p[rows.OUTER_SPEED, ~moving] = 0.0
     for inertia in (True, False):
         which = np.flatnonzero(finite & (moving == inertia))
         if len(which) == cases:
@@ -93,6 +97,18 @@ def solve_columns(
             _run_threads(p[:, which], some, balls, inertia, threads, fast, part)
             solution.put(which, part)
     return solution
+
+
+def _has_inertia(p: Floats) -> NDArray[np.bool_]:
+    """Which columns have inertia that can be told from rounding; the others are at rest.
+
+    A load presses a ball in by (F/K)^(2/3), which is known to some 1e-16 of the groove's offset.
+    """
+    speed = np.abs(p[rows.INNER_SPEED]) + np.abs(p[rows.OUTER_SPEED])
+    force = np.maximum(p[rows.CENTRIFUGAL], 5.0 * p[rows.GYROSCOPIC]) * (0.5 * speed) ** 2
+    approach = np.cbrt(force / p[rows.SERIES_STIFFNESS]) ** 2
+    with np.errstate(invalid="ignore"):
+        return np.asarray(approach > LEAST_INERTIA * p[rows.OUTER_LENGTH])
 
 
 def _run_threads(
@@ -132,14 +148,16 @@ def _run_threads(
 def _interpret(*arguments: Any) -> bool:
     """Solve without the compiler, which takes longer to load than a few cases to solve.
 
-    False where plain Python cannot divide by zero and go on, as compiled code can.
+    False where plain Python cannot divide by zero and go on, as compiled code can, and where the
+    fast path, which is for compiled code only, might still find a solution.
     """
     try:
         with np.errstate(all="ignore"):
             solve_cases(*arguments)
     except (ZeroDivisionError, OverflowError, ValueError):
         return False
-    return True
+    codes = arguments[-1][5]
+    return not (codes == accept.NOT_CONVERGED).any()
 
 
 def ball_azimuths(p: Floats, balls: int) -> Floats:
