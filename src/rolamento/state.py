@@ -42,9 +42,9 @@ class RingLoad(NamedTuple):
 class Status:
     """How the solution ended.
 
-    code: "converged", or why there is no result ("no_equilibrium", "not_converged",
-    "overloaded"). residual: the greatest unbalanced load of ring and balls, each over the scale
-    of its own loads. advice: what a person can do, or None.
+    code: "converged", or why there is no result: "no_equilibrium", "not_converged", "overloaded",
+    "unheld_ball" (docs/theory/equilibrium.md). residual: the greatest unbalanced load of ring and
+    balls, each over the scale of its own loads. advice: what a person can do, or None.
     """
 
     code: str

@@ -195,7 +195,17 @@ def test_every_code_has_a_name() -> None:
         "not_converged",
         "overloaded",
         "invalid_input",
+        "unheld_ball",
     }
+
+
+def test_friction_alone_carries_nothing() -> None:
+    """Inner control at speed under a light thrust: in balance only by friction without load."""
+    model = {"raceway_control": "inner"}
+    state = solved(ANGULAR, {"fx": "1 kN"}, model=model, inner_speed="10000 rpm")
+    assert state.status.code in {"unheld_ball", "not_converged"}
+    assert "raceway control cannot hold" in (state.status.advice or "")
+    assert_no_numbers(state)
 
 
 # --- notes --------------------------------------------------------------------------------------

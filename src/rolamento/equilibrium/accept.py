@@ -28,6 +28,7 @@ NO_EQUILIBRIUM: Final = 1
 NOT_CONVERGED: Final = 2
 OVERLOADED: Final = 3
 INVALID_INPUT: Final = 4
+UNHELD_BALL: Final = 5
 
 TOLERANCE: Final = 5e-9  # of ring and balls: half of what is promised
 GREATEST_APPROACH: Final = 0.02  # of the ball diameter: far beyond any elastic contact
@@ -59,7 +60,7 @@ def judge(
     matrix[:] = 0.0
     moving = moves(p, case)
     one_sided = p[rows.ONE_SIDED, case] > 0.0
-    placed, lost, deepest, heaviest = True, -1, 0.0, 0.0
+    placed, held, lost, deepest, heaviest = True, True, -1, 0.0, 0.0
     for j in range(cosines.size):
         c, s = direction(p, case, cosines[j], sines[j])
         a1, a2 = groove(p, case, u, c, s)
@@ -72,7 +73,7 @@ def judge(
             placed = placed and in_place(p, case, a1, x[j, 0], x[j, 1])
             # a race that does not press on the ball has no friction for its gyroscopic moment
             friction = abs(force[0]) + abs(force[1]) if touch[0] == 0.0 else 0.0
-            placed = placed and friction <= FRICTION_SLACK * scale
+            held = held and friction <= FRICTION_SLACK * scale
         else:
             x[j, 0], x[j, 1], force, stiffness, scale, touch = static_ball(p, case, a1, a2)
         errors[j, 1] = scale
@@ -90,6 +91,8 @@ def judge(
     finite = abs(u[0] + u[1] + u[2] + u[3] + u[4]) < inf
     if not finite or not residual_of_all <= TOLERANCE or not placed:
         return NOT_CONVERGED, residual_of_all, -1
+    if not held:
+        return UNHELD_BALL, residual_of_all, -1
     if lost >= 0:
         return NO_EQUILIBRIUM, residual_of_all, lost
     if deepest > GREATEST_APPROACH * p[rows.BALL_DIAMETER, case]:

@@ -32,9 +32,9 @@ def advise(case: Case, batch: BatchState) -> str | None:
         )
     if code == accept.INVALID_INPUT:
         return "A number of this case is not finite."
-    if case.model.raceway_control == "inner":
+    if code == accept.UNHELD_BALL or case.model.raceway_control == "inner":
         return (
-            "Inner raceway control cannot hold a ball that the inner race loads too lightly to "
+            "This raceway control cannot hold a ball that a race loads too lightly to "
             'bear its gyroscopic moment. Take model.raceway_control = "jones" or "outer", or '
             "more axial load."
         )

@@ -19,6 +19,7 @@ STATUS_NAMES: Final = {
     accept.NOT_CONVERGED: "not_converged",
     accept.OVERLOADED: "overloaded",
     accept.INVALID_INPUT: "invalid_input",
+    accept.UNHELD_BALL: "unheld_ball",
 }
 
 

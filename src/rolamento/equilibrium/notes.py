@@ -58,6 +58,11 @@ def _lost_contacts(state: State) -> Iterator[str]:
         pressed = any(ball.outer.load > 0.0 for ball in free)
         holder = "only centrifugal force presses on them" if pressed else "nothing presses on them"
         yield f"{_count(free)} without inner contact (azimuth {_azimuths(free)}): {holder}."
+        if pressed and state.case.duty.outer_speed != 0.0:
+            yield (
+                "The orbit of a ball without inner contact, and with it its centrifugal force, is "
+                "a guess while the outer ring turns: raceway control says nothing about it."
+            )
 
 
 def _pressures(state: State) -> Iterator[str]:

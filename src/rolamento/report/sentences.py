@@ -81,7 +81,29 @@ _SENTENCES: Final = (
         " mostra resultado. Varie um pouco uma carga ou a rotação, fixe as inclinações ou"
         " aproxime-se do serviço em passos; e, por favor, relate o caso.",
     ),
+    (
+        "This raceway control cannot hold a ball that a race loads too lightly to bear"
+        ' its gyroscopic moment. Take model.raceway_control = "jones" or "outer", or more'
+        " axial load.",
+        "Este controle de pista não segura uma esfera que uma pista carrega pouco"
+        ' demais para suportar o momento giroscópico dela. Use model.raceway_control = "jones"'
+        ' ou "outer", ou mais carga axial.',
+    ),
+    (
+        "Between rings that turn against each other the balls may orbit so slowly that the"
+        " gyroscopic moment overturns one that carries little load. Add axial load, or change the"
+        " ratio of the speeds.",
+        "Entre anéis que giram em sentidos opostos as esferas podem orbitar tão devagar que o"
+        " momento giroscópico vira uma que leva pouca carga. Aumente a carga axial ou mude a"
+        " razão das rotações.",
+    ),
     # notes
+    (
+        "The orbit of a ball without inner contact, and with it its centrifugal force, is a guess"
+        " while the outer ring turns: raceway control says nothing about it.",
+        "A órbita de uma esfera sem contato interno, e com ela a sua força centrífuga, é uma"
+        " estimativa enquanto o anel externo gira: o controle de pista nada diz sobre ela.",
+    ),
     (
         "No ball presses on the inner ring: without a load, its place is one of many.",
         "Nenhuma esfera pressiona o anel interno: sem carga, a posição dele é uma entre muitas.",
