@@ -199,6 +199,12 @@ def test_every_code_has_a_name() -> None:
     }
 
 
+def test_an_empty_batch_has_no_cases() -> None:
+    batch = solve_batch(Case(bearing=Bearing(**ANGULAR), duty=Duty()), fx=[])
+    assert len(batch) == 0
+    assert batch.balls().inner.load.shape == (0, ANGULAR["ball_count"])
+
+
 def test_friction_alone_carries_nothing() -> None:
     """Inner control at speed under a light thrust: in balance only by friction without load."""
     model = {"raceway_control": "inner"}

@@ -72,8 +72,8 @@ def judge(
             errors[j, 0] = sqrt(residual[0] ** 2 + residual[1] ** 2)
             placed = placed and in_place(p, case, a1, x[j, 0], x[j, 1])
             # a race that does not press on the ball has no friction for its gyroscopic moment
-            friction = abs(force[0]) + abs(force[1]) if touch[0] == 0.0 else 0.0
-            held = held and friction <= FRICTION_SLACK * scale
+            if touch[0] == 0.0 and scale > 0.0:
+                held = held and abs(force[0]) + abs(force[1]) <= FRICTION_SLACK * scale
         else:
             x[j, 0], x[j, 1], force, stiffness, scale, touch = static_ball(p, case, a1, a2)
         errors[j, 1] = scale

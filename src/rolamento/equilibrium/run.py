@@ -82,6 +82,8 @@ def solve_columns(
     """
     cases = p.shape[1]
     solution = Solution.empty(cases, balls)
+    if cases == 0:
+        return solution
     finite = np.isfinite(p).all(axis=0)
     moving = _has_inertia(p)
     if not moving.all():
