@@ -7,11 +7,11 @@ import pytest
 
 from rolamento.bearing import Bearing
 from rolamento.case import Case
-from rolamento.contact.hertz import series_stiffness
 from rolamento.equilibrium import rows
 from rolamento.equilibrium.columns import spread
-from rolamento.equilibrium.problem import case_parameters, exact_stiffness, ring_arms
+from rolamento.equilibrium.problem import case_parameters, ring_arms
 from rolamento.errors import InputError
+from rolamento.static import race_stiffness
 
 
 @pytest.mark.parametrize(
@@ -31,12 +31,11 @@ def test_polynomials_follow_the_exact_stiffness(
     )
     p = case_parameters(case_218.replace(bearing=bearing))
     angles = np.linspace(0.0, np.pi / 2, 200)
-    inner = exact_stiffness(bearing, angles, "inner")
-    outer = exact_stiffness(bearing, angles, "outer")
+    stiffness = race_stiffness(bearing, angles)
     for first, exact in (
-        (rows.INNER_STIFFNESS, inner),
-        (rows.OUTER_STIFFNESS, outer),
-        (rows.SERIES_STIFFNESS, series_stiffness(inner, outer)),
+        (rows.INNER_STIFFNESS, stiffness.inner),
+        (rows.OUTER_STIFFNESS, stiffness.outer),
+        (rows.SERIES_STIFFNESS, stiffness.combined),
     ):
         fitted = np.polynomial.polynomial.polyval(np.cos(angles), p[first : first + 7])
         np.testing.assert_allclose(fitted, exact, rtol=tolerance)

@@ -11,7 +11,7 @@ from rolamento.bearing import Bearing
 from rolamento.contact.hertz import HertzContact, effective_modulus, elliptical_contact
 from rolamento.equilibrium import rows
 from rolamento.geometry import Race, race_curvature
-from rolamento.kinematics import BallMotion, ball_motion
+from rolamento.kinematics import BallMotion, ball_motion, jones_control, spin_resistance
 
 Floats = NDArray[np.float64]
 
@@ -95,3 +95,14 @@ def hertz(bearing: Bearing, contacts: ContactTable, race: Race) -> HertzContact:
     )
     modulus = effective_modulus(bearing.ring_material, bearing.ball_material)
     return elliptical_contact(contacts.load, curvature.rolling, curvature.across, modulus)
+
+
+def criterion(bearing: Bearing, table: BallTable) -> NDArray[np.int64]:
+    """Which race controls every ball by Jones's criterion: codes (cases, balls)."""
+    inner, outer = hertz(bearing, table.inner, "inner"), hertz(bearing, table.outer, "outer")
+    return jones_control(
+        spin_resistance(inner.load, inner.semi_major, inner.ellipticity),
+        spin_resistance(outer.load, outer.semi_major, outer.ellipticity),
+        table.inner.contact_angle,
+        table.outer.contact_angle,
+    )

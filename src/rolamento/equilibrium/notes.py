@@ -14,9 +14,9 @@ import numpy as np
 
 from rolamento.duty import AXES
 from rolamento.equilibrium.batch_state import BatchState
-from rolamento.equilibrium.detail import hertz
+from rolamento.equilibrium.detail import criterion
 from rolamento.equilibrium.problem import ring_arms
-from rolamento.kinematics import RacewayControl, friction_demand, jones_control, spin_resistance
+from rolamento.kinematics import RacewayControl, friction_demand
 from rolamento.state import BallState, ContactState, State
 
 STATIC_PRESSURE_LIMIT: Final = 4.2e9
@@ -170,7 +170,7 @@ def _control(state: State, batch: BatchState) -> Iterator[str]:
             )
         return
     against = RacewayControl.INNER if assumed == "outer" else RacewayControl.OUTER
-    verdict = _criterion(batch)
+    verdict = criterion(batch.bearing, batch.balls())[0].tolist()
     contradicted = [
         ball
         for ball, code in zip(state.balls, verdict, strict=True)
@@ -182,20 +182,6 @@ def _control(state: State, batch: BatchState) -> Iterator[str]:
             f'(azimuth {_azimuths(contradicted)}); model.raceway_control = "jones" decides '
             "ball by ball."
         )
-
-
-def _criterion(batch: BatchState) -> list[int]:
-    table = batch.balls()
-    inner = hertz(batch.bearing, table.inner, "inner")
-    outer = hertz(batch.bearing, table.outer, "outer")
-    codes = jones_control(
-        spin_resistance(inner.load, inner.semi_major, inner.ellipticity),
-        spin_resistance(outer.load, outer.semi_major, outer.ellipticity),
-        table.inner.contact_angle,
-        table.outer.contact_angle,
-    )
-    verdict: list[int] = codes[0].tolist()
-    return verdict
 
 
 def _gyroscopic_slip(state: State) -> Iterator[str]:

@@ -11,11 +11,11 @@ from numpy.typing import NDArray
 
 from rolamento.bearing import Bearing
 from rolamento.case import Case
-from rolamento.contact.hertz import contact_stiffness, effective_modulus, series_stiffness
 from rolamento.equilibrium import rows
-from rolamento.geometry import Race, race_curvature, ring_geometry
+from rolamento.geometry import ring_geometry
 from rolamento.kinematics import ball_mass
 from rolamento.model import Model
+from rolamento.static import race_stiffness
 
 Floats = NDArray[np.float64]
 
@@ -89,18 +89,7 @@ def _stiffness_polynomials(bearing: Bearing) -> Floats:
     count = rows.COEFFICIENTS
     chebyshev = np.cos(np.pi * (np.arange(count) + 0.5) / count)
     cosines = LEAST_ANGLE_COSINE + 0.5 * (1.0 - LEAST_ANGLE_COSINE) * (1.0 + chebyshev)
-    inner = exact_stiffness(bearing, np.arccos(cosines), "inner")
-    outer = exact_stiffness(bearing, np.arccos(cosines), "outer")
+    exact = race_stiffness(bearing, np.arccos(cosines))
     powers = np.vander(cosines, count, increasing=True)
-    values = np.stack([inner, outer, series_stiffness(inner, outer)], axis=1)
+    values = np.stack([exact.inner, exact.outer, exact.combined], axis=1)
     return np.asarray(np.linalg.solve(powers, values).T, dtype=np.float64)
-
-
-def exact_stiffness(bearing: Bearing, contact_angle: Floats, race: Race) -> Floats:
-    """Hertz stiffness K of a ball on a race at given contact angles; N/m^1.5."""
-    conformity = bearing.inner_conformity if race == "inner" else bearing.outer_conformity
-    curvature = race_curvature(
-        bearing.ball_diameter, bearing.pitch_diameter, conformity, contact_angle, race
-    )
-    modulus = effective_modulus(bearing.ring_material, bearing.ball_material)
-    return contact_stiffness(curvature.rolling, curvature.across, modulus)

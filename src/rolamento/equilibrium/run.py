@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 from rolamento.bearing import Bearing
 from rolamento.equilibrium import accept, rows
 from rolamento.equilibrium.batch import solve_cases
-from rolamento.equilibrium.detail import ball_table, hertz
+from rolamento.equilibrium.detail import ball_table, criterion
 from rolamento.equilibrium.problem import Floats
-from rolamento.kinematics import RacewayControl, jones_control, spin_resistance
+from rolamento.kinematics import RacewayControl
 
 _log = logging.getLogger("rolamento")
 
@@ -170,24 +170,11 @@ def ball_azimuths(p: Floats, balls: int) -> Floats:
     return np.where(wrapped < 2.0 * np.pi, wrapped, 0.0)
 
 
-def criterion(
-    bearing: Bearing, p: Floats, control: Floats, solution: Solution
-) -> NDArray[np.int64]:
-    """Which race controls every ball by Jones's criterion, at a solution; (cases, balls)."""
-    table = ball_table(
-        p,
-        control,
-        solution.displacement,
-        solution.position,
-        ball_azimuths(p, bearing.ball_count),
-    )
-    inner, outer = hertz(bearing, table.inner, "inner"), hertz(bearing, table.outer, "outer")
-    return jones_control(
-        spin_resistance(inner.load, inner.semi_major, inner.ellipticity),
-        spin_resistance(outer.load, outer.semi_major, outer.ellipticity),
-        table.inner.contact_angle,
-        table.outer.contact_angle,
-    )
+def _verdict(bearing: Bearing, p: Floats, control: Floats, solution: Solution) -> NDArray[np.int64]:
+    """Jones's criterion for every ball at a solution; (cases, balls)."""
+    azimuth = ball_azimuths(p, bearing.ball_count)
+    table = ball_table(p, control, solution.displacement, solution.position, azimuth)
+    return criterion(bearing, table)
 
 
 def solve_by_jones(
@@ -205,7 +192,7 @@ def solve_by_jones(
     flips = np.zeros((cases, balls), np.int64)
     solution = solve_columns(p, control, balls, threads=threads, fast=fast)
     for _ in range(JONES_PASSES):
-        verdict = criterion(bearing, p, control, solution)
+        verdict = _verdict(bearing, p, control, solution)
         decided = (verdict != RacewayControl.INDETERMINATE) & (flips < JONES_FLIPS)
         wanted = np.where(decided, verdict, control)
         wanted[solution.code != accept.CONVERGED] = control[solution.code != accept.CONVERGED]
@@ -219,6 +206,6 @@ def solve_by_jones(
         part.iterations += solution.iterations[changed]
         part.safe |= solution.safe[changed]
         solution.put(changed, part)
-    verdict = criterion(bearing, p, control, solution)
+    verdict = _verdict(bearing, p, control, solution)
     confirmed = np.where(verdict == control, verdict, RacewayControl.INDETERMINATE)
     return solution, control, confirmed.astype(np.int64)
