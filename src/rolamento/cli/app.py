@@ -2,16 +2,21 @@
 
 from __future__ import annotations
 
-import os
 import sys
-from collections.abc import Iterator
-from contextlib import contextmanager
-from enum import StrEnum
-from typing import TYPE_CHECKING, Annotated, Final
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 import rolamento
+from rolamento.cli.common import (
+    NO_RESULT,
+    SOLVED,
+    Language,
+    LanguageOption,
+    plain_endings,
+    same_file,
+    words_of,
+)
 from rolamento.cli.optional_value import SolveCommand
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
 from rolamento.errors import FileError, InputError
@@ -20,11 +25,6 @@ if TYPE_CHECKING:
     from rolamento.report.language import Words
 
 __all__ = ["app", "main"]
-
-_SOLVED: Final = 0
-_NO_RESULT: Final = 1
-_WRONG_INPUT: Final = 2
-_INTERRUPTED: Final = 130
 
 app = typer.Typer(
     help="Ball bearing analysis: ball loads, contact angles, stresses, displacements, stiffness.",
@@ -37,19 +37,6 @@ app = typer.Typer(
 )
 
 
-class Language(StrEnum):
-    """The languages of reports."""
-
-    pt = "pt"
-    en = "en"
-
-
-LanguageOption = Annotated[
-    Language | None,
-    typer.Option("--lang", help="Language of the report; by default that of the locale."),
-]
-
-
 def main() -> None:
     """Run the command line."""
     app(prog_name="rolamento")
@@ -58,7 +45,7 @@ def main() -> None:
 def _print_version(wanted: bool) -> None:
     if wanted:
         print_text(f"rolamento {rolamento.__version__}\n")
-        raise typer.Exit(_SOLVED)
+        raise typer.Exit(SOLVED)
 
 
 @app.callback()
@@ -98,11 +85,11 @@ def solve(
     lang: LanguageOption = None,
 ) -> None:
     """Show the internal state of a bearing under its duty."""
-    with _plain_endings(lang):
+    with plain_endings(lang):
         _check_outputs(case, json, csv)
         solved = _solved(rolamento.load_case(case, settings or ()), lang)
         _show(solved, json, csv, lang)
-    raise typer.Exit(_SOLVED if solved.status.converged else _NO_RESULT)
+    raise typer.Exit(SOLVED if solved.status.converged else NO_RESULT)
 
 
 @app.command()
@@ -116,32 +103,13 @@ def demo(
     """Solve the shipped example: a 218 bearing at 10 000 rpm under combined load."""
     from rolamento.cli import demonstration
 
-    with _plain_endings(lang):
+    with plain_endings(lang):
         if write is not None:
-            print_text(demonstration.written(write, _words(lang)))
+            print_text(demonstration.written(write, words_of(lang)))
             return
         example = demonstration.example_case()
         _show(_solved(example, lang), None, None, lang)
-        print_text(demonstration.what_next(_words(lang)))
-
-
-@contextmanager
-def _plain_endings(lang: Language | None) -> Iterator[None]:
-    """Turn wrong input and Ctrl-C into one line and an exit code; a bug stays a traceback."""
-    try:
-        yield
-    except InputError as error:
-        complain(str(error))
-        raise typer.Exit(_WRONG_INPUT) from None
-    except KeyboardInterrupt:
-        complain(_words(lang).interrupted)
-        raise typer.Exit(_INTERRUPTED) from None
-
-
-def _words(lang: Language | None) -> Words:
-    from rolamento.report.language import words_for
-
-    return words_for(lang.value if lang else None)
+        print_text(demonstration.what_next(words_of(lang)))
 
 
 def _check_outputs(case: str, json: str | None, csv: str | None) -> None:
@@ -150,15 +118,8 @@ def _check_outputs(case: str, json: str | None, csv: str | None) -> None:
         where = "standard output" if json == STANDARD_STREAM else json
         raise InputError("only one of --json and --csv can go there", source=where)
     for path in (json, csv):
-        if path is not None and _same_file(path, case):
+        if path is not None and same_file(path, case):
             raise FileError("is the case file itself; choose another name", source=path)
-
-
-def _same_file(path: str, case: str) -> bool:
-    try:
-        return path != STANDARD_STREAM and os.path.samefile(path, case)
-    except (OSError, ValueError):
-        return False
 
 
 def _solved(case: rolamento.Case, lang: Language | None) -> rolamento.State:
@@ -169,7 +130,7 @@ def _solved(case: rolamento.Case, lang: Language | None) -> rolamento.State:
         return solve(case)
     from rolamento.cli.waiting import told
 
-    with told(_words(lang).waiting):
+    with told(words_of(lang).waiting):
         return solve(case)
 
 
@@ -182,9 +143,9 @@ def _show(state: rolamento.State, json: str | None, csv: str | None, lang: Langu
 
         put(ball_csv(state), csv)
     if STANDARD_STREAM not in (json, csv):
-        _print_report(state, _words(lang))
+        _print_report(state, words_of(lang))
     elif not state.status.converged:
-        words, status = _words(lang), state.status
+        words, status = words_of(lang), state.status
         complain(": ".join(part for part in (words.reason(status), words.advice(status)) if part))
 
 

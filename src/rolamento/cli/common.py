@@ -1,0 +1,75 @@
+"""What the commands share: languages, exit codes, and how a command ends."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager
+from enum import StrEnum
+from typing import TYPE_CHECKING, Annotated, Final
+
+import typer
+
+from rolamento.cli.streams import STANDARD_STREAM, complain
+from rolamento.errors import InputError
+
+if TYPE_CHECKING:
+    from rolamento.report.language import Words
+
+__all__ = [
+    "INTERRUPTED",
+    "NO_RESULT",
+    "SOLVED",
+    "WRONG_INPUT",
+    "Language",
+    "LanguageOption",
+    "plain_endings",
+    "same_file",
+    "words_of",
+]
+
+SOLVED: Final = 0
+NO_RESULT: Final = 1
+WRONG_INPUT: Final = 2
+INTERRUPTED: Final = 130
+
+
+class Language(StrEnum):
+    """The languages of reports."""
+
+    pt = "pt"
+    en = "en"
+
+
+LanguageOption = Annotated[
+    Language | None,
+    typer.Option("--lang", help="Language of the report; by default that of the locale."),
+]
+
+
+@contextmanager
+def plain_endings(lang: Language | None) -> Iterator[None]:
+    """Turn wrong input and Ctrl-C into one line and an exit code; a bug stays a traceback."""
+    try:
+        yield
+    except InputError as error:
+        complain(str(error))
+        raise typer.Exit(WRONG_INPUT) from None
+    except KeyboardInterrupt:
+        complain(words_of(lang).interrupted)
+        raise typer.Exit(INTERRUPTED) from None
+
+
+def words_of(lang: Language | None) -> Words:
+    """Return the words of a language, or of the locale."""
+    from rolamento.report.language import words_for
+
+    return words_for(lang.value if lang else None)
+
+
+def same_file(path: str, other: str) -> bool:
+    """Tell whether two paths lead to one file."""
+    try:
+        return path != STANDARD_STREAM and os.path.samefile(path, other)
+    except (OSError, ValueError):
+        return False

@@ -1,0 +1,108 @@
+"""How every figure looks: sizes for print, colours that colour-blind readers can tell apart.
+
+The colours are those of Okabe and Ito (2008), "Color Universal Design"; each comes with a line
+style and a marker of its own, so that a figure can be read in black and white.
+"""
+
+from __future__ import annotations
+
+from contextlib import AbstractContextManager
+from typing import Any, Final, NamedTuple
+
+from matplotlib import rc_context
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.projections.polar import PolarAxes
+
+__all__ = [
+    "INNER",
+    "OUTER",
+    "SERIES",
+    "Series",
+    "new_figure",
+    "new_polar_figure",
+    "series",
+    "styled",
+]
+
+MILLIMETRE: Final = 1.0 / 25.4
+WIDTH: Final = 150.0
+"""Width of a figure across a page, in mm."""
+
+
+class Series(NamedTuple):
+    """How one of several lines is drawn."""
+
+    color: str
+    linestyle: Any
+    marker: str
+
+    def keywords(self, *, markers: bool = False) -> dict[str, Any]:
+        """Return keyword arguments for `Axes.plot`."""
+        drawn: dict[str, Any] = {"color": self.color, "linestyle": self.linestyle}
+        return {**drawn, "marker": self.marker} if markers else drawn
+
+
+SERIES: Final = (
+    Series("#0072B2", "-", "o"),
+    Series("#D55E00", "--", "s"),
+    Series("#009E73", "-.", "^"),
+    Series("#CC79A7", ":", "D"),
+    Series("#E69F00", (0, (5, 1, 1, 1, 1, 1)), "v"),
+    Series("#56B4E9", (0, (7, 2)), "P"),
+    Series("#000000", (0, (1, 1)), "X"),
+)
+INNER: Final = SERIES[0]
+OUTER: Final = SERIES[1]
+
+_STYLE: Final[Any] = {
+    "figure.dpi": 100.0,
+    "savefig.dpi": 200.0,
+    "figure.constrained_layout.use": True,
+    "font.size": 9.0,
+    "axes.titlesize": 9.5,
+    "axes.labelsize": 9.0,
+    "legend.fontsize": 8.0,
+    "legend.frameon": False,
+    "xtick.labelsize": 8.0,
+    "ytick.labelsize": 8.0,
+    "axes.grid": True,
+    "grid.color": "#D0D0D0",
+    "grid.linewidth": 0.5,
+    "axes.axisbelow": True,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "lines.linewidth": 1.4,
+    "lines.markersize": 4.0,
+    "image.cmap": "cividis",
+    "svg.hashsalt": "rolamento",
+}
+
+
+def styled() -> AbstractContextManager[None]:
+    """Return a context in which new figures look like ours; use it with ``with``."""
+    context: AbstractContextManager[None] = rc_context(_STYLE)
+    return context
+
+
+def new_figure(*, width: float = WIDTH, height: float = 90.0) -> tuple[Figure, Axes]:
+    """Return a figure, sizes in mm, and its axes; no window and no global state."""
+    with styled():
+        figure = Figure(figsize=(width * MILLIMETRE, height * MILLIMETRE))
+        return figure, figure.add_subplot()
+
+
+def new_polar_figure(*, width: float = 110.0, height: float = 100.0) -> tuple[Figure, PolarAxes]:
+    """Return a figure with polar axes, zero at the top (+z), growing toward +y (to the right)."""
+    with styled():
+        figure = Figure(figsize=(width * MILLIMETRE, height * MILLIMETRE))
+        axes = figure.add_subplot(projection="polar")
+        assert isinstance(axes, PolarAxes)
+        axes.set_theta_zero_location("N")
+        axes.set_theta_direction(-1)
+        return figure, axes
+
+
+def series(index: int) -> Series:
+    """Return how the line of an index is drawn; after the last the cycle begins anew."""
+    return SERIES[index % len(SERIES)]
