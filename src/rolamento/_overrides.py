@@ -7,12 +7,14 @@ displacement for a load) takes its place.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
-from typing import Any, Final, Literal, get_origin
+from collections.abc import Iterable, Iterator, Mapping
+from types import UnionType
+from typing import Annotated, Any, Final, Literal, Union, get_args, get_origin
 
 from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
+from rolamento.arrangement import Preload
 from rolamento.duty import AXES, LOADS
 from rolamento.errors import InputError, UnknownKeyError, nearest
 from rolamento.material import Material
@@ -27,13 +29,24 @@ _LONGEST_SETTING: Final = 300
 Path = tuple[str, ...]
 
 
-def _rivals() -> dict[Path, Path]:
-    pairs: list[tuple[Path, Path]] = [
-        (("bearing", "contact_angle"), ("bearing", "diametral_clearance"))
+_SHORTHANDS: Final = (Material, Preload)
+"""Tables that may be given as text as well."""
+
+
+def _rivals() -> dict[Path, tuple[Path, ...]]:
+    preload = ("bearing", "preload")
+    groups: list[tuple[Path, ...]] = [
+        (("bearing", "contact_angle"), ("bearing", "diametral_clearance")),
+        (("bearing", "arrangement"), ("bearing", "rows")),
+        tuple((*preload, name) for name in Preload.model_fields),
     ]
     for axis, load in zip(AXES, LOADS, strict=True):
-        pairs.append((("duty", "load", load), ("duty", "displacement", axis)))
-    return {one: other for pair in pairs for one, other in (pair, pair[::-1])}
+        groups.append((("duty", "load", load), ("duty", "displacement", axis)))
+    rivals = {
+        one: tuple(other for other in group if other != one) for group in groups for one in group
+    }
+    rivals["bearing", "rows"] += (("bearing", "spacing"),)
+    return rivals
 
 
 _RIVALS: Final = _rivals()
@@ -64,9 +77,9 @@ def overridden(
     for setting in settings:
         path, text = _split(setting)
         value = _value(text, _field(path, model))
-        rival = _RIVALS.get(path)
-        if rival is not None and rival not in paths:
-            _remove(result, rival)
+        for rival in _RIVALS.get(path, ()):
+            if rival not in paths:
+                _remove(result, rival)
         _put(result, path, value)
         paths.add(path)
     return result, frozenset(".".join(path) for path in paths)
@@ -87,7 +100,7 @@ def _field(path: Path, model: type[BaseModel]) -> FieldInfo:
     for depth in range(2, len(path) + 1):
         field = _found(path, depth, _fields_of(field))
     inner = _fields_of(field)
-    if inner and field.annotation is not Material:
+    if inner and _table(field) not in _SHORTHANDS:
         raise InputError(
             f"is a table; set one of its fields: {', '.join(inner)}",
             field=".".join(path),
@@ -105,10 +118,25 @@ def _found(path: Path, depth: int, fields: Mapping[str, FieldInfo]) -> FieldInfo
 
 
 def _fields_of(field: FieldInfo) -> dict[str, FieldInfo]:
-    annotation = field.annotation
-    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
-        return annotation.model_fields
-    return {}
+    table = _table(field)
+    return {} if table is None else table.model_fields
+
+
+def _table(field: FieldInfo) -> type[BaseModel] | None:
+    """Return the record that a field holds, also one that may be absent."""
+    for annotation in (field.annotation, *_parts(field.annotation)):
+        if isinstance(annotation, type) and issubclass(annotation, BaseModel):
+            return annotation
+    return None
+
+
+def _parts(annotation: object) -> Iterator[object]:
+    """Go through what a union and an annotated type are made of."""
+    if get_origin(annotation) not in (Annotated, Union, UnionType):
+        return
+    for part in get_args(annotation):
+        yield part
+        yield from _parts(part)
 
 
 def _unknown(path: Path, depth: int, fields: Mapping[str, FieldInfo]) -> UnknownKeyError:
@@ -127,7 +155,7 @@ def _value(text: str, field: FieldInfo) -> object:
     """Return the value that a setting's text stands for, as a file would have held it."""
     if len(text) >= 2 and text[0] == text[-1] and text[0] in "\"'":
         return text[1:-1]
-    if field.annotation in (str, Material) or get_origin(field.annotation) is Literal:
+    if field.annotation is str or _table(field) is not None or _is_choice(field):
         return text
     if text in ("true", "false"):
         return text == "true"
@@ -137,6 +165,11 @@ def _value(text: str, field: FieldInfo) -> object:
         except ValueError:
             continue
     return text
+
+
+def _is_choice(field: FieldInfo) -> bool:
+    kinds = (field.annotation, *_parts(field.annotation))
+    return any(get_origin(kind) is Literal for kind in kinds)
 
 
 def _put(mapping: dict[str, Any], path: Path, value: object) -> None:

@@ -13,13 +13,17 @@ import operator
 import unicodedata
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Annotated, Final, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Final, Literal
 
 from pydantic import AfterValidator, BeforeValidator, Field, GetCoreSchemaHandler, ValidationInfo
 from pydantic_core import CoreSchema, core_schema
 
 from rolamento.errors import InputError, UnitError
 from rolamento.units import Dimension, from_si, to_si
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
 
 __all__ = ["AT_THE_BORDER", "Count", "Line", "Quantity", "Ratio", "at_the_border"]
 
@@ -28,7 +32,7 @@ AT_THE_BORDER: Final = {"border": True}
 
 Relation = Literal["above", "at_least", "below", "at_most"]
 
-_RELATIONS: Final[dict[Relation, tuple[str, Callable[[float, float], bool]]]] = {
+_RELATIONS: Final[dict[Relation, tuple[str, Callable[[Any, float], Any]]]] = {
     "above": ("greater than", operator.gt),
     "at_least": ("at least", operator.ge),
     "below": ("less than", operator.lt),
@@ -84,6 +88,10 @@ class Quantity:
             ),
         )
 
+    def allows(self, values: NDArray[np.float64]) -> NDArray[np.bool_]:
+        """Tell which of the SI values are finite and within the bounds."""
+        return _within(values, self._bounds())
+
     def _validated(self, value: object, info: ValidationInfo) -> float:
         if isinstance(value, str):
             return _checked_bounds(to_si(value, self.dimension), value, self._bounds())
@@ -110,17 +118,45 @@ class Quantity:
         }
 
 
-def Ratio(  # noqa: N802 - reads as a type where it is used
-    *, above: float | None = None, at_least: float | None = None, at_most: float | None = None
-) -> BeforeValidator:
-    """Return the annotation of a float field without a dimension."""
-    limits: dict[Relation, float | None] = {
-        "above": above,
-        "at_least": at_least,
-        "at_most": at_most,
-    }
-    bounds = {name: (limit, f"{limit:g}") for name, limit in limits.items() if limit is not None}
-    return BeforeValidator(lambda value: _checked_bounds(_number(value), value, bounds))
+@dataclass(frozen=True, slots=True)
+class Ratio:
+    """Annotation of a float field without a dimension."""
+
+    above: float | None = None
+    at_least: float | None = None
+    at_most: float | None = None
+
+    def __get_pydantic_core_schema__(
+        self, source: object, handler: GetCoreSchemaHandler
+    ) -> CoreSchema:
+        """Tell pydantic to read the field with this object."""
+        return core_schema.no_info_plain_validator_function(self._validated)
+
+    def allows(self, values: NDArray[np.float64]) -> NDArray[np.bool_]:
+        """Tell which of the values are finite and within the bounds."""
+        return _within(values, self._bounds())
+
+    def _validated(self, value: object) -> float:
+        return _checked_bounds(_number(value), value, self._bounds())
+
+    def _bounds(self) -> dict[Relation, tuple[float, str]]:
+        limits: dict[Relation, float | None] = {
+            "above": self.above,
+            "at_least": self.at_least,
+            "at_most": self.at_most,
+        }
+        return {name: (limit, f"{limit:g}") for name, limit in limits.items() if limit is not None}
+
+
+def _within(
+    values: NDArray[np.float64], bounds: dict[Relation, tuple[float, str]]
+) -> NDArray[np.bool_]:
+    import numpy as np
+
+    inside = np.isfinite(values)
+    for relation, (limit, _) in bounds.items():
+        inside &= _RELATIONS[relation][1](values, limit)
+    return inside
 
 
 def _whole_number(value: object) -> object:

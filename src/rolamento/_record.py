@@ -26,6 +26,9 @@ _RULES: Final = {
     "string_too_long": "must be at most {max_length} characters long",
     "greater_than_equal": "must be at least {ge}",
     "less_than_equal": "must be at most {le}",
+    "too_short": "must have at least {min_length}, and has {actual_length}",
+    "too_long": "must have at most {max_length}",
+    "tuple_type": "must be a list",
     "literal_error": "must be one of {expected}",
     "model_type": "must be a table",
     "model_attributes_type": "must be a table",
@@ -151,5 +154,7 @@ def _example(parent: type[BaseModel] | None, path: tuple[str, ...]) -> str:
     if field is None or not field.examples:
         return ""
     example = field.examples[0]
-    text = f'"{example}"' if isinstance(example, str) else str(example).lower()
+    is_text = isinstance(example, str) and not example.startswith("[")
+    text = f'"{example}"' if is_text else str(example)
+    text = text.lower() if isinstance(example, bool) else text
     return f"{path[-1]} = {text}"

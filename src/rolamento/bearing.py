@@ -1,26 +1,31 @@
-"""The internal geometry of one row of balls."""
+"""The internal geometry of a bearing: one row of balls, or a set of rows on one shaft."""
 
 from __future__ import annotations
 
 import math
-from typing import Annotated, Self
+from functools import lru_cache
+from typing import Annotated, Any, Final, NamedTuple, Self
 
 from pydantic import Field, model_validator
 
 from rolamento._quantity import Count, Quantity, Ratio
 from rolamento._record import Record
+from rolamento.arrangement import ARRANGEMENTS, Arrangement, PreloadField, Row
 from rolamento.errors import InputError
 from rolamento.material import DEFAULT_MATERIAL, Material, MaterialField
 from rolamento.units import from_si
 
-__all__ = ["Bearing"]
+__all__ = ["Bearing", "RowPlace"]
+
+MOST_ROWS: Final = 32
+_SET_FIELDS: Final = ("arrangement", "spacing", "rows", "preload")
 
 _Conformity = Annotated[float, Ratio(at_least=0.501, at_most=1.0)]
 _ShoulderHeight = Annotated[float, Quantity("length", above="0 mm", at_most="1 m")]
 
 
 class Bearing(Record):
-    """One row of balls between two grooved rings, by its internal geometry.
+    """A row of balls between two grooved rings, by its internal geometry, or a set of rows.
 
     Exactly one of `contact_angle` and `diametral_clearance` is given: the first for an
     angular-contact bearing, whose axial displacement then counts from first contact,
@@ -48,6 +53,16 @@ class Bearing(Record):
     inner_shoulder_height, outer_shoulder_height
         Height of the shoulder above the bottom of the groove, in m; without it, nobody
         checks whether the contact runs over the shoulder.
+    arrangement
+        Of a set of equal bearings that share the shaft: ``"DB"``, ``"DF"``, ``"DT"`` … (see
+        `rolamento.arrangement.ARRANGEMENTS`); x = 0 is then in the middle of the set.
+    spacing
+        Axial distance between neighbouring rows of an arrangement, in m.
+    rows
+        Instead of an arrangement, the rows one by one.
+    preload
+        A `Preload`, for sets with rows that face each other; none if not given: the unloaded
+        balls of every row just touch.
 
     Raises
     ------
@@ -74,6 +89,27 @@ class Bearing(Record):
     ball_material: MaterialField = Field(default_factory=lambda data: data["ring_material"])
     inner_shoulder_height: _ShoulderHeight | None = Field(None, examples=["4.5 mm"])
     outer_shoulder_height: _ShoulderHeight | None = Field(None, examples=["4.5 mm"])
+    arrangement: Arrangement | None = Field(None, examples=["DB"])
+    spacing: Annotated[float, Quantity("length", above="0 mm", at_most="10 m")] | None = Field(
+        None, examples=["24 mm"]
+    )
+    rows: tuple[Row, ...] | None = Field(
+        None,
+        min_length=1,
+        max_length=MOST_ROWS,
+        examples=['[{ orientation = "+", position = "0 mm" }]'],
+    )
+    preload: PreloadField | None = Field(None, examples=["500 N"])
+
+    @property
+    def is_set(self) -> bool:
+        """Whether the bearing is more than one plain row."""
+        return self.arrangement is not None or self.rows is not None
+
+    @property
+    def places(self) -> tuple[RowPlace, ...]:
+        """The rows of balls along +x, each as a bearing of one row; one if it is no set."""
+        return _places(self)
 
     @model_validator(mode="after")
     def _consistent(self) -> Self:
@@ -81,6 +117,7 @@ class Bearing(Record):
         self._check_angle_or_clearance()
         self._check_clearance()
         self._check_shoulders()
+        self._check_set()
         return self
 
     def _check_that_balls_fit(self) -> None:
@@ -143,6 +180,72 @@ class Bearing(Record):
                     value=from_si(height, "length"),
                     example=f'{name} = "{_rounded_length(0.2 * self.ball_diameter)}"',
                 )
+
+    def _check_set(self) -> None:
+        if self.arrangement is not None and self.rows is not None:
+            raise InputError(
+                "is given beside the rows one by one; give one",
+                field="arrangement",
+                value=self.arrangement,
+                example='arrangement = "DB" without rows',
+            )
+        if (self.arrangement is None) != (self.spacing is None):
+            missing, beside = (
+                ("spacing", "arrangement") if self.spacing is None else ("arrangement", "spacing")
+            )
+            raise InputError(
+                f"is missing beside {beside}",
+                field=missing,
+                example='arrangement = "DB" with spacing = "24 mm"',
+            )
+        signs = {place.sign for place in self.places}
+        if self.preload is not None and len(signs) < 2:
+            raise InputError(
+                "needs rows that face each other: these all carry load toward one side",
+                field="preload",
+                example='arrangement = "DB"',
+            )
+
+
+class RowPlace(NamedTuple):
+    """One row of a bearing: its geometry, +1 or -1 for the way it faces, its place."""
+
+    bearing: Bearing
+    sign: float
+    position: float
+    phase: float
+
+
+@lru_cache(maxsize=1024)
+def _places(bearing: Bearing) -> tuple[RowPlace, ...]:
+    rows = _rows(bearing)
+    if rows is None:
+        return (RowPlace(bearing, 1.0, 0.0, 0.0),)
+    plain: dict[str, Any] = dict.fromkeys(_SET_FIELDS)
+    places = []
+    for index, row in enumerate(rows):
+        try:
+            own = row.own
+            if "contact_angle" in own:
+                own["diametral_clearance"] = None
+            alone = bearing.replace(**plain, **own)
+        except InputError as error:
+            raise error.with_details(field=f"rows.{index}.{error.field}") from None
+        sign = 1.0 if row.orientation == "+" else -1.0
+        places.append(RowPlace(alone, sign, row.position, row.phase))
+    return tuple(places)
+
+
+def _rows(bearing: Bearing) -> tuple[Row, ...] | None:
+    if bearing.arrangement is None:
+        return bearing.rows
+    orientations = ARRANGEMENTS[bearing.arrangement]
+    spacing = bearing.spacing or 0.0
+    first = -0.5 * spacing * (len(orientations) - 1)
+    return tuple(
+        Row(orientation=orientation, position=first + spacing * index)
+        for index, orientation in enumerate(orientations)
+    )
 
 
 def _rounded_length(value: float) -> str:

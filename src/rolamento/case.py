@@ -197,8 +197,16 @@ def _toml_lines(table: Mapping[str, Any], name: str) -> list[str]:
     values = {key: value for key, value in table.items() if not isinstance(value, dict)}
     tables = {key: value for key, value in table.items() if isinstance(value, dict)}
     lines = ["", f"[{name}]"] if name and values else []
-    # Strings of one line and plain numbers are written alike in TOML and JSON.
-    lines += [f"{key} = {json.dumps(value, ensure_ascii=False)}" for key, value in values.items()]
+    lines += [f"{key} = {_toml_value(value)}" for key, value in values.items()]
     for key, inner in tables.items():
         lines += _toml_lines(inner, f"{name}.{key}" if name else key)
     return lines
+
+
+def _toml_value(value: object) -> str:
+    if isinstance(value, list | tuple):
+        return f"[{', '.join(map(_toml_value, value))}]"
+    if isinstance(value, dict):
+        return f"{{ {', '.join(f'{key} = {_toml_value(inner)}' for key, inner in value.items())} }}"
+    # Strings of one line and plain numbers are written alike in TOML and JSON.
+    return json.dumps(value, ensure_ascii=False)

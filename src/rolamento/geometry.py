@@ -10,8 +10,8 @@ Sources: Harris, Rolling Bearing Analysis, 3rd ed. (1991), chapter 2; Jones (196
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import cos, pi, sin
-from typing import Literal, Protocol
+from math import pi, sin
+from typing import Literal, NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -205,22 +205,69 @@ def ring_geometry(bearing: BearingGeometry) -> RingGeometry:
     ValueError : if both or neither of contact angle and clearance are given, or the angle is
         outside [0, 90°), or the clearance is too wide for the grooves to be taken up axially.
     """
-    inner_length = (bearing.inner_conformity - 0.5) * bearing.ball_diameter
-    outer_length = (bearing.outer_conformity - 0.5) * bearing.ball_diameter
-    distance = inner_length + outer_length
+    distance = bearing.ball_diameter * (bearing.inner_conformity + bearing.outer_conformity - 1.0)
     angle, clearance = _angle_and_clearance(bearing, distance)
-    from_angle = bearing.contact_angle is not None
+    places = groove_places(
+        bearing.ball_diameter,
+        bearing.pitch_diameter,
+        bearing.inner_conformity,
+        bearing.outer_conformity,
+        contact_angle=bearing.contact_angle,
+        diametral_clearance=bearing.diametral_clearance,
+    )
+    inner_length, outer_length, axial, radial, groove_radius = map(float, places)
     return RingGeometry(
         inner_length=inner_length,
         outer_length=outer_length,
-        axial_offset=distance * sin(angle) if from_angle else 0.0,
-        radial_offset=distance * cos(angle) if from_angle else distance - 0.5 * clearance,
-        inner_groove_radius=0.5 * bearing.pitch_diameter + inner_length * cos(angle),
+        axial_offset=axial,
+        radial_offset=radial,
+        inner_groove_radius=groove_radius,
         free_contact_angle=angle,
-        one_sided=from_angle and angle > 0.0,
+        one_sided=bearing.contact_angle is not None and angle > 0.0,
         diametral_clearance=clearance,
         endplay=2.0 * distance * sin(angle),
     )
+
+
+class GroovePlaces(NamedTuple):
+    """Where the grooves' centres lie, as the fields of `RingGeometry` have it; arrays, m."""
+
+    inner_length: FloatArray
+    outer_length: FloatArray
+    axial_offset: FloatArray
+    radial_offset: FloatArray
+    inner_groove_radius: FloatArray
+
+
+def groove_places(
+    ball_diameter: ArrayLike,
+    pitch_diameter: ArrayLike,
+    inner_conformity: ArrayLike,
+    outer_conformity: ArrayLike,
+    *,
+    contact_angle: ArrayLike | None = None,
+    diametral_clearance: ArrayLike | None = None,
+) -> GroovePlaces:
+    """Groove lengths, offsets of the groove centres, and the circle of the inner ones; m.
+
+    Parameters: arrays that broadcast; m, rad. Without a contact angle the bearing is given by
+    its clearance, and centred. Returns arrays of the broadcast shape; NaN where no contact angle
+    takes up the clearance. Harris (1991), chapter 2; Radaelli (2013) eqs. 22, 65, 66, 81.
+    """
+    diameter = np.asarray(ball_diameter, dtype=np.float64)
+    inner = (np.asarray(inner_conformity) - 0.5) * diameter
+    outer = (np.asarray(outer_conformity) - 0.5) * diameter
+    distance = inner + outer
+    if contact_angle is not None:
+        angle = np.asarray(contact_angle, dtype=np.float64)
+        axial, radial = distance * np.sin(angle), distance * np.cos(angle)
+    else:
+        assert diametral_clearance is not None
+        clearance = np.asarray(diametral_clearance, dtype=np.float64)
+        angle = free_contact_angle(clearance, distance)
+        axial, radial = 0.0 * distance, distance - 0.5 * clearance
+    radius = 0.5 * np.asarray(pitch_diameter) + inner * np.cos(angle)
+    return GroovePlaces(*np.broadcast_arrays(inner, outer, axial, radial, radius))
 
 
 def _angle_and_clearance(bearing: BearingGeometry, distance: float) -> tuple[float, float]:

@@ -1,9 +1,10 @@
 """The layout of the solver's arrays: what stands in which row.
 
-A case is a column of `PARAMETERS` numbers in SI units, ring rotations and moments excepted:
-these are carried as arm times angle (m) and moment over arm (N), with the arm R_i of the inner
-groove's centres, so that the ring's equations have one unit. The vector kernels work on `LANES`
-cases at a time: a row is a run of `LANES` numbers, and `lanes(row)` says where it starts.
+A case is a column of `COLUMN` numbers in SI units, of which the kernels read `PARAMETERS`. Ring
+rotations and moments are carried as arm times angle (m) and moment over arm (N), with the arm R_i
+of the inner groove's centres, so that the ring's equations have one unit. The vector kernels work
+on `LANES` cases at a time: a row is a run of `LANES` numbers, and `lanes(row)` says where it
+starts.
 """
 
 from __future__ import annotations
@@ -40,6 +41,8 @@ APPLIED: Final = 37  # five loads: fx, fy, fz, my / R_i, mz / R_i
 IMPOSED: Final = 42  # five displacements: x, y, z, ry R_i, rz R_i
 FREE: Final = 47  # five flags: 1 where the load is given, 0 where the displacement is
 PARAMETERS: Final = 52
+MODULUS: Final = 52  # E', which the kernels do not read: the contacts' ellipses need it
+COLUMN: Final = 53  # the whole column of a case
 
 # --- the ring's workspace: the case's parameters, then ----------------------------------------
 DISPLACEMENT: Final = PARAMETERS

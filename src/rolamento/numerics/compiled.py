@@ -24,6 +24,7 @@ R = TypeVar("R")
 
 _VECTORISABLE = {"reassoc", "arcp", "contract", "afn", "nsz"}
 _ROOMS = ("numerics", "equilibrium")  # where kernels and their formulas live
+_CONSTANTS = frozenset({"compiled", "rows"})  # files without kernels that shape them
 
 
 class Kernel(Generic[P, R]):
@@ -116,6 +117,7 @@ def _discard_stale_caches() -> None:
     """
     package = Path(__file__).resolve().parent.parent
     sources = [source for room in _ROOMS for source in (package / room).glob("*.py")]
+    sources = [source for source in sources if _is_compiled(source)]
     newest = max(source.stat().st_mtime for source in sources)
     for room in _ROOMS:
         for index in (package / room / "__pycache__").glob("*.nbi"):
@@ -124,3 +126,8 @@ def _discard_stale_caches() -> None:
                     index.unlink()
             except OSError:  # another process was faster, or the folder is read-only
                 continue
+
+
+def _is_compiled(source: Path) -> bool:
+    """Tell whether a file holds kernels, or constants that they were compiled with."""
+    return source.stem in _CONSTANTS or "numerics.compiled" in source.read_text("utf-8")
