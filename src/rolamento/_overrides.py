@@ -7,13 +7,13 @@ displacement for a load) takes its place.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
-from types import UnionType
-from typing import Annotated, Any, Final, Literal, Union, get_args, get_origin
+from collections.abc import Iterable, Mapping
+from typing import Any, Final, Literal, get_args, get_origin
 
 from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
+from rolamento._record import record_of
 from rolamento.arrangement import Preload
 from rolamento.duty import AXES, LOADS
 from rolamento.errors import InputError, UnknownKeyError, nearest
@@ -100,7 +100,7 @@ def _field(path: Path, model: type[BaseModel]) -> FieldInfo:
     for depth in range(2, len(path) + 1):
         field = _found(path, depth, _fields_of(field))
     inner = _fields_of(field)
-    if inner and _table(field) not in _SHORTHANDS:
+    if inner and record_of(field.annotation) not in _SHORTHANDS:
         raise InputError(
             f"is a table; set one of its fields: {', '.join(inner)}",
             field=".".join(path),
@@ -118,25 +118,8 @@ def _found(path: Path, depth: int, fields: Mapping[str, FieldInfo]) -> FieldInfo
 
 
 def _fields_of(field: FieldInfo) -> dict[str, FieldInfo]:
-    table = _table(field)
-    return {} if table is None else table.model_fields
-
-
-def _table(field: FieldInfo) -> type[BaseModel] | None:
-    """Return the record that a field holds, also one that may be absent."""
-    for annotation in (field.annotation, *_parts(field.annotation)):
-        if isinstance(annotation, type) and issubclass(annotation, BaseModel):
-            return annotation
-    return None
-
-
-def _parts(annotation: object) -> Iterator[object]:
-    """Go through what a union and an annotated type are made of."""
-    if get_origin(annotation) not in (Annotated, Union, UnionType):
-        return
-    for part in get_args(annotation):
-        yield part
-        yield from _parts(part)
+    table = record_of(field.annotation)
+    return {} if table is None or get_origin(field.annotation) is tuple else table.model_fields
 
 
 def _unknown(path: Path, depth: int, fields: Mapping[str, FieldInfo]) -> UnknownKeyError:
@@ -155,7 +138,7 @@ def _value(text: str, field: FieldInfo) -> object:
     """Return the value that a setting's text stands for, as a file would have held it."""
     if len(text) >= 2 and text[0] == text[-1] and text[0] in "\"'":
         return text[1:-1]
-    if field.annotation is str or _table(field) is not None or _is_choice(field):
+    if field.annotation is str or record_of(field.annotation) is not None or _is_choice(field.annotation):
         return text
     if text in ("true", "false"):
         return text == "true"
@@ -167,9 +150,8 @@ def _value(text: str, field: FieldInfo) -> object:
     return text
 
 
-def _is_choice(field: FieldInfo) -> bool:
-    kinds = (field.annotation, *_parts(field.annotation))
-    return any(get_origin(kind) is Literal for kind in kinds)
+def _is_choice(annotation: object) -> bool:
+    return get_origin(annotation) is Literal or any(map(_is_choice, get_args(annotation)))
 
 
 def _put(mapping: dict[str, Any], path: Path, value: object) -> None:

@@ -7,7 +7,8 @@ exceptions reaches a user.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any, Final, NoReturn, Self, cast
+from types import UnionType
+from typing import Annotated, Any, Final, NoReturn, Self, Union, get_args, get_origin
 
 from pydantic import BaseModel, ConfigDict, ValidationError
 from pydantic_core import ErrorDetails
@@ -15,7 +16,7 @@ from pydantic_core import ErrorDetails
 from rolamento._quantity import AT_THE_BORDER
 from rolamento.errors import ABSENT, InputError, UnknownKeyError, nearest
 
-__all__ = ["Record"]
+__all__ = ["Record", "record_of"]
 
 _RULES: Final = {
     "missing": "is missing",
@@ -135,17 +136,26 @@ def _unknown_key(path: tuple[str, ...], parent: type[BaseModel] | None) -> Unkno
 
 
 def _model_at(model: type[BaseModel], path: tuple[str, ...]) -> type[BaseModel] | None:
-    """Return the record type that a path of field names leads to."""
+    """Return the record type that a path of field names, and places in lists, leads to."""
     for name in path:
+        if name.isdigit():
+            continue
         field = model.model_fields.get(name)
-        if field is None or not _is_record(field.annotation):
+        found = record_of(field.annotation) if field is not None else None
+        if found is None:
             return None
-        model = cast(type[BaseModel], field.annotation)
+        model = found
     return model
 
 
-def _is_record(annotation: object) -> bool:
-    return isinstance(annotation, type) and issubclass(annotation, BaseModel)
+def record_of(annotation: object) -> type[BaseModel] | None:
+    """Return the record that a field holds, also where it may be absent or one of a list."""
+    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
+        return annotation
+    if get_origin(annotation) not in (Annotated, Union, UnionType, tuple):
+        return None
+    found = (record_of(part) for part in get_args(annotation))
+    return next((record for record in found if record is not None), None)
 
 
 def _example(parent: type[BaseModel] | None, path: tuple[str, ...]) -> str:

@@ -13,7 +13,6 @@ A solve that finds no equilibrium raises nothing: its result carries a status.
 
 from __future__ import annotations
 
-import copy
 import difflib
 from collections.abc import Iterable
 from typing import Any, Final, Self
@@ -117,14 +116,15 @@ class InputError(RolamentoError, ValueError):
         line: int | None = None,
     ) -> Self:
         """Return the same error with the given details filled in."""
-        known = copy.copy(self)
-        given = {"field": field, "example": example, "source": source, "line": line}
-        for name, detail in given.items():
-            if detail is not None:
-                setattr(known, name, detail)
-        if value is not ABSENT:
-            known.value = value
-        return known
+        # not copy.copy: what Dask registers for exceptions shares their attributes
+        return type(self)(
+            self.rule,
+            field=self.field if field is None else field,
+            value=self.value if value is ABSENT else value,
+            example=self.example if example is None else example,
+            source=self.source if source is None else source,
+            line=self.line if line is None else line,
+        )
 
 
 class FileError(InputError):

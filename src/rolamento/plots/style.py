@@ -6,8 +6,10 @@ style and a marker of its own, so that a figure can be read in black and white.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from contextlib import AbstractContextManager
-from typing import Any, Final, NamedTuple
+from functools import wraps
+from typing import Any, Final, NamedTuple, ParamSpec, TypeVar
 
 from matplotlib import rc_context
 from matplotlib.axes import Axes
@@ -19,11 +21,16 @@ __all__ = [
     "OUTER",
     "SERIES",
     "Series",
+    "in_style",
     "new_figure",
     "new_polar_figure",
+    "new_stacked_figure",
     "series",
     "styled",
 ]
+
+Parameters = ParamSpec("Parameters")
+Result = TypeVar("Result")
 
 MILLIMETRE: Final = 1.0 / 25.4
 WIDTH: Final = 150.0
@@ -75,6 +82,8 @@ _STYLE: Final[Any] = {
     "lines.linewidth": 1.4,
     "lines.markersize": 4.0,
     "image.cmap": "cividis",
+    "hatch.linewidth": 0.6,
+    "pdf.fonttype": 42,
     "svg.hashsalt": "rolamento",
 }
 
@@ -85,11 +94,32 @@ def styled() -> AbstractContextManager[None]:
     return context
 
 
+def in_style(draw: Callable[Parameters, Result]) -> Callable[Parameters, Result]:
+    """Make what a function draws look like ours, on axes of others as well."""
+
+    @wraps(draw)
+    def drawn(*args: Parameters.args, **keywords: Parameters.kwargs) -> Result:
+        with styled():
+            return draw(*args, **keywords)
+
+    return drawn
+
+
 def new_figure(*, width: float = WIDTH, height: float = 90.0) -> tuple[Figure, Axes]:
     """Return a figure, sizes in mm, and its axes; no window and no global state."""
     with styled():
         figure = Figure(figsize=(width * MILLIMETRE, height * MILLIMETRE))
-        return figure, figure.add_subplot()
+        return figure, _own_style(figure.add_subplot())
+
+
+def new_stacked_figure(
+    count: int, *, width: float = WIDTH, height: float = 130.0
+) -> tuple[Figure, tuple[Axes, ...]]:
+    """Return a figure, sizes in mm, and axes one below the other."""
+    with styled():
+        figure = Figure(figsize=(width * MILLIMETRE, height * MILLIMETRE))
+        places = range(1, count + 1)
+        return figure, tuple(_own_style(figure.add_subplot(count, 1, place)) for place in places)
 
 
 def new_polar_figure(*, width: float = 110.0, height: float = 100.0) -> tuple[Figure, PolarAxes]:
@@ -100,7 +130,15 @@ def new_polar_figure(*, width: float = 110.0, height: float = 100.0) -> tuple[Fi
         assert isinstance(axes, PolarAxes)
         axes.set_theta_zero_location("N")
         axes.set_theta_direction(-1)
+        _own_style(axes)
         return figure, axes
+
+
+def _own_style(axes: Axes) -> Axes:
+    """Pin what matplotlib would otherwise take from the settings of whoever saves the figure."""
+    axes.tick_params(labelsize=_STYLE["xtick.labelsize"])
+    axes.grid(True, color=_STYLE["grid.color"], linewidth=_STYLE["grid.linewidth"])
+    return axes
 
 
 def series(index: int) -> Series:
