@@ -1,0 +1,203 @@
+"""A turn of the cage: its record, its clock, its frequencies, one ball's history, failures."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from rolamento import Case, Duty, InputError, Load, load_case, solve, solve_batch
+from rolamento.plots.cage_turn import cage_turn_figure
+from rolamento.studies.cage_turn import CageTurn, cage_turn
+
+RPM = np.pi / 30.0
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _compiled(case_218: Case) -> None:
+    """Load the compiled kernels first: few cases alone would run as plain Python, slowly."""
+    solve_batch(case_218, fx=np.full(100, 1e4))
+
+
+@pytest.fixture(scope="module")
+def turn(case_218: Case) -> CageTurn:
+    return cage_turn(case_218, points=32)
+
+
+def with_speeds(case: Case, inner: float, outer: float, **load: float) -> Case:
+    given = Load(**load) if load else case.duty.load
+    duty = Duty(inner_speed=inner * RPM, outer_speed=outer * RPM, load=given)
+    return case.replace(duty=duty)
+
+
+def test_the_points_lie_evenly_over_one_pitch_without_its_end(turn: CageTurn) -> None:
+    assert turn.period == pytest.approx(2 * np.pi / 16)
+    np.testing.assert_allclose(turn.angle, turn.period * np.arange(32) / 32)
+    assert turn.displacement.shape == turn.load.shape == (32, 5)
+    assert turn.stiffness.shape == (32, 5, 5)
+    assert turn.inner_load.shape == turn.outer_load.shape == (32, 16)
+    assert len(turn) == 32
+    assert turn.converged
+    assert turn.advice is None
+
+
+def test_every_instant_is_what_solve_finds(case_218: Case, turn: CageTurn) -> None:
+    duty = case_218.duty.replace(first_ball_azimuth=float(turn.angle[5]))
+    state = solve(case_218.replace(duty=duty))
+    np.testing.assert_allclose(turn.displacement[5], state.displacement, atol=1e-13)
+    np.testing.assert_allclose(turn.load[5], state.load, atol=1e-6)
+    np.testing.assert_allclose(turn.stiffness[5], state.stiffness, rtol=1e-7, atol=1.0)
+    np.testing.assert_allclose(turn.inner_load[5], [ball.inner.load for ball in state.balls])
+
+
+def test_the_history_of_one_ball_holds_what_each_ball_meets(case_218: Case, turn: CageTurn) -> None:
+    duty = case_218.duty.replace(first_ball_azimuth=float(turn.angle[5]))
+    (history,) = turn.histories
+    for ball in solve(case_218.replace(duty=duty)).balls:
+        step = int(np.argmin(np.abs(history.azimuth - ball.azimuth)))
+        assert history.azimuth[step] == pytest.approx(ball.azimuth, abs=1e-9)
+        for race in ("inner", "outer"):
+            found, expected = getattr(history, race), getattr(ball, race)
+            assert found.load[step] == pytest.approx(expected.load)
+            assert found.contact_angle[step] == pytest.approx(expected.contact_angle)
+            assert found.max_pressure[step] == pytest.approx(expected.max_pressure)
+
+
+def test_the_heaviest_load_is_met_on_the_load_line(turn: CageTurn) -> None:
+    (history,) = turn.histories
+    for contact in (history.inner, history.outer):
+        assert contact.load[contact.heaviest] == contact.load.max()
+        assert history.azimuth[contact.heaviest] == 0.0
+
+
+# --- the cage and the clock -------------------------------------------------------------------
+
+
+def test_at_low_speed_the_passage_frequency_is_the_textbook_one(case_218: Case) -> None:
+    """Z/2 (n_i (1 - γ) + n_o (1 + γ)) with γ of the loaded contact angle: Harris (1991), ch. 8."""
+    for inner, outer in ((30.0, 0.0), (0.0, 30.0), (30.0, -10.0), (-30.0, 0.0)):
+        turned = cage_turn(with_speeds(case_218, inner, outer, fx=10e3), points=4)
+        angle = turned.histories[0].inner.contact_angle[0]
+        gamma = 22.23 / 125.26 * np.cos(angle)
+        expected = 8.0 * abs(inner / 60.0 * (1.0 - gamma) + outer / 60.0 * (1.0 + gamma))
+        assert turned.passage_frequency == pytest.approx(expected, rel=1e-5)
+        np.testing.assert_allclose(turned.frequencies, turned.passage_frequency * np.arange(1, 2))
+        assert np.sign(turned.cage_speed.mean) == np.sign(inner + outer)
+
+
+@pytest.mark.parametrize("rpm", [6000.0, -6000.0])
+def test_the_clock_runs_with_the_balls(case_218: Case, rpm: float) -> None:
+    """Between two instants the first ball moves as a body that turns about +x does."""
+    turned = cage_turn(with_speeds(case_218, rpm, 0.0), points=16)
+    order = np.argsort(turned.time)
+    assert turned.time[0] == 0.0
+    np.testing.assert_allclose(np.diff(turned.time[order]), turned.time[order][1])
+    assert turned.time.max() < 1.0 / turned.passage_frequency
+    first, second = np.unwrap(turned.angle[order][1:3])
+    step = turned.time[order][2] - turned.time[order][1]
+    place = np.array([0.0, np.sin(first), np.cos(first)])
+    spin = np.array([turned.cage_speed.mean, 0.0, 0.0])
+    moved = np.array([0.0, np.sin(second), np.cos(second)]) - place
+    assert np.dot(moved / step, np.cross(spin, place)) > 0.99 * turned.cage_speed.mean**2
+
+
+def test_the_cage_speed_is_the_mean_of_the_loaded_balls(turn: CageTurn, case_218: Case) -> None:
+    speed = turn.cage_speed
+    assert speed.least < speed.mean < speed.greatest
+    orbits = [ball.orbital_speed for ball in solve(case_218).balls]
+    assert speed.mean == pytest.approx(np.mean(orbits), rel=1e-3)
+    assert speed.spread == pytest.approx((max(orbits) - min(orbits)) / np.mean(orbits), rel=1e-2)
+
+
+def test_balls_without_load_have_no_say_in_the_cage_speed(examples: Path) -> None:
+    """With clearance the inner ring leaves balls behind, whose orbits mean nothing."""
+    turned = cage_turn(load_case(examples / "209_radial.toml", ["duty.inner_speed=500 rpm"]))
+    assert turned.inner_load.min() == 0.0 < turned.outer_load.min()
+    rolling = 0.5 * 500 * RPM * (1.0 - 12.7 / 65.0)
+    assert turned.cage_speed.mean == pytest.approx(rolling, rel=1e-3)
+    assert turned.cage_speed.spread < 0.01
+
+
+def test_at_standstill_there_is_no_time_and_no_frequency(examples: Path) -> None:
+    turned = cage_turn(load_case(examples / "209_radial.toml"), points=8)
+    assert turned.converged
+    assert np.isnan(turned.passage_frequency)
+    assert np.isnan(turned.time).all()
+    assert np.isnan(turned.frequencies).all()
+    assert turned.cage_speed.mean == 0.0
+
+
+def test_orders_count_by_the_revolution_of_the_cage(turn: CageTurn) -> None:
+    np.testing.assert_array_equal(turn.orders, 16 * np.arange(1, 16))
+    np.testing.assert_allclose(
+        turn.frequencies, turn.orders * turn.cage_speed.mean / (2 * np.pi), rtol=1e-12
+    )
+
+
+def test_the_first_harmonic_is_the_amplitude_of_the_wave(turn: CageTurn) -> None:
+    """Nearly a sine: half of peak to peak."""
+    variation = turn.variation("displacement")
+    amplitude = np.abs(variation.harmonics[0, :3])
+    np.testing.assert_allclose(2.0 * amplitude, variation.peak_to_peak[:3], rtol=1e-2)
+
+
+# --- without a result -------------------------------------------------------------------------
+
+
+def test_a_turn_without_a_result_says_why_and_invents_nothing(case_218: Case) -> None:
+    turned = cage_turn(case_218.replace(duty=Duty(load=Load(fx="-1 N"))), points=8)
+    assert not turned.converged
+    assert set(turned.status) == {"no_equilibrium"}
+    assert turned.advice is not None
+    assert "axial" in turned.advice
+    for quantity in ("displacement", "load", "stiffness"):
+        variation = turned.variation(quantity)
+        assert np.isnan(variation.mean).all()
+        assert np.isnan(variation.peak_to_peak).all()
+        assert np.isnan(variation.harmonics).all()
+    assert np.isnan(turned.cage_speed.mean)
+    assert np.isnan(turned.passage_frequency)
+    assert turned.histories[0].inner.heaviest == -1
+
+
+@pytest.mark.parametrize("points", [0, 3, 4097, -1])
+def test_the_number_of_points_has_bounds(case_218: Case, points: int) -> None:
+    with pytest.raises(InputError, match="must be 4 to 4096"):
+        cage_turn(case_218, points=points)
+
+
+# --- the figure -------------------------------------------------------------------------------
+
+
+def panel(figure: Any, title: str) -> Any:
+    (found,) = [
+        axes for axes in figure.axes if title in (axes.get_title(), axes.get_title(loc="left"))
+    ]
+    return found
+
+
+def test_the_figure_shows_the_variation_about_the_mean(turn: CageTurn) -> None:
+    figure = cage_turn_figure(turn)
+    lines = panel(figure, "Displacement of the inner ring").get_lines()
+    assert [line.get_label() for line in lines] == ["x", "y", "z"]
+    drawn = lines[0].get_ydata()
+    assert len(drawn) == 33
+    assert np.ptp(drawn) == pytest.approx(1e6 * np.ptp(turn.displacement[:, 0]))
+    assert np.mean(drawn[:-1]) == pytest.approx(0.0, abs=1e-9)
+    polar = panel(figure, "Load of one ball on its way round (kN)")
+    assert np.max(polar.get_lines()[0].get_ydata()) == pytest.approx(1e-3 * turn.inner_load.max())
+
+
+def test_the_figure_of_what_does_not_vary_says_so(case_218: Case) -> None:
+    figure = cage_turn_figure(cage_turn(with_speeds(case_218, 1e4, 0.0, fx=2e4), points=8), "pt")
+    texts = [text.get_text() for axes in figure.axes for text in axes.texts]
+    assert texts.count("sem variação") == 3
+
+
+def test_the_figure_without_a_result_is_empty_and_says_so(case_218: Case) -> None:
+    failed = cage_turn(case_218.replace(duty=Duty(load=Load(fx="-1 N"))), points=8)
+    figure = cage_turn_figure(failed)
+    texts = [text.get_text() for axes in figure.axes for text in axes.texts]
+    assert texts.count("no point has a result") == 3
