@@ -81,7 +81,7 @@ def warm_up() -> None:
 def measure_kernels(cases: int, repeats: int) -> Findings:
     """The compiled part alone, one thread, and within it the evaluation of a ball."""
     case = duty_sets.example()
-    p = spread(case, duty_sets.some(duty_sets.tilts_held(), cases))
+    p = spread(case, duty_sets.some(duty_sets.tilts_held(), cases)).rows[0].p
     control, balls = np.ones((1, case.bearing.ball_count)), case.bearing.ball_count
     kernels = seconds(lambda: solve_columns(p, control, balls, threads=1), repeats)
     group = "kernels, tilts held"
@@ -114,7 +114,7 @@ def _pass_over_balls(w: Floats, b: Floats, passes: int) -> None:
 def _filled_lanes() -> tuple[Floats, Floats]:
     """The workspace of the ring and of its balls, one solved case of the duty set in each lane."""
     case = duty_sets.example()
-    p = spread(case, duty_sets.tilts_held(rows.LANES))
+    p = spread(case, duty_sets.tilts_held(rows.LANES)).rows[0].p
     balls = case.bearing.ball_count
     solution = solve_columns(p, np.ones((1, balls)), balls, threads=1)
     azimuth = 2.0 * np.pi * np.arange(balls)[:, np.newaxis] / balls

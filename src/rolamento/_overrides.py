@@ -138,7 +138,8 @@ def _value(text: str, field: FieldInfo) -> object:
     """Return the value that a setting's text stands for, as a file would have held it."""
     if len(text) >= 2 and text[0] == text[-1] and text[0] in "\"'":
         return text[1:-1]
-    if field.annotation is str or record_of(field.annotation) is not None or _is_choice(field.annotation):
+    kind = field.annotation
+    if kind is str or record_of(kind) is not None or _is_choice(kind):
         return text
     if text in ("true", "false"):
         return text == "true"

@@ -15,7 +15,7 @@ from rolamento.errors import InputError
 from rolamento.material import DEFAULT_MATERIAL, Material, MaterialField
 from rolamento.units import from_si
 
-__all__ = ["Bearing", "RowPlace"]
+__all__ = ["Bearing", "RowPlace", "balls_fit", "clearance_fits"]
 
 MOST_ROWS: Final = 32
 _SET_FIELDS: Final = ("arrangement", "spacing", "rows", "preload")
@@ -129,8 +129,8 @@ class Bearing(Record):
                 value=from_si(self.pitch_diameter, "length"),
                 example='pitch_diameter = "125.26 mm"',
             )
-        ratio = self.ball_diameter / self.pitch_diameter
-        if ratio > math.sin(math.pi / self.ball_count):
+        if not balls_fit(self.ball_count, self.ball_diameter, self.pitch_diameter):
+            ratio = self.ball_diameter / self.pitch_diameter
             room = math.floor(math.pi / math.asin(ratio))
             raise InputError(
                 f"balls of {from_si(self.ball_diameter, 'length')} do not fit on a pitch circle"
@@ -160,7 +160,7 @@ class Bearing(Record):
         if self.diametral_clearance is None:
             return
         groove_distance = self.ball_diameter * (self.inner_conformity + self.outer_conformity - 1.0)
-        if not -groove_distance / 4 < self.diametral_clearance < 2 * groove_distance:
+        if not clearance_fits(self.diametral_clearance, groove_distance):
             least, most = (_rounded_length(f * groove_distance) for f in (-0.25, 2.0))
             raise InputError(
                 f"must be greater than {least} and less than {most}"
@@ -205,6 +205,16 @@ class Bearing(Record):
                 field="preload",
                 example='arrangement = "DB"',
             )
+
+
+def balls_fit(count: int, ball_diameter: Any, pitch_diameter: Any) -> Any:
+    """Whether neighbouring balls on the pitch circle do not overlap; numbers or arrays."""
+    return ball_diameter / pitch_diameter <= math.sin(math.pi / count)
+
+
+def clearance_fits(clearance: Any, groove_distance: Any) -> Any:
+    """Whether a clearance can be taken up, or an interference stay elastic; numbers or arrays."""
+    return (-groove_distance / 4 < clearance) & (clearance < 2 * groove_distance)
 
 
 class RowPlace(NamedTuple):

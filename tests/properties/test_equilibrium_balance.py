@@ -122,7 +122,7 @@ def lambda_inner(case: Case, batch: BatchState) -> Floats:
     """The inner race's share λ_i of the gyroscopic moment, ball by ball; λ_o is the rest of 2."""
     if case.model.raceway_control == "none":
         return np.ones(batch.raceway_control.shape)
-    return np.where(batch._control < 0, 2.0, 0.0)
+    return np.where(batch.rows[0].control < 0, 2.0, 0.0)
 
 
 def forces(case: Case, batch: BatchState) -> dict[str, Floats]:

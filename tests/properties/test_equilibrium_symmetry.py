@@ -194,6 +194,7 @@ def test_starting_with_another_ball_permutes_the_balls(
 ) -> None:
     other = dict(duty)
     other["first_ball_azimuth"] += 2.0 * np.pi * pitches / bearing.ball_count
+    other["first_ball_azimuth"] %= 2.0 * np.pi
     straight, shifted = both(bearing, duty, other, control)
     close_ring(bearing, shifted, straight.displacement[0], straight.load[0])
     order = (np.arange(bearing.ball_count) + pitches) % bearing.ball_count

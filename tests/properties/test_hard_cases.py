@@ -209,7 +209,7 @@ def test_balls_lie_where_they_can(solutions: list[tuple[Hard, BatchState]]) -> N
         assert (side * inner.contact_angle >= -slack)[clear].all(), hard.number
         # outer control and no counter-rotation: centrifugal force turns the inner angle up
         same_way = (hard.fields["inner_speed"] * hard.fields["outer_speed"] >= 0.0)[:, np.newaxis]
-        outer_control = (batch._control > 0.0) & (hard.case.model.raceway_control != "none")
+        outer_control = (batch.rows[0].control > 0.0) & (hard.case.model.raceway_control != "none")
         ordered = side * (inner.contact_angle - outer.contact_angle) >= -slack
         assert ordered[clear & same_way & outer_control].all(), hard.number
 
@@ -240,7 +240,7 @@ def test_the_safe_path_finds_the_same(solutions: list[tuple[Hard, BatchState]]) 
     for hard, batch in solutions[::2]:
         if hard.case.model.raceway_control == "jones":
             continue  # the order in which balls change over is part of the path
-        safe = solve_columns_of(hard.case, spread(hard.case, hard.fields), fast=False)
+        safe = solve_columns_of(spread(hard.case, hard.fields), fast=False)
         done = batch.converged & safe.converged & hard.ordinary
         compared += int(done.sum())
         heaviest = batch.balls().outer.load.max(axis=1)

@@ -42,16 +42,16 @@ def test_polynomials_follow_the_exact_stiffness(
 
 
 def test_a_batch_repeats_the_case(case_218: Case) -> None:
-    p = spread(case_218, {"fz": [1.0, 2.0, 3.0]})
+    p = spread(case_218, {"fz": [1.0, 2.0, 3.0]}).rows[0].p
     single = case_parameters(case_218)
-    assert p.shape == (rows.PARAMETERS, 3)
+    assert p.shape == (rows.COLUMN, 3)
     np.testing.assert_array_equal(p[rows.APPLIED + 2], [1.0, 2.0, 3.0])
-    others = np.arange(rows.PARAMETERS) != rows.APPLIED + 2
+    others = np.arange(rows.COLUMN) != rows.APPLIED + 2
     np.testing.assert_array_equal(p[others], np.repeat(single[others, np.newaxis], 3, axis=1))
 
 
 def test_loads_free_and_displacements_hold(case_218: Case) -> None:
-    p = spread(case_218, {"my": [5.0, 6.0], "x": 1e-5})
+    p = spread(case_218, {"my": [5.0, 6.0], "x": 1e-5}).rows[0].p
     arm = ring_arms(p)[3]
     np.testing.assert_array_equal(p[rows.FREE : rows.FREE + 5, 0], [0, 1, 1, 1, 0])
     np.testing.assert_allclose(p[rows.APPLIED + 3] * arm, [5.0, 6.0])

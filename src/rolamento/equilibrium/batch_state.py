@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Final
+from dataclasses import dataclass, fields
+from functools import reduce
+from typing import Any, Final, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from rolamento.bearing import Bearing
+from rolamento.contact.hertz import HertzContact
 from rolamento.equilibrium import accept
-from rolamento.equilibrium.detail import BallTable, ball_table
-from rolamento.equilibrium.problem import Floats, ring_arms
+from rolamento.equilibrium.detail import BallTable, ball_table, hertz
+from rolamento.equilibrium.problem import Floats
+from rolamento.geometry import Race
+
+T = TypeVar("T")
 
 STATUS_NAMES: Final = {
     accept.CONVERGED: "converged",
@@ -21,6 +25,29 @@ STATUS_NAMES: Final = {
     accept.INVALID_INPUT: "invalid_input",
     accept.UNHELD_BALL: "unheld_ball",
 }
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class RowBatch:
+    """One row of balls of a batch, in the row's own frame and the scaled form of `rows`.
+
+    parameters (rows.COLUMN, cases); control and azimuth (cases, balls); position (cases, balls,
+    2); displacement (cases, 5). load: what the shaft puts on the ring through this row, in the
+    frame and about the origin of the bearing (cases, 5), N and N·m.
+    """
+
+    parameters: Floats
+    control: Floats
+    position: Floats
+    azimuth: Floats
+    displacement: Floats
+    load: Floats
+
+    def balls(self) -> BallTable:
+        """Evaluate every ball: arrays (cases, balls)."""
+        return ball_table(
+            self.parameters, self.control, self.displacement, self.position, self.azimuth
+        )
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -45,8 +72,10 @@ class BatchState:
         (cases, 5): fx, fy, fz (N), my, mz (N·m); given loads, and reactions of what is held
     stiffness
         (cases, 5, 5), derivative of the load by the displacement
-    bearing
-        that was solved
+    raceway_control
+        (cases, balls): 1 outer, -1 inner, 0 where Jones's criterion favours neither
+    rows
+        the rows of balls of a set, one by one; a plain bearing has one
     """
 
     code: NDArray[np.int64]
@@ -57,13 +86,8 @@ class BatchState:
     displacement: Floats
     load: Floats
     stiffness: Floats
-    bearing: Bearing
     raceway_control: NDArray[np.int64]
-    """(cases, balls): 1 outer, -1 inner, 0 where Jones's criterion favours neither."""
-    _parameters: Floats
-    _control: Floats
-    _position: Floats
-    _azimuth: Floats
+    rows: tuple[RowBatch, ...]
 
     def __len__(self) -> int:
         """Count the cases."""
@@ -80,7 +104,42 @@ class BatchState:
         """(cases,): the name of each case's status."""
         return np.array([STATUS_NAMES[int(code)] for code in self.code], dtype=np.str_)
 
+    @property
+    def row(self) -> NDArray[np.int64]:
+        """(balls,): the row of each ball, counted from 0."""
+        counts = [row.azimuth.shape[1] for row in self.rows]
+        return np.repeat(np.arange(len(counts)), counts)
+
     def balls(self) -> BallTable:
-        """Evaluate every ball of every case: arrays (cases, balls)."""
-        scaled = self.displacement * ring_arms(self._parameters).T
-        return ball_table(self._parameters, self._control, scaled, self._position, self._azimuth)
+        """Evaluate every ball of every case: arrays (cases, balls), row after row."""
+        return _side_by_side([row.balls() for row in self.rows])
+
+    def contact(self, race: Race, table: BallTable | None = None) -> HertzContact:
+        """Ellipse and pressure of every contact of a race: arrays (cases, balls).
+
+        table: what `balls` returns, if it is at hand.
+        """
+        table = self.balls() if table is None else table
+        contacts = table.inner if race == "inner" else table.outer
+        ends = np.cumsum([row.azimuth.shape[1] for row in self.rows])[:-1]
+        parts = []
+        for index, row in enumerate(self.rows):
+            own = _mapped(lambda array, i=index: np.split(array, ends, axis=1)[i], contacts)
+            parts.append(hertz(row.parameters, own, race))
+        return _side_by_side(parts)
+
+
+def _side_by_side(parts: list[T]) -> T:
+    """Join records of arrays (cases, balls) along the balls."""
+    return parts[0] if len(parts) == 1 else reduce(_joined, parts)
+
+
+def _joined(one: Any, other: Any) -> Any:
+    if isinstance(one, np.ndarray):
+        return np.concatenate([one, other], axis=1)
+    return type(one)(*(_joined(getattr(one, f.name), getattr(other, f.name)) for f in fields(one)))
+
+
+def _mapped(function: Any, record: T) -> T:
+    """Apply a function to every array of a record."""
+    return type(record)(*(function(getattr(record, f.name)) for f in fields(record)))  # type: ignore[arg-type]

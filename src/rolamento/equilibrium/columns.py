@@ -1,23 +1,45 @@
-"""Many duties for one case: the parameters of a batch, one column a case."""
+"""Many cases that share a bearing's rows and models: their numbers, one column a case."""
 
 from __future__ import annotations
 
-from typing import Final, TypedDict, cast
+from collections.abc import Mapping
+from dataclasses import dataclass
+from types import SimpleNamespace
+from typing import Any, Final, TypedDict
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rolamento.bearing import Bearing, RowPlace
 from rolamento.case import Case
 from rolamento.duty import AXES, LOADS
 from rolamento.equilibrium import rows
-from rolamento.equilibrium.problem import Floats, case_parameters, ring_arms
+from rolamento.equilibrium.fields import (
+    BATCH_FIELDS,
+    GEOMETRY,
+    PRELOADS,
+    SHORT_NAMES,
+    Flags,
+    consistent,
+    within_bounds,
+)
+from rolamento.equilibrium.problem import (
+    Floats,
+    apply_model,
+    bearing_column,
+    bearing_columns,
+    ring_arms,
+)
 from rolamento.errors import InputError, UnknownKeyError, nearest
 
-_SPEEDS: Final = {"inner_speed": rows.INNER_SPEED, "outer_speed": rows.OUTER_SPEED}
+_GEOMETRY_RIVALS: Final = {
+    "contact_angle": "diametral_clearance",
+    "diametral_clearance": "contact_angle",
+}
 
 
 class DutyFields(TypedDict, total=False):
-    """What a batch may vary: scalars, or arrays of one length, in SI units."""
+    """What a batch may vary by keyword: scalars, or arrays of one length, in SI units."""
 
     inner_speed: ArrayLike
     outer_speed: ArrayLike
@@ -34,61 +56,225 @@ class DutyFields(TypedDict, total=False):
     rz: ArrayLike
 
 
-def spread(case: Case, fields: DutyFields) -> Floats:
-    """Repeat the case's parameters over a batch, and put the fields in.
+@dataclass(frozen=True, slots=True)
+class RowColumns:
+    """One row of balls: its parameters (rows.COLUMN, cases), which way it faces, where it is.
 
-    fields: scalars or arrays of one length, by the names of the duty's fields, SI units.
-    Returns (rows.PARAMETERS, cases).
+    position: (cases,), m.
+    """
+
+    p: Floats
+    balls: int
+    sign: float
+    position: Floats
+
+
+@dataclass(frozen=True, slots=True)
+class Columns:
+    """Many cases of one bearing; what the ring is asked for in SI units, (5, cases).
+
+    free: whether the load is given on a degree of freedom; load, displacement: what is given.
+    preload: how the rows press on each other ("force", "offset", "spring" or ""), and how much,
+    (cases,). A column that is not valid holds NaN.
+    """
+
+    rows: tuple[RowColumns, ...]
+    free: Flags
+    load: Floats
+    displacement: Floats
+    preload: str
+    preload_value: Floats
+    control: str
+
+    @property
+    def cases(self) -> int:
+        """How many."""
+        return int(self.free.shape[1])
+
+
+def spread(case: Case, values: Mapping[str, ArrayLike]) -> Columns:
+    """Repeat a case over a batch, and put the fields in.
+
+    values: scalars or arrays of one length, by the dotted names of `fields.BATCH_FIELDS` or the
+    short names of the duty, SI units. A load frees its degree of freedom, a displacement holds
+    it; an angle takes the place of a clearance, and the other way round. Columns whose values
+    the case would refuse hold NaN.
 
     Raises
     ------
     InputError
-        For an unknown field, lengths that differ, or a load beside a displacement.
+        For an unknown field, lengths that differ, or two fields that exclude each other.
     """
-    known = (*_SPEEDS, "first_ball_azimuth", *LOADS, *AXES)
-    for name in fields:
-        if name not in known:
+    arrays = _arrays(values)
+    cases = max((array.size for array in arrays.values() if array.ndim), default=1)
+    if any(array.ndim and array.size == 0 for array in arrays.values()):
+        cases = 0
+    valid = np.ones(cases, np.bool_)
+    for name, array in arrays.items():
+        valid &= within_bounds(name, array)
+    free, load, displacement = _duty(case, arrays, cases)
+    kind, amount = _preload(case.bearing, arrays, cases)
+    columns = []
+    for place in case.bearing.places:
+        bearing = _varied(case.bearing, place, arrays)
+        held = {axis: displacement[i] for i, axis in enumerate(AXES)}
+        valid &= consistent(bearing, held, place.bearing.ball_count)
+        columns.append(_row_columns(case, place, bearing, arrays, cases))
+    for row in columns:
+        row.p[:, ~valid] = np.nan
+    if not case.bearing.is_set:
+        _put_duty(columns[0].p, free, load, displacement)
+    control = case.model.raceway_control
+    return Columns(tuple(columns), free, load, displacement, kind, amount, control)
+
+
+def _arrays(values: Mapping[str, ArrayLike]) -> dict[str, Floats]:
+    """The values by full name, checked for names, shapes and rivals."""
+    arrays: dict[str, Floats] = {}
+    for name, value in values.items():
+        field = SHORT_NAMES.get(name, name)
+        if field not in BATCH_FIELDS:
+            known = (*SHORT_NAMES, *BATCH_FIELDS)
             raise UnknownKeyError(
                 f"is not known; perhaps {nearest(name, known) or 'one of ' + ', '.join(known)}",
                 field=name,
                 example="fx=[1e3, 2e3]",
             )
-    given = cast("dict[str, ArrayLike]", fields)
-    arrays = {name: np.asarray(value, dtype=np.float64) for name, value in given.items()}
+        if field in arrays:
+            raise InputError("is given twice", field=name, example="fx=[1e3, 2e3]")
+        arrays[field] = np.asarray(value, dtype=np.float64)
     lengths = {array.shape for array in arrays.values() if array.ndim}
     if len(lengths) > 1 or any(len(shape) != 1 for shape in lengths):
         raise InputError(
             "must be scalars or one-dimensional arrays of one length",
-            field=", ".join(arrays),
+            field=", ".join(values),
             value=str(sorted(lengths)),
             example="fx=[1e3, 2e3], fz=[0.0, 500.0]",
         )
-    cases = lengths.pop()[0] if lengths else 1
-    p = np.repeat(case_parameters(case)[:, np.newaxis], cases, axis=1)
+    _refuse_rivals(arrays)
+    return arrays
+
+
+def _refuse_rivals(arrays: Mapping[str, Floats]) -> None:
+    pairs = [
+        (f"duty.displacement.{axis}", f"duty.load.{load}", "a degree of freedom takes a load or a "
+         "displacement")
+        for axis, load in zip(AXES, LOADS, strict=True)
+    ]  # fmt: skip
+    angle = "each follows from the other"
+    pairs.append(("bearing.diametral_clearance", "bearing.contact_angle", angle))
+    preload = [f"bearing.preload.{name}" for name in PRELOADS]
+    for index, one in enumerate(preload):
+        pairs += [(one, other, "a set has one preload") for other in preload[:index]]
+    for one, other, reason in pairs:
+        if one in arrays and other in arrays:
+            raise InputError(
+                f"is given beside {other}: {reason}",
+                field=one,
+                example=f"{one.split('.')[-1]} without {other.split('.')[-1]}",
+            )
+
+
+def _duty(case: Case, arrays: Mapping[str, Floats], cases: int) -> tuple[Flags, Floats, Floats]:
+    """Which degrees of freedom are free, the loads and the displacements; (5, cases) each."""
+    duty = case.duty
+    free = np.repeat(np.array(duty.free)[:, np.newaxis], cases, axis=1)
+    load = np.repeat(np.array(duty.applied_load)[:, np.newaxis], cases, axis=1)
+    displacement = np.repeat(np.array(duty.imposed_displacement)[:, np.newaxis], cases, axis=1)
+    for i, (axis, name) in enumerate(zip(AXES, LOADS, strict=True)):
+        if (given := arrays.get(f"duty.load.{name}")) is not None:
+            free[i], load[i], displacement[i] = True, given, 0.0
+        if (given := arrays.get(f"duty.displacement.{axis}")) is not None:
+            free[i], load[i], displacement[i] = False, 0.0, given
+    return free, load, displacement
+
+
+def _preload(bearing: Bearing, arrays: Mapping[str, Floats], cases: int) -> tuple[str, Floats]:
+    """How the rows press on each other, and how much; (cases,)."""
+    signs = {place.sign for place in bearing.places}
+    for name in PRELOADS:
+        given = arrays.get(f"bearing.preload.{name}")
+        if given is None:
+            continue
+        if len(signs) < 2:
+            raise InputError(
+                "needs rows that face each other",
+                field=f"bearing.preload.{name}",
+                example='arrangement = "DB"',
+            )
+        return name, np.broadcast_to(given, cases).astype(np.float64)
+    for name in PRELOADS if bearing.preload is not None else ():
+        amount = getattr(bearing.preload, name)
+        if amount is not None:
+            return name, np.full(cases, amount)
+    return "", np.zeros(cases)
+
+
+def _varied(bearing: Bearing, place: RowPlace, arrays: Mapping[str, Floats]) -> Any:
+    """The row's bearing with the arrays for its attributes; what the row has of its own stays."""
+    given = {name: arrays[f"bearing.{name}"] for name in GEOMETRY if f"bearing.{name}" in arrays}
+    own = _own_fields(bearing, place)
+    given = {name: array for name, array in given.items() if name not in own}
+    for name in list(given):
+        if name in _GEOMETRY_RIVALS:
+            given.setdefault(_GEOMETRY_RIVALS[name], None)  # type: ignore[arg-type]
+    row = place.bearing
+    rings = _material(row.ring_material, "ring_material", arrays)
+    follows = "ball_material" not in bearing.model_fields_set
+    balls = _material(rings if follows else row.ball_material, "ball_material", arrays)
+    names = (*GEOMETRY, "inner_shoulder_height", "outer_shoulder_height")
+    attributes = {name: getattr(row, name) for name in names}
+    return SimpleNamespace(**{**attributes, **given}, ring_material=rings, ball_material=balls)
+
+
+def _own_fields(bearing: Bearing, place: RowPlace) -> set[str]:
+    """What the row does not take from the set; an own angle excludes the set's clearance too."""
+    if bearing.rows is None:
+        return set()
+    own = set(bearing.rows[bearing.places.index(place)].own)
+    return own | {"diametral_clearance"} if "contact_angle" in own else own
+
+
+def _material(material: Any, part: str, arrays: Mapping[str, Floats]) -> Any:
+    names = ("youngs_modulus", "poisson_ratio", "density")
+    return SimpleNamespace(
+        **{name: arrays.get(f"bearing.{part}.{name}", getattr(material, name)) for name in names}
+    )
+
+
+def _row_columns(
+    case: Case, place: RowPlace, bearing: Any, arrays: Mapping[str, Floats], cases: int
+) -> RowColumns:
+    """A row's parameters, its speeds and first ball put in; the ring's duty is not."""
+    if any(name.startswith("bearing.") for name in arrays):
+        with np.errstate(invalid="ignore", divide="ignore"):
+            p = bearing_columns(bearing, (cases,))
+    else:
+        p = np.repeat(bearing_column(place.bearing)[:, np.newaxis], cases, axis=1)
+    apply_model(p, case.model)
+    duty = case.duty
+    p[rows.INNER_SPEED] = arrays.get("duty.inner_speed", duty.inner_speed)
+    p[rows.OUTER_SPEED] = arrays.get("duty.outer_speed", duty.outer_speed)
+    first = arrays.get("duty.first_ball_azimuth", np.asarray(duty.first_ball_azimuth))
+    p[rows.COS_FIRST] = np.cos(first + place.phase)
+    p[rows.SIN_FIRST] = np.sin(first + place.phase)
+    position = np.full(cases, place.position)
+    if "bearing.spacing" in arrays:
+        if case.bearing.spacing is None:
+            raise InputError(
+                "belongs to an arrangement, and this bearing has none",
+                field="bearing.spacing",
+                example='arrangement = "DB"',
+            )
+        position = (
+            place.position / case.bearing.spacing * arrays["bearing.spacing"] + 0.0 * position
+        )
+    return RowColumns(p, place.bearing.ball_count, place.sign, position)
+
+
+def _put_duty(p: Floats, free: Flags, load: Floats, displacement: Floats) -> None:
+    """Put what the ring is asked for into the parameters of a bearing of one row."""
     arms = ring_arms(p)
-    for name, array in arrays.items():
-        if name in _SPEEDS:
-            p[_SPEEDS[name]] = array
-        elif name == "first_ball_azimuth":
-            p[rows.COS_FIRST], p[rows.SIN_FIRST] = np.cos(array), np.sin(array)
-        elif name in LOADS:
-            _free(p, LOADS.index(name), array / arms[LOADS.index(name)])
-        else:
-            axis = AXES.index(name)
-            if LOADS[axis] in arrays:
-                raise InputError(
-                    f"is given beside {LOADS[axis]}: a degree of freedom takes a load or a "
-                    "displacement",
-                    field=name,
-                    example=f"{name} without {LOADS[axis]}",
-                )
-            _hold(p, axis, array * arms[axis])
-    return p
-
-
-def _free(p: Floats, axis: int, load: Floats) -> None:
-    p[rows.FREE + axis], p[rows.APPLIED + axis], p[rows.IMPOSED + axis] = 1.0, load, 0.0
-
-
-def _hold(p: Floats, axis: int, displacement: Floats) -> None:
-    p[rows.FREE + axis], p[rows.APPLIED + axis], p[rows.IMPOSED + axis] = 0.0, 0.0, displacement
+    p[rows.FREE : rows.FREE + 5] = free
+    p[rows.APPLIED : rows.APPLIED + 5] = load / arms
+    p[rows.IMPOSED : rows.IMPOSED + 5] = displacement * arms

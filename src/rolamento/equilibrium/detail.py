@@ -7,8 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from rolamento.bearing import Bearing
-from rolamento.contact.hertz import HertzContact, effective_modulus, elliptical_contact
+from rolamento.contact.hertz import HertzContact, elliptical_contact
 from rolamento.equilibrium import rows
 from rolamento.geometry import Race, race_curvature
 from rolamento.kinematics import BallMotion, ball_motion, jones_control, spin_resistance
@@ -87,19 +86,26 @@ def _contacts(y1: Floats, y2: Floats, column: Floats, length: int, stiffness: in
     return ContactTable(value * approach * np.sqrt(approach), np.arctan2(y1, y2), approach)
 
 
-def hertz(bearing: Bearing, contacts: ContactTable, race: Race) -> HertzContact:
-    """Ellipse and pressure of every contact of a race at its loaded angle."""
-    conformity = bearing.inner_conformity if race == "inner" else bearing.outer_conformity
+def hertz(p: Floats, contacts: ContactTable, race: Race) -> HertzContact:
+    """Ellipse and pressure of every contact of a race at its loaded angle; (cases, balls)."""
+    column = p[:, :, np.newaxis]
+    diameter = column[rows.BALL_DIAMETER]
+    length = column[rows.INNER_LENGTH if race == "inner" else rows.OUTER_LENGTH]
     curvature = race_curvature(
-        bearing.ball_diameter, bearing.pitch_diameter, conformity, contacts.contact_angle, race
+        diameter,
+        diameter / column[rows.GAMMA],
+        0.5 + length / diameter,
+        contacts.contact_angle,
+        race,
     )
-    modulus = effective_modulus(bearing.ring_material, bearing.ball_material)
-    return elliptical_contact(contacts.load, curvature.rolling, curvature.across, modulus)
+    return elliptical_contact(
+        contacts.load, curvature.rolling, curvature.across, column[rows.MODULUS]
+    )
 
 
-def criterion(bearing: Bearing, table: BallTable) -> NDArray[np.int64]:
+def criterion(p: Floats, table: BallTable) -> NDArray[np.int64]:
     """Which race controls every ball by Jones's criterion: codes (cases, balls)."""
-    inner, outer = hertz(bearing, table.inner, "inner"), hertz(bearing, table.outer, "outer")
+    inner, outer = hertz(p, table.inner, "inner"), hertz(p, table.outer, "outer")
     return jones_control(
         spin_resistance(inner.load, inner.semi_major, inner.ellipticity),
         spin_resistance(outer.load, outer.semi_major, outer.ellipticity),

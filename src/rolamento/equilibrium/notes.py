@@ -139,7 +139,7 @@ def _tilts(state: State) -> Iterator[str]:
 def _free_directions(state: State, batch: BatchState) -> Iterator[str]:
     """Directions that are under no load and have no stiffness: their displacement is any."""
     free = np.array(state.case.duty.free)
-    arms = ring_arms(batch._parameters)[:, 0]
+    arms = ring_arms(batch.rows[0].parameters)[:, 0]
     scaled = state.stiffness / np.outer(arms, arms)
     greatest = np.abs(scaled).max()
     if all(load == 0.0 for load in state.load):
@@ -170,7 +170,9 @@ def _control(state: State, batch: BatchState) -> Iterator[str]:
             )
         return
     against = RacewayControl.INNER if assumed == "outer" else RacewayControl.OUTER
-    verdict = criterion(batch.bearing, batch.balls())[0].tolist()
+    verdict = [
+        int(code) for row in batch.rows for code in criterion(row.parameters, row.balls())[0]
+    ]
     contradicted = [
         ball
         for ball, code in zip(state.balls, verdict, strict=True)

@@ -1,18 +1,19 @@
-"""From a case to the numbers that the kernels work on: one column of parameters."""
+"""From bearings and duties to the numbers that the kernels work on: a column a case."""
 
 from __future__ import annotations
 
 from functools import lru_cache
 from math import cos, sin
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rolamento.bearing import Bearing
 from rolamento.case import Case
+from rolamento.contact.hertz import effective_modulus
 from rolamento.equilibrium import rows
-from rolamento.geometry import ring_geometry
+from rolamento.geometry import groove_places
 from rolamento.kinematics import ball_mass
 from rolamento.model import Model
 from rolamento.static import race_stiffness
@@ -24,8 +25,8 @@ LEAST_ANGLE_COSINE: Final = -0.1
 
 
 def case_parameters(case: Case) -> Floats:
-    """The parameters of a case in the order of `rows`; shape (rows.PARAMETERS,), SI."""
-    p = _bearing_parameters(case.bearing).copy()
+    """The parameters of a case of one row in the order of `rows`; shape (rows.COLUMN,), SI."""
+    p = bearing_column(case.bearing).copy()
     apply_model(p, case.model)
     duty = case.duty
     p[rows.INNER_SPEED] = duty.inner_speed
@@ -54,34 +55,53 @@ def apply_model(p: Floats, model: Model) -> None:
 
 
 @lru_cache(maxsize=256)
-def _bearing_parameters(bearing: Bearing) -> Floats:
-    """What does not depend on the duty."""
-    ring = ring_geometry(bearing)
-    mass = float(ball_mass(bearing.ball_diameter, bearing.ball_material.density))
-    inner, outer, series = _stiffness_polynomials(bearing)
-    p = np.zeros(rows.PARAMETERS)
-    p[rows.OUTER_LENGTH] = ring.outer_length
-    p[rows.INNER_LENGTH] = ring.inner_length
-    p[rows.AXIAL_OFFSET] = ring.axial_offset
-    p[rows.RADIAL_OFFSET] = ring.radial_offset
-    p[rows.GAMMA] = bearing.ball_diameter / bearing.pitch_diameter
-    p[rows.CENTRIFUGAL] = 0.5 * mass * bearing.pitch_diameter
-    p[rows.GYROSCOPIC] = 0.1 * mass * bearing.pitch_diameter
-    p[rows.ARM] = ring.inner_groove_radius
-    p[rows.FRICTION_ARM] = (
-        bearing.inner_conformity * bearing.ball_diameter / ring.inner_groove_radius
-    )
-    p[rows.ONE_SIDED] = ring.one_sided
-    p[rows.BALL_DIAMETER] = bearing.ball_diameter
-    p[rows.OUTER_STIFFNESS : rows.OUTER_STIFFNESS + rows.COEFFICIENTS] = outer
-    p[rows.INNER_STIFFNESS : rows.INNER_STIFFNESS + rows.COEFFICIENTS] = inner
-    p[rows.SERIES_STIFFNESS : rows.SERIES_STIFFNESS + rows.COEFFICIENTS] = series
+def bearing_column(bearing: Bearing) -> Floats:
+    """What does not depend on the duty, of a bearing of one row; not to be written to."""
+    p = bearing_columns(bearing, ())
     p.flags.writeable = False
     return p
 
 
-def _stiffness_polynomials(bearing: Bearing) -> Floats:
-    """Coefficients of K_i, K_o and both in series as polynomials in cos α.
+def bearing_columns(bearing: Any, shape: tuple[int, ...]) -> Floats:
+    """What does not depend on the duty; (rows.COLUMN, *shape).
+
+    bearing: a `Bearing`, or an object with its attributes as arrays that broadcast to the shape.
+    """
+    diameter, pitch = bearing.ball_diameter, bearing.pitch_diameter
+    places = groove_places(
+        diameter,
+        pitch,
+        bearing.inner_conformity,
+        bearing.outer_conformity,
+        contact_angle=bearing.contact_angle,
+        diametral_clearance=bearing.diametral_clearance,
+    )
+    mass = ball_mass(diameter, bearing.ball_material.density)
+    p = np.zeros((rows.COLUMN, *shape))
+    p[rows.OUTER_LENGTH] = places.outer_length
+    p[rows.INNER_LENGTH] = places.inner_length
+    p[rows.AXIAL_OFFSET] = places.axial_offset
+    p[rows.RADIAL_OFFSET] = places.radial_offset
+    p[rows.GAMMA] = diameter / pitch
+    p[rows.CENTRIFUGAL] = 0.5 * mass * pitch
+    p[rows.GYROSCOPIC] = 0.1 * mass * pitch
+    p[rows.ARM] = places.inner_groove_radius
+    p[rows.FRICTION_ARM] = bearing.inner_conformity * diameter / places.inner_groove_radius
+    p[rows.ONE_SIDED] = bearing.contact_angle is not None and np.greater(bearing.contact_angle, 0.0)
+    p[rows.BALL_DIAMETER] = diameter
+    p[rows.MODULUS] = effective_modulus(bearing.ring_material, bearing.ball_material)
+    polynomials = _stiffness_polynomials(bearing, len(shape))
+    for row, coefficients in zip(
+        (rows.INNER_STIFFNESS, rows.OUTER_STIFFNESS, rows.SERIES_STIFFNESS),
+        polynomials,
+        strict=True,
+    ):
+        p[row : row + rows.COEFFICIENTS] = coefficients
+    return p
+
+
+def _stiffness_polynomials(bearing: Any, dimensions: int) -> tuple[Floats, ...]:
+    """Coefficients of K_i, K_o and both in series as polynomials in cos α; (7, *shape) each.
 
     The exact stiffness depends on the loaded angle through the curvatures, weakly: a polynomial
     through seven Chebyshev points keeps it within 1e-10 for D/d_m up to 0.2, 2e-9 up to 0.3.
@@ -89,7 +109,10 @@ def _stiffness_polynomials(bearing: Bearing) -> Floats:
     count = rows.COEFFICIENTS
     chebyshev = np.cos(np.pi * (np.arange(count) + 0.5) / count)
     cosines = LEAST_ANGLE_COSINE + 0.5 * (1.0 - LEAST_ANGLE_COSINE) * (1.0 + chebyshev)
-    exact = race_stiffness(bearing, np.arccos(cosines))
+    angles = np.arccos(cosines).reshape(count, *(1,) * dimensions)
+    exact = race_stiffness(bearing, angles)
     powers = np.vander(cosines, count, increasing=True)
-    values = np.stack([exact.inner, exact.outer, exact.combined], axis=1)
-    return np.asarray(np.linalg.solve(powers, values).T, dtype=np.float64)
+    return tuple(
+        np.asarray(np.linalg.solve(powers, values.reshape(count, -1)).reshape(values.shape))
+        for values in (exact.inner, exact.outer, exact.combined)
+    )

@@ -12,10 +12,9 @@ from rolamento.contact.hertz import HertzContact
 from rolamento.contact.subsurface import greatest_shear, orthogonal_shear
 from rolamento.equilibrium.advice import advise
 from rolamento.equilibrium.batch_state import STATUS_NAMES, BatchState
-from rolamento.equilibrium.detail import BallTable, ContactTable, hertz
+from rolamento.equilibrium.detail import BallTable, ContactTable
 from rolamento.equilibrium.notes import notes_on
 from rolamento.equilibrium.problem import Floats
-from rolamento.geometry import Race
 from rolamento.kinematics import RacewayControl
 from rolamento.state import (
     BallState,
@@ -38,8 +37,8 @@ def state_of(case: Case, batch: BatchState) -> State:
     converged = bool(batch.converged[0])
     table = batch.balls()
     inner_spin, outer_spin = table.motion.inner_spin_to_roll, table.motion.outer_spin_to_roll
-    inner = _contact_states(case.bearing, table.inner, "inner", inner_spin[0])
-    outer = _contact_states(case.bearing, table.outer, "outer", outer_spin[0])
+    inner = _contact_states(case.bearing, batch.contact("inner", table), table.inner, inner_spin)
+    outer = _contact_states(case.bearing, batch.contact("outer", table), table.outer, outer_spin)
     state = State(
         case=case,
         status=Status(
@@ -58,16 +57,15 @@ def state_of(case: Case, batch: BatchState) -> State:
 
 
 def _contact_states(
-    bearing: Bearing, table: ContactTable, race: Race, spin_to_roll: Floats
+    bearing: Bearing, contact: HertzContact, table: ContactTable, spin_to_roll: Floats
 ) -> list[ContactState]:
     """The contacts of the first case's balls with one race."""
-    contact = hertz(bearing, table, race)
     shear = _shears(bearing, contact)
     columns = (
         table.load, table.contact_angle, table.deflection, contact.semi_major, contact.semi_minor,
         contact.max_pressure, contact.mean_pressure, *shear,
     )  # fmt: skip
-    rows = np.stack([*(column[0] for column in columns), spin_to_roll + 0.0], axis=1)
+    rows = np.stack([*(column[0] for column in columns), spin_to_roll[0] + 0.0], axis=1)
     return [ContactState(*row) for row in rows.tolist()]
 
 
@@ -90,7 +88,7 @@ def _ball_states(
     motion = table.motion
     return tuple(
         BallState(
-            row=0,
+            row=int(row),
             azimuth=float(table.azimuth[0, j]),
             inner=inner[j],
             outer=outer[j],
@@ -101,5 +99,5 @@ def _ball_states(
             attitude=float(motion.attitude[0, j]),
             raceway_control="none" if shared else _CONTROL_NAMES[int(batch.raceway_control[0, j])],
         )
-        for j in range(case.bearing.ball_count)
+        for j, row in enumerate(batch.row)
     )

@@ -1,4 +1,4 @@
-"""Run the kernels over a batch: threads, races in control, cases with and without inertia."""
+"""Run the kernels over a batch of single rows: threads, cases with and without inertia."""
 
 from __future__ import annotations
 
@@ -6,17 +6,15 @@ import logging
 import os
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
-from typing import Any, Final
+from typing import Any, Final, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
-from rolamento.bearing import Bearing
 from rolamento.equilibrium import accept, rows
 from rolamento.equilibrium.batch import solve_cases
 from rolamento.equilibrium.detail import ball_table, criterion
 from rolamento.equilibrium.problem import Floats
-from rolamento.kinematics import RacewayControl
 
 _log = logging.getLogger("rolamento")
 
@@ -25,9 +23,6 @@ FEW: Final = 1
 """Cases that are solved without the compiler, if it has not been loaded yet."""
 LEAST_INERTIA: Final = 1e-7
 """Approach under a ball's own centrifugal force, over the groove's offset, that still counts."""
-JONES_PASSES: Final = 20
-JONES_FLIPS: Final = 4
-"""A ball that has changed its controlling race this often has none: it stays with the outer."""
 
 
 @dataclass(slots=True)
@@ -66,7 +61,7 @@ class Solution:
             self.code, self.unsupported, self.iterations, self.safe,
         )  # fmt: skip
 
-    def put(self, cases: NDArray[np.intp], part: Solution) -> None:
+    def put(self, cases: NDArray[np.intp], part: Self) -> None:
         """Copy the solution of some of the cases to their places."""
         for whole, piece in zip(self.arrays(), part.arrays(), strict=True):
             whole[cases] = piece
@@ -77,7 +72,7 @@ def solve_columns(
 ) -> Solution:
     """Solve every column of parameters.
 
-    p: (rows.PARAMETERS, cases); control: +1 or -1 (cases, balls) or (1, balls). Columns that are
+    p: (rows.COLUMN, cases); control: +1 or -1 (cases, balls) or (1, balls). Columns that are
     not finite get the code INVALID_INPUT and are left alone.
     """
     cases = p.shape[1]
@@ -125,7 +120,10 @@ def _run_threads(
     """Share the cases out to threads, in chunks small enough to keep all of them busy."""
     cases = p.shape[1]
     azimuth = 2.0 * np.pi * np.arange(balls) / balls
-    p, control = np.ascontiguousarray(p), np.ascontiguousarray(control, dtype=np.float64)
+    p, control = (
+        np.ascontiguousarray(p[: rows.PARAMETERS]),
+        np.ascontiguousarray(control, dtype=np.float64),
+    )
     cosines, sines, out = np.cos(azimuth), np.sin(azimuth), solution.arrays()
     if cases <= FEW and not solve_cases.is_loaded:
         if _interpret(p, control, cosines, sines, moving, 0, cases, False, out):
@@ -170,42 +168,31 @@ def ball_azimuths(p: Floats, balls: int) -> Floats:
     return np.where(wrapped < 2.0 * np.pi, wrapped, 0.0)
 
 
-def _verdict(bearing: Bearing, p: Floats, control: Floats, solution: Solution) -> NDArray[np.int64]:
-    """Jones's criterion for every ball at a solution; (cases, balls)."""
-    azimuth = ball_azimuths(p, bearing.ball_count)
-    table = ball_table(p, control, solution.displacement, solution.position, azimuth)
-    return criterion(bearing, table)
+@dataclass(frozen=True, slots=True)
+class OneRow:
+    """Many cases of a bearing of one row, as `jones` wants a system."""
+
+    p: Floats
+    balls: int
+    threads: int | None = None
+    fast: bool = True
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Cases and balls."""
+        return self.p.shape[1], self.balls
+
+    def solve(self, control: Floats, which: NDArray[np.intp] | None = None) -> Solution:
+        """Solve all cases, or some."""
+        p = self.p if which is None else self.p[:, which]
+        return solve_columns(p, control, self.balls, threads=self.threads, fast=self.fast)
+
+    def verdict(self, solution: Solution, control: Floats) -> NDArray[np.int64]:
+        """Jones's criterion for every ball at a solution; (cases, balls)."""
+        return row_verdict(self.p, control, solution)
 
 
-def solve_by_jones(
-    bearing: Bearing, p: Floats, *, threads: int | None = None, fast: bool = True
-) -> tuple[Solution, Floats, NDArray[np.int64]]:
-    """Solve with the race in control that Jones's criterion names, ball by ball.
-
-    Every ball starts under outer control. A ball keeps its control while the criterion favours
-    neither race; one that changes over and over favours neither, and stays with the outer race.
-    Returns the solution, the control (+1, -1) that it was solved with, and the criterion's
-    verdict: 0 where it does not confirm that control.
-    """
-    cases, balls = p.shape[1], bearing.ball_count
-    control = np.ones((cases, balls))
-    flips = np.zeros((cases, balls), np.int64)
-    solution = solve_columns(p, control, balls, threads=threads, fast=fast)
-    for _ in range(JONES_PASSES):
-        verdict = _verdict(bearing, p, control, solution)
-        decided = (verdict != RacewayControl.INDETERMINATE) & (flips < JONES_FLIPS)
-        wanted = np.where(decided, verdict, control)
-        wanted[solution.code != accept.CONVERGED] = control[solution.code != accept.CONVERGED]
-        flips += wanted != control
-        wanted[flips >= JONES_FLIPS] = 1.0
-        changed = np.flatnonzero((wanted != control).any(axis=1))
-        control = wanted
-        if not len(changed):
-            break
-        part = solve_columns(p[:, changed], control[changed], balls, threads=threads, fast=fast)
-        part.iterations += solution.iterations[changed]
-        part.safe |= solution.safe[changed]
-        solution.put(changed, part)
-    verdict = _verdict(bearing, p, control, solution)
-    confirmed = np.where(verdict == control, verdict, RacewayControl.INDETERMINATE)
-    return solution, control, confirmed.astype(np.int64)
+def row_verdict(p: Floats, control: Floats, solution: Solution) -> NDArray[np.int64]:
+    """Jones's criterion for every ball of a row; (cases, balls)."""
+    azimuth = ball_azimuths(p, control.shape[1])
+    return criterion(p, ball_table(p, control, solution.displacement, solution.position, azimuth))

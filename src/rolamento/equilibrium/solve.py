@@ -2,80 +2,137 @@
 
 from __future__ import annotations
 
-from typing import Unpack
+from collections.abc import Mapping
+from typing import Unpack, cast
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from rolamento.case import Case
 from rolamento.equilibrium import accept, rows
-from rolamento.equilibrium.batch_state import BatchState
-from rolamento.equilibrium.columns import DutyFields, spread
-from rolamento.equilibrium.problem import Floats, case_parameters, ring_arms
+from rolamento.equilibrium.batch_state import BatchState, RowBatch
+from rolamento.equilibrium.columns import Columns, DutyFields, spread
+from rolamento.equilibrium.jones import S, System, solve_by_jones
+from rolamento.equilibrium.problem import Floats, ring_arms
 from rolamento.equilibrium.record import state_of
-from rolamento.equilibrium.run import ball_azimuths, solve_by_jones, solve_columns
+from rolamento.equilibrium.run import OneRow, ball_azimuths
+from rolamento.equilibrium.sets import SLIDE, RowSet, pressed_in, transform
 from rolamento.state import State
 
 
 def solve(case: Case) -> State:
     """Find the internal state of the bearing: Jones-Harris equilibrium, five degrees of freedom.
 
-    Never raises for a duty that has no solution: the state's status tells, with advice.
+    A set of rows shares one rigid inner ring. Never raises for a duty that has no solution: the
+    state's status tells, with advice.
 
     Harris, Rolling Bearing Analysis, 3rd ed. (1991), chapter 8; Jones (1960); Radaelli (2013),
     chapter 4. See docs/theory/equilibrium.md.
     """
-    batch = solve_columns_of(case, case_parameters(case)[:, np.newaxis], threads=1)
-    return state_of(case, batch)
+    return state_of(case, solve_columns_of(spread(case, {}), threads=1))
 
 
 def solve_batch(
-    case: Case, *, threads: int | None = None, **fields: Unpack[DutyFields]
+    case: Case,
+    values: Mapping[str, ArrayLike] | None = None,
+    *,
+    threads: int | None = None,
+    **fields: Unpack[DutyFields],
 ) -> BatchState:
-    """Solve a case for many duties at once.
+    """Solve a case for many values of its fields at once.
 
     Parameters
     ----------
     case
-        Supplies what is not in `fields`.
+        Supplies what is not given otherwise.
+    values
+        Arrays of one length, or scalars, in SI units, by the dotted names of the case's fields,
+        such as ``{"bearing.contact_angle": [0.6, 0.7]}``; `batch_fields` lists them.
     threads
         As many as there are processors by default.
     fields
-        Arrays of one length, or scalars, in SI units: inner_speed, outer_speed (rad/s),
+        Likewise by the short names of the duty's fields: inner_speed, outer_speed (rad/s),
         first_ball_azimuth (rad), loads fx, fy, fz (N), my, mz (N·m) and displacements x, y, z
         (m), ry, rz (rad). A load frees its degree of freedom, a displacement holds it.
 
     Raises
     ------
     InputError
-        For an unknown field, arrays of different lengths, or both a load and a displacement on
-        one degree of freedom. A value that is not finite is that case's affair: its status is
-        "invalid_input".
+        For an unknown field, arrays of different lengths, or fields that exclude each other. A
+        value that the case would refuse is that case's affair: its status is "invalid_input".
     """
-    return solve_columns_of(case, spread(case, fields), threads=threads)
+    given = {**(values or {}), **cast("dict[str, ArrayLike]", fields)}
+    return solve_columns_of(spread(case, given), threads=threads)
 
 
 def solve_columns_of(
-    case: Case, p: Floats, *, threads: int | None = None, fast: bool = True
+    columns: Columns, *, threads: int | None = None, fast: bool = True
 ) -> BatchState:
-    """Solve columns of parameters that share the case's bearing and model."""
-    bearing, balls = case.bearing, case.bearing.ball_count
-    mode = case.model.raceway_control
-    if mode == "jones":
-        solution, control, verdict = solve_by_jones(bearing, p, threads=threads, fast=fast)
-    else:
-        control = np.full((1, balls), -1.0 if mode == "inner" else 1.0)
-        solution = solve_columns(p, control, balls, threads=threads, fast=fast)
-        control = np.broadcast_to(control, (p.shape[1], balls))
-        verdict = control.astype(np.int64)
-
-    arms = ring_arms(p).T
-    free = p[rows.FREE : rows.FREE + 5].T > 0.0
-    applied = p[rows.APPLIED : rows.APPLIED + 5].T
+    """Solve columns of parameters: of one row by the kernels alone, of a set around them."""
+    if len(columns.rows) > 1 or columns.rows[0].sign < 0.0 or _is_shifted(columns):
+        return _solve_set(columns, threads, fast)
+    row = columns.rows[0]
+    solution, control, verdict = _controlled(
+        OneRow(row.p, row.balls, threads, fast), columns.control
+    )
+    arms = ring_arms(row.p).T
+    free = row.p[rows.FREE : rows.FREE + 5].T > 0.0
+    applied = row.p[rows.APPLIED : rows.APPLIED + 5].T
     failed = solution.code != accept.CONVERGED
     load = np.where(free, applied, solution.reaction) * arms
     displacement = solution.displacement / arms
     stiffness = solution.stiffness * arms[:, :, np.newaxis] * arms[:, np.newaxis, :]
-    for array in (load, displacement, stiffness, solution.position):
+    for array in (load, displacement, stiffness, solution.position, solution.displacement):
+        array[failed] = np.nan
+    azimuth = ball_azimuths(row.p, row.balls)
+    return BatchState(
+        code=solution.code,
+        unsupported=solution.unsupported,
+        residual=solution.residual,
+        iterations=solution.iterations,
+        safe_path=solution.safe,
+        displacement=displacement,
+        load=load,
+        stiffness=stiffness,
+        raceway_control=verdict,
+        rows=(RowBatch(row.p, control, solution.position, azimuth, solution.displacement, load),),
+    )
+
+
+def _is_shifted(columns: Columns) -> bool:
+    """Whether a single row is not at the origin."""
+    return bool(np.any(columns.rows[0].position != 0.0))
+
+
+def _controlled(system: System[S], mode: str) -> tuple[S, Floats, NDArray[np.int64]]:
+    """Solve under the raceway control asked for: solution, control used, verdict to show."""
+    if mode == "jones":
+        return solve_by_jones(system)
+    control = np.full((1, system.shape[1]), -1.0 if mode == "inner" else 1.0)
+    solution = system.solve(control)
+    everywhere = np.broadcast_to(control, system.shape)
+    return solution, everywhere, everywhere.astype(np.int64)
+
+
+def _solve_set(columns: Columns, threads: int | None, fast: bool) -> BatchState:
+    system = RowSet(columns, pressed_in(columns, threads=threads), threads, fast)
+    solution, control, verdict = _controlled(system, columns.control)
+    first = columns.rows[0]
+    arms = ring_arms(first.p).T
+    failed = solution.code != accept.CONVERGED
+    load = np.where(columns.free.T, columns.load.T, solution.reaction[:, :5] * arms)
+    displacement = solution.displacement[:, :5] / arms
+    stiffness = _condensed(solution.stiffness, columns.preload == "spring")
+    stiffness = stiffness * arms[:, :, np.newaxis] * arms[:, np.newaxis, :]
+    parts = []
+    for row, part, own in zip(columns.rows, solution.rows, system.split(control), strict=True):
+        t = transform(row, first, sprung=False)[:, :, :5]
+        carried = np.einsum("nij,ni->nj", t, part.reaction) * arms
+        for array in (part.position, part.displacement, carried):
+            array[failed] = np.nan
+        azimuth = ball_azimuths(row.p, row.balls)
+        parts.append(RowBatch(row.p, own, part.position, azimuth, part.displacement, carried))
+    for array in (load, displacement, stiffness):
         array[failed] = np.nan
     return BatchState(
         code=solution.code,
@@ -86,10 +143,19 @@ def solve_columns_of(
         displacement=displacement,
         load=load,
         stiffness=stiffness,
-        bearing=bearing,
         raceway_control=verdict,
-        _parameters=p,
-        _control=control,
-        _position=solution.position,
-        _azimuth=ball_azimuths(p, balls),
+        rows=tuple(parts),
     )
+
+
+def _condensed(stiffness: Floats, sprung: bool) -> Floats:
+    """The ring's stiffness (cases, 5, 5), with the springs' slide following."""
+    ring = stiffness[:, :5, :5].copy()
+    if sprung:
+        slide = stiffness[:, SLIDE, SLIDE]
+        follow = np.divide(
+            stiffness[:, SLIDE, :5], slide[:, np.newaxis], where=slide[:, np.newaxis] > 0.0,
+            out=np.zeros((len(slide), 5)),
+        )  # fmt: skip
+        ring -= stiffness[:, :5, SLIDE, np.newaxis] * follow[:, np.newaxis, :]
+    return ring

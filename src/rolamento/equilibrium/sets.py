@@ -1,0 +1,314 @@
+"""Sets of rows: one rigid inner ring, or rings clamped on one shaft, in several rows of balls.
+
+Every row is a bearing of its own, held where the ring holds it; the ring is in balance when the
+rows' reactions add up to the load. A row that faces -x is the mirror image of one that faces +x.
+With the ring's displacement u = (x, y, z, ry, rz), taken at the set's origin, the row at axial
+position a, facing σ = ±1, has in its own frame
+
+    x_r = σ x + e,   y_r = y + a rz,   z_r = z - a ry,   ry_r = σ ry,   rz_r = σ rz
+
+where e is how far the clamped rings press it in. Springs add a sixth unknown: how far they have
+pushed the outer rings of the rows that face -x. In the scaled form of `rows` (tilts times arm)
+this is v = T u + e, the ring's force is the sum of T' f, and its stiffness the sum of T' k T.
+
+Rigid-body kinematics; Harris, Rolling Bearing Analysis, 3rd ed. (1991), chapters 8 and 9.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rolamento.equilibrium import accept, rows
+from rolamento.equilibrium.columns import Columns, RowColumns
+from rolamento.equilibrium.problem import Floats, ring_arms
+from rolamento.equilibrium.run import Solution, row_verdict, solve_columns
+from rolamento.numerics.newton import Balance, balance
+
+UNKNOWNS: Final = 6
+SLIDE: Final = 5  # of the spring-loaded outer rings
+PRECISION: Final = 1e-10
+USABLE: Final = (accept.CONVERGED, accept.OVERLOADED, accept.UNHELD_BALL)
+"""Verdicts on a row that come with its forces; so does no_equilibrium while it touches."""
+
+Indices = NDArray[np.intp]
+
+
+@dataclass(slots=True)
+class SetSolution:
+    """The ring's equilibrium, scaled as in `rows`, and the rows' own solutions.
+
+    displacement, reaction (cases, 6), stiffness (cases, 6, 6): the sixth is the springs' slide.
+    """
+
+    displacement: Floats
+    reaction: Floats
+    stiffness: Floats
+    residual: Floats
+    code: NDArray[np.int64]
+    unsupported: NDArray[np.int64]
+    iterations: NDArray[np.int64]
+    safe: NDArray[np.bool_]
+    rows: list[Solution]
+
+    def put(self, cases: Indices, part: SetSolution) -> None:
+        """Copy the solution of some of the cases to their places."""
+        for name in ("displacement", "reaction", "stiffness", "residual", "code", "unsupported"):
+            getattr(self, name)[cases] = getattr(part, name)
+        self.iterations[cases], self.safe[cases] = part.iterations, part.safe
+        for whole, piece in zip(self.rows, part.rows, strict=True):
+            whole.put(cases, piece)
+
+
+@dataclass(frozen=True, slots=True)
+class _View:
+    """The rows seen from the ring: their forces and stiffness, summed."""
+
+    force: Floats
+    stiffness: Floats
+    scale: Floats
+    sound: NDArray[np.bool_]
+    rows: list[Solution]
+
+
+@dataclass(frozen=True, slots=True)
+class RowSet:
+    """Many cases of a set, as `jones` wants a system; press: what the clamping does to each row."""
+
+    columns: Columns
+    press: tuple[Floats, ...]
+    threads: int | None = None
+    fast: bool = True
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Cases and balls."""
+        return self.columns.cases, sum(row.balls for row in self.columns.rows)
+
+    def solve(self, control: Floats, which: Indices | None = None) -> SetSolution:
+        """Solve all cases, or some."""
+        chosen = np.arange(self.columns.cases) if which is None else which
+        control = np.broadcast_to(control, (len(chosen), self.shape[1]))
+        return _Problem(self, control, chosen).solve()
+
+    def verdict(self, solution: SetSolution, control: Floats) -> NDArray[np.int64]:
+        """Jones's criterion for every ball at a solution; (cases, balls)."""
+        parts = zip(self.columns.rows, solution.rows, self.split(control), strict=True)
+        return np.concatenate([row_verdict(row.p, part, own) for row, own, part in parts], axis=1)
+
+    def split(self, control: Floats) -> list[Floats]:
+        """The columns of an array over all balls, row by row."""
+        ends = np.cumsum([row.balls for row in self.columns.rows])[:-1]
+        return list(np.split(control, ends, axis=1))
+
+
+class _Problem:
+    """Some cases of a set, set up as the equations of a ring."""
+
+    def __init__(self, system: RowSet, control: Floats, chosen: Indices) -> None:
+        columns = system.columns
+        self.system = system
+        self.chosen = chosen
+        self.control = system.split(control)
+        self.sprung = columns.preload == "spring"
+        self.arm = columns.rows[0].p[rows.ARM, chosen]
+        self.transforms = [
+            transform(row, columns.rows[0], self.sprung)[chosen] for row in columns.rows
+        ]
+        self.press = [press[chosen] for press in system.press]
+        arms = ring_arms(columns.rows[0].p[:, chosen])
+        n = len(chosen)
+        self.free = np.zeros((n, UNKNOWNS), np.bool_)
+        self.target = np.zeros((n, UNKNOWNS))
+        self.start = np.zeros((n, UNKNOWNS))
+        self.free[:, :5] = columns.free[:, chosen].T
+        self.free[:, SLIDE] = self.sprung
+        self.target[:, :5] = (columns.load[:, chosen] / arms).T
+        self.start[:, :5] = (columns.displacement[:, chosen] * arms).T
+        if self.sprung:
+            self.target[:, SLIDE] = columns.preload_value[chosen]
+        self._guess()
+
+    def _guess(self) -> None:
+        """Begin pressed in where nothing else presses: rows that touch have stiffness."""
+        columns, chosen = self.system.columns, self.chosen
+        stiffness = sum(row.p[rows.SERIES_STIFFNESS, chosen] * row.balls for row in columns.rows)
+        radial = np.hypot(self.target[:, 1], self.target[:, 2])
+        away = (4.5 * radial / stiffness) ** (2.0 / 3.0)
+        loose = np.max([np.abs(press) for press in self.press], axis=0) == 0.0
+        unit = np.divide(
+            self.target[:, 1:3],
+            radial[:, np.newaxis],
+            where=radial[:, np.newaxis] > 0.0,
+            out=np.zeros((len(chosen), 2)),
+        )
+        for i in (1, 2):
+            pushed = self.free[:, i] & loose
+            self.start[:, i] = np.where(pushed, away * unit[:, i - 1], self.start[:, i])
+        axial = self.target[:, 0]
+        sine = np.clip(columns.rows[0].p[rows.AXIAL_OFFSET, chosen], 0.0, None)
+        reach = (
+            columns.rows[0].p[rows.OUTER_LENGTH, chosen]
+            + columns.rows[0].p[rows.INNER_LENGTH, chosen]
+        )
+        steepness = np.maximum(sine / reach, 0.2)
+        into = (np.abs(axial) / (stiffness * steepness**2.5)) ** (2.0 / 3.0)
+        pushed = self.free[:, 0] & loose
+        self.start[:, 0] = np.where(pushed, np.sign(axial) * into, self.start[:, 0])
+        if self.sprung:
+            force = self.target[:, SLIDE]
+            self.start[:, SLIDE] = 2.0 * (force / (stiffness * steepness**2.5)) ** (2.0 / 3.0)
+            self.start[:, 0] += np.where(pushed & (axial == 0.0), 0.5 * self.start[:, SLIDE], 0.0)
+
+    def solve(self) -> SetSolution:
+        first = self.system.columns.rows[0].p[:, self.chosen]
+        finite = np.isfinite(first).all(axis=0) & np.isfinite(self.target).all(axis=1)
+        finite &= np.isfinite(self.start).all(axis=1) & np.isfinite(np.sum(self.press, axis=0))
+        which = np.flatnonzero(finite)
+        found = balance(
+            lambda some, u: self._view(which[some], u),
+            self.start[which],
+            self.target[which],
+            self.free[which],
+            precision=PRECISION,
+            longest=0.3 * (first[rows.INNER_LENGTH] + first[rows.OUTER_LENGTH])[which],
+            limit=first[rows.BALL_DIAMETER, which],
+            reference=1.5e-6 * first[rows.SERIES_STIFFNESS, which],
+        )
+        return self._solution(which, found)
+
+    def _view(self, which: Indices, u: Floats) -> _View:
+        """Hold every row where the ring holds it, and sum up what they answer."""
+        n = len(which)
+        view = _View(
+            np.zeros((n, UNKNOWNS)), np.zeros((n, UNKNOWNS, UNKNOWNS)), np.zeros(n),
+            np.ones(n, np.bool_), [],
+        )  # fmt: skip
+        parts = zip(
+            self.system.columns.rows, self.transforms, self.press, self.control, strict=True
+        )
+        for row, transforms, press, control in parts:
+            t = transforms[which]
+            place = np.einsum("nij,nj->ni", t, u)
+            place[:, 0] += press[which]
+            solution = self._hold(row, place, which, control[which])
+            view.rows.append(solution)
+            view.force[:] += np.einsum("nij,ni->nj", t, solution.reaction)
+            view.stiffness[:] += np.einsum("nki,nkl,nlj->nij", t, solution.stiffness, t)
+            np.maximum(view.scale, np.abs(solution.reaction).max(axis=1), out=view.scale)
+            usable = np.isin(solution.code, USABLE) | (solution.code == accept.NO_EQUILIBRIUM)
+            view.sound[:] &= usable
+        return view
+
+    def _hold(self, row: RowColumns, place: Floats, which: Indices, control: Floats) -> Solution:
+        p = row.p[:, self.chosen[which]]
+        p[rows.FREE : rows.FREE + 5] = 0.0
+        p[rows.APPLIED : rows.APPLIED + 5] = 0.0
+        p[rows.IMPOSED : rows.IMPOSED + 5] = place.T
+        system = self.system
+        return solve_columns(p, control, row.balls, threads=system.threads, fast=system.fast)
+
+    def _solution(self, which: Indices, found: Balance) -> SetSolution:
+        """Evaluate the rows once more where the ring came to rest, and judge."""
+        n = len(self.chosen)
+        solution = SetSolution(
+            displacement=np.full((n, UNKNOWNS), np.nan),
+            reaction=np.full((n, UNKNOWNS), np.nan),
+            stiffness=np.full((n, UNKNOWNS, UNKNOWNS), np.nan),
+            residual=np.full(n, np.nan),
+            code=np.full(n, accept.INVALID_INPUT),
+            unsupported=np.full(n, -1),
+            iterations=np.zeros(n, np.int64),
+            safe=np.zeros(n, np.bool_),
+            rows=[Solution.empty(n, row.balls) for row in self.system.columns.rows],
+        )
+        if not len(which):
+            return solution
+        view = self._view(which, found.displacement)
+        solution.displacement[which] = found.displacement
+        solution.reaction[which], solution.stiffness[which] = view.force, view.stiffness
+        for whole, part in zip(solution.rows, view.rows, strict=True):
+            whole.put(which, part)
+        rest = np.max([row.residual for row in view.rows], axis=0)
+        solution.residual[which] = np.fmax(found.residual, rest)
+        solution.iterations[which] = found.steps
+        solution.safe[which] = np.any([row.safe for row in view.rows], axis=0)
+        solution.code[which], solution.unsupported[which] = _judged(found, view)
+        return solution
+
+
+def transform(row: RowColumns, first: RowColumns, sprung: bool) -> Floats:
+    """The matrices T that take the ring's displacement to a row's; (cases, 5, 6), scaled."""
+    t = np.zeros((len(row.position), 5, UNKNOWNS))
+    arm = first.p[rows.ARM]
+    ratio = row.p[rows.ARM] / arm
+    t[:, 0, 0] = row.sign
+    t[:, 0, SLIDE] = 1.0 if sprung and row.sign < 0.0 else 0.0
+    t[:, 1, 1] = t[:, 2, 2] = 1.0
+    t[:, 1, 4] = row.position / arm
+    t[:, 2, 3] = -row.position / arm
+    t[:, 3, 3] = t[:, 4, 4] = row.sign * ratio
+    return t
+
+
+def _judged(found: Balance, view: _View) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """The verdict on each case: the ring's own, or the gravest of its rows'."""
+    code = np.full(len(found.settled), accept.CONVERGED)
+    unsupported = np.full(len(code), -1)
+    for verdict in (
+        accept.OVERLOADED, accept.UNHELD_BALL, accept.NO_EQUILIBRIUM, accept.NOT_CONVERGED,
+    ):  # fmt: skip
+        hit = np.any([row.code == verdict for row in view.rows], axis=0)
+        code[hit] = verdict
+        unsupported[hit & (verdict == accept.NO_EQUILIBRIUM)] = 0
+    near = found.residual <= accept.TOLERANCE
+    code[~(found.settled | near)] = accept.NOT_CONVERGED
+    escaped = ~found.settled & (found.escaping >= 0)
+    code[escaped] = accept.NO_EQUILIBRIUM
+    unsupported[escaped] = np.where(found.escaping[escaped] == SLIDE, 0, found.escaping[escaped])
+    return code, unsupported
+
+
+def pressed_in(columns: Columns, *, threads: int | None = None) -> tuple[Floats, ...]:
+    """How far the clamped rings press each row in axially, e of the module; (cases,) each, m.
+
+    Rows count from first contact on their own side. A clamped force is shared equally by the
+    rows that face the same way, and acts at rest.
+    """
+    shares = {sign: sum(row.sign == sign for row in columns.rows) for sign in (1.0, -1.0)}
+    press = []
+    for row in columns.rows:
+        touch = first_contact(row.p)
+        if columns.preload == "offset":
+            press.append(touch + columns.preload_value)
+        elif columns.preload == "force":
+            force = columns.preload_value / shares[row.sign]
+            press.append(np.where(force > 0.0, _approach(row, force, threads), touch))
+        else:
+            press.append(touch if columns.preload == "spring" else np.zeros(columns.cases))
+    return tuple(press)
+
+
+def first_contact(p: Floats) -> Floats:
+    """Axial displacement at which the unloaded balls of a row touch; (cases,), m."""
+    length = p[rows.INNER_LENGTH] + p[rows.OUTER_LENGTH]
+    square = np.maximum(length**2 - p[rows.RADIAL_OFFSET] ** 2, 0.0)
+    return np.asarray(
+        np.where(p[rows.ONE_SIDED] > 0.0, 0.0, np.sqrt(square) - p[rows.AXIAL_OFFSET])
+    )
+
+
+def _approach(row: RowColumns, force: Floats, threads: int | None) -> Floats:
+    """Axial displacement of a row at rest under an axial force; NaN where it has none."""
+    p = row.p.copy()
+    p[rows.INNER_SPEED] = p[rows.OUTER_SPEED] = 0.0
+    p[rows.FREE : rows.FREE + 5] = 0.0
+    p[rows.APPLIED : rows.APPLIED + 5] = 0.0
+    p[rows.IMPOSED : rows.IMPOSED + 5] = 0.0
+    p[rows.FREE], p[rows.APPLIED] = 1.0, force
+    solution = solve_columns(p, np.ones((1, row.balls)), row.balls, threads=threads)
+    settled = solution.code == accept.CONVERGED
+    return np.where(settled, solution.displacement[:, 0], np.nan)
