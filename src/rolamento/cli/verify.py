@@ -1,0 +1,138 @@
+"""`rolamento verify`: the published numbers beside those that the program gives."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+from typer.core import TyperCommand
+
+from rolamento.cli.common import (
+    NO_RESULT,
+    SOLVED,
+    Language,
+    LanguageOption,
+    plain_endings,
+    words_of,
+)
+from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
+from rolamento.errors import InputError
+
+if TYPE_CHECKING:
+    from rolamento.report.language import Words
+    from rolamento.verification import Progress, Source, Verification
+
+__all__ = ["VerifyCommand", "verify"]
+
+
+class VerifyCommand(TyperCommand):
+    """A command in which the value of ``--json`` may be left out: it is then standard output."""
+
+    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
+        """Parse the arguments with that value filled in."""
+        return super().parse_args(ctx, with_json_value(args))
+
+
+def with_json_value(arguments: Sequence[str]) -> list[str]:
+    """Return the arguments with a value for every ``--json``; an option is not its value."""
+    following = [*arguments[1:], "--"]
+    return [
+        f"{word}={STANDARD_STREAM}" if word == "--json" and _is_option(after) else word
+        for word, after in zip(arguments, following, strict=False)
+    ]
+
+
+def verify(
+    source: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--source", metavar="NAME", help="Only this source, such as radaelli_2013. Repeats."
+        ),
+    ] = None,
+    markdown: Annotated[
+        str | None,
+        typer.Option(
+            "--markdown", metavar="FILE", help="Write a page in Markdown; - is standard output."
+        ),
+    ] = None,
+    json: Annotated[
+        str | None,
+        typer.Option(
+            "--json",
+            metavar="[FILE]",
+            help="Write all numbers as JSON; without FILE, to standard output.",
+        ),
+    ] = None,
+    lang: LanguageOption = None,
+) -> None:
+    """Compare the program with every published number known to it; exit code 1 if one fails."""
+    with plain_endings(lang):
+        if json is not None and json == markdown:
+            where = "standard output" if json == STANDARD_STREAM else json
+            raise InputError("only one of --json and --markdown can go there", source=where)
+        found = _run(source or (), lang)
+        _show(found, json, markdown, lang)
+    raise typer.Exit(SOLVED if found.passed else NO_RESULT)
+
+
+def _run(names: Sequence[str], lang: Language | None) -> Verification:
+    from rolamento.verification import run
+
+    if sys.stderr is None or not sys.stderr.isatty():
+        return run(names)
+    with _told(words_of(lang)) as progress:
+        return run(names, progress=progress)
+
+
+@contextmanager
+def _told(words: Words) -> Iterator[Progress]:
+    """Show on a terminal's standard error which source is at work."""
+    from rich.console import Console
+
+    from rolamento.report.medium import Medium
+    from rolamento.report.verification_words import VERIFICATION_WORDS
+
+    medium, template = Medium.of(sys.stderr), VERIFICATION_WORDS[words.code].progress
+    with Console(stderr=True, highlight=False, markup=False).status(
+        "", spinner="dots" if medium.draws else "line"
+    ) as status:
+
+        def progress(source: Source, done: int, count: int) -> None:
+            text = template.format(number=done + 1, count=count, name=source.name)
+            status.update(medium.fitted(text))
+
+        yield progress
+
+
+def _show(
+    found: Verification, json: str | None, markdown: str | None, lang: Language | None
+) -> None:
+    """Write what was asked for; standard output takes data or the report, not both."""
+    if json is not None:
+        put(found.to_json() + "\n", json)
+    if markdown is not None:
+        from rolamento.report.verification_page import verification_page
+
+        put(verification_page(found), markdown)
+    words = words_of(lang)
+    if STANDARD_STREAM not in (json, markdown):
+        _print_report(found, words)
+    elif not found.passed:
+        from rolamento.report.verification import summary
+        from rolamento.report.verification_words import VERIFICATION_WORDS
+
+        complain(summary(found, VERIFICATION_WORDS[words.code]))
+
+
+def _print_report(found: Verification, words: Words) -> None:
+    from rolamento.report.medium import Medium
+    from rolamento.report.verification import verification_report
+
+    print_text(verification_report(found, words, Medium.of(sys.stdout)))
+
+
+def _is_option(word: str) -> bool:
+    return word.startswith("-") and word != STANDARD_STREAM

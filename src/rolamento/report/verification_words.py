@@ -1,0 +1,215 @@
+"""What the report of the verification says, in two languages.
+
+The checks explain themselves in English; the Portuguese of their sentences is here. One that nobody
+has translated stays as it is.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Final
+
+from rolamento.verification import Verdict
+
+__all__ = ["VERIFICATION_WORDS", "VerificationWords"]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class VerificationWords:
+    """All that is said about a verification in one language."""
+
+    decimal_mark: str
+    quantity: str
+    printed: str
+    computed: str
+    difference: str
+    tolerance: str
+    proof: str
+    verdict: str
+    verdicts: Mapping[Verdict, str]
+    summary: str
+    proof_note: str
+    progress: str
+    sentences: Mapping[str, str] = field(default_factory=dict)
+    terms: Mapping[str, str] = field(default_factory=dict)
+
+    def sentence(self, english: str) -> str:
+        """Say an explanation in this language."""
+        return self.sentences.get(english, english)
+
+    def term(self, english: str) -> str:
+        """Say a citation or the name of a quantity in this language, word by word."""
+        if not self.terms:
+            return english
+        return re.sub("|".join(self.terms), lambda found: self.terms[found[0]], english)
+
+
+ENGLISH: Final = VerificationWords(
+    decimal_mark=".",
+    quantity="quantity",
+    printed="printed",
+    computed="computed",
+    difference="difference",
+    tolerance="tolerance",
+    proof="proof",
+    verdict="verdict",
+    verdicts={"agrees": "agrees", "explained": "explained", "fails": "fails"},
+    summary="{count} numbers: {agrees} agree, {explained} explained, {fails} fail",
+    proof_note=(
+        "Proof of an explanation: what the program gives with the author's choice, which must be"
+        " the printed number; where the print is wrong, the number that should have been printed,"
+        " which must be the computed one."
+    ),
+    progress="Verifying {number} of {count}: {name} …",
+)
+
+PORTUGUESE: Final = VerificationWords(
+    decimal_mark=",",
+    quantity="grandeza",
+    printed="impresso",
+    computed="calculado",
+    difference="diferença",
+    tolerance="margem",
+    proof="prova",
+    verdict="veredito",
+    verdicts={"agrees": "confere", "explained": "explicado", "fails": "falha"},
+    summary="{count} números: {agrees} conferem, {explained} explicados, {fails} falham",
+    proof_note=(
+        "Prova de uma explicação: o que o programa dá com a escolha do autor, que tem de ser o"
+        " número impresso; onde o impresso está errado, o número que deveria estar lá, que tem de"
+        " ser o calculado."
+    ),
+    progress="Verificando {number} de {count}: {name} …",
+    terms={
+        "Reference program for": "Programa de referência para a",
+        "as in": "como em",
+        "chapter": "capítulo",
+        "dimensionless contact parameters": "parâmetros adimensionais de contato",
+        "example": "exemplo",
+        "text before figure": "texto antes da figura",
+        "text after figure": "texto depois da figura",
+        "text to figure": "texto da figura",
+        "table of": "tabela de",
+        "table": "tabela",
+        "radial load": "carga radial",
+        "axial load": "carga axial",
+        "drive-end bearing": "rolamento do lado do acionamento",
+        "at rest": "em repouso",
+        "fall of": "queda de",
+        " of Harris": " de Harris",
+        "cage": "gaiola",
+        "outer race": "pista externa",
+        "inner race": "pista interna",
+        "ball, twice": "esfera, duas vezes",
+        "turn": "volta",
+    },
+    sentences={
+        "The tolerance includes what the rounding of the printed F(ρ) leaves open.": (
+            "A margem inclui o que o arredondamento do F(ρ) impresso deixa em aberto."
+        ),
+        "A misprint, three units of the last digit off: the printed a* and b* of the same row"
+        " give 0.9432, as the exact solution does.": (
+            "Erro de impressão, de três unidades do último algarismo: o a* e o b* impressos na"
+            " mesma linha dão 0,9432, como a solução exata."
+        ),
+        "The digits beyond the printed ones are cut off, not rounded.": (
+            "Os algarismos além dos impressos foram cortados, não arredondados."
+        ),
+        "By hand: δ* comes out 0.2 to 0.3 % too low, the stiffness 0.4 to 0.8 % too high."
+        " Radaelli's table gives the number by computer beside it.": (
+            "À mão: δ* sai de 0,2 a 0,3 % baixo demais, e a rigidez de 0,4 a 0,8 % alta demais. A"
+            " tabela de Radaelli traz ao lado o número por computador."
+        ),
+        "By hand: the continuous load integral, J_r cut to 0.218. The equilibrium counts the"
+        " balls where they stand.": (
+            "À mão: a integral contínua de carga, com J_r cortado em 0,218. O equilíbrio conta as"
+            " esferas onde estão."
+        ),
+        "The continuous load integral, and the digits beyond the printed ones cut off. The"
+        " equilibrium counts the balls where they stand.": (
+            "A integral contínua de carga, com os algarismos além dos impressos cortados. O"
+            " equilíbrio conta as esferas onde estão."
+        ),
+        "By hand, ended after three iterations (Radaelli's appendix C), whose table gives the"
+        " number by computer beside it.": (
+            "À mão, parando após três iterações (apêndice C de Radaelli, cuja tabela traz ao lado"
+            " o número por computador)."
+        ),
+        "Follows from the contact angle of the hand calculation: Q = F_a/(Z sin α).": (
+            "Segue do ângulo de contato do cálculo à mão: Q = F_a/(Z sen α)."
+        ),
+        "The tolerance is 1e-5 of the number where that is more than half a digit: the reference"
+        " program approximates the elliptic integrals.": (
+            "A margem é de 1e-5 do número onde isso passa de meio algarismo: o programa de"
+            " referência aproxima as integrais elípticas."
+        ),
+        "The standard keeps the contact stiffness of the free contact angle, 0°, while the angle"
+        " rises to 13.1°, which makes less than 1e-4 of the number. Tolerance as for radial"
+        " load.": (
+            "A norma mantém a rigidez de contato do ângulo livre, 0°, enquanto o ângulo sobe a"
+            " 13,1°, o que faz menos de 1e-4 do número. Margem como na carga radial."
+        ),
+        "The author puts the whole load on one ball, and the greatest shear at half the minor"
+        " semi-axis. The heaviest of 8 balls carries 5/8 of the load, and the exact depth for this"
+        " ellipse is nearly a third greater. Both with the conformity 0.52 of the catalogue, at the"
+        " inner race.": (
+            "O autor põe toda a carga em uma só esfera, e o maior cisalhamento a meio semieixo"
+            " menor. A mais carregada de 8 esferas leva 5/8 da carga, e a profundidade exata para"
+            " esta elipse é quase um terço maior. Ambas com a conformidade 0,52 do catálogo, na"
+            " pista interna."
+        ),
+        "The table takes the continuous load integral J_r. The equilibrium counts the balls where"
+        " they stand.": (
+            "A tabela usa a integral contínua de carga J_r. O equilíbrio conta as esferas onde"
+            " estão."
+        ),
+        "The table keeps the contact stiffness of the free contact angle. That of the loaded"
+        " angle prints alike.": (
+            "A tabela mantém a rigidez de contato do ângulo livre. Com a do ângulo sob carga"
+            " imprime-se o mesmo."
+        ),
+        "The digits beyond the printed ones are cut off, not rounded: 41.4949°.": (
+            "Os algarismos além dos impressos foram cortados, não arredondados: 41,4949°."
+        ),
+        "The ring is held axially, x = 0, which the table does not say; the axial load is then a"
+        " reaction of 31.1 kN.": (
+            "O anel é fixo axialmente, x = 0, o que a tabela não diz; a carga axial é então uma"
+            " reação de 31,1 kN."
+        ),
+        "A tie: 48.76497° is 48.77° when rounded twice, first to three decimals. The ring is held"
+        " axially, as for the other rows.": (
+            "Um empate: 48,76497° vira 48,77° se arredondado duas vezes, primeiro a três casas. O"
+            " anel é fixo axialmente, como nas outras linhas."
+        ),
+        "The tilt is held; the moment is the reaction, with the circle of the inner groove's"
+        " centres as arm. The gyroscopic moment is signed.": (
+            "A inclinação é imposta; o momento é a reação, com braço até o círculo dos centros da"
+            " pista interna. O momento giroscópico tem sinal."
+        ),
+        "The static analysis takes contact angle 0 and no clearance. With its own 40°, held"
+        " axially, the bearing moves nearly half as far again, almost as far as at speed: what the"
+        " text puts down to centrifugal force comes almost wholly from the contact angle.": (
+            "A análise estática supõe ângulo de contato 0 e nenhuma folga. Com os seus 40°, fixo"
+            " axialmente, o rolamento se desloca quase metade a mais, quase tanto como em rotação:"
+            " o que o texto atribui à força centrífuga vem quase todo do ângulo de contato."
+        ),
+        "The 209 bearing without clearance.": "O rolamento 209 sem folga.",
+        "The 209 bearing; both grow with the square of the speed, exactly, at any contact angle.": (
+            "O rolamento 209; ambos crescem com o quadrado da rotação, exatamente, a qualquer"
+            " ângulo de contato."
+        ),
+        "F_a from 20 to 80 kN, radial load given, tilt zero. The text says approximately.": (
+            "F_a de 20 a 80 kN, carga radial dada, inclinação nula. O texto diz aproximadamente."
+        ),
+        "The tolerance includes what the rounding of the printed diameters leaves open; the"
+        " contact angle is zero.": (
+            "A margem inclui o que o arredondamento dos diâmetros impressos deixa em aberto; o"
+            " ângulo de contato é zero."
+        ),
+    },
+)
+
+VERIFICATION_WORDS: Final[Mapping[str, VerificationWords]] = {"en": ENGLISH, "pt": PORTUGUESE}
+"""By the code of the language."""

@@ -1,0 +1,167 @@
+"""One published number beside the computed one, and the verdict.
+
+A number that disagrees is not excused by words. Its explanation is put to the test as well: either
+the program must give the printed number once it makes the author's choice, or the number that
+should have been printed must follow from the publication itself (or be printed by another) and the
+program must give that one. In both cases the explanation bounds by how much the print may be off.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from decimal import ROUND_DOWN, ROUND_HALF_UP, Decimal
+from math import isfinite, isnan, nan
+from typing import Any, Final, Literal
+
+__all__ = ["VERDICTS", "Check", "Verdict", "cut", "half_unit", "last_unit", "rounded"]
+
+Verdict = Literal["agrees", "explained", "fails"]
+VERDICTS: Final[tuple[Verdict, ...]] = ("agrees", "explained", "fails")
+
+_ROUNDING: Final = 1e-9
+"""Of a tolerance: so that a number that ends in a five is not lost to binary arithmetic."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Check:
+    """A published number, what the program gives for it, and how near that has to be.
+
+    Attributes
+    ----------
+    source
+        Short citation with table, page or example.
+    quantity
+        With its symbol.
+    unit
+        Of all numbers of the check; empty where there is none.
+    printed
+        The published number, as text that keeps its digits.
+    computed
+        What the program gives, by its own models; NaN where there is no result.
+    tolerance
+        What the print supports; half a unit of its last digit if not given.
+    explanation
+        Why the two differ, or which choice the source does not tell of; empty if there is
+        nothing to explain.
+    evidence
+        What proves the explanation: the number that the program gives when it makes the author's
+        choice, or, with `corrected`, what the publication's other numbers give.
+    corrected
+        The number that should have been printed, as text, where the print is known to be wrong.
+    deviation
+        The most by which the explanation says that the print is off: from the corrected number if
+        there is one, else from the computed one.
+    """
+
+    source: str
+    quantity: str
+    unit: str
+    printed: str
+    computed: float
+    tolerance: float = nan
+    explanation: str = ""
+    evidence: float | None = None
+    corrected: str = ""
+    deviation: float = 0.0
+
+    def __post_init__(self) -> None:
+        if isnan(self.tolerance):
+            object.__setattr__(self, "tolerance", half_unit(self.printed))
+
+    @property
+    def difference(self) -> float:
+        """Computed less printed."""
+        return self.computed - float(self.printed)
+
+    @property
+    def verdict(self) -> Verdict:
+        """Whether the number agrees, or its deviation is explained and the explanation holds."""
+        if not self._proved():
+            return "fails"
+        if _near(self.computed, self.printed, self.tolerance):
+            return "agrees"
+        return "explained" if self._explained() else "fails"
+
+    def to_mapping(self) -> dict[str, Any]:
+        """Give the check as a plain mapping; NaN as None."""
+        return {
+            "source": self.source,
+            "quantity": self.quantity,
+            "unit": self.unit,
+            "printed": self.printed,
+            "computed": _finite(self.computed),
+            "difference": _finite(self.difference),
+            "tolerance": self.tolerance,
+            "verdict": self.verdict,
+            "explanation": self.explanation,
+            "evidence": None if self.evidence is None else _finite(self.evidence),
+            "corrected": self.corrected or None,
+        }
+
+    def _proved(self) -> bool:
+        """Tell whether the evidence, if there is any, gives the number that it must give."""
+        if self.evidence is None:
+            return True
+        if self.corrected:
+            return _near(self.evidence, self.corrected, half_unit(self.corrected))
+        return _near(self.evidence, self.printed, self.tolerance)
+
+    def _explained(self) -> bool:
+        """Tell whether a number that disagrees does so for the reason given, and as much."""
+        if not self.explanation:
+            return False
+        if not self.corrected:
+            known = self.evidence is not None
+            return known and _near(self.computed, self.printed, self.deviation)
+        right = _near(self.computed, self.corrected, half_unit(self.corrected))
+        return right and _near(float(self.printed), self.corrected, self.deviation)
+
+
+def half_unit(printed: str) -> float:
+    """Return half a unit of the last printed digit.
+
+    Raises
+    ------
+    ValueError
+        If the text is not a finite number.
+    """
+    return float(Decimal(5).scaleb(_last_place(printed) - 1))
+
+
+def last_unit(printed: str) -> float:
+    """Return a unit of the last printed digit; ValueError as `half_unit`."""
+    return 2.0 * half_unit(printed)
+
+
+def cut(value: float, printed: str) -> float:
+    """Return the value with the digits beyond the printed ones cut off."""
+    return _quantized(value, _last_place(printed), ROUND_DOWN)
+
+
+def rounded(value: float, printed: str, extra: int = 0) -> float:
+    """Return the value rounded to the printed digits and so many more, half away from zero."""
+    return _quantized(value, _last_place(printed) - extra, ROUND_HALF_UP)
+
+
+def _quantized(value: float, place: int, rounding: str) -> float:
+    if not isfinite(value):
+        return value
+    return float(Decimal(value).quantize(Decimal(1).scaleb(place), rounding=rounding))
+
+
+def _last_place(printed: str) -> int:
+    """Return the power of ten of the last printed digit."""
+    number = Decimal(printed) if printed.strip() == printed else Decimal("nan")
+    exponent = number.as_tuple().exponent
+    if not isinstance(exponent, int):
+        raise ValueError(f"{printed!r} is not a printed number")
+    return exponent
+
+
+def _near(value: float, printed: str, tolerance: float) -> bool:
+    """Tell whether a value is near enough; NaN never is."""
+    return abs(value - float(printed)) <= tolerance * (1.0 + _ROUNDING)
+
+
+def _finite(value: float) -> float | None:
+    return value if isfinite(value) else None

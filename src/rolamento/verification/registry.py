@@ -1,0 +1,135 @@
+"""The sources that the program is checked against, and the run over them."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from typing import Any, Final
+
+from rolamento.errors import InputError, nearest
+from rolamento.verification import (
+    campanha_2008,
+    case_western,
+    harris_1991,
+    iso_16281,
+    radaelli_2013,
+)
+from rolamento.verification.check import VERDICTS, Check, Verdict
+from rolamento.verification.published import published
+
+__all__ = ["Progress", "Source", "SourceResult", "Verification", "run", "sources"]
+
+SCHEMA: Final = 1
+
+
+@dataclass(frozen=True, slots=True)
+class Source:
+    """A publication: its name on the command line, its reference, and its numbers."""
+
+    name: str
+    title: str
+    checks: Callable[[], Iterable[Check]]
+
+
+Progress = Callable[[Source, int, int], None]
+"""Called before each source, with how many are done and how many there are."""
+
+
+@dataclass(frozen=True, slots=True)
+class SourceResult:
+    """All checks of one source."""
+
+    name: str
+    title: str
+    checks: tuple[Check, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Verification:
+    """All checks of all sources that were asked for."""
+
+    results: tuple[SourceResult, ...]
+
+    @property
+    def checks(self) -> tuple[Check, ...]:
+        """The checks of all sources, in their order."""
+        return tuple(check for result in self.results for check in result.checks)
+
+    @property
+    def passed(self) -> bool:
+        """Whether no number fails, and there is at least one."""
+        return bool(self.checks) and not self.count("fails")
+
+    def count(self, verdict: Verdict) -> int:
+        """Return how many numbers have a verdict."""
+        return sum(check.verdict == verdict for check in self.checks)
+
+    def to_mapping(self) -> dict[str, Any]:
+        """Give everything as plain mappings and lists; a number that does not exist as None."""
+        return {
+            "schema": SCHEMA,
+            "passed": self.passed,
+            "numbers": len(self.checks),
+            "verdicts": {verdict: self.count(verdict) for verdict in VERDICTS},
+            "sources": [
+                {
+                    "name": result.name,
+                    "title": result.title,
+                    "checks": [check.to_mapping() for check in result.checks],
+                }
+                for result in self.results
+            ],
+        }
+
+    def to_json(self, *, indent: int | None = 2) -> str:
+        """Give everything as one JSON object."""
+        return json.dumps(self.to_mapping(), indent=indent, ensure_ascii=False, allow_nan=False)
+
+
+def sources() -> tuple[Source, ...]:
+    """Return all sources, the older first."""
+    modules = (harris_1991, iso_16281, campanha_2008, radaelli_2013, case_western)
+    names = (module.__name__.rpartition(".")[2] for module in modules)
+    return tuple(
+        Source(name, published(name)["title"], module.checks)
+        for name, module in zip(names, modules, strict=True)
+    )
+
+
+def run(names: Iterable[str] = (), *, progress: Progress | None = None) -> Verification:
+    """Compute every published number, and compare.
+
+    Parameters
+    ----------
+    names
+        Of the sources wanted; all if none is given.
+    progress
+        Called before each source.
+
+    Raises
+    ------
+    InputError
+        If no source has such a name.
+    """
+    chosen = _chosen(tuple(names))
+    results = []
+    for done, source in enumerate(chosen):
+        if progress is not None:
+            progress(source, done, len(chosen))
+        results.append(SourceResult(source.name, source.title, tuple(source.checks())))
+    return Verification(tuple(results))
+
+
+def _chosen(names: tuple[str, ...]) -> tuple[Source, ...]:
+    """Return the sources of these names, in the order of all."""
+    everything = sources()
+    known = [source.name for source in everything]
+    for name in names:
+        if name not in known:
+            near = nearest(name, known)
+            guess = f"did you mean {near}?" if near else f"known: {', '.join(known)}"
+            raise InputError(
+                f"is not a known source; {guess}", field="source", value=name, example=known[0]
+            )
+    return tuple(source for source in everything if not names or source.name in names)
