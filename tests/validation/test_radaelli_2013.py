@@ -17,7 +17,7 @@ import pytest
 
 from rolamento import State, solve
 from rolamento.equilibrium import rows
-from rolamento.equilibrium.problem import case_parameters
+from rolamento.equilibrium.columns import spread
 from rolamento.equilibrium.solve import solve_columns_of
 from rolamento.static import axial_load, radial_load
 from rolamento.verification import Check
@@ -180,10 +180,9 @@ def test_table_5_4_has_no_moment_across(row: list[str]) -> None:
 def test_sign_of_the_gyroscopic_moment() -> None:
     """With |M_g| for M_g, which is negative when the inner ring turns, z would be 0.0610 mm."""
     case = case_5_4(0.0)
-    p = case_parameters(case)[:, np.newaxis]
-    turned = p.copy()
-    turned[rows.GYROSCOPIC] *= -1.0
-    signed, unsigned = solve_columns_of(case, p), solve_columns_of(case, turned)
+    columns, turned = spread(case, {}), spread(case, {})
+    turned.rows[0].p[rows.GYROSCOPIC] *= -1.0
+    signed, unsigned = solve_columns_of(columns), solve_columns_of(turned)
     assert (signed.balls().gyroscopic_moment < 0.0).all()
     assert (unsigned.balls().gyroscopic_moment > 0.0).all()
     assert_printed("0.0989", signed.displacement[0, 2] * 1e3)
