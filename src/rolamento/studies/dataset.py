@@ -1,0 +1,86 @@
+"""Results in memory, as xarray Datasets."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+import xarray as xr
+from numpy.typing import NDArray
+
+from rolamento.errors import FileError
+from rolamento.studies.layout import Layout, Variable
+from rolamento.studies.plan import Plan
+from rolamento.studies.study import SAMPLE
+
+__all__ = ["dataset", "load_result"]
+
+_MOST_BYTES: Final = 4 * 2**30
+
+
+def dataset(
+    plan: Plan,
+    arrays: Mapping[str, NDArray[Any]],
+    counts: Mapping[str, int],
+    messages: tuple[str, ...],
+) -> xr.Dataset:
+    """Return the result of a plan whose status and outputs are given over all its cases."""
+    layout = Layout(plan)
+    coords = {variable.name: _coordinate(variable, variable.values) for variable in layout.axes}
+    if plan.sampler is not None:
+        drawn = plan.sampler.draw(0, layout.sizes[SAMPLE])
+        fields = {layout.names[name]: values for name, values in drawn.items()}
+        coords.update({v.name: _coordinate(v, fields[v.name]) for v in layout.samples})
+    shape = plan.study.shape
+    variables = {
+        variable.name: xr.Variable(
+            variable.dims,
+            arrays[variable.name].reshape(shape + arrays[variable.name].shape[1:]),
+            dict(variable.attrs),
+        )
+        for variable in layout.outputs
+    }
+    return xr.Dataset(variables, coords, layout.attrs(counts, messages))
+
+
+def load_result(path: str | os.PathLike[str]) -> xr.Dataset:
+    """Read a result that `run_to_file` wrote as NetCDF.
+
+    Parameters
+    ----------
+    path
+        A ``.nc`` file. Of a larger one than memory takes, `xarray.open_dataset` reads parts.
+
+    Raises
+    ------
+    FileError
+        If the file cannot be read, is no NetCDF file of a study, or takes more than 4 GB.
+    """
+    source = os.fspath(path)
+    if not Path(source).is_file():
+        raise FileError("cannot be opened: no such file", source=source)
+    try:
+        with xr.open_dataset(source, engine="h5netcdf") as opened:
+            if opened.nbytes > _MOST_BYTES:
+                raise FileError(
+                    f"holds {opened.nbytes / 1e9:.1f} GB; xarray.open_dataset reads parts of it",
+                    source=source,
+                )
+            loaded = opened.load()
+    except FileError:
+        raise
+    except Exception as error:  # whatever HDF5 and its readers make of a file that is none
+        reason = type(error).__name__
+        raise FileError(f"is not a readable NetCDF file ({reason})", source=source) from None
+    if "status" not in loaded or "study" not in loaded.attrs:
+        raise FileError("is not the result of a study", source=source)
+    return loaded
+
+
+def _coordinate(variable: Variable, values: NDArray[Any] | None) -> xr.Variable:
+    assert values is not None
+    held = values.astype(object) if values.dtype.kind == "U" else values
+    return xr.Variable(variable.dims, np.asarray(held), dict(variable.attrs))

@@ -1,0 +1,132 @@
+"""Results as NetCDF files, with h5netcdf.
+
+Variables are stored whole and uncompressed: the digits of a computed number do not compress (a
+tenth is gained for ten times the time), and any run of cases can be written in place.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any, Final
+
+import h5netcdf
+import numpy as np
+
+from rolamento.studies.layout import Layout, Variable
+from rolamento.studies.plan import Part, Plan
+
+__all__ = ["netcdf_writer", "slabs"]
+
+_SAMPLES_AT_ONCE: Final = 2**16
+
+
+class _NetCDF:
+    def __init__(self, file: Any, plan: Plan, layout: Layout) -> None:
+        self._plan, self._file, self._layout = plan, file, layout
+
+    def put(self, part: Part) -> None:
+        first, last = self._plan.bounds(part.index)
+        pieces = list(slabs(first, last, self._plan.study.shape))
+        for variable in self._layout.outputs:
+            target, values = self._file.variables[variable.name], part.arrays[variable.name]
+            for place, run in pieces:
+                shape = tuple(s.stop - s.start for s in place) + values.shape[1:]
+                target[place] = values[run].reshape(shape)
+
+
+@contextmanager
+def netcdf_writer(
+    path: Path, plan: Plan, counts: Mapping[str, int], messages: tuple[str, ...]
+) -> Iterator[_NetCDF]:
+    """Open a NetCDF file for the parts of a result; coordinates are written at once."""
+    layout = Layout(plan)
+    with h5netcdf.File(path, "w") as file:
+        file.attrs.update(_plain(layout.attrs(counts, messages)))
+        file.dimensions = dict(layout.sizes)
+        for variable in layout.axes:
+            _write_coordinate(file, variable)
+        for variable in (*layout.samples, *layout.outputs):
+            _create(file, variable)
+        if layout.coordinates:
+            for variable in layout.outputs:
+                file.variables[variable.name].attrs["coordinates"] = layout.coordinates
+        _write_samples(file, plan, layout)
+        yield _NetCDF(file, plan, layout)
+
+
+def slabs(
+    first: int, last: int, shape: tuple[int, ...]
+) -> Iterator[tuple[tuple[slice, ...], slice]]:
+    """Cut a run of cases into boxes of the grid: each with its place and its part of the run.
+
+    At most one box less than twice the dimensions: a ragged beginning, whole rows, a ragged end.
+    """
+    yield from _slabs(first, last, shape, (), 0)
+
+
+def _slabs(
+    first: int, last: int, shape: tuple[int, ...], fixed: tuple[slice, ...], offset: int
+) -> Iterator[tuple[tuple[slice, ...], slice]]:
+    if first >= last:
+        return
+    length = int(np.prod(shape[1:], dtype=np.int64))
+    if len(shape) == 1:
+        yield (*fixed, slice(first, last)), slice(offset, offset + last - first)
+        return
+    row, begin = divmod(first, length)
+    end_row, end = divmod(last, length)
+    if row == end_row:
+        yield from _slabs(begin, end, shape[1:], (*fixed, slice(row, row + 1)), offset)
+        return
+    if begin:
+        yield from _slabs(begin, length, shape[1:], (*fixed, slice(row, row + 1)), offset)
+        offset += length - begin
+        row += 1
+    if row < end_row:
+        whole = (end_row - row) * length
+        place = (*fixed, slice(row, end_row), *(slice(0, size) for size in shape[1:]))
+        yield place, slice(offset, offset + whole)
+        offset += whole
+    yield from _slabs(0, end, shape[1:], (*fixed, slice(end_row, end_row + 1)), offset)
+
+
+def _create(file: Any, variable: Variable) -> Any:
+    created = file.create_variable(variable.name, variable.dims, variable.dtype)
+    created.attrs.update(_plain(variable.attrs))
+    if variable.dtype.kind == "f":
+        created.attrs["_FillValue"] = np.float64(np.nan)
+    return created
+
+
+def _write_coordinate(file: Any, variable: Variable) -> None:
+    values = variable.values
+    assert values is not None
+    attrs = dict(variable.attrs)
+    if values.dtype.kind == "b":  # as xarray writes and reads them
+        values, attrs = values.astype(np.int8), {**attrs, "dtype": "bool"}
+    elif values.dtype.kind == "U":
+        values = values.astype(object)
+    dtype: Any = h5netcdf.core.h5py.string_dtype() if values.dtype == object else values.dtype
+    created = file.create_variable(variable.name, variable.dims, dtype)
+    created[...] = values
+    created.attrs.update(_plain(attrs))
+
+
+def _write_samples(file: Any, plan: Plan, layout: Layout) -> None:
+    """Write the scattered fields, which no part holds: they follow from the seed."""
+    if plan.sampler is None:
+        return
+    size = layout.sizes[layout.samples[0].dims[0]]
+    names = {layout.names[name]: name for name in layout.names}
+    for first in range(0, size, _SAMPLES_AT_ONCE):
+        last = min(first + _SAMPLES_AT_ONCE, size)
+        drawn = plan.sampler.draw(first, last)
+        for variable in layout.samples:
+            file.variables[variable.name][first:last] = drawn[names[variable.name]]
+
+
+def _plain(attrs: Mapping[str, Any]) -> dict[str, Any]:
+    """Give whole numbers a size."""
+    return {name: np.int64(v) if isinstance(v, int) else v for name, v in attrs.items()}

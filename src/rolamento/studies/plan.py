@@ -1,0 +1,239 @@
+"""From a study to numbered cases, and to chunks of them that can be solved anywhere.
+
+Cases are counted with the last dimension the fastest. A chunk is a run of cases whose length
+follows from the study alone, so that whoever solves it, and with however many threads, gets the
+same numbers.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rolamento.case import Case
+from rolamento.errors import InputError
+from rolamento.studies.fields import Value
+from rolamento.studies.outputs import Output, Solved, outputs_of
+from rolamento.studies.reading import parse_study, study_to_json
+from rolamento.studies.sampling import Sampler
+from rolamento.studies.solving import INVALID_INPUT, array_fields, base_case, solve, status_names
+from rolamento.studies.study import SAMPLE, Study
+
+__all__ = ["Part", "Plan", "Task", "solve_task"]
+
+Indices = NDArray[np.intp]
+Floats = NDArray[np.float64]
+
+_MOST_CELLS: Final = 2**18
+"""Cases times balls of a chunk: some 2 MB for each array over the balls."""
+_FEWEST_CASES: Final = 256
+_MOST_CASES: Final = 2**14
+_MOST_MESSAGES: Final = 5
+_COUNT_FIELDS: Final = ("bearing.ball_count", "bearing.arrangement")
+
+
+@dataclass(frozen=True, slots=True)
+class Task:
+    """One chunk of a study, to be solved anywhere: `solve_task` needs nothing else.
+
+    study: JSON text; chunk: cases in each; index: of this one.
+    """
+
+    study: str
+    chunk: int
+    index: int
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """A solved chunk.
+
+    arrays: "status" and the outputs, over the cases of the chunk. messages: why some of its
+    cases are not valid.
+    """
+
+    index: int
+    arrays: Mapping[str, NDArray[Any]]
+    messages: tuple[str, ...] = ()
+
+
+class Plan:
+    """A study in numbers.
+
+    Parameters
+    ----------
+    study
+        What to do.
+    chunk
+        Cases in a chunk; by default what keeps memory within bounds.
+    """
+
+    def __init__(self, study: Study, chunk: int | None = None) -> None:
+        self.study = study
+        self.outputs: tuple[Output, ...] = outputs_of(study.outputs)
+        self.columns = [axis.columns() for axis in study.axes]
+        self.sampler = Sampler(study.scatter, study.seed) if study.scatter is not None else None
+        self._grouping = [k for k, axis in enumerate(study.axes) if study.is_grouped(axis)]
+        self._base_case = lru_cache(maxsize=256)(self._made_case)
+        self.balls = self._greatest_ball_count()
+        self.chunk = chunk or self._bounded_chunk()
+
+    @property
+    def cases(self) -> int:
+        """In all."""
+        return self.study.cases
+
+    @property
+    def chunks(self) -> int:
+        """In all."""
+        return -(-self.cases // self.chunk)
+
+    def bounds(self, index: int) -> tuple[int, int]:
+        """First case of a chunk, and the first after it."""
+        return index * self.chunk, min((index + 1) * self.chunk, self.cases)
+
+    def size(self, index: int) -> int:
+        """Cases in a chunk."""
+        first, last = self.bounds(index)
+        return last - first
+
+    def places(self, first: int, last: int) -> tuple[Indices, ...]:
+        """Place of each case along each dimension."""
+        return np.unravel_index(np.arange(first, last), self.study.shape)
+
+    def inputs(self, first: int, last: int) -> dict[str, NDArray[Any]]:
+        """What each varied field takes in each of some cases; quantities in SI units."""
+        places = self.places(first, last)
+        taken: dict[str, NDArray[Any]] = {}
+        for columns, place in zip(self.columns, places, strict=False):
+            for name, column in columns.items():
+                taken[name] = np.asarray(column)[place]
+        if self.sampler is not None:
+            taken.update(self._drawn(first, last))
+        return taken
+
+    def solve(self, index: int, threads: int | None = 1) -> Part:
+        """Solve a chunk."""
+        first, last = self.bounds(index)
+        arrays = self.empty(last - first)
+        inputs = self.inputs(first, last)
+        varied = {name: inputs[name] for name in inputs if name in array_fields()}
+        messages: list[str] = []
+        for group, cases in self._groups(first, last):
+            # Twice if alone: a single case may be solved by plain Python, or by compiled code,
+            # whose last digits differ, as the process happens to have it loaded.
+            solved = cases if len(cases) > 1 else np.repeat(cases, 2)
+            values = {name: values[solved] for name, values in varied.items()}
+            try:
+                case = self._base_case(group)
+                batch = solve(case, values, cases=len(solved), threads=threads)
+            except InputError as error:
+                if str(error) not in messages and len(messages) < _MOST_MESSAGES:
+                    messages.append(str(error))
+                continue
+            arrays["status"][solved] = batch.code
+            self._put(arrays, solved, Solved(batch))
+        return Part(index, arrays, tuple(messages))
+
+    def task(self, index: int) -> Task:
+        """A chunk as a message to another process."""
+        return Task(self.text, self.chunk, index)
+
+    @cached_property
+    def text(self) -> str:
+        """The study as JSON."""
+        return study_to_json(self.study)
+
+    def empty(self, cases: int) -> dict[str, NDArray[Any]]:
+        """Status and outputs of so many cases, none of them solved."""
+        arrays: dict[str, NDArray[Any]] = {
+            "status": np.full(cases, status_names()[INVALID_INPUT], np.int8)
+        }
+        for output in self.outputs:
+            shape = (cases, self.balls) if output.per_ball else (cases,)
+            arrays[output.name] = np.full(shape, output.absent, output.dtype)
+        return arrays
+
+    def _put(self, arrays: Mapping[str, NDArray[Any]], cases: Indices, solved: Solved) -> None:
+        """Compute the outputs of a group, and put them to their places."""
+        for output in self.outputs:
+            values = output.compute(solved)
+            if output.per_ball:
+                arrays[output.name][cases, : values.shape[1]] = values
+            else:
+                arrays[output.name][cases] = values
+
+    def _groups(self, first: int, last: int) -> Iterator[tuple[tuple[int, ...], Indices]]:
+        """Cases that share a base case, with the places along the grouping axes."""
+        everything = np.arange(last - first)
+        if not self._grouping:
+            yield (), everything
+            return
+        places = self.places(first, last)
+        sizes = tuple(self.study.axes[k].size for k in self._grouping)
+        codes = np.ravel_multi_index(tuple(places[k] for k in self._grouping), sizes)
+        order = np.argsort(codes, kind="stable")
+        present, begin = np.unique(codes[order], return_index=True)
+        for code, cases in zip(present, np.split(order, begin[1:]), strict=True):
+            yield tuple(int(i) for i in np.unravel_index(int(code), sizes)), cases
+
+    def _made_case(self, group: tuple[int, ...]) -> Case:
+        values: dict[str, Value] = {}
+        for k, place in zip(self._grouping, group, strict=True):
+            for name, column in self.columns[k].items():
+                if name not in array_fields():
+                    value = column[place]
+                    values[name] = float(value) if isinstance(value, np.floating) else value
+        return base_case(self.study.case, values) if values else self.study.case
+
+    def _drawn(self, first: int, last: int) -> dict[str, Floats]:
+        """Draws of some cases: a run of samples, that begins anew for each point of the axes."""
+        assert self.sampler is not None
+        samples = self.study.sizes[SAMPLE]
+        begin, count = first % samples, last - first
+        if samples <= count:
+            place = np.arange(first, last) % samples
+            return {name: drawn[place] for name, drawn in self.sampler.draw(0, samples).items()}
+        end = begin + count
+        drawn = self.sampler.draw(begin, min(end, samples))
+        if end > samples:
+            again = self.sampler.draw(0, end - samples)
+            drawn = {name: np.concatenate([drawn[name], again[name]]) for name in drawn}
+        return drawn
+
+    def _greatest_ball_count(self) -> int:
+        """Of all the cases, over all rows: the length of the dimension of balls."""
+        counts = [_ball_count(self.study.case)]
+        varied = {name for k in self._grouping for name in self.columns[k]}
+        if varied.intersection(_COUNT_FIELDS):
+            sizes = [self.study.axes[k].size for k in self._grouping]
+            for code in range(math.prod(sizes)):
+                group = tuple(int(i) for i in np.unravel_index(code, sizes))
+                try:
+                    counts.append(_ball_count(self._base_case(group)))
+                except InputError:
+                    continue
+        return max(counts)
+
+    def _bounded_chunk(self) -> int:
+        return min(max(_MOST_CELLS // self.balls, _FEWEST_CASES), _MOST_CASES)
+
+
+def solve_task(task: Task, threads: int | None = 1) -> Part:
+    """Solve one chunk; the study is read once for all its chunks."""
+    return _plan(task.study, task.chunk).solve(task.index, threads)
+
+
+@lru_cache(maxsize=4)
+def _plan(study: str, chunk: int) -> Plan:
+    return Plan(parse_study(study, format="json"), chunk)
+
+
+def _ball_count(case: Case) -> int:
+    return sum(place.bearing.ball_count for place in case.bearing.places)

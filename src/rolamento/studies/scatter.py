@@ -1,0 +1,255 @@
+"""Scatter of a study: fields drawn at random, each from its distribution, some of them together."""
+
+from __future__ import annotations
+
+import math
+from typing import Annotated, Any, Final, Literal, Self
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import (
+    Field,
+    SerializationInfo,
+    SerializerFunctionWrapHandler,
+    ValidationInfo,
+    model_serializer,
+    model_validator,
+)
+
+from rolamento._quantity import Count, Ratio, at_the_border
+from rolamento._record import Record
+from rolamento.errors import InputError
+from rolamento.studies import fields
+from rolamento.studies.axes import FieldName
+from rolamento.studies.sampling import Law, factor_of
+from rolamento.units import Dimension, from_si, to_si
+
+__all__ = ["MOST_CASES", "Correlation", "Distribution", "Scatter"]
+
+Floats = NDArray[np.float64]
+
+MOST_CASES: Final = 1_000_000_000
+FARTHEST: Final = 30.0
+"""Standard deviations from the mean within which a truncated distribution has to reach."""
+
+
+class Distribution(Record):
+    """How a field is scattered.
+
+    Parameters
+    ----------
+    distribution
+        ``"normal"`` with `mean` and `standard_deviation`, cut off at `least` and `greatest` where
+        given; ``"uniform"`` from `least` to `greatest`.
+    mean, standard_deviation, least, greatest
+        As the field takes them: a quantity with its unit, in Python also an SI float.
+
+    Raises
+    ------
+    InputError
+        If a value is missing or stands beside one that excludes it.
+    """
+
+    distribution: Literal["normal", "uniform"] = Field(examples=["normal"])
+    mean: Any = Field(None, examples=["40 deg"])
+    standard_deviation: Any = Field(None, examples=["0.5 deg"])
+    least: Any = Field(None, examples=["38 deg"])
+    greatest: Any = Field(None, examples=["42 deg"])
+
+    @model_validator(mode="after")
+    def _complete(self) -> Self:
+        normal = self.distribution == "normal"
+        needed = ("mean", "standard_deviation") if normal else ("least", "greatest")
+        for name in needed:
+            if getattr(self, name) is None:
+                raise InputError(f"is missing for a {self.distribution} distribution", field=name)
+        if not normal:
+            for name in ("mean", "standard_deviation"):
+                if getattr(self, name) is not None:
+                    raise InputError("has no place in a uniform distribution", field=name)
+        return self
+
+    def law(self, field: fields.Field, *, in_file: bool) -> Law:
+        """Return the distribution in numbers, SI.
+
+        Raises
+        ------
+        InputError
+            If the field does not take a value, or the values contradict each other.
+        """
+        low, high = (
+            self._bound(field, name, in_file, default)
+            for name, default in (("least", -math.inf), ("greatest", math.inf))
+        )
+        if not low < high:
+            raise InputError(
+                "must be greater than least",
+                field="greatest",
+                value=self.greatest,
+            )
+        if self.distribution == "uniform":
+            return Law(None, 0.0, low, high)
+        mean = self._bound(field, "mean", in_file, 0.0)
+        spread = _spread(field, self.standard_deviation, in_file)
+        if not (low - mean) / spread < FARTHEST or not (high - mean) / spread > -FARTHEST:
+            raise InputError(
+                f"lies more than {FARTHEST:g} standard deviations from the mean: nothing is left",
+                field="least" if low > mean else "greatest",
+                value=self.least if low > mean else self.greatest,
+            )
+        return Law(mean, spread, low, high)
+
+    def written(self, field: fields.Field) -> Distribution:
+        """Return the distribution with its quantities as text, as a file has it."""
+        given = {name: getattr(self, name) for name in ("mean", "least", "greatest")}
+        texts = {
+            name: value if isinstance(value, str) else field.written(float(value))
+            for name, value in given.items()
+            if value is not None
+        }
+        spread = self.standard_deviation
+        if spread is not None and not isinstance(spread, str) and field.dimension is not None:
+            spread = from_si(float(spread), field.dimension)
+        if spread is not None:
+            texts["standard_deviation"] = spread
+        return Distribution(distribution=self.distribution, **texts)
+
+    def _bound(self, field: fields.Field, name: str, in_file: bool, default: float) -> float:
+        value = getattr(self, name)
+        if value is None:
+            return default
+        try:
+            return float(field.checked(value, in_file=in_file))
+        except InputError as error:
+            raise error.with_details(field=name) from None
+
+
+def _spread(field: fields.Field, value: object, in_file: bool) -> float:
+    """Return a standard deviation: of the field's dimension, but not within its limits."""
+    if field.dimension is not None and (in_file or isinstance(value, str)):
+        if not isinstance(value, str):
+            raise InputError(
+                "needs its unit", field="standard_deviation", value=value, example=field.example
+            )
+        try:
+            spread = difference_in_si(value, field.dimension)
+        except InputError as error:
+            raise error.with_details(field="standard_deviation") from None
+    else:
+        spread = _number(value)
+    if not (spread > 0.0 and math.isfinite(spread)):
+        raise InputError("must be greater than zero", field="standard_deviation", value=value)
+    return spread
+
+
+def difference_in_si(text: str, dimension: Dimension) -> float:
+    """Read a difference of two quantities of a dimension."""
+    if dimension == "temperature" and not text.rstrip().endswith("K"):
+        raise InputError("must be in K: it is a difference", value=text, example='"2 K"')
+    return to_si(text, dimension)
+
+
+def _number(value: object) -> float:
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        raise InputError("must be a number", field="standard_deviation", value=value)
+    return float(value)
+
+
+class Correlation(Record):
+    """Correlation of two fields.
+
+    Parameters
+    ----------
+    fields
+        Two of the scattered fields.
+    coefficient
+        Of the normal scores of the fields (a Gaussian copula), -1 to 1: for two normal
+        distributions that are not truncated, the usual correlation coefficient.
+
+    Raises
+    ------
+    InputError
+        If there are not two fields, or the coefficient is out of range.
+    """
+
+    fields: tuple[FieldName, FieldName] = Field(
+        examples=['["bearing.inner_conformity", "bearing.outer_conformity"]']
+    )
+    coefficient: Annotated[float, Ratio(at_least=-1.0, at_most=1.0)] = Field(examples=[0.6])
+
+
+class Scatter(Record):
+    """Random draws of several fields.
+
+    Parameters
+    ----------
+    count
+        Draws, of all fields at once.
+    fields
+        `Distribution` by dotted field.
+    correlations
+        `Correlation` of pairs; the others are independent.
+
+    Raises
+    ------
+    InputError
+        If a field cannot be scattered or does not take a value, or the correlations contradict
+        each other: no fields can have them all.
+    """
+
+    count: Annotated[int, Count] = Field(strict=True, ge=1, le=MOST_CASES, examples=[100_000])
+    fields: dict[FieldName, Distribution] = Field(min_length=1, max_length=50)
+    correlations: tuple[Correlation, ...] = Field((), max_length=2000)
+
+    @model_validator(mode="after")
+    def _consistent(self, info: ValidationInfo) -> Self:
+        in_file = at_the_border(info.context)
+        fields.refuse_rivals(tuple(self.fields), at="fields")
+        for name, distribution in self.fields.items():
+            field = fields.read_field(name, at="fields")
+            if not field.continuous:
+                raise InputError("cannot be scattered; use an axis", field=f"fields.{name}")
+            try:
+                distribution.law(field, in_file=in_file)
+            except InputError as error:
+                place = f"fields.{name}.{error.field}"
+                raise error.with_details(field=place) from None
+        factor_of(self.matrix())
+        return self
+
+    def matrix(self) -> Floats:
+        """Return the correlation matrix of the fields in their order.
+
+        Raises
+        ------
+        InputError
+            If a pair is not one of scattered fields, or stands there twice.
+        """
+        order = {name: i for i, name in enumerate(self.fields)}
+        matrix = np.eye(len(order))
+        for number, correlation in enumerate(self.correlations):
+            at = f"correlations.{number}.fields"
+            for name in correlation.fields:
+                if name not in order:
+                    raise InputError(
+                        f"must be scattered fields: {', '.join(order)}", field=at, value=name
+                    )
+            i, j = (order[name] for name in correlation.fields)
+            if i == j or matrix[i, j] != 0.0:
+                raise InputError("must be two fields, and each pair once", field=at)
+            matrix[i, j] = matrix[j, i] = correlation.coefficient
+        return matrix
+
+    @model_serializer(mode="wrap")
+    def _written(self, handler: SerializerFunctionWrapHandler, info: SerializationInfo) -> Any:
+        """Write quantities with units where a person reads."""
+        table: dict[str, Any] = handler(self)
+        if not at_the_border(info.context):
+            return table
+        table["fields"] = {
+            name: distribution.written(fields.read_field(name)).model_dump(exclude_none=True)
+            for name, distribution in self.fields.items()
+        }
+        if not self.correlations:
+            del table["correlations"]
+        return table

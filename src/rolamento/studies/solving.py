@@ -1,0 +1,77 @@
+"""The one place where studies meet the solver."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cache
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rolamento._overrides import overridden
+from rolamento.case import Case
+from rolamento.studies.fields import Value, read_field
+
+if TYPE_CHECKING:
+    from rolamento.equilibrium import BatchState
+
+__all__ = ["CONVERGED", "INVALID_INPUT", "array_fields", "base_case", "solve", "status_names"]
+
+CONVERGED: Final = "converged"
+INVALID_INPUT: Final = "invalid_input"
+
+
+@cache
+def array_fields() -> frozenset[str]:
+    """Return the fields that may vary within a batch; each value of another needs its own case."""
+    from rolamento.equilibrium import batch_fields
+
+    return frozenset(batch_fields())
+
+
+@cache
+def status_names() -> Mapping[str, int]:
+    """Return the code of each status by name."""
+    from rolamento.equilibrium.batch_state import STATUS_NAMES
+
+    return {name: int(code) for code, name in sorted(STATUS_NAMES.items())}
+
+
+def base_case(case: Case, values: Mapping[str, Value]) -> Case:
+    """Return a case with some fields changed; each takes the place of its rival.
+
+    Balls whose material is not given go on following that of the rings.
+
+    Raises
+    ------
+    InputError
+        If there is no such case.
+    """
+    mapping = case.to_mapping()
+    if "ball_material" not in case.bearing.model_fields_set:
+        del mapping["bearing"]["ball_material"]
+    settings = [f"{name}={_written(name, value)}" for name, value in values.items()]
+    return Case.from_mapping(overridden(mapping, settings, Case)[0])
+
+
+def _written(name: str, value: Value) -> str:
+    written = read_field(name).written(value)
+    return str(written).lower() if isinstance(written, bool) else str(written)
+
+
+def solve(
+    case: Case, values: Mapping[str, NDArray[np.float64]], *, cases: int, threads: int | None
+) -> BatchState:
+    """Solve a case for so many values of its fields.
+
+    Raises
+    ------
+    InputError
+        If fields that vary do not go with the case, whatever their values.
+    """
+    from rolamento.equilibrium import solve_batch
+
+    if not values:  # every case the same: the length has to come from somewhere
+        values = {"duty.inner_speed": np.full(cases, case.duty.inner_speed)}
+    return solve_batch(case, values, threads=threads)

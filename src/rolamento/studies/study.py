@@ -1,0 +1,197 @@
+"""A study: a case, what varies in it, and what is wanted of each case."""
+
+from __future__ import annotations
+
+import math
+from typing import Annotated, Any, Final, Self
+
+from pydantic import (
+    Field,
+    SerializationInfo,
+    SerializerFunctionWrapHandler,
+    model_serializer,
+    model_validator,
+)
+
+from rolamento._quantity import Count, Line, at_the_border
+from rolamento._record import Record
+from rolamento.case import Case
+from rolamento.errors import InputError
+from rolamento.studies import fields
+from rolamento.studies.axes import Axis
+from rolamento.studies.outputs import DEFAULT_OUTPUTS, outputs_of
+from rolamento.studies.scatter import MOST_CASES, Scatter
+from rolamento.studies.solving import array_fields
+
+__all__ = ["MOST_GROUPS", "SAMPLE", "Study", "coordinate_names"]
+
+SAMPLE: Final = "sample"
+"""The dimension of scatter."""
+
+_RESERVED: Final = (SAMPLE, "status", "ball", "row", "case")
+_MOST_AXES: Final = 8
+_MOST_OUTPUTS: Final = 100
+MOST_GROUPS: Final = 10_000
+"""Combinations of values, such as numbers of balls, each of which makes a case of its own."""
+
+
+class Study(Record):
+    """Many cases: those of all combinations of the axes' values, each scattered if so wanted.
+
+    Parameters
+    ----------
+    title
+        One line, at most 200 characters.
+    case
+        The `Case` that supplies what does not vary.
+    seed
+        Of the scatter.
+    outputs
+        Names of the catalogue; ``rolamento sweep --list outputs`` shows it.
+    axes
+        `Axis` records, at most 8: the dimensions of the result, the first the slowest.
+    scatter
+        A `Scatter`: one more dimension, ``"sample"``. Every combination of the axes' values sees
+        the same draws.
+
+    Raises
+    ------
+    InputError
+        If a part is not valid, nothing varies, a field varies twice, or there are more than
+        10⁹ cases.
+    """
+
+    title: Line = Field("", examples=["218 over its speed range"])
+    case: Case = Field(examples=['case = "case.toml"'])
+    seed: Annotated[int, Count] = Field(0, strict=True, ge=0, le=2**63 - 1, examples=[1])
+    outputs: tuple[Annotated[str, Field(strict=True, max_length=100)], ...] = Field(
+        DEFAULT_OUTPUTS, min_length=1, max_length=_MOST_OUTPUTS, examples=['["x", "stiffness_zz"]']
+    )
+    axes: tuple[Axis, ...] = Field((), max_length=_MOST_AXES)
+    scatter: Scatter | None = None
+
+    @property
+    def sizes(self) -> dict[str, int]:
+        """Length of each dimension, in order."""
+        names = _dimension_names(self)
+        sizes = dict(zip(names, (axis.size for axis in self.axes), strict=True))
+        return {**sizes, SAMPLE: self.scatter.count} if self.scatter is not None else sizes
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Lengths of the dimensions."""
+        return tuple(self.sizes.values())
+
+    @property
+    def cases(self) -> int:
+        """How many there are."""
+        return math.prod(self.shape)
+
+    @property
+    def varied(self) -> tuple[str, ...]:
+        """The fields that vary, those of the axes first."""
+        scattered = tuple(self.scatter.fields) if self.scatter is not None else ()
+        return (*(name for axis in self.axes for name in axis.fields), *scattered)
+
+    @model_validator(mode="after")
+    def _sound(self) -> Self:
+        outputs_of(self.outputs)
+        for name in self.outputs:
+            if self.outputs.count(name) > 1:
+                raise InputError("stands there twice", field="outputs", value=name)
+        if not self.axes and self.scatter is None:
+            raise InputError(
+                "is missing: give axes, a scatter, or both",
+                field="axes",
+                example='[[axes]] with field = "duty.inner_speed", values = ["0 rpm", "9000 rpm"]',
+            )
+        self._check_fields()
+        self._check_names()
+        self._check_numbers()
+        return self
+
+    def _check_fields(self) -> None:
+        varied = self.varied
+        for name in varied:
+            if varied.count(name) > 1:
+                raise InputError("is varied twice", field=self._place(name), value=name)
+        fields.refuse_rivals(varied, at=self._place(varied[-1]))
+        for name in self.scatter.fields if self.scatter is not None else ():
+            if name not in array_fields():
+                raise InputError("cannot be scattered; use an axis", field=f"scatter.fields.{name}")
+
+    def _check_names(self) -> None:
+        names = _dimension_names(self)
+        for number, name in enumerate(names):
+            if name in _RESERVED or name in self.outputs or names.count(name) > 1:
+                raise InputError(
+                    "is the name of something else in the result",
+                    field=f"axes.{number}.name",
+                    value=name,
+                    example='name = "load case"',
+                )
+
+    def _check_numbers(self) -> None:
+        if self.cases > MOST_CASES:
+            raise InputError(
+                f"make {self.cases:.3g} cases; a study has at most {MOST_CASES:.0e}",
+                field="axes" if self.axes else "scatter.count",
+            )
+        groups = math.prod(axis.size for axis in self.axes if self.is_grouped(axis))
+        if groups > MOST_GROUPS:
+            raise InputError(
+                f"make {groups} combinations of values that each need a case of their own;"
+                f" at most {MOST_GROUPS}",
+                field="axes",
+            )
+
+    def is_grouped(self, axis: Axis) -> bool:
+        """Tell whether a field of an axis cannot vary within a batch."""
+        return any(name not in array_fields() for name in axis.fields)
+
+    def _place(self, name: str) -> str:
+        """Where in the study a field is varied for the last time."""
+        if self.scatter is not None and name in self.scatter.fields:
+            return f"scatter.fields.{name}"
+        numbers = [number for number, axis in enumerate(self.axes) if name in axis.fields]
+        return f"axes.{numbers[-1]}.field"
+
+    @model_serializer(mode="wrap")
+    def _written(self, handler: SerializerFunctionWrapHandler, info: SerializationInfo) -> Any:
+        """Leave out what says nothing, where a person reads."""
+        table: dict[str, Any] = handler(self)
+        if not at_the_border(info.context):
+            return table
+        if "ball_material" not in self.case.bearing.model_fields_set:
+            del table["case"]["bearing"]["ball_material"]  # it goes on following the rings'
+        kept = {key: value for key, value in table.items() if value not in ("", (), [], None)}
+        return {
+            key: list(value) if isinstance(value, tuple) else value for key, value in kept.items()
+        }
+
+
+def coordinate_names(study: Study) -> dict[str, str]:
+    """Return what the coordinate of each varied field is called.
+
+    As the axis is, if it has one field and a name; else the field's last part, if that is free.
+    """
+    varied = study.varied
+    leaves = [fields.read_field(name).leaf for name in varied]
+    taken = (*_RESERVED, *study.outputs, *(axis.name for axis in study.axes))
+    names = {
+        name: leaf if leaves.count(leaf) == 1 and leaf not in taken else name
+        for name, leaf in zip(varied, leaves, strict=True)
+    }
+    given = {axis.field: axis.name for axis in study.axes if axis.field is not None and axis.name}
+    return {**names, **given}
+
+
+def _dimension_names(study: Study) -> list[str]:
+    """Names of the axes: as given, or after the field, or the fields' last parts together."""
+    coordinates = coordinate_names(study)
+    names = []
+    for axis in study.axes:
+        joined = "_".join(coordinates[name].rpartition(".")[2] for name in axis.fields)
+        alone = coordinates[axis.fields[0]] if axis.field is not None else joined
+        names.append(axis.name or alone)
+    return names

@@ -1,0 +1,132 @@
+"""Results as tables, one line a case: CSV and Parquet, with pyarrow."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+import pyarrow as pa
+import pyarrow.csv
+import pyarrow.parquet
+from numpy.typing import NDArray
+
+from rolamento.studies.layout import BALL, Layout, Variable
+from rolamento.studies.plan import Part, Plan
+from rolamento.studies.solving import status_names
+from rolamento.studies.study import SAMPLE
+
+__all__ = ["ATTRIBUTES", "csv_writer", "parquet_writer"]
+
+ATTRIBUTES: Final = b"rolamento"
+"""Key of a Parquet schema's metadata: sizes of the dimensions and attributes, as JSON."""
+
+
+class _Table:
+    """Turns parts into record batches and hands them on."""
+
+    def __init__(
+        self, plan: Plan, layout: Layout, schema: Any, write: Callable[[Any], None]
+    ) -> None:
+        self._plan, self._layout, self._schema, self._write = plan, layout, schema, write
+
+    def put(self, part: Part) -> None:
+        first, last = self._plan.bounds(part.index)
+        columns = [*self._inputs(first, last), *self._outputs(part)]
+        arrays = [
+            pa.array(c, t.type, from_pandas=True)
+            for c, t in zip(columns, self._schema, strict=True)
+        ]
+        self._write(pa.record_batch(arrays, schema=self._schema))
+
+    def _inputs(self, first: int, last: int) -> Iterator[Any]:
+        places = dict(zip(self._layout.dims, self._plan.places(first, last), strict=True))
+        inputs = self._plan.inputs(first, last)
+        if SAMPLE in places:
+            yield places[SAMPLE]
+        for name in self._layout.names:
+            yield inputs[name]
+
+    def _outputs(self, part: Part) -> Iterator[Any]:
+        names = np.array(list(status_names()))
+        for variable in self._layout.outputs:
+            values = part.arrays[variable.name]
+            if variable.name == "status":
+                yield names[values]
+            elif values.ndim == 2:
+                yield from values.T
+            else:
+                yield values
+
+
+@contextmanager
+def csv_writer(
+    path: Path, plan: Plan, counts: Mapping[str, int], messages: tuple[str, ...]
+) -> Iterator[_Table]:
+    """Open a CSV file: UTF-8, a header with units, an empty field where there is no number."""
+    layout = Layout(plan)
+    names = [f"{name} [{unit}]" if unit else name for name, unit, _ in _columns(layout)]
+    schema = pa.schema(
+        [(name, kind) for name, (_, _, kind) in zip(names, _columns(layout), strict=True)]
+    )
+    options = pa.csv.WriteOptions(quoting_style="needed")
+    with pa.csv.CSVWriter(str(path), schema, write_options=options) as file:
+        yield _Table(plan, layout, schema, file.write_batch)
+
+
+@contextmanager
+def parquet_writer(
+    path: Path, plan: Plan, counts: Mapping[str, int], messages: tuple[str, ...]
+) -> Iterator[_Table]:
+    """Open a Parquet file: a row group a part, units with each column, attributes in the schema."""
+    layout = Layout(plan)
+    record = {
+        "sizes": {name: layout.sizes[name] for name in layout.dims},
+        "balls": layout.sizes.get(BALL, 0),
+        "attributes": layout.attrs(counts, messages),
+    }
+    fields = [
+        pa.field(name, kind, metadata={"units": unit} if unit else None)
+        for name, unit, kind in _columns(layout)
+    ]
+    text = json.dumps(record, ensure_ascii=False)
+    schema = pa.schema(fields, metadata={ATTRIBUTES: text})
+    with pa.parquet.ParquetWriter(str(path), schema, compression="zstd") as file:
+        yield _Table(plan, layout, schema, file.write_batch)
+
+
+def _columns(layout: Layout) -> list[tuple[str, str, Any]]:
+    """Name, unit and type of every column."""
+    columns: list[tuple[str, str, Any]] = []
+    if SAMPLE in layout.dims:
+        columns.append((SAMPLE, "", pa.int64()))
+    inputs = {variable.name: variable for variable in (*layout.axes, *layout.samples)}
+    for name in layout.names.values():
+        columns.append((name, *_unit_and_type(inputs[name])))
+    for variable in layout.outputs:
+        unit, kind = _unit_and_type(variable)
+        if variable.name == "status":
+            columns.append((variable.name, "", pa.string()))
+        elif BALL in variable.dims:
+            columns += [
+                (f"{variable.name}_{ball}", unit, kind) for ball in range(layout.sizes[BALL])
+            ]
+        else:
+            columns.append((variable.name, unit, kind))
+    return columns
+
+
+def _unit_and_type(variable: Variable) -> tuple[str, Any]:
+    unit = variable.attrs.get("units", "")
+    kind = pa.string() if variable.dtype.kind == "U" else pa.from_numpy_dtype(variable.dtype)
+    return "" if unit == "1" else unit, kind
+
+
+def read_parquet_columns(path: Path) -> tuple[dict[str, NDArray[Any]], dict[bytes, bytes]]:
+    """Return the columns of a Parquet file as arrays, and its schema's metadata."""
+    table = pa.parquet.read_table(str(path))
+    columns = {name: table.column(name).to_numpy() for name in table.column_names}
+    return columns, dict(table.schema.metadata or {})
