@@ -1,0 +1,99 @@
+"""The units on axes: from SI to what a person reads, in one place."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from math import pi
+from typing import Final, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+__all__ = [
+    "DEGREE",
+    "MEGAPASCAL",
+    "MILLIMETRE",
+    "NONE",
+    "PERCENT",
+    "RPM",
+    "ReadableUnit",
+    "readable_unit",
+]
+
+_LONGEST_SYMBOL: Final = 24
+
+
+class ReadableUnit(NamedTuple):
+    """A unit that stands on an axis; a value in it is factor times the value in SI."""
+
+    symbol: str
+    factor: float
+
+    def of(self, values: ArrayLike) -> NDArray[np.float64]:
+        """Return values given in SI in this unit."""
+        converted: NDArray[np.float64] = np.asarray(values, dtype=np.float64) * self.factor
+        return converted
+
+    def label(self, name: str) -> str:
+        """Return the label of an axis."""
+        return f"{name} ({self.symbol})"
+
+
+DEGREE: Final = ReadableUnit("°", 180.0 / pi)
+MILLIMETRE: Final = ReadableUnit("mm", 1e3)
+MEGAPASCAL: Final = ReadableUnit("MPa", 1e-6)
+RPM: Final = ReadableUnit("rpm", 30.0 / pi)
+PERCENT: Final = ReadableUnit("%", 1e2)
+NONE: Final = ReadableUnit("–", 1.0)
+
+_READABLE: Final[Mapping[str, tuple[tuple[float, ReadableUnit], ...]]] = {
+    "": ((0.0, NONE),),
+    "1": ((0.0, NONE),),
+    "m": ((0.0, ReadableUnit("µm", 1e6)), (1e-3, MILLIMETRE)),
+    "rad": ((0.0, ReadableUnit("mrad", 1e3)), (0.5 * pi / 180.0, DEGREE)),
+    "rad/s": ((0.0, RPM),),
+    "N": ((0.0, ReadableUnit("N", 1.0)), (1e4, ReadableUnit("kN", 1e-3))),
+    "N*m": (
+        (0.0, ReadableUnit("N·mm", 1e3)),
+        (0.1, ReadableUnit("N·m", 1.0)),
+        (1e4, ReadableUnit("kN·m", 1e-3)),
+    ),
+    "Pa": ((0.0, MEGAPASCAL), (1e10, ReadableUnit("GPa", 1e-9))),
+    "N/m": ((0.0, ReadableUnit("N/µm", 1e-6)),),
+    "N/rad": ((0.0, ReadableUnit("N/mrad", 1e-3)),),
+    "N*m/m": ((0.0, ReadableUnit("N·m/mm", 1e-3)),),
+    "N*m/rad": ((0.0, ReadableUnit("N·m/mrad", 1e-3)),),
+}
+"""For every SI unit, what is read from which magnitude on."""
+
+_RAISED: Final = {"^-1": "⁻¹", "^2": "²", "^3": "³", "^4": "⁴"}
+
+
+def readable_unit(unit: str, values: ArrayLike) -> ReadableUnit:
+    """Return the unit in which a person reads values of one axis.
+
+    Parameters
+    ----------
+    unit
+        In SI, such as ``"N"``, ``"N*m"``, ``"rad/s"``, ``"kg/m^3"``; ``"1"`` for none.
+    values
+        In that unit; the greatest magnitude decides between N and kN, and the like.
+
+    Returns
+    -------
+    ReadableUnit
+        The unit as it is, prettily written, if nothing better is known.
+    """
+    plain = unit.strip().replace("**", "^").replace("·", "*").replace(" ", "*")
+    choices = _READABLE.get(plain)
+    if choices is None:
+        return ReadableUnit(_written(plain), 1.0)
+    magnitudes = np.abs(np.asarray(values, dtype=np.float64))
+    greatest = float(np.max(magnitudes, initial=0.0, where=np.isfinite(magnitudes)))
+    return [readable for least, readable in choices if least <= greatest][-1]
+
+
+def _written(unit: str) -> str:
+    for power, raised in _RAISED.items():
+        unit = unit.replace(power, raised)
+    return unit.replace("*", "·")[:_LONGEST_SYMBOL]

@@ -1,0 +1,251 @@
+"""Curves of one bearing: load over displacement, stiffness and contact angle over speed.
+
+They take plain arrays in SI units: columns of a `BatchState`, or variables of a study.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any, Final
+
+import numpy as np
+from matplotlib.axes import Axes
+from numpy.typing import ArrayLike, NDArray
+
+from rolamento.errors import InputError
+from rolamento.plots.axes_units import DEGREE, RPM, readable_unit
+from rolamento.plots.balls import RACES
+from rolamento.plots.frame import empty_frame, label_x, label_y, legend_above
+from rolamento.plots.style import INNER, OUTER, in_style, new_figure, series
+from rolamento.plots.words import ENGLISH, PlotWords
+
+__all__ = ["MOST_MARKERS", "contact_angle_over_speed", "load_displacement", "stiffness_over_speed"]
+
+Floats = NDArray[np.float64]
+
+MOST_MARKERS: Final = 30
+"""A line of more points is drawn without markers."""
+
+_DIRECTIONS: Final = ("x", "y", "z", "ry", "rz")
+_LOADS: Final = ("fx", "fy", "fz", "my", "mz")
+_LOWEST_CEILING: Final = 1.4
+"""Where the least value is above the greatest over this, the axis does not begin at zero."""
+
+
+@in_style
+def load_displacement(
+    displacement: ArrayLike,
+    load: ArrayLike,
+    axes: Axes | None = None,
+    *,
+    direction: str = "x",
+    labels: Sequence[str] = (),
+    words: PlotWords = ENGLISH,
+) -> Axes:
+    """Draw a load over the displacement in its direction.
+
+    Parameters
+    ----------
+    displacement
+        (cases,), or (curves, cases), of the inner ring, in m or rad; NaN without a result.
+    load
+        Likewise, in N or N·m.
+    axes
+        To draw on; of a new figure if not given.
+    direction
+        ``"x"``, ``"y"``, ``"z"``, ``"ry"`` or ``"rz"``.
+    labels
+        Of the curves in the legend, where there are several.
+    words
+        Language of the labels.
+
+    Returns
+    -------
+    Axes
+        Those given.
+
+    Raises
+    ------
+    InputError
+        For another direction, arrays that do not go together, or a label too many or too few.
+    """
+    position = _position(direction)
+    across, up = _together(displacement=displacement, load=load)
+    across, up = np.atleast_2d(across), np.atleast_2d(up)
+    names = list(labels) or [""] * len(across)
+    if len(names) != len(across) or across.ndim > 2:
+        raise InputError(f"must be one for each of {len(across)} curves", field="labels")
+    axes = new_figure()[1] if axes is None else axes
+    if not np.isfinite(across + up).any():
+        return empty_frame(axes, words.no_result)
+    tilt = position > 2
+    unit_x = readable_unit("rad" if tilt else "m", across)
+    unit_y = readable_unit("N*m" if tilt else "N", up)
+    for index, name in enumerate(names):
+        look = series(index).keywords(markers=across.shape[1] <= MOST_MARKERS)
+        axes.plot(unit_x.of(across[index]), unit_y.of(up[index]), label=name or None, **look)
+    label_x(axes, unit_x.label(words.name(direction)), words)
+    label_y(axes, unit_y.label(words.name(_LOADS[position])), words)
+    legend_above(axes)
+    return axes
+
+
+@in_style
+def stiffness_over_speed(
+    speed: ArrayLike,
+    stiffness: ArrayLike,
+    axes: Axes | None = None,
+    *,
+    directions: Sequence[str] = ("x", "y", "z"),
+    words: PlotWords = ENGLISH,
+) -> Axes:
+    """Draw stiffnesses of a bearing over the speed of its inner ring.
+
+    Parameters
+    ----------
+    speed
+        (cases,), in rad/s.
+    stiffness
+        (cases, 5, 5), as of `BatchState`; or (cases, directions), each already of its direction,
+        such as ``np.stack([study["stiffness_xx"], study["stiffness_zz"]], axis=1)``.
+    axes
+        To draw on; of a new figure if not given.
+    directions
+        Which of ``"x"``, ``"y"``, ``"z"`` (N/m); or of the tilts ``"ry"``, ``"rz"`` (N·m/rad).
+    words
+        Language of the labels.
+
+    Returns
+    -------
+    Axes
+        Those given. A case without a result leaves a gap.
+
+    Raises
+    ------
+    InputError
+        For another direction, shifts and tilts on one axis, or arrays that do not go together.
+    """
+    positions = [_position(direction) for direction in directions]
+    tilts = {position > 2 for position in positions}
+    if len(tilts) != 1:
+        raise InputError(
+            "must be shifts, or tilts: they have different units",
+            field="directions",
+            value=", ".join(directions),
+            example='("x", "z")',
+        )
+    across, up = np.asarray(speed, dtype=np.float64), np.asarray(stiffness, dtype=np.float64)
+    if up.ndim == 3 and up.shape[1:] == (5, 5):
+        up = up[:, positions, positions]
+    if across.ndim != 1 or up.shape != (len(across), len(positions)):
+        raise InputError(
+            f"must be (cases, 5, 5) or (cases, directions) for {across.size} speeds, is {up.shape}",
+            field="stiffness",
+        )
+    axes = new_figure()[1] if axes is None else axes
+    if not np.isfinite(up).any():
+        return empty_frame(axes, words.no_result)
+    unit = readable_unit("N*m/rad" if tilts == {True} else "N/m", up)
+    for index, direction in enumerate(directions):
+        look = series(index).keywords(markers=len(across) <= MOST_MARKERS)
+        axes.plot(RPM.of(across), unit.of(up[:, index]), label=f"{direction}–{direction}", **look)
+    _from_zero(axes, up)
+    label_x(axes, RPM.label(words.inner_speed), words)
+    label_y(axes, unit.label(words.stiffness), words)
+    legend_above(axes)
+    return axes
+
+
+@in_style
+def contact_angle_over_speed(
+    speed: ArrayLike,
+    inner: ArrayLike,
+    outer: ArrayLike,
+    axes: Axes | None = None,
+    *,
+    words: PlotWords = ENGLISH,
+) -> Axes:
+    """Draw inner and outer contact angles over the speed of the inner ring.
+
+    Parameters
+    ----------
+    speed
+        (cases,), in rad/s.
+    inner, outer
+        (cases,) of one ball, or (cases, balls), in rad: then a band from the least to the
+        greatest of the balls, and a line through their median. NaN where there is no contact.
+    axes
+        To draw on; of a new figure if not given.
+    words
+        Language of the labels.
+
+    Returns
+    -------
+    Axes
+        Those given.
+
+    Raises
+    ------
+    InputError
+        For arrays that do not go together.
+    """
+    across = np.asarray(speed, dtype=np.float64)
+    angles = {name: DEGREE.of(values) for name, values in zip(RACES, (inner, outer), strict=True)}
+    for name, values in angles.items():
+        if across.ndim != 1 or values.ndim not in (1, 2) or len(values) != len(across):
+            raise InputError(
+                f"must be (cases,) or (cases, balls) for {across.size} speeds, is {values.shape}",
+                field=name,
+            )
+    axes = new_figure()[1] if axes is None else axes
+    if not any(np.isfinite(values).any() for values in angles.values()):
+        return empty_frame(axes, words.no_result)
+    for race, look in zip(RACES, (INNER, OUTER), strict=True):
+        _band(axes, RPM.of(across), angles[race], race, look.keywords(), words)
+    label_x(axes, RPM.label(words.inner_speed), words)
+    label_y(axes, DEGREE.label(words.contact_angle), words)
+    legend_above(axes)
+    return axes
+
+
+def _band(
+    axes: Axes, x: Floats, values: Floats, race: str, look: Mapping[str, Any], words: PlotWords
+) -> None:
+    """Draw the middle of the balls' values, and how far they spread."""
+    name = words.inner if race == "inner" else words.outer
+    table = np.ma.masked_invalid(values.reshape(len(x), -1))
+    least, middle, greatest = (
+        np.ma.filled(found(table, axis=1).astype(np.float64), np.nan)
+        for found in (np.ma.min, np.ma.median, np.ma.max)
+    )
+    if table.shape[1] > 1:
+        spread = f"{name}, {words.all_balls}"
+        axes.fill_between(
+            x, least, greatest, color=look["color"], alpha=0.18, linewidth=0.0, label=spread
+        )
+        name = f"{name}, {words.median}"
+    axes.plot(x, middle, label=name, **look)
+
+
+def _from_zero(axes: Axes, values: Floats) -> None:
+    """Let the axis begin at zero, unless the values would then be squeezed together."""
+    finite = values[np.isfinite(values)]
+    if finite.min() >= 0.0 and finite.max() > _LOWEST_CEILING * finite.min():
+        axes.set_ylim(bottom=0.0)
+
+
+def _position(direction: str) -> int:
+    if direction not in _DIRECTIONS:
+        raise InputError(
+            f"must be one of {', '.join(_DIRECTIONS)}", field="direction", value=direction
+        )
+    return _DIRECTIONS.index(direction)
+
+
+def _together(**arrays: ArrayLike) -> list[Floats]:
+    """Bring arrays to one shape."""
+    columns = [np.asarray(values, dtype=np.float64) for values in arrays.values()]
+    try:
+        return [np.array(column) for column in np.broadcast_arrays(*columns)]
+    except ValueError:
+        raise InputError(f"must be of one length: {', '.join(arrays)}") from None

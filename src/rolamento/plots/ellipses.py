@@ -1,0 +1,350 @@
+"""Contact ellipses to scale, on a groove that is rolled out flat.
+
+Across the groove an ellipse lies at its contact angle times the radius of the groove, counted
+from the bottom; along it the balls stand side by side, not at their true distance, which is many
+times the width of an ellipse.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from math import acos, ceil, floor, isfinite, log10
+from typing import Any, Final, NamedTuple
+
+import numpy as np
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
+from matplotlib.collections import EllipseCollection
+from matplotlib.patches import Patch
+from numpy.typing import ArrayLike
+
+from rolamento.bearing import Bearing
+from rolamento.errors import InputError
+from rolamento.plots.axes_units import DEGREE, MILLIMETRE
+from rolamento.plots.balls import RACES, Race
+from rolamento.plots.frame import GREY, empty_frame, label_y, legend_above, number
+from rolamento.plots.reading import PlottedBall, PlottedState, contact_value, rows_of
+from rolamento.plots.style import INNER, OUTER, in_style, new_figure, new_stacked_figure
+from rolamento.plots.words import ENGLISH, PlotWords
+
+__all__ = ["contact_ellipses", "ellipses_of_both_races"]
+
+_FRAME_SHAPE: Final = 2.6
+"""Width of the drawing over its height, as it fits two to a page."""
+_LABEL_CHARACTERS: Final = 80
+SCALE_BAR: Final = "scale bar"
+"""What the scale bar is called in an SVG file."""
+_BARS: Final = (1, 2, 5)
+
+
+@dataclass(frozen=True, slots=True)
+class _Slot:
+    """One ball's place in the drawing, and its ellipse; mm."""
+
+    ball: PlottedBall
+    across: float
+    semi_major: float
+    semi_minor: float
+    groove_radius: float
+    edge: float | None
+    """Of the ball's groove, from its bottom."""
+    along: float = 0.0
+
+    @property
+    def touches(self) -> bool:
+        """Whether there is an ellipse."""
+        return isfinite(self.across) and self.semi_major > 0.0
+
+    @property
+    def over_edge(self) -> bool:
+        """Whether the ellipse runs over the edge of the groove."""
+        return self.edge is not None and abs(self.across) + self.semi_major > self.edge
+
+
+class _Scale(NamedTuple):
+    """How far a drawing reaches across the groove, and from ball to ball; mm."""
+
+    low: float
+    high: float
+    step: float
+
+
+@in_style
+def contact_ellipses(
+    state: PlottedState,
+    axes: Axes | None = None,
+    *,
+    race: Race = "inner",
+    balls: Sequence[int] | None = None,
+    words: PlotWords = ENGLISH,
+) -> Axes:
+    """Draw the contact ellipses of one race to scale, where they lie across the groove.
+
+    The edges of the groove are drawn where its shoulder height is given; an ellipse that runs
+    over one is hatched.
+
+    Parameters
+    ----------
+    state
+        A solved state that knows its case; without a result, a frame that says why is drawn.
+    axes
+        To draw on; of a new figure if not given.
+    race
+        ``"inner"`` or ``"outer"``.
+    balls
+        Which of the state's balls, counted from 0; all if not given.
+    words
+        Language of the labels.
+
+    Returns
+    -------
+    Axes
+        Those given, with a second axis on the right for the contact angle, if all rows have
+        the same groove.
+
+    Raises
+    ------
+    InputError
+        If the state does not know its case, or has no such ball.
+    """
+    axes = new_figure()[1] if axes is None else axes
+    if not state.status.converged:
+        return empty_frame(axes, words.reason(state.status.code))
+    groups = _groups(state, race, balls)
+    return _draw(axes, groups, race, _scale(groups), words)
+
+
+@in_style
+def ellipses_of_both_races(
+    state: PlottedState, *, balls: Sequence[int] | None = None, words: PlotWords = ENGLISH
+) -> tuple[Axes, Axes]:
+    """Draw the ellipses of the inner race above those of the outer, in a new figure.
+
+    Parameters and errors as of `contact_ellipses`; both races are drawn to the same scale.
+    """
+    _, (inner, outer) = new_stacked_figure(2)
+    if not state.status.converged:
+        message = words.reason(state.status.code)
+        return empty_frame(inner, message), empty_frame(outer, message)
+    groups = {race: _groups(state, race, balls) for race in RACES}
+    scale = _scale([*groups["inner"], *groups["outer"]], races=2)
+    _draw(inner, groups["inner"], "inner", scale, words)
+    _draw(outer, groups["outer"], "outer", scale, words)
+    return inner, outer
+
+
+def _draw(
+    axes: Axes, groups: Sequence[list[_Slot]], race: Race, scale: _Scale, words: PlotWords
+) -> Axes:
+    slots = _side_by_side(groups, scale.step)
+    _set_frame(axes, slots, scale)
+    handles = _draw_ellipses(axes, slots, race, words)
+    handles += _draw_edges(axes, slots, words)
+    _draw_bar(axes, words)
+    _label(axes, slots, race, words)
+    radii = {slot.groove_radius for slot in slots}
+    if len(radii) == 1:
+        _angle_axis(axes, radii.pop(), words)
+    legend_above(axes, handles=handles)
+    return axes
+
+
+def _groups(state: PlottedState, race: Race, chosen: Sequence[int] | None) -> list[list[_Slot]]:
+    """Return the chosen balls, row by row."""
+    picked = {id(ball) for ball in _picked(state, chosen)}
+    rows = ([ball for ball in row if id(ball) in picked] for _, row in rows_of(state))
+    return [[_slot(ball, state, race) for ball in row] for row in rows if row]
+
+
+def _scale(groups: Sequence[list[_Slot]], races: int = 1) -> _Scale:
+    """Find a scale that lets bottom, edges and ellipses in, and keeps the balls apart."""
+    slots = [slot for group in groups for slot in group]
+    low, high = _extent(slots)
+    height = high - low
+    widest = max((slot.semi_minor for slot in slots if slot.touches), default=0.0)
+    count = (len(slots) + len(groups)) / races
+    step = max(_FRAME_SHAPE * height / count, 3.0 * widest)
+    return _Scale(low - 0.2 * height, high + 0.06 * height, step)
+
+
+def _side_by_side(groups: Sequence[list[_Slot]], step: float) -> list[_Slot]:
+    """Set the balls side by side, and rows of balls apart."""
+    placed: list[_Slot] = []
+    for place, group in enumerate(groups):
+        first = len(placed) + place
+        placed += [replace(slot, along=step * (first + j)) for j, slot in enumerate(group)]
+    return placed
+
+
+def _picked(state: PlottedState, chosen: Sequence[int] | None) -> list[PlottedBall]:
+    if chosen is None:
+        return list(state.balls)
+    for index in chosen:
+        if not 0 <= index < len(state.balls):
+            last = len(state.balls) - 1
+            raise InputError(f"must be from 0 to {last}", field="balls", value=index)
+    if not chosen:
+        raise InputError("must name at least one ball", field="balls", example="[0, 1]")
+    return [state.balls[index] for index in chosen]
+
+
+def _slot(ball: PlottedBall, state: PlottedState, race: Race) -> _Slot:
+    radius = _groove_radius(ball, state, race)
+    bearing = _bearing_of(ball, state)
+    height = bearing.inner_shoulder_height if race == "inner" else bearing.outer_shoulder_height
+    edge = None if height is None else radius * acos(max(1.0 - 1e3 * height / radius, -1.0))
+    return _Slot(
+        ball=ball,
+        across=radius * contact_value(ball, race, "contact_angle"),
+        semi_major=1e3 * contact_value(ball, race, "semi_major"),
+        semi_minor=1e3 * contact_value(ball, race, "semi_minor"),
+        groove_radius=radius,
+        edge=edge,
+    )
+
+
+def _bearing_of(ball: PlottedBall, state: PlottedState) -> Bearing:
+    """Return the geometry of a ball's row."""
+    if state.case is None:
+        raise InputError(
+            "is missing: contact ellipses need the bearing's geometry; solve the case with this "
+            "release to write it into the JSON",
+            field="case",
+            example="rolamento solve case.toml --json state.json",
+        )
+    places = state.case.bearing.places
+    if ball.row >= len(places):
+        raise InputError(
+            f"is not one of the case's rows, 0 to {len(places) - 1}",
+            field="balls.row",
+            value=ball.row,
+        )
+    return places[ball.row].bearing
+
+
+def _groove_radius(ball: PlottedBall, state: PlottedState, race: Race) -> float:
+    """Return the radius of a ball's groove in mm."""
+    bearing = _bearing_of(ball, state)
+    conformity = bearing.inner_conformity if race == "inner" else bearing.outer_conformity
+    return 1e3 * conformity * bearing.ball_diameter
+
+
+def _extent(slots: Sequence[_Slot]) -> tuple[float, float]:
+    """Return how far the drawing reaches across the groove: bottom, edges, ellipses."""
+    reach = [0.0]
+    for slot in slots:
+        if slot.touches:
+            reach += [slot.across - slot.semi_major, slot.across + slot.semi_major]
+        if slot.edge is not None:
+            reach += [-slot.edge, slot.edge]
+    low, high = min(reach), max(reach)
+    return (low, high) if high > low else (-1.0, 1.0)
+
+
+def _set_frame(axes: Axes, slots: Sequence[_Slot], scale: _Scale) -> None:
+    axes.set_ylim(scale.low, scale.high)
+    axes.set_xlim(-0.8 * scale.step, slots[-1].along + 0.8 * scale.step)
+    axes.set_aspect("equal", adjustable="box")
+
+
+def _draw_ellipses(
+    axes: Axes, slots: Sequence[_Slot], race: Race, words: PlotWords
+) -> list[Artist]:
+    """Draw the ellipses, those over the edge hatched; return what the legend shows."""
+    color = (INNER if race == "inner" else OUTER).color
+    kinds: tuple[tuple[bool, dict[str, Any]], ...] = (
+        (False, {"facecolor": color, "label": words.ellipse}),
+        (True, {"facecolor": "white", "hatch": "//////", "label": words.over_edge}),
+    )
+    handles: list[Artist] = []
+    for over, look in kinds:
+        some = [slot for slot in slots if slot.touches and slot.over_edge is over]
+        if not some:
+            continue
+        ellipses = EllipseCollection(
+            [2.0 * slot.semi_minor for slot in some],
+            [2.0 * slot.semi_major for slot in some],
+            np.zeros(len(some)),
+            units="xy",
+            offsets=[(slot.along, slot.across) for slot in some],
+            offset_transform=axes.transData,
+            edgecolor=color,
+            linewidth=0.8,
+            zorder=3.0,
+            **look,
+        )
+        axes.add_collection(ellipses, autolim=False)
+        handles.append(Patch(edgecolor=color, linewidth=0.8, **look))
+    return handles
+
+
+def _draw_edges(axes: Axes, slots: Sequence[_Slot], words: PlotWords) -> list[Artist]:
+    """Draw the bottom of the groove, and its edges below and above each row of balls."""
+    axes.axhline(0.0, color=GREY, linewidth=0.8, linestyle=(0, (8, 2, 1, 2)), zorder=1.5)
+    margin = -axes.get_xlim()[0]
+    handles: list[Artist] = []
+    for row in sorted({slot.ball.row for slot in slots}):
+        group = [slot for slot in slots if slot.ball.row == row]
+        edge = group[0].edge
+        if edge is None:
+            continue
+        ends = [group[0].along - margin, group[-1].along + margin]
+        for side in (-edge, edge):
+            handles += axes.plot(
+                ends, [side, side], color="black", linewidth=1.2, label=words.groove_edge
+            )
+    return handles[:1]
+
+
+def _draw_bar(axes: Axes, words: PlotWords) -> None:
+    """Draw a scale bar of 1, 2 or 5 times a power of ten mm into the room below."""
+    (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
+    longest = (right - left) / 8.0
+    power = 10.0 ** floor(log10(longest))
+    length = max(power * bar for bar in _BARS if power * bar <= longest * (1.0 + 1e-9))
+    start, level = right - 0.03 * (right - left) - length, low + 0.05 * (high - low)
+    ends = [start, start + length]
+    axes.plot(
+        ends, [level, level], "k-", linewidth=2.0, solid_capstyle="butt", gid=SCALE_BAR, zorder=4.0
+    )
+    axes.annotate(
+        f"{number(length, words)} mm",
+        (start + 0.5 * length, level),
+        (0.0, 2.5),
+        textcoords="offset points",
+        ha="center",
+        fontsize=8.0,
+        bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.5},
+    )
+
+
+def _label(axes: Axes, slots: Sequence[_Slot], race: Race, words: PlotWords) -> None:
+    rows = sorted({slot.ball.row for slot in slots})
+    names = [number(float(DEGREE.of(slot.ball.azimuth)) % 360.0, words) for slot in slots]
+    every = ceil(sum(len(name) + 2 for name in names) / _LABEL_CHARACTERS)
+    axes.set_xticks([slot.along for slot in slots][::every], names[::every])
+    axes.grid(False, axis="x")
+    axes.set_xlabel(f"{DEGREE.label(words.azimuth)}; {words.side_by_side}")
+    across = words.across_inner if race == "inner" else words.across_outer
+    label_y(axes, MILLIMETRE.label(across), words)
+    for row in rows if len(rows) > 1 else ():
+        begin = min(slot.along for slot in slots if slot.ball.row == row)
+        name = words.row.format(number=row)
+        axes.annotate(name, (begin, 0.03), xycoords=("data", "axes fraction"), fontsize=8.0)
+
+
+def _angle_axis(axes: Axes, radius: float, words: PlotWords) -> None:
+    """Put the contact angle on the right: distance from the bottom over the groove's radius."""
+    degrees_per_mm = DEGREE.factor / radius
+
+    def to_angle(across: ArrayLike) -> ArrayLike:
+        return np.asarray(across) * degrees_per_mm
+
+    def from_angle(angle: ArrayLike) -> ArrayLike:
+        return np.asarray(angle) / degrees_per_mm
+
+    angles = axes.secondary_yaxis("right", functions=(to_angle, from_angle))
+    angles.spines["right"].set_visible(True)
+    angles.tick_params(labelsize=8.0)
+    angles.set_ylabel(DEGREE.label(words.contact_angle))

@@ -1,0 +1,164 @@
+"""What figures share around the data: numbers on axes, legends and titles outside, empty frames."""
+
+from __future__ import annotations
+
+import re
+import textwrap
+from collections.abc import Sequence
+from typing import Final
+
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
+from matplotlib.axis import Axis
+from matplotlib.figure import Figure
+from matplotlib.projections.polar import PolarAxes
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter, ScalarFormatter
+
+from rolamento.plots.words import PlotWords
+
+__all__ = [
+    "GREY",
+    "PlainNumbers",
+    "add_title",
+    "empty_frame",
+    "figure_of",
+    "label_x",
+    "label_y",
+    "legend_above",
+    "log_scale",
+    "number",
+    "shown_text",
+]
+
+GREY: Final = "#707070"
+_THIN_SPACE: Final = "\u2009"
+_LONGEST_LABEL: Final = 90
+_TITLE_CHARACTERS_PER_INCH: Final = 13.0
+_CHARACTERS_PER_INCH: Final = 17.0
+_HANDLE_CHARACTERS: Final = 7
+_LONG_NUMBER: Final = re.compile(r"\d{5,}")
+
+
+class PlainNumbers(ScalarFormatter):
+    """Numbers of ticks with our decimal mark, thousands apart, without an offset."""
+
+    def __init__(self, mark: str) -> None:
+        super().__init__(useOffset=False)
+        self.set_powerlimits((-4, 7))
+        self._mark = mark
+
+    def __call__(self, x: float, pos: int | None = None) -> str:
+        """Write the number of one tick."""
+        return _marked(super().__call__(x, pos), self._mark)
+
+
+def number(value: float, words: PlotWords, digits: int = 4) -> str:
+    """Write one number in a legend."""
+    text = f"{value:.{digits}g}"
+    if "e" in text and 1e-4 <= abs(value) < 1e7:
+        text = f"{value:.0f}"
+    return _marked(text.replace("-", "−"), words.decimal_mark)
+
+
+def _marked(text: str, mark: str) -> str:
+    whole, point, rest = text.partition(".")
+    grouped = _LONG_NUMBER.sub(lambda found: f"{int(found[0]):,}", whole)
+    return grouped.replace(",", _THIN_SPACE) + (mark if point else "") + rest
+
+
+def shown_text(text: str, longest: int = _LONGEST_LABEL) -> str:
+    """Return a text of others as one line that can be printed, not too long."""
+    plain = " ".join("".join(c if c.isprintable() else " " for c in text[:500]).split())
+    return plain if len(plain) <= longest else plain[: longest - 1] + "…"
+
+
+def label_x(axes: Axes, label: str, words: PlotWords) -> None:
+    """Label the axis across; what files call things is not read as mathematics."""
+    axes.set_xlabel(shown_text(label), parse_math=False)
+    _plain(axes.xaxis, words)
+
+
+def label_y(axes: Axes, label: str, words: PlotWords) -> None:
+    """Label the upright axis, likewise."""
+    axes.set_ylabel(shown_text(label), parse_math=False)
+    _plain(axes.yaxis, words)
+
+
+def _plain(axis: Axis, words: PlotWords) -> None:
+    axis.set_major_formatter(PlainNumbers(words.decimal_mark))
+
+
+def log_scale(axes: Axes, axis: str, words: PlotWords) -> None:
+    """Make an axis, "x" or "y", logarithmic, with plain numbers at 1, 2, 5 and so on."""
+    getattr(axes, f"set_{axis}scale")("log")
+    scaled = getattr(axes, f"{axis}axis")
+    scaled.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+    scaled.set_minor_formatter(NullFormatter())
+    scaled.set_major_formatter(FuncFormatter(lambda value, _: number(value, words)))
+
+
+def legend_above(axes: Axes, *, handles: Sequence[Artist] = (), title: str = "") -> None:
+    """Put the legend over the frame, where no data are; without entries, none.
+
+    handles: what to show, with labels of their own; all that is drawn if not given.
+    """
+    handles = handles or axes.get_legend_handles_labels()[0]
+    if not handles:
+        return
+    polar = isinstance(axes, PolarAxes)
+    labels = [shown_text(str(handle.get_label()), 60) for handle in handles]
+    legend = axes.legend(
+        handles,
+        labels,
+        loc="lower center" if polar else "lower left",
+        bbox_to_anchor=(0.5, 1.1) if polar else (0.0, 1.0),
+        ncols=_columns(axes, labels),
+        borderaxespad=0.2,
+        borderpad=0.2,
+        columnspacing=1.4,
+        handlelength=2.6,
+        title=shown_text(title, 70) or None,
+        alignment="left",
+    )
+    for text in (*legend.get_texts(), legend.get_title()):
+        text.set_parse_math(False)
+    legend.get_title().set_fontsize(8.0)
+
+
+def _columns(axes: Axes, labels: Sequence[str]) -> int:
+    """Return how many labels stand side by side over a frame, one wide as the other."""
+    room = figure_of(axes).get_figwidth() * axes.get_position().width * _CHARACTERS_PER_INCH
+    widest = max(map(len, labels)) + _HANDLE_CHARACTERS
+    return min(max(int(room / widest), 1), len(labels))
+
+
+def add_title(figure: Figure, title: str) -> None:
+    """Put a title over a whole figure, in at most two lines that fit its width."""
+    width = int(figure.get_figwidth() * _TITLE_CHARACTERS_PER_INCH)
+    lines = textwrap.wrap(shown_text(title, 4 * width), width, max_lines=2, placeholder=" …")
+    figure.suptitle("\n".join(lines), fontsize=9.5, parse_math=False)
+
+
+def empty_frame(axes: Axes, message: str) -> Axes:
+    """Draw a frame without data that says why."""
+    axes.set_xticks([])
+    axes.set_yticks([])
+    axes.text(
+        0.5,
+        0.5,
+        "\n".join(textwrap.wrap(shown_text(message, 200), 44)),
+        transform=axes.transAxes,
+        ha="center",
+        va="center",
+        fontsize=10.0,
+        parse_math=False,
+        bbox={"facecolor": "white", "edgecolor": GREY, "boxstyle": "round,pad=0.6"},
+    )
+    return axes
+
+
+def figure_of(axes: Axes) -> Figure:
+    """Return the figure that axes are part of."""
+    figure = axes.get_figure(root=True)
+    assert isinstance(figure, Figure)
+    return figure

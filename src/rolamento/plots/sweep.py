@@ -1,0 +1,333 @@
+"""Lines and maps of studies: an output over one or two inputs that were varied in steps."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, Final, NamedTuple
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.colors import BoundaryNorm
+from matplotlib.patches import Patch, Rectangle
+from matplotlib.ticker import MaxNLocator
+from numpy.typing import NDArray
+
+from rolamento.errors import InputError
+from rolamento.plots.axes_units import NONE
+from rolamento.plots.curves import MOST_MARKERS
+from rolamento.plots.frame import (
+    GREY,
+    PlainNumbers,
+    empty_frame,
+    figure_of,
+    label_x,
+    label_y,
+    legend_above,
+    log_scale,
+    number,
+)
+from rolamento.plots.study import (
+    SAMPLE,
+    Column,
+    StudyData,
+    axis_of,
+    common_failure,
+    most_telling,
+    output_of,
+)
+from rolamento.plots.style import SERIES, Series, in_style, new_figure, series
+from rolamento.plots.words import ENGLISH, PlotWords
+
+__all__ = ["MOST_LINES", "nothing_to_draw", "study_lines", "study_map", "telling_kind"]
+
+Floats = NDArray[np.float64]
+
+MOST_LINES: Final = len(SERIES)
+_BAND: Final = (5.0, 95.0)
+_LOG_SPAN: Final = 10.0
+_HATCH: Final[dict[str, Any]] = {
+    "facecolor": "#E4E4E4",
+    "edgecolor": "#A0A0A0",
+    "hatch": "////",
+    "linewidth": 0.0,
+}
+_COLOUR_STEPS: Final = 9
+
+
+def telling_kind(study: StudyData, variable: str = "", words: PlotWords = ENGLISH) -> str:
+    """Return how an output shows best: "lines", "map" or "histogram".
+
+    Raises
+    ------
+    InputError
+        If there is no such output.
+    """
+    column = output_of(study, variable or most_telling(study), words)
+    if column.dims == (SAMPLE,):
+        return "histogram"
+    few = len(column.dims) < 2 or SAMPLE in column.dims or min(column.values.shape) <= MOST_LINES
+    return "lines" if few else "map"
+
+
+@in_style
+def study_lines(
+    study: StudyData,
+    variable: str = "",
+    axes: Axes | None = None,
+    *,
+    over: str = "",
+    words: PlotWords = ENGLISH,
+) -> Axes:
+    """Draw an output over one axis of a study; of a second axis, a line for each value.
+
+    Along samples, the median is drawn and a band from the 5th to the 95th percentile. A case
+    without a result leaves a gap, with a cross below it.
+
+    Parameters
+    ----------
+    study
+        A Dataset of `rolamento.studies`.
+    variable
+        Name of the output; the most telling one if not given.
+    axes
+        To draw on; of a new figure if not given.
+    over
+        The axis that runs across; if not given the longer one.
+    words
+        Language of the labels.
+
+    Returns
+    -------
+    Axes
+        Those given.
+
+    Raises
+    ------
+    InputError
+        If there is no such output or axis, or there would be more lines than can be told apart.
+    """
+    table = _table(study, variable, over, words)
+    if table.along == SAMPLE and table.other is None:
+        raise InputError(
+            "does not go with a study of samples alone", field="kind", value="lines",
+            example="histogram or scatter",
+        )  # fmt: skip
+    axes = new_figure()[1] if axes is None else axes
+    if not np.isfinite(table.values).any():
+        return nothing_to_draw(axes, study, words)
+    x = axis_of(study, table.along, len(table.values), words)
+    title = ""
+    if table.other is None:
+        _line(axes, x, table.values[:, 0], series(0))
+    elif table.other == SAMPLE:
+        _spread(axes, x, table.values, words)
+    else:
+        family = axis_of(study, table.other, table.values.shape[1], words)
+        _family(axes, x, table, family, words)
+        title = family.label
+    _mark_missing(axes, x, table.values, words)
+    _scale(axes, "x", x, words)
+    label_y(axes, table.output.label, words)
+    legend_above(axes, title=title)
+    return axes
+
+
+@in_style
+def study_map(
+    study: StudyData,
+    variable: str = "",
+    axes: Axes | None = None,
+    *,
+    over: str = "",
+    words: PlotWords = ENGLISH,
+) -> Axes:
+    """Draw an output over two axes of a study as a map of colours; no result is hatched.
+
+    Parameters and errors as of `study_lines`; `over` is the axis that runs across.
+    """
+    table = _table(study, variable, over, words)
+    if table.other is None or SAMPLE in (table.along, table.other):
+        raise InputError(
+            "needs a study with two axes", field="kind", value="map",
+            example="lines" if table.other is None else "histogram",
+        )  # fmt: skip
+    axes = new_figure(height=100.0)[1] if axes is None else axes
+    if not np.isfinite(table.values).any():
+        return nothing_to_draw(axes, study, words)
+    size_x, size_y = table.values.shape
+    x = axis_of(study, table.along, size_x, words)
+    y = axis_of(study, table.other, size_y, words)
+    _colour(axes, x, y, table, words)
+    missing = int(np.sum(np.isnan(table.values)))
+    axes.grid(False)
+    if missing:
+        axes.add_patch(Rectangle((0, 0), 1, 1, transform=axes.transAxes, zorder=0.5, **_HATCH))
+        count = words.no_result_count.format(count=missing, total=table.values.size)
+        legend_above(axes, handles=[Patch(label=count, **_HATCH)])
+    return axes
+
+
+def nothing_to_draw(axes: Axes, study: StudyData, words: PlotWords) -> Axes:
+    """Draw an empty frame with the reason that most cases give."""
+    return empty_frame(axes, words.reason(common_failure(study)))
+
+
+class _Table(NamedTuple):
+    """An output over one or two axes: values (along, other)."""
+
+    output: Column
+    values: Floats
+    along: str
+    other: str | None
+
+
+def _table(study: StudyData, variable: str, over: str, words: PlotWords) -> _Table:
+    output = output_of(study, variable or most_telling(study), words)
+    dims = output.dims
+    if not 1 <= len(dims) <= 2:
+        shape = f"varies along {', '.join(dims)}" if dims else "is of one case"
+        raise InputError(
+            f"{shape}; a figure shows one or two axes: select some values first",
+            field=output.name,
+            example='study.sel(fx=20e3) or study.isel(ball=0) in Python',
+        )  # fmt: skip
+    if over and over not in dims:
+        raise InputError(
+            f"is not an axis of {output.name}; it has {', '.join(dims)}", field="over", value=over
+        )
+    along = over or _longest(study, output, words)
+    if len(dims) == 1:
+        return _Table(output, output.values[:, np.newaxis], along, None)
+    other = dims[1 - dims.index(along)]
+    return _Table(output, output.values if along == dims[0] else output.values.T, along, other)
+
+
+def _longest(study: StudyData, output: Column, words: PlotWords) -> str:
+    """Return the axis that best runs across: not samples, not balls, numbers, many of them."""
+
+    def rank(dim: str) -> tuple[bool, bool, bool, int]:
+        size = output.values.shape[output.dims.index(dim)]
+        texts = axis_of(study, dim, size, words).texts
+        return dim != SAMPLE, dim != "ball", not texts, size
+
+    return max(output.dims, key=rank)
+
+
+def _line(axes: Axes, x: Column, values: Floats, look: Series, label: str | None = None) -> None:
+    markers = len(values) <= MOST_MARKERS or bool(x.texts)
+    axes.plot(x.values, values, label=label, **look.keywords(markers=markers))
+
+
+def _family(axes: Axes, x: Column, table: _Table, family: Column, words: PlotWords) -> None:
+    """Draw a line for each value of the other axis."""
+    count = table.values.shape[1]
+    if count > MOST_LINES:
+        raise InputError(
+            f"would draw {count} lines along {table.other}; more than {MOST_LINES} cannot be told"
+            " apart",
+            field="kind",
+            value="lines",
+            example="map",
+        )
+    for index in range(count):
+        name = _value(family, index, words)
+        _line(axes, x, table.values[:, index], series(index), name)
+
+
+def _value(column: Column, index: int, words: PlotWords) -> str:
+    if column.texts:
+        return column.texts[int(column.values[index])]
+    return number(float(column.values[index]), words)
+
+
+def _spread(axes: Axes, x: Column, values: Floats, words: PlotWords) -> None:
+    """Draw the median of the samples and a band around it."""
+    low, middle, high = (_percentile(values, percent) for percent in (_BAND[0], 50.0, _BAND[1]))
+    band = words.percentile_band.format(least=f"{_BAND[0]:.0f}", most=f"{_BAND[1]:.0f}")
+    look = series(0)
+    axes.fill_between(x.values, low, high, color=look.color, alpha=0.2, linewidth=0.0, label=band)
+    _line(axes, x, middle, look, words.median)
+
+
+def _percentile(values: Floats, percent: float) -> Floats:
+    """Return a percentile of each row's numbers; NaN for a row without any."""
+    rows = (row[np.isfinite(row)] for row in values)
+    return np.array([np.percentile(row, percent) if row.size else np.nan for row in rows])
+
+
+def _mark_missing(axes: Axes, x: Column, values: Floats, words: PlotWords) -> None:
+    missing = np.isnan(values)
+    count = int(missing.sum())
+    if count:
+        places = x.values[missing.any(axis=1)]
+        axes.plot(
+            places,
+            np.full(len(places), 0.02),
+            transform=axes.get_xaxis_transform(),
+            color=GREY,
+            linestyle="",
+            marker="x",
+            label=words.no_result_count.format(count=count, total=values.size),
+        )
+
+
+def _scale(axes: Axes, name: str, column: Column, words: PlotWords) -> None:
+    """Label an axis with what runs along it."""
+    (label_x if name == "x" else label_y)(axes, column.label, words)
+    axis = axes.xaxis if name == "x" else axes.yaxis
+    if column.texts:
+        axis.set_ticks(np.arange(float(len(column.texts))), list(column.texts))
+    elif _in_ratios(column.values):
+        log_scale(axes, name, words)
+    elif column.unit is NONE and np.array_equal(column.values, np.round(column.values)):
+        axis.set_major_locator(MaxNLocator(integer=True))
+
+
+def _in_ratios(values: Floats) -> bool:
+    """Tell whether values grow by a steady ratio rather than by steady steps."""
+    if len(values) < 4 or not (values > 0.0).all() or values.max() < _LOG_SPAN * values.min():
+        return False
+    ratios = np.diff(np.log(values))
+    return bool(np.allclose(ratios, ratios[0], rtol=0.05))
+
+
+def _colour(axes: Axes, x: Column, y: Column, table: _Table, words: PlotWords) -> None:
+    """Draw the cells, in few colours that the bar tells apart."""
+    order_x, order_y = np.argsort(x.values), np.argsort(y.values)
+    values = table.values[np.ix_(order_x, order_y)].T
+    least, greatest = np.nanmin(values), np.nanmax(values)
+    steps = MaxNLocator(_COLOUR_STEPS, steps=[1, 2, 2.5, 5, 10]).tick_values(least, greatest)
+    _scale(axes, "x", x, words)
+    _scale(axes, "y", y, words)
+    mesh = axes.pcolormesh(
+        _edges(x.values[order_x]),
+        _edges(y.values[order_y]),
+        np.ma.masked_invalid(values),
+        norm=BoundaryNorm(_within(steps, least, greatest), 256),
+        rasterized=True,
+        zorder=1.0,
+    )
+    for column, limit in ((x, axes.set_xlim), (y, axes.set_ylim)):
+        if not column.texts and column.values.min() < column.values.max():
+            limit(column.values.min(), column.values.max())
+    bar: Any = figure_of(axes).colorbar(mesh, ax=axes, format=PlainNumbers(words.decimal_mark))
+    bar.set_label(table.output.label, parse_math=False)
+    bar.ax.tick_params(labelsize=8.0)
+
+
+def _within(steps: Sequence[float] | Floats, least: float, greatest: float) -> Floats:
+    """Return the steps that hold the values, two at least."""
+    bounds = np.asarray(steps, dtype=np.float64)
+    first = max(int(np.searchsorted(bounds, least, side="right")) - 1, 0)
+    last = min(int(np.searchsorted(bounds, greatest, side="left")), len(bounds) - 1)
+    return bounds[first : max(last, first + 1) + 1]
+
+
+def _edges(values: Floats) -> Floats:
+    """Return where cells around values begin and end: halfway, or at the mean ratio."""
+    if _in_ratios(values):
+        return np.asarray(np.exp(_edges(np.log(values))), dtype=np.float64)
+    middle = 0.5 * (values[1:] + values[:-1])
+    first, last = 1.5 * values[0] - 0.5 * values[1], 1.5 * values[-1] - 0.5 * values[-2]
+    edges: Floats = np.concatenate([[first], middle, [last]])
+    return edges
