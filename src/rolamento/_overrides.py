@@ -14,7 +14,7 @@ from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
 from rolamento._record import record_of
-from rolamento.arrangement import Preload
+from rolamento.arrangement import PRELOAD_KINDS, Preload
 from rolamento.duty import AXES, LOADS
 from rolamento.errors import InputError, UnknownKeyError, nearest
 from rolamento.material import Material
@@ -38,7 +38,7 @@ def _rivals() -> dict[Path, tuple[Path, ...]]:
     groups: list[tuple[Path, ...]] = [
         (("bearing", "contact_angle"), ("bearing", "diametral_clearance")),
         (("bearing", "arrangement"), ("bearing", "rows")),
-        tuple((*preload, name) for name in Preload.model_fields),
+        tuple((*preload, name) for name in PRELOAD_KINDS),
     ]
     for axis, load in zip(AXES, LOADS, strict=True):
         groups.append((("duty", "load", load), ("duty", "displacement", axis)))

@@ -6,12 +6,21 @@ from typing import Annotated, Any, Final, Literal, Self
 
 from pydantic import BeforeValidator, Field, model_validator
 
-from rolamento._quantity import Count, Quantity, Ratio
+from rolamento._quantity import Count, Line, Quantity, Ratio
 from rolamento._record import Record
 from rolamento.errors import InputError, UnitError
+from rolamento.preload_classes import Level, listed_preload
 from rolamento.units import to_si
 
-__all__ = ["ARRANGEMENTS", "Arrangement", "Orientation", "Preload", "PreloadField", "Row"]
+__all__ = [
+    "ARRANGEMENTS",
+    "PRELOAD_KINDS",
+    "Arrangement",
+    "Orientation",
+    "Preload",
+    "PreloadField",
+    "Row",
+]
 
 Orientation = Literal["+", "-"]
 """Toward which side the row carries axial load of the shaft."""
@@ -33,6 +42,9 @@ ARRANGEMENTS: Final[dict[Arrangement, tuple[Orientation, ...]]] = {
 }
 """The rows of each arrangement along +x. Back to back (B, "O") the contact lines meet the shaft
 outside the set, face to face (F, "X") inside; in tandem (T) all rows face one way."""
+
+PRELOAD_KINDS: Final = ("force", "offset", "spring", "level")
+"""The ways to give a preload, one at a time."""
 
 _Shift = Annotated[float, Quantity("length", at_least="-10 m", at_most="10 m")]
 _Diameter = Annotated[float, Quantity("length", at_least="0.01 mm", at_most="20 m")]
@@ -97,6 +109,11 @@ class Preload(Record):
     spring
         Constant axial force, in N, by which springs push the outer rings of the rows that
         face ``-``, together and free to slide, into their balls.
+    level
+        ``"light"``, ``"medium"`` or ``"heavy"`` as a maker lists it for pairs of the bearing
+        named by `designation`; the rings are clamped with the offset of such a pair.
+    designation
+        In the makers' lists (`rolamento.preload_classes`), such as ``"S 6012 C"``.
 
     Raises
     ------
@@ -114,16 +131,36 @@ class Preload(Record):
         None, examples=["500 N"]
     )
 
+    level: Level | None = Field(None, examples=["light"])
+    designation: Line | None = Field(None, examples=["S 6012 C"])
+
     @model_validator(mode="after")
     def _one(self) -> Self:
-        given = [name for name in type(self).model_fields if getattr(self, name) is not None]
+        given = [name for name in PRELOAD_KINDS if getattr(self, name) is not None]
         if len(given) != 1:
             raise InputError(
-                "must give exactly one of force, offset and spring",
-                value=", ".join(given) or None,
+                f"must give exactly one of {', '.join(PRELOAD_KINDS)}",
+                value=", ".join(given) or "none",
                 example='preload = { force = "500 N" }',
             )
+        if (self.level is None) != (self.designation is None):
+            raise InputError(
+                "a level and the designation that it is listed for go together",
+                example='preload = { level = "light", designation = "S 6012 C" }',
+            )
         return self
+
+    def pair_force(self, contact_angle: float | None) -> float | None:
+        """The listed force of a pair, in N; None where the preload is not given by its level.
+
+        Raises
+        ------
+        InputError
+            If no maker's list has the designation at this contact angle.
+        """
+        if self.level is None or self.designation is None:
+            return None
+        return listed_preload(self.designation, self.level, contact_angle)
 
 
 def _spelt_out(value: object) -> object:
@@ -137,7 +174,7 @@ def _spelt_out(value: object) -> object:
             continue
         return {key: value}
     raise InputError(
-        "must be a force or an offset with its unit, or a table with force, offset or spring",
+        "must be a force or an offset with its unit, or a table",
         value=value,
         example='"500 N", "5 um" or { spring = "500 N" }',
     )

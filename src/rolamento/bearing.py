@@ -205,6 +205,11 @@ class Bearing(Record):
                 field="preload",
                 example='arrangement = "DB"',
             )
+        if self.preload is not None:
+            try:
+                self.preload.pair_force(self.contact_angle)
+            except InputError as error:
+                raise error.with_details(field=f"preload.{error.field}") from None
 
 
 def balls_fit(count: int, ball_diameter: Any, pitch_diameter: Any) -> Any:

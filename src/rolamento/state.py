@@ -132,6 +132,59 @@ class BallState:
 
 
 @dataclass(frozen=True, slots=True)
+class RowState:
+    """One row of balls of a bearing.
+
+    Attributes
+    ----------
+    row
+        counted from 0 along +x
+    orientation
+        "+" where the row carries axial load of the shaft toward +x, "-" where it faces the other
+        way
+    position
+        of the balls' plane along x (m)
+    load
+        that the shaft puts on the inner ring through this row, about the bearing's origin
+    loaded_balls
+        that the inner ring presses on
+    """
+
+    row: int
+    orientation: str
+    position: float
+    load: RingLoad
+    loaded_balls: int
+
+
+@dataclass(frozen=True, slots=True)
+class PreloadState:
+    """How the rows of a set press on each other, and what takes that away.
+
+    Attributes
+    ----------
+    kind
+        "force", "offset" or "level" where the rings are clamped, "spring"
+    at_rest
+        axial force between the rows that face each other, without external load, at rest (N)
+    at_speed
+        the same at the duty's speeds (N)
+    loss_factor
+        the preload-loss point: multiple of the external load at which a row first loses all
+        contact with the inner ring; NaN where there is no external load, or none is lost before
+        the set has no equilibrium
+    lost_row
+        which row that is; None if none
+    """
+
+    kind: str
+    at_rest: float
+    at_speed: float
+    loss_factor: float
+    lost_row: int | None
+
+
+@dataclass(frozen=True, slots=True)
 class State:
     """The internal state of a bearing under a duty.
 
@@ -149,9 +202,13 @@ class State:
         5 x 5, derivative of the load by the displacement, in the order x, y, z, ry, rz (N/m,
         N/rad, N·m/m, N·m/rad), the speed's effects included
     balls
-        from the first ball on
+        from the first ball on, row after row
     notes
         what the user should know about the result
+    rows
+        of balls, along +x; one, unless the bearing is a set
+    preload
+        of a set whose rows face each other; None otherwise
     """
 
     case: Case
@@ -161,6 +218,8 @@ class State:
     stiffness: NDArray[np.float64]
     balls: tuple[BallState, ...]
     notes: tuple[str, ...] = ()
+    rows: tuple[RowState, ...] = ()
+    preload: PreloadState | None = None
 
     @property
     def title(self) -> str:
@@ -177,7 +236,10 @@ class State:
             "load": self.load._asdict(),
             "stiffness": self.stiffness.tolist(),
             "balls": [asdict(ball) for ball in self.balls],
+            "rows": [{**asdict(row), "load": row.load._asdict()} for row in self.rows],
+            "preload": None if self.preload is None else asdict(self.preload),
             "notes": list(self.notes),
+            "case": self.case.to_mapping(),
         }
         nulled: dict[str, Any] = _without_nan(mapping)
         return nulled

@@ -144,6 +144,7 @@ def hard_set(seed: int, bearings: int = BEARINGS) -> list[Hard]:
 
 
 HARD = hard_set(1991)
+GREATEST_FORCE = 1e9  # N; a case refuses more
 
 
 @pytest.fixture(scope="module")
@@ -161,7 +162,10 @@ def test_every_case_converges_or_says_why(solutions: list[tuple[Hard, BatchState
     open_cases: list[str] = []
     open_ordinary: list[str] = []
     for hard, batch in solutions:
-        assert set(batch.status) <= STATUSES
+        refused = batch.status == "invalid_input"
+        assert set(batch.status[~refused]) <= STATUSES
+        too_great = np.abs(hard.fields.get("fx", np.zeros(len(batch)))) > GREATEST_FORCE
+        assert (refused == too_great).all()
         assert (batch.residual[batch.converged] < PROMISED).all()
         named = batch.status == "no_equilibrium"
         assert ((batch.unsupported >= 0) == named).all()

@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rolamento.contact.hertz import HertzContact
-from rolamento.equilibrium import accept
-from rolamento.equilibrium.detail import BallTable, ball_table, hertz
+from rolamento.equilibrium import accept, rows
+from rolamento.equilibrium.detail import BallTable, ball_table, groove_centres, hertz
 from rolamento.equilibrium.problem import Floats
 from rolamento.geometry import Race
 
@@ -48,6 +48,12 @@ class RowBatch:
         return ball_table(
             self.parameters, self.control, self.displacement, self.position, self.azimuth
         )
+
+    def inner_approach(self) -> Floats:
+        """How far every ball is pressed into the inner groove; (cases, balls), m, a gap below 0."""
+        a1, a2 = groove_centres(self.parameters, self.displacement, self.azimuth)
+        distance = np.hypot(a1 - self.position[..., 0], a2 - self.position[..., 1])
+        return np.asarray(distance - self.parameters[rows.INNER_LENGTH][:, np.newaxis])
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -74,8 +74,8 @@ class Columns:
     """Many cases of one bearing; what the ring is asked for in SI units, (5, cases).
 
     free: whether the load is given on a degree of freedom; load, displacement: what is given.
-    preload: how the rows press on each other ("force", "offset", "spring" or ""), and how much,
-    (cases,). A column that is not valid holds NaN.
+    preload: how the rows press on each other ("force", "offset", "spring", "pair" for the force in
+    a pair of such bearings, or ""), and how much, (cases,). A column that is not valid holds NaN.
     """
 
     rows: tuple[RowColumns, ...]
@@ -203,11 +203,13 @@ def _preload(bearing: Bearing, arrays: Mapping[str, Floats], cases: int) -> tupl
                 example='arrangement = "DB"',
             )
         return name, np.broadcast_to(given, cases).astype(np.float64)
-    for name in PRELOADS if bearing.preload is not None else ():
-        amount = getattr(bearing.preload, name)
-        if amount is not None:
-            return name, np.full(cases, amount)
-    return "", np.zeros(cases)
+    if bearing.preload is None:
+        return "", np.zeros(cases)
+    pair_force = bearing.preload.pair_force(bearing.contact_angle)
+    if pair_force is not None:
+        return "pair", np.full(cases, pair_force)
+    kind = next(name for name in PRELOADS if getattr(bearing.preload, name) is not None)
+    return kind, np.full(cases, getattr(bearing.preload, kind))
 
 
 def _varied(bearing: Bearing, place: RowPlace, arrays: Mapping[str, Floats]) -> Any:

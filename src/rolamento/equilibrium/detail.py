@@ -45,10 +45,7 @@ def ball_table(
     (cases, 5) in the scaled form of `rows`; position (cases, balls, 2); azimuth (cases, balls).
     """
     column = p[:, :, np.newaxis]
-    x, y, z, tilt_y, tilt_z = (displacement[:, i, np.newaxis] for i in range(5))
-    c, s = np.cos(azimuth), np.sin(azimuth)
-    a1 = column[rows.AXIAL_OFFSET] + x + c * tilt_y - s * tilt_z
-    a2 = column[rows.RADIAL_OFFSET] + c * z + s * y
+    a1, a2 = groove_centres(p, displacement, azimuth)
     x1, x2 = position[..., 0], position[..., 1]
     outer = _contacts(x1, x2, column, rows.OUTER_LENGTH, rows.OUTER_STIFFNESS)
     inner = _contacts(a1 - x1, a2 - x2, column, rows.INNER_LENGTH, rows.INNER_STIFFNESS)
@@ -73,6 +70,16 @@ def ball_table(
         * motion.orbital_speed
         * np.sin(motion.attitude),
     )
+
+
+def groove_centres(p: Floats, displacement: Floats, azimuth: Floats) -> tuple[Floats, Floats]:
+    """A1, A2 of the inner groove's centre at every ball, as in `ball_table`; (cases, balls)."""
+    column = p[:, :, np.newaxis]
+    x, y, z, tilt_y, tilt_z = (displacement[:, i, np.newaxis] for i in range(5))
+    c, s = np.cos(azimuth), np.sin(azimuth)
+    a1 = column[rows.AXIAL_OFFSET] + x + c * tilt_y - s * tilt_z
+    a2 = column[rows.RADIAL_OFFSET] + c * z + s * y
+    return a1, a2
 
 
 def _contacts(y1: Floats, y2: Floats, column: Floats, length: int, stiffness: int) -> ContactTable:

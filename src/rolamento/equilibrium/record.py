@@ -21,10 +21,13 @@ from rolamento.state import (
     ContactState,
     RingDisplacement,
     RingLoad,
+    RowState,
     State,
     Status,
 )
 
+NO_LOAD: Final = 1e-9
+"""Of the load at the other race: what is less is no contact."""
 _CONTROL_NAMES: Final = {
     int(RacewayControl.OUTER): "outer",
     int(RacewayControl.INNER): "inner",
@@ -52,6 +55,7 @@ def state_of(case: Case, batch: BatchState) -> State:
         load=RingLoad(*batch.load[0].tolist()),
         stiffness=batch.stiffness[0],
         balls=_ball_states(case, batch, table, inner, outer),
+        rows=_row_states(case, batch, table),
     )
     return state if not converged else notes_on(state, batch)
 
@@ -75,6 +79,20 @@ def _shears(bearing: Bearing, contact: HertzContact) -> tuple[Floats, Floats, Fl
     greatest = greatest_shear(contact.max_pressure, *ellipse, bearing.ring_material.poisson_ratio)
     orthogonal = orthogonal_shear(contact.max_pressure, *ellipse)
     return greatest.shear, greatest.depth, orthogonal.amplitude, orthogonal.depth
+
+
+def _row_states(case: Case, batch: BatchState, table: BallTable) -> tuple[RowState, ...]:
+    loaded = table.inner.load[0] > NO_LOAD * table.outer.load[0]
+    return tuple(
+        RowState(
+            row=index,
+            orientation="+" if place.sign > 0.0 else "-",
+            position=place.position,
+            load=RingLoad(*(row.load[0] + 0.0).tolist()),
+            loaded_balls=int(loaded[batch.row == index].sum()),
+        )
+        for index, (place, row) in enumerate(zip(case.bearing.places, batch.rows, strict=True))
+    )
 
 
 def _ball_states(

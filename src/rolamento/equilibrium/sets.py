@@ -276,7 +276,7 @@ def pressed_in(columns: Columns, *, threads: int | None = None) -> tuple[Floats,
     """How far the clamped rings press each row in axially, e of the module; (cases,) each, m.
 
     Rows count from first contact on their own side. A clamped force is shared equally by the
-    rows that face the same way, and acts at rest.
+    rows that face the same way, and acts at rest; the force of a pair is that of two such rows.
     """
     shares = {sign: sum(row.sign == sign for row in columns.rows) for sign in (1.0, -1.0)}
     press = []
@@ -284,8 +284,9 @@ def pressed_in(columns: Columns, *, threads: int | None = None) -> tuple[Floats,
         touch = first_contact(row.p)
         if columns.preload == "offset":
             press.append(touch + columns.preload_value)
-        elif columns.preload == "force":
-            force = columns.preload_value / shares[row.sign]
+        elif columns.preload in ("force", "pair"):
+            share = shares[row.sign] if columns.preload == "force" else 1
+            force = columns.preload_value / share
             press.append(np.where(force > 0.0, _approach(row, force, threads), touch))
         else:
             press.append(touch if columns.preload == "spring" else np.zeros(columns.cases))

@@ -2,21 +2,18 @@
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Mapping
 from typing import Unpack, cast
 
-import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from rolamento.case import Case
-from rolamento.equilibrium import accept, rows
-from rolamento.equilibrium.batch_state import BatchState, RowBatch
-from rolamento.equilibrium.columns import Columns, DutyFields, spread
-from rolamento.equilibrium.jones import S, System, solve_by_jones
-from rolamento.equilibrium.problem import Floats, ring_arms
+from rolamento.equilibrium.assemble import solve_columns_of
+from rolamento.equilibrium.batch_state import BatchState
+from rolamento.equilibrium.columns import DutyFields, spread
+from rolamento.equilibrium.preload import preload_of
 from rolamento.equilibrium.record import state_of
-from rolamento.equilibrium.run import OneRow, ball_azimuths
-from rolamento.equilibrium.sets import SLIDE, RowSet, pressed_in, transform
 from rolamento.state import State
 
 
@@ -29,7 +26,10 @@ def solve(case: Case) -> State:
     Harris, Rolling Bearing Analysis, 3rd ed. (1991), chapter 8; Jones (1960); Radaelli (2013),
     chapter 4. See docs/theory/equilibrium.md.
     """
-    return state_of(case, solve_columns_of(spread(case, {}), threads=1))
+    state = state_of(case, solve_columns_of(spread(case, {}), threads=1))
+    if case.bearing.preload is None or not state.status.converged:
+        return state
+    return dataclasses.replace(state, preload=preload_of(case))
 
 
 def solve_batch(
@@ -63,99 +63,3 @@ def solve_batch(
     """
     given = {**(values or {}), **cast("dict[str, ArrayLike]", fields)}
     return solve_columns_of(spread(case, given), threads=threads)
-
-
-def solve_columns_of(
-    columns: Columns, *, threads: int | None = None, fast: bool = True
-) -> BatchState:
-    """Solve columns of parameters: of one row by the kernels alone, of a set around them."""
-    if len(columns.rows) > 1 or columns.rows[0].sign < 0.0 or _is_shifted(columns):
-        return _solve_set(columns, threads, fast)
-    row = columns.rows[0]
-    solution, control, verdict = _controlled(
-        OneRow(row.p, row.balls, threads, fast), columns.control
-    )
-    arms = ring_arms(row.p).T
-    free = row.p[rows.FREE : rows.FREE + 5].T > 0.0
-    applied = row.p[rows.APPLIED : rows.APPLIED + 5].T
-    failed = solution.code != accept.CONVERGED
-    load = np.where(free, applied, solution.reaction) * arms
-    displacement = solution.displacement / arms
-    stiffness = solution.stiffness * arms[:, :, np.newaxis] * arms[:, np.newaxis, :]
-    for array in (load, displacement, stiffness, solution.position, solution.displacement):
-        array[failed] = np.nan
-    azimuth = ball_azimuths(row.p, row.balls)
-    return BatchState(
-        code=solution.code,
-        unsupported=solution.unsupported,
-        residual=solution.residual,
-        iterations=solution.iterations,
-        safe_path=solution.safe,
-        displacement=displacement,
-        load=load,
-        stiffness=stiffness,
-        raceway_control=verdict,
-        rows=(RowBatch(row.p, control, solution.position, azimuth, solution.displacement, load),),
-    )
-
-
-def _is_shifted(columns: Columns) -> bool:
-    """Whether a single row is not at the origin."""
-    return bool(np.any(columns.rows[0].position != 0.0))
-
-
-def _controlled(system: System[S], mode: str) -> tuple[S, Floats, NDArray[np.int64]]:
-    """Solve under the raceway control asked for: solution, control used, verdict to show."""
-    if mode == "jones":
-        return solve_by_jones(system)
-    control = np.full((1, system.shape[1]), -1.0 if mode == "inner" else 1.0)
-    solution = system.solve(control)
-    everywhere = np.broadcast_to(control, system.shape)
-    return solution, everywhere, everywhere.astype(np.int64)
-
-
-def _solve_set(columns: Columns, threads: int | None, fast: bool) -> BatchState:
-    system = RowSet(columns, pressed_in(columns, threads=threads), threads, fast)
-    solution, control, verdict = _controlled(system, columns.control)
-    first = columns.rows[0]
-    arms = ring_arms(first.p).T
-    failed = solution.code != accept.CONVERGED
-    load = np.where(columns.free.T, columns.load.T, solution.reaction[:, :5] * arms)
-    displacement = solution.displacement[:, :5] / arms
-    stiffness = _condensed(solution.stiffness, columns.preload == "spring")
-    stiffness = stiffness * arms[:, :, np.newaxis] * arms[:, np.newaxis, :]
-    parts = []
-    for row, part, own in zip(columns.rows, solution.rows, system.split(control), strict=True):
-        t = transform(row, first, sprung=False)[:, :, :5]
-        carried = np.einsum("nij,ni->nj", t, part.reaction) * arms
-        for array in (part.position, part.displacement, carried):
-            array[failed] = np.nan
-        azimuth = ball_azimuths(row.p, row.balls)
-        parts.append(RowBatch(row.p, own, part.position, azimuth, part.displacement, carried))
-    for array in (load, displacement, stiffness):
-        array[failed] = np.nan
-    return BatchState(
-        code=solution.code,
-        unsupported=solution.unsupported,
-        residual=solution.residual,
-        iterations=solution.iterations,
-        safe_path=solution.safe,
-        displacement=displacement,
-        load=load,
-        stiffness=stiffness,
-        raceway_control=verdict,
-        rows=tuple(parts),
-    )
-
-
-def _condensed(stiffness: Floats, sprung: bool) -> Floats:
-    """The ring's stiffness (cases, 5, 5), with the springs' slide following."""
-    ring = stiffness[:, :5, :5].copy()
-    if sprung:
-        slide = stiffness[:, SLIDE, SLIDE]
-        follow = np.divide(
-            stiffness[:, SLIDE, :5], slide[:, np.newaxis], where=slide[:, np.newaxis] > 0.0,
-            out=np.zeros((len(slide), 5)),
-        )  # fmt: skip
-        ring -= stiffness[:, :5, SLIDE, np.newaxis] * follow[:, np.newaxis, :]
-    return ring
