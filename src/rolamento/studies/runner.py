@@ -33,7 +33,8 @@ Executor = Callable[[Plan, Sequence[int]], Iterator[Part]]
 """Solves chunks of a plan, given by number; parts come in any order."""
 
 Progress = Callable[[int, int, int], None]
-"""Is told of cases done, cases in all, and how many of those done have no result."""
+"""Is told of cases done, cases in all, and how many of those done have no result: once at the
+beginning, then after every chunk."""
 
 _MOST_BYTES: Final = 4 * 2**30
 """Of a result in memory."""
@@ -94,6 +95,7 @@ def run(
     whole = plan.empty(plan.cases)
     messages: list[str] = []
     tally = _Tally(plan, progress)
+    tally.tell()
     for part in (executor or local_threads(threads))(plan, range(plan.chunks)):
         first, last = plan.bounds(part.index)
         for name, array in part.arrays.items():
@@ -153,7 +155,8 @@ def run_to_file(
     kept = store.open(restart=restart)
     tally = _Tally(plan, progress)
     for part in kept.values():
-        tally.add(part, old=True)
+        tally.keep(part)
+    tally.tell()
     try:
         for part in _solved(plan, kept, executor or local_threads(threads)):
             store.put(part)
@@ -236,16 +239,27 @@ class _Tally:
         self.messages: list[str] = []
         self.done = self.kept = 0
 
-    def add(self, part: Part, *, old: bool = False) -> None:
+    def add(self, part: Part) -> None:
+        """Count a part that was solved now."""
+        self._count(part)
+        self.tell()
+
+    def keep(self, part: Part) -> None:
+        """Count a part of an earlier run."""
+        self._count(part)
+        self.kept = self.done
+
+    def tell(self) -> None:
+        """Tell of what is done."""
+        if self._progress is not None:
+            self._progress(self.done, self._plan.cases, self.done - self.counts[CONVERGED])
+
+    def _count(self, part: Part) -> None:
         codes, numbers = np.unique(part.arrays["status"], return_counts=True)
         for code, number in zip(codes, numbers, strict=True):
             self.counts[self._names[int(code)]] += int(number)
         self.messages += [text for text in part.messages if text not in self.messages]
-        size = self._plan.size(part.index)
-        self.done += size
-        self.kept += size if old else 0
-        if self._progress is not None:
-            self._progress(self.done, self._plan.cases, self.done - self.counts[CONVERGED])
+        self.done += self._plan.size(part.index)
 
 
 def _bytes_of(plan: Plan) -> int:

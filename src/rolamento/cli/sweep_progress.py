@@ -1,0 +1,122 @@
+"""How far a study has come: a bar on a terminal, now and then a line elsewhere."""
+
+from __future__ import annotations
+
+import sys
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Any, Final, TextIO
+
+from rolamento.cli.streams import complain
+from rolamento.report.language import Words
+from rolamento.report.medium import Medium
+from rolamento.report.numbers import Digits
+from rolamento.report.study_words import STUDY_WORDS
+
+__all__ = ["Lines", "told"]
+
+Progress = Callable[[int, int, int], None]
+
+INTERVAL: Final = 10.0
+"""Seconds between two lines where there is no terminal."""
+
+
+@contextmanager
+def told(words: Words, stream: TextIO | None = None) -> Iterator[Progress]:
+    """Show progress on standard error while the body runs."""
+    stream = sys.stderr if stream is None else stream
+    if stream is None or not stream.isatty():
+        yield Lines(words)
+        return
+    from rich.console import Console
+
+    console = Console(file=stream, highlight=False)
+    if console.is_dumb_terminal:
+        yield Lines(words)
+        return
+    with _bar(words, console, Medium.of(stream)) as progress:
+        yield progress
+
+
+class Rate:
+    """Cases per second since it was first told, and the seconds that are left."""
+
+    def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
+        self._clock = clock
+        self._began: float | None = None
+        self._kept = 0
+
+    def tell(self, done: int) -> None:
+        """Take note of the cases done; those of the first time were there before."""
+        if self._began is None:
+            self._began, self._kept = self._clock(), done
+
+    def at(self, done: int) -> float:
+        """Cases per second."""
+        elapsed = self._clock() - (self._began or 0.0)
+        return (done - self._kept) / elapsed if elapsed > 0.0 else 0.0
+
+    def left(self, done: int, total: int) -> float:
+        """Seconds until the last case."""
+        rate = self.at(done)
+        return (total - done) / rate if rate > 0.0 else float("nan")
+
+
+class Lines:
+    """Writes a line every few seconds."""
+
+    def __init__(self, words: Words, clock: Callable[[], float] = time.monotonic) -> None:
+        self._words, self._clock = words, clock
+        self._rate = Rate(clock)
+        self._next = clock() + INTERVAL
+
+    def __call__(self, done: int, total: int, failed: int) -> None:
+        """Take note, and write a line if it is time."""
+        self._rate.tell(done)
+        if self._clock() < self._next or done >= total:
+            return
+        self._next = self._clock() + INTERVAL
+        said, number = STUDY_WORDS[self._words.code], Digits(self._words.decimal_mark).fixed
+        line = said.progress.format(
+            done=number(done, 0),
+            total=number(total, 0),
+            rate=number(self._rate.at(done), 0),
+            left=_clock_time(self._rate.left(done, total)),
+        )
+        if failed:
+            line += f", {said.failed.format(count=number(failed, 0))}"
+        complain(line)
+
+
+@contextmanager
+def _bar(words: Words, console: Any, medium: Medium) -> Iterator[Progress]:
+    from rich.progress import BarColumn, TextColumn
+    from rich.progress import Progress as RichProgress
+
+    said, number = STUDY_WORDS[words.code], Digits(words.decimal_mark).fixed
+    columns = (TextColumn("{task.description}"), BarColumn(), TextColumn("{task.fields[state]}"))
+    with RichProgress(*columns, console=console, transient=True) as bar:
+        task = bar.add_task(medium.fitted(said.solving), total=None, state="")
+        rate = Rate()
+
+        def progress(done: int, total: int, failed: int) -> None:
+            rate.tell(done)
+            state = f"{number(done, 0)} / {number(total, 0)}"
+            if rate.at(done) > 0.0:
+                left = _clock_time(rate.left(done, total))
+                state += f"  {number(rate.at(done), 0)}/s  {said.time_left} {left}"
+            if failed:
+                state += f"  {said.failed.format(count=number(failed, 0))}"
+            bar.update(task, completed=done, total=total, state=medium.fitted(state))
+
+        yield progress
+
+
+def _clock_time(seconds: float) -> str:
+    """Write seconds as minutes and seconds, with hours if there are any."""
+    if seconds != seconds:
+        return "?"
+    minutes, rest = divmod(round(seconds), 60)
+    hours, minutes = divmod(minutes, 60)
+    return f"{hours}:{minutes:02d}:{rest:02d}" if hours else f"{minutes}:{rest:02d}"
