@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from rolamento import Case, Duty, InputError, Load, load_case, solve, solve_batch
+from rolamento.arrangement import Row
 from rolamento.plots.cage_turn import cage_turn_figure
 from rolamento.studies.cage_turn import CageTurn, cage_turn
 
@@ -141,6 +142,49 @@ def test_the_first_harmonic_is_the_amplitude_of_the_wave(turn: CageTurn) -> None
     variation = turn.variation("displacement")
     amplitude = np.abs(variation.harmonics[0, :3])
     np.testing.assert_allclose(2.0 * amplitude, variation.peak_to_peak[:3], rtol=1e-2)
+
+
+# --- sets of rows -----------------------------------------------------------------------------
+
+
+def two_rows(case: Case, **second: Any) -> Case:
+    rows = (
+        Row(orientation="+", position="-15 mm"),
+        Row(orientation="-", position="15 mm", **second),
+    )
+    return case.replace(bearing=case.bearing.replace(rows=rows, preload="500 N"))
+
+
+def test_a_set_has_a_history_for_each_row(case_218: Case) -> None:
+    turned = cage_turn(two_rows(case_218), points=8)
+    assert turned.converged
+    assert turned.period == pytest.approx(2 * np.pi / 16)
+    assert [history.row for history in turned.histories] == [0, 1]
+    for history in turned.histories:
+        of_row = turned.inner_load[:, turned.row == history.row]
+        np.testing.assert_array_equal(np.sort(history.inner.load), np.sort(of_row.ravel()))
+    first, second = (history.inner.load.max() for history in turned.histories)
+    assert first > 2.0 * second  # the axial load takes the second row's preload away
+
+
+def test_rows_of_different_ball_counts_repeat_by_their_common_divisor(case_218: Case) -> None:
+    unlike = two_rows(case_218, ball_count=12, phase="5 deg")
+    turned = cage_turn(unlike, points=24)
+    assert turned.converged
+    assert turned.period == pytest.approx(2 * np.pi / 4)
+    np.testing.assert_array_equal(turned.orders[:4], [4, 8, 12, 16])
+    onward = solve_batch(unlike, first_ball_azimuth=turned.angle + turned.period)
+    np.testing.assert_allclose(onward.displacement, turned.displacement, atol=1e-14)
+    np.testing.assert_array_equal(onward.row, turned.row)
+    for history in turned.histories:  # one ball, once round, in even steps
+        assert len(history.azimuth) == 96
+        np.testing.assert_allclose(np.diff(history.azimuth), 2 * np.pi / 96, atol=1e-12)
+    # the second row's first ball stands five degrees on: its load at a step is that ball's
+    second = turned.histories[1]
+    azimuth = float(np.radians(5.0) + turned.angle[7])
+    step = int(np.argmin(np.abs(second.azimuth - azimuth)))
+    assert second.azimuth[step] == pytest.approx(azimuth, abs=1e-9)
+    assert second.inner.load[step] == turned.inner_load[7, 16]
 
 
 # --- without a result -------------------------------------------------------------------------

@@ -1,0 +1,197 @@
+"""Tolerance bands, drawn: how each output is distributed, and which inputs move it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from rolamento.errors import InputError
+from rolamento.plots.axes_units import PERCENT, readable_unit
+from rolamento.plots.frame import GREY, empty_frame, label_x, label_y, number, shown_text
+from rolamento.plots.style import MILLIMETRE, WIDTH, series, styled
+from rolamento.plots.words import PlotWords, plot_words
+from rolamento.studies.sobol_indices import FLAT
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from xarray import Dataset
+
+    from rolamento.studies.sensitivity import RankCorrelations
+    from rolamento.studies.tolerance import ToleranceBand, ToleranceBands
+
+__all__ = ["MOST_OUTPUTS", "tolerance_figure"]
+
+Floats = NDArray[np.float64]
+
+MOST_OUTPUTS: Final = 6
+"""Of a figure: the first of the study."""
+
+_ROW: Final = 58.0
+_MOST_INPUTS: Final = 8
+_FILL: Final = "#9FC6DF"
+_BINS: Final = (8, 50)
+
+
+@dataclass(frozen=True, slots=True)
+class _Words:
+    rank: str
+    partial: str
+    no_result: str
+    no_variation: str
+    left_out: str
+
+
+_WORDS: Final[Mapping[str, _Words]] = {
+    "en": _Words(
+        rank="Rank correlation",
+        partial="Partial rank correlation",
+        no_result="no sample has a result",
+        no_variation="does not vary",
+        left_out="{failed} of {count} samples have no result and are left out",
+    ),
+    "pt": _Words(
+        rank="Correlação de postos",
+        partial="Correlação parcial de postos",
+        no_result="nenhuma amostra tem resultado",
+        no_variation="não varia",
+        left_out="{failed} de {count} amostras não têm resultado e ficam de fora",
+    ),
+}
+
+
+def tolerance_figure(
+    dataset: Dataset, bands: ToleranceBands, ranks: RankCorrelations, language: str = "en"
+) -> Figure:
+    """Draw the distribution of each output with its percentiles, and the inputs that move it.
+
+    Percentiles are lines, their confidence intervals bands. Beside them stand the rank
+    correlations with their intervals, the strongest at the top.
+
+    Parameters
+    ----------
+    dataset
+        A scatter study's result without further axes; its first six outputs are drawn.
+    bands, ranks
+        From it, by `tolerance_bands` and `rank_correlation`.
+    language
+        ``"en"`` or ``"pt"``.
+
+    Raises
+    ------
+    InputError
+        If the study has axes beside the samples.
+    """
+    if bands.without_result.ndim or any(band.axes for band in bands.bands):
+        raise InputError(
+            "has axes beside its samples; a figure of tolerance bands is of one point",
+            field="axes",
+            example="rolamento plot RESULT",
+        )
+    shared, words = plot_words(language), _WORDS.get(language, _WORDS["en"])
+    chosen = bands.bands[:MOST_OUTPUTS]
+    with styled():
+        height = (_ROW * len(chosen) + 8.0) * MILLIMETRE
+        figure = Figure(figsize=(WIDTH * MILLIMETRE, height))
+        grid = figure.add_gridspec(len(chosen), 2, width_ratios=[3, 2])
+        for row, band in enumerate(chosen):
+            values = np.asarray(dataset[band.name].where(dataset["status"] == 0).values, np.float64)
+            left, right = (figure.add_subplot(grid[row, column]) for column in (0, 1))
+            _distribution(left, values, bands, band, shared, words)
+            _ranking(right, ranks, band.name, shared, words)
+        failed = int(bands.without_result)
+        if failed:
+            text = words.left_out.format(failed=failed, count=bands.samples)
+            figure.suptitle(text, fontsize=9.0, color="#B00000", parse_math=False)
+    return figure
+
+
+def _distribution(
+    axes: Axes,
+    values: Floats,
+    bands: ToleranceBands,
+    band: ToleranceBand,
+    shared: PlotWords,
+    words: _Words,
+) -> None:
+    axes.set_title(
+        shown_text(shared.name(band.name, band.long_name), 60), loc="left", parse_math=False
+    )
+    there = values[np.isfinite(values)]
+    if not there.size:
+        empty_frame(axes, words.no_result)
+        return
+    unit = readable_unit(band.units, there)
+    bins = int(np.clip(np.ceil(2.0 * there.size ** (1.0 / 3.0)), *_BINS))
+    weights = np.full(there.size, PERCENT.factor / there.size)
+    drawn = unit.of(there)
+    if np.ptp(drawn) <= FLAT * np.abs(drawn).max():  # a histogram needs a width
+        empty_frame(axes, f"{words.no_variation}: {number(float(drawn[0]), shared)} {unit.symbol}")
+        return
+    axes.hist(
+        drawn,
+        bins=bins,
+        weights=weights,
+        facecolor=_FILL,
+        edgecolor=series(0).color,
+        linewidth=0.5,
+    )
+    for percent, value, low, high in zip(
+        bands.percentiles, band.percentile, band.low, band.high, strict=True
+    ):
+        if np.isfinite(value):
+            _percentile(axes, percent, float(unit.of(value)), shared)
+            ends = unit.of([value if np.isnan(end) else end for end in (low, high)])
+            axes.axvspan(float(ends[0]), float(ends[1]), color="black", alpha=0.12, linewidth=0.0)
+    label_x(axes, unit.symbol, shared)
+    label_y(axes, PERCENT.label(shared.share), shared)
+    axes.margins(y=0.18)
+
+
+def _percentile(axes: Axes, percent: float, place: float, shared: PlotWords) -> None:
+    axes.axvline(place, color="black", linewidth=0.9, linestyle="-" if percent == 50.0 else "--")
+    axes.text(
+        place,
+        0.98,
+        f" {number(percent, shared, 6)} %",
+        transform=axes.get_xaxis_transform(),
+        rotation=90.0,
+        fontsize=7.0,
+        ha="right",
+        va="top",
+    )
+
+
+def _ranking(
+    axes: Axes, ranks: RankCorrelations, output: str, shared: PlotWords, words: _Words
+) -> None:
+    order = ranks.ranking(output)[:_MOST_INPUTS]
+    if not order:
+        empty_frame(axes, words.no_variation)
+        return
+    values, low, high = (array[list(order)] for array in ranks.telling(output))
+    place = np.arange(len(order))[::-1]
+    colours = [series(0).color if value >= 0.0 else series(1).color for value in values]
+    hatches = ["" if value >= 0.0 else "///" for value in values]
+    axes.barh(place, np.abs(values), height=0.6, color=colours, hatch=hatches, edgecolor="white")
+    size = np.abs(np.stack([low, high]))
+    reach = np.where(
+        low * high < 0.0, [np.zeros_like(low), size.max(axis=0)], np.sort(size, axis=0)
+    )
+    for x, (nearest, farthest) in zip(place, reach.T, strict=True):
+        axes.plot([nearest, farthest], [x, x], color="black", linewidth=1.0)
+    names = [shared.name(ranks.inputs[index]) for index in order]
+    signs = ["+" if value >= 0.0 else "−" for value in values]
+    axes.set_yticks(
+        place,
+        [f"{shown_text(name, 26)} ({sign})" for name, sign in zip(names, signs, strict=True)],
+        parse_math=False,
+    )
+    axes.set_xlim(0.0, 1.0)
+    axes.grid(visible=False, axis="y")
+    axes.axvline(0.0, color=GREY, linewidth=0.6)
+    label_x(axes, words.partial if ranks.correlated else words.rank, shared)

@@ -1,0 +1,317 @@
+"""Tolerance bands: within what limits every output of a scatter study stays, and how surely.
+
+Percentiles, mean and standard deviation over the samples that have a result; how many have none
+stands beside them. The confidence interval of a percentile is that of order statistics, which
+supposes no distribution: Conover, Practical Nonparametric Statistics, 3rd ed. (1999), section 3.2.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import TYPE_CHECKING, Any, Final
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rolamento.bearing import Bearing
+from rolamento.errors import InputError
+from rolamento.studies.samples import SAMPLE, samples_of
+
+if TYPE_CHECKING:
+    from xarray import DataArray, Dataset
+
+__all__ = [
+    "EXPANSION_100CR6",
+    "PERCENTILES",
+    "ToleranceBand",
+    "ToleranceBands",
+    "checked_percentiles",
+    "clearance_from_temperature",
+    "tolerance_bands",
+]
+
+Floats = NDArray[np.float64]
+
+PERCENTILES: Final = (0.135, 5.0, 50.0, 95.0, 99.865)
+"""The outer ones are those of three standard deviations of a normal distribution."""
+
+EXPANSION_100CR6: Final = 12.5e-6
+"""Coefficient of thermal expansion of bearing steel; 1/K. NSK, Rolling Bearings (catalogue
+E1102), on the internal clearance."""
+
+_MOST_PERCENTILES: Final = 50
+_LARGEST_DIFFERENCE: Final = 200.0  # K
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ToleranceBand:
+    """One output over the samples, SI; NaN where there are too few of them.
+
+    Attributes
+    ----------
+    name, long_name, units
+        of the output
+    axes
+        dimensions that remain: those of the arrays below
+    percentile
+        (percentiles, …) below which that percentage of the samples lies; NaN where it lies
+        beyond the least or the greatest sample, so that more samples are needed
+    low, high
+        (percentiles, …) confidence interval of each; NaN where it is open on that side
+    mean, standard_deviation
+        (…) of the samples, the latter with n - 1
+    count
+        (…) samples that have a result and a value
+    """
+
+    name: str
+    long_name: str
+    units: str
+    axes: tuple[str, ...]
+    percentile: Floats
+    low: Floats
+    high: Floats
+    mean: Floats
+    standard_deviation: Floats
+    count: NDArray[np.int64]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ToleranceBands:
+    """All outputs of a scatter study.
+
+    Attributes
+    ----------
+    percentiles
+        in per cent
+    confidence
+        of the intervals, 0 to 1
+    samples
+        of the study
+    without_result
+        (axes …) samples that have no result: not part of any band
+    failures
+        their number by reason, over all axes
+    bands
+        one for each output
+    """
+
+    percentiles: tuple[float, ...]
+    confidence: float
+    samples: int
+    without_result: NDArray[np.int64]
+    failures: Mapping[str, int]
+    bands: tuple[ToleranceBand, ...]
+
+    def __getitem__(self, name: str) -> ToleranceBand:
+        """Return the band of an output."""
+        for band in self.bands:
+            if band.name == name:
+                return band
+        raise KeyError(name)
+
+    @property
+    def share_without_result(self) -> float:
+        """Part of all samples, over all axes, that have no result."""
+        return float(np.mean(self.without_result)) / self.samples
+
+
+def tolerance_bands(
+    dataset: Dataset,
+    percentiles: Sequence[float] = PERCENTILES,
+    *,
+    confidence: float = 0.95,
+) -> ToleranceBands:
+    """Take percentiles of every output of a scatter study over its samples.
+
+    Parameters
+    ----------
+    dataset
+        A study's result with the dimension ``"sample"``; further dimensions remain.
+    percentiles
+        In per cent, between 0 and 100.
+    confidence
+        Of the intervals, above 0 and below 1.
+
+    Raises
+    ------
+    InputError
+        If the result has no scatter, or a percentile is out of range.
+
+    The percentile is the median-unbiased one, Hyndman and Fan (1996), definition 8.
+    """
+    wanted = checked_percentiles(percentiles)
+    if not 0.0 < confidence < 1.0:
+        raise InputError("must be between 0 and 1", field="confidence", value=confidence)
+    samples = samples_of(dataset)
+    return ToleranceBands(
+        percentiles=wanted,
+        confidence=confidence,
+        samples=len(samples),
+        without_result=np.asarray((~samples.solved).sum(SAMPLE).values, dtype=np.int64),
+        failures=samples.failures,
+        bands=tuple(
+            _band(name, array, samples.solved, wanted, confidence)
+            for name, array in samples.outputs.items()
+        ),
+    )
+
+
+def checked_percentiles(percentiles: Sequence[float]) -> tuple[float, ...]:
+    """Return percentiles in rising order, each once.
+
+    Raises
+    ------
+    InputError
+        If there is none, there are more than 50, or one is not between 0 and 100.
+    """
+    wanted = tuple(sorted({float(value) for value in percentiles}))
+    if not 1 <= len(wanted) <= _MOST_PERCENTILES:
+        raise InputError(
+            f"must be 1 to {_MOST_PERCENTILES} numbers", field="percentiles", value=len(wanted)
+        )
+    for value in wanted:
+        if not 0.0 < value < 100.0:
+            raise InputError(
+                "must be between 0 and 100", field="percentiles", value=value, example="5, 50, 95"
+            )
+    return wanted
+
+
+def _band(
+    name: str,
+    array: DataArray,
+    solved: DataArray,
+    percentiles: tuple[float, ...],
+    confidence: float,
+) -> ToleranceBand:
+    values = np.asarray(array.where(solved).transpose(..., SAMPLE).values, dtype=np.float64)
+    shape = values.shape[:-1]
+    axes = tuple(str(axis) for axis in array.where(solved).transpose(..., SAMPLE).dims[:-1])
+    quantiles = np.full((3, len(percentiles), *shape), np.nan)
+    moments = np.full((2, *shape), np.nan)
+    count = np.zeros(shape, dtype=np.int64)
+    for place in np.ndindex(shape):
+        there = np.sort(values[place][np.isfinite(values[place])])
+        count[place] = len(there)
+        moments[(slice(None), *place)] = _moments(there)
+        for index, percent in enumerate(percentiles):
+            quantiles[(slice(None), index, *place)] = _quantile(there, percent, confidence)
+    attributes = array.attrs
+    return ToleranceBand(
+        name=name,
+        long_name=str(attributes.get("long_name", name)),
+        units=str(attributes.get("units", "")),
+        axes=axes,
+        percentile=quantiles[0],
+        low=quantiles[1],
+        high=quantiles[2],
+        mean=moments[0],
+        standard_deviation=moments[1],
+        count=count,
+    )
+
+
+def _moments(values: Floats) -> tuple[float, float]:
+    """Mean and standard deviation, as far as so many values have them."""
+    if len(values) == 0:
+        return np.nan, np.nan
+    return float(values.mean()), float(values.std(ddof=1)) if len(values) > 1 else np.nan
+
+
+def _quantile(ordered: Floats, percent: float, confidence: float) -> tuple[float, float, float]:
+    """Percentile of sorted values, and the ends of its interval."""
+    count, share = len(ordered), percent / 100.0
+    place = (count + 1.0 / 3.0) * share - 2.0 / 3.0  # counted from 0
+    low, high = _order_statistics(count, share, confidence)
+    return (
+        _between(ordered, place),
+        float(ordered[low]) if low >= 0 else np.nan,
+        float(ordered[high]) if high < count else np.nan,
+    )
+
+
+def _between(ordered: Floats, place: float) -> float:
+    """Value at a place between two neighbours; NaN beyond the ends."""
+    if not 0.0 <= place <= len(ordered) - 1:
+        return float("nan")
+    below = min(int(place), max(len(ordered) - 2, 0))
+    above = min(below + 1, len(ordered) - 1)
+    return float(ordered[below] + (place - below) * (ordered[above] - ordered[below]))
+
+
+@lru_cache(maxsize=4096)
+def _order_statistics(count: int, share: float, confidence: float) -> tuple[int, int]:
+    """Places of the order statistics that enclose a quantile; -1 and count where none does."""
+    from scipy.stats import binom
+
+    if count == 0:
+        return -1, 0
+    tail = 0.5 * (1.0 - confidence)
+    low, high = binom.ppf(tail, count, share), binom.isf(tail, count, share)
+    return int(low) - 1, int(high)
+
+
+# --- clearance and temperature ----------------------------------------------------------------
+
+
+def clearance_from_temperature(
+    bearing: Bearing,
+    temperature_difference: ArrayLike,
+    *,
+    expansion: float = EXPANSION_100CR6,
+) -> Floats:
+    """Diametral clearance when the inner ring is warmer than the outer.
+
+    The inner ring and the balls grow beyond the outer ring by the expansion of the outer
+    raceway's diameter d_m + D over the difference of temperature:
+
+        P_d = P_d,0 - expansion · ΔT · (d_m + D)
+
+    Parameters
+    ----------
+    bearing
+        Given by its diametral clearance at one temperature.
+    temperature_difference
+        ΔT, inner ring less outer; K, at most 200 either way. A number or an array of draws.
+    expansion
+        Coefficient of thermal expansion of rings and balls; 1/K.
+
+    Returns
+    -------
+    Diametral clearance of that shape; m.
+
+    Raises
+    ------
+    InputError
+        If the bearing is given by its contact angle, or a difference is out of range.
+
+    Linear: a mean difference shifts the mean clearance, and a standard deviation s of the
+    difference adds one of expansion · s · (d_m + D). Holds for rings that are each of one
+    temperature and grow freely, balls as warm as the inner ring, and one material; a fit that
+    hinders the growth, or ceramic balls, changes it. Source: NSK, Rolling Bearings (catalogue
+    E1102), which takes (4 D_bearing + d_bore)/5 for the outer raceway's diameter.
+    """
+    if bearing.diametral_clearance is None:
+        raise InputError(
+            "is needed: a bearing given by its contact angle has no clearance to change",
+            field="bearing.diametral_clearance",
+            example='diametral_clearance = "0.015 mm" instead of contact_angle',
+        )
+    difference = np.asarray(temperature_difference, dtype=np.float64)
+    if not np.all(np.abs(difference) <= _LARGEST_DIFFERENCE):
+        raise InputError(
+            f"must be a number of at most {_LARGEST_DIFFERENCE:g} K either way",
+            field="temperature_difference",
+            value=_worst(difference),
+            example="10.0",
+        )
+    raceway = bearing.pitch_diameter + bearing.ball_diameter
+    return np.asarray(bearing.diametral_clearance - expansion * raceway * difference)
+
+
+def _worst(values: Floats) -> Any:
+    flat = np.atleast_1d(values).ravel()
+    return float(flat[int(np.argmax(np.where(np.isnan(flat), np.inf, np.abs(flat))))])
