@@ -89,8 +89,8 @@ def test_a_line_over_one_axis() -> None:
     (line,) = axes.lines
     np.testing.assert_allclose(line.get_xdata(), study.fx.values / 1e3)
     np.testing.assert_allclose(line.get_ydata(), study.x.values[:, 0] * 1e6)
-    assert axes.get_xlabel() == "Axial load (kN)"
-    assert axes.get_ylabel() == "Axial displacement (µm)"
+    assert axes.get_xlabel() == "Axial load Fx (kN)"
+    assert axes.get_ylabel() == "Axial displacement x (µm)"
     assert axes.get_legend() is None
 
 
@@ -103,7 +103,7 @@ def test_a_second_axis_is_a_family_of_lines() -> None:
     assert len({(line.get_linestyle(), line.get_marker()) for line in axes.lines}) == 3
     pressure = study["max_inner_max_pressure"].values / 1e6
     np.testing.assert_allclose([line.get_ydata() for line in axes.lines], pressure.T)
-    assert axes.get_ylabel() == "Greatest pressure on the inner race (MPa)"
+    assert axes.get_ylabel() == "Greatest Hertz pressure, inner race (MPa)"
 
 
 def test_over_chooses_the_axis_across() -> None:
@@ -137,6 +137,22 @@ def test_words_as_an_axis() -> None:
     assert labels(study_lines(study)) == ["outer", "inner"]
     across = study_lines(study, over="raceway_control")
     assert [tick.get_text() for tick in across.get_xticklabels()] == ["outer", "inner"]
+
+
+def test_inputs_that_vary_together_are_one_axis() -> None:
+    study = xr.Dataset(
+        {"x": ("duty", [1e-6, 2e-6, 3e-6], {"units": "m"})},
+        coords={
+            "fx": ("duty", [1e3, 2e3, 3e3], {"units": "N"}),
+            "inner_speed": ("duty", [0.0, 100.0, 300.0], {"units": "rad/s"}),
+        },
+    )
+    assert study_lines(study).get_xlabel() == "Axial load Fx (N)"
+    axes = study_lines(study, over="inner_speed")
+    assert axes.get_xlabel() == "Speed of the inner ring (rpm)"
+    np.testing.assert_allclose(axes.lines[0].get_xdata(), np.array([0.0, 100.0, 300.0]) * RPM)
+    with pytest.raises(InputError, match="it has duty, fx, inner_speed"):
+        study_lines(study, over="fz")
 
 
 def test_samples_along_an_axis_are_a_median_and_a_band() -> None:
@@ -205,16 +221,16 @@ def test_a_map_of_two_axes() -> None:
     values = np.asarray(mesh_of(axes).get_array()).reshape(8, 9)
     np.testing.assert_allclose(values, study.x.values * 1e6)
     assert axes.get_xlabel() == "Speed of the inner ring (rpm)"
-    assert axes.get_ylabel() == "Axial load (kN)"
+    assert axes.get_ylabel() == "Axial load Fx (kN)"
     bar = figure_of(axes).axes[1]
-    assert bar.get_ylabel() == "Axial displacement (µm)"
+    assert bar.get_ylabel() == "Axial displacement x (µm)"
     assert axes.get_ylim() == pytest.approx((1.0, 20.0))
 
 
 def test_a_map_turned_round() -> None:
     study = sweep(8, 9)
     axes = study_map(study, "x", over="fx")
-    assert axes.get_xlabel() == "Axial load (kN)"
+    assert axes.get_xlabel() == "Axial load Fx (kN)"
     values = np.asarray(mesh_of(axes).get_array()).reshape(9, 8)
     np.testing.assert_allclose(values, study.x.values.T * 1e6)
 
@@ -281,7 +297,7 @@ def test_histogram_of_samples() -> None:
     for line, percent in zip(axes.lines[:3], (5, 50, 95), strict=True):
         assert line.get_xdata()[0] == pytest.approx(np.percentile(good, percent))
     assert len({line.get_linestyle() for line in axes.lines[:3]}) == 3
-    assert axes.get_xlabel() == "Greatest load on an inner contact (N)"
+    assert axes.get_xlabel() == "Greatest contact load, inner race (N)"
     assert axes.get_ylabel() == "Share of the samples (%)"
     assert labels(axes)[-1] == "no result: 4 of 400"
     assert labels(axes)[1].startswith("median: ")

@@ -22,6 +22,7 @@ __all__ = [
     "add_title",
     "empty_frame",
     "figure_of",
+    "in_lines",
     "label_x",
     "label_y",
     "legend_above",
@@ -33,6 +34,7 @@ __all__ = [
 GREY: Final = "#707070"
 _THIN_SPACE: Final = "\u2009"
 _LONGEST_LABEL: Final = 90
+_UPRIGHT_WIDTH: Final = 45
 _TITLE_CHARACTERS_PER_INCH: Final = 13.0
 _CHARACTERS_PER_INCH: Final = 17.0
 _HANDLE_CHARACTERS: Final = 7
@@ -72,6 +74,11 @@ def shown_text(text: str, longest: int = _LONGEST_LABEL) -> str:
     return plain if len(plain) <= longest else plain[: longest - 1] + "…"
 
 
+def in_lines(label: str) -> str:
+    """Return the label of an upright axis, in two lines if it is long."""
+    return "\n".join(textwrap.wrap(shown_text(label), _UPRIGHT_WIDTH))
+
+
 def label_x(axes: Axes, label: str, words: PlotWords) -> None:
     """Label the axis across; what files call things is not read as mathematics."""
     axes.set_xlabel(shown_text(label), parse_math=False)
@@ -80,7 +87,7 @@ def label_x(axes: Axes, label: str, words: PlotWords) -> None:
 
 def label_y(axes: Axes, label: str, words: PlotWords) -> None:
     """Label the upright axis, likewise."""
-    axes.set_ylabel(shown_text(label), parse_math=False)
+    axes.set_ylabel(in_lines(label), parse_math=False)
     _plain(axes.yaxis, words)
 
 

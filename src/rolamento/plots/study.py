@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rolamento.errors import InputError, nearest
-from rolamento.plots.axes_units import ReadableUnit, readable_unit
+from rolamento.plots.axes_units import NONE, ReadableUnit, readable_unit
 from rolamento.plots.words import PlotWords
 
 __all__ = [
@@ -170,12 +170,16 @@ def output_of(study: StudyData, name: str, words: PlotWords) -> Column:
 
 
 def axis_of(study: StudyData, name: str, size: int, words: PlotWords) -> Column:
-    """Return the values along an axis; numbers from 0 where the study does not tell."""
-    coordinate = study.coords.get(name)
-    if coordinate is None or len(coordinate.dims) != 1:
-        label = words.name(name)
-        return Column(name, (name,), np.arange(float(size)), label, readable_unit("1", []))
-    column = _input(name, coordinate, words)
+    """Return the values along an axis; numbers from 0 where the study does not tell.
+
+    An axis along which several inputs vary together is told by the first of them.
+    """
+    along = [n for n in inputs(study) if n == name or str(study.coords[n].dims[0]) == name]
+    coordinate = study.coords[name if name in along else along[0]] if along else None
+    if coordinate is None:
+        label = NONE.label(words.name(name))
+        return Column(name, (name,), np.arange(float(size)), label, NONE)
+    column = _input(name if name in along else along[0], coordinate, words)
     if not np.isfinite(column.values).all():
         raise InputError("holds what is not a number", field=name)
     return column
@@ -228,7 +232,7 @@ def _input(name: str, coordinate: Variable, words: PlotWords) -> Column:
         return _column(name, dims, values.astype(np.float64), coordinate, words)
     texts, places = _positions([str(value)[:60] for value in values.tolist()])
     label = words.name(name, _long_name(coordinate))
-    return Column(name, dims, places, label, readable_unit("1", []), texts)
+    return Column(name, dims, places, label, NONE, texts)
 
 
 def _positions(texts: Sequence[str]) -> tuple[tuple[str, ...], Floats]:

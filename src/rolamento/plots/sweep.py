@@ -20,6 +20,7 @@ from rolamento.plots.frame import (
     PlainNumbers,
     empty_frame,
     figure_of,
+    in_lines,
     label_x,
     label_y,
     legend_above,
@@ -32,6 +33,7 @@ from rolamento.plots.study import (
     StudyData,
     axis_of,
     common_failure,
+    inputs,
     most_telling,
     output_of,
 )
@@ -115,7 +117,7 @@ def study_lines(
     axes = new_figure()[1] if axes is None else axes
     if not np.isfinite(table.values).any():
         return nothing_to_draw(axes, study, words)
-    x = axis_of(study, table.along, len(table.values), words)
+    x = axis_of(study, table.across, len(table.values), words)
     title = ""
     if table.other is None:
         _line(axes, x, table.values[:, 0], series(0))
@@ -155,7 +157,7 @@ def study_map(
     if not np.isfinite(table.values).any():
         return nothing_to_draw(axes, study, words)
     size_x, size_y = table.values.shape
-    x = axis_of(study, table.along, size_x, words)
+    x = axis_of(study, table.across, size_x, words)
     y = axis_of(study, table.other, size_y, words)
     _colour(axes, x, y, table, words)
     missing = int(np.sum(np.isnan(table.values)))
@@ -173,12 +175,13 @@ def nothing_to_draw(axes: Axes, study: StudyData, words: PlotWords) -> Axes:
 
 
 class _Table(NamedTuple):
-    """An output over one or two axes: values (along, other)."""
+    """An output over one or two axes: values (along, other); across: what `along` is told by."""
 
     output: Column
     values: Floats
     along: str
     other: str | None
+    across: str
 
 
 def _table(study: StudyData, variable: str, over: str, words: PlotWords) -> _Table:
@@ -191,15 +194,25 @@ def _table(study: StudyData, variable: str, over: str, words: PlotWords) -> _Tab
             field=output.name,
             example='study.sel(fx=20e3) or study.isel(ball=0) in Python',
         )  # fmt: skip
-    if over and over not in dims:
-        raise InputError(
-            f"is not an axis of {output.name}; it has {', '.join(dims)}", field="over", value=over
-        )
-    along = over or _longest(study, output, words)
+    along = _axis_named(study, over, output) if over else _longest(study, output, words)
+    across = over or along
     if len(dims) == 1:
-        return _Table(output, output.values[:, np.newaxis], along, None)
+        return _Table(output, output.values[:, np.newaxis], along, None, across)
     other = dims[1 - dims.index(along)]
-    return _Table(output, output.values if along == dims[0] else output.values.T, along, other)
+    values = output.values if along == dims[0] else output.values.T
+    return _Table(output, values, along, other, across)
+
+
+def _axis_named(study: StudyData, name: str, output: Column) -> str:
+    """Return the axis that is called so, or along which an input of that name varies."""
+    axes = {dim: dim for dim in output.dims}
+    axes.update({n: str(study.coords[n].dims[0]) for n in inputs(study)})
+    if axes.get(name) not in output.dims:
+        known = [n for n, axis in axes.items() if axis in output.dims]
+        raise InputError(
+            f"is not an axis of {output.name}; it has {', '.join(known)}", field="over", value=name
+        )
+    return axes[name]
 
 
 def _longest(study: StudyData, output: Column, words: PlotWords) -> str:
@@ -311,7 +324,7 @@ def _colour(axes: Axes, x: Column, y: Column, table: _Table, words: PlotWords) -
         if not column.texts and column.values.min() < column.values.max():
             limit(column.values.min(), column.values.max())
     bar: Any = figure_of(axes).colorbar(mesh, ax=axes, format=PlainNumbers(words.decimal_mark))
-    bar.set_label(table.output.label, parse_math=False)
+    bar.set_label(in_lines(table.output.label), parse_math=False)
     bar.ax.tick_params(labelsize=8.0)
 
 

@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Final
 
-__all__ = ["ENGLISH", "PORTUGUESE", "PlotWords", "plot_words"]
+from rolamento.plots.variable_names import variable_name
 
-_STIFFNESS: Final = re.compile(r"stiffness_(r?[xyz])(r?[xyz])")
+__all__ = ["ENGLISH", "PORTUGUESE", "PlotWords", "plot_words"]
 
 
 @dataclass(frozen=True, slots=True)
 class PlotWords:
-    """The words of one language; `names` says what variables of a study are."""
+    """The words of one language."""
 
     code: str
     decimal_mark: str
@@ -43,7 +42,6 @@ class PlotWords:
     percentile_band: str
     share: str
     written: str
-    names: Mapping[str, str]
 
     def reason(self, code: str) -> str:
         """Say why there is no result."""
@@ -58,14 +56,10 @@ class PlotWords:
         variable
             Its name in the study.
         long_name
-            What the study's file calls it, in English; goes before the English names.
+            What the study's file calls it, in English, for variables that nobody knows here.
         """
-        known = self.names.get(variable, "")
-        if not known and (match := _STIFFNESS.fullmatch(variable)):
-            known = f"{self.stiffness} {match[1]}–{match[2]}"
-        said = long_name or known if self.code == "en" else known or long_name
-        said = said or variable.replace("_", " ")
-        return said[:1].upper() + said[1:]
+        known = variable_name(variable, self.code) or long_name or variable.replace("_", " ")
+        return known[:1].upper() + known[1:]
 
 
 ENGLISH: Final = PlotWords(
@@ -102,27 +96,6 @@ ENGLISH: Final = PlotWords(
     percentile_band="{least} % to {most} %",
     share="Share of the samples",
     written="Wrote {path}",
-    names={
-        "x": "axial displacement x",
-        "y": "displacement y",
-        "z": "radial displacement z",
-        "ry": "tilt about y",
-        "rz": "tilt about z",
-        "fx": "axial load Fx",
-        "fy": "load Fy",
-        "fz": "radial load Fz",
-        "my": "moment My",
-        "mz": "moment Mz",
-        "inner_speed": "speed of the inner ring",
-        "outer_speed": "speed of the outer ring",
-        "first_ball_azimuth": "azimuth of the first ball",
-        "max_inner_load": "greatest load on an inner contact",
-        "max_outer_load": "greatest load on an outer contact",
-        "max_inner_max_pressure": "greatest pressure on the inner race",
-        "max_outer_max_pressure": "greatest pressure on the outer race",
-        "ball": "ball",
-        "sample": "sample",
-    },
 )
 
 PORTUGUESE: Final = PlotWords(
@@ -159,36 +132,6 @@ PORTUGUESE: Final = PlotWords(
     percentile_band="{least} % a {most} %",
     share="Parcela das amostras",
     written="{path} gravado",
-    names={
-        "x": "deslocamento axial x",
-        "y": "deslocamento y",
-        "z": "deslocamento radial z",
-        "ry": "inclinação em torno de y",
-        "rz": "inclinação em torno de z",
-        "fx": "carga axial Fx",
-        "fy": "carga Fy",
-        "fz": "carga radial Fz",
-        "my": "momento My",
-        "mz": "momento Mz",
-        "inner_speed": "rotação do anel interno",
-        "outer_speed": "rotação do anel externo",
-        "first_ball_azimuth": "azimute da primeira esfera",
-        "max_inner_load": "maior carga em um contato interno",
-        "max_outer_load": "maior carga em um contato externo",
-        "max_inner_max_pressure": "maior pressão na pista interna",
-        "max_outer_max_pressure": "maior pressão na pista externa",
-        "ball_count": "número de esferas",
-        "ball_diameter": "diâmetro da esfera",
-        "pitch_diameter": "diâmetro primitivo",
-        "contact_angle": "ângulo de contato livre",
-        "diametral_clearance": "folga diametral",
-        "inner_conformity": "conformidade interna",
-        "outer_conformity": "conformidade externa",
-        "spacing": "distância entre carreiras",
-        "preload": "pré-carga",
-        "ball": "esfera",
-        "sample": "amostra",
-    },
 )
 
 _LANGUAGES: Final[Mapping[str, PlotWords]] = {w.code: w for w in (ENGLISH, PORTUGUESE)}
