@@ -1,0 +1,121 @@
+"""`rolamento reproduce`: the figures and tables of a publication, computed anew."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from enum import StrEnum
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from rolamento.cli.common import LanguageOption, plain_endings, words_of
+from rolamento.cli.streams import print_text
+
+if TYPE_CHECKING:
+    from rolamento.reproduction.record import Section, Source
+    from rolamento.reproduction.text import Language as Code
+    from rolamento.reproduction.text import Text
+
+__all__ = ["Pictures", "reproduce"]
+
+
+class Pictures(StrEnum):
+    """Formats of the pictures."""
+
+    svg = "svg"
+    png = "png"
+    both = "both"
+
+
+def reproduce(
+    name: Annotated[
+        str | None,
+        typer.Argument(help="What to reproduce, such as radaelli-2013; without it, what there is."),
+    ] = None,
+    output: Annotated[
+        str | None,
+        typer.Option(
+            "--output", metavar="FOLDER", help="Where to write; a folder of that name by default."
+        ),
+    ] = None,
+    pictures: Annotated[
+        Pictures, typer.Option("--pictures", help="Formats of the pictures.")
+    ] = Pictures.both,
+    lang: LanguageOption = None,
+) -> None:
+    """Write every figure and table of a publication, from this program, with an index page."""
+    with plain_endings(lang):
+        code: Code = "pt" if words_of(lang).code == "pt" else "en"
+        if name is None:
+            print_text(_listed(code))
+            return
+        _reproduced(name, output, pictures, code)
+
+
+def _reproduced(name: str, output: str | None, pictures: Pictures, code: Code) -> None:
+    """Compute and write what a name stands for, and say where it lies."""
+    from rolamento.reproduction import computed, find, open_folder, write
+    from rolamento.reproduction.writing import PAGE
+
+    source = find(name)
+    folder = open_folder(source.name if output is None else output, source)
+    with _bar(code) as progress:
+        sections = computed(source, progress)
+        write(
+            source,
+            sections,
+            folder,
+            language=code,
+            pictures=pictures.value,
+            progress=progress,
+        )
+    print_text(_told(sections, str(folder / PAGE), code))
+
+
+def _listed(code: Code) -> str:
+    """List what can be reproduced, with the source and what is in it."""
+    from rolamento.reproduction import NAMES, find
+
+    return "".join(_entry(find(name), code) for name in NAMES)
+
+
+def _entry(source: Source, code: Code) -> str:
+    return f"{source.name}\n    {source.reference.speak(code)}\n"
+
+
+def _told(sections: tuple[Section, ...], page: str, code: Code) -> str:
+    from rolamento.reproduction.wording import summary
+
+    lines = [text.speak(code) for text in summary(sections)]
+    return "\n".join([*lines, page]) + "\n"
+
+
+@contextmanager
+def _bar(code: Code) -> Iterator[Callable[[int, int, Text], None]]:
+    """Show on standard error how far it is, if a person is there to see it."""
+    if sys.stderr is None or not sys.stderr.isatty():
+        yield lambda done, total, what: None
+        return
+    from rich.console import Console
+    from rich.progress import (
+        BarColumn,
+        MofNCompleteColumn,
+        Progress,
+        TextColumn,
+        TimeElapsedColumn,
+    )
+
+    text = TextColumn("{task.description}", markup=False)
+    columns = (BarColumn(), MofNCompleteColumn(), TimeElapsedColumn(), text)
+    console = Console(stderr=True, highlight=False)
+    with Progress(*columns, console=console, transient=True) as shown:
+        task = shown.add_task("", total=None)
+        yield lambda done, total, what: shown.update(
+            task, completed=done, total=total, description=_short(what.speak(code))
+        )
+
+
+def _short(text: str) -> str:
+    return text if len(text) <= 40 else text[:39] + "…"
