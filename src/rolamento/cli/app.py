@@ -19,6 +19,7 @@ from rolamento.cli.common import (
 )
 from rolamento.cli.optional_value import SolveCommand
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
+from rolamento.cli.verify import VerifyCommand, verify
 from rolamento.errors import FileError, InputError
 
 if TYPE_CHECKING:
@@ -28,13 +29,16 @@ __all__ = ["app", "main"]
 
 app = typer.Typer(
     help="Ball bearing analysis: ball loads, contact angles, stresses, displacements, stiffness.",
-    epilog="Exit codes: 0 solved, 1 no result (the reason is printed), 2 wrong input.",
+    epilog="Exit codes: 0 done, 1 no result or a failed check (which is printed), 2 wrong input.",
     add_completion=False,
     no_args_is_help=True,
     pretty_exceptions_enable=False,
     rich_markup_mode=None,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
+
+
+app.command(cls=VerifyCommand)(verify)
 
 
 def main() -> None:

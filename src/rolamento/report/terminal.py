@@ -17,7 +17,7 @@ from rolamento.report.ring import ring_part, stiffness_part
 from rolamento.state import State
 from rolamento.units import Dimension, from_si
 
-__all__ = ["terminal_report"]
+__all__ = ["rendered", "terminal_report"]
 
 
 def terminal_report(state: State, words: Words = ENGLISH, medium: Medium | None = None) -> str:
@@ -38,10 +38,10 @@ def terminal_report(state: State, words: Words = ENGLISH, medium: Medium | None 
         parts += [_middle(page, state), stiffness_part(page, state), *ball_parts(page, state)]
     if state.notes:
         parts.append(_notes(page, state))
-    return _rendered(page.medium, parts)
+    return rendered(page.medium, parts)
 
 
-def _rendered(medium: Medium, parts: list[Lines]) -> str:
+def rendered(medium: Medium, parts: list[Lines]) -> str:
     """Return the parts one below the other, with an empty line between them."""
     console = Console(
         file=StringIO(),

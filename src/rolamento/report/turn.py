@@ -18,7 +18,7 @@ from rolamento.duty import AXES, LOADS
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium
 from rolamento.report.page import Lines, Page
-from rolamento.report.terminal import _rendered as rendered
+from rolamento.report.terminal import rendered
 from rolamento.studies.cage_turn import BallHistory, CageTurn, ContactHistory, Variation
 
 __all__ = ["turn_csv", "turn_json", "turn_report"]

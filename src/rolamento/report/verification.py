@@ -13,7 +13,7 @@ from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium
 from rolamento.report.numbers import ABSENT
 from rolamento.report.page import Lines, Page
-from rolamento.report.terminal import _rendered as rendered
+from rolamento.report.terminal import rendered
 from rolamento.report.verification_words import VERIFICATION_WORDS, VerificationWords
 from rolamento.verification import VERDICTS, Check, Verdict, Verification
 

@@ -1,0 +1,142 @@
+"""A study on a Dask cluster of real processes, one of which is killed half way."""
+
+from __future__ import annotations
+
+import os
+import signal
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from rolamento import studies
+from rolamento.studies.cluster import ClusterError, dask_cluster
+
+distributed = pytest.importorskip("distributed")
+
+STUDY = """
+title = "a small study in many chunks"
+seed = 7
+outputs = ["x", "z", "max_inner_load", "inner_load"]
+
+[case.bearing]
+ball_count = 16
+ball_diameter = "22.23 mm"
+pitch_diameter = "125.26 mm"
+contact_angle = "40 deg"
+inner_conformity = 0.5232
+outer_conformity = 0.5232
+
+[case.duty]
+inner_speed = "10000 rpm"
+
+[case.duty.load]
+fx = "20 kN"
+fz = "15 kN"
+
+[scatter]
+count = 3000
+
+[scatter.fields."duty.load.fx"]
+distribution = "normal"
+mean = "20 kN"
+standard_deviation = "2 kN"
+
+[scatter.fields."bearing.contact_angle"]
+distribution = "uniform"
+least = "38 deg"
+greatest = "42 deg"
+"""
+CHUNK = 100
+
+
+@pytest.fixture(scope="module")
+def cluster() -> Iterator[Any]:
+    with distributed.LocalCluster(
+        n_workers=2,
+        threads_per_worker=1,
+        processes=True,
+        dashboard_address=None,
+        silence_logs=50,
+    ) as cluster:
+        yield cluster
+
+
+@pytest.fixture(scope="module")
+def expected(tmp_path_factory: pytest.TempPathFactory) -> Any:
+    file = tmp_path_factory.mktemp("local") / "result.nc"
+    studies.run_to_file(studies.parse_study(STUDY), file, chunk=CHUNK, threads=2)
+    return studies.load_result(file)
+
+
+def same(one: Any, other: Any) -> None:
+    assert set(one.variables) == set(other.variables)
+    for name in one.variables:
+        np.testing.assert_array_equal(one[name].values, other[name].values)
+
+
+@pytest.mark.slow
+@pytest.mark.filterwarnings("ignore::DeprecationWarning", "ignore::ResourceWarning")
+def test_a_killed_worker_changes_nothing(cluster: Any, expected: Any, tmp_path: Path) -> None:
+    victims = [worker["pid"] for worker in _workers(cluster)]
+    seen: list[int] = []
+
+    def kill_half_way(done: int, total: int, failed: int) -> None:
+        seen.append(done)
+        if victims and done >= total // 3:
+            os.kill(victims.pop(), signal.SIGKILL)
+            victims.clear()
+
+    file = tmp_path / "result.nc"
+    summary = studies.run_to_file(
+        studies.parse_study(STUDY),
+        file,
+        chunk=CHUNK,
+        executor=dask_cluster(cluster.scheduler_address),
+        progress=kill_half_way,
+    )
+    assert not victims
+    assert summary.cases == 3000 == seen[-1]
+    same(studies.load_result(file), expected)
+
+
+@pytest.mark.slow
+@pytest.mark.filterwarnings("ignore::DeprecationWarning", "ignore::ResourceWarning")
+def test_a_run_that_stopped_on_the_cluster_goes_on_here(
+    cluster: Any, expected: Any, tmp_path: Path
+) -> None:
+    def stop(done: int, total: int, failed: int) -> None:
+        if done >= total // 2:
+            raise KeyboardInterrupt
+
+    file, study = tmp_path / "result.nc", studies.parse_study(STUDY)
+    executor = dask_cluster(cluster.scheduler_address)
+    with pytest.raises(studies.Interrupted):
+        studies.run_to_file(study, file, chunk=CHUNK, executor=executor, progress=stop)
+    summary = studies.run_to_file(study, file, chunk=CHUNK)
+    assert 0 < summary.solved < 3000
+    same(studies.load_result(file), expected)
+
+
+def _workers(cluster: Any) -> list[dict[str, Any]]:
+    with distributed.Client(cluster.scheduler_address, set_as_default=False) as client:
+        pids = client.run(os.getpid)
+    return [{"address": address, "pid": pid} for address, pid in pids.items()]
+
+
+@pytest.mark.parametrize("address", ["tcp://127.0.0.1:9", "nonsense://x", "127.0.0.1"])
+def test_no_scheduler(address: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("rolamento.studies.cluster.PATIENCE", "1 s")
+    plan = studies.plan.Plan(studies.parse_study(STUDY), CHUNK)
+    with pytest.raises(ClusterError, match="cannot be reached"):
+        next(dask_cluster(address)(plan, [0]))
+
+
+def test_without_dask(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "distributed", None)
+    plan = studies.plan.Plan(studies.parse_study(STUDY), CHUNK)
+    with pytest.raises(ClusterError, match="not installed"):
+        next(dask_cluster("tcp://127.0.0.1:8786")(plan, [0]))
