@@ -28,7 +28,7 @@ _METADATA: Final[dict[str, dict[str, Any]]] = {
     "svg": {"Date": None, "Creator": "Rolamento"},
 }
 """Nothing that tells when a picture was drawn, or with which release."""
-_COLOURS: Final = 64
+_COLOURS: Final = 128
 _DOTS: Final = 200.0
 _MOST_COLUMNS: Final = 5
 """Of a legend over a single panel."""
