@@ -228,9 +228,9 @@ def test_the_figure_shows_the_variation_about_the_mean(turn: CageTurn) -> None:
     assert [line.get_label() for line in lines] == ["x", "y", "z"]
     drawn = lines[0].get_ydata()
     assert len(drawn) == 33
-    assert np.ptp(drawn) == pytest.approx(1e6 * np.ptp(turn.displacement[:, 0]))
+    assert np.ptp(drawn) == pytest.approx(1e9 * np.ptp(turn.displacement[:, 0]))  # nm
     assert np.mean(drawn[:-1]) == pytest.approx(0.0, abs=1e-9)
-    polar = panel(figure, "Load of one ball on its way round (kN)")
+    polar = panel(figure, "Load of one ball, once round (kN)")
     assert np.max(polar.get_lines()[0].get_ydata()) == pytest.approx(1e-3 * turn.inner_load.max())
 
 

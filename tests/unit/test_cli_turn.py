@@ -15,7 +15,7 @@ import typer
 from typer.testing import CliRunner
 
 from rolamento import load_case
-from rolamento.cli.turn import TurnCommand, turn
+from rolamento.cli.turn import JsonCommand, turn
 from rolamento.report.turn import turn_json, turn_report
 from rolamento.studies.cage_turn import DEFAULT_POINTS, cage_turn
 
@@ -23,7 +23,7 @@ Run = Callable[..., tuple[int, str, str]]
 UNSOLVABLE = ("--set", "duty.load.fx=-20 kN")
 
 app = typer.Typer(add_completion=False, pretty_exceptions_enable=False)
-app.command(cls=TurnCommand)(turn)
+app.command(cls=JsonCommand)(turn)
 
 
 @pytest.fixture

@@ -306,3 +306,13 @@ def test_correlated_inputs_are_refused_by_name(examples: Path) -> None:
     )
     with pytest.raises(InputError, match=r"duty.load.fx and duty.load.fz.*independent"):
         sobol(parse_study(text, folder=examples))
+
+
+def test_a_load_that_balances_to_zero_has_no_rank() -> None:
+    """Beside nothing else in its unit, a moment of 1e-10 N·m is known for rounding."""
+    a, b, noise = draws(200)
+    data = study({"y": a, "mz": 1e-10 * noise}, {"a": a, "b": b})
+    data["mz"].attrs["units"] = "N*m"
+    assert rank_correlation(data).ranking("mz") == ()
+    data["mz"].attrs["units"] = "1"
+    assert len(rank_correlation(data).ranking("mz")) == 2

@@ -24,12 +24,12 @@ from rolamento.errors import FileError, InputError
 if TYPE_CHECKING:
     from rolamento.studies.cage_turn import CageTurn
 
-__all__ = ["TurnCommand", "turn"]
+__all__ = ["JsonCommand", "turn"]
 
 _POINTS: Final = 128
 
 
-class TurnCommand(SolveCommand):
+class JsonCommand(SolveCommand):
     """A command in which the value of ``--json`` may be left out, beside any other options."""
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:

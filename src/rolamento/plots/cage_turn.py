@@ -11,6 +11,7 @@ from matplotlib.figure import Figure
 from matplotlib.projections.polar import PolarAxes
 from numpy.typing import NDArray
 
+from rolamento.plots.axes_units import PERCENT, ReadableUnit
 from rolamento.plots.frame import (
     GREY,
     PlainNumbers,
@@ -38,6 +39,13 @@ _SHIFTS: Final = ("x", "y", "z")
 _MOST_ORDERS: Final = 6
 _DECADES: Final = 1e-5  # of the greatest amplitude: bars below are not drawn
 _BAR: Final = 0.26
+_LENGTHS: Final = (
+    ReadableUnit("µm", 1e6),
+    ReadableUnit("nm", 1e9),
+    ReadableUnit("pm", 1e12),
+)
+_SHARES: Final = (PERCENT, ReadableUnit("ppm", 1e6))
+_STIFFNESS: Final = ReadableUnit("N/µm", 1e-6)
 _FURTHER_ROWS: Final = ("-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (7, 2)))
 
 
@@ -65,7 +73,7 @@ _WORDS: Final[Mapping[str, _Words]] = {
         displacement="Displacement of the inner ring",
         stiffness="Stiffness",
         about_mean="About the mean",
-        one_ball="Load of one ball on its way round (kN)",
+        one_ball="Load of one ball, once round (kN)",
         harmonics="Harmonics of the displacement",
         harmonic="Harmonic of the ball passage",
         amplitude="Amplitude",
@@ -79,7 +87,7 @@ _WORDS: Final[Mapping[str, _Words]] = {
         displacement="Deslocamento do anel interno",
         stiffness="Rigidez",
         about_mean="Em torno da média",
-        one_ball="Carga de uma esfera em sua volta (kN)",
+        one_ball="Carga de uma esfera, uma volta (kN)",
         harmonics="Harmônicos do deslocamento",
         harmonic="Harmônico da passagem de esferas",
         amplitude="Amplitude",
@@ -125,14 +133,16 @@ def _displacements(axes: Axes, turn: CageTurn, shared: PlotWords, words: _Words)
         empty_frame(axes, words.no_result)
         return
     variation = turn.variation("displacement")
+    extent = variation.peak_to_peak[:3]
+    unit = _fitting(_LENGTHS, extent) if turn.converged else _LENGTHS[0]
     for index, name in enumerate(_SHIFTS):
-        values = 1e6 * turn.displacement[:, index]
+        values = turn.displacement[:, index]
         if turn.converged:
-            values = _about(values, 1e6 * variation.mean[index], variation.peak_to_peak[index])
-        _line(axes, turn, values, index, name)
-    label = f"{words.about_mean} (µm)" if turn.converged else f"{words.displacement} (µm)"
-    _angle_panel(axes, turn, shared, words, label)
-    _level_if_flat(axes, turn.converged and not variation.peak_to_peak[:3].any(), words)
+            values = _about(values, variation.mean[index], extent[index])
+        _line(axes, turn, unit.of(values), index, name)
+    label = words.about_mean if turn.converged else words.displacement
+    _angle_panel(axes, turn, shared, words, unit.label(label))
+    _level_if_flat(axes, turn.converged and not extent.any(), words)
     _headed(axes, words.displacement)
 
 
@@ -141,16 +151,24 @@ def _stiffnesses(axes: Axes, turn: CageTurn, shared: PlotWords, words: _Words) -
         empty_frame(axes, words.no_result)
         return
     variation = turn.variation("stiffness")
-    extent, mean = np.diagonal(variation.peak_to_peak), np.diagonal(variation.mean)
+    extent, mean = np.diagonal(variation.peak_to_peak)[:3], np.diagonal(variation.mean)[:3]
+    unit = _fitting(_SHARES, extent / np.abs(mean)) if turn.converged else _STIFFNESS
     for index, name in enumerate(_SHIFTS):
-        values = 1e-6 * turn.stiffness[:, index, index]
+        values = turn.stiffness[:, index, index]
         if turn.converged:
-            values = _about(1e8 * values / mean[index], 100.0, extent[index])
-        _line(axes, turn, values, index, f"{name}–{name}")
-    label = f"{words.about_mean} (%)" if turn.converged else f"{words.stiffness} (N/µm)"
-    _angle_panel(axes, turn, shared, words, label)
-    _level_if_flat(axes, turn.converged and not extent[:3].any(), words)
+            values = _about(values / mean[index], 1.0, extent[index])
+        _line(axes, turn, unit.of(values), index, f"{name}–{name}")
+    label = words.about_mean if turn.converged else words.stiffness
+    _angle_panel(axes, turn, shared, words, unit.label(label))
+    _level_if_flat(axes, turn.converged and not extent.any(), words)
     _headed(axes, words.stiffness)
+
+
+def _fitting(units: tuple[ReadableUnit, ...], extents: Floats) -> ReadableUnit:
+    """Return the unit in which the greatest extent is at least a tenth, else the last."""
+    greatest = float(np.nanmax(np.abs(extents)))
+    fitting = (unit for unit in units if unit.factor * greatest >= 0.1)
+    return next(fitting, units[0] if greatest == 0.0 else units[-1])
 
 
 def _about(values: Floats, mean: float, extent: float) -> Floats:
@@ -213,12 +231,13 @@ def _ball_load(
 
 
 def _harmonics(axes: Axes, turn: CageTurn, shared: PlotWords, words: _Words) -> None:
-    amplitudes = 1e6 * np.abs(turn.variation("displacement").harmonics[:_MOST_ORDERS, :3])
+    amplitudes = np.abs(turn.variation("displacement").harmonics[:_MOST_ORDERS, :3])
     if not amplitudes.any() or not turn.converged:
         empty_frame(axes, words.no_variation if turn.converged else words.gap)
     else:
-        _bars(axes, amplitudes)
-        label_y(axes, f"{words.amplitude} (µm)", shared)
+        unit = _fitting(_LENGTHS, amplitudes)
+        _bars(axes, unit.of(amplitudes))
+        label_y(axes, unit.label(words.amplitude), shared)
         axes.set_yscale("log")
     frequency = turn.passage_frequency
     known = np.isfinite(frequency)

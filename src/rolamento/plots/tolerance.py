@@ -15,7 +15,7 @@ from rolamento.plots.axes_units import PERCENT, readable_unit
 from rolamento.plots.frame import GREY, empty_frame, label_x, label_y, number, shown_text
 from rolamento.plots.style import MILLIMETRE, WIDTH, series, styled
 from rolamento.plots.words import PlotWords, plot_words
-from rolamento.studies.sobol_indices import FLAT
+from rolamento.studies.samples import FINEST, FLAT
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -129,8 +129,12 @@ def _distribution(
     bins = int(np.clip(np.ceil(2.0 * there.size ** (1.0 / 3.0)), *_BINS))
     weights = np.full(there.size, PERCENT.factor / there.size)
     drawn = unit.of(there)
-    if np.ptp(drawn) <= FLAT * np.abs(drawn).max():  # a histogram needs a width
-        empty_frame(axes, f"{words.no_variation}: {number(float(drawn[0]), shared)} {unit.symbol}")
+    if np.ptp(there) <= max(
+        FLAT * np.abs(there).max(), FINEST.get(band.units, 0.0)
+    ):  # a histogram needs a width
+        constant = 0.0 if np.abs(there).max() <= FINEST.get(band.units, 0.0) else drawn[0]
+        value = f"{number(float(constant), shared)} {unit.symbol}".removesuffix(" –")
+        empty_frame(axes, f"{words.no_variation}: {value}")
         return
     axes.hist(
         drawn,

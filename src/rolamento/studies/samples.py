@@ -14,11 +14,26 @@ from rolamento.errors import InputError
 if TYPE_CHECKING:
     from xarray import DataArray, Dataset
 
-__all__ = ["SAMPLE", "Input", "Samples", "samples_of"]
+__all__ = ["FINEST", "FLAT", "SAMPLE", "Input", "Samples", "samples_of"]
 
 Floats = NDArray[np.float64]
 
 SAMPLE: Final = "sample"
+
+FLAT: Final = 1e-10
+"""Of the greatest output in the same unit: what varies less is rounding."""
+
+FINEST: Final[Mapping[str, float]] = {
+    "m": 1e-13,
+    "rad": 1e-12,
+    "N": 1e-6,
+    "N*m": 1e-8,
+    "Pa": 1.0,
+    "N/m": 10.0,
+    "N/rad": 1.0,
+    "N*m/rad": 0.01,
+}
+"""By SI unit, what is rounding on any bearing: a load that balances to zero varies less."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -18,15 +18,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rolamento.errors import InputError
-from rolamento.studies.samples import SAMPLE, Samples, samples_of
-from rolamento.studies.sobol_indices import FLAT, HasQuantile, SobolIndices, sobol, sobol_of_model
+from rolamento.studies.samples import FINEST, FLAT, SAMPLE, Samples, samples_of
+from rolamento.studies.sobol_indices import HasQuantile, SobolIndices, sobol, sobol_of_model
 
 if TYPE_CHECKING:
     from xarray import Dataset
 
 __all__ = [
     "CORRELATED",
-    "FLAT",
     "HasQuantile",
     "RankCorrelation",
     "RankCorrelations",
@@ -156,14 +155,17 @@ def rank_correlation(dataset: Dataset, *, confidence: float = 0.95) -> RankCorre
 
 
 def _floors(samples: Samples) -> dict[str, float]:
-    """Below which an output does not vary: on the scale of the outputs in its unit."""
+    """Below which an output does not vary: on the scale of the outputs in its unit, or of any."""
     greatest: dict[str, float] = {}
     units = {name: str(array.attrs.get("units", "")) for name, array in samples.outputs.items()}
     for name, array in samples.outputs.items():
         values = np.abs(np.asarray(array.where(samples.solved).values, dtype=np.float64))
         most = float(np.max(values, initial=0.0, where=np.isfinite(values)))
         greatest[units[name]] = max(greatest.get(units[name], 0.0), most)
-    return {name: FLAT * greatest[units[name]] for name in samples.outputs}
+    return {
+        name: max(FLAT * greatest[units[name]], FINEST.get(units[name], 0.0))
+        for name in samples.outputs
+    }
 
 
 def _against_inputs(

@@ -14,17 +14,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rolamento.errors import InputError
+from rolamento.studies.samples import FINEST, FLAT
 
 if TYPE_CHECKING:
     from rolamento.studies.study import Study
 
-__all__ = ["FLAT", "HasQuantile", "SobolIndices", "sobol", "sobol_of_model"]
+__all__ = ["HasQuantile", "SobolIndices", "sobol", "sobol_of_model"]
 
 Floats = NDArray[np.float64]
 Model = Callable[[Mapping[str, Floats]], Mapping[str, Floats]]
-
-FLAT: Final = 1e-10
-"""Of the greatest output in the same unit: what varies less is rounding, and has no rank."""
 
 _MOST_RUNS: Final = 2**22
 _RUNS_AT_ONCE: Final = 2**14
@@ -122,6 +120,7 @@ def sobol(
         seed=study.seed,
         confidence=confidence,
         resamples=resamples,
+        floors={one.name: FINEST.get(one.unit, 0.0) for one in outputs},
     )
 
 
@@ -158,6 +157,7 @@ def sobol_of_model(
     seed: int = 0,
     confidence: float = 0.95,
     resamples: int = 200,
+    floors: Mapping[str, float] | None = None,
 ) -> SobolIndices:
     """Find Sobol's indices of any function of independent inputs.
 
@@ -175,6 +175,8 @@ def sobol_of_model(
         Of the intervals, which are percentiles of bootstrap resamples.
     resamples
         Of the bootstrap, 10 to 10 000.
+    floors
+        By output, the extent below which it does not vary, beside a 1e-10th of its size.
 
     Raises
     ------
@@ -199,7 +201,8 @@ def sobol_of_model(
     outputs, values = _run(model, names, everything)
     blocks = values.reshape(len(outputs), count + 2, samples)
     f_a, f_b, f_ab = blocks[:, 0], blocks[:, 1], np.moveaxis(blocks[:, 2:], 1, 0)
-    flat = np.ptp(values, axis=1) <= FLAT * np.abs(values).max(axis=1)
+    finest = np.array([(floors or {}).get(name, 0.0) for name in outputs])
+    flat = np.ptp(values, axis=1) <= np.maximum(FLAT * np.abs(values).max(axis=1), finest)
     point = _indices(f_a, f_b, f_ab)
     low, high = _bootstrap(f_a, f_b, f_ab, seed=seed, confidence=confidence, resamples=resamples)
     for array in (point, low, high):
