@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import dataclasses
 import json
+import re
+import shutil
 import subprocess
 import sys
 from collections.abc import Callable
@@ -579,6 +581,29 @@ def test_nothing_is_global_and_no_display_is_asked_for(tmp_path: Path) -> None:
     )
     subprocess.run([sys.executable, "-W", "error", "-c", script], check=True, cwd=tmp_path)
     assert (tmp_path / "curve.png").exists()
+
+
+GUIDE = Path(__file__).resolve().parents[2] / "docs" / "plots.md"
+
+
+@pytest.mark.parametrize(
+    "block", re.findall(r"```python\n(.*?)```", GUIDE.read_text("utf-8"), re.DOTALL)
+)
+def test_examples_of_the_guide_run(
+    block: str, examples: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    shutil.copy(examples / "218_combined.toml", tmp_path / "case.toml")
+    monkeypatch.chdir(tmp_path)
+    exec(compile(block, "example", "exec"), {})
+    drawn_files = {path.suffix for path in tmp_path.iterdir()} - {".toml"}
+    assert drawn_files <= {".png", ".svg", ".pdf"}
+    assert drawn_files
+
+
+def test_pictures_of_the_guide_are_there() -> None:
+    pictures = re.findall(r"!\[[^]]*\]\(([^)]+)\)", GUIDE.read_text("utf-8"))
+    assert len(pictures) == 2
+    assert all((GUIDE.parent / picture).is_file() for picture in pictures)
 
 
 # --- reading --------------------------------------------------------------------------------

@@ -30,7 +30,7 @@ from rolamento.plots.words import ENGLISH, PlotWords
 
 __all__ = ["contact_ellipses", "ellipses_of_both_races"]
 
-_FRAME_SHAPE: Final = 2.6
+_FRAME_SHAPE: Final = 3.3
 """Width of the drawing over its height, as it fits two to a page."""
 _LABEL_CHARACTERS: Final = 80
 SCALE_BAR: Final = "scale bar"
