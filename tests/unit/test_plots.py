@@ -574,13 +574,14 @@ def test_nothing_is_global_and_no_display_is_asked_for(tmp_path: Path) -> None:
         "from rolamento.plots import balls, curves, ellipses, reading, rosette, samples, saving, "
         "study, sweep\n"
         "axes = curves.load_displacement([0.0, 1e-6], [0.0, 100.0])\n"
-        "saving.save_figure(axes, 'curve.png')\n"
+        "saving.save_figure(axes, sys.argv[1])\n"
         "assert 'matplotlib.pyplot' not in sys.modules\n"
         "assert 'xarray' not in sys.modules\n"
         "assert settings() == before\n"
     )
-    subprocess.run([sys.executable, "-W", "error", "-c", script], check=True, cwd=tmp_path)
-    assert (tmp_path / "curve.png").exists()
+    target = tmp_path / "curve.png"
+    subprocess.run([sys.executable, "-W", "error", "-c", script, str(target)], check=True)
+    assert target.exists()
 
 
 GUIDE = Path(__file__).resolve().parents[2] / "docs" / "plots.md"
