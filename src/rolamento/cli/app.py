@@ -18,7 +18,12 @@ from rolamento.cli.common import (
     words_of,
 )
 from rolamento.cli.optional_value import SolveCommand
+from rolamento.cli.plot import plot
+from rolamento.cli.reproduce import reproduce
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
+from rolamento.cli.sweep import sweep
+from rolamento.cli.tolerance import tolerance
+from rolamento.cli.turn import JsonCommand, turn
 from rolamento.cli.verify import VerifyCommand, verify
 from rolamento.errors import FileError, InputError
 
@@ -36,9 +41,6 @@ app = typer.Typer(
     rich_markup_mode=None,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
-
-
-app.command(cls=VerifyCommand)(verify)
 
 
 def main() -> None:
@@ -158,3 +160,14 @@ def _print_report(state: rolamento.State, words: Words) -> None:
     from rolamento.report.terminal import terminal_report
 
     print_text(terminal_report(state, words, Medium.of(sys.stdout)))
+
+
+app.command(epilog="Examples: sweep study.toml -o result.nc; sweep --list fields.")(sweep)
+app.command(
+    epilog="Examples: plot state.json --kind ellipses -o ellipses.pdf;"
+    " plot sweep.nc --variable stiffness_zz."
+)(plot)
+app.command(cls=JsonCommand, epilog="Example: turn case.toml --plot turn.png.")(turn)
+app.command(cls=JsonCommand, epilog="Example: tolerance scatter.nc --plot bands.png.")(tolerance)
+app.command(epilog="Example: reproduce radaelli-2013 --output radaelli --lang pt.")(reproduce)
+app.command(cls=VerifyCommand)(verify)
