@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -244,3 +245,14 @@ def test_a_study_without_scatter_is_refused(run: Run, tmp_path: Path) -> None:
     code, _, err = run("sweep.toml")
     assert code == 2
     assert "nothing to take percentiles of" in err
+
+
+def test_the_example_of_the_guide_runs(run: Run) -> None:
+    guide = Path(__file__).resolve().parents[2] / "docs" / "tolerance.md"
+    (block,) = re.findall(r"```python\n(.*?)```", guide.read_text("utf-8"), re.DOTALL)
+    dataset().rename(max_inner_load="max_inner_max_pressure").to_netcdf(
+        "result.nc", engine="h5netcdf"
+    )
+    names: dict[str, Any] = {}
+    exec(compile(block, "example", "exec"), names)
+    assert names["indices"].runs == 1024 * 4

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import json
+import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -147,7 +148,7 @@ def test_a_figure_is_drawn(run: Run, tmp_path: Path, kind: str, mark: bytes) -> 
 def test_without_a_result_the_reason_and_the_advice_are_told(run: Run) -> None:
     code, out, err = run("218_combined.toml", *UNSOLVABLE)
     assert (code, err) == (1, "")
-    assert "128 of 128 instants without a result: there is no equilibrium" in out
+    assert "256 of 256 instants without a result: there is no equilibrium" in out
     assert "advice" in out
     assert "peak to peak" not in out
 
@@ -179,3 +180,11 @@ def test_wrong_input_is_one_message(run: Run, arguments: tuple[str, ...], words:
     assert words in err
     assert err.startswith("rolamento: ")
     assert err.count("\n") == 1
+
+
+def test_the_example_of_the_guide_runs(run: Run, tmp_path: Path) -> None:
+    guide = Path(__file__).resolve().parents[2] / "docs" / "cage-turn.md"
+    (block,) = re.findall(r"```python\n(.*?)```", guide.read_text("utf-8"), re.DOTALL)
+    (tmp_path / "218_combined.toml").rename(tmp_path / "218.toml")
+    exec(compile(block, "example", "exec"), {})
+    assert (tmp_path / "turn.png").exists()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -9,8 +10,9 @@ import pytest
 import xarray as xr
 from scipy import stats
 
-from rolamento import Bearing, InputError
+from rolamento import Bearing, InputError, load_case, solve_batch
 from rolamento.plots.tolerance import tolerance_figure
+from rolamento.studies import parse_study, run
 from rolamento.studies.samples import samples_of
 from rolamento.studies.sensitivity import rank_correlation
 from rolamento.studies.tolerance import clearance_from_temperature, tolerance_bands
@@ -211,6 +213,30 @@ def test_what_has_no_clearance_or_no_sense_is_refused() -> None:
     for difference in (float("nan"), 201.0, [1.0, -1e9]):
         with pytest.raises(InputError, match="200 K"):
             clearance_from_temperature(Bearing(**DEEP_GROOVE), difference)
+
+
+def test_a_scatter_of_temperature_is_studied_as_one_of_clearance(examples: Path) -> None:
+    """The study of docs/tolerance.md against draws of temperature and manufacture by themselves."""
+    radial = load_case(examples / "209_radial.toml")
+    generator = np.random.default_rng(7)
+    warmer = clearance_from_temperature(radial.bearing, generator.normal(8.0, 2.0, 4000))
+    drawn = warmer + generator.normal(0.0, 3e-6, 4000)
+    direct = solve_batch(radial, {"bearing.diametral_clearance": drawn})
+
+    text = """
+    outputs = ["z", "max_inner_load"]
+    [scatter]
+    count = 4000
+    [scatter.fields."bearing.diametral_clearance"]
+    distribution = "normal"
+    mean = "7.23 um"
+    standard_deviation = "3.574 um"
+    """
+    studied = parse_study(f'case = "209_radial.toml"\n{text}', folder=examples)
+    band = tolerance_bands(run(studied), (5.0, 50.0, 95.0))["z"]
+    expected = np.quantile(direct.displacement[:, 2], [0.05, 0.5, 0.95])
+    np.testing.assert_allclose(band.percentile, expected, atol=0.4e-6)  # four deviations
+    assert band.units == "m"
 
 
 # --- the figure -------------------------------------------------------------------------------

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 __all__ = ["JsonCommand", "turn"]
 
-_POINTS: Final = 128
+_POINTS: Final = 256
 
 
 class JsonCommand(SolveCommand):

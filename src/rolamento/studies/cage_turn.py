@@ -46,9 +46,10 @@ Quantity = Literal["displacement", "load", "stiffness"]
 
 LEAST_POINTS: Final = 4
 MOST_POINTS: Final = 4096
-DEFAULT_POINTS: Final = 128
-"""Keeps the first harmonics to 1e-4 of the first where balls leave the load zone, and to rounding
-where all balls stay loaded: see docs/theory/variable-compliance.md."""
+DEFAULT_POINTS: Final = 256
+"""Keeps the first harmonics to 1e-6 and the extremes of the stiffness to 2 % where balls leave the
+load zone, and everything to rounding where all stay loaded: see
+docs/theory/variable-compliance.md."""
 
 ROUNDING: Final = 1e-9
 """Of the greatest of its kind: a variation below is rounding of the solver, and given as zero."""
@@ -122,7 +123,7 @@ class Variation:
     mean
         over the period
     peak_to_peak
-        greatest less least of the points
+        greatest less least of the points, which may miss a sharp extreme between two of them
     harmonics
         (orders, …) complex: the quantity is mean + Σ Re[harmonics exp(i order ψ)], so that the
         absolute value is an amplitude; orders as in `CageTurn.orders`
