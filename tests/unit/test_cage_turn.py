@@ -77,7 +77,7 @@ def test_the_heaviest_load_is_met_on_the_load_line(turn: CageTurn) -> None:
 
 
 def test_at_low_speed_the_passage_frequency_is_the_textbook_one(case_218: Case) -> None:
-    """Z/2 (n_i (1 - γ) + n_o (1 + γ)) with γ of the loaded contact angle: Harris (1991), ch. 8."""
+    """Z/2 (n_i (1 - γ) + n_o (1 + γ)) with γ of the loaded contact angle: Harris (1991)."""
     for inner, outer in ((30.0, 0.0), (0.0, 30.0), (30.0, -10.0), (-30.0, 0.0)):
         turned = cage_turn(with_speeds(case_218, inner, outer, fx=10e3), points=4)
         angle = turned.histories[0].inner.contact_angle[0]

@@ -5,7 +5,7 @@ and sees what rises or falls throughout. Sobol's indices share out the variance 
 independent inputs, whatever the shape of the function, and cost a study of their own.
 
 Sources: Spearman (1904); Bonett and Wright, Psychometrika 65 (2000) 23, for the interval; Conover
-(1999), section 5.4; Iman and Conover, Technometrics 21 (1979) 499, for partial rank correlation.
+(1999), section 5.4; Iman and Conover, Technometrics 21 (1979) 499, for regression on ranks.
 """
 
 from __future__ import annotations
