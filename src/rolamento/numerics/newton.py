@@ -2,7 +2,8 @@
 
 For forces that resist displacement steadily (a convex potential, or nearly so): along a Newton
 step the unbalanced force falls, and a step is shortened until it does not overshoot by much. A
-system without stiffness is given a little, so that it moves until it finds some.
+system without stiffness is given a little, so that it moves until it finds some; so is one whose
+steps have to be shortened much.
 """
 
 from __future__ import annotations
@@ -16,11 +17,13 @@ from numpy.typing import NDArray
 
 from rolamento.numerics import BoolArray, FloatArray
 
-STEPS: Final = 80
+STEPS: Final = 150
 SHORTENINGS: Final = 25
 LEAST_DAMPING: Final = 1e-10
 MOST_DAMPING: Final = 1e4
 OVERSHOOT: Final = 0.5
+MUCH_SHORTER: Final = 0.3
+LEAST_HELP: Final = 1e-5
 
 Indices = NDArray[np.int64]
 
@@ -126,9 +129,10 @@ def balance(
         stuck = active[~downhill]
         damping[stuck] = np.maximum(100.0 * damping[stuck], LEAST_DAMPING)
         moving, step, slope = active[downhill], step[downhill], slope[downhill]
-        _line_search(look, u, force, sound, target, free, moving, step, slope, longest[moving])
-        eased = 0.01 * damping[moving]
-        damping[moving] = np.where(damping[moving] > LEAST_DAMPING, eased, 0.0)
+        part = _line_search(
+            look, u, force, sound, target, free, moving, step, slope, longest[moving]
+        )
+        damping[moving] = _adapted(damping[moving], part)
     return Balance(settled, u, residual, steps, escaping)
 
 
@@ -146,9 +150,11 @@ def _step(
     matrix = np.where(free[:, :, np.newaxis] & free[:, np.newaxis, :], stiffness, 0.0)
     added = np.where(free, (damping * greatest)[:, np.newaxis], greatest[:, np.newaxis])
     matrix[:, range(unknowns), range(unknowns)] += added
-    singular = ~(np.abs(np.linalg.det(matrix / greatest[:, np.newaxis, np.newaxis])) > 0.0)
+    # scaled for the determinant and for the solution alike: both meet the same pivots
+    matrix /= greatest[:, np.newaxis, np.newaxis]
+    singular = ~(np.abs(np.linalg.det(matrix)) > 0.0)
     matrix[singular] = np.eye(unknowns)
-    step = np.linalg.solve(matrix, rest[..., np.newaxis])[..., 0]
+    step = np.linalg.solve(matrix, (rest / greatest[:, np.newaxis])[..., np.newaxis])[..., 0]
     step[singular] = np.nan
     return np.asarray(step)
 
@@ -164,16 +170,19 @@ def _line_search(
     step: FloatArray,
     slope: FloatArray,
     longest: FloatArray,
-) -> None:
-    """Move along the steps, each shortened until it does not overshoot by much."""
+) -> FloatArray:
+    """Move along the steps, each shortened until it does not overshoot by much: which part."""
     origin = u[moving].copy()
     length = np.sqrt((step * step).sum(axis=1))
     part = np.minimum(1.0, longest / length)
+    whole = part.copy()
+    taken = part.copy()
     trying = np.arange(len(moving))
     for _ in range(SHORTENINGS):
         if not len(trying):
             break
         which = moving[trying]
+        taken[trying] = part[trying]
         u[which] = origin[trying] + part[trying, np.newaxis] * step[trying]
         look(which)
         rest = np.where(free[which], target[which] - force[which], 0.0)
@@ -183,3 +192,15 @@ def _line_search(
             nearer = np.clip(slope[trying] / (slope[trying] - ahead), 0.1, 0.6)
         part[trying] *= np.where(sound[which] & np.isfinite(nearer), nearer, 0.3)
         trying = trying[~good]
+    return taken / whole
+
+
+def _adapted(damping: FloatArray, part: FloatArray) -> FloatArray:
+    """More damping where a step had to be shortened much, less where it did not.
+
+    A step that runs along a direction without stiffness would be cut to nothing in all the
+    others as well; damping bends it toward them.
+    """
+    more = np.maximum(4.0 * damping, LEAST_HELP)
+    less = np.where(damping > LEAST_DAMPING, 0.03 * damping, 0.0)
+    return np.where(part < MUCH_SHORTER, more, np.where(part == 1.0, less, damping))
