@@ -41,7 +41,7 @@ CORRELATED: Final = 5.0
 """Standard errors 1/√(n-1) of rank correlation beyond which two inputs count as correlated."""
 
 _FEWEST: Final = 8
-_LEAST_REST: Final = 1e-9  # of an input that the others do not explain
+_LEAST_REST: Final = 1e-10  # of a variance: what the others do not explain
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -137,10 +137,10 @@ def rank_correlation(dataset: Dataset, *, confidence: float = 0.95) -> RankCorre
     samples = samples_of(dataset)
     if not samples.inputs:
         raise InputError("has no scattered input", field="scatter.fields")
-    inputs = np.stack([one.values for one in samples.inputs])
-    among = _spearman(inputs)
+    inputs = _InputRanks(np.stack([one.values for one in samples.inputs]))
+    among = _correlation(inputs.among(np.ones(len(samples), dtype=bool)))
     limit = CORRELATED / math.sqrt(max(len(samples) - 1, 1))
-    apart = ~np.eye(len(inputs), dtype=bool)
+    apart = ~np.eye(len(among), dtype=bool)
     floors = _floors(samples)
     return RankCorrelations(
         inputs=tuple(one.name for one in samples.inputs),
@@ -169,28 +169,28 @@ def _floors(samples: Samples) -> dict[str, float]:
 
 
 def _against_inputs(
-    name: str, samples: Samples, inputs: Floats, floor: float, confidence: float
+    name: str, samples: Samples, inputs: _InputRanks, floor: float, confidence: float
 ) -> RankCorrelation:
     array = samples.outputs[name]
     masked = array.where(samples.solved).transpose(..., SAMPLE)
     values = np.asarray(masked.values, dtype=np.float64)
     shape = values.shape[:-1]
-    found = np.full((6, len(inputs), *shape), np.nan)
+    found = np.full((6, len(samples.inputs), *shape), np.nan)
     for place in np.ndindex(shape):
         there = np.isfinite(values[place])
         one = values[place][there]
         if len(one) >= _FEWEST and np.ptp(one) > floor:
             found[(slice(None), slice(None), *place)] = _coefficients(
-                inputs[:, there], one, confidence
+                inputs.among(there), one, confidence
             )
     return RankCorrelation(name, tuple(str(axis) for axis in masked.dims[:-1]), *found)
 
 
 def _coefficients(inputs: Floats, output: Floats, confidence: float) -> Floats:
-    """Plain and partial coefficients with their intervals; (6, inputs)."""
+    """Plain and partial coefficients with intervals, from the ranks of the inputs; (6, inputs)."""
     count, samples = inputs.shape
-    plain = _spearman(np.vstack([inputs, output]))[-1, :-1]
-    partial = _partial(inputs, output)
+    matrix = _correlation(np.vstack([inputs, _ranks(output[np.newaxis])]))
+    plain, partial = matrix[-1, :-1], _partial(matrix)
     return np.stack(
         [
             plain,
@@ -201,40 +201,57 @@ def _coefficients(inputs: Floats, output: Floats, confidence: float) -> Floats:
     )
 
 
-def _spearman(variables: Floats) -> Floats:
-    """Spearman's coefficients of all pairs; NaN for what is constant, 1 of each with itself."""
-    from scipy.stats import spearmanr
+class _InputRanks:
+    """Ranks of the inputs among some of the samples; kept, as the next output takes the same."""
 
-    varies = np.flatnonzero(np.ptp(variables, axis=1) > 0.0)
-    matrix = np.full((len(variables),) * 2, np.nan)
+    def __init__(self, inputs: Floats) -> None:
+        self._inputs = inputs
+        self._among: NDArray[np.bool_] = np.ones(0, dtype=bool)
+        self._found: Floats = inputs
+
+    def among(self, samples: NDArray[np.bool_]) -> Floats:
+        if not np.array_equal(samples, self._among):
+            self._among, self._found = samples, _ranks(self._inputs[:, samples])
+        return self._found
+
+
+def _ranks(variables: Floats) -> Floats:
+    from scipy.stats import rankdata
+
+    return np.asarray(rankdata(variables, axis=1), dtype=np.float64)
+
+
+def _correlation(ranks: Floats) -> Floats:
+    """Spearman's coefficients of all pairs; NaN for what is constant, 1 of each with itself.
+
+    Pearson's of the ranks, as `scipy.stats.spearmanr` has them.
+    """
+    varies = np.flatnonzero(np.ptp(ranks, axis=1) > 0.0)
+    matrix = np.full((len(ranks),) * 2, np.nan)
+    matrix[np.ix_(varies, varies)] = np.corrcoef(ranks[varies]) if len(varies) else np.nan
     np.fill_diagonal(matrix, 1.0)
-    if len(varies) == 2:
-        i, j = varies
-        matrix[i, j] = matrix[j, i] = spearmanr(variables[i], variables[j]).statistic
-    elif len(varies) > 2:
-        matrix[np.ix_(varies, varies)] = spearmanr(variables[varies], axis=1).statistic
     return matrix
 
 
-def _partial(inputs: Floats, output: Floats) -> Floats:
-    """Correlation of the ranks of output and input, each without what the other inputs explain."""
-    from scipy.stats import rankdata
+def _partial(matrix: Floats) -> Floats:
+    """Correlation of the ranks of output and input, each without what the other inputs explain.
 
-    ranks = rankdata(inputs, axis=1)
-    ranks -= ranks.mean(axis=1, keepdims=True)
-    target = rankdata(output)
-    target -= target.mean()
-    coefficients = np.full(len(ranks), np.nan)
-    for index, own in enumerate(ranks):
-        others = np.delete(ranks, index, axis=0).T
-        rests = np.stack([own, target], axis=1)
-        if others.shape[1]:
-            rests -= others @ np.linalg.lstsq(others, rests, rcond=None)[0]
-        own_rest, target_rest = np.linalg.norm(rests, axis=0)
-        if own_rest <= _LEAST_REST * max(float(np.linalg.norm(own)), 1.0):
-            continue  # a constant, or a copy of the others
-        product = own_rest * target_rest
-        coefficients[index] = rests[:, 0] @ rests[:, 1] / product if product > 0.0 else 0.0
+    matrix: of the ranks of inputs and output, the output last. With P the (pseudo-)inverse of the
+    others' part and c their correlations, what is left of i and j together is r_ij - c_i P c_j.
+    """
+    output = len(matrix) - 1
+    varying = [index for index in range(output) if np.isfinite(matrix[index, output])]
+    coefficients = np.full(output, np.nan)
+    for own in varying:
+        others = [index for index in varying if index != own]
+        pair = [own, output]
+        explained = matrix[np.ix_(others, pair)]
+        inverse = np.linalg.pinv(matrix[np.ix_(others, others)], hermitian=True)
+        left = matrix[np.ix_(pair, pair)] - explained.T @ inverse @ explained
+        if left[0, 0] <= _LEAST_REST:
+            continue  # a copy of the others
+        scale = math.sqrt(left[0, 0] * max(float(left[1, 1]), 0.0))
+        coefficients[own] = left[0, 1] / scale if left[1, 1] > _LEAST_REST else 0.0
     return np.asarray(np.clip(coefficients, -1.0, 1.0))
 
 
