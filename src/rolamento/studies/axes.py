@@ -8,6 +8,7 @@ from typing import Annotated, Any, Final, Literal, Self
 import numpy as np
 from numpy.typing import NDArray
 from pydantic import (
+    AfterValidator,
     BeforeValidator,
     Field,
     SerializationInfo,
@@ -47,7 +48,7 @@ def _named(name: str) -> str:
 
 
 FieldName = Annotated[str, Field(strict=True, max_length=200)]
-DimensionName = Annotated[Line, BeforeValidator(lambda name: name), Field(max_length=60)]
+DimensionName = Annotated[Line, AfterValidator(_named), Field(max_length=60)]
 _Values = Annotated[tuple[Any, ...], BeforeValidator(_plain), Field(max_length=MOST_VALUES)]
 
 
@@ -121,7 +122,6 @@ class Axis(Record):
     @model_validator(mode="after")
     def _one_kind(self, info: ValidationInfo) -> Self:
         in_file = at_the_border(info.context)
-        _named(self.name)
         if (self.field is None) == (self.zipped is None):
             raise InputError(
                 "must be given, or zipped with several fields; one of them",
@@ -148,9 +148,9 @@ class Axis(Record):
             fields.read_field(name, at="zipped")
             if len(values) != size or not values:
                 raise InputError(
-                    f"must have {max(size, 1)} values, as many as the first field",
+                    f"must have as many values as the first field, {size}, and at least one",
                     field=f"zipped.{name}",
-                    value=len(values),
+                    value=values,
                 )
             _column(name, values, in_file=in_file, at=f"zipped.{name}")
 

@@ -99,7 +99,7 @@ class Layout:
 
     def _along_axes(self) -> Iterator[Variable]:
         for axis, dim, columns in zip(
-            self.plan.study.axes, self.dims, self.plan.columns, strict=False
+            self.plan.study.ordered_axes, self.dims, self.plan.columns, strict=False
         ):
             for name, column in columns.items():
                 attrs = {**field_attrs(read_field(name)), **_given_unit(axis, name)}

@@ -16,6 +16,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
+from rolamento.arrangement import ARRANGEMENTS
 from rolamento.case import Case
 from rolamento.errors import InputError
 from rolamento.studies.fields import Value
@@ -35,7 +36,8 @@ _MOST_CELLS: Final = 2**18
 _FEWEST_CASES: Final = 256
 _MOST_CASES: Final = 2**14
 _MOST_MESSAGES: Final = 5
-_COUNT_FIELDS: Final = ("bearing.ball_count", "bearing.arrangement")
+_MOST_GROUPS: Final = 64
+"""Base cases in a chunk: each takes some 10 ms."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,9 +79,10 @@ class Plan:
     def __init__(self, study: Study, chunk: int | None = None) -> None:
         self.study = study
         self.outputs: tuple[Output, ...] = outputs_of(study.outputs)
-        self.columns = [axis.columns() for axis in study.axes]
+        self.columns = [axis.columns() for axis in study.ordered_axes]
         self.sampler = Sampler(study.scatter, study.seed) if study.scatter is not None else None
-        self._grouping = [k for k, axis in enumerate(study.axes) if study.is_grouped(axis)]
+        self._groups_shape = tuple(axis.size for axis in study.axes if study.is_grouped(axis))
+        self._in_a_group = study.cases // math.prod(self._groups_shape)
         self._base_case = lru_cache(maxsize=256)(self._made_case)
         self.balls = self._greatest_ball_count()
         self.chunk = chunk or self._bounded_chunk()
@@ -169,26 +172,21 @@ class Plan:
             else:
                 arrays[output.name][cases] = values
 
-    def _groups(self, first: int, last: int) -> Iterator[tuple[tuple[int, ...], Indices]]:
-        """Cases that share a base case, with the places along the grouping axes."""
-        everything = np.arange(last - first)
-        if not self._grouping:
-            yield (), everything
-            return
-        places = self.places(first, last)
-        sizes = tuple(self.study.axes[k].size for k in self._grouping)
-        codes = np.ravel_multi_index(tuple(places[k] for k in self._grouping), sizes)
-        order = np.argsort(codes, kind="stable")
-        present, begin = np.unique(codes[order], return_index=True)
-        for code, cases in zip(present, np.split(order, begin[1:]), strict=True):
-            yield tuple(int(i) for i in np.unravel_index(int(code), sizes)), cases
+    def _groups(self, first: int, last: int) -> Iterator[tuple[int, Indices]]:
+        """Runs of cases that share a base case, each with its number."""
+        length = self._in_a_group
+        for group in range(first // length, -(-last // length)):
+            begin, end = max(first, group * length), min(last, (group + 1) * length)
+            yield group, np.arange(begin - first, end - first)
 
-    def _made_case(self, group: tuple[int, ...]) -> Case:
+    def _made_case(self, group: int) -> Case:
+        """The base case of a group; the grouping axes are the first ones."""
         values: dict[str, Value] = {}
-        for k, place in zip(self._grouping, group, strict=True):
-            for name, column in self.columns[k].items():
+        places = np.unravel_index(group, self._groups_shape) if self._groups_shape else ()
+        for columns, place in zip(self.columns, places, strict=False):
+            for name, column in columns.items():
                 if name not in array_fields():
-                    value = column[place]
+                    value = column[int(place)]
                     values[name] = float(value) if isinstance(value, np.floating) else value
         return base_case(self.study.case, values) if values else self.study.case
 
@@ -208,21 +206,20 @@ class Plan:
         return drawn
 
     def _greatest_ball_count(self) -> int:
-        """Of all the cases, over all rows: the length of the dimension of balls."""
-        counts = [_ball_count(self.study.case)]
-        varied = {name for k in self._grouping for name in self.columns[k]}
-        if varied.intersection(_COUNT_FIELDS):
-            sizes = [self.study.axes[k].size for k in self._grouping]
-            for code in range(math.prod(sizes)):
-                group = tuple(int(i) for i in np.unravel_index(code, sizes))
-                try:
-                    counts.append(_ball_count(self._base_case(group)))
-                except InputError:
-                    continue
-        return max(counts)
+        """Of all the cases, over all rows, or somewhat more: the length of that dimension."""
+        bearing = self.study.case.bearing
+        columns = {name: column for columns in self.columns for name, column in columns.items()}
+        counts = columns.get("bearing.ball_count", ())
+        arrangements = columns.get("bearing.arrangement", ())
+        own = [place.bearing.ball_count for place in bearing.places]
+        if not len(counts) and not len(arrangements):
+            return sum(own)
+        rows = [len(own), *(len(ARRANGEMENTS[name]) for name in arrangements)]  # type: ignore[index]
+        return max(*own, *(int(count) for count in counts)) * max(rows)
 
     def _bounded_chunk(self) -> int:
-        return min(max(_MOST_CELLS // self.balls, _FEWEST_CASES), _MOST_CASES)
+        bounded = min(max(_MOST_CELLS // self.balls, _FEWEST_CASES), _MOST_CASES)
+        return min(bounded, _MOST_GROUPS * self._in_a_group) if self._groups_shape else bounded
 
 
 def solve_task(task: Task, threads: int | None = 1) -> Part:
@@ -233,7 +230,3 @@ def solve_task(task: Task, threads: int | None = 1) -> Part:
 @lru_cache(maxsize=4)
 def _plan(study: str, chunk: int) -> Plan:
     return Plan(parse_study(study, format="json"), chunk)
-
-
-def _ball_count(case: Case) -> int:
-    return sum(place.bearing.ball_count for place in case.bearing.places)

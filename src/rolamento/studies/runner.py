@@ -156,8 +156,8 @@ def run_to_file(
     tally = _Tally(plan, progress)
     for part in kept.values():
         tally.keep(part)
-    tally.tell()
     try:
+        tally.tell()
         for part in _solved(plan, kept, executor or local_threads(threads)):
             store.put(part)
             tally.add(part)

@@ -95,7 +95,8 @@ class Store:
         """
         path = self.folder / self._name(index)
         try:
-            with np.load(path, allow_pickle=False) as file:
+            # Opened here: NumPy leaves a file that it cannot read open.
+            with path.open("rb") as raw, np.load(raw, allow_pickle=False) as file:
                 arrays = {
                     name: file[name] for name in (file.files if only is None else (only, _MESSAGES))
                 }

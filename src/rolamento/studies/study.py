@@ -49,7 +49,8 @@ class Study(Record):
     outputs
         Names of the catalogue; ``rolamento sweep --list outputs`` shows it.
     axes
-        `Axis` records, at most 8: the dimensions of the result, the first the slowest.
+        `Axis` records, at most 8: the dimensions of the result, the first the slowest, but those
+        whose values need a case each (numbers of balls, names) before the others.
     scatter
         A `Scatter`: one more dimension, ``"sample"``. Every combination of the axes' values sees
         the same draws.
@@ -62,7 +63,7 @@ class Study(Record):
     """
 
     title: Line = Field("", examples=["218 over its speed range"])
-    case: Case = Field(examples=['case = "case.toml"'])
+    case: Case = Field(examples=["case.toml"])
     seed: Annotated[int, Count] = Field(0, strict=True, ge=0, le=2**63 - 1, examples=[1])
     outputs: tuple[Annotated[str, Field(strict=True, max_length=100)], ...] = Field(
         DEFAULT_OUTPUTS, min_length=1, max_length=_MOST_OUTPUTS, examples=['["x", "stiffness_zz"]']
@@ -73,9 +74,14 @@ class Study(Record):
     @property
     def sizes(self) -> dict[str, int]:
         """Length of each dimension, in order."""
-        names = _dimension_names(self)
-        sizes = dict(zip(names, (axis.size for axis in self.axes), strict=True))
+        names = dict(zip(map(id, self.axes), _dimension_names(self), strict=True))
+        sizes = {names[id(axis)]: axis.size for axis in self.ordered_axes}
         return {**sizes, SAMPLE: self.scatter.count} if self.scatter is not None else sizes
+
+    @property
+    def ordered_axes(self) -> tuple[Axis, ...]:
+        """The axes as dimensions: those that group the cases first, so that groups are runs."""
+        return tuple(sorted(self.axes, key=lambda axis: not self.is_grouped(axis)))
 
     @property
     def shape(self) -> tuple[int, ...]:

@@ -1,0 +1,228 @@
+"""`rolamento sweep`: what it prints, what it writes, how it ends."""
+
+from __future__ import annotations
+
+import io
+import os
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+import typer
+from typer.testing import CliRunner, Result
+
+import rolamento
+from rolamento.cli import sweep_progress
+from rolamento.cli.sweep import sweep
+from rolamento.report.language import ENGLISH, PORTUGUESE
+from rolamento.report.medium import Medium
+from rolamento.report.study import study_report
+from rolamento.studies import Interrupted, load_result, load_study, run_to_file, runner
+
+STUDY = """
+title = "Two loads"
+case = "case.toml"
+outputs = ["x", "max_inner_contact_angle", "max_inner_max_pressure"]
+
+[[axes]]
+field = "duty.load.fx"
+values = ["20 kN", "30 kN"]
+"""
+
+Run = Callable[..., Result]
+
+
+@pytest.fixture
+def run(tmp_path: Path, examples: Path, monkeypatch: pytest.MonkeyPatch) -> Run:
+    """Run the command in a directory that holds a study and its case."""
+    monkeypatch.chdir(tmp_path)
+    Path("case.toml").write_text((examples / "218_combined.toml").read_text("utf-8"), "utf-8")
+    Path("study.toml").write_text(STUDY, "utf-8")
+    app = typer.Typer(add_completion=False)
+    app.command()(sweep)
+
+    def runner(*arguments: str, given: str | None = None) -> Result:
+        environment = {"LC_ALL": "C.UTF-8", "COLUMNS": "100"}
+        result = CliRunner().invoke(app, arguments, input=given, env=environment)
+        if result.exception and not isinstance(result.exception, SystemExit):
+            raise result.exception
+        return result
+
+    return runner
+
+
+def test_a_study_is_solved_and_told_of(run: Run) -> None:
+    result = run("study.toml")
+    assert (result.exit_code, result.stderr) == (0, "")
+    assert result.stdout.startswith("Two loads\n2 cases in ")
+    assert "all of them have a result" in result.stdout
+    assert "max_inner_max_pressure" in result.stdout
+    assert "MPa" in result.stdout
+    assert "Written to study.nc." in result.stdout
+    assert load_result("study.nc").sizes == {"fx": 2}
+    assert sorted(os.listdir()) == ["case.toml", "study.nc", "study.toml"]
+
+
+@pytest.mark.parametrize("name", ["out.csv", "out.parquet", "out.nc"])
+def test_the_ending_decides(run: Run, name: str) -> None:
+    assert run("study.toml", "-o", name).exit_code == 0
+    assert Path(name).stat().st_size > 100
+
+
+def test_standard_input_settings_and_language(run: Run) -> None:
+    result = run("-", "--set", "duty.load.fz=1 kN", "--lang", "pt", given=STUDY)
+    assert result.exit_code == 0
+    assert "todos têm resultado" in result.stdout
+    assert 'fz = "1 kN"' in load_result("study.nc").attrs["case"]
+
+
+def test_some_without_a_result(run: Run) -> None:
+    Path("study.toml").write_text(STUDY.replace("30 kN", "-30 kN"), "utf-8")
+    result = run("study.toml")
+    assert result.exit_code == 0
+    assert "1 have a result, 1 have none" in result.stdout
+    assert "there is no equilibrium" in result.stdout
+
+
+def test_none_with_a_result(run: Run) -> None:
+    axis = '[[axes]]\nfield = "bearing.ball_count"\nvalues = [40, 50]\n'
+    Path("study.toml").write_text('case = "case.toml"\n' + axis, "utf-8")
+    result = run("study.toml")
+    assert result.exit_code == 1
+    assert "do not fit" in result.stdout
+    assert "stiffness" not in result.stdout
+
+
+@pytest.mark.parametrize(
+    ("arguments", "says"),
+    [
+        ((), "STUDY: is missing"),
+        (("none.toml",), "cannot be opened"),
+        (("case.toml",), "bearing: is not a known key"),
+        (("study.toml", "-o", "out.txt"), "must end in"),
+        (("study.toml", "-o", "study.toml"), "is the study file itself"),
+        (("study.toml", "-o", "none/out.nc"), "no such directory"),
+        (("study.toml", "--set", "duty.load.fy=1"), "needs its unit"),
+        (("study.toml", "--set", "duty.lod.fy=1 N"), "did you mean load"),
+    ],
+)
+def test_wrong_input(run: Run, arguments: tuple[str, ...], says: str) -> None:
+    result = run(*arguments)
+    assert result.exit_code == 2
+    assert says in result.stderr
+    assert result.stderr.count("\n") == 1
+    assert "study.nc" not in os.listdir()
+
+
+def test_lists(run: Run) -> None:
+    fields, outputs = run("--list", "fields").stdout, run("--list", "outputs").stdout
+    assert "duty.load.fx" in fields
+    assert "axes and scatter" in fields
+    assert "stiffness_ryry" in outputs
+    assert "per ball" in outputs
+
+
+def test_ctrl_c_keeps_what_is_done(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    real = runner.run_to_file
+
+    def interrupted(study: object, path: str, **options: object) -> None:
+        def progress(done: int, total: int, failed: int) -> None:
+            if done:
+                raise KeyboardInterrupt
+
+        real(study, path, **{**options, "progress": progress, "chunk": 1})  # type: ignore[arg-type]
+
+    monkeypatch.setattr("rolamento.studies.run_to_file", interrupted)
+    result = run("study.toml")
+    assert result.exit_code == 130
+    assert "1 of 2 cases are kept in study.nc.parts" in result.stderr
+    monkeypatch.undo()
+
+
+def test_parts_of_another_study(run: Run) -> None:
+    def stop(done: int, total: int, failed: int) -> None:
+        raise KeyboardInterrupt
+
+    with pytest.raises(Interrupted):
+        run_to_file(load_study("study.toml"), "study.nc", progress=stop)
+    result = run("study.toml", "--set", "duty.load.fz=1 kN")
+    assert (result.exit_code, "--restart" in result.stderr) == (2, True)
+    assert run("study.toml", "--set", "duty.load.fz=1 kN", "--restart").exit_code == 0
+
+
+@pytest.mark.skipif(os.name != "posix", reason="needs POSIX signals")
+def test_ctrl_c_of_a_process(run: Run, examples: Path) -> None:
+    """A real interrupt in the middle: exit code 130, and the rest is done by a second run."""
+    scatter = (
+        'case = "case.toml"\noutputs = ["x"]\n[scatter]\ncount = 3000000\n'
+        '[scatter.fields."duty.load.fx"]\ndistribution = "uniform"\nleast = "20 kN"\n'
+        'greatest = "40 kN"\n'
+    )
+    Path("long.toml").write_text(scatter, "utf-8")
+    program = "import typer; from rolamento.cli.sweep import sweep; typer.run(sweep)"
+    process = subprocess.Popen(
+        [sys.executable, "-c", program, "long.toml"],
+        stderr=subprocess.PIPE,
+        text=True,
+        env={**os.environ, "PYTHONPATH": str(Path(rolamento.__file__).parents[1])},
+    )
+    deadline = time.monotonic() + 120.0
+    parts = Path("long.nc.parts")
+    while not list(parts.glob("*.npz")) and time.monotonic() < deadline:
+        if process.poll() is not None:
+            break
+        time.sleep(0.05)
+    process.send_signal(signal.SIGINT)
+    _, errors = process.communicate(timeout=60)
+    assert process.returncode == 130, errors
+    assert "of 3000000 cases are kept in long.nc.parts" in errors
+    assert "Traceback" not in errors
+    assert list(parts.glob("*.npz"))
+
+
+class TestProgress:
+    def test_lines_where_there_is_no_terminal(self, capsys: pytest.CaptureFixture[str]) -> None:
+        seconds = iter([0.0, 1.0, 5.0, 11.0, 11.0, 11.0, 11.0])
+        lines = sweep_progress.Lines(ENGLISH, clock=lambda: next(seconds))
+        lines(1000, 21_000, 0)
+        lines(11_000, 21_000, 3)
+        written = capsys.readouterr().err
+        assert written == (
+            "rolamento: 11 000 of 21 000 cases, 1000/s, 0:10 left, 3 without a result\n"
+        )
+
+    def test_no_line_too_early(self, capsys: pytest.CaptureFixture[str]) -> None:
+        lines = sweep_progress.Lines(ENGLISH)
+        for done in (0, 10, 20):
+            lines(done, 20, 0)
+        assert capsys.readouterr().err == ""
+
+    def test_a_bar_on_a_terminal(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        class Terminal(io.StringIO):
+            encoding = "utf-8"  # type: ignore[assignment]
+
+            def isatty(self) -> bool:
+                return True
+
+        monkeypatch.setenv("TERM", "xterm")
+        monkeypatch.setenv("COLUMNS", "120")
+        stream = Terminal()
+        with sweep_progress.told(PORTUGUESE, stream) as progress:
+            progress(0, 100, 0)
+            progress(50, 100, 2)
+        shown = stream.getvalue()
+        assert "resolvendo" in shown
+        assert "50 / 100" in shown
+        assert "2 sem resultado" in shown
+
+
+def test_report_in_ascii(run: Run) -> None:
+    summary = run_to_file(load_study("study.toml"), "study.nc")
+    for words in (ENGLISH, PORTUGUESE):
+        text = study_report(summary, "Two loads", words, Medium(encoding="ascii"))
+        assert text.isascii()
+        assert max(map(len, text.splitlines())) <= 80

@@ -1,0 +1,141 @@
+"""Results as files: NetCDF, CSV and Parquet hold the same numbers, and bad files are refused."""
+
+from __future__ import annotations
+
+import csv
+import json
+from pathlib import Path
+
+import h5netcdf
+import numpy as np
+import pyarrow.parquet
+import pytest
+import xarray as xr
+
+from rolamento import Case
+from rolamento.errors import FileError
+from rolamento.studies import (
+    Axis,
+    Distribution,
+    Scatter,
+    Study,
+    load_result,
+    parse_study,
+    run,
+    run_to_file,
+)
+from rolamento.studies.plan import Part, Plan
+from rolamento.studies.writing import writer_for
+
+
+@pytest.fixture(scope="module")
+def study(case_218: Case) -> Study:
+    """Axes of numbers, names, switches and pairs; scatter; an output per ball; failures."""
+    law = Distribution(distribution="uniform", least=0.52, greatest=0.53)
+    return Study(
+        title='Files, "quoted"',
+        case=case_218,
+        outputs=("x", "inner_load", "iterations"),
+        axes=[
+            Axis(name="force", field="duty.load.fx", values=["20 kN", "-20 kN"]),
+            Axis(field="model.raceway_control", values=["outer", "none"]),
+            Axis(field="model.gyroscopic_moment", values=[True, False]),
+            Axis(zipped={"bearing.ball_count": [16, 12], "duty.load.fz": ["1 kN", "2 kN"]}),
+        ],
+        scatter=Scatter(count=3, fields={"bearing.inner_conformity": law}),
+    )
+
+
+@pytest.fixture(scope="module")
+def result(study: Study) -> xr.Dataset:
+    return run(study)
+
+
+@pytest.mark.parametrize("chunk", [5, 48])
+def test_netcdf(study: Study, result: xr.Dataset, tmp_path: Path, chunk: int) -> None:
+    run_to_file(study, tmp_path / "r.nc", chunk=chunk)
+    loaded = load_result(tmp_path / "r.nc")
+    xr.testing.assert_allclose(loaded, result, rtol=1e-9)
+    assert set(loaded.coords) == set(result.coords)
+    assert {"ball_count", "fz", "inner_conformity"} <= set(loaded.coords)
+    assert loaded.gyroscopic_moment.dtype == bool
+    assert loaded.status.dtype == np.int8
+    assert loaded.iterations.dtype == np.int32
+    for name in result.variables:
+        for key, value in result[name].attrs.items():
+            assert np.array_equal(loaded[name].attrs[key], value), (name, key)
+    assert parse_study(loaded.attrs["study"]) == study
+    assert {k: v for k, v in loaded.attrs.items() if k != "seed"} == {
+        k: v for k, v in result.attrs.items() if k != "seed"
+    }
+
+
+def test_what_xarray_writes_loads_too(result: xr.Dataset, tmp_path: Path) -> None:
+    result.to_netcdf(tmp_path / "own.nc", engine="h5netcdf")
+    xr.testing.assert_equal(load_result(tmp_path / "own.nc"), result)
+
+
+def test_csv(study: Study, result: xr.Dataset, tmp_path: Path) -> None:
+    run_to_file(study, tmp_path / "r.csv", chunk=5)
+    with (tmp_path / "r.csv").open(encoding="utf-8", newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert len(rows) == 48
+    assert list(rows[0])[:9] == [
+        "sample", "force [N]", "raceway_control", "gyroscopic_moment", "ball_count", "fz [N]",
+        "inner_conformity", "status", "x [m]",
+    ]  # fmt: skip
+    x = [float(row["x [m]"] or "nan") for row in rows]
+    assert np.allclose(x, result.x.values.ravel(), rtol=1e-9, equal_nan=True)
+    assert {row["status"] for row in rows} == {"converged", "no_equilibrium"}
+    failed = next(row for row in rows if row["status"] != "converged")
+    assert failed["x [m]"] == failed["inner_load_3 [N]"] == ""
+    assert (rows[0]["raceway_control"], rows[0]["gyroscopic_moment"]) == ("outer", "true")
+    assert rows[0]["inner_load_15 [N]"] != ""
+    assert next(r for r in rows if r["ball_count"] == "12")["inner_load_15 [N]"] == ""
+
+
+def test_parquet(study: Study, result: xr.Dataset, tmp_path: Path) -> None:
+    run_to_file(study, tmp_path / "r.parquet", chunk=5)
+    table = pyarrow.parquet.read_table(tmp_path / "r.parquet")
+    assert table.num_rows == 48
+    x = table.column("x").to_numpy()
+    assert np.allclose(x, result.x.values.ravel(), rtol=1e-9, equal_nan=True)
+    assert table.schema.field("x").metadata == {b"units": b"m"}
+    record = json.loads(table.schema.metadata[b"rolamento"])
+    assert record["sizes"] == study.sizes
+    assert parse_study(record["attributes"]["study"]) == study
+
+
+def test_only_a_study_s_result_is_loaded(tmp_path: Path) -> None:
+    path = tmp_path / "r.nc"
+    for content in (b"", b"no", b"\x89HDF\r\n\x1a\n" + b"\0" * 500, b"CDF\x01" + b"\xff" * 100):
+        path.write_bytes(content)
+        with pytest.raises(FileError):
+            load_result(path)
+    xr.Dataset({"x": ("n", [1.0])}).to_netcdf(path, engine="h5netcdf")
+    with pytest.raises(FileError, match="not the result of a study"):
+        load_result(path)
+    with pytest.raises(FileError, match="no such file"):
+        load_result(tmp_path / "none.nc")
+    with pytest.raises(FileError):
+        load_result(tmp_path)
+
+
+def test_a_small_file_that_claims_to_be_large_is_not_loaded(tmp_path: Path) -> None:
+    with h5netcdf.File(tmp_path / "r.nc", "w") as file:
+        file.dimensions = {"n": 10**12}
+        file.create_variable("x", ("n",), np.float64, chunks=(1000,))
+    assert (tmp_path / "r.nc").stat().st_size < 100_000
+    with pytest.raises(FileError, match="GB"):
+        load_result(tmp_path / "r.nc")
+
+
+@pytest.mark.parametrize("ending", [".nc", ".csv", ".parquet"])
+def test_what_the_disk_refuses_is_told(study: Study, tmp_path: Path, ending: str) -> None:
+    plan = Plan(study)
+    place = tmp_path / "none" / f"r{ending}"
+    with (
+        pytest.raises(FileError, match="cannot be written"),
+        writer_for(place)(place, plan, {}, ()) as file,
+    ):
+        file.put(Part(0, plan.empty(48)))

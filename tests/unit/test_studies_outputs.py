@@ -1,0 +1,147 @@
+"""The outputs of a study are those of the state of each case."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from rolamento import Case, Displacement, Duty, Load, solve, solve_batch
+from rolamento.duty import AXES, LOADS
+from rolamento.errors import UnknownKeyError
+from rolamento.studies.outputs import DEFAULT_OUTPUTS, Solved, catalogue, outputs_of
+from rolamento.studies.pressure import greatest_pressure
+
+FX = np.array([20e3, 5e3, -20e3])
+"""Many balls loaded, few, and no equilibrium."""
+
+
+@pytest.fixture(scope="module")
+def solved(case_218: Case) -> Solved:
+    return Solved(solve_batch(case_218, {"duty.load.fx": FX}))
+
+
+@pytest.fixture(scope="module")
+def values(solved: Solved) -> dict[str, np.ndarray]:
+    return {name: output.compute(solved) for name, output in catalogue().items()}
+
+
+def test_every_output_has_a_unit_a_name_and_its_shape(values: dict[str, np.ndarray]) -> None:
+    for name, output in catalogue().items():
+        assert output.name == name
+        assert output.unit
+        assert output.long_name
+        assert values[name].shape == ((3, 16) if output.per_ball else (3,)), name
+
+
+def test_no_number_without_a_result(values: dict[str, np.ndarray]) -> None:
+    for name, output in catalogue().items():
+        if name in ("azimuth", "residual") or output.kind == "whole":
+            continue
+        assert np.isnan(values[name][2]).all(), name
+        if "spin" not in name and name not in ("ry", "rz"):
+            assert not np.isnan(values[name][:2]).all(), name
+
+
+def test_the_ring_is_that_of_solve(case_218: Case, values: dict[str, np.ndarray]) -> None:
+    state = solve(case_218.replace(duty=Duty(inner_speed="10000 rpm", load=Load(fx=20e3))))
+    values = {
+        name: catalogue()[name].compute(
+            Solved(solve_batch(case_218, {"duty.load.fx": [20e3] * 2, "duty.load.fz": 0.0}))
+        )
+        for name in catalogue()
+    }
+    for axis in AXES:
+        assert values[axis][0] == pytest.approx(getattr(state.displacement, axis), abs=1e-12)
+    for load in LOADS:
+        assert values[load][0] == pytest.approx(getattr(state.load, load), abs=1e-5)
+    for i, one in enumerate(AXES):
+        for j, other in enumerate(AXES):
+            expected = state.stiffness[i][j]
+            scale = (abs(state.stiffness[i][i]) * abs(state.stiffness[j][j])) ** 0.5
+            assert abs(values[f"stiffness_{one}{other}"][0] - expected) < 1e-7 * scale
+
+
+@pytest.mark.parametrize("race", ["inner", "outer"])
+@pytest.mark.parametrize(
+    "name",
+    [
+        "load", "contact_angle", "deflection", "semi_major", "semi_minor", "max_pressure",
+        "mean_pressure", "spin_to_roll",
+    ],
+)  # fmt: skip
+def test_contacts_are_those_of_solve(
+    case_218: Case, values: dict[str, np.ndarray], race: str, name: str
+) -> None:
+    state = solve(case_218)
+    expected = np.array([getattr(getattr(ball, race), name) for ball in state.balls])
+    assert np.allclose(values[f"{race}_{name}"][0], expected, rtol=1e-7, atol=1e-12, equal_nan=True)
+    loaded = np.array([getattr(ball, race).load > 0.0 for ball in state.balls])
+    if name not in ("contact_angle", "spin_to_roll"):
+        loaded[:] = True
+    among = expected[loaded]
+    assert values[f"max_{race}_{name}"][0] == pytest.approx(np.nanmax(among), rel=1e-7)
+    assert values[f"min_{race}_{name}"][0] == pytest.approx(np.nanmin(among), rel=1e-7)
+    assert values[f"mean_{race}_{name}"][0] == pytest.approx(np.nanmean(among), rel=1e-7)
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "azimuth",
+        "centrifugal_force",
+        "gyroscopic_moment",
+        "orbital_speed",
+        "ball_speed",
+        "attitude",
+    ],
+)
+def test_balls_are_those_of_solve(case_218: Case, values: dict[str, np.ndarray], name: str) -> None:
+    expected = [getattr(ball, name) for ball in solve(case_218).balls]
+    assert np.allclose(values[name][0], expected, rtol=1e-7, atol=1e-12)
+
+
+def test_loaded_balls_only(values: dict[str, np.ndarray]) -> None:
+    """At 5 kN some balls of the inner race carry nothing: their angle means nothing."""
+    load, angle = values["inner_load"][1], values["inner_contact_angle"][1]
+    assert 0 < values["loaded_balls"][1] == (load > 0.0).sum() < 16
+    assert values["max_inner_contact_angle"][1] == angle[load > 0.0].max()
+    assert values["min_inner_load"][1] == 0.0
+
+
+def random_cases(count: int) -> dict[str, np.ndarray]:
+    random = np.random.default_rng(5)
+    return {
+        "duty.load.fx": random.uniform(1e3, 45e3, count),
+        "duty.load.fz": random.uniform(0.0, 20e3, count),
+        "duty.inner_speed": random.uniform(0.0, 1500.0, count),
+        "bearing.inner_conformity": random.uniform(0.505, 0.9, count),
+        "bearing.outer_conformity": random.uniform(0.505, 0.9, count),
+        "bearing.contact_angle": random.uniform(0.05, 0.9, count),
+    }
+
+
+@pytest.mark.parametrize("race", ["inner", "outer"])
+def test_the_greatest_pressure_is_that_of_all_contacts(case_218: Case, race: str) -> None:
+    solved = Solved(solve_batch(case_218, random_cases(3000)))
+    everything = solved.batch.contact(race).max_pressure  # type: ignore[arg-type]
+    found = greatest_pressure(solved, race)  # type: ignore[arg-type]
+    expected = np.fmax.reduce(everything, axis=1)
+    assert np.array_equal(found, expected, equal_nan=True)
+    assert np.isfinite(found).sum() > 1000
+
+
+def test_the_greatest_pressure_of_a_set_of_rows(case_218: Case) -> None:
+    bearing = case_218.bearing.replace(arrangement="DB", spacing="24 mm", preload="500 N")
+    case = Case(bearing=bearing, duty=Duty(displacement=Displacement(ry=1e-4)))
+    solved = Solved(solve_batch(case, {"duty.load.fx": np.linspace(-5e3, 5e3, 5)}))
+    expected = np.fmax.reduce(solved.batch.contact("inner").max_pressure, axis=1)
+    assert (solved.batch.code == 0).all()
+    assert np.array_equal(greatest_pressure(solved, "inner"), expected)
+
+
+def test_names() -> None:
+    assert [output.name for output in outputs_of(DEFAULT_OUTPUTS)] == list(DEFAULT_OUTPUTS)
+    with pytest.raises(UnknownKeyError, match="did you mean stiffness_zz"):
+        outputs_of(["stifness_zz"])
+    with pytest.raises(UnknownKeyError, match="--list outputs"):
+        outputs_of(["?"])
