@@ -18,7 +18,7 @@ def solve_columns_of(
     columns: Columns, *, threads: int | None = None, fast: bool = True
 ) -> BatchState:
     """Solve columns of parameters: of one row by the kernels alone, of a set around them."""
-    if len(columns.rows) > 1 or columns.rows[0].sign < 0.0 or _is_shifted(columns):
+    if not columns.is_plain:
         return _solve_set(columns, threads, fast)
     row = columns.rows[0]
     solution, control, verdict = _controlled(
@@ -46,11 +46,6 @@ def solve_columns_of(
         raceway_control=verdict,
         rows=(RowBatch(row.p, control, solution.position, azimuth, solution.displacement, load),),
     )
-
-
-def _is_shifted(columns: Columns) -> bool:
-    """Whether a single row is not at the origin."""
-    return bool(np.any(columns.rows[0].position != 0.0))
 
 
 def _controlled(system: System[S], mode: str) -> tuple[S, Floats, NDArray[np.int64]]:

@@ -60,7 +60,7 @@ class DutyFields(TypedDict, total=False):
 class RowColumns:
     """One row of balls: its parameters (rows.COLUMN, cases), which way it faces, where it is.
 
-    position: (cases,), m.
+    position: (cases,), m. The parameters hold the duty of a plain row only.
     """
 
     p: Floats
@@ -90,6 +90,12 @@ class Columns:
     def cases(self) -> int:
         """How many."""
         return int(self.free.shape[1])
+
+    @property
+    def is_plain(self) -> bool:
+        """Whether this is a single row at the origin: its own ring's duty is then the row's."""
+        row = self.rows[0]
+        return len(self.rows) == 1 and row.sign > 0.0 and not np.any(row.position != 0.0)
 
 
 def spread(case: Case, values: Mapping[str, ArrayLike]) -> Columns:
@@ -122,10 +128,11 @@ def spread(case: Case, values: Mapping[str, ArrayLike]) -> Columns:
         columns.append(_row_columns(case, place, bearing, arrays, cases))
     for row in columns:
         row.p[:, ~valid] = np.nan
-    if not case.bearing.is_set:
-        _put_duty(columns[0].p, free, load, displacement)
     control = case.model.raceway_control
-    return Columns(tuple(columns), free, load, displacement, kind, amount, control)
+    found = Columns(tuple(columns), free, load, displacement, kind, amount, control)
+    if found.is_plain:
+        _put_duty(columns[0].p, free, load, displacement)
+    return found
 
 
 def _arrays(values: Mapping[str, ArrayLike]) -> dict[str, Floats]:
