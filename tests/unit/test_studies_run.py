@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import pickle
 import tracemalloc
 from collections.abc import Callable, Iterator, Sequence
@@ -319,6 +320,7 @@ class TestToFile:
     def test_a_part_damaged_within_is_named(self, study: Study, tmp_path: Path) -> None:
         plan = Plan(study, 60)
         store = Store(self.file(tmp_path), plan)
+        store.folder.mkdir()
         store.open()
         store.put(plan.solve(0))
         part = next(store.folder.glob("*.npz"))
@@ -331,14 +333,23 @@ class TestToFile:
     def test_a_part_never_runs_code(self, study: Study, tmp_path: Path) -> None:
         plan = Plan(study, 60)
         store = Store(self.file(tmp_path), plan)
+        store.folder.mkdir()
         store.open()
         hostile = np.array([print], dtype=object)
         with (store.folder / "part-0000000.npz").open("wb") as file:
             np.savez(file, status=hostile, _messages=np.array([], dtype=np.str_))
         assert store.open() == {}
 
+    @pytest.mark.skipif(os.name != "posix", reason="locks are POSIX ones")
+    def test_two_runs_do_not_mix(self, study: Study, tmp_path: Path) -> None:
+        other = Store(self.file(tmp_path), Plan(study))
+        with other.held(), pytest.raises(FileError, match="in use"):
+            run_to_file(study, self.file(tmp_path))
+        assert run_to_file(study, self.file(tmp_path)).cases == 60
+
     def test_foreign_files_stay(self, study: Study, tmp_path: Path) -> None:
         store = Store(self.file(tmp_path), Plan(study))
+        store.folder.mkdir()
         store.open()
         (store.folder / "diary.txt").write_text("dear diary")
         with pytest.raises(FileError):

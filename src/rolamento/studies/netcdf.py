@@ -1,7 +1,7 @@
 """Results as NetCDF files, with h5netcdf.
 
 Variables are stored whole and uncompressed: the digits of a computed number do not compress (a
-tenth is gained for ten times the time), and any run of cases can be written in place.
+sixth is gained for seven times the time), and any run of cases can be written in place.
 """
 
 from __future__ import annotations

@@ -22,7 +22,8 @@ from rolamento.studies.plan import Part, Plan
 from rolamento.studies.solving import CONVERGED, status_names
 from rolamento.studies.store import Store
 from rolamento.studies.study import Study
-from rolamento.studies.summary import Spreads, Summary
+from rolamento.studies.summary import OutputRange, Spreads, Summary
+from rolamento.studies.writing import Writer, writer_for
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -38,6 +39,7 @@ beginning, then after every chunk."""
 
 _MOST_BYTES: Final = 4 * 2**30
 """Of a result in memory."""
+_MOST_MESSAGES: Final = 5
 
 
 class Interrupted(KeyboardInterrupt):
@@ -93,16 +95,14 @@ def run(
             example="fewer outputs",
         )
     whole = plan.empty(plan.cases)
-    messages: list[str] = []
     tally = _Tally(plan, progress)
     tally.tell()
     for part in (executor or local_threads(threads))(plan, range(plan.chunks)):
         first, last = plan.bounds(part.index)
         for name, array in part.arrays.items():
             whole[name][first:last] = array
-        messages += [text for text in part.messages if text not in messages]
         tally.add(part)
-    return dataset(plan, whole, tally.counts, tuple(messages[:5]))
+    return dataset(plan, whole, tally.counts, tally.some_messages)
 
 
 def run_to_file(
@@ -144,34 +144,27 @@ def run_to_file(
     Interrupted
         On Ctrl-C.
     """
-    from rolamento.studies.writing import writer_for
-
     result = Path(path)
     writer = writer_for(result)
     _check_place(result)
     began = time.perf_counter()
     plan = Plan(study, chunk)
     store = Store(result, plan)
-    kept = store.open(restart=restart)
-    tally = _Tally(plan, progress)
-    for part in kept.values():
-        tally.keep(part)
-    try:
-        tally.tell()
-        for part in _solved(plan, kept, executor or local_threads(threads)):
-            store.put(part)
-            tally.add(part)
-        seconds = time.perf_counter() - began
-        attrs, messages = tally.counts, tuple(tally.messages[:5])
-        spreads = Spreads(plan)
-        with writer(store.result, plan, attrs, messages) as file:
-            for index in range(plan.chunks):
-                part = store.get(index)
-                file.put(part)
-                spreads.add(part)
-        _move(store.result, result)
-    except KeyboardInterrupt:
-        raise Interrupted(tally.done, plan.cases, store.folder) from None
+    with store.held():
+        kept = store.open(restart=restart)
+        tally = _Tally(plan, progress)
+        for part in kept.values():
+            tally.keep(part)
+        try:
+            tally.tell()
+            for part in _solved(plan, kept, executor or local_threads(threads)):
+                store.put(part)
+                tally.add(part)
+            seconds = time.perf_counter() - began
+            ranges = _assembled(plan, store, writer, tally)
+            _move(store.result, result)
+        except KeyboardInterrupt:
+            raise Interrupted(tally.done, plan.cases, store.folder) from None
     store.remove()
     return Summary(
         path=result,
@@ -179,8 +172,8 @@ def run_to_file(
         solved=tally.done - tally.kept,
         seconds=seconds,
         counts=dict(tally.counts),
-        messages=messages,
-        ranges=spreads.ranges(),
+        messages=tally.some_messages,
+        ranges=ranges,
     )
 
 
@@ -216,6 +209,17 @@ def _in_turn(
         yield waiting.popleft().result()
 
 
+def _assembled(plan: Plan, store: Store, writer: Writer, tally: _Tally) -> tuple[OutputRange, ...]:
+    """Put the parts together in one file, in order, and gather the ranges of the outputs."""
+    spreads = Spreads(plan)
+    with writer(store.result, plan, tally.counts, tally.some_messages) as file:
+        for index in range(plan.chunks):
+            part = store.get(index)
+            file.put(part)
+            spreads.add(part)
+    return spreads.ranges()
+
+
 def _solved(plan: Plan, kept: Iterable[int], executor: Executor) -> Iterator[Part]:
     """Solve what is not kept; the executor is closed whatever happens."""
     done = set(kept)
@@ -243,6 +247,11 @@ class _Tally:
         """Count a part that was solved now."""
         self._count(part)
         self.tell()
+
+    @property
+    def some_messages(self) -> tuple[str, ...]:
+        """The first few of the messages."""
+        return tuple(self.messages[:_MOST_MESSAGES])
 
     def keep(self, part: Part) -> None:
         """Count a part of an earlier run."""

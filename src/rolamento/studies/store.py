@@ -6,7 +6,8 @@ import json
 import os
 import re
 import zipfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from hashlib import sha256
 from pathlib import Path
 from typing import Any, Final, TypeVar
@@ -17,12 +18,18 @@ import rolamento
 from rolamento.errors import FileError
 from rolamento.studies.plan import Part, Plan
 
+try:
+    import fcntl
+except ImportError:  # not on Windows
+    fcntl = None  # type: ignore[assignment]
+
 __all__ = ["Store"]
 
 T = TypeVar("T")
 
 _FORMAT: Final = 1
 _MANIFEST: Final = "manifest.json"
+_LOCK: Final = "lock"
 _MESSAGES: Final = "_messages"
 _OURS: Final = re.compile(r"manifest\.json|part-\d{7,10}\.npz|result|[a-z0-9.-]+\.tmp")
 _LONGEST_MANIFEST: Final = 10_000
@@ -47,8 +54,28 @@ class Store:
         self.folder = result.with_name(f"{result.name}.parts")
         self.result = self.folder / "result"
 
+    @contextmanager
+    def held(self) -> Iterator[None]:
+        """Make the folder if there is none, and keep other runs out of it.
+
+        Raises
+        ------
+        FileError
+            If the folder cannot be made, or another run is at work in it.
+        """
+        self._attempt(lambda: self.folder.mkdir(exist_ok=True))
+        if fcntl is None:  # no such locks on this system: runs have to keep apart by themselves
+            yield
+            return
+        with self._attempt((self.folder / _LOCK).open, "wb") as file:
+            try:
+                fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            except OSError:
+                raise FileError("is in use by another run", source=str(self.folder)) from None
+            yield
+
     def open(self, *, restart: bool = False) -> dict[int, Part]:
-        """Make the folder, or find what is in it; return the statuses of the parts at hand.
+        """Find what is in the folder; return the statuses of the parts at hand.
 
         Raises
         ------
@@ -56,9 +83,8 @@ class Store:
             If the folder cannot be used, or holds parts of something else.
         """
         if restart:
-            self.remove()
-        if not self._attempt(self.folder.is_dir):
-            self._attempt(self.folder.mkdir)
+            self._clear()
+        if not any(path.name != _LOCK for path in self._contents()):
             self._write(_MANIFEST, json.dumps(self._manifest(), indent=2).encode())
             return {}
         if self._found_manifest() != self._manifest():
@@ -116,12 +142,17 @@ class Store:
         FileError
             If it cannot be removed.
         """
-        if not self._attempt(self.folder.is_dir):
-            return
-        for path in sorted(self._attempt(lambda: list(self.folder.iterdir()))):
+        self._clear()
+        self._attempt((self.folder / _LOCK).unlink, missing_ok=True)
+        self._attempt(self.folder.rmdir)
+
+    def _clear(self) -> None:
+        for path in self._contents():
             if _OURS.fullmatch(path.name):
                 self._attempt(path.unlink)
-        self._attempt(self.folder.rmdir)
+
+    def _contents(self) -> list[Path]:
+        return sorted(self._attempt(lambda: list(self.folder.iterdir())))
 
     def _kept(self) -> dict[int, Part]:
         """Statuses of the parts that are whole; the others will be solved again."""
@@ -166,9 +197,9 @@ class Store:
         self._attempt(lambda: write(unfinished))
         self._attempt(lambda: os.replace(unfinished, self.folder / name))
 
-    def _attempt(self, action: Callable[[], T]) -> T:
+    def _attempt(self, action: Callable[..., T], *arguments: Any, **options: Any) -> T:
         try:
-            return action()
+            return action(*arguments, **options)
         except OSError as error:
             reason = (error.strerror or str(error)).lower()
             raise FileError(f"cannot be used: {reason}", source=str(self.folder)) from None

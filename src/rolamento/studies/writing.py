@@ -10,7 +10,7 @@ from typing import Final, Protocol
 from rolamento.errors import FileError
 from rolamento.studies.plan import Part, Plan
 
-__all__ = ["ENDINGS", "PartWriter", "writer_for"]
+__all__ = ["ENDINGS", "PartWriter", "Writer", "writer_for"]
 
 ENDINGS: Final = (".nc", ".csv", ".parquet")
 
