@@ -19,7 +19,7 @@ from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 from rich.table import Table
 
-from benchmarks import against_scipy, duty_sets, robustness, start, throughput
+from benchmarks import against_scipy, duty_sets, robustness, start, sweep, throughput
 from benchmarks.figures import Figure, Findings, has_avx512
 
 
@@ -32,10 +32,18 @@ class Effort:
     sample: int
     robust_cases: int
     runs: int
+    sweep_cases: int
 
 
-FULL = Effort(cases=duty_sets.CASES, repeats=5, sample=100, robust_cases=100_000, runs=10)
-QUICK = Effort(cases=8_000, repeats=1, sample=5, robust_cases=3_000, runs=2)
+FULL = Effort(
+    cases=duty_sets.CASES,
+    repeats=5,
+    sample=100,
+    robust_cases=100_000,
+    runs=10,
+    sweep_cases=1_000_000,
+)
+QUICK = Effort(cases=8_000, repeats=1, sample=5, robust_cases=3_000, runs=2, sweep_cases=20_000)
 
 
 def steps(effort: Effort) -> list[tuple[str, Callable[[], Findings]]]:
@@ -49,6 +57,7 @@ def steps(effort: Effort) -> list[tuple[str, Callable[[], Findings]]]:
             for n in against_scipy.SETS
         ),
         ("start", partial(start.measure, e.runs)),
+        ("sweep", partial(sweep.measure, e.sweep_cases)),
         *((n, partial(robustness.measure, n, e.robust_cases)) for n in robustness.KINDS),
     ]
 

@@ -392,7 +392,7 @@ def test_help(run: Run, arguments: tuple[str, ...]) -> None:
 def test_the_word_after_json_is_its_file_if_there_is_a_case(
     given: list[str], meant: list[str]
 ) -> None:
-    assert with_values(given) == meant
+    assert with_values(given, {"--csv", "--set", "--lang"}) == meant
 
 
 # --- as a process -----------------------------------------------------------
@@ -460,11 +460,18 @@ def test_version_waits_for_nothing() -> None:
 @pytest.mark.parametrize("page", ["README.md", "README.pt-BR.md"])
 def test_the_examples_of_the_front_page_work(run: Run, page: str) -> None:
     text = (Path(__file__).parents[2] / page).read_text(encoding="utf-8")
-    blocks = dict(re.findall(r"```(toml|python)\n(.*?)```", text, re.DOTALL))
-    Path("case.toml").write_text(blocks["toml"], encoding="utf-8")
+    case, bearing, study = re.findall(r"```toml\n(.*?)```", text, re.DOTALL)
+    Path("case.toml").write_text(case, encoding="utf-8")
     assert run("solve", "case.toml", "--set", "duty.load.fz=10 kN").code == 0
+    Path("pair.toml").write_text(f'{bearing}\n[duty.load]\nfx = "400 N"\n', encoding="utf-8")
+    assert run("solve", "pair.toml").code == 0
+    Path("study.toml").write_text(study, encoding="utf-8")
+    for line in re.findall(r"    .venv/bin/rolamento ((?:sweep|plot) .*)", text):
+        assert run(*line.split()).code == 0
+    assert Path("study.png").is_file()
     names: dict[str, Any] = {}
-    exec(blocks["python"], names)
+    (python,) = re.findall(r"```python\n(.*?)```", text, re.DOTALL)
+    exec(python, names)
     assert names["batch"].converged.all()
 
 

@@ -14,8 +14,8 @@ import typer
 import xarray as xr
 from typer.testing import CliRunner
 
+from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.tolerance import tolerance
-from rolamento.cli.turn import JsonCommand
 from rolamento.studies.sensitivity import rank_correlation
 from rolamento.studies.tolerance import tolerance_bands
 

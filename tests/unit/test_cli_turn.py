@@ -16,7 +16,8 @@ import typer
 from typer.testing import CliRunner
 
 from rolamento import load_case
-from rolamento.cli.turn import JsonCommand, turn
+from rolamento.cli.optional_value import JsonCommand
+from rolamento.cli.turn import turn
 from rolamento.report.turn import turn_json, turn_report
 from rolamento.studies.cage_turn import DEFAULT_POINTS, cage_turn
 

@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 
 from rolamento import studies
+from rolamento.cli.app import app
 from rolamento.studies.cluster import ClusterError, dask_cluster
 
 distributed = pytest.importorskip("distributed")
@@ -140,3 +141,17 @@ def test_without_dask(monkeypatch: pytest.MonkeyPatch) -> None:
     plan = studies.plan.Plan(studies.parse_study(STUDY), CHUNK)
     with pytest.raises(ClusterError, match="not installed"):
         next(dask_cluster("tcp://127.0.0.1:8786")(plan, [0]))
+
+
+def test_the_command_says_what_is_wrong(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr("rolamento.studies.cluster.PATIENCE", "1 s")
+    study = tmp_path / "study.toml"
+    study.write_text(STUDY, encoding="utf-8")
+    arguments = ["sweep", str(study), "-o", str(tmp_path / "r.nc"), "--scheduler", "127.0.0.1:9"]
+    for more, said in ((["--threads", "2"], "beside --scheduler"), ([], "cannot be reached")):
+        with pytest.raises(SystemExit) as end:
+            app([*arguments, *more])
+        assert end.value.code == 2
+        assert said in capsys.readouterr().err

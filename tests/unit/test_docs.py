@@ -1,4 +1,4 @@
-"""The examples of the Python guide run as they stand (those of the README: test_cli)."""
+"""The examples of the Python guides run as they stand (those of the README: test_cli)."""
 
 from __future__ import annotations
 
@@ -8,8 +8,14 @@ from pathlib import Path
 
 import pytest
 
-GUIDE = Path(__file__).resolve().parents[2] / "docs" / "python.md"
-BLOCKS = re.findall(r"```python\n(.*?)```", GUIDE.read_text("utf-8"), re.DOTALL)
+DOCS = Path(__file__).resolve().parents[2] / "docs"
+BLOCKS = [
+    pytest.param(block, id=f"{guide}-{number}")
+    for guide in ("python.md", "studies.md")
+    for number, block in enumerate(
+        re.findall(r"```python\n(.*?)```", (DOCS / guide).read_text("utf-8"), re.DOTALL)
+    )
+]
 
 
 @pytest.mark.parametrize("block", BLOCKS)

@@ -18,7 +18,8 @@ import pytest
 import typer
 from typer.testing import CliRunner
 
-from rolamento.cli.verify import VerifyCommand, verify, with_json_value
+from rolamento.cli.optional_value import JsonCommand, with_values
+from rolamento.cli.verify import verify
 from rolamento.errors import InputError
 from rolamento.report.language import LANGUAGES, PORTUGUESE, Words
 from rolamento.report.medium import Medium
@@ -347,7 +348,7 @@ def command(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Command:
     """Run the command in an empty directory."""
     monkeypatch.chdir(tmp_path)
     app = typer.Typer(add_completion=False, pretty_exceptions_enable=False)
-    app.command(cls=VerifyCommand)(verify)
+    app.command(cls=JsonCommand)(verify)
 
     def runner(*arguments: str, **environment: str) -> Outcome:
         result = CliRunner().invoke(app, arguments, env={"LC_ALL": "C.UTF-8", **environment})
@@ -434,12 +435,12 @@ def test_wrong_input_is_told_in_one_line(
     [
         ([], []),
         (["--json"], ["--json=-"]),
-        (["--json", "out.json"], ["--json", "out.json"]),
-        (["--json", "-"], ["--json", "-"]),
+        (["--json", "out.json"], ["--json=out.json"]),
+        (["--json", "-"], ["--json=-"]),
         (["--json", "--lang", "pt"], ["--json=-", "--lang", "pt"]),
         (["--lang", "pt", "--json"], ["--lang", "pt", "--json=-"]),
         (["--json=a"], ["--json=a"]),
     ],
 )
 def test_the_file_of_json_may_be_left_out(given: list[str], parsed: list[str]) -> None:
-    assert with_json_value(given) == parsed
+    assert with_values(given, {"--source", "--markdown", "--lang"}, False) == parsed

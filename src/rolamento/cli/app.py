@@ -17,14 +17,14 @@ from rolamento.cli.common import (
     same_file,
     words_of,
 )
-from rolamento.cli.optional_value import SolveCommand
+from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.plot import plot
 from rolamento.cli.reproduce import reproduce
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
 from rolamento.cli.sweep import sweep
 from rolamento.cli.tolerance import tolerance
-from rolamento.cli.turn import JsonCommand, turn
-from rolamento.cli.verify import VerifyCommand, verify
+from rolamento.cli.turn import turn
+from rolamento.cli.verify import verify
 from rolamento.errors import FileError, InputError
 
 if TYPE_CHECKING:
@@ -65,7 +65,7 @@ def rolamento_command(
 
 
 @app.command(
-    cls=SolveCommand,
+    cls=JsonCommand,
     epilog="Examples: solve case.toml --json; solve case.toml --set duty.load.fz='10 kN'.",
 )
 def solve(
@@ -170,4 +170,4 @@ app.command(
 app.command(cls=JsonCommand, epilog="Example: turn case.toml --plot turn.png.")(turn)
 app.command(cls=JsonCommand, epilog="Example: tolerance scatter.nc --plot bands.png.")(tolerance)
 app.command(epilog="Example: reproduce radaelli-2013 --output radaelli --lang pt.")(reproduce)
-app.command(cls=VerifyCommand)(verify)
+app.command(cls=JsonCommand)(verify)

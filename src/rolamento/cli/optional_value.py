@@ -6,34 +6,44 @@ Typer has no such option. The arguments are therefore put in order before they a
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from typing import Any, Final
 
 from typer.core import TyperCommand
 
-__all__ = ["SolveCommand", "with_values"]
+__all__ = ["JsonCommand", "with_values"]
 
 _OPTION: Final = "--json"
 _LEFT_OUT: Final = "--json=-"
-_WITH_VALUE: Final = frozenset({"--csv", "--set", "--lang"})
 
 
-class SolveCommand(TyperCommand):
+class JsonCommand(TyperCommand):
     """A command in which the value of ``--json`` may be left out."""
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
         """Parse the arguments with that value filled in."""
-        return super().parse_args(ctx, with_values(args))
+        takers, takes_word = set(), False
+        for parameter in self.params:
+            is_option = parameter.param_type_name == "option"
+            takes_word = takes_word or not is_option
+            if is_option and not getattr(parameter, "is_flag", False):
+                takers.update(parameter.opts)
+        return super().parse_args(ctx, with_values(args, takers - {_OPTION}, takes_word))
 
 
-def with_values(arguments: Sequence[str]) -> list[str]:
+def with_values(
+    arguments: Sequence[str], takers: Collection[str], takes_word: bool = True
+) -> list[str]:
     """Return the arguments with a value for every ``--json``.
+
+    takers: the other options that take a value; takes_word: whether the command takes a word that
+    is no option, its CASE.
 
     The word after ``--json`` is its FILE, unless the command line would then lack its CASE:
     ``--json case.toml`` writes the JSON of that case to standard output.
     """
-    kinds = _kinds(arguments)
-    has_case = "case" in kinds
+    kinds = _kinds(arguments, takers)
+    has_case = "case" in kinds or not takes_word
     result: list[str] = []
     for word, kind in zip(arguments, kinds, strict=True):
         if kind == "file" and has_case:
@@ -43,7 +53,7 @@ def with_values(arguments: Sequence[str]) -> list[str]:
     return result
 
 
-def _kinds(arguments: Sequence[str]) -> list[str]:
+def _kinds(arguments: Sequence[str], takers: Collection[str]) -> list[str]:
     """Tell for every word what it is: option, value, json, file (its value, perhaps) or case."""
     kinds: list[str] = []
     for position, word in enumerate(arguments):
@@ -53,13 +63,13 @@ def _kinds(arguments: Sequence[str]) -> list[str]:
         elif before == "needs value":
             kinds.append("value")
         elif word.startswith("-") and word != "-":
-            kinds.append(_kind_of_option(word))
+            kinds.append(_kind_of_option(word, takers))
         else:
             kinds.append("file" if before == "json" else "case")
     return kinds
 
 
-def _kind_of_option(word: str) -> str:
+def _kind_of_option(word: str, takers: Collection[str]) -> str:
     if word == _OPTION:
         return "json"
-    return "needs value" if word in _WITH_VALUE else "option"
+    return "needs value" if word in takers else "option"

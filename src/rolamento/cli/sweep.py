@@ -24,6 +24,7 @@ from rolamento.errors import FileError, InputError
 
 if TYPE_CHECKING:
     from rolamento.studies import Study, Summary
+    from rolamento.studies.runner import Executor
 
 __all__ = ["sweep"]
 
@@ -57,6 +58,14 @@ def sweep(
         int | None,
         typer.Option("--threads", metavar="N", min=1, max=1024, help="By default all processors."),
     ] = None,
+    scheduler: Annotated[
+        str | None,
+        typer.Option(
+            "--scheduler",
+            metavar="ADDRESS",
+            help="Solve on a Dask cluster instead, such as tcp://127.0.0.1:8786.",
+        ),
+    ] = None,
     restart: Annotated[
         bool, typer.Option("--restart", help="Begin anew, whatever an earlier run has kept.")
     ] = False,
@@ -75,7 +84,8 @@ def sweep(
             return
         if study is None:
             raise InputError("is missing", field="STUDY", example="rolamento sweep study.toml")
-        summary = _swept(study, output, settings or [], threads, restart, lang)
+        where = _executor(threads, scheduler)
+        summary = _swept(study, output, settings or [], where, restart, lang)
     raise typer.Exit(SOLVED if summary.converged else NO_RESULT)
 
 
@@ -83,7 +93,7 @@ def _swept(
     path: str,
     output: str | None,
     settings: list[str],
-    threads: int | None,
+    where: Executor,
     restart: bool,
     lang: Language | None,
 ) -> Summary:
@@ -93,13 +103,30 @@ def _swept(
     if same_file(result, path):
         raise FileError("is the study file itself; choose another name", source=result)
     loaded = load_study(path, settings)
-    summary = _run(loaded, result, threads, restart, lang)
+    summary = _run(loaded, result, where, restart, lang)
     _print_report(loaded, summary, lang)
     return summary
 
 
+def _executor(threads: int | None, scheduler: str | None) -> Executor:
+    """Solve in threads of this process, or on a cluster."""
+    from rolamento.studies.runner import local_threads
+
+    if scheduler is None:
+        return local_threads(threads)
+    if threads is not None:
+        raise InputError(
+            "is given beside --scheduler: the cluster has threads of its own",
+            field="--threads",
+            value=threads,
+        )
+    from rolamento.studies.cluster import dask_cluster
+
+    return dask_cluster(scheduler)
+
+
 def _run(
-    study: Study, result: str, threads: int | None, restart: bool, lang: Language | None
+    study: Study, result: str, where: Executor, restart: bool, lang: Language | None
 ) -> Summary:
     """Solve with progress; on Ctrl-C say what is kept."""
     from rolamento.cli.sweep_progress import told
@@ -109,7 +136,7 @@ def _run(
     words = words_of(lang)
     try:
         with told(words) as progress:
-            return run_to_file(study, result, threads=threads, restart=restart, progress=progress)
+            return run_to_file(study, result, executor=where, restart=restart, progress=progress)
     except Interrupted as stop:
         said = STUDY_WORDS[words.code].stopped
         complain(said.format(done=stop.done, total=stop.total, folder=stop.folder))

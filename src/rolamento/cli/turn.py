@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from typing import TYPE_CHECKING, Annotated, Any, Final
+from typing import TYPE_CHECKING, Annotated, Final
 
 import typer
 
@@ -17,43 +17,15 @@ from rolamento.cli.common import (
     same_file,
     words_of,
 )
-from rolamento.cli.optional_value import SolveCommand
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
 from rolamento.errors import FileError, InputError
 
 if TYPE_CHECKING:
     from rolamento.studies.cage_turn import CageTurn
 
-__all__ = ["JsonCommand", "turn"]
+__all__ = ["turn"]
 
 _POINTS: Final = 256
-
-
-class JsonCommand(SolveCommand):
-    """A command in which the value of ``--json`` may be left out, beside any other options."""
-
-    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
-        """Parse the arguments; the options that take values are tied to these first."""
-        takers = {
-            name
-            for option in self.params
-            if option.param_type_name == "option" and not getattr(option, "is_flag", False)
-            for name in option.opts
-            if name != "--json"
-        }
-        return super().parse_args(ctx, _tied(args, takers))
-
-
-def _tied(arguments: list[str], takers: set[str]) -> list[str]:
-    """Write ``--option value`` as ``--option=value``, up to ``--``."""
-    tied: list[str] = []
-    words = iter(arguments)
-    for word in words:
-        if word == "--":
-            return [*tied, word, *words]
-        value = next(words, None) if word in takers else None
-        tied.append(word if value is None else f"{word}={value}")
-    return tied
 
 
 def turn(

@@ -5,10 +5,9 @@ from __future__ import annotations
 import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
-from typer.core import TyperCommand
 
 from rolamento.cli.common import (
     NO_RESULT,
@@ -25,24 +24,7 @@ if TYPE_CHECKING:
     from rolamento.report.language import Words
     from rolamento.verification import Progress, Source, Verification
 
-__all__ = ["VerifyCommand", "verify"]
-
-
-class VerifyCommand(TyperCommand):
-    """A command in which the value of ``--json`` may be left out: it is then standard output."""
-
-    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
-        """Parse the arguments with that value filled in."""
-        return super().parse_args(ctx, with_json_value(args))
-
-
-def with_json_value(arguments: Sequence[str]) -> list[str]:
-    """Return the arguments with a value for every ``--json``; an option is not its value."""
-    following = [*arguments[1:], "--"]
-    return [
-        f"{word}={STANDARD_STREAM}" if word == "--json" and _is_option(after) else word
-        for word, after in zip(arguments, following, strict=False)
-    ]
+__all__ = ["verify"]
 
 
 def verify(
