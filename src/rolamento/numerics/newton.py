@@ -192,7 +192,7 @@ def _line_search(
             nearer = np.clip(slope[trying] / (slope[trying] - ahead), 0.1, 0.6)
         part[trying] *= np.where(sound[which] & np.isfinite(nearer), nearer, 0.3)
         trying = trying[~good]
-    return taken / whole
+    return np.asarray(taken / whole)
 
 
 def _adapted(damping: FloatArray, part: FloatArray) -> FloatArray:
@@ -203,4 +203,4 @@ def _adapted(damping: FloatArray, part: FloatArray) -> FloatArray:
     """
     more = np.maximum(4.0 * damping, LEAST_HELP)
     less = np.where(damping > LEAST_DAMPING, 0.03 * damping, 0.0)
-    return np.where(part < MUCH_SHORTER, more, np.where(part == 1.0, less, damping))
+    return np.asarray(np.where(part < MUCH_SHORTER, more, np.where(part == 1.0, less, damping)))
