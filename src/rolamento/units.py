@@ -24,7 +24,19 @@ if TYPE_CHECKING:
 __all__ = ["SI_UNIT", "Dimension", "from_si", "to_si"]
 
 Dimension = Literal[
-    "length", "angle", "angular_speed", "force", "moment", "stress", "density", "temperature"
+    "length",
+    "angle",
+    "angular_speed",
+    "force",
+    "moment",
+    "stress",
+    "density",
+    "temperature",
+    "kinematic_viscosity",
+    "dynamic_viscosity",
+    "pressure_viscosity_coefficient",
+    "thermal_conductivity",
+    "thermal_expansion",
 ]
 
 SI_UNIT: Final[dict[Dimension, str]] = {
@@ -36,6 +48,11 @@ SI_UNIT: Final[dict[Dimension, str]] = {
     "stress": "Pa",
     "density": "kg/m^3",
     "temperature": "K",
+    "kinematic_viscosity": "m^2/s",
+    "dynamic_viscosity": "Pa s",
+    "pressure_viscosity_coefficient": "1/Pa",
+    "thermal_conductivity": "W/m/K",
+    "thermal_expansion": "1/K",
 }
 
 
@@ -77,6 +94,26 @@ _COMMON: Final[dict[Dimension, dict[str, _Unit]]] = {
         "degC": _Unit(Fraction(1), Fraction(27315, 100)),
         "K": _Unit(Fraction(1)),
     },
+    "kinematic_viscosity": {
+        "mm^2/s": _Unit(Fraction(1, 10**6)),
+        "cSt": _Unit(Fraction(1, 10**6)),
+        "m^2/s": _Unit(Fraction(1)),
+    },
+    "dynamic_viscosity": {
+        "mPa s": _Unit(Fraction(1, 10**3)),
+        "cP": _Unit(Fraction(1, 10**3)),
+        "Pa s": _Unit(Fraction(1)),
+    },
+    "pressure_viscosity_coefficient": {
+        "1/GPa": _Unit(Fraction(1, 10**9)),
+        "1/MPa": _Unit(Fraction(1, 10**6)),
+        "1/Pa": _Unit(Fraction(1)),
+    },
+    "thermal_conductivity": {
+        "W/m/K": _Unit(Fraction(1)),
+        "mW/m/K": _Unit(Fraction(1, 10**3)),
+    },
+    "thermal_expansion": {"1/K": _Unit(Fraction(1))},
 }
 
 _LONGEST_TEXT: Final = 100
@@ -84,6 +121,7 @@ _GREATEST_EXPONENT: Final = 400
 _NUMBER: Final = r"[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?"
 _QUANTITY: Final = re.compile(rf"({_NUMBER})\s*(.*)", re.DOTALL)
 _FACTOR: Final = re.compile(r"\s*([*/])?\s*([A-Za-zµμ]+)(?:(?:\^|\*\*)?(-?[1-4])(?![0-9]))?\s*")
+_ONE_OVER: Final = re.compile(r"^\s*1\s*/\s*([A-Za-z]+)(?![A-Za-z^*0-9])")
 _PLAINER: Final = str.maketrans(
     {"·": "*", "⋅": "*", "×": "*", ".": "*", "²": "2", "³": "3", "⁴": "4", "¹": "1", "⁻": "-"}
 )
@@ -240,6 +278,8 @@ def _factors(text: str, dimension: Dimension) -> list[tuple[str, str, int]]:
     """
     plain = text.translate(_PLAINER).replace("°C", "degC").replace("°F", "degF")
     plain = plain.replace("°", "deg")
+    if SI_UNIT[dimension].startswith("1/"):
+        plain = _ONE_OVER.sub(r"\1^-1", plain, count=1)
     factors: list[tuple[str, str, int]] = []
     position = 0
     while position < len(plain):
@@ -316,4 +356,8 @@ _EXAMPLE_NUMBERS: Final[dict[Dimension, str]] = {
     "angular_speed": "10000",
     "stress": "207",
     "density": "7810",
+    "kinematic_viscosity": "68",
+    "pressure_viscosity_coefficient": "20",
+    "thermal_conductivity": "0.14",
+    "thermal_expansion": "0.0007",
 }
