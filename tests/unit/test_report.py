@@ -31,7 +31,14 @@ from rolamento.report.sentences import portuguese_sentence
 from rolamento.report.terminal import terminal_report
 
 EXAMPLES = Path(rolamento.__file__).parent / "examples"
-NAMES = ("218_combined", "218_hybrid", "218_tilted", "209_radial")
+NAMES = (
+    "218_combined",
+    "218_hybrid",
+    "218_tilted",
+    "209_radial",
+    "6012_pair",
+    "6012_triple",
+)
 BOTH = pytest.mark.parametrize("words", LANGUAGES.values(), ids=LANGUAGES.keys())
 
 
@@ -238,6 +245,11 @@ def _sample(expression: str) -> str:
         "{holder}": "nothing presses on them",
         "{name}": "rz",
         "{direction}": "along z",
+        "{away}": "-x",
+        "{faced}": "+x",
+        "{cause}": "its preload is gone",
+        "map(str, lost)": "1, 2",
+        "{row}": "1",
     }
     return next((text for mark, text in samples.items() if mark in expression), "1.5e+06")
 

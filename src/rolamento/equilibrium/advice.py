@@ -17,6 +17,12 @@ _DIRECTIONS: Final = (
     "against tilting about z (rz)",
 )
 
+_LOST_SHOULDER: Final = (
+    "The inner ring moves so far that balls of a row would have to carry on the shoulder that an "
+    "angular-contact bearing lacks. More preload or less play (bearing.preload), a smaller axial "
+    "load or moment, or rings that are held from tilting keep them on their side."
+)
+
 
 def advise(case: Case, batch: BatchState) -> str | None:
     """Advice on the status of the first case of a batch; None where it has a result."""
@@ -53,9 +59,14 @@ def advise(case: Case, batch: BatchState) -> str | None:
 
 def _no_equilibrium(case: Case, axis: int) -> str:
     """Say which direction nothing supports, and what would."""
-    direction = _DIRECTIONS[axis]
-    lost = f"Nothing supports the inner ring {direction}: "
-    if not ring_geometry(case.bearing).one_sided:
+    bearing = case.bearing
+    one_sided = [ring_geometry(place.bearing).one_sided for place in bearing.places]
+    if bearing.is_set and all(one_sided) and axis == 0:
+        return _set_without_equilibrium(case)
+    if len(set(one_sided)) > 1:
+        return _LOST_SHOULDER
+    lost = f"Nothing supports the inner ring {_DIRECTIONS[axis]}: "
+    if not all(one_sided):
         return lost + (
             "the balls never come to carry the load. Give a smaller load, or hold this degree of "
             "freedom with a displacement."
@@ -69,4 +80,35 @@ def _no_equilibrium(case: Case, axis: int) -> str:
     return lost + (
         "balls would have to carry on the shoulder that an angular-contact bearing lacks. Add "
         "axial preload (duty.load.fx), lower the moment, or hold the tilt."
+    )
+
+
+def _set_without_equilibrium(case: Case) -> str:
+    """Of rows that each carry axial load one way: all the same way, on springs, or clamped."""
+    signs = {place.sign for place in case.bearing.places}
+    if len(signs) == 1:
+        faced, away = ("+x", "-x") if signs == {1.0} else ("-x", "+x")
+        return (
+            f"Nothing supports the inner ring toward {away}: all rows carry axial load toward "
+            f"{faced} only, and a radial load needs an axial load beside it in every row (about fz "
+            "tan(contact angle)). Turn the load round, add axial load (duty.load.fx), take an "
+            'arrangement with rows that face each other, such as "DB", or hold the ring with '
+            "duty.displacement.x."
+        )
+    spring = None if case.bearing.preload is None else case.bearing.preload.spring
+    if spring is None:
+        return _LOST_SHOULDER
+    axial = case.duty.load.fx or 0.0
+    if axial <= -spring:
+        return (
+            f"Nothing supports the inner ring toward -x: an axial load of {-axial:.4g} N pushes "
+            f"back the springs, which press with {spring:.4g} N. Take springs that are stronger "
+            "than the load, clamp the rings (bearing.preload.force), or turn the load or the set "
+            "round: toward +x the rows that face + carry it without the springs."
+        )
+    return (
+        f"Springs of {spring:.4g} N do not keep the balls of every row in place: in each row a "
+        "radial load needs an axial load beside it (about fz tan(contact angle)), and a moment "
+        "needs more. Take stronger springs, clamp the rings (bearing.preload.force), lower the "
+        "radial load or the moment, or hold the tilts."
     )

@@ -6,18 +6,19 @@ A note never changes a number. Each check returns sentences; `notes_on` collects
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Iterable, Iterator
-from math import acos, degrees, pi, radians
+from collections.abc import Iterator, Sequence
+from math import acos, degrees, inf, pi, radians
 from typing import Final
 
 import numpy as np
 
+from rolamento.bearing import Bearing
 from rolamento.duty import AXES
 from rolamento.equilibrium.batch_state import BatchState
 from rolamento.equilibrium.detail import criterion
 from rolamento.equilibrium.problem import ring_arms
 from rolamento.kinematics import RacewayControl, friction_demand
-from rolamento.state import BallState, ContactState, State
+from rolamento.state import BallState, ContactState, PreloadState, State
 
 STATIC_PRESSURE_LIMIT: Final = 4.2e9
 """Pa; permanent set of 1e-4 ball diameters at the ball-groove contact (ISO 76)."""
@@ -31,11 +32,16 @@ SPINNING_ANGLE: Final = radians(0.1)
 """rad: a ball at a smaller contact angle hardly spins, whichever race controls it."""
 FREE_STIFFNESS: Final = 1e-9
 """Of the greatest stiffness: a direction with less is free."""
+PRELOAD_MARGIN: Final = 1.1
+"""Times the load at which a row lifts off: what is nearer deserves a word."""
+_MOST_AZIMUTHS: Final = 6
+_MOST_IN_A_ROW: Final = 4
 
 
 def notes_on(state: State, batch: BatchState) -> State:
     """Add the notes to a converged state."""
     notes = [
+        *_lost_rows(state),
         *_lost_contacts(state),
         *_pressures(state),
         *_shoulders(state),
@@ -49,15 +55,46 @@ def notes_on(state: State, batch: BatchState) -> State:
     return dataclasses.replace(state, notes=tuple(notes))
 
 
+def with_preload(state: State, preload: PreloadState | None) -> State:
+    """Put the preload of a set into its state, and say so if a row is about to lose it."""
+    notes = () if preload is None else tuple(_nearly_lost(state, preload))
+    return dataclasses.replace(state, preload=preload, notes=state.notes + notes)
+
+
+def _nearly_lost(state: State, preload: PreloadState) -> Iterator[str]:
+    row = preload.lost_row
+    if row is None or not 1.0 <= preload.loss_factor < PRELOAD_MARGIN:
+        return
+    if state.rows[row].loaded_balls:  # else _lost_rows says so
+        yield (
+            f"Row {row} is about to lose its preload: it lifts off the inner ring at "
+            f"{preload.loss_factor:.3g} times this load. More preload keeps it in contact."
+        )
+
+
+def _lost_rows(state: State) -> Iterator[str]:
+    """Rows of a set that the inner ring does not touch at all."""
+    lost = [row.row for row in state.rows if row.loaded_balls == 0]
+    if lost and len(lost) < len(state.rows):
+        cause = "its preload is gone" if state.case.bearing.preload else "no preload holds it there"
+        yield (
+            f"No ball of row {', '.join(map(str, lost))} presses on the inner ring: {cause}, and "
+            "the rest of the set carries the whole load. Where the bearing turns, such balls skid."
+        )
+
+
 def _lost_contacts(state: State) -> Iterator[str]:
     """Balls that the inner ring does not touch."""
     free = [ball for ball in state.balls if ball.inner.load <= 1e-9 * ball.outer.load]
     if len(free) == len(state.balls):
         yield "No ball presses on the inner ring: without a load, its place is one of many."
-    elif free:
+        return
+    touched = {row.row for row in state.rows if row.loaded_balls}
+    free = [ball for ball in free if ball.row in touched]  # of the others _lost_rows has told
+    if free:
         pressed = any(ball.outer.load > 0.0 for ball in free)
         holder = "only centrifugal force presses on them" if pressed else "nothing presses on them"
-        yield f"{_count(free)} without inner contact (azimuth {_azimuths(free)}): {holder}."
+        yield f"{_count(free)} without inner contact (azimuth {_azimuths(state, free)}): {holder}."
         if pressed and state.case.duty.outer_speed != 0.0:
             yield (
                 "The orbit of a ball without inner contact, and with it its centrifugal force, is "
@@ -73,30 +110,34 @@ def _pressures(state: State) -> Iterator[str]:
             yield (
                 f"Contact pressure at the {race} race is up to {worst / 1e6:.0f} MPa, above "
                 f"4200 MPa (ISO 76), where balls begin to dent the groove: {_count(over)} "
-                f"(azimuth {_azimuths(over)})."
+                f"(azimuth {_azimuths(state, over)})."
             )
 
 
 def _shoulders(state: State) -> Iterator[str]:
     """Contact ellipses that run over the edge of their groove, where the shoulder is given."""
-    bearing = state.case.bearing
-    for race, conformity, height in (
-        ("inner", bearing.inner_conformity, bearing.inner_shoulder_height),
-        ("outer", bearing.outer_conformity, bearing.outer_shoulder_height),
-    ):
-        if height is None:
-            continue
-        radius = conformity * bearing.ball_diameter
-        edge = acos(max(1.0 - height / radius, -1.0))
-        reach = {ball.azimuth: _reach(getattr(ball, race), radius) for ball in state.balls}
-        over = [ball for ball in state.balls if reach[ball.azimuth] > edge]
+    rows = [place.bearing for place in state.case.bearing.places]
+    for race in ("inner", "outer"):
+        grooves = [_groove(bearing, race) for bearing in rows]
+        reaches = [_reach(getattr(ball, race), grooves[ball.row][0]) for ball in state.balls]
+        edges = [grooves[ball.row][1] for ball in state.balls]
+        parts = list(zip(state.balls, reaches, edges, strict=True))
+        over = [ball for ball, reach, edge in parts if reach > edge]
         if over:
+            _, reach, edge = max(parts, key=lambda part: part[1] - part[2])
             yield (
                 f"The contact ellipse runs over the {race} shoulder: it reaches "
-                f"{degrees(max(reach.values())):.1f}°, the groove ends at {degrees(edge):.1f}° "
-                f"({_count(over)}, azimuth {_azimuths(over)}). Pressure at the edge is higher "
-                "than shown."
+                f"{degrees(reach):.1f}°, the groove ends at {degrees(edge):.1f}° "
+                f"({_count(over)}, azimuth {_azimuths(state, over)}). Pressure at the edge is "
+                "higher than shown."
             )
+
+
+def _groove(bearing: Bearing, race: str) -> tuple[float, float]:
+    """Radius of a groove, and the angle from its bottom at which it ends: infinite if unknown."""
+    radius = getattr(bearing, f"{race}_conformity") * bearing.ball_diameter
+    height = getattr(bearing, f"{race}_shoulder_height")
+    return radius, inf if height is None else acos(max(1.0 - height / radius, -1.0))
 
 
 def _reach(contact: ContactState, groove_radius: float) -> float:
@@ -110,15 +151,17 @@ def _steep_angles(state: State) -> Iterator[str]:
     steep = [b for b in state.balls if b.inner.load > 0.0 and abs(b.inner.contact_angle) > pi / 2]
     if steep:
         yield (
-            f"The inner contact angle passes 90° at {_count(steep)} (azimuth {_azimuths(steep)}): "
-            "no real groove reaches so far; more axial load would keep the balls in place."
+            f"The inner contact angle passes 90° at {_count(steep)} (azimuth "
+            f"{_azimuths(state, steep)}): no real groove reaches so far; more axial load would "
+            "keep the balls in place."
         )
 
 
 def _speeds(state: State) -> Iterator[str]:
-    duty, bearing = state.case.duty, state.case.bearing
+    duty = state.case.duty
     fastest = max(abs(duty.inner_speed), abs(duty.outer_speed)) * 30.0 / pi
-    product = fastest * bearing.pitch_diameter * 1e3
+    widest = max(place.bearing.pitch_diameter for place in state.case.bearing.places)
+    product = fastest * widest * 1e3
     if product > SPEED_LIMIT:
         yield (
             f"The speed factor n·d_m = {product:.2g} mm/min is beyond what rolling bearings reach "
@@ -165,8 +208,8 @@ def _control(state: State, batch: BatchState) -> Iterator[str]:
         if open_balls:
             yield (
                 f"Jones's criterion favours neither race at {_count(open_balls)} (azimuth "
-                f"{_azimuths(open_balls)}): they are taken as before, as controlled by the race "
-                "that they last rolled on, first the outer."
+                f"{_azimuths(state, open_balls)}): they are taken as before, as controlled by the "
+                "race that they last rolled on, first the outer."
             )
         return
     against = RacewayControl.INNER if assumed == "outer" else RacewayControl.OUTER
@@ -181,21 +224,22 @@ def _control(state: State, batch: BatchState) -> Iterator[str]:
     if contradicted:
         yield (
             f"Jones's criterion contradicts {assumed} raceway control at {_count(contradicted)} "
-            f'(azimuth {_azimuths(contradicted)}); model.raceway_control = "jones" decides '
+            f'(azimuth {_azimuths(state, contradicted)}); model.raceway_control = "jones" decides '
             "ball by ball."
         )
 
 
 def _gyroscopic_slip(state: State) -> Iterator[str]:
     """Balls whose gyroscopic moment needs more friction than a lubricated contact gives."""
-    diameter = state.case.bearing.ball_diameter
-    demand = {ball.azimuth: _friction(ball, diameter) for ball in state.balls}
-    slipping = [ball for ball in state.balls if demand[ball.azimuth] > FRICTION_LIMIT]
+    diameters = [place.bearing.ball_diameter for place in state.case.bearing.places]
+    demand = [_friction(ball, diameters[ball.row]) for ball in state.balls]
+    parts = zip(state.balls, demand, strict=True)
+    slipping = [ball for ball, friction in parts if friction > FRICTION_LIMIT]
     if slipping:
         yield (
             "To hold the gyroscopic moment as assumed, a coefficient of friction of "
-            f"{max(demand.values()):.2f} is needed, more than about {FRICTION_LIMIT}: "
-            f"{_count(slipping)} will slip (azimuth {_azimuths(slipping)})."
+            f"{max(demand):.2f} is needed, more than about {FRICTION_LIMIT}: "
+            f"{_count(slipping)} will slip (azimuth {_azimuths(state, slipping)})."
         )
 
 
@@ -223,6 +267,18 @@ def _count(balls: list[BallState]) -> str:
     return "1 ball" if len(balls) == 1 else f"{len(balls)} balls"
 
 
-def _azimuths(balls: Iterable[BallState], most: int = 6) -> str:
+def _azimuths(state: State, balls: Sequence[BallState]) -> str:
+    """Where some balls are; of a set, row by row."""
+    if len(state.rows) < 2:
+        return _listed(balls, _MOST_AZIMUTHS)
+    parts = []
+    for row in dict.fromkeys(ball.row for ball in balls):
+        own = [ball for ball in balls if ball.row == row]
+        all_of_it = len(own) == sum(ball.row == row for ball in state.balls)
+        parts.append(f"row {row}: {'all' if all_of_it else _listed(own, _MOST_IN_A_ROW)}")
+    return "; ".join(parts[:_MOST_AZIMUTHS]) + ("; …" if len(parts) > _MOST_AZIMUTHS else "")
+
+
+def _listed(balls: Sequence[BallState], most: int) -> str:
     angles = [f"{degrees(ball.azimuth):.4g}°" for ball in balls]
     return ", ".join(angles[:most]) + (" …" if len(angles) > most else "")

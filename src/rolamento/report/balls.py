@@ -5,23 +5,25 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import chain
-from math import degrees, isfinite, nan, pi
+from math import ceil, degrees, isfinite, nan, pi
 from typing import Final
 
 from rich.text import Text
 
 from rolamento.report.numbers import ABSENT, aligned
-from rolamento.report.page import Lines, Page
+from rolamento.report.page import Lines, Page, beside
 from rolamento.report.rosette import rosette
 from rolamento.state import BallState, ContactState, State
 
-__all__ = ["ball_parts", "heaviest_part", "rosette_part"]
+__all__ = ["ball_parts", "heaviest_part", "rosette_part", "rosettes_width"]
 
 _RPM: Final = 30.0 / pi
 _NO_SPIN: Final = 1e-9
 _NO_LOAD: Final = 1e-9
 """Of the load at the other race: what is less is rounding, and no contact."""
 _ROSETTE_HEIGHT: Final = 11
+_ROSETTE_GAP: Final = 2
+_SIDE: Final = " +y"
 _LONGEST_BAR: Final = 20
 _EIGHTHS: Final = " ▏▎▍▌▋▊▉"
 
@@ -97,7 +99,7 @@ class _BallTable:
         columns: Sequence[_Column],
         legends: Sequence[str],
     ) -> None:
-        self._page, self._balls = page, state.balls
+        self._page, self._balls, self._state = page, state.balls, state
         self._heading, self._legends = heading, legends
         self._columns = [self._numbers(), *(_column(page, state.balls, c) for c in columns)]
 
@@ -117,9 +119,22 @@ class _BallTable:
             columns.append([Text(), Text("Q_i"), *_bars(page, self._balls, room)])
         rows = list(zip(*columns, strict=True))
         table = page.columns(rows, "r" * len(self._columns) + "l" * bars, self._GAP)
-        table.insert(2, page.rule(max(map(len, table))))
+        table = self._by_row(table, page.rule(max(map(len, table))))
         legends = [page.hanging(Text("  "), text, "dim") for text in self._legends]
         return [page.heading(self._heading), *table, *chain(*legends)]
+
+    def _by_row(self, table: Lines, rule: Text) -> Lines:
+        """Put a rule below the header, and above the balls of each row of a set its name."""
+        page, state = self._page, self._state
+        lines, balls = [*table[:2], rule], table[2:]
+        if len(state.rows) < 2:
+            return lines + balls
+        for row in state.rows:
+            lines.append(page.text("  " + page.words.row.format(number=row.row), "cyan"))
+            lines += (
+                line for line, ball in zip(balls, self._balls, strict=True) if ball.row == row.row
+            )
+        return lines
 
 
 def _column(page: Page, balls: Sequence[BallState], column: _Column) -> Lines:
@@ -198,7 +213,8 @@ def heaviest_part(page: Page, state: State) -> Lines:
         label = page.text(getattr(words, name))
         rows.append([label, page.text(unit), *map(page.text, cells)])
     place = page.digits.short(degrees(ball.azimuth))
-    heading = page.heading(words.heaviest.format(number=number, azimuth=place))
+    template = words.heaviest if len(state.rows) < 2 else words.heaviest_in_row
+    heading = page.heading(template.format(number=number, azimuth=place, row=ball.row))
     return [heading, *page.columns(rows, "llrr", gap=1)]
 
 
@@ -209,19 +225,45 @@ def _stresses(page: Page, contact: ContactState) -> list[str]:
     return [f"  {cell}" for cell in aligned(cells, page.words.decimal_mark)]
 
 
-def rosette_part(page: Page, state: State) -> Lines:
-    """Draw the inner loads round the bearing, with the axes and the scale."""
-    _, ball = heaviest(state)
-    row = [other for other in state.balls if other.row == ball.row]
-    loads, azimuths = [b.inner.load for b in row], [b.azimuth for b in row]
-    drawn = rosette(loads, azimuths, _ROSETTE_HEIGHT, braille=page.medium.draws)
+def rosettes_width(rows: int) -> int:
+    """Return how many characters so many rosettes take side by side."""
+    return rows * (2 * _ROSETTE_HEIGHT + len(_SIDE)) + (rows - 1) * _ROSETTE_GAP
+
+
+def rosette_part(page: Page, state: State, room: int) -> Lines:
+    """Draw the inner loads round the bearing, with the axes and the scale: one rosette a row.
+
+    As many stand side by side as there is room for; all have the same scale.
+    """
+    words, count = page.words, len(state.rows)
+    rim = max(ball.inner.load for ball in state.balls)
+    drawn = [_rosette(page, state, row.row, rim) for row in state.rows]
+    most = next((n for n in range(count, 1, -1) if rosettes_width(n) <= room), 1)
+    abreast = ceil(count / ceil(count / most))  # four as two and two, not three and one
+    lines = [page.heading(words.rosette if count == 1 else words.rosettes)]
+    for first in range(0, count, abreast):
+        line = drawn[first]
+        for other in drawn[first + 1 : first + abreast]:
+            line = beside(line, other, _ROSETTE_GAP)
+        lines += line
+    scale = page.digits.column([rim])[0] if rim > 0.0 else ABSENT
+    captions = [words.rim.format(load=scale), words.seen_from]
     width = 2 * _ROSETTE_HEIGHT
-    lines = [page.heading(page.words.rosette), Text("+z".center(width))]
+    if count > 1:
+        return [*lines, page.text(f"  {', '.join(captions)}", "dim")]
+    return [*lines, *(page.text(caption.center(width), "dim") for caption in captions)]
+
+
+def _rosette(page: Page, state: State, row: int, rim: float) -> Lines:
+    """Draw one row, as wide as every other."""
+    balls = [ball for ball in state.balls if ball.row == row]
+    loads, azimuths = [b.inner.load for b in balls], [b.azimuth for b in balls]
+    drawn = rosette(loads, azimuths, _ROSETTE_HEIGHT, rim=rim, braille=page.medium.draws)
+    width = 2 * _ROSETTE_HEIGHT
+    lines = [Text("+z".center(width))]
+    if len(state.rows) > 1:
+        lines.insert(0, page.text(page.words.row.format(number=row).center(width)))
     for number, cells in enumerate(drawn):
         line = Text.assemble(*((c.character, "cyan" if c.loaded else "dim") for c in cells))
-        lines.append(line.append(" +y" if number == _ROSETTE_HEIGHT // 2 else ""))
-    greatest = max(loads)
-    scale = page.digits.column([greatest])[0] if greatest > 0.0 else ABSENT
-    for caption in (page.words.rim.format(load=scale), page.words.seen_from):
-        lines.append(page.text(caption.center(width), "dim"))
+        lines.append(line.append(_SIDE if number == _ROSETTE_HEIGHT // 2 else ""))
     return lines

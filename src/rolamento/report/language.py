@@ -35,6 +35,18 @@ class Words:
     conformities: str
     one_material: str
     materials: str
+    arrangement: str
+    arrangement_kinds: Mapping[str, str]
+    one_row: str
+    row_list: str
+    row_place: str
+    row_balls: str
+    row_phase: str
+    preload_force: str
+    preload_offset: str
+    preload_spring: str
+    preload_level: str
+    preload_levels: Mapping[str, str]
     duty: str
     inner_speed: str
     outer_speed: str
@@ -49,6 +61,23 @@ class Words:
     advice_label: str
     notes: str
 
+    # rows of a set
+    row: str
+    rows: str
+    row_heading: str
+    faces: str
+    loaded: str
+    rows_legend: str
+    both_ways: str
+    preload: str
+    preload_at_rest: str
+    preload_at_speed: str
+    preload_loss: str
+    lifts_off: str
+    has_lifted_off: str
+    nothing_left: str
+    no_loss: str
+
     # ring
     inner_ring: str
     given: str
@@ -58,9 +87,11 @@ class Words:
 
     # balls
     rosette: str
+    rosettes: str
     rim: str
     seen_from: str
     heaviest: str
+    heaviest_in_row: str
     inner: str
     outer: str
     contact_load: str
@@ -112,6 +143,18 @@ ENGLISH: Final = Words(
     conformities="{play}, conformity {inner} inner, {outer} outer",
     one_material="rings and balls of {rings}",
     materials="rings of {rings}, balls of {balls}",
+    arrangement="{name}, {kind} ({faces}), {spacing} between rows",
+    arrangement_kinds={"B": "back to back", "F": "face to face", "T": "in tandem"},
+    one_row="1 row: {rows}",
+    row_list="{count} rows: {rows}",
+    row_place="{face} at {position}",
+    row_balls="{count} balls",
+    row_phase="phase {angle}",
+    preload_force="preload {force}, clamped",
+    preload_offset="clamped, each row pressed in by {offset}",
+    preload_spring="preload by springs of {force}",
+    preload_level="preload class {level} of {name} ({force} in a pair), clamped",
+    preload_levels={"light": "light", "medium": "medium", "heavy": "heavy"},
     duty="duty",
     inner_speed="inner ring {speed}",
     outer_speed="outer ring {speed}",
@@ -136,15 +179,35 @@ ENGLISH: Final = Words(
     },
     advice_label="advice",
     notes="Notes",
+    row="row {number}",
+    rows="Rows",
+    row_heading="row",
+    faces="faces",
+    loaded="loaded",
+    rows_legend=(
+        "faces + carries thrust toward +x, − toward −x{both}; moments about x = 0; loaded: balls "
+        "that the inner ring presses on; Q_i, p_i greatest"
+    ),
+    both_ways=", ± both ways",
+    preload="Preload",
+    preload_at_rest="at rest",
+    preload_at_speed="at speed",
+    preload_loss="loss",
+    lifts_off="row {row} lifts off at {factor} × the load: {load}",
+    has_lifted_off="row {row} has lifted off: it did at {factor} × the load, {load}",
+    nothing_left="no ball of row {rows} presses on the inner ring",
+    no_loss="no row is found to lose all contact as this load grows",
     inner_ring="Inner ring",
     given="{name} given",
     free="free",
     held="held",
     stiffness="Stiffness",
     rosette="Load rosette",
+    rosettes="Load rosettes",
     rim="rim: Q_i = {load} N",
     seen_from="seen from +x",
     heaviest="Heaviest ball: #{number} at {azimuth}°",
+    heaviest_in_row="Heaviest ball: #{number} of row {row} at {azimuth}°",
     inner="inner",
     outer="outer",
     contact_load="load",
@@ -182,6 +245,18 @@ PORTUGUESE: Final = Words(
     conformities="{play}, conformidade {inner} interna, {outer} externa",
     one_material="anéis e esferas de {rings}",
     materials="anéis de {rings}, esferas de {balls}",
+    arrangement="{name}, {kind} ({faces}), {spacing} entre carreiras",
+    arrangement_kinds={"B": "costas a costas", "F": "face a face", "T": "em tandem"},
+    one_row="1 carreira: {rows}",
+    row_list="{count} carreiras: {rows}",
+    row_place="{face} em {position}",
+    row_balls="{count} esferas",
+    row_phase="fase {angle}",
+    preload_force="pré-carga de {force}, anéis travados",
+    preload_offset="anéis travados, cada carreira pressionada {offset}",
+    preload_spring="pré-carga por molas de {force}",
+    preload_level="classe de pré-carga {level} de {name} ({force} num par), anéis travados",
+    preload_levels={"light": "leve", "medium": "média", "heavy": "pesada"},
     duty="serviço",
     inner_speed="anel interno a {speed}",
     outer_speed="anel externo a {speed}",
@@ -206,15 +281,35 @@ PORTUGUESE: Final = Words(
     },
     advice_label="conselho",
     notes="Observações",
+    row="carreira {number}",
+    rows="Carreiras",
+    row_heading="carreira",
+    faces="lado",
+    loaded="ativas",
+    rows_legend=(
+        "lado + suporta empuxo no sentido +x, − no sentido −x{both}; momentos em torno de x = 0; "
+        "ativas: esferas que o anel interno pressiona; Q_i, p_i máximos"
+    ),
+    both_ways=", ± nos dois sentidos",
+    preload="Pré-carga",
+    preload_at_rest="em repouso",
+    preload_at_speed="em rotação",
+    preload_loss="perda",
+    lifts_off="a carreira {row} se solta com {factor} × a carga: {load}",
+    has_lifted_off="a carreira {row} se soltou: foi com {factor} × a carga, {load}",
+    nothing_left="nenhuma esfera da carreira {rows} pressiona o anel interno",
+    no_loss="não se achou carreira que perca todo o contato quando esta carga cresce",
     inner_ring="Anel interno",
     given="{name} dado",
     free="livre",
     held="fixo",
     stiffness="Rigidez",
     rosette="Distribuição de carga",
+    rosettes="Distribuição de carga por carreira",
     rim="borda: Q_i = {load} N",
     seen_from="visto de +x",
     heaviest="Esfera mais carregada: nº {number}, a {azimuth}°",
+    heaviest_in_row="Esfera mais carregada: nº {number}, carreira {row}, a {azimuth}°",
     inner="interno",
     outer="externo",
     contact_load="carga",

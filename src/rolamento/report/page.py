@@ -17,6 +17,7 @@ from rich.text import Text
 from rolamento.report.language import Words
 from rolamento.report.medium import Medium
 from rolamento.report.numbers import Digits
+from rolamento.units import Dimension, from_si
 
 __all__ = ["Lines", "Page", "beside"]
 
@@ -38,6 +39,10 @@ class Page:
     def text(self, content: str, style: str = "") -> Text:
         """Return plain text that the medium can show: never read as markup."""
         return Text(self.medium.fitted(content), style)
+
+    def quantity(self, value: float, dimension: Dimension) -> str:
+        """Write a value of a case with its unit, as in a case file."""
+        return self.digits.localised(from_si(value, dimension)).replace(" deg", "°")
 
     def heading(self, content: str) -> Text:
         """Return the heading of a part."""
@@ -61,6 +66,10 @@ class Page:
         """
         widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
         return [_set(row, widths, justify, gap) for row in rows]
+
+    def width_of(self, columns: Sequence[Lines], gap: int = 2) -> int:
+        """Return how wide such columns are, the indentation included."""
+        return 2 + sum(max(map(len, column)) for column in columns) + gap * (len(columns) - 1)
 
     def hanging(self, label: Text, content: str, style: str = "") -> Lines:
         """Break a text into lines that begin to the right of its label."""

@@ -25,9 +25,14 @@ class Cell(NamedTuple):
 
 
 def rosette(
-    loads: Sequence[float], azimuths: Sequence[float], height: int, *, braille: bool = True
+    loads: Sequence[float],
+    azimuths: Sequence[float],
+    height: int,
+    *,
+    rim: float | None = None,
+    braille: bool = True,
 ) -> list[list[Cell]]:
-    """Draw a spoke for each ball, as long as its load, within a rim at the greatest load.
+    """Draw a spoke for each ball, as long as its load, within a rim.
 
     Parameters
     ----------
@@ -37,13 +42,15 @@ def rosette(
         Of the balls, in rad.
     height
         In lines; the drawing is twice as many characters wide.
+    rim
+        The load at the rim; the greatest of the loads if not given.
     braille
         Draw with braille dots, two by four to a character; otherwise with ASCII.
     """
     canvas = _Canvas(height, braille=braille)
     for step in range(16 * height):
         canvas.dot(1.0, 2.0 * pi * step / (16 * height), loaded=False)
-    greatest = max((load for load in loads if load > 0.0), default=0.0)
+    greatest = rim or max((load for load in loads if load > 0.0), default=0.0)
     for load, azimuth in zip(loads, azimuths, strict=True):
         if load > 0.0:
             canvas.spoke(load / greatest, azimuth)

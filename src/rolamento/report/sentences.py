@@ -19,10 +19,13 @@ _TERMS: Final = {
     "along y": "na direção y",
     "along z": "na direção z",
     "toward -x": "no sentido −x",
+    "-x": "−x",
     "against tilting about y (ry)": "contra a inclinação em torno de y (ry)",
     "against tilting about z (rz)": "contra a inclinação em torno de z (rz)",
     "only centrifugal force presses on them": "só a força centrífuga age sobre elas",
     "nothing presses on them": "nada age sobre elas",
+    "its preload is gone": "a pré-carga dela acabou",
+    "no preload holds it there": "nenhuma pré-carga a segura",
 }
 
 _GROUPS: Final = {
@@ -31,7 +34,11 @@ _GROUPS: Final = {
     "RACE": r"(?P<race>inner|outer)",
     "DIRECTION": r"(?P<direction>along [xyz]|toward -x|against tilting about [yz] \(r[yz]\))",
     "HOLDER": r"(?P<holder>(?:only centrifugal force|nothing) presses on them)",
+    "CAUSE": r"(?P<cause>its preload is gone|no preload holds it there)",
     "AXIS": r"(?P<axis>\w+)",
+    "SIDE2": r"(?P<side2>[-+]x)",
+    "SIDE": r"(?P<side>[-+]x)",
+    "ROWS": r"(?P<rows>\d+(?:, \d+)*)",
     "NUMBER2": r"(?P<number2>[-+.\de]+)",
     "NUMBER": r"(?P<number>[-+.\de]+)",
 }
@@ -62,6 +69,46 @@ _SENTENCES: Final = (
         _PERDIDO + "as esferas teriam de se apoiar no rebordo que um rolamento de contato angular"
         " não tem. Acrescente pré-carga axial (duty.load.fx), reduza o momento ou fixe a"
         " inclinação.",
+    ),
+    (
+        "Nothing supports the inner ring toward SIDE: all rows carry axial load toward SIDE2 only,"
+        " and a radial load needs an axial load beside it in every row (about fz tan(contact"
+        " angle)). Turn the load round, add axial load (duty.load.fx), take an arrangement with"
+        ' rows that face each other, such as "DB", or hold the ring with duty.displacement.x.',
+        "Nada sustenta o anel interno no sentido {side}: todas as carreiras só suportam carga axial"
+        " no sentido {side2}, e uma carga radial precisa de uma carga axial a seu lado em cada"
+        " carreira (cerca de fz tan(ângulo de contato)). Inverta a carga, acrescente carga axial"
+        " (duty.load.fx), use um arranjo com carreiras opostas, como"
+        ' "DB", ou fixe o anel com duty.displacement.x.',
+    ),
+    (
+        "Nothing supports the inner ring toward SIDE: an axial load of NUMBER N pushes back the"
+        " springs, which press with NUMBER2 N. Take springs that are stronger than the load, clamp"
+        " the rings (bearing.preload.force), or turn the load or the set round: toward SIDE2 the"
+        " rows that face + carry it without the springs.",
+        "Nada sustenta o anel interno no sentido {side}: uma carga axial de {number} N empurra as"
+        " molas, que pressionam com {number2} N, para trás. Use molas mais fortes que a carga,"
+        " trave os anéis (bearing.preload.force) ou inverta a carga ou o conjunto: no sentido"
+        " {side2} as carreiras orientadas para + a suportam sem as molas.",
+    ),
+    (
+        "Springs of NUMBER N do not keep the balls of every row in place: in each row a radial load"
+        " needs an axial load beside it (about fz tan(contact angle)), and a moment needs more."
+        " Take stronger springs, clamp the rings (bearing.preload.force), lower the radial load or"
+        " the moment, or hold the tilts.",
+        "Molas de {number} N não mantêm no lugar as esferas de todas as carreiras: em cada carreira"
+        " uma carga radial precisa de uma carga axial a seu lado (cerca de fz tan(ângulo de"
+        " contato)), e um momento precisa de mais. Use molas mais fortes, trave os anéis"
+        " (bearing.preload.force), reduza a carga radial ou o momento ou fixe as inclinações.",
+    ),
+    (
+        "The inner ring moves so far that balls of a row would have to carry on the shoulder that"
+        " an angular-contact bearing lacks. More preload or less play (bearing.preload), a smaller"
+        " axial load or moment, or rings that are held from tilting keep them on their side.",
+        "O anel interno se desloca tanto que esferas de uma carreira teriam de se apoiar no rebordo"
+        " que um rolamento de contato angular não tem. Mais pré-carga ou menos folga"
+        " (bearing.preload), uma carga axial ou um momento menor, ou anéis impedidos de se inclinar"
+        " as mantêm do seu lado.",
     ),
     (
         "A ball would sink into its groove by more than NUMBER % of its diameter, far beyond any"
@@ -98,6 +145,18 @@ _SENTENCES: Final = (
         " razão das rotações.",
     ),
     # notes
+    (
+        "Row ROWS is about to lose its preload: it lifts off the inner ring at NUMBER times this"
+        " load. More preload keeps it in contact.",
+        "A carreira {rows} está prestes a perder a pré-carga: ela se solta do anel interno com"
+        " {number} vezes esta carga. Mais pré-carga a mantém em contato.",
+    ),
+    (
+        "No ball of row ROWS presses on the inner ring: CAUSE, and the rest of the set carries the"
+        " whole load. Where the bearing turns, such balls skid.",
+        "Nenhuma esfera da carreira {rows} pressiona o anel interno: {cause}, e o resto do conjunto"
+        " suporta toda a carga. Onde o rolamento gira, tais esferas escorregam.",
+    ),
     (
         "The orbit of a ball without inner contact, and with it its centrifugal force, is a guess"
         " while the outer ring turns: raceway control says nothing about it.",
@@ -196,5 +255,8 @@ def _said(name: str, text: str) -> str:
     if name == "balls":
         return text.replace("ball", "esfera")
     if name == "azimuths":
+        words = {"row": "carreira", "all": "todas"}
+        for english, said in words.items():
+            text = text.replace(english, said)
         return text.replace(", ", "; ").replace(".", ",")
     return _TERMS.get(text, text.replace(".", ","))

@@ -3,21 +3,25 @@
 from __future__ import annotations
 
 from io import StringIO
+from typing import Final
 
 from rich.console import Console
 from rich.text import Text
 
 from rolamento.bearing import Bearing
 from rolamento.duty import AXES, LOADS, Duty
-from rolamento.report.balls import ball_parts, heaviest_part, rosette_part
+from rolamento.report.balls import ball_parts, heaviest_part, rosette_part, rosettes_width
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium
 from rolamento.report.page import Lines, Page, beside
 from rolamento.report.ring import ring_part, stiffness_part
+from rolamento.report.rows import arrangement_lines, preload_part, rows_part
 from rolamento.state import State
-from rolamento.units import Dimension, from_si
+from rolamento.units import Dimension
 
 __all__ = ["rendered", "terminal_report"]
+
+_GAP: Final = 3
 
 
 def terminal_report(state: State, words: Words = ENGLISH, medium: Medium | None = None) -> str:
@@ -35,7 +39,8 @@ def terminal_report(state: State, words: Words = ENGLISH, medium: Medium | None 
     page = Page(words, medium or Medium())
     parts = [_head(page, state)]
     if state.status.converged:
-        parts += [_middle(page, state), stiffness_part(page, state), *ball_parts(page, state)]
+        parts += [*_set(page, state), *_middle(page, state)]
+        parts += [stiffness_part(page, state), *ball_parts(page, state)]
     if state.notes:
         parts.append(_notes(page, state))
     return rendered(page.medium, parts)
@@ -84,8 +89,8 @@ def _bearing(page: Page, bearing: Bearing) -> str:
     words, rings, balls = page.words, bearing.ring_material, bearing.ball_material
     geometry = words.geometry.format(
         count=bearing.ball_count,
-        ball=_quantity(page, bearing.ball_diameter, "length"),
-        pitch=_quantity(page, bearing.pitch_diameter, "length"),
+        ball=page.quantity(bearing.ball_diameter, "length"),
+        pitch=page.quantity(bearing.pitch_diameter, "length"),
     )
     conformities = words.conformities.format(
         play=_play(page, bearing),
@@ -93,22 +98,23 @@ def _bearing(page: Page, bearing: Bearing) -> str:
         outer=page.digits.short(bearing.outer_conformity),
     )
     materials = words.one_material if rings == balls else words.materials
-    return "\n".join((geometry, conformities, materials.format(rings=rings.name, balls=balls.name)))
+    named = materials.format(rings=rings.name, balls=balls.name)
+    return "\n".join((geometry, conformities, named, *arrangement_lines(page, bearing)))
 
 
 def _play(page: Page, bearing: Bearing) -> str:
     """Return the contact angle or the clearance, whichever was given."""
     if bearing.contact_angle is not None:
-        angle = _quantity(page, bearing.contact_angle, "angle")
+        angle = page.quantity(bearing.contact_angle, "angle")
         return page.words.given_contact_angle.format(angle=angle)
-    clearance = _quantity(page, bearing.diametral_clearance or 0.0, "length")
+    clearance = page.quantity(bearing.diametral_clearance or 0.0, "length")
     return page.words.given_clearance.format(clearance=clearance)
 
 
 def _duty(page: Page, duty: Duty) -> str:
     words = page.words
     speeds = [
-        template.format(speed=_quantity(page, speed, "angular_speed"))
+        template.format(speed=page.quantity(speed, "angular_speed"))
         for template, speed in (
             (words.inner_speed, duty.inner_speed),
             (words.outer_speed, duty.outer_speed),
@@ -130,7 +136,7 @@ def _imposed(page: Page, duty: Duty) -> list[str]:
             (axis, getattr(duty.displacement, axis), "length" if shift else "angle"),
         )
         given += [
-            f"{name} {_quantity(page, value, dimension)}"
+            f"{name} {page.quantity(value, dimension)}"
             for name, value, dimension in kinds
             if value is not None
         ]
@@ -153,10 +159,6 @@ def _model(page: Page, state: State) -> str:
     return ", ".join([words.raceway_control[model.raceway_control], *left_out])
 
 
-def _quantity(page: Page, value: float, dimension: Dimension) -> str:
-    return page.digits.localised(from_si(value, dimension)).replace(" deg", "°")
-
-
 def _status(page: Page, state: State) -> list[tuple[str, str, str]]:
     """Return label, text and style of the status, and of the advice if there is any."""
     words, status = page.words, state.status
@@ -169,10 +171,21 @@ def _status(page: Page, state: State) -> list[tuple[str, str, str]]:
     return [reason, (words.advice_label, words.advice(status), "")]
 
 
-def _middle(page: Page, state: State) -> Lines:
-    """Show the ring above the heaviest ball, and the rosette beside them."""
+def _set(page: Page, state: State) -> list[Lines]:
+    """Show the rows of a set and their preload; nothing of a plain bearing."""
+    if not state.case.bearing.is_set:
+        return []
+    preload = [] if state.preload is None else [preload_part(page, state, state.preload)]
+    return [rows_part(page, state), *preload]
+
+
+def _middle(page: Page, state: State) -> list[Lines]:
+    """Show the ring above the heaviest ball, and the rosettes beside them, or below in a line."""
     left = [*ring_part(page, state), Text(), *heaviest_part(page, state)]
-    return beside(left, rosette_part(page, state), gap=3)
+    room = page.medium.width - max(map(len, left)) - _GAP
+    if len(state.rows) < 2 or rosettes_width(len(state.rows)) <= room:
+        return [beside(left, rosette_part(page, state, room), gap=_GAP)]
+    return [left, rosette_part(page, state, page.medium.width)]
 
 
 def _notes(page: Page, state: State) -> Lines:

@@ -1,0 +1,362 @@
+"""Sets of rows in the report, in the notes and in the advice."""
+
+from __future__ import annotations
+
+import csv
+import dataclasses
+import re
+from functools import cache
+from math import acos, degrees, nan
+from pathlib import Path
+
+import pytest
+
+import rolamento
+from rolamento import Case, State
+from rolamento.bearing import Bearing
+from rolamento.equilibrium import advice, solve
+from rolamento.equilibrium.notes import with_preload
+from rolamento.report.balls_csv import ball_csv
+from rolamento.report.language import ENGLISH, LANGUAGES, PORTUGUESE, Words
+from rolamento.report.medium import Medium
+from rolamento.report.terminal import terminal_report
+
+EXAMPLES = Path(rolamento.__file__).parent / "examples"
+BOTH = pytest.mark.parametrize("words", LANGUAGES.values(), ids=LANGUAGES.keys())
+AXIAL = "duty.load.fz=0 N"
+"""Without it, every row of the pair keeps some contact."""
+
+
+@cache
+def solved(name: str, *settings: str) -> State:
+    return solve(case_of(name, *settings))
+
+
+def case_of(name: str, *settings: str) -> Case:
+    return rolamento.load_case(EXAMPLES / f"{name}.toml", settings)
+
+
+def plain(state: State, words: Words = ENGLISH, **medium: object) -> str:
+    return terminal_report(state, words, Medium(**medium))  # type: ignore[arg-type]
+
+
+def flat(text: str) -> str:
+    """The text without line breaks and margins."""
+    return " ".join(text.split())
+
+
+def row_lines(report: str, words: Words = ENGLISH) -> list[list[str]]:
+    """The cells of the lines of the part "Rows"."""
+    part = report.split(f"\n\n{words.rows}\n")[1].split("\n\n")[0]
+    cells = (line.replace("−", "-").split() for line in part.splitlines())
+    return [line for line in cells if re.fullmatch(r"\d+", line[0]) and len(line) == 11]
+
+
+# --- head -------------------------------------------------------------------
+
+
+def test_the_head_says_arrangement_and_preload() -> None:
+    report = plain(solved("6012_pair"))
+    assert "DB, back to back (+ −), 18 mm between rows" in report
+    assert "preload class medium of S 6012 C (515 N in a pair), clamped" in report
+
+
+def test_the_head_lists_rows_with_what_they_have_of_their_own() -> None:
+    report = flat(plain(solved("6012_triple"), PORTUGUESE))
+    listed = "3 carreiras: + em −36 mm, + em −18 mm (fase 8,18°), − em 18 mm (α 15°)"
+    assert listed in report
+    assert "pré-carga de 600 N, anéis travados" in report
+
+
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        ("DF", "DF, face to face (− +)"),
+        ("DT", "DT, in tandem (+ +)"),
+        ("QBC", "QBC, back to back (+ + − −)"),
+        ("TFT", "TFT, face to face (− + +)"),
+    ],
+)
+def test_every_arrangement_is_drawn_by_its_signs(name: str, said: str) -> None:
+    case = case_of("6012_pair")
+    bearing = case.bearing.replace(arrangement=name, preload=None)
+    assert said in plain(solve(case.replace(bearing=bearing)))
+
+
+@pytest.mark.parametrize(
+    ("preload", "said"),
+    [
+        ("400 N", "preload 400 N, clamped"),
+        ("3 um", "clamped, each row pressed in by 3 µm"),
+        ({"spring": "300 N"}, "preload by springs of 300 N"),
+    ],
+)
+def test_every_preload_is_told_as_it_was_given(preload: object, said: str) -> None:
+    case = case_of("6012_pair")
+    state = solve(case.replace(bearing=case.bearing.replace(preload=preload)))
+    assert said in plain(state)
+
+
+def test_rows_with_clearance_face_both_ways() -> None:
+    case = case_of("209_radial")
+    rows = [{"position": "-10 mm"}, {"position": "10 mm", "ball_count": 8}]
+    report = plain(solve(case.replace(bearing=case.bearing.replace(rows=rows))))
+    assert "2 rows: ± at −10 mm, ± at 10 mm (8 balls)" in report
+    assert "± both ways" in report
+    assert ENGLISH.preload not in report
+
+
+# --- rows -------------------------------------------------------------------
+
+
+@BOTH
+@pytest.mark.parametrize("width", [80, 120])
+@pytest.mark.parametrize("name", ["6012_pair", "6012_triple"])
+def test_every_row_has_its_line(name: str, width: int, words: Words) -> None:
+    state = solved(name)
+    lines = row_lines(plain(state, words, width=width), words)
+    assert len(lines) == len(state.rows)
+    for line, row in zip(lines, state.rows, strict=True):
+        own = [ball for ball in state.balls if ball.row == row.row]
+        numbers = [float(cell.replace(",", ".")) for cell in (*line[2:8], *line[9:])]
+        assert line[0] == str(row.row)
+        assert line[1] == row.orientation
+        assert line[8] == f"{row.loaded_balls}/{len(own)}"
+        assert numbers[0] == pytest.approx(1e3 * row.position, abs=0.006)
+        assert numbers[1:4] == pytest.approx(row.load[:3], abs=0.6)
+        assert numbers[4:6] == pytest.approx(row.load[3:], abs=0.06)
+        assert numbers[6] == pytest.approx(max(b.inner.load for b in own), abs=0.06)
+        assert numbers[7] == pytest.approx(1e-6 * max(b.inner.max_pressure for b in own), abs=0.6)
+
+
+@BOTH
+def test_loads_too_wide_for_a_line_take_two_tables(words: Words) -> None:
+    state = solved("6012_pair")
+    rows = tuple(
+        dataclasses.replace(row, load=row.load._replace(fx=-1.2e8, fy=-1e8, fz=-1e8, my=-1e6))
+        for row in state.rows
+    )
+    report = plain(dataclasses.replace(state, rows=rows), words)
+    assert max(map(len, report.splitlines())) == 80
+    assert "−120 000 000" in report
+
+
+def test_balls_run_on_from_row_to_row_as_in_json_and_csv() -> None:
+    state = solved("6012_triple")
+    report = plain(state, width=120)
+    headings = [report.index(f"\n  row {row}\n") for row in range(3)]
+    assert headings == sorted(headings)
+    for number in (0, 21, 22, 43, 44, 65):
+        ball = state.balls[number]
+        line = re.search(rf"(?m)^ +{number} +[\d.]+ .*$", report)
+        assert line
+        cells = line.group().replace("◂", "").split()
+        assert float(cells[1]) == pytest.approx(degrees(ball.azimuth), abs=0.006)
+        assert float(cells[2]) == pytest.approx(ball.inner.load, abs=0.06)
+        assert headings[ball.row] < line.start()
+        assert all(line.start() < later for later in headings[ball.row + 1 :])
+    rows = list(csv.DictReader(ball_csv(state).splitlines()))
+    assert [int(row["row"]) for row in rows] == [ball.row for ball in state.balls]
+    assert [int(row["ball"]) for row in rows] == list(range(66))
+
+
+def test_the_heaviest_ball_names_its_row() -> None:
+    state = solved("6012_triple")
+    number = max(range(66), key=lambda j: max(state.balls[j].inner.load, state.balls[j].outer.load))
+    assert f"#{number} of row {state.balls[number].row} at" in plain(state)
+
+
+@pytest.mark.parametrize(
+    ("arrangement", "width", "abreast"), [("DB", 80, 2), ("DB", 120, 2), ("QBC", 80, 2),
+                                          ("QBC", 120, 4), ("TBT", 80, 3)]
+)  # fmt: skip
+def test_a_rosette_a_row_and_as_many_abreast_as_there_is_room(
+    arrangement: str, width: int, abreast: int
+) -> None:
+    report = plain(solved("6012_pair", f"bearing.arrangement={arrangement}"), width=width)
+    captions = [line for line in report.splitlines() if "+z" in line]
+    assert [line.count("+z") for line in captions] == [abreast] * len(captions)
+    assert sum(line.count("+z") for line in captions) == len(
+        rolamento.arrangement.ARRANGEMENTS[arrangement]
+    )  # type: ignore[index]
+    assert max(map(len, report.splitlines())) == width
+
+
+def test_all_rosettes_have_the_scale_of_the_greatest_load() -> None:
+    state = solved("6012_pair", AXIAL)
+    greatest = max(ball.inner.load for ball in state.balls)
+    report = plain(state)
+    assert report.count("rim: Q_i") == 1
+    assert f"rim: Q_i = {greatest:.2f} N" in report
+
+
+# --- preload ----------------------------------------------------------------
+
+
+def test_the_preload_is_shown_at_rest_and_at_speed_with_the_load_that_takes_it_away() -> None:
+    state = solved("6012_pair", AXIAL)
+    assert state.preload
+    report = flat(plain(state))
+    assert "at rest 515 N" in report
+    assert f"at speed {state.preload.at_speed:.4g} N" in report
+    factor = state.preload.loss_factor
+    load = factor * 1000.0
+    assert f"row 1 lifts off at {factor:.3g} × the load: fx {load:.0f} N" in report
+
+
+def test_at_rest_there_is_no_preload_at_speed() -> None:
+    report = plain(solved("6012_pair", "duty.inner_speed=0 rpm"))
+    assert ENGLISH.preload_at_speed not in report
+
+
+def test_without_a_load_nothing_is_said_about_its_loss() -> None:
+    report = plain(solved("6012_pair", AXIAL, "duty.load.fx=0 N"))
+    part = report.split("\n\nPreload\n")[1].split("\n\n")[0]
+    assert len(part.splitlines()) == 2
+
+
+@BOTH
+def test_where_no_row_lifts_off_that_is_said(words: Words) -> None:
+    assert words.no_loss in flat(plain(solved("6012_pair"), words))
+
+
+@BOTH
+def test_a_row_that_has_lifted_off(words: Words) -> None:
+    state = solved("6012_pair", AXIAL, "duty.load.fx=20 kN")
+    assert state.preload
+    assert state.preload.loss_factor < 1.0
+    report = flat(plain(state, words))
+    assert words.has_lifted_off.split("{row}")[1].split(":")[0].strip() in report
+    load = 20e3 * state.preload.loss_factor
+    assert f"fx {load:.0f} N" in report
+    assert "row 1: all" not in report
+    lost = words.sentence(state.notes[0])
+    assert lost in report
+
+
+def test_a_lost_row_without_a_known_point_is_told() -> None:
+    state = solved("6012_pair", AXIAL, "duty.load.fx=20 kN")
+    assert state.preload
+    unknown = dataclasses.replace(state.preload, loss_factor=nan, lost_row=None)
+    assert ENGLISH.nothing_left.format(rows="1") in plain(
+        dataclasses.replace(state, preload=unknown)
+    )
+
+
+# --- notes ------------------------------------------------------------------
+
+
+def test_a_lost_row_is_noted_and_its_balls_are_not_listed() -> None:
+    state = solved("6012_pair", AXIAL, "duty.load.fx=20 kN")
+    lost = [note for note in state.notes if note.startswith("No ball of row 1 presses")]
+    assert len(lost) == 1
+    assert "its preload is gone" in lost[0]
+    assert not any("without inner contact" in note for note in state.notes)
+
+
+def test_an_unloaded_row_of_a_set_without_preload_is_noted() -> None:
+    case = case_of("6012_pair", AXIAL, "duty.load.fx=20 kN")
+    state = solve(case.replace(bearing=case.bearing.replace(preload=None)))
+    assert "no preload holds it there" in state.notes[0]
+
+
+def test_a_preload_that_is_nearly_lost_is_noted() -> None:
+    state = solved("6012_pair", AXIAL, "duty.load.fx=6.2 kN")
+    assert state.preload
+    assert 1.0 < state.preload.loss_factor < 1.1
+    bare = dataclasses.replace(state, notes=())
+    (note,) = with_preload(bare, state.preload).notes
+    assert note.startswith("Row 1 is about to lose its preload")
+    assert f"{state.preload.loss_factor:.3g} times this load" in note
+    assert PORTUGUESE.sentence(note).startswith("A carreira 1 está prestes a perder")
+    safe = dataclasses.replace(state.preload, loss_factor=1.2)
+    assert with_preload(bare, safe).notes == ()
+    assert with_preload(bare, None).preload is None
+
+
+def test_azimuths_are_told_row_by_row() -> None:
+    state = solved("6012_triple", "duty.load.fz=20 kN", "duty.load.fx=-30 kN")
+    (note,) = [note for note in state.notes if "without inner contact" in note]
+    assert "azimuth row 0: 81.82°, 98.18°, 114.5°, 130.9° …; row 1: 73.63°" in note
+    said = PORTUGUESE.sentence(note)
+    assert "azimute carreira 0: 81,82°; 98,18°; 114,5°; 130,9° …; carreira 1: 73,63°" in said
+
+
+def test_a_whole_row_is_told_as_all() -> None:
+    state = solved("6012_pair", AXIAL, "duty.load.fx=105 kN")
+    (note,) = [note for note in state.notes if "inner race" in note]
+    assert "22 balls (azimuth row 0: all)" in note
+    assert "carreira 0: todas" in PORTUGUESE.sentence(note)
+
+
+def test_shoulders_are_those_of_the_row() -> None:
+    """The first row's balls, of the other bearing, have a groove that ends sooner."""
+    case = case_of("6012_pair", "duty.inner_speed=0 rpm", AXIAL)
+    rows = [
+        {"orientation": "+", "position": "-9 mm", "outer_conformity": 0.6},
+        {"orientation": "-", "position": "9 mm"},
+    ]
+    bearing = case.bearing.replace(
+        arrangement=None, spacing=None, rows=rows, preload="515 N", outer_shoulder_height="0.3 mm"
+    )
+    state = solve(case.replace(bearing=bearing))
+    reaches = [
+        abs(ball.outer.contact_angle) + ball.outer.semi_major / (f * 9.525e-3)
+        for ball, f in ((state.balls[0], 0.6), (state.balls[22], 0.52))
+    ]
+    ends = [groove_end(state.case.bearing, row, 0.3e-3) for row in (0, 1)]
+    expected = [row for row in (0, 1) if reaches[row] > ends[row]]
+    (note,) = [note for note in state.notes if "shoulder" in note]
+    assert [int(row) for row in re.findall(r"row (\d)", note)] == expected
+    worst = max(expected, key=lambda row: reaches[row] - ends[row])
+    assert f"reaches {degrees(reaches[worst]):.1f}°" in note
+    assert f"ends at {degrees(ends[worst]):.1f}°" in note
+
+
+def groove_end(bearing: Bearing, row: int, height: float) -> float:
+    own = bearing.places[row].bearing
+    return acos(1.0 - height / (own.outer_conformity * own.ball_diameter))
+
+
+# --- advice -----------------------------------------------------------------
+
+
+def advice_on(case: Case) -> str:
+    state = solve(case)
+    assert state.status.code == "no_equilibrium"
+    assert state.status.advice
+    assert PORTUGUESE.sentence(state.status.advice) != state.status.advice
+    return state.status.advice
+
+
+def test_springs_pushed_back() -> None:
+    said = advice_on(sprung_with(fx=-400.0))
+    assert "an axial load of 400 N pushes back the springs, which press with 300 N" in said
+
+
+def test_springs_too_weak_for_a_moment() -> None:
+    said = advice_on(sprung_with(fx=100.0, my=300.0))
+    assert said.startswith("Springs of 300 N do not keep the balls")
+
+
+def sprung_with(**load: float) -> Case:
+    case = case_of("6012_pair", AXIAL)
+    bearing = case.bearing.replace(preload={"spring": "300 N"})
+    return case.replace(
+        bearing=bearing, duty=case.duty.replace(load=case.duty.load.replace(**load))
+    )
+
+
+@pytest.mark.parametrize(("orientation", "fx", "away"), [("+", "-1 kN", "-x"), ("-", "1 kN", "+x")])
+def test_rows_that_all_face_one_way(orientation: str, fx: str, away: str) -> None:
+    case = case_of("6012_pair", f"duty.load.fx={fx}")
+    rows = [{"orientation": orientation, "position": f"{x} mm"} for x in (-9, 9)]
+    bearing = case.bearing.replace(arrangement=None, spacing=None, preload=None, rows=rows)
+    said = advice_on(case.replace(bearing=bearing))
+    assert f"toward {away}: all rows carry axial load toward" in said
+
+
+def test_clamped_rows_with_too_much_play() -> None:
+    case = case_of("6012_pair", AXIAL)
+    bearing = case.bearing.replace(preload="-100 um")
+    assert advice_on(case.replace(bearing=bearing)) == advice._LOST_SHOULDER
