@@ -117,7 +117,9 @@ def spread(case: Case, values: Mapping[str, ArrayLike]) -> Columns:
         cases = 0
     valid = np.ones(cases, np.bool_)
     for name, array in arrays.items():
-        valid &= within_bounds(name, array)
+        allowed = within_bounds(name, array)
+        valid &= allowed
+        arrays[name] = np.where(allowed, array, np.nan)
     free, load, displacement = _duty(case, arrays, cases)
     kind, amount = _preload(case.bearing, arrays, cases)
     columns = []

@@ -1,0 +1,240 @@
+"""A batch that varies any field is the same as the cases with that field, one by one.
+
+Values are drawn beyond the bounds as well: a batch calls a case invalid exactly where the case
+itself is refused.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import example, given, settings
+from hypothesis import strategies as st
+
+from rolamento import Bearing, Case, Duty, InputError, Load, solve_batch
+from rolamento.equilibrium.batch_state import BatchState
+from rolamento.equilibrium.fields import BATCH_FIELDS, GEOMETRY, PRELOADS, batch_fields
+
+ANGULAR: dict[str, Any] = {
+    "ball_count": 16,
+    "ball_diameter": "22.23 mm",
+    "pitch_diameter": "125.26 mm",
+    "contact_angle": "40 deg",
+    "inner_conformity": 0.5232,
+    "outer_conformity": 0.5232,
+}
+DUTY = Duty(inner_speed=300.0, load=Load(fx=4e3, fz=2e3))
+CASES = {
+    "plain": Case(bearing=Bearing(**ANGULAR), duty=DUTY),
+    "shoulders": Case(
+        bearing=Bearing(**ANGULAR, inner_shoulder_height="6 mm", ball_material="Si3N4"), duty=DUTY
+    ),
+    "clearance": Case(
+        bearing=Bearing(**{**ANGULAR, "contact_angle": None, "diametral_clearance": "50 um"}),
+        duty=DUTY,
+    ),
+    "pair": Case(
+        bearing=Bearing(**ANGULAR, arrangement="DB", spacing="40 mm", preload="2 kN"), duty=DUTY
+    ),
+    "rows": Case(
+        bearing=Bearing(
+            **ANGULAR,
+            rows=[
+                {"position": "-30 mm", "ball_count": 14, "contact_angle": "30 deg"},
+                {"position": "30 mm", "orientation": "-", "inner_conformity": 0.53},
+            ],
+            preload={"offset": "10 um"},
+        ),
+        duty=DUTY,
+    ),
+}
+# within the bounds or not, and near them
+VALUES: dict[str, tuple[float, float, tuple[float, ...]]] = {
+    "duty.inner_speed": (-1500.0, 1500.0, (0.0, 1e5, 2e5, -1e7)),
+    "duty.outer_speed": (-500.0, 500.0, (0.0, 2e5)),
+    "duty.first_ball_azimuth": (-7.0, 7.0, (6.2831853, 6.2831854)),
+    "duty.load.fx": (1e2, 5e4, (-1e10, 1e9, 1e12)),
+    "duty.load.fy": (-4e3, 4e3, (0.0, 2e9)),
+    "duty.load.fz": (-4e3, 4e3, (0.0, -2e9)),
+    "duty.load.my": (-50.0, 50.0, (0.0, 1e9, 2e9)),
+    "duty.load.mz": (-50.0, 50.0, (0.0, -2e9)),
+    "duty.displacement.x": (1e-6, 4e-5, (0.02223, 0.0223, -0.5, 2.0)),
+    "duty.displacement.y": (-2e-5, 2e-5, (-0.0223,)),
+    "duty.displacement.z": (-2e-5, 2e-5, (0.0223,)),
+    "duty.displacement.ry": (-5e-4, 5e-4, (0.08, 0.09, -0.09)),
+    "duty.displacement.rz": (-5e-4, 5e-4, (0.09,)),
+    "bearing.ball_diameter": (0.018, 0.0243, (0.0244, 0.0246, 0.0, -1.0, 0.011, 0.012, 2.0)),
+    "bearing.pitch_diameter": (0.115, 0.2, (0.1139, 0.02, 0.0, 25.0)),
+    "bearing.contact_angle": (0.1, 1.2, (0.0, 1.5707, 1.5708, -0.1)),
+    "bearing.diametral_clearance": (-5e-5, 4e-4, (0.0, -3e-4, 2.1e-3, 2.0)),
+    "bearing.inner_conformity": (0.505, 0.6, (0.501, 0.5, 1.0, 1.01)),
+    "bearing.outer_conformity": (0.505, 0.6, (0.5009, 1.001)),
+    "bearing.ring_material.youngs_modulus": (1e11, 4e11, (0.0, -1.0, 1e30)),
+    "bearing.ring_material.poisson_ratio": (0.1, 0.45, (0.0, 0.5, 0.6, -0.1)),
+    "bearing.ring_material.density": (2e3, 9e3, (0.0, -5.0)),
+    "bearing.ball_material.youngs_modulus": (1e11, 4e11, (0.0, 1e30)),
+    "bearing.ball_material.poisson_ratio": (0.1, 0.45, (0.5, 0.6)),
+    "bearing.ball_material.density": (2e3, 9e3, (0.0, -5.0)),
+    "bearing.spacing": (0.01, 0.3, (0.0, -0.1, 10.0, 10.1)),
+    "bearing.preload.force": (100.0, 6e3, (0.0, -1.0, 2e9)),
+    "bearing.preload.offset": (1e-6, 3e-5, (0.0, -5e-6, 0.02)),
+    "bearing.preload.spring": (100.0, 6e3, (0.0, -1.0, 2e9)),
+}
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _compiled() -> None:
+    """Load the compiled kernels first: few cases alone would run as plain Python, slowly."""
+    solve_batch(CASES["plain"], fx=np.full(100, 1e4))
+
+
+def changed(case: Case, field: str, value: float) -> Case:
+    """The case with a field of another value, through the records' own checks."""
+    part, *path = field.split(".")
+    if part == "duty":
+        duty: dict[str, Any] = {
+            "inner_speed": case.duty.inner_speed,
+            "outer_speed": case.duty.outer_speed,
+            "first_ball_azimuth": case.duty.first_ball_azimuth,
+            "load": case.duty.load.model_dump(),
+            "displacement": case.duty.displacement.model_dump(),
+        }
+        if len(path) == 1:
+            duty[path[0]] = value
+        else:
+            rival = {"fx": "x", "fy": "y", "fz": "z", "my": "ry", "mz": "rz"}
+            rival |= {axis: load for load, axis in rival.items()}
+            other = "displacement" if path[0] == "load" else "load"
+            duty[path[0]][path[1]] = value
+            duty[other][rival[path[1]]] = None
+        return case.replace(duty=Duty(**duty))
+    bearing = case.bearing
+    if path[0] in ("ring_material", "ball_material"):
+        material = getattr(bearing, path[0]).replace(**{path[1]: value})
+        changes = {path[0]: material}
+        if path[0] == "ring_material" and "ball_material" not in bearing.model_fields_set:
+            changes["ball_material"] = material
+        return case.replace(bearing=bearing.replace(**changes))
+    if path[0] == "preload":
+        return case.replace(bearing=bearing.replace(preload={path[1]: value}))
+    changes = {path[0]: value}
+    rivals = {
+        "contact_angle": "diametral_clearance",
+        "diametral_clearance": "contact_angle",
+    }
+    if path[0] in rivals:
+        changes[rivals[path[0]]] = None
+    return case.replace(bearing=bearing.replace(**changes))
+
+
+def applies(case: Case, field: str) -> bool:
+    if field.startswith("bearing.preload"):
+        return case.bearing.preload is not None
+    return field != "bearing.spacing" or case.bearing.spacing is not None
+
+
+def same(batch: BatchState, index: int, alone: BatchState) -> None:
+    assert batch.status[index] == alone.status[0]
+    found = [(getattr(batch, name)[index], getattr(alone, name)[0])
+             for name in ("displacement", "load", "stiffness")]  # fmt: skip
+    found.append((batch.balls().inner.load[index], alone.balls().inner.load[0]))
+    for one, other in found:
+        if not alone.converged[0]:
+            assert np.isnan(one).all()
+            assert np.isnan(other).all()
+        else:
+            assert np.allclose(one, other, rtol=1e-6, atol=1e-7 * np.abs(other).max())
+
+
+def values_of(field: str) -> st.SearchStrategy[list[float]]:
+    low, high, edges = VALUES[field]
+    one = st.floats(low, high) | st.sampled_from(edges) | st.sampled_from([np.nan, np.inf])
+    return st.lists(st.floats(low, high) | one, min_size=1, max_size=5)
+
+
+def test_all_fields_are_tried() -> None:
+    assert set(VALUES) == set(batch_fields()) == set(BATCH_FIELDS)
+
+
+@pytest.mark.parametrize("field", BATCH_FIELDS)
+@settings(max_examples=8)
+@given(data=st.data())
+def test_one_field_as_an_array_is_the_cases_one_by_one(field: str, data: st.DataObject) -> None:
+    names = [name for name, case in CASES.items() if applies(case, field)]
+    case = CASES[data.draw(st.sampled_from(names))]
+    values = data.draw(values_of(field))
+    batch = solve_batch(case, {field: values})
+    assert len(batch) == len(values)
+    for i, value in enumerate(values):
+        try:
+            alone = solve_batch(changed(case, field, value))
+        except InputError:
+            assert batch.status[i] == "invalid_input"
+            assert np.isnan(batch.displacement[i]).all()
+            assert np.isnan(batch.stiffness[i]).all()
+            assert np.isnan(batch.balls().inner.load[i]).all()
+        else:
+            same(batch, i, alone)
+
+
+PAIRED = [name for name in BATCH_FIELDS if name.split(".")[1] in (*GEOMETRY, "inner_speed")]
+
+
+@settings(max_examples=30)
+@given(
+    name=st.sampled_from(["plain", "pair", "rows"]),
+    fields=st.lists(st.sampled_from(PAIRED), min_size=2, max_size=4, unique=True),
+    data=st.data(),
+)
+@example(
+    name="plain",
+    fields=["bearing.ball_diameter", "bearing.pitch_diameter"],
+    data=None,
+)
+def test_several_fields_together(name: str, fields: list[str], data: Any) -> None:
+    """Also where each is within its bounds and together they contradict each other."""
+    if "bearing.contact_angle" in fields and "bearing.diametral_clearance" in fields:
+        fields = [field for field in fields if field != "bearing.diametral_clearance"]
+    case = CASES[name]
+    if data is None:
+        columns = {fields[0]: [0.022, 0.03, 0.03], fields[1]: [0.12, 0.12, 0.2]}
+    else:
+        columns = {}
+        for field in fields:
+            low, high, edges = VALUES[field]
+            one = st.floats(low, high) | st.sampled_from(edges)
+            columns[field] = data.draw(st.lists(one, min_size=3, max_size=3))
+    batch = solve_batch(case, columns)
+    for i in range(3):
+        try:
+            # all at once, so that only the values themselves are judged, not the way to them
+            bearing: dict[str, Any] = {}
+            one_case = case
+            for field, column in columns.items():
+                part, key = field.split(".")
+                if part == "duty":
+                    one_case = changed(one_case, field, column[i])
+                else:
+                    bearing[key] = column[i]
+            if "contact_angle" in bearing:
+                bearing["diametral_clearance"] = None
+            elif "diametral_clearance" in bearing:
+                bearing["contact_angle"] = None
+            one_case = one_case.replace(bearing=one_case.bearing.replace(**bearing))
+        except InputError:
+            assert batch.status[i] == "invalid_input"
+        else:
+            same(batch, i, solve_batch(one_case))
+
+
+@pytest.mark.parametrize("kind", PRELOADS)
+def test_a_preload_takes_the_place_of_the_cases_own(kind: str) -> None:
+    case = CASES["pair"]
+    value = 8e-6 if kind == "offset" else 900.0
+    batch = solve_batch(case, {f"bearing.preload.{kind}": [value, value]})
+    alone = solve_batch(changed(case, f"bearing.preload.{kind}", value))
+    same(batch, 1, alone)
+    unloaded = case.replace(bearing=case.bearing.replace(preload=None))
+    same(solve_batch(unloaded, {f"bearing.preload.{kind}": [value]}), 0, alone)
