@@ -18,6 +18,7 @@ from rolamento.arrangement import PRELOAD_KINDS
 from rolamento.case import Case
 from rolamento.duty import LOADS, Duty, Load
 from rolamento.equilibrium.assemble import solve_columns_of
+from rolamento.equilibrium.batch import solve_cases
 from rolamento.equilibrium.batch_state import BatchState
 from rolamento.equilibrium.columns import spread
 from rolamento.state import PreloadState
@@ -59,6 +60,7 @@ def _loss(case: Case) -> tuple[float, int | None]:
     """The multiple of the external load at which a row first loses contact, and which."""
     if not any(getattr(case.duty.load, name) for name in LOADS):
         return nan, None
+    _load_kernels(case)
     low, high = _grip(case, 0.0), _grip(case, 1.0)
     if not low.least > 0.0:
         return nan, None
@@ -71,6 +73,17 @@ def _loss(case: Case) -> tuple[float, int | None]:
         else:
             return _between(case, low, high)
     return nan, None
+
+
+def _load_kernels(case: Case) -> None:
+    """Have the compiled kernels loaded if they are on disk: the search solves hundreds of rows.
+
+    At rest plain Python is as fast as loading them. A single case takes them only where they are
+    loaded already, two cases always.
+    """
+    moving = case.duty.inner_speed != 0.0 or case.duty.outer_speed != 0.0
+    if moving and solve_cases.is_cached and not solve_cases.is_loaded:
+        solve_columns_of(spread(case, {"inner_speed": [case.duty.inner_speed] * 2}), threads=1)
 
 
 @dataclass(frozen=True, slots=True)
