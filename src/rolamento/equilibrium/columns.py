@@ -122,11 +122,15 @@ def spread(case: Case, values: Mapping[str, ArrayLike]) -> Columns:
         arrays[name] = np.where(allowed, array, np.nan)
     free, load, displacement = _duty(case, arrays, cases)
     kind, amount = _preload(case.bearing, arrays, cases)
+    held = {axis: displacement[i] for i, axis in enumerate(AXES)}
+    # what the rows have in common has to be sound by itself, as the case has it
+    common = _varied(case.bearing, case.bearing, set(), arrays)
+    valid &= consistent(common, held, case.bearing.ball_count)
     columns = []
     for place in case.bearing.places:
-        bearing = _varied(case.bearing, place, arrays)
-        held = {axis: displacement[i] for i, axis in enumerate(AXES)}
-        valid &= consistent(bearing, held, place.bearing.ball_count)
+        own = _own_fields(case.bearing, place)
+        bearing = _varied(case.bearing, place.bearing, own, arrays)
+        valid &= consistent(bearing, {}, place.bearing.ball_count)
         columns.append(_row_columns(case, place, bearing, arrays, cases))
     for row in columns:
         row.p[:, ~valid] = np.nan
@@ -221,15 +225,13 @@ def _preload(bearing: Bearing, arrays: Mapping[str, Floats], cases: int) -> tupl
     return kind, np.full(cases, getattr(bearing.preload, kind))
 
 
-def _varied(bearing: Bearing, place: RowPlace, arrays: Mapping[str, Floats]) -> Any:
-    """The row's bearing with the arrays for its attributes; what the row has of its own stays."""
+def _varied(bearing: Bearing, row: Bearing, own: set[str], arrays: Mapping[str, Floats]) -> Any:
+    """A row's bearing with the arrays for its attributes; what the row has of its own stays."""
     given = {name: arrays[f"bearing.{name}"] for name in GEOMETRY if f"bearing.{name}" in arrays}
-    own = _own_fields(bearing, place)
     given = {name: array for name, array in given.items() if name not in own}
     for name in list(given):
         if name in _GEOMETRY_RIVALS:
             given.setdefault(_GEOMETRY_RIVALS[name], None)  # type: ignore[arg-type]
-    row = place.bearing
     rings = _material(row.ring_material, "ring_material", arrays)
     follows = "ball_material" not in bearing.model_fields_set
     balls = _material(rings if follows else row.ball_material, "ball_material", arrays)
