@@ -45,6 +45,8 @@ def _rivals() -> dict[Path, tuple[Path, ...]]:
     rivals = {
         one: tuple(other for other in group if other != one) for group in groups for one in group
     }
+    for name in ("force", "offset", "spring"):
+        rivals[*preload, name] += ((*preload, "designation"),)
     rivals["bearing", "rows"] += (("bearing", "spacing"),)
     return rivals
 
@@ -80,6 +82,8 @@ def overridden(
         for rival in _RIVALS.get(path, ()):
             if rival not in paths:
                 _remove(result, rival)
+        if path[:-1] == ("bearing", "preload") and path[:-1] not in paths:
+            _remove_text(result, path[:-1])
         _put(result, path, value)
         paths.add(path)
     return result, frozenset(".".join(path) for path in paths)
@@ -180,3 +184,10 @@ def _remove(mapping: dict[str, Any], path: Path) -> None:
             return
         table[name] = table = dict(inner)
     table.pop(path[-1], None)
+
+
+def _remove_text(mapping: dict[str, Any], path: Path) -> None:
+    """Take away what was given as text, so that a field of its table can take its place."""
+    inner = mapping.get(path[0])
+    if isinstance(inner, dict) and isinstance(inner.get(path[1]), str):
+        _remove(mapping, path)

@@ -169,6 +169,11 @@ class PreloadState:
         axial force between the rows that face each other, without external load, at rest (N)
     at_speed
         the same at the duty's speeds (N)
+    lift_factor
+        multiple of the external load at which a ball first loses contact with the inner ring; NaN
+        as below
+    lift_row
+        whose ball that is; None if none
     loss_factor
         the preload-loss point: multiple of the external load at which a row first loses all
         contact with the inner ring; NaN where there is no external load, or none is lost before
@@ -180,6 +185,8 @@ class PreloadState:
     kind: str
     at_rest: float
     at_speed: float
+    lift_factor: float
+    lift_row: int | None
     loss_factor: float
     lost_row: int | None
 

@@ -8,15 +8,16 @@ force.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from math import isfinite, nan
-from typing import Final
+from typing import Final, TypeAlias
 
 import numpy as np
 
 from rolamento.arrangement import PRELOAD_KINDS
 from rolamento.case import Case
-from rolamento.duty import LOADS, Duty, Load
+from rolamento.duty import AXES, LOADS, Duty, Load
 from rolamento.equilibrium.assemble import solve_columns_of
 from rolamento.equilibrium.batch import solve_cases
 from rolamento.equilibrium.batch_state import BatchState
@@ -26,6 +27,8 @@ from rolamento.state import PreloadState
 STEPS_OUT: Final = 6
 STEPS_IN: Final = 40
 PRECISION: Final = 1e-6
+
+Ball: TypeAlias = Callable[[list[float]], float]
 
 
 def preload_of(case: Case) -> PreloadState | None:
@@ -42,8 +45,16 @@ def preload_of(case: Case) -> PreloadState | None:
     still = not (case.duty.inner_speed or case.duty.outer_speed)
     at_rest = _between_rows(_solved(case.replace(duty=duty)))
     at_speed = at_rest if still else _between_rows(_solved(case.replace(duty=running)))
-    factor, row = _loss(case)
-    return PreloadState(kind, at_rest, at_speed, factor, row)
+    first = _loss(case, min)
+    whole = first if _axial(case.duty) else _loss(case, max)
+    return PreloadState(kind, at_rest, at_speed, *first, *whole)
+
+
+def _axial(duty: Duty) -> bool:
+    """Whether all balls of a row are alike: they then lift off together."""
+    across = [getattr(duty.load, name) for name in LOADS[1:]]
+    across += [getattr(duty.displacement, name) for name in AXES[1:]]
+    return not any(across)
 
 
 def _solved(case: Case) -> BatchState:
@@ -56,22 +67,26 @@ def _between_rows(batch: BatchState) -> float:
     return float(np.where(axial > 0.0, axial, 0.0).sum()) if batch.converged[0] else nan
 
 
-def _loss(case: Case) -> tuple[float, int | None]:
-    """The multiple of the external load at which a row first loses contact, and which."""
+def _loss(case: Case, ball: Ball) -> tuple[float, int | None]:
+    """The multiple of the external load at which a ball of a row first loses contact, and which.
+
+    ball: max for the deepest ball of a row, with which the row loses all contact; min for the
+    shallowest, with which it begins.
+    """
     if not any(getattr(case.duty.load, name) for name in LOADS):
         return nan, None
     _load_kernels(case)
-    low, high = _grip(case, 0.0), _grip(case, 1.0)
+    low, high = _grip(case, ball, 0.0), _grip(case, ball, 1.0)
     if not low.least > 0.0:
         return nan, None
     for _ in range(STEPS_OUT):
         if not isfinite(high.least):  # no equilibrium: come half way back
-            high = _grip(case, 0.5 * (low.factor + high.factor))
+            high = _grip(case, ball, 0.5 * (low.factor + high.factor))
         elif high.least > 0.0:
             ahead = min(1.02 * _zero(low, high), 8.0 * high.factor)
-            low, high = high, _grip(case, ahead)
+            low, high = high, _grip(case, ball, ahead)
         else:
-            return _between(case, low, high)
+            return _between(case, ball, low, high)
     return nan, None
 
 
@@ -88,7 +103,7 @@ def _load_kernels(case: Case) -> None:
 
 @dataclass(frozen=True, slots=True)
 class _Grip:
-    """How far the deepest ball of every row is pressed into the inner ring; a gap is negative."""
+    """How far a ball of every row is pressed into the inner ring; a gap is negative."""
 
     factor: float
     rows: tuple[float, ...]
@@ -99,22 +114,22 @@ class _Grip:
         return min(self.rows)
 
 
-def _grip(case: Case, factor: float) -> _Grip:
+def _grip(case: Case, ball: Ball, factor: float) -> _Grip:
     """The rows' grips under a multiple of the external load; NaN without an equilibrium."""
     given = {name: getattr(case.duty.load, name) for name in LOADS}
     load = Load(**{name: factor * value for name, value in given.items() if value is not None})
     batch = _solved(case.replace(duty=case.duty.replace(load=load)))
-    return _Grip(factor, tuple(float(row.inner_approach()[0].max()) for row in batch.rows))
+    return _Grip(factor, tuple(ball(row.inner_approach()[0].tolist()) for row in batch.rows))
 
 
-def _between(case: Case, low: _Grip, high: _Grip) -> tuple[float, int | None]:
+def _between(case: Case, ball: Ball, low: _Grip, high: _Grip) -> tuple[float, int | None]:
     """Close in on the zero between two factors: false position, the Illinois way."""
     below, above = low.least, high.least
     for _ in range(STEPS_IN):
         if high.factor - low.factor <= PRECISION * high.factor:
             break
         guess = (low.factor * above - high.factor * below) / (above - below)
-        found = _grip(case, guess)
+        found = _grip(case, ball, guess)
         if not isfinite(found.least):
             return nan, None
         if found.least > 0.0:

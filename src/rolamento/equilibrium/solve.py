@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 from collections.abc import Mapping
 from typing import Unpack, cast
 
@@ -12,6 +11,7 @@ from rolamento.case import Case
 from rolamento.equilibrium.assemble import solve_columns_of
 from rolamento.equilibrium.batch_state import BatchState
 from rolamento.equilibrium.columns import DutyFields, spread
+from rolamento.equilibrium.notes import with_preload
 from rolamento.equilibrium.preload import preload_of
 from rolamento.equilibrium.record import state_of
 from rolamento.state import State
@@ -29,7 +29,7 @@ def solve(case: Case) -> State:
     state = state_of(case, solve_columns_of(spread(case, {}), threads=1))
     if case.bearing.preload is None or not state.status.converged:
         return state
-    return dataclasses.replace(state, preload=preload_of(case))
+    return with_preload(state, preload_of(case))
 
 
 def solve_batch(

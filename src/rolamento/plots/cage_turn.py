@@ -212,7 +212,7 @@ def _ball_load(
     axes.set_theta_zero_location("N")
     axes.set_theta_direction(-1)
     for history in histories:
-        row = shared.row.format(number=history.row + 1) if len(histories) > 1 else ""
+        row = shared.row.format(number=history.row) if len(histories) > 1 else ""
         azimuth = np.append(history.azimuth, history.azimuth[0] + 2.0 * np.pi)
         for race, line, contact in (
             (shared.inner, INNER, history.inner),

@@ -72,6 +72,9 @@ class Words:
     preload: str
     preload_at_rest: str
     preload_at_speed: str
+    preload_lift: str
+    ball_lifts_off: str
+    ball_has_lifted_off: str
     preload_loss: str
     lifts_off: str
     has_lifted_off: str
@@ -192,6 +195,9 @@ ENGLISH: Final = Words(
     preload="Preload",
     preload_at_rest="at rest",
     preload_at_speed="at speed",
+    preload_lift="first ball",
+    ball_lifts_off="lifts off in row {row} at {factor} × the load: {load}",
+    ball_has_lifted_off="has lifted off in row {row}: it did at {factor} × the load, {load}",
     preload_loss="loss",
     lifts_off="row {row} lifts off at {factor} × the load: {load}",
     has_lifted_off="row {row} has lifted off: it did at {factor} × the load, {load}",
@@ -294,6 +300,9 @@ PORTUGUESE: Final = Words(
     preload="Pré-carga",
     preload_at_rest="em repouso",
     preload_at_speed="em rotação",
+    preload_lift="primeira esfera",
+    ball_lifts_off="solta-se na carreira {row} com {factor} × a carga: {load}",
+    ball_has_lifted_off="soltou-se na carreira {row}: foi com {factor} × a carga, {load}",
     preload_loss="perda",
     lifts_off="a carreira {row} se solta com {factor} × a carga: {load}",
     has_lifted_off="a carreira {row} se soltou: foi com {factor} × a carga, {load}",

@@ -175,12 +175,26 @@ def preload_part(page: Page, state: State, preload: PreloadState) -> Lines:
     entries = [(words.preload_at_rest, _force(page, preload.at_rest), "")]
     if duty.inner_speed or duty.outer_speed:
         entries.append((words.preload_at_speed, _force(page, preload.at_speed), ""))
+    entries += _lift(page, state, preload)
     entries += _loss(page, state, preload)
     width = max(len(label) for label, _, _ in entries)
     lines = [page.heading(words.preload)]
     for label, content, style in entries:
         lines += page.hanging(page.text(f"  {label:{width}}  "), content, style)
     return lines
+
+
+def _lift(page: Page, state: State, preload: PreloadState) -> list[tuple[str, str, str]]:
+    """Where the first ball lifts off, unless it takes its row along."""
+    if preload.lift_row is None or preload.lift_factor == preload.loss_factor:
+        return []
+    words, gone = page.words, preload.lift_factor < 1.0
+    text = (words.ball_has_lifted_off if gone else words.ball_lifts_off).format(
+        row=preload.lift_row,
+        factor=page.digits.short(preload.lift_factor, 3),
+        load=_resulting_load(page, state, preload.lift_factor),
+    )
+    return [(words.preload_lift, text, "yellow" if gone else "")]
 
 
 def _loss(page: Page, state: State, preload: PreloadState) -> list[tuple[str, str, str]]:

@@ -262,7 +262,7 @@ def _stiffness(page: Page, said: _Words, turn: CageTurn) -> Lines:
 def _ball(page: Page, said: _Words, history: BallHistory, turn: CageTurn) -> Lines:
     """Show where one ball of a row carries most and least."""
     words = page.words
-    number = said.row.format(number=history.row + 1) if len(turn.histories) > 1 else ""
+    number = said.row.format(number=history.row) if len(turn.histories) > 1 else ""
     races = (history.inner, history.outer)
     short = page.digits.short
     heaviest = [contact.heaviest for contact in races]
