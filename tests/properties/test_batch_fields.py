@@ -231,7 +231,7 @@ def test_several_fields_together(name: str, fields: list[str], data: Any) -> Non
 
 def test_what_no_row_takes_from_the_set_has_to_be_sound_all_the_same() -> None:
     """A clearance too great for the set's conformities, though the row that takes it has room."""
-    with pytest.raises(InputError, match="less than 2.063 mm"):
+    with pytest.raises(InputError, match=r"less than 2\.063 mm"):
         changed(CASES["rows"], "bearing.diametral_clearance", 2.1e-3)
     batch = solve_batch(CASES["rows"], {"bearing.diametral_clearance": [2.1e-3, 2.0e-3]})
     assert (batch.status == "invalid_input").tolist() == [True, False]

@@ -83,6 +83,15 @@ PORTUGUESE: Final = VerificationWords(
     ),
     progress="Verificando {number} de {count}: {name} …",
     terms={
+        "over the pair's preload or rigidity": "sobre a pré-carga ou a rigidez do par",
+        "unloading load": "carga-limite",
+        "axial rigidity": "rigidez axial",
+        "preload": "pré-carga",
+        "General Catalogue, page": "Catálogo geral, página",
+        "catalogue 4000 0813 EN, page": "catálogo 4000 0813 EN, página",
+        "catalogue 4000 0813 EN, table of bearing data": (
+            "catálogo 4000 0813 EN, tabela de dados dos rolamentos"
+        ),
         "Reference program for": "Programa de referência para a",
         "as in": "como em",
         "chapter": "capítulo",
@@ -194,6 +203,28 @@ PORTUGUESE: Final = VerificationWords(
             "A análise estática supõe ângulo de contato 0 e nenhuma folga. Com os seus 40°, fixo"
             " axialmente, o rolamento se desloca quase metade a mais, quase tanto como em rotação:"
             " o que o texto atribui à força centrífuga vem quase todo do ângulo de contato."
+        ),
+        "The conformity and the elastic constants are not published: 0.52 and 208 GPa, for all"
+        " alike, give these bearings within 1 %, which is the tolerance where it is more than half"
+        " a digit.": (
+            "A conformidade e as constantes elásticas não são publicadas: 0,52 e 208 GPa, para"
+            " todos, dão estes rolamentos dentro de 1 %, que é a margem onde passa de meio"
+            " algarismo."
+        ),
+        "One number for all bearings, in steps of 0.05: half a step is the tolerance, or half a"
+        " digit where that is more. It follows from a contact angle that does not change, as under"
+        " vanishing preload. Computed for S 6012 E at light preload, whose contact angle grows"
+        " under the load.": (
+            "Um só número para todos os rolamentos, em passos de 0,05: a margem é meio passo, ou"
+            " meio algarismo onde isso é mais. Segue de um ângulo de contato que não muda, como"
+            " sob pré-carga que tende a nada. Calculado para o S 6012 E com pré-carga leve, cujo"
+            " ângulo de contato cresce sob a carga."
+        ),
+        "2^(3/2), from a contact angle that does not change, as under vanishing preload. Computed"
+        " for S 6012 E at light preload, whose contact angle grows under the load.": (
+            "2^(3/2), de um ângulo de contato que não muda, como sob pré-carga que tende a nada."
+            " Calculado para o S 6012 E com pré-carga leve, cujo ângulo de contato cresce sob a"
+            " carga."
         ),
         "The 209 bearing without clearance.": "O rolamento 209 sem folga.",
         "The 209 bearing; both grow with the square of the speed, exactly, at any contact angle.": (

@@ -13,6 +13,7 @@ from rolamento.verification import (
     case_western,
     harris_1991,
     iso_16281,
+    makers,
     radaelli_2013,
 )
 from rolamento.verification.check import VERDICTS, Check, Verdict
@@ -88,8 +89,8 @@ class Verification:
 
 
 def sources() -> tuple[Source, ...]:
-    """Return all sources, the older first."""
-    modules = (harris_1991, iso_16281, campanha_2008, radaelli_2013, case_western)
+    """Return all sources, the older first, those without a year last."""
+    modules = (harris_1991, iso_16281, campanha_2008, radaelli_2013, case_western, makers)
     names = (module.__name__.rpartition(".")[2] for module in modules)
     return tuple(
         Source(name, published(name)["title"], module.checks)
