@@ -24,7 +24,11 @@ from rolamento._record import Record
 from rolamento.bearing import Bearing
 from rolamento.duty import Duty
 from rolamento.errors import FileError, InputError
+from rolamento.film_model import FilmModel
+from rolamento.lubricant import LubricantField
 from rolamento.model import Model
+from rolamento.surface import Surface
+from rolamento.temperature import Temperature
 from rolamento.units import from_si
 
 __all__ = [
@@ -51,6 +55,14 @@ class Case(Record):
         A `Duty`.
     model
         A `Model`.
+    lubricant
+        A `Lubricant`, its name or its table; without one there is no film.
+    surface
+        A `Surface`, for the film parameter.
+    temperature
+        A `Temperature`, for the film.
+    film
+        A `FilmModel`; its defaults if not given.
 
     Raises
     ------
@@ -62,6 +74,10 @@ class Case(Record):
     bearing: Bearing = Field(examples=["[bearing] as a table"])
     duty: Duty = Field(examples=["[duty] as a table"])
     model: Model = Field(default_factory=Model)
+    lubricant: LubricantField | None = Field(None, examples=["ISO VG 68"])
+    surface: Surface | None = Field(None, examples=["[surface] as a table"])
+    temperature: Temperature | None = Field(None, examples=["[temperature] as a table"])
+    film: FilmModel | None = Field(None, examples=["[film] as a table"])
 
     @model_validator(mode="after")
     def _displacement_within_reason(self) -> Self:

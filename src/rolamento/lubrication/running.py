@@ -1,0 +1,206 @@
+"""What the film reads of running balls: the same arrays from a batch or from one state."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields, replace
+from typing import Final
+
+import numpy as np
+
+from rolamento.contact.hertz import effective_modulus
+from rolamento.equilibrium import BatchState, rows
+from rolamento.equilibrium.batch_state import RowBatch
+from rolamento.equilibrium.detail import ContactTable
+from rolamento.geometry import Race, race_curvature
+from rolamento.lubrication.entrainment import SurfaceSpeeds, surface_speeds
+from rolamento.numerics import FloatArray
+from rolamento.state import State
+
+NO_LOAD: Final = 1e-9
+"""Of the load at the other race: what is less is no contact."""
+_RACES: Final[tuple[Race, Race]] = ("inner", "outer")
+
+
+@dataclass(frozen=True, slots=True)
+class RunningContacts:
+    """The contacts of one race; arrays (cases, balls), SI, NaN where there is no contact.
+
+    rolling_curvature is 1/R_x, ellipticity a/b.
+    """
+
+    load: FloatArray
+    speeds: SurfaceSpeeds
+    rolling_curvature: FloatArray
+    ellipticity: FloatArray
+    semi_minor: FloatArray
+    max_pressure: FloatArray
+
+
+@dataclass(frozen=True, slots=True)
+class RunningBalls:
+    """All contacts, and of each ball's row pitch diameter, effective modulus, speed of the rings.
+
+    Arrays (cases, balls), SI; the speed is that of the inner ring seen from the outer, unsigned.
+    """
+
+    inner: RunningContacts
+    outer: RunningContacts
+    pitch_diameter: FloatArray
+    modulus: FloatArray
+    speed: FloatArray
+
+
+@dataclass(frozen=True, slots=True)
+class _Place:
+    """Geometry and speeds of each ball's row; (cases, balls), SI."""
+
+    ball_diameter: FloatArray
+    pitch_diameter: FloatArray
+    conformity: dict[Race, FloatArray]
+    ring_speed: dict[Race, FloatArray]
+    modulus: FloatArray
+
+
+@dataclass(frozen=True, slots=True)
+class _Motion:
+    orbital_speed: FloatArray
+    ball_speed: FloatArray
+    attitude: FloatArray
+
+
+def part(batch: BatchState, cases: slice) -> BatchState:
+    """Return some cases of a batch."""
+    arrays = (field.name for field in fields(batch) if field.name != "rows")
+    own = {name: getattr(batch, name)[cases] for name in arrays}
+    return replace(batch, **own, rows=tuple(_part_of_row(row, cases) for row in batch.rows))
+
+
+def _part_of_row(row: RowBatch, cases: slice) -> RowBatch:
+    arrays = (field.name for field in fields(row) if field.name != "parameters")
+    own = {name: getattr(row, name)[cases] for name in arrays}
+    return replace(row, **own, parameters=row.parameters[:, cases])
+
+
+def balls_of_batch(batch: BatchState) -> RunningBalls:
+    """Gather the balls of a batch."""
+    table = batch.balls()
+    place = _place_of_batch(batch)
+    motion = _Motion(table.motion.orbital_speed, table.motion.ball_speed, table.motion.attitude)
+    angles = {"inner": table.inner.contact_angle, "outer": table.outer.contact_angle}
+    loads = {"inner": _felt(table.inner, table.outer), "outer": _felt(table.outer, table.inner)}
+    found = {}
+    for race in _RACES:
+        hertz = batch.contact(race, table)
+        ellipse = (hertz.ellipticity, hertz.semi_minor, hertz.max_pressure)
+        found[race] = _running(race, place, motion, angles[race], loads[race], ellipse)
+    return _balls(found["inner"], found["outer"], place)
+
+
+def balls_of_state(state: State) -> RunningBalls:
+    """Gather the balls of one state, as a batch of one."""
+    place = _place_of_state(state)
+    motion = _Motion(
+        *(
+            np.array([[getattr(ball, name) for ball in state.balls]])
+            for name in ("orbital_speed", "ball_speed", "attitude")
+        )
+    )
+    tables = {race: _contacts_of_state(state, race) for race in _RACES}
+    found = {}
+    for race, other in (_RACES, _RACES[::-1]):
+        columns = {
+            name: np.array([[getattr(getattr(ball, race), name) for ball in state.balls]])
+            for name in ("semi_major", "semi_minor", "max_pressure")
+        }
+        with np.errstate(invalid="ignore", divide="ignore"):
+            ratio = columns["semi_major"] / columns["semi_minor"]
+        ellipse = (ratio, columns["semi_minor"], columns["max_pressure"])
+        own = tables[race]
+        load = _felt(own, tables[other])
+        found[race] = _running(race, place, motion, own.contact_angle, load, ellipse)
+    return _balls(found["inner"], found["outer"], place)
+
+
+def _running(
+    race: Race,
+    place: _Place,
+    motion: _Motion,
+    contact_angle: FloatArray,
+    load: FloatArray,
+    ellipse: tuple[FloatArray, FloatArray, FloatArray],
+) -> RunningContacts:
+    speeds = surface_speeds(
+        race,
+        place.ball_diameter,
+        place.pitch_diameter,
+        contact_angle,
+        place.ring_speed[race],
+        motion.orbital_speed,
+        motion.ball_speed,
+        motion.attitude,
+    )
+    curvature = race_curvature(
+        place.ball_diameter, place.pitch_diameter, place.conformity[race], contact_angle, race
+    )
+    return RunningContacts(load, speeds, curvature.rolling, *ellipse)
+
+
+def _balls(inner: RunningContacts, outer: RunningContacts, place: _Place) -> RunningBalls:
+    speed = np.abs(place.ring_speed["inner"] - place.ring_speed["outer"])
+    return RunningBalls(inner, outer, place.pitch_diameter, place.modulus, np.asarray(speed))
+
+
+def _felt(own: ContactTable, other: ContactTable) -> FloatArray:
+    """Load of a race's contacts; NaN where there is none."""
+    return np.where(own.load > NO_LOAD * other.load, own.load, np.nan)
+
+
+def _place_of_batch(batch: BatchState) -> _Place:
+    def spread(row: int) -> FloatArray:
+        parts = [
+            np.broadcast_to(own.parameters[row][:, np.newaxis], own.azimuth.shape)
+            for own in batch.rows
+        ]
+        return parts[0] if len(parts) == 1 else np.concatenate(parts, axis=1)
+
+    diameter = spread(rows.BALL_DIAMETER)
+    return _Place(
+        ball_diameter=diameter,
+        pitch_diameter=diameter / spread(rows.GAMMA),
+        conformity={
+            "inner": 0.5 + spread(rows.INNER_LENGTH) / diameter,
+            "outer": 0.5 + spread(rows.OUTER_LENGTH) / diameter,
+        },
+        ring_speed={"inner": spread(rows.INNER_SPEED), "outer": spread(rows.OUTER_SPEED)},
+        modulus=spread(rows.MODULUS),
+    )
+
+
+def _place_of_state(state: State) -> _Place:
+    bearings = [place.bearing for place in state.case.bearing.places]
+    own = [bearings[ball.row] for ball in state.balls]
+    moduli = [effective_modulus(row.ring_material, row.ball_material) for row in bearings]
+    duty, shape = state.case.duty, (1, len(own))
+    return _Place(
+        ball_diameter=np.array([[row.ball_diameter for row in own]]),
+        pitch_diameter=np.array([[row.pitch_diameter for row in own]]),
+        conformity={
+            "inner": np.array([[row.inner_conformity for row in own]]),
+            "outer": np.array([[row.outer_conformity for row in own]]),
+        },
+        ring_speed={
+            "inner": np.full(shape, duty.inner_speed),
+            "outer": np.full(shape, duty.outer_speed),
+        },
+        modulus=np.array([[moduli[ball.row] for ball in state.balls]]),
+    )
+
+
+def _contacts_of_state(state: State, race: Race) -> ContactTable:
+    contacts = [getattr(ball, race) for ball in state.balls]
+    return ContactTable(
+        *(
+            np.array([[getattr(contact, name) for contact in contacts]])
+            for name in ("load", "contact_angle", "deflection")
+        )
+    )
