@@ -23,7 +23,7 @@ P = ParamSpec("P")
 R = TypeVar("R")
 
 _VECTORISABLE = {"reassoc", "arcp", "contract", "afn", "nsz"}
-_ROOMS = ("numerics", "equilibrium")  # where kernels and their formulas live
+_ROOMS = ("numerics", "equilibrium", "equilibrium/traction")  # where kernels and formulas live
 _CONSTANTS = frozenset({"compiled", "rows"})  # files without kernels that shape them
 
 
