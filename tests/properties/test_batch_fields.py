@@ -159,7 +159,7 @@ def test_all_fields_are_tried() -> None:
 
 
 @pytest.mark.parametrize("field", BATCH_FIELDS)
-@settings(max_examples=8)
+@settings(max_examples=6)
 @given(data=st.data())
 def test_one_field_as_an_array_is_the_cases_one_by_one(field: str, data: st.DataObject) -> None:
     names = [name for name, case in CASES.items() if applies(case, field)]
