@@ -73,17 +73,18 @@ def contact_films(
     combined_roughness
         Of ball and race, RMS, in m; NaN if not known.
     """
-    u = contacts.speeds.entrainment
+    touching = ~np.isnan(contacts.load)
+    u = np.where(touching, contacts.speeds.entrainment, np.nan)
     groups = film_groups(
         u,
         contacts.load,
         contacts.rolling_curvature,
-        contacts.ellipticity,
+        np.where(touching, contacts.ellipticity, np.nan),
         modulus,
         oil.dynamic_viscosity,
         oil.pressure_viscosity,
     )
-    thermal = _thermal_factor(contacts, modulus, oil, model)
+    thermal = _thermal_factor(contacts, u, modulus, oil, model)
     central, minimum = central_film(groups) * thermal, minimum_film(groups) * thermal
     starved, starved_minimum = _starvation_factors(contacts, central, minimum, model, refill)
     radius = 1.0 / contacts.rolling_curvature
@@ -97,18 +98,21 @@ def contact_films(
         thickness,
         minimum * starved_minimum * radius,
         thermal,
-        starved,
+        np.where(touching, starved, np.nan),
         thickness / combined_roughness,
     )
     return ContactFilms(*fields)
 
 
 def _thermal_factor(
-    contacts: RunningContacts, modulus: FloatArray, oil: OilState, model: FilmModel
+    contacts: RunningContacts,
+    u: FloatArray,
+    modulus: FloatArray,
+    oil: OilState,
+    model: FilmModel,
 ) -> FloatArray:
-    u = contacts.speeds.entrainment
     if model.thermal == "none":
-        return np.ones_like(u)
+        return np.where(np.isnan(u), np.nan, 1.0)
     loading = thermal_loading(
         oil.dynamic_viscosity, oil.viscosity_temperature, u, oil.thermal_conductivity
     )

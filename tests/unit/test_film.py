@@ -1,0 +1,364 @@
+"""The film: formulas on published numbers, reductions, regimes, a state and a batch."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import fields, replace
+from functools import cache
+from math import isnan, pi
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from rolamento import Case, load_case, solve, solve_batch
+from rolamento.errors import InputError
+from rolamento.lubrication import Film, film_of, film_of_batch
+from rolamento.lubrication.contact_film import ContactFilms
+from rolamento.lubrication.entrainment import rolling_entrainment_speed
+from rolamento.lubrication.film_thickness import central_film, film_groups
+from rolamento.lubrication.regime import (
+    adhesive_wear_by_speed,
+    crack_origin,
+    failure_modes,
+    regime_indices,
+    regime_of,
+    regimes,
+)
+from rolamento.lubrication.starvation import (
+    flooded_distance_central,
+    inlet_distance_central,
+    inlet_distance_minimum,
+    replenishment,
+)
+from rolamento.lubrication.thermal import gupta_cheng, murch_wilson, thermal_loading
+from rolamento.lubrication.viscosity_ratio import reference_viscosity, viscosity_ratio
+
+EXAMPLES = Path(__file__).resolve().parents[2] / "src" / "rolamento" / "examples"
+TABLES: dict[str, Any] = {
+    "lubricant": "ISO VG 68",
+    "temperature": {"lubricant": "70 degC"},
+    "surface": {
+        "inner_roughness": "0.1 um", "outer_roughness": "0.1 um", "ball_roughness": "0.02 um",
+    },
+}  # fmt: skip
+RPM = pi / 30.0
+
+
+def case(name: str = "218_combined", **tables: Any) -> Case:
+    mapping = {**load_case(EXAMPLES / f"{name}.toml").to_mapping(), **TABLES, **tables}
+    return Case.from_mapping({key: value for key, value in mapping.items() if value is not None})
+
+
+@cache
+def film(name: str = "218_combined") -> Film:
+    return film_of(solve(case(name)))
+
+
+def notes_of(changed: Case) -> str:
+    return " ".join(film_of(solve(changed)).notes)
+
+
+# --- published numbers ---
+
+
+def test_public_example_of_the_central_film() -> None:
+    """A public test example: ball of 4.365 mm in a race of radius 40.635 mm, k given."""
+    modulus = 207e9 / (1.0 - 0.3**2)
+    curvature = 2.0 / 4.365e-3 + 1.0 / 40.635e-3
+    groups = film_groups(22.36094193, 136.0, curvature, 5.595274, modulus, 0.043691, 0.2 / 9.8067e6)
+    thickness = float(central_film(groups)) / curvature
+    assert thickness == pytest.approx(1.33431847e-6, rel=1e-6)
+
+
+def test_public_example_of_the_thermal_factor() -> None:
+    loading = thermal_loading(0.043691, 7.5e-4, 22.36094193, 0.145)
+    assert float(murch_wilson(loading)) == pytest.approx(0.938371825, rel=1e-8)
+
+
+def test_reference_viscosity() -> None:
+    """ISO 281: 4500/√(n D) from 1000 r/min on, and no step there."""
+    assert float(reference_viscosity(2000 * RPM, 0.0445)) == pytest.approx(15.084e-6, rel=1e-4)
+    below, above = reference_viscosity(np.array([999.999, 1000.001]) * RPM, 0.1)
+    assert below == pytest.approx(above, rel=0.03)
+    assert float(reference_viscosity(-2000 * RPM, 0.0445)) == pytest.approx(15.084e-6, rel=1e-4)
+    assert float(viscosity_ratio(20e-6, 0.0, 0.1)) == 0.0
+
+
+# --- reductions ---
+
+
+def test_thermal_factors_begin_at_one_and_fall() -> None:
+    loading = np.array([0.0, 1e-4, 1e-2, 1.0, 10.0])
+    for factor in (murch_wilson(loading), gupta_cheng(loading, 1e9, 2.3e11, 0.05)):
+        assert factor[0] == 1.0
+        assert np.all(np.diff(factor) < 0.0)
+        assert np.all((factor > 0.0) & (factor <= 1.0))
+    assert gupta_cheng(1.0, 1e9, 2.3e11, 0.2) < gupta_cheng(1.0, 1e9, 2.3e11, 0.0)
+    assert gupta_cheng(1e6, 3e9, 2.3e11, 0.0) == 0.0
+
+
+def test_starvation_by_the_inlet_distance() -> None:
+    film, radius, b = 3e-5, 4e-3, 1e-4
+    flooded = float(flooded_distance_central(film, radius, b))
+    assert flooded == pytest.approx(1.0 + 3.06 * (1600.0 * 3e-5) ** 0.58, rel=1e-12)
+    assert float(inlet_distance_central(flooded, flooded)) == 1.0
+    assert float(inlet_distance_central(2 * flooded, flooded)) == 1.0
+    assert float(inlet_distance_central(1.0, flooded)) == 0.0
+    assert float(inlet_distance_central(0.5, flooded)) == 0.0
+    halfway = 1.0 + 0.5 * (flooded - 1.0)
+    assert float(inlet_distance_central(halfway, flooded)) == pytest.approx(0.5**0.29)
+    assert float(inlet_distance_minimum(halfway, flooded)) == pytest.approx(0.5**0.25)
+    assert float(inlet_distance_central(5.0, 1.0)) == 1.0
+    assert isnan(float(inlet_distance_central(5.0, np.nan)))
+
+
+def test_replenishment() -> None:
+    """6305 with oil at 12.89 mm²/s and 2000 r/min, by hand: exponent 0.0171."""
+    hand = 3e-8 * 12.89 * 2000.0 * (25.0 + 62.0) * (3.1 / (2.0 * 37.0)) ** 0.5
+    arguments = (12.89e-6, 2000 * RPM, 0.025, 0.062)
+    found = replenishment(*arguments, "bath", angular_contact=False)
+    assert float(found) == pytest.approx(np.exp(-hand), rel=1e-9)
+    assert float(replenishment(*arguments, "grease", angular_contact=False)) < float(found)
+
+
+# --- regimes ---
+
+
+@pytest.mark.parametrize(
+    ("parameter", "name"),
+    [(10.0, "full_film"), (3.0, "partial"), (1.5, "partial"), (1.0, "boundary"),
+     (0.5, "boundary"), (0.3, "adhesive"), (0.0, "adhesive")],
+)  # fmt: skip
+def test_regimes(parameter: float, name: str) -> None:
+    found = regime_of(parameter)
+    assert found is not None
+    assert found.name == name
+    assert found.expects
+
+
+def test_regime_of_no_number() -> None:
+    assert regime_of(float("nan")) is None
+    assert regime_indices([np.nan, 5.0]).tolist() == [-1, 0]
+
+
+def test_the_table_of_failure_modes_is_whole() -> None:
+    groups = [mode.group for mode in failure_modes()]
+    assert (groups.count("contact_fatigue"), groups.count("plastic_deformation")) == (6, 3)
+    assert groups.count("wear") == 6
+    origins = {mode.origin for mode in failure_modes() if mode.group == "wear"}
+    assert origins == {"adhesive", "abrasive", "corrosive", "fretting"}
+    assert len({mode.name for mode in failure_modes()}) == len(groups)
+    assert set(adhesive_wear_by_speed()) == {"low_speed", "high_speed"}
+    assert [regime.above for regime in regimes()] == [3.0, 1.0, 0.3, -1.0]
+
+
+@pytest.mark.parametrize(
+    ("ratio", "origin"),
+    [(0.0, "surface"), (0.19, "surface"), (0.3, "undecided"), (0.5, "subsurface"),
+     (1.0, "subsurface"), (1.5, "subsurface"), (1.6, "undecided")],
+)  # fmt: skip
+def test_origin_of_a_crack(ratio: float, origin: str) -> None:
+    assert crack_origin(ratio * 1.0, 1.0) == origin
+
+
+@pytest.mark.parametrize(
+    ("crack", "shear"), [(-1.0, 1.0), (np.nan, 1.0), (1.0, 0.0), (1.0, np.inf)]
+)
+def test_refuses_impossible_depths(crack: float, shear: float) -> None:
+    with pytest.raises(InputError):
+        crack_origin(crack, shear)
+
+
+# --- a state and a batch ---
+
+
+def test_one_state_and_a_batch_give_the_same() -> None:
+    for name in ("218_combined", "6012_pair", "209_radial"):
+        one = case(name)
+        table = film_of_batch(one, solve_batch(one, {}))
+        state_film = film_of(solve(one))
+        for race in ("inner", "outer"):
+            for field in fields(ContactFilms):
+                batch = getattr(getattr(table, race), field.name)[0]
+                single = [getattr(getattr(ball, race), field.name) for ball in state_film.balls]
+                np.testing.assert_allclose(batch, single, rtol=1e-9, equal_nan=True)
+        assert table.viscosity_ratio[0] == pytest.approx(state_film.viscosity_ratio)
+
+
+def test_entrainment_of_a_loaded_bearing_is_nearly_that_of_rolling() -> None:
+    one = case("209_radial", duty={"inner_speed": "3000 rpm", "load": {"fz": "5 kN"}})
+    state, found = solve(one), film_of(solve(one))
+    bearing = one.bearing
+    rolling = float(
+        rolling_entrainment_speed(
+            bearing.pitch_diameter, bearing.ball_diameter / bearing.pitch_diameter, 3000 * RPM, 0.0
+        )
+    )
+    loaded = [i for i, ball in enumerate(state.balls) if ball.inner.load > 0.0]
+    assert loaded
+    for index in loaded:
+        for contact in (found.balls[index].inner, found.balls[index].outer):
+            assert contact.entrainment_speed == pytest.approx(rolling, rel=1e-3)
+
+
+def test_blocks_of_a_large_batch_join() -> None:
+    one = case()
+    batch = solve_batch(one, fz=np.linspace(1e3, 15e3, 5000))
+    warm = np.linspace(320.0, 360.0, 5000)
+    whole = film_of_batch(one, batch, lubricant_temperature=warm, threads=2)
+    picked = [0, 4095, 4096, 4999]
+    few = film_of_batch(
+        one,
+        solve_batch(one, fz=np.linspace(1e3, 15e3, 5000)[picked]),
+        lubricant_temperature=warm[picked],
+    )
+    np.testing.assert_allclose(
+        whole.outer.minimum_thickness[picked], few.outer.minimum_thickness, rtol=1e-8
+    )
+    np.testing.assert_allclose(whole.viscosity_ratio[picked], few.viscosity_ratio, rtol=1e-12)
+    assert whole.inner.film_parameter.shape == (5000, 16)
+
+
+def test_a_bad_case_carries_nan_and_leaves_the_others() -> None:
+    one = case()
+    batch = solve_batch(one, fx=[20e3, np.nan, 20e3])
+    table = film_of_batch(one, batch)
+    assert np.isnan(table.inner.central_thickness[1]).all()
+    assert np.isfinite(table.inner.central_thickness[[0, 2]]).all()
+
+
+def test_an_empty_batch() -> None:
+    one = case()
+    table = film_of_batch(one, solve_batch(one, fx=[]))
+    assert table.inner.central_thickness.shape == (0, 16)
+    assert table.viscosity_ratio.shape == (0,)
+
+
+def test_no_contact_has_no_film() -> None:
+    one = case("209_radial", duty={"inner_speed": "3000 rpm", "load": {"fz": "5 kN"}})
+    state, found = solve(one), film_of(solve(one))
+    for ball, its in zip(state.balls, found.balls, strict=True):
+        assert isnan(its.inner.central_thickness) == (ball.inner.load == 0.0)
+    assert any(isnan(ball.inner.central_thickness) for ball in found.balls)
+    assert found.thinnest("inner") is not None
+
+
+def test_the_record_as_a_mapping() -> None:
+    mapping = film().to_mapping()
+    text = json.dumps(mapping, allow_nan=False)
+    assert json.loads(text) == json.loads(json.dumps(mapping))
+    assert mapping["lubricant"] == "ISO VG 68"
+    assert mapping["balls"][0]["inner"]["regime"] == "full_film"
+    assert mapping["balls"][0]["inner"]["expected_failures"][0] == "subsurface_inclusion"
+    still = film_of(solve(case(duty={"load": {"fx": "20 kN"}})))
+    assert still.to_mapping()["reference_viscosity"] is None
+
+
+# --- what the user should know ---
+
+
+def test_missing_lubricant_and_temperature_are_named() -> None:
+    for changes, field in (
+        ({"lubricant": None}, "lubricant"),
+        ({"temperature": None}, "temperature.lubricant"),
+    ):
+        one = case(**changes)
+        with pytest.raises(InputError) as caught:
+            film_of(solve(one))
+        assert caught.value.field == field
+        with pytest.raises(InputError):
+            film_of_batch(one, solve_batch(one, {}))
+
+
+def test_a_batch_refuses_temperatures_of_another_length() -> None:
+    one = case()
+    batch = solve_batch(one, fx=[1e4, 2e4])
+    for wrong in ([300.0], [300.0, -1.0], np.nan):
+        with pytest.raises(InputError, match="lubricant_temperature"):
+            film_of_batch(one, batch, lubricant_temperature=wrong)
+
+
+@pytest.mark.parametrize(
+    ("tables", "word"),
+    [
+        ({"lubricant": "Tonna S 68", "temperature": {"lubricant": "-30 degC"}}, "below its range"),
+        ({"lubricant": "Tonna S 68", "temperature": {"lubricant": "250 degC"}}, "above its range"),
+        ({"temperature": {"lubricant": "200 degC"}}, "less than 2 mm²/s"),
+        ({"surface": None}, "no film parameter"),
+        ({"lubricant": "Rheolube 2000"}, "base oil"),
+        ({"lubricant": "BP 135"}, "Dry lubrication"),
+        ({"duty": {"load": {"fx": "20 kN"}}}, "Nothing turns"),
+        ({}, "estimated"),
+        ({}, "Hamrock and Dowson"),
+        ({"lubricant": "ISO VG 10", "temperature": {"lubricant": "110 degC"}}, "thinner than"),
+        ({"surface": {"inner_roughness": "20 um", "outer_roughness": "20 um",
+                      "ball_roughness": "1 um"}}, "adhesive wear"),
+        ({"film": {"starvation": "inlet_distance", "inlet_distance": "0.2 mm"}},
+         "Lack of oil"),
+    ],
+)  # fmt: skip
+def test_notes(tables: dict[str, Any], word: str) -> None:
+    assert word in notes_of(case(**tables))
+
+
+def test_a_measured_coefficient_is_no_estimate() -> None:
+    own = {"base_oil": "ISO VG 68", "pressure_viscosity": "20 1/GPa"}
+    assert "estimated" not in notes_of(case(lubricant=own))
+
+
+def test_standing_still_there_is_no_film() -> None:
+    still = film_of(solve(case(duty={"load": {"fx": "20 kN"}})))
+    assert {ball.inner.central_thickness for ball in still.balls} == {0.0}
+    assert still.viscosity_ratio == 0.0
+    assert still.balls[0].inner.regime == "adhesive"
+
+
+def test_dry_lubrication_has_no_numbers() -> None:
+    dry = film_of(solve(case(lubricant="BP 135")))
+    assert all(isnan(ball.inner.central_thickness) for ball in dry.balls)
+    assert isnan(dry.viscosity_ratio)
+    assert dry.balls[0].inner.regime == ""
+
+
+def test_reductions_are_chosen_in_the_case() -> None:
+    plain = film_of(solve(case(film={"thermal": "none"})))
+    warm, other = film(), film_of(solve(case(film={"thermal": "gupta_cheng"})))
+    starved = film_of(
+        solve(case(film={"starvation": "replenishment", "supply": "grease", "bore": "90 mm",
+                         "outside_diameter": "160 mm"}))
+    )  # fmt: skip
+    first, second, third, fourth = (f.balls[0].inner for f in (plain, warm, other, starved))
+    assert first.thermal_factor == 1.0
+    assert second.central_thickness == pytest.approx(
+        first.central_thickness * second.thermal_factor
+    )
+    assert third.thermal_factor < 1.0
+    assert fourth.central_thickness == pytest.approx(
+        second.central_thickness * fourth.starvation_factor
+    )
+    assert fourth.starvation_factor < 1.0
+
+
+def test_both_rings_turning_count_by_their_difference() -> None:
+    one = case(model={"centrifugal_force": False, "gyroscopic_moment": False})
+    mapping = one.to_mapping()
+    turned = Case.from_mapping(
+        {
+            **mapping,
+            "duty": {**mapping["duty"], "inner_speed": "0 rpm", "outer_speed": "-10000 rpm"},
+        }
+    )
+    first, second = film_of(solve(one)), film_of(solve(turned))
+    for one_ball, other in zip(first.balls, second.balls, strict=True):
+        for race in ("inner", "outer"):
+            assert getattr(one_ball, race).entrainment_speed == pytest.approx(
+                getattr(other, race).entrainment_speed, rel=1e-9
+            )
+
+
+def test_records_are_frozen() -> None:
+    with pytest.raises(AttributeError):
+        film().lubricant = "other"  # type: ignore[misc]
+    assert replace(film(), notes=()).notes == ()
