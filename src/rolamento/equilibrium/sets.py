@@ -92,7 +92,7 @@ class RowSet:
         """Solve all cases, or some."""
         chosen = np.arange(self.columns.cases) if which is None else which
         control = np.broadcast_to(control, (len(chosen), self.shape[1]))
-        return _Problem(self, control, chosen).solve()
+        return _Problem.of(self, control, chosen).solve()
 
     def verdict(self, solution: SetSolution, control: Floats) -> NDArray[np.int64]:
         """Jones's criterion for every ball at a solution; (cases, balls)."""
@@ -105,63 +105,48 @@ class RowSet:
         return list(np.split(control, ends, axis=1))
 
 
+@dataclass(frozen=True, slots=True)
 class _Problem:
-    """Some cases of a set, set up as the equations of a ring."""
+    """Some cases of a set as the equations of a ring, and where to begin.
 
-    def __init__(self, system: RowSet, control: Floats, chosen: Indices) -> None:
+    By row: control (cases, balls), transforms (cases, 5, 6), press (cases,). Of the ring, scaled:
+    free, target (what is asked of a free unknown) and start (where a held one is), (cases, 6).
+    """
+
+    system: RowSet
+    chosen: Indices
+    control: list[Floats]
+    transforms: list[Floats]
+    press: list[Floats]
+    free: NDArray[np.bool_]
+    target: Floats
+    start: Floats
+
+    @classmethod
+    def of(cls, system: RowSet, control: Floats, chosen: Indices) -> _Problem:
+        """Set up the chosen cases."""
         columns = system.columns
-        self.system = system
-        self.chosen = chosen
-        self.control = system.split(control)
-        self.sprung = columns.preload == "spring"
-        self.arm = columns.rows[0].p[rows.ARM, chosen]
-        self.transforms = [
-            transform(row, columns.rows[0], self.sprung)[chosen] for row in columns.rows
-        ]
-        self.press = [press[chosen] for press in system.press]
+        sprung = columns.preload == "spring"
         arms = ring_arms(columns.rows[0].p[:, chosen])
-        n = len(chosen)
-        self.free = np.zeros((n, UNKNOWNS), np.bool_)
-        self.target = np.zeros((n, UNKNOWNS))
-        self.start = np.zeros((n, UNKNOWNS))
-        self.free[:, :5] = columns.free[:, chosen].T
-        self.free[:, SLIDE] = self.sprung
-        self.target[:, :5] = (columns.load[:, chosen] / arms).T
-        self.start[:, :5] = (columns.displacement[:, chosen] * arms).T
-        if self.sprung:
-            self.target[:, SLIDE] = columns.preload_value[chosen]
-        self._guess()
-
-    def _guess(self) -> None:
-        """Begin pressed in where nothing else presses: rows that touch have stiffness."""
-        columns, chosen = self.system.columns, self.chosen
-        stiffness = sum(row.p[rows.SERIES_STIFFNESS, chosen] * row.balls for row in columns.rows)
-        radial = np.hypot(self.target[:, 1], self.target[:, 2])
-        away = (4.5 * radial / stiffness) ** (2.0 / 3.0)
-        loose = np.max([np.abs(press) for press in self.press], axis=0) == 0.0
-        unit = np.divide(
-            self.target[:, 1:3],
-            radial[:, np.newaxis],
-            where=radial[:, np.newaxis] > 0.0,
-            out=np.zeros((len(chosen), 2)),
+        press = [press[chosen] for press in system.press]
+        free = np.zeros((len(chosen), UNKNOWNS), np.bool_)
+        target, held = np.zeros(free.shape), np.zeros(free.shape)
+        free[:, :5] = columns.free[:, chosen].T
+        free[:, SLIDE] = sprung
+        target[:, :5] = (columns.load[:, chosen] / arms).T
+        target[:, SLIDE] = columns.preload_value[chosen] if sprung else 0.0
+        held[:, :5] = (columns.displacement[:, chosen] * arms).T
+        touching = np.max([np.abs(e) for e in press], axis=0) > 0.0
+        return cls(
+            system=system,
+            chosen=chosen,
+            control=system.split(control),
+            transforms=[transform(row, columns.rows[0], sprung)[chosen] for row in columns.rows],
+            press=press,
+            free=free,
+            target=target,
+            start=held + _pressed(columns, chosen, free & ~touching[:, np.newaxis], target),
         )
-        for i in (1, 2):
-            pushed = self.free[:, i] & loose
-            self.start[:, i] = np.where(pushed, away * unit[:, i - 1], self.start[:, i])
-        axial = self.target[:, 0]
-        sine = np.clip(columns.rows[0].p[rows.AXIAL_OFFSET, chosen], 0.0, None)
-        reach = (
-            columns.rows[0].p[rows.OUTER_LENGTH, chosen]
-            + columns.rows[0].p[rows.INNER_LENGTH, chosen]
-        )
-        steepness = np.maximum(sine / reach, 0.2)
-        into = (np.abs(axial) / (stiffness * steepness**2.5)) ** (2.0 / 3.0)
-        pushed = self.free[:, 0] & loose
-        self.start[:, 0] = np.where(pushed, np.sign(axial) * into, self.start[:, 0])
-        if self.sprung:
-            force = self.target[:, SLIDE]
-            self.start[:, SLIDE] = 2.0 * (force / (stiffness * steepness**2.5)) ** (2.0 / 3.0)
-            self.start[:, 0] += np.where(pushed & (axial == 0.0), 0.5 * self.start[:, SLIDE], 0.0)
 
     def solve(self) -> SetSolution:
         first = self.system.columns.rows[0].p[:, self.chosen]
@@ -238,6 +223,28 @@ class _Problem:
         solution.safe[which] = np.any([row.safe for row in view.rows], axis=0)
         solution.code[which], solution.unsupported[which] = _judged(found, view)
         return solution
+
+
+def _pressed(columns: Columns, chosen: Indices, loose: NDArray[np.bool_], target: Floats) -> Floats:
+    """Where to begin with what is loose: pressed in by the load, for rows that touch are stiff."""
+    first = columns.rows[0].p[:, chosen]
+    stiffness = sum(row.p[rows.SERIES_STIFFNESS, chosen] * row.balls for row in columns.rows)
+    begin = np.zeros(target.shape)
+    radial = np.hypot(target[:, 1], target[:, 2])
+    away = (4.5 * radial / stiffness) ** (2.0 / 3.0)
+    for i in (1, 2):
+        unit = np.divide(target[:, i], radial, where=radial > 0.0, out=np.zeros(len(chosen)))
+        begin[:, i] = np.where(loose[:, i], away * unit, 0.0)
+    axial, force = target[:, 0], target[:, SLIDE]
+    sine = np.clip(first[rows.AXIAL_OFFSET], 0.0, None)
+    sine = np.maximum(sine / (first[rows.OUTER_LENGTH] + first[rows.INNER_LENGTH]), 0.2)
+    yielding = stiffness * sine**2.5
+    into = np.sign(axial) * (np.abs(axial) / yielding) ** (2.0 / 3.0)
+    if columns.preload == "spring":
+        begin[:, SLIDE] = 2.0 * (force / yielding) ** (2.0 / 3.0)
+        into += np.where(axial == 0.0, 0.5 * begin[:, SLIDE], 0.0)
+    begin[:, 0] = np.where(loose[:, 0], into, 0.0)
+    return begin
 
 
 def transform(row: RowColumns, first: RowColumns, sprung: bool) -> Floats:
