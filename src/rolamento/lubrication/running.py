@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, fields, replace
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
 
@@ -70,15 +70,26 @@ class _Motion:
 
 def part(batch: BatchState, cases: slice) -> BatchState:
     """Return some cases of a batch."""
-    arrays = (field.name for field in fields(batch) if field.name != "rows")
-    own = {name: getattr(batch, name)[cases] for name in arrays}
-    return replace(batch, **own, rows=tuple(_part_of_row(row, cases) for row in batch.rows))
+    rows_of_balls = []
+    for row in batch.rows:
+        some: RowBatch = _part(row, cases, but="parameters")
+        rows_of_balls.append(replace(some, parameters=row.parameters[:, cases]))
+    found: BatchState = _part(batch, cases, but="rows")
+    return replace(found, rows=tuple(rows_of_balls))
 
 
-def _part_of_row(row: RowBatch, cases: slice) -> RowBatch:
-    arrays = (field.name for field in fields(row) if field.name != "parameters")
-    own = {name: getattr(row, name)[cases] for name in arrays}
-    return replace(row, **own, parameters=row.parameters[:, cases])
+def _part(record: Any, cases: slice, but: str = "") -> Any:
+    """Return some cases of a record of arrays (cases, …), in which records may be nested."""
+    if record is None:
+        return None
+    if isinstance(record, np.ndarray):
+        return record[cases]
+    own = {
+        field.name: _part(getattr(record, field.name), cases)
+        for field in fields(record)
+        if field.name != but
+    }
+    return replace(record, **own)
 
 
 def balls_of_batch(batch: BatchState) -> RunningBalls:
