@@ -1,0 +1,227 @@
+"""Harris's model of 1971: slip in the rolling direction only, in closed form.
+
+The pressure is summed along the ellipse, q(s) = (3Q/4a)(1 - s²), and friction acts along rolling
+with the sign of v_y. That sign changes only on the lines of pure rolling, at most two in each
+contact, and between them every integral is a closed form. The motion is the one that balances
+the ball: forces along the orbit, moments about x and z. No force acts across rolling, so the
+model cannot carry a gyroscopic moment: low speed only. It lies below Jones's full model by about
+the factor E(m) of spin, because it leaves out slip across rolling.
+
+Harris (1971), with Ricci and Fleury's equations 15 to 19 as corrected in docs/theory/friction.md.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from rolamento.friction.control import controlling_race, unit_motion
+from rolamento.friction.ellipse_mesh import ellipse_mesh
+from rolamento.friction.least_power import start_of
+from rolamento.friction.loaded_balls import LoadedBalls
+from rolamento.friction.minimum_power import flat_balls, least_power_motion
+from rolamento.friction.slip import (
+    BallVelocity,
+    Patch,
+    RelativeMotion,
+    relative_motion,
+    rolling_lines,
+)
+from rolamento.friction.torque import ContactLoss, Torque, checked_coefficient, torque_of_losses
+from rolamento.numerics import BoolArray, FloatArray
+
+NAME: Final = "harris_1971"
+
+_POINTS = 120
+_STEPS = 60
+_TOLERANCE = 1e-8
+"""Of the balance of forces, over friction itself: what stands of a closed form in doubles."""
+_LEAST_DAMPING = 1e-14
+
+
+@dataclass(frozen=True, slots=True)
+class LineFriction:
+    """Friction along rolling of contacts, per μ; arrays (contacts,).
+
+    force N along rolling; roll = ∫ρ f and twist = ∫x0 f, N·m; power for the motion, W.
+    """
+
+    force: FloatArray
+    roll: FloatArray
+    twist: FloatArray
+    power: FloatArray
+
+
+def line_friction(patch: Patch, motion: RelativeMotion) -> LineFriction:
+    """Sum friction up between the lines of pure rolling, for a coefficient of one.
+
+    Parameters
+    ----------
+    patch, motion : of the same contacts, arrays (contacts,).
+
+    Returns
+    -------
+    LineFriction.
+    """
+    lines = rolling_lines(patch, motion)
+    ends = np.sort(np.nan_to_num(lines, nan=1.0), axis=-1)
+    edge = np.ones((*lines.shape[:-1], 1))
+    cuts = np.concatenate([-edge, ends, edge], axis=-1)
+    middle = 0.5 * (cuts[..., 1:] + cuts[..., :-1])
+    sign = np.sign(_slip(patch, motion, middle))
+    force, roll, twist = (
+        np.sum(sign * np.diff(primitive, axis=-1), axis=-1) * patch.load
+        for primitive in _primitives(patch, cuts)
+    )
+    power = force * motion.drift + patch.side * roll * motion.roll - twist * motion.twist
+    return LineFriction(force, roll, twist, power)
+
+
+def _primitives(patch: Patch, s: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Primitives by s of q, ρ q and x0 q over the load, q the pressure summed along."""
+    plain = 0.75 * (s - s**3 / 3.0)
+    moment = 0.75 * (s**2 / 2.0 - s**4 / 4.0)
+    a, radius = patch.semi_major[..., np.newaxis], patch.deformed_radius[..., np.newaxis]
+    ratio = a / radius
+    # √(R² - x²) = R - x²/(R + √(R² - x²)): the part beside R keeps its digits
+    root = np.sqrt(1.0 - (ratio * s) ** 2)
+    angle = np.arcsin(ratio * s)
+    first = 0.5 * (s * root + angle / ratio)
+    t = ratio * s
+    second = (0.125 * (2.0 * t**2 - 1.0) * t * root + 0.125 * angle) / ratio**3
+    arc = 0.75 * radius * (first - second)
+    lift = patch.rolling_radius(np.zeros_like(patch.load)) - patch.deformed_radius
+    return plain, arc + lift[..., np.newaxis] * plain, moment * a
+
+
+def _slip(patch: Patch, motion: RelativeMotion, s: FloatArray) -> FloatArray:
+    """v_y at s = x0/a, (contacts, points)."""
+    points = patch.at_points()
+    roll, twist, drift = (
+        array[..., np.newaxis] for array in (motion.roll, motion.twist, motion.drift)
+    )
+    return np.asarray(
+        drift + patch.side * points.rolling_radius(s) * roll - points.semi_major * s * twist
+    )
+
+
+def harris_1971(balls: LoadedBalls, coefficient: ArrayLike) -> Torque:
+    """Torque of Harris's model of 1971, for dry friction at low speed.
+
+    Parameters
+    ----------
+    balls : of solved cases.
+    coefficient : μ, a number or (cases,).
+
+    Returns
+    -------
+    Torque; parts "spin" and "rolling_slip". A case with a ball that did not converge is NaN.
+    """
+    mu = checked_coefficient(coefficient, "friction_coefficient")
+    inner, outer, chosen = flat_balls(balls)
+    parts = {name: ContactLoss(*np.zeros((2, *chosen.shape))) for name in ("spin", "rolling_slip")}
+    converged = np.ones(chosen.shape, np.bool_)
+    if np.any(chosen):
+        start = start_of(unit_motion(balls, controlling_race(balls, "jones")), chosen)
+        motion, converged[chosen] = _balanced(inner, outer, start)
+        friction = np.broadcast_to(mu, chosen.shape)[chosen]
+        for place, patch in enumerate((inner, outer)):
+            seen = _seen(patch, motion)
+            sums = line_friction(patch, seen)
+            spin = -friction * sums.twist * seen.twist
+            for loss, value in (
+                (parts["spin"], spin),
+                (parts["rolling_slip"], friction * sums.power - spin),
+            ):
+                (loss.inner, loss.outer)[place][chosen] = value
+    return torque_of_losses(NAME, balls, parts, np.all(converged, axis=-1))
+
+
+def _balanced(inner: Patch, outer: Patch, start: FloatArray) -> tuple[FloatArray, BoolArray]:
+    """The motion (balls, 3) that balances the balls, by Newton with damping from a mesh's."""
+    free = np.broadcast_to(np.eye(3), (*start.shape, 3))
+    # one point along the ellipse, in the middle: no slip across rolling there
+    found = least_power_motion(inner, outer, start, free, ellipse_mesh(_POINTS, 1))
+    motion = np.stack([found.ball_x, found.ball_z, found.orbit], axis=-1)
+    motion = np.where(found.converged[:, np.newaxis], motion, start)
+    error, hessian, scale = _imbalance(inner, outer, motion)
+    damping = np.full(len(start), 1e-6)
+    for _ in range(_STEPS):
+        size = np.max(np.abs(error) / scale, axis=1)
+        if np.all((size <= 1e-3 * _TOLERANCE) | (damping > 1e6)):
+            break
+        trial = motion - _step(error, hessian, damping)
+        new_error, new_hessian, _ = _imbalance(inner, outer, trial)
+        better = np.max(np.abs(new_error) / scale, axis=1) < size
+        motion = np.where(better[:, np.newaxis], trial, motion)
+        error = np.where(better[:, np.newaxis], new_error, error)
+        hessian = np.where(better[:, np.newaxis, np.newaxis], new_hessian, hessian)
+        damping = np.maximum(np.where(better, 0.01 * damping, 30.0 * damping), _LEAST_DAMPING)
+    return motion, np.max(np.abs(error) / scale, axis=1) <= _TOLERANCE
+
+
+def _step(error: FloatArray, hessian: FloatArray, damping: FloatArray) -> FloatArray:
+    diagonal = np.sqrt(np.einsum("bii->bi", hessian) + np.finfo(np.float64).tiny)
+    scaled = hessian / (diagonal[:, :, np.newaxis] * diagonal[:, np.newaxis, :])
+    scaled = scaled + damping[:, np.newaxis, np.newaxis] * np.eye(3)
+    return np.asarray(
+        np.linalg.solve(scaled, (error / diagonal)[..., np.newaxis])[..., 0] / diagonal
+    )
+
+
+def _seen(patch: Patch, motion: FloatArray) -> RelativeMotion:
+    ball_x, ball_z, orbit = motion[:, 0], motion[:, 1], motion[:, 2]
+    ring = 1.0 if patch.race == "inner" else 0.0
+    ball = BallVelocity(ball_x - orbit, np.zeros_like(orbit), ball_z)
+    return relative_motion(patch, ball, ring - orbit)
+
+
+def _imbalance(
+    inner: Patch, outer: Patch, motion: FloatArray
+) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Gradient of the power per μ by the motion, its Hessian, and the gradient's own scale."""
+    gradient, scale = np.zeros_like(motion), np.zeros_like(motion)
+    hessian = np.zeros((*motion.shape, 3))
+    for patch in (inner, outer):
+        seen = _seen(patch, motion)
+        sums = line_friction(patch, seen)
+        cosine, sine = np.cos(patch.contact_angle), np.sin(patch.contact_angle)
+        roll = patch.side * sums.roll
+        arm = 0.5 * patch.pitch_diameter
+        gradient += np.stack(
+            [roll * cosine - sums.twist * sine, -roll * sine - sums.twist * cosine,
+             sums.force * arm], axis=-1,
+        )  # fmt: skip
+        scale += np.stack(
+            [0.5 * patch.load * patch.ball_diameter] * 2 + [patch.load * arm], axis=-1
+        )
+        hessian += _curvature(patch, seen)
+    return gradient, hessian, scale
+
+
+def _curvature(patch: Patch, motion: RelativeMotion) -> FloatArray:
+    """Second derivatives of the power: 2 q/|v'| at every line of pure rolling; (balls, 3, 3)."""
+    lines = rolling_lines(patch, motion)
+    there = np.isfinite(lines)
+    s = np.where(there, lines, 0.0)
+    points = patch.at_points()
+    radius = patch.side * points.rolling_radius(s)
+    x0 = points.semi_major * s
+    bend = np.sqrt(points.deformed_radius**2 - x0**2)
+    slope = -patch.side * motion.roll[..., np.newaxis] * x0 / bend - motion.twist[..., np.newaxis]
+    density = 0.75 * points.load * (1.0 - s**2) / points.semi_major
+    with np.errstate(divide="ignore", invalid="ignore"):
+        weight = np.where(there & (slope != 0.0), 2.0 * density / np.abs(slope), 0.0)
+    cosine, sine = np.cos(points.contact_angle), np.sin(points.contact_angle)
+    rate = np.stack(
+        np.broadcast_arrays(
+            radius * cosine - x0 * sine,
+            -radius * sine - x0 * cosine,
+            0.5 * points.pitch_diameter,
+        ),
+        axis=-1,
+    )
+    return np.asarray(np.einsum("bl,bli,blj->bij", weight, rate, rate))

@@ -1,0 +1,57 @@
+"""Jones's full model: friction alone decides how the balls move.
+
+Coulomb friction acts over both ellipses of every ball; the ball's angular velocity and orbit are
+unknown, and follow from its balance of moments and forces without inertia, which is the minimum
+of the power (`minimum_power`). Both contacts spin.
+
+Jones (1959), without its forces of inertia: for low speed.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from rolamento.friction.control import controlling_race, unit_motion
+from rolamento.friction.ellipse_mesh import EllipseMesh, ellipse_mesh
+from rolamento.friction.least_power import least_power_losses
+from rolamento.friction.loaded_balls import LoadedBalls
+from rolamento.friction.minimum_power import FreeMotion
+from rolamento.friction.torque import Torque, checked_coefficient, torque_of_losses
+
+NAME: Final = "jones_full"
+
+
+def jones_full(
+    balls: LoadedBalls, coefficient: ArrayLike, *, mesh: EllipseMesh | None = None
+) -> Torque:
+    """Torque of Jones's full model, for dry or boundary friction at low speed.
+
+    Parameters
+    ----------
+    balls : of solved cases.
+    coefficient : μ, a number or (cases,). The motion does not depend on it: T is proportional.
+    mesh : points on the ellipses; 80 × 5 by default.
+
+    Returns
+    -------
+    Torque; parts "spin" and "rolling_slip". A case with a ball that did not converge is NaN.
+    """
+    return jones_full_motion(balls, coefficient, mesh=mesh)[0]
+
+
+def jones_full_motion(
+    balls: LoadedBalls, coefficient: ArrayLike, *, mesh: EllipseMesh | None = None
+) -> tuple[Torque, FreeMotion | None]:
+    """The torque, and the motion of the balls that bear on both races, for a unit speed.
+
+    Parameters as of `jones_full`; the motion is None where no ball is loaded.
+    """
+    mu = checked_coefficient(coefficient, "friction_coefficient")
+    mesh = ellipse_mesh() if mesh is None else mesh
+    start = unit_motion(balls, controlling_race(balls, "jones"))
+    free = np.broadcast_to(np.eye(3), (*balls.loaded.shape, 3, 3))
+    losses, converged, motion = least_power_losses(balls, mu, start, free, mesh)
+    return torque_of_losses(NAME, balls, losses, converged), motion

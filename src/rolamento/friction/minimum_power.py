@@ -1,0 +1,286 @@
+"""The motion of a ball between turning rings that takes the least power of friction.
+
+Without inertia, friction alone moves the ball. Its power is convex in the ball's angular
+velocity and the speed of its orbit, and its gradient holds the moments on the ball and the force
+along its orbit: the minimum is the equilibrium. With fewer motions allowed (raceway control) it
+is the equilibrium of what remains, and takes no less power.
+
+Newton's method on the rounded law, from a wide rounding to a narrow one, each step shortened
+until the power falls; many balls at a time.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rolamento.friction.ellipse_mesh import EllipseMesh
+from rolamento.friction.loaded_balls import LoadedBalls
+from rolamento.friction.slip import BallVelocity, Patch, RelativeMotion, relative_motion
+from rolamento.friction.slip import slip_velocity as slip_at
+from rolamento.numerics import BoolArray, FloatArray
+
+ROUNDINGS = (0.1, 0.01)
+"""v0 over the slip that rolling alone makes in the smaller contact, stage by stage."""
+
+GRADIENT_TOLERANCE = 1e-9
+"""Of the sum of what the gradient is made of, without cancellation."""
+
+_STEPS = 60
+_HALVINGS = 30
+_ARMIJO = 1e-4
+_CHUNK = 64
+
+
+@dataclass(frozen=True, slots=True)
+class FreeMotion:
+    """The motion found, for a unit speed of the inner ring relative to the outer.
+
+    Seen from the outer ring. ball_x, ball_z and orbit: (balls,), rad/s; rounding: v0 of the last
+    stage, m/s; converged: (balls,); residual: the greatest gradient over its own scale.
+    """
+
+    ball_x: FloatArray
+    ball_z: FloatArray
+    orbit: FloatArray
+    rounding: FloatArray
+    converged: BoolArray
+    residual: FloatArray
+
+    def at_cage(self) -> BallVelocity:
+        """The ball's angular velocity seen from the cage; rad/s."""
+        return BallVelocity(self.ball_x - self.orbit, np.zeros_like(self.orbit), self.ball_z)
+
+    def relative_motion(self, patch: Patch) -> RelativeMotion:
+        """Roll, twist and drift of the contacts of one race."""
+        ring = 1.0 if patch.race == "inner" else 0.0
+        return relative_motion(patch, self.at_cage(), ring - self.orbit)
+
+
+def flat_balls(balls: LoadedBalls) -> tuple[Patch, Patch, BoolArray]:
+    """The balls that bear on both races, each distinct one once per case.
+
+    Returns the inner and outer contacts, arrays (loaded,), and which of (cases, balls) they are.
+    """
+    chosen = balls.loaded
+    return _picked(balls.inner, chosen), _picked(balls.outer, chosen), chosen
+
+
+def least_power_motion(
+    inner: Patch,
+    outer: Patch,
+    start: FloatArray,
+    directions: FloatArray,
+    mesh: EllipseMesh,
+    roundings: tuple[float, ...] = ROUNDINGS,
+) -> FreeMotion:
+    """Find the motion of least friction power.
+
+    Parameters
+    ----------
+    inner, outer : contacts of the same balls, arrays (balls,).
+    start : (balls, 3), a motion (ball_x, ball_z, orbit) for a unit speed of the inner ring.
+    directions : (balls, 3, k), which changes of it are allowed.
+    mesh : points on the ellipses.
+    roundings : stages, falling.
+
+    Returns
+    -------
+    FreeMotion. Balls whose numbers are alike are solved once.
+    """
+    key = np.column_stack([*inner.arrays, *outer.arrays, start, directions.reshape(len(start), -1)])
+    _, first, back = np.unique(key, axis=0, return_index=True, return_inverse=True)
+    back = back.reshape(-1)
+    parts = [
+        _solved(_picked(inner, c), _picked(outer, c), start[c], directions[c], mesh, roundings)
+        for c in np.array_split(first, max(1, -(-first.size // _CHUNK)))
+    ]
+    joined = (np.concatenate(arrays)[back] for arrays in zip(*parts, strict=True))
+    motion, rounding, converged, residual = joined
+    return FreeMotion(
+        motion[:, 0], motion[:, 1], motion[:, 2], rounding, converged.astype(np.bool_), residual
+    )
+
+
+def _picked(patch: Patch, chosen: BoolArray | NDArray[np.intp]) -> Patch:
+    return patch.mapped(lambda array: array[chosen])
+
+
+@dataclass(frozen=True, slots=True)
+class _Problem:
+    """Slip as a linear function of the motion: values at zero, and rates by its coordinates.
+
+    rolling (balls, points), transverse (balls, points); *_rate (balls, points, k); weight: the
+    load's share of each point (balls, points).
+    """
+
+    rolling: FloatArray
+    transverse: FloatArray
+    rolling_rate: FloatArray
+    transverse_rate: FloatArray
+    weight: FloatArray
+
+    def of(self, balls: NDArray[np.intp]) -> _Problem:
+        """The same for some of the balls."""
+        if len(balls) == len(self.weight):
+            return self
+        return _Problem(
+            self.rolling[balls],
+            self.transverse[balls],
+            self.rolling_rate[balls],
+            self.transverse_rate[balls],
+            self.weight[balls],
+        )
+
+
+def _solved(
+    inner: Patch,
+    outer: Patch,
+    start: FloatArray,
+    directions: FloatArray,
+    mesh: EllipseMesh,
+    roundings: tuple[float, ...],
+) -> tuple[FloatArray, FloatArray, BoolArray, FloatArray]:
+    problem = _problem(inner, outer, start, directions, mesh)
+    unit = _slip_scale(inner, outer, start)
+    y = np.zeros(directions.shape[::2])
+    residual = np.full(len(start), np.inf)
+    for stage in roundings:
+        y, residual = _newton(problem, y, (stage * unit)[:, np.newaxis])
+    motion = start + np.einsum("bik,bk->bi", directions, y)
+    converged = residual <= GRADIENT_TOLERANCE
+    motion = np.where(converged[:, np.newaxis], motion, np.nan)
+    return motion, roundings[-1] * unit, converged, residual
+
+
+def _problem(
+    inner: Patch, outer: Patch, start: FloatArray, directions: FloatArray, mesh: EllipseMesh
+) -> _Problem:
+    columns = [_contact_columns(patch, start, directions, mesh) for patch in (inner, outer)]
+    rolling, transverse, rolling_rate, transverse_rate, weight = (
+        np.concatenate(arrays, axis=1) for arrays in zip(*columns, strict=True)
+    )
+    total = np.sum(weight, axis=1, keepdims=True)
+    return _Problem(rolling, transverse, rolling_rate, transverse_rate, weight / total)
+
+
+def _contact_columns(
+    patch: Patch, start: FloatArray, directions: FloatArray, mesh: EllipseMesh
+) -> tuple[FloatArray, ...]:
+    """Slip at the start, its rates, and the load at the points of one contact."""
+    ring = 1.0 if patch.race == "inner" else 0.0
+    slip = slip_at(patch, _motion(patch, start, ring), mesh.across, mesh.along)
+    rates = [
+        slip_at(patch, _motion(patch, directions[..., k], 0.0), mesh.across, mesh.along)
+        for k in range(directions.shape[-1])
+    ]
+    return (
+        slip.rolling,
+        slip.transverse,
+        np.stack([rate.rolling for rate in rates], axis=-1),
+        np.stack([rate.transverse for rate in rates], axis=-1),
+        patch.load[:, np.newaxis] * mesh.weight,
+    )
+
+
+def _motion(patch: Patch, motion: FloatArray, ring: float) -> RelativeMotion:
+    ball_x, ball_z, orbit = motion[:, 0], motion[:, 1], motion[:, 2]
+    ball = BallVelocity(ball_x - orbit, np.zeros_like(orbit), ball_z)
+    return relative_motion(patch, ball, ring - orbit)
+
+
+def _slip_scale(inner: Patch, outer: Patch, start: FloatArray) -> FloatArray:
+    """Slip that the curvature of the contacts makes in rolling, the smaller of both; m/s."""
+    scales = []
+    for patch, ring in ((inner, 1.0), (outer, 0.0)):
+        roll = np.abs(_motion(patch, start, ring).roll)
+        scales.append(roll * patch.semi_major**2 / (2.0 * patch.deformed_radius))
+    return np.minimum(*scales)
+
+
+def _newton(p: _Problem, y: FloatArray, rounding: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Minimise the rounded power per load; y (balls, k), rounding (balls, 1)."""
+    y, residual = y.copy(), np.full(len(y), np.inf)
+    left = np.arange(len(y))
+    for _ in range(_STEPS):
+        part, near, width = p.of(left), y[left], rounding[left]
+        value, gradient, hessian, scale = _derivatives(part, near, width)
+        residual[left] = np.max(np.abs(gradient) / scale, axis=1)
+        step = _newton_step(gradient, hessian)
+        length = _step_length(part, near, step, width, value, gradient)
+        open_still = (residual[left] > GRADIENT_TOLERANCE) & (length > 0.0)
+        y[left] += np.where(open_still, length, 0.0)[:, np.newaxis] * step
+        left = left[open_still]
+        if not left.size:
+            break
+    return y, residual
+
+
+def _step_length(
+    p: _Problem,
+    y: FloatArray,
+    step: FloatArray,
+    rounding: FloatArray,
+    value: FloatArray,
+    gradient: FloatArray,
+) -> FloatArray:
+    """Length of a step after which the power is lower (Armijo); 0 where none was found."""
+    descent = np.einsum("bk,bk->b", gradient, step)
+    length = np.ones(len(y))
+    for _ in range(_HALVINGS):
+        trial = _power(p, y + length[:, np.newaxis] * step, rounding)
+        high = ~(trial <= value + _ARMIJO * length * descent + 1e-15 * value)
+        if not np.any(high):
+            return length
+        length = np.where(high, 0.5 * length, length)
+    return np.where(high, 0.0, length)
+
+
+def _newton_step(gradient: FloatArray, hessian: FloatArray) -> FloatArray:
+    """Solve for the step in coordinates that make the diagonal one, with a touch of damping."""
+    k = gradient.shape[1]
+    diagonal = np.sqrt(np.einsum("bii->bi", hessian))
+    scaled = hessian / (diagonal[:, :, np.newaxis] * diagonal[:, np.newaxis, :])
+    scaled = scaled + 1e-12 * np.eye(k)
+    solved = np.linalg.solve(scaled, -(gradient / diagonal)[:, :, np.newaxis])[:, :, 0]
+    return np.asarray(solved / diagonal)
+
+
+def _slip(p: _Problem, y: FloatArray) -> tuple[FloatArray, FloatArray]:
+    column = y[:, :, np.newaxis]
+    rolling = p.rolling + np.matmul(p.rolling_rate, column)[:, :, 0]
+    return rolling, p.transverse + np.matmul(p.transverse_rate, column)[:, :, 0]
+
+
+def _power(p: _Problem, y: FloatArray, rounding: FloatArray) -> FloatArray:
+    rolling, transverse = _slip(p, y)
+    speed = np.sqrt(rolling**2 + transverse**2 + rounding**2)
+    return np.asarray(np.einsum("bp,bp->b", p.weight, speed))
+
+
+def _derivatives(
+    p: _Problem, y: FloatArray, rounding: FloatArray
+) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
+    """Rounded power per load, gradient, Hessian, and the gradient without cancellation."""
+    rolling, transverse = _slip(p, y)
+    speed = np.sqrt(rolling**2 + transverse**2 + rounding**2)
+    value = np.einsum("bp,bp->b", p.weight, speed)
+    share = p.weight / speed
+    toward = (
+        rolling[:, :, np.newaxis] * p.rolling_rate
+        + transverse[:, :, np.newaxis] * p.transverse_rate
+    )
+    gradient = np.einsum("bp,bpk->bk", share, toward)
+    scale = np.einsum("bp,bpk->bk", share, np.abs(toward))
+    hessian = (
+        _outer(share, p.rolling_rate)
+        + _outer(share, p.transverse_rate)
+        - _outer(share / speed**2, toward)
+    )
+    return value, gradient, hessian, scale
+
+
+def _outer(weight: FloatArray, rate: FloatArray) -> FloatArray:
+    return np.asarray(np.matmul(np.swapaxes(weight[:, :, np.newaxis] * rate, 1, 2), rate))

@@ -1,0 +1,89 @@
+"""Rolling resistance of a lubricated contact: the oil that is pressed back at the inlet.
+
+Biboulet and Houpert (2010), part 2, point contacts, from the isoviscous-rigid to the
+piezoviscous-elastic regime. With κ = b/a, E' = 2/[(1-ν₁²)/E₁ + (1-ν₂²)/E₂], u the mean speed of
+the surfaces, W = Q/(E' R_x²), U = 2 η₀ u/(E' R_x) and β = b E'/(π p0 R_x):
+
+    M = β^¼ κ W U^(-¾)
+    F_R = 2 a R_x E' [(0.77 β^(-⅓) κ^0.12 U^(-1/12) - 1.8 β^(-¼))/(1 + M/6.6) + 1.8 β^(-¼)] U^¾
+
+F_R holds each of the two surfaces back, so the contact takes the power 2 F_R u. It is isothermal
+and fully flooded: inlet heating and starvation lower it.
+
+The formula is given here as the open source of NSK's D-BRAIN has it (Tribology.cpp), with two
+differences. There an integer division turns the exponent -1/3 into 0; without it the
+isoviscous-rigid limit would depend on the elastic modulus. And there F_R R_x is the whole moment
+between ball and ring, which is half the power. That F_R is the force on one surface is decided by
+Kapitza's solution for a rigid sphere (see docs/theory/friction.md).
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from rolamento.friction.loaded_balls import LoadedBalls
+from rolamento.friction.slip import Patch, relative_motion
+from rolamento.friction.torque import ContactLoss, checked_positive
+from rolamento.geometry import Race
+from rolamento.numerics import FloatArray
+
+
+def rolling_force(
+    patch: Patch,
+    rolling_curvature: ArrayLike,
+    modulus: ArrayLike,
+    viscosity: ArrayLike,
+    speed: ArrayLike,
+) -> FloatArray:
+    """Force F_R of the oil on each surface, against its motion; N.
+
+    Parameters
+    ----------
+    patch : contacts, arrays (...).
+    rolling_curvature : 1/R_x, summed over both bodies; 1/m.
+    modulus : E'; Pa.
+    viscosity : η₀ of the oil at the inlet; Pa·s.
+    speed : u, mean speed of the surfaces through the contact; m/s.
+
+    Returns
+    -------
+    F_R of the broadcast shape; 0 without load, viscosity or speed.
+    """
+    e, radius = np.asarray(modulus), 1.0 / np.asarray(rolling_curvature)
+    rate = 2.0 * np.asarray(viscosity) * np.abs(speed) / (e * radius)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        works = (patch.load > 0.0) & (rate > 0.0)
+        flat = patch.semi_minor / patch.semi_major
+        beta = patch.semi_minor * e / (np.pi * patch.max_pressure * radius)
+        load = patch.load / (e * radius**2)
+        elastic = 1.8 * beta**-0.25
+        rigid = 0.77 * beta ** (-1.0 / 3.0) * flat**0.12 * rate ** (-1.0 / 12.0)
+        regime = beta**0.25 * flat * load * rate**-0.75
+        mixed = (rigid - elastic) / (1.0 + regime / 6.6) + elastic
+        force = 2.0 * patch.semi_major * mixed * rate**0.75 * e * radius
+    return np.asarray(np.where(works, force, 0.0 * patch.load))
+
+
+def rolling_resistance_loss(balls: LoadedBalls, viscosity: ArrayLike) -> ContactLoss:
+    """Power of rolling resistance in every contact at the speeds of the state; W.
+
+    viscosity : η₀ at the inlet, a number or (cases,); Pa·s.
+
+    Raises
+    ------
+    InputError
+        If a viscosity is negative.
+    """
+    eta = checked_positive(viscosity, "dynamic_viscosity", zero=True).reshape(-1, 1)
+    return ContactLoss(_loss(balls, "inner", eta), _loss(balls, "outer", eta))
+
+
+def _loss(balls: LoadedBalls, race: Race, viscosity: FloatArray) -> FloatArray:
+    """2 F_R u, with the speed u = ω_roll R_x of pure rolling."""
+    patch = balls.patch(race)
+    motion = relative_motion(patch, balls.ball_velocity, balls.ring_speed(race))
+    curvature = balls.inner_rolling_curvature if race == "inner" else balls.outer_rolling_curvature
+    speed = np.abs(motion.roll) / curvature
+    force = rolling_force(patch, curvature, balls.modulus, viscosity, speed)
+    return np.asarray(np.where(balls.loaded, 2.0 * force * speed, 0.0))

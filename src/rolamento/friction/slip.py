@@ -1,0 +1,298 @@
+"""Slip inside the contacts: how the race's surface moves over the ball's, point by point.
+
+The frame stands at the ball and turns with its orbit: x along the shaft, z radially outward,
+y = z × x along the orbit. A contact at angle α has the tangent t = (cos α, 0, -sin α) across
+rolling and the normal n = (sin α, 0, cos α), so that (t, y, n) is right-handed; σ = +1 at the
+outer contact, which lies at +n, and -1 at the inner one, at -n. A point of the contact lies at
+x0 t + y0 y + σ ρ n from the ball's centre. With the ring's speed ω_r and the ball's angular
+velocity ω_b, both seen from the cage, and w = ω_b - ω_r x,
+
+    v_y = -ω_r d_m/2 + σ ρ w·t - x0 w·n        in the rolling direction
+    v_t = -σ ρ ω_y + y0 w·n                    across it
+
+is the velocity of the race relative to the ball: friction on the ball points along it. Both
+surfaces lie on the deformed arc of radius R = 2 f D/(2 f + 1):
+
+    ρ(x0) = √(R² - x0²) - √(R² - a²) + √(D²/4 - a²)
+
+Sources: Jones (1959); Harris (1991), chapter 8; Braga and Almeida, equations 28 to 44, who draw
+the outer contact on the -x side (α → -α). What is misprinted there is listed in
+docs/theory/slip.md.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from rolamento.geometry import Race
+from rolamento.numerics import FloatArray
+
+
+class BallVelocity(NamedTuple):
+    """Angular velocity of balls seen from the cage; arrays of one shape, rad/s."""
+
+    x: FloatArray
+    y: FloatArray
+    z: FloatArray
+
+
+@dataclass(frozen=True, slots=True)
+class Patch:
+    """Loaded contacts of balls with one race; arrays of one shape.
+
+    load N, contact_angle rad, semi_major and semi_minor m, ball_diameter and pitch_diameter m,
+    conformity the groove's radius over the ball's diameter.
+    """
+
+    race: Race
+    load: FloatArray
+    contact_angle: FloatArray
+    semi_major: FloatArray
+    semi_minor: FloatArray
+    ball_diameter: FloatArray
+    pitch_diameter: FloatArray
+    conformity: FloatArray
+
+    @property
+    def side(self) -> float:
+        """σ: +1 for the outer contact, -1 for the inner."""
+        return 1.0 if self.race == "outer" else -1.0
+
+    @property
+    def deformed_radius(self) -> FloatArray:
+        """Radius R = 2 f D/(2 f + 1) of the deformed surface across rolling; m. Jones (1959)."""
+        f = self.conformity
+        return np.asarray(2.0 * f * self.ball_diameter / (2.0 * f + 1.0))
+
+    @property
+    def max_pressure(self) -> FloatArray:
+        """Hertz pressure p0 = 3Q/(2πab); Pa, NaN without a contact."""
+        with np.errstate(invalid="ignore", divide="ignore"):
+            return np.asarray(1.5 * self.load / (np.pi * self.semi_major * self.semi_minor))
+
+    def rolling_radius(self, across: FloatArray) -> FloatArray:
+        """Radius ρ of the surface about the axis t, at points `across` times a from the middle.
+
+        across : array that broadcasts with the patch. Returns m; NaN where a exceeds D/2.
+        """
+        return np.asarray(self._arc(across) + self._lift)
+
+    def _arc(self, across: FloatArray) -> FloatArray:
+        with np.errstate(invalid="ignore"):
+            return np.sqrt(self.deformed_radius**2 - (across * self.semi_major) ** 2)
+
+    @property
+    def _lift(self) -> FloatArray:
+        """ρ - √(R² - x0²): from the arc's centre to the ball's."""
+        a2 = self.semi_major**2
+        with np.errstate(invalid="ignore"):
+            chord = np.sqrt(0.25 * self.ball_diameter**2 - a2)
+            return np.asarray(chord - np.sqrt(self.deformed_radius**2 - a2))
+
+    def at_points(self) -> Patch:
+        """The same contacts with one more axis, for points on each."""
+        return self.mapped(lambda array: array[..., np.newaxis])
+
+    def mapped(self, function: Callable[[FloatArray], FloatArray]) -> Patch:
+        """The patch with a function applied to each of its arrays."""
+        return Patch(self.race, *map(function, self.arrays))
+
+    @property
+    def arrays(self) -> tuple[FloatArray, ...]:
+        """All arrays, in the order of the constructor."""
+        return (
+            self.load,
+            self.contact_angle,
+            self.semi_major,
+            self.semi_minor,
+            self.ball_diameter,
+            self.pitch_diameter,
+            self.conformity,
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class RelativeMotion:
+    """How a race moves relative to the ball, contact by contact; arrays of one shape.
+
+    v_y = drift + σ ρ roll - x0 twist, v_t = -σ ρ tumble + y0 twist.
+    """
+
+    drift: FloatArray
+    """-ω_r d_m/2: speed of the ring at the pitch circle; m/s."""
+    roll: FloatArray
+    """w·t, ball relative to ring about the tangent; rad/s."""
+    twist: FloatArray
+    """w·n, ball relative to ring about the outward normal; rad/s."""
+    tumble: FloatArray
+    """ω_y of the ball; rad/s."""
+    side: float
+
+    @property
+    def spin(self) -> FloatArray:
+        """Ball relative to ring about the normal from the ring into the ball; rad/s."""
+        return np.asarray(-self.side * self.twist)
+
+    @property
+    def spin_to_roll(self) -> FloatArray:
+        """Ratio of spin to roll; NaN where nothing rolls."""
+        with np.errstate(divide="ignore", invalid="ignore"):
+            return np.asarray(np.where(self.roll == 0.0, np.nan, self.spin / self.roll))
+
+
+@dataclass(frozen=True, slots=True)
+class Slip:
+    """Velocity of the race relative to the ball at points of contacts; m/s, one shape."""
+
+    rolling: FloatArray
+    """v_y, along the rolling direction."""
+    transverse: FloatArray
+    """v_t, across it."""
+
+    @property
+    def speed(self) -> FloatArray:
+        """Magnitude; m/s."""
+        return np.hypot(self.rolling, self.transverse)
+
+
+def relative_motion(patch: Patch, ball: BallVelocity, ring_speed: ArrayLike) -> RelativeMotion:
+    """Roll, twist and drift of contacts.
+
+    Parameters
+    ----------
+    patch : contacts of one race, arrays (...).
+    ball : angular velocity of the balls seen from the cage, arrays that broadcast; rad/s.
+    ring_speed : of this ring, seen from the cage, array that broadcasts; rad/s.
+
+    Returns
+    -------
+    RelativeMotion of the broadcast shape.
+    """
+    ring = np.asarray(ring_speed, dtype=np.float64)
+    cosine, sine = np.cos(patch.contact_angle), np.sin(patch.contact_angle)
+    along = ball.x - ring
+    drift, roll, twist, tumble = np.broadcast_arrays(
+        -0.5 * ring * patch.pitch_diameter,
+        along * cosine - ball.z * sine,
+        along * sine + ball.z * cosine,
+        ball.y,
+    )
+    return RelativeMotion(drift, roll, twist, tumble, patch.side)
+
+
+def slip_velocity(
+    patch: Patch, motion: RelativeMotion, across: ArrayLike, along: ArrayLike
+) -> Slip:
+    """Slip at points of the contacts.
+
+    Parameters
+    ----------
+    patch, motion : of the same contacts, arrays (...).
+    across, along : x0/a and y0/b of the points, arrays (points,) or (..., points).
+
+    Returns
+    -------
+    Slip, arrays (..., points).
+    """
+    u, v = np.asarray(across, dtype=np.float64), np.asarray(along, dtype=np.float64)
+    points = patch.at_points()
+    radius = patch.side * points.rolling_radius(u)
+    twist = motion.twist[..., np.newaxis]
+    rolling = (
+        motion.drift[..., np.newaxis]
+        + radius * motion.roll[..., np.newaxis]
+        - points.semi_major * u * twist
+    )
+    transverse = points.semi_minor * v * twist - radius * motion.tumble[..., np.newaxis]
+    return Slip(*np.broadcast_arrays(rolling, transverse))
+
+
+def rolling_lines(patch: Patch, motion: RelativeMotion) -> FloatArray:
+    """Lines without slip in the rolling direction, x0 = const across the ellipse.
+
+    v_y does not depend on y0, so it vanishes on lines: where the arc of the contact meets the
+    straight line of equal speeds (Harris 1971). There are two, one or none.
+
+    Parameters
+    ----------
+    patch, motion : of the same contacts, arrays (...).
+
+    Returns
+    -------
+    x0/a of the lines, (..., 2) in rising order; NaN for a line outside the ellipse.
+    """
+    a, radius = patch.semi_major, patch.deformed_radius
+    slope, turn = patch.side * motion.roll, motion.twist
+    level = motion.drift + slope * patch._lift
+    # slope √(R² - x²) = turn x - level, squared
+    with np.errstate(invalid="ignore", divide="ignore"):
+        total = slope**2 + turn**2
+        root = np.abs(slope) * np.sqrt(radius**2 * total - level**2)
+        roots = np.stack([turn * level - root, turn * level + root], axis=-1)
+        lines = roots / (total * a)[..., np.newaxis]
+        across = lines * a[..., np.newaxis]
+        same = (turn[..., np.newaxis] * across - level[..., np.newaxis]) * slope[..., np.newaxis]
+        inside = (np.abs(lines) <= 1.0) & (same >= 0.0)
+    return np.sort(np.where(inside, lines, np.nan), axis=-1)
+
+
+def pressure_share(across: ArrayLike, along: ArrayLike) -> FloatArray:
+    """Hertz pressure over its maximum, √(1 - u² - v²); 0 outside the ellipse.
+
+    Parameters: x0/a and y0/b, arrays that broadcast. Returns the broadcast shape.
+    """
+    inside = 1.0 - np.asarray(across) ** 2 - np.asarray(along) ** 2
+    return np.asarray(np.sqrt(np.maximum(inside, 0.0)))
+
+
+@dataclass(frozen=True, slots=True)
+class PressureSlip:
+    """The greatest product of pressure and slip in contacts, and where it is.
+
+    value W/m², across and along x0/a and y0/b; arrays of one shape.
+    """
+
+    value: FloatArray
+    across: FloatArray
+    along: FloatArray
+
+
+def greatest_pressure_slip(patch: Patch, motion: RelativeMotion) -> PressureSlip:
+    """Find the maximum of p·v over every ellipse: a grid, then grids around its best point.
+
+    Parameters
+    ----------
+    patch, motion : of the same contacts, arrays (...).
+
+    Returns
+    -------
+    PressureSlip of that shape, the value to about 1e-9 of itself; NaN without a contact.
+    """
+    shape = motion.roll.shape
+    centre_u, centre_v = np.zeros(shape), np.zeros(shape)
+    best = np.full(shape, -1.0)
+    steps = np.linspace(-1.0, 1.0, _GRID)
+    grid_u, grid_v = (array.ravel() for array in np.meshgrid(steps, steps, indexing="ij"))
+    width = 1.0
+    for _ in range(_ZOOMS):
+        u = np.clip(centre_u[..., np.newaxis] + width * grid_u, -1.0, 1.0)
+        v = np.clip(centre_v[..., np.newaxis] + width * grid_v, -1.0, 1.0)
+        slip = slip_velocity(patch, motion, u, v)
+        product = pressure_share(u, v) * slip.speed
+        place = np.argmax(np.nan_to_num(product), axis=-1)[..., np.newaxis]
+        found = np.take_along_axis(product, place, axis=-1)[..., 0]
+        centre_u = np.take_along_axis(u, place, axis=-1)[..., 0]
+        centre_v = np.take_along_axis(v, place, axis=-1)[..., 0]
+        best = np.maximum(best, found)
+        width *= _SHRINKING
+    return PressureSlip(best * patch.max_pressure, centre_u, centre_v)
+
+
+_GRID = 41
+_ZOOMS = 6
+_SHRINKING = 0.1
