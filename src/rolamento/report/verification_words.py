@@ -113,6 +113,12 @@ PORTUGUESE: Final = VerificationWords(
         "inner race": "pista interna",
         "ball, twice": "esfera, duas vezes",
         "turn": "volta",
+        "viscosity index": "índice de viscosidade",
+        ", bearing new": ", rolamento novo",
+        ", bearing": ", rolamento",
+        ", condition": ", condição",
+        ", convex": ", convexa",
+        "3.4.2 and 4.4.3": "3.4.2 e 4.4.3",
     },
     sentences={
         "The tolerance includes what the rounding of the printed F(ρ) leaves open.": (
@@ -168,6 +174,36 @@ PORTUGUESE: Final = VerificationWords(
             " menor. A mais carregada de 8 esferas leva 5/8 da carga, e a profundidade exata para"
             " esta elipse é quase um terço maior. Ambas com a conformidade 0,52 do catálogo, na"
             " pista interna."
+        ),
+        "The line of ASTM D341 through the oil's two printed viscosities gives 12.89 mm²/s at"
+        " 84.8 °C; at the 83.4 °C of the text it is 4 % more.": (
+            "A reta da ASTM D341 pelas duas viscosidades impressas do óleo dá 12,89 mm²/s a"
+            " 84,8 °C; aos 83,4 °C do texto são 4 % a mais."
+        ),
+        "The printed formula gives the sum of the two surface speeds; the film rests on their mean,"
+        " half of it.": (
+            "A fórmula impressa dá a soma das velocidades das duas superfícies; o filme depende da"
+            " média, a metade."
+        ),
+        "As the author has it, the hollow groove taken for a convex one. The film wants the radius"
+        " of the rolling direction, 3.963 mm.": (
+            "Como no texto do autor, a pista côncava tomada por convexa. O filme pede o raio da"
+            " direção de rolagem, 3,963 mm."
+        ),
+        "As the author has it: a convex groove, x and y exchanged, an approximate formula. The"
+        " ratio of the true ellipse's axes is 21.6.": (
+            "Como no texto do autor: pista convexa, x e y trocados, fórmula aproximada. A razão dos"
+            " eixos da elipse verdadeira é 21,6."
+        ),
+        "With the sum of the speeds, the convex groove and the exchanged x and y the printed film"
+        " comes out; the errors nearly cancel. Right is a film a quarter thicker.": (
+            "Com a soma das velocidades, a pista convexa e x e y trocados sai o filme impresso; os"
+            " erros quase se anulam. O certo é um filme um quarto mais espesso."
+        ),
+        "The film parameter follows the film: with the author's choices the printed one comes out."
+        " Right is a quarter more.": (
+            "O parâmetro do filme acompanha o filme: com as escolhas do autor sai o impresso. O"
+            " certo é um quarto a mais."
         ),
         "The table takes the continuous load integral J_r. The equilibrium counts the balls where"
         " they stand.": (

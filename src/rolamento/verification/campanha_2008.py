@@ -1,4 +1,4 @@
-"""The depth of the greatest shear stress under a ball of a 6305 bearing."""
+"""The depth of the greatest shear stress under a ball of a 6305 bearing, and its oil film."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from typing import Final
 from rolamento.contact.hertz import HertzContact, effective_modulus, elliptical_contact
 from rolamento.contact.subsurface import greatest_shear
 from rolamento.geometry import race_curvature
+from rolamento.verification import campanha_2008_film
 from rolamento.verification.check import Check
 from rolamento.verification.published import MM, published, steel
 
@@ -44,7 +45,12 @@ def inner_contact(load: float) -> HertzContact:
 
 
 def checks() -> Iterator[Check]:
-    """Compare the depth of the greatest shear stress."""
+    """Compare the depth of the greatest shear stress, the oil and the film."""
+    yield _shear_depth()
+    yield from campanha_2008_film.checks()
+
+
+def _shear_depth() -> Check:
     data = published("campanha_2008")
     given, printed = data["bearing_6305"], data["shear_depth"]
     whole = printed["radial_load_N"]
@@ -52,7 +58,7 @@ def checks() -> Iterator[Check]:
     shear = greatest_shear(
         contact.max_pressure, contact.semi_major, contact.semi_minor, given["poisson_ratio"]
     )
-    yield Check(
+    return Check(
         source=printed["source"],
         quantity="z(τ_max)",
         unit="mm",
