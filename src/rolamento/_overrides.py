@@ -102,7 +102,9 @@ def _field(path: Path, model: type[BaseModel]) -> FieldInfo:
     """Return the field that a path leads to; it must not be a whole table."""
     field = _found(path, 1, model.model_fields)
     for depth in range(2, len(path) + 1):
+        _refuse_list(path[: depth - 1], field)
         field = _found(path, depth, _fields_of(field))
+    _refuse_list(path, field)
     inner = _fields_of(field)
     if inner and record_of(field.annotation) not in _SHORTHANDS:
         raise InputError(
@@ -112,6 +114,22 @@ def _field(path: Path, model: type[BaseModel]) -> FieldInfo:
             example=_EXAMPLE,
         )
     return field
+
+
+def _refuse_list(path: Path, field: FieldInfo) -> None:
+    """A list of tables is too long for a setting."""
+    record = record_of(field.annotation)
+    if record is not None and record not in _SHORTHANDS and _is_list(field.annotation):
+        raise InputError(
+            "is a list; give it in the file",
+            field=".".join(path),
+            source=OVERRIDE_SOURCE,
+            example=_EXAMPLE,
+        )
+
+
+def _is_list(annotation: object) -> bool:
+    return get_origin(annotation) is tuple or any(map(_is_list, get_args(annotation)))
 
 
 def _found(path: Path, depth: int, fields: Mapping[str, FieldInfo]) -> FieldInfo:

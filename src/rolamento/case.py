@@ -94,6 +94,26 @@ class Case(Record):
                 )
         return self
 
+    @model_validator(mode="after")
+    def _friction_control_has_friction(self) -> Self:
+        """Balls that only friction controls need a coefficient of it, and one row."""
+        if self.model.raceway_control != "friction":
+            return self
+        if self.bearing.is_set:
+            raise InputError(
+                "is available for single bearings; a set takes outer, inner, jones or none",
+                field="model.raceway_control",
+                value="friction",
+                example='raceway_control = "jones"',
+            )
+        if self.lubricant is None or not self.lubricant.friction_coefficient:
+            raise InputError(
+                'is missing, and raceway_control = "friction" rests on it',
+                field="lubricant.friction_coefficient",
+                example='[lubricant] with kind = "dry" and friction_coefficient = 0.1',
+            )
+        return self
+
 
 def load_case(path: str | os.PathLike[str], overrides: Iterable[str] = ()) -> Case:
     """Read a case file.

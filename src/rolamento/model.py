@@ -4,22 +4,15 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from pydantic import BeforeValidator, Field
+from pydantic import Field
 
+from rolamento._quantity import Quantity
 from rolamento._record import Record
-from rolamento.errors import InputError
 
-__all__ = ["Model", "RacewayControl"]
+__all__ = ["Mesh", "Model", "RacewayControl"]
 
-RacewayControl = Literal["outer", "inner", "jones", "none"]
-
-
-def _available(value: object) -> object:
-    if value == "friction":
-        raise InputError(
-            "is not available in this version; use outer, inner, jones or none", value=value
-        )
-    return value
+RacewayControl = Literal["outer", "inner", "jones", "none", "friction"]
+Mesh = Literal["coarse", "fine"]
 
 
 class Model(Record):
@@ -30,11 +23,19 @@ class Model(Record):
     raceway_control
         Which race the ball rolls on without spin: ``"outer"``; ``"inner"``;
         ``"jones"``, where Jones's criterion decides ball by ball; ``"none"``, where
-        both races share the gyroscopic moment.
+        both races share the gyroscopic moment; ``"friction"``, where nothing is assumed
+        and the friction at both contacts decides (it takes the friction coefficient of
+        the case's lubricant).
     centrifugal_force
         Whether the balls feel their centrifugal force.
     gyroscopic_moment
         Whether the balls feel their gyroscopic moment.
+
+    cage_drag
+        Under friction control, the torque that holds the cage back, in N·m.
+    mesh
+        Under friction control, how finely the contact ellipse is divided: ``"fine"`` or
+        ``"coarse"``, several times faster and good to some 2 % in the balls' attitude.
 
     Raises
     ------
@@ -42,8 +43,10 @@ class Model(Record):
         If a choice is not known.
     """
 
-    raceway_control: Annotated[RacewayControl, BeforeValidator(_available)] = Field(
-        "outer", examples=["outer"]
-    )
+    raceway_control: RacewayControl = Field("outer", examples=["outer"])
     centrifugal_force: bool = Field(True, strict=True, examples=[True])
     gyroscopic_moment: bool = Field(True, strict=True, examples=[True])
+    cage_drag: Annotated[float, Quantity("moment", at_least="0 N m", at_most="1e6 N m")] = Field(
+        0.0, examples=["5 N mm"]
+    )
+    mesh: Mesh = Field("fine", examples=["fine"])

@@ -116,7 +116,7 @@ class BallState:
         angle of the ball's axis to the bearing's axis (rad)
     raceway_control
         the race that the ball rolls on without spin: "outer", "inner", "indeterminate" (Jones's
-        criterion favours neither), or "none" (the gyroscopic moment shared)
+        criterion favours neither), "none" (the gyroscopic moment shared) or "friction"
     """
 
     row: int
@@ -129,6 +129,76 @@ class BallState:
     ball_speed: float
     attitude: float
     raceway_control: str
+
+
+@dataclass(frozen=True, slots=True)
+class RollingContact:
+    """Friction of a race on a ball that only friction controls.
+
+    Attributes
+    ----------
+    power
+        lost in the contact (W)
+    slip
+        speed of the ball's surface over the race at the ellipse's centre, along increasing azimuth
+        (m/s)
+    force_along, force_across
+        friction on the ball, along increasing azimuth and along t = (cos α, -sin α) (N)
+    """
+
+    power: float
+    slip: float
+    force_along: float
+    force_across: float
+
+
+@dataclass(frozen=True, slots=True)
+class RollingBall:
+    """How a ball turns that only friction controls.
+
+    Attributes
+    ----------
+    angular_velocity
+        along x, along increasing azimuth, and outward (rad/s)
+    yaw
+        of its axis out of the bearing's axial plane, β' (rad)
+    inner, outer
+        the friction of the races
+    """
+
+    angular_velocity: tuple[float, float, float]
+    yaw: float
+    inner: RollingContact
+    outer: RollingContact
+
+
+@dataclass(frozen=True, slots=True)
+class RollingState:
+    """The motion of balls and cage under friction alone, and what it costs.
+
+    Attributes
+    ----------
+    cage_speed
+        of all balls about the bearing's axis (rad/s)
+    control_cage_speed
+        the same under outer raceway control, the balls' mean weighted by their loads (rad/s)
+    skid
+        how far the cage lags behind that, relative to it
+    inner_torque, outer_torque
+        that shaft and housing put on the rings against the friction at the races (N·m)
+    power
+        lost at all races (W)
+    balls
+        in the order of the state's balls
+    """
+
+    cage_speed: float
+    control_cage_speed: float
+    skid: float
+    inner_torque: float
+    outer_torque: float
+    power: float
+    balls: tuple[RollingBall, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -216,6 +286,8 @@ class State:
         of balls, along +x; one, unless the bearing is a set
     preload
         of a set whose rows face each other; None otherwise
+    rolling
+        under friction control; None otherwise
     """
 
     case: Case
@@ -227,6 +299,7 @@ class State:
     notes: tuple[str, ...] = ()
     rows: tuple[RowState, ...] = ()
     preload: PreloadState | None = None
+    rolling: RollingState | None = None
 
     @property
     def title(self) -> str:
@@ -245,6 +318,7 @@ class State:
             "balls": [asdict(ball) for ball in self.balls],
             "rows": [{**asdict(row), "load": row.load._asdict()} for row in self.rows],
             "preload": None if self.preload is None else asdict(self.preload),
+            "rolling": None if self.rolling is None else asdict(self.rolling),
             "notes": list(self.notes),
             "case": self.case.to_mapping(),
         }

@@ -67,8 +67,7 @@ def test_the_model_defaults_to_outer_control_with_all_effects() -> None:
 @pytest.mark.parametrize(
     ("fields", "message"),
     [
-        ({"raceway_control": "friction"}, "not available in this version"),
-        ({"raceway_control": "outre"}, "one of 'outer', 'inner', 'jones' or 'none'"),
+        ({"raceway_control": "outre"}, "one of 'outer', 'inner', 'jones', 'none' or 'friction'"),
         ({"centrifugal_force": 1}, "must be true or false"),
         ({"gyroscopic": False}, "did you mean gyroscopic_moment"),
     ],

@@ -10,7 +10,8 @@ from rolamento.equilibrium.batch_state import BatchState, RowBatch
 from rolamento.equilibrium.columns import Columns
 from rolamento.equilibrium.jones import S, System, solve_by_jones
 from rolamento.equilibrium.problem import Floats, ring_arms
-from rolamento.equilibrium.run import OneRow, ball_azimuths
+from rolamento.equilibrium.rolling import Rolling
+from rolamento.equilibrium.run import OneRow, Solution, ball_azimuths
 from rolamento.equilibrium.sets import SLIDE, RowSet, pressed_in, transform
 
 
@@ -24,6 +25,9 @@ def solve_columns_of(
     solution, control, verdict = _controlled(
         OneRow(row.p, row.balls, threads, fast), columns.control
     )
+    rolling = None
+    if columns.control == "friction":
+        solution, rolling = _rolled(columns, solution, threads)
     arms = ring_arms(row.p).T
     free = row.p[rows.FREE : rows.FREE + 5].T > 0.0
     applied = row.p[rows.APPLIED : rows.APPLIED + 5].T
@@ -44,8 +48,25 @@ def solve_columns_of(
         load=load,
         stiffness=stiffness,
         raceway_control=verdict,
-        rows=(RowBatch(row.p, control, solution.position, azimuth, solution.displacement, load),),
+        rows=(
+            RowBatch(
+                row.p, control, solution.position, azimuth, solution.displacement, load, rolling
+            ),
+        ),
     )
+
+
+def _rolled(
+    columns: Columns, start: Solution, threads: int | None
+) -> tuple[Solution, Rolling | None]:
+    """Let friction move the balls; rings that turn alike, or not at all, ask for none."""
+    from rolamento.equilibrium.traction.solve import solve_rolling
+
+    row = columns.rows[0]
+    return solve_rolling(
+        row.p, start, row.balls, columns.friction, columns.cage_drag,
+        mesh=columns.mesh, threads=threads,
+    )  # fmt: skip
 
 
 def _controlled(system: System[S], mode: str) -> tuple[S, Floats, NDArray[np.int64]]:

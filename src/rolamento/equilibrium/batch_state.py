@@ -13,6 +13,7 @@ from rolamento.contact.hertz import HertzContact
 from rolamento.equilibrium import accept, rows
 from rolamento.equilibrium.detail import BallTable, ball_table, groove_centres, hertz
 from rolamento.equilibrium.problem import Floats
+from rolamento.equilibrium.rolling import Rolling
 from rolamento.geometry import Race
 
 T = TypeVar("T")
@@ -33,7 +34,8 @@ class RowBatch:
 
     parameters (rows.COLUMN, cases); control and azimuth (cases, balls); position (cases, balls,
     2); displacement (cases, 5). load: what the shaft puts on the ring through this row, in the
-    frame and about the origin of the bearing (cases, 5), N and N·m.
+    frame and about the origin of the bearing (cases, 5), N and N·m. rolling: how friction moves
+    the balls, if it controls them.
     """
 
     parameters: Floats
@@ -42,11 +44,17 @@ class RowBatch:
     azimuth: Floats
     displacement: Floats
     load: Floats
+    rolling: Rolling | None = None
 
     def balls(self) -> BallTable:
         """Evaluate every ball: arrays (cases, balls)."""
         return ball_table(
-            self.parameters, self.control, self.displacement, self.position, self.azimuth
+            self.parameters,
+            self.control,
+            self.displacement,
+            self.position,
+            self.azimuth,
+            self.rolling,
         )
 
     def inner_approach(self) -> Floats:

@@ -85,6 +85,9 @@ class Columns:
     preload: str
     preload_value: Floats
     control: str
+    friction: Floats
+    cage_drag: Floats
+    mesh: str
 
     @property
     def cases(self) -> int:
@@ -135,7 +138,11 @@ def spread(case: Case, values: Mapping[str, ArrayLike]) -> Columns:
     for row in columns:
         row.p[:, ~valid] = np.nan
     control = case.model.raceway_control
-    found = Columns(tuple(columns), free, load, displacement, kind, amount, control)
+    mu = 0.0 if case.lubricant is None else case.lubricant.friction_coefficient or 0.0
+    found = Columns(
+        tuple(columns), free, load, displacement, kind, amount, control,
+        np.full(cases, mu), np.full(cases, case.model.cage_drag), case.model.mesh,
+    )  # fmt: skip
     if found.is_plain:
         _put_duty(columns[0].p, free, load, displacement)
     return found

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from rolamento.contact.hertz import HertzContact, elliptical_contact
 from rolamento.equilibrium import rows
+from rolamento.equilibrium.rolling import Rolling, motion_of
 from rolamento.geometry import Race, race_curvature
 from rolamento.kinematics import BallMotion, ball_motion, jones_control, spin_resistance
 
@@ -34,12 +35,18 @@ class BallTable:
     motion: BallMotion
     centrifugal_force: Floats
     gyroscopic_moment: Floats
+    yaw: Floats
 
 
 def ball_table(
-    p: Floats, control: Floats, displacement: Floats, position: Floats, azimuth: Floats
+    p: Floats,
+    control: Floats,
+    displacement: Floats,
+    position: Floats,
+    azimuth: Floats,
+    rolling: Rolling | None = None,
 ) -> BallTable:
-    """Evaluate every ball.
+    """Evaluate every ball; rolling: how friction moves them, instead of raceway control.
 
     p: parameters (rows.PARAMETERS, cases); control: +1 or -1 (cases, balls); displacement
     (cases, 5) in the scaled form of `rows`; position (cases, balls, 2); azimuth (cases, balls).
@@ -49,14 +56,18 @@ def ball_table(
     x1, x2 = position[..., 0], position[..., 1]
     outer = _contacts(x1, x2, column, rows.OUTER_LENGTH, rows.OUTER_STIFFNESS)
     inner = _contacts(a1 - x1, a2 - x2, column, rows.INNER_LENGTH, rows.INNER_STIFFNESS)
-    motion = ball_motion(
-        inner.contact_angle,
-        outer.contact_angle,
-        column[rows.GAMMA],
-        column[rows.INNER_SPEED],
-        column[rows.OUTER_SPEED],
-        control.astype(np.int64),
-    )
+    yaw = np.zeros_like(azimuth)
+    if rolling is None:
+        motion = ball_motion(
+            inner.contact_angle,
+            outer.contact_angle,
+            column[rows.GAMMA],
+            column[rows.INNER_SPEED],
+            column[rows.OUTER_SPEED],
+            control.astype(np.int64),
+        )
+    else:
+        motion, yaw = motion_of(p, rolling, inner.contact_angle, outer.contact_angle)
     # J / gamma' D is the parameter: times gamma' D, it is J again
     inertia = column[rows.GYROSCOPIC] * column[rows.GAMMA] * column[rows.BALL_DIAMETER]
     return BallTable(
@@ -68,7 +79,9 @@ def ball_table(
         gyroscopic_moment=inertia
         * motion.ball_speed
         * motion.orbital_speed
-        * np.sin(motion.attitude),
+        * np.sin(motion.attitude)
+        * np.cos(yaw),
+        yaw=yaw,
     )
 
 

@@ -201,7 +201,7 @@ def _free_directions(state: State, batch: BatchState) -> Iterator[str]:
 def _control(state: State, batch: BatchState) -> Iterator[str]:
     """Where Jones's criterion does not bear out the raceway control that was assumed."""
     assumed = state.case.model.raceway_control
-    if assumed == "none" or not _turns(state):
+    if assumed in ("none", "friction") or not _turns(state):
         return
     if assumed == "jones":
         open_balls = [b for b in state.balls if b.raceway_control == "indeterminate"]
@@ -231,6 +231,8 @@ def _control(state: State, batch: BatchState) -> Iterator[str]:
 
 def _gyroscopic_slip(state: State) -> Iterator[str]:
     """Balls whose gyroscopic moment needs more friction than a lubricated contact gives."""
+    if state.case.model.raceway_control == "friction":
+        return
     diameters = [place.bearing.ball_diameter for place in state.case.bearing.places]
     demand = [_friction(ball, diameters[ball.row]) for ball in state.balls]
     parts = zip(state.balls, demand, strict=True)

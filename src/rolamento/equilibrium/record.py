@@ -10,17 +10,23 @@ from rolamento.bearing import Bearing
 from rolamento.case import Case
 from rolamento.contact.hertz import HertzContact
 from rolamento.contact.subsurface import greatest_shear, orthogonal_shear
+from rolamento.equilibrium import rows
 from rolamento.equilibrium.advice import advise
 from rolamento.equilibrium.batch_state import STATUS_NAMES, BatchState
 from rolamento.equilibrium.detail import BallTable, ContactTable
 from rolamento.equilibrium.notes import notes_on
 from rolamento.equilibrium.problem import Floats
-from rolamento.kinematics import RacewayControl
+from rolamento.equilibrium.rolling import Rolling
+from rolamento.geometry import Race
+from rolamento.kinematics import RacewayControl, orbital_speed
 from rolamento.state import (
     BallState,
     ContactState,
     RingDisplacement,
     RingLoad,
+    RollingBall,
+    RollingContact,
+    RollingState,
     RowState,
     State,
     Status,
@@ -56,6 +62,7 @@ def state_of(case: Case, batch: BatchState) -> State:
         stiffness=batch.stiffness[0],
         balls=_ball_states(case, batch, table, inner, outer),
         rows=_row_states(case, batch, table),
+        rolling=_rolling_state(batch, table) if converged else None,
     )
     return state if not converged else notes_on(state, batch)
 
@@ -69,8 +76,8 @@ def _contact_states(
         table.load, table.contact_angle, table.deflection, contact.semi_major, contact.semi_minor,
         contact.max_pressure, contact.mean_pressure, *shear,
     )  # fmt: skip
-    rows = np.stack([*(column[0] for column in columns), spin_to_roll[0] + 0.0], axis=1)
-    return [ContactState(*row) for row in rows.tolist()]
+    numbers = np.stack([*(column[0] for column in columns), spin_to_roll[0] + 0.0], axis=1)
+    return [ContactState(*contact) for contact in numbers.tolist()]
 
 
 def _shears(bearing: Bearing, contact: HertzContact) -> tuple[Floats, Floats, Floats, Floats]:
@@ -95,6 +102,59 @@ def _row_states(case: Case, batch: BatchState, table: BallTable) -> tuple[RowSta
     )
 
 
+def _rolling_state(batch: BatchState, table: BallTable) -> RollingState | None:
+    """How friction moves the balls of a bearing of one row."""
+    row = batch.rows[0]
+    rolling, p = row.rolling, row.parameters
+    if rolling is None or not np.isfinite(rolling.cage_speed[0]):
+        return None
+    angles: dict[Race, Floats] = {
+        "inner": table.inner.contact_angle[0],
+        "outer": table.outer.contact_angle[0],
+    }
+    contacts = {
+        race: _rolling_contacts(rolling, index, race, angles[race], p[:, 0])
+        for index, race in enumerate(angles)
+    }
+    controlled = orbital_speed(
+        angles["inner"], angles["outer"], p[rows.GAMMA, 0], p[rows.INNER_SPEED, 0],
+        p[rows.OUTER_SPEED, 0],
+    )  # fmt: skip
+    load = table.inner.load[0]
+    usual = float(np.average(controlled, weights=load if load.any() else None))
+    cage = float(rolling.cage_speed[0])
+    balls = zip(
+        rolling.angular_velocity[0].tolist(), table.yaw[0].tolist(), contacts["inner"],
+        contacts["outer"], strict=True,
+    )  # fmt: skip
+    return RollingState(
+        cage_speed=cage,
+        control_cage_speed=usual,
+        skid=1.0 - cage / usual if usual else 0.0,
+        inner_torque=float(rolling.torque("inner")[0]),
+        outer_torque=float(rolling.torque("outer")[0]),
+        power=float(rolling.power[0].sum()),
+        balls=tuple(RollingBall(tuple(omega), yaw, *races) for omega, yaw, *races in balls),
+    )
+
+
+def _rolling_contacts(
+    rolling: Rolling, index: int, race: Race, angle: Floats, p: Floats
+) -> list[RollingContact]:
+    """The friction of one race on the balls of the first case."""
+    forces = (rolling.inner if race == "inner" else rolling.outer)[0]
+    speed = p[rows.INNER_SPEED if race == "inner" else rows.OUTER_SPEED]
+    omega = rolling.angular_velocity[0]
+    across = (omega[:, 0] - speed) * np.cos(angle) - omega[:, 2] * np.sin(angle)
+    radius = 0.5 * p[rows.BALL_DIAMETER] * (1.0 if race == "outer" else -1.0)
+    slip = (speed - rolling.cage_speed[0]) * rolling.radius[0] - radius * across
+    # the normal load has no part along t, nor along the orbit
+    sideways = forces[:, 0] * np.cos(angle) - forces[:, 1] * np.sin(angle)
+    touching = rolling.power[0, :, index] > 0.0
+    columns = (rolling.power[0, :, index], np.where(touching, slip, np.nan), forces[:, 2], sideways)
+    return [RollingContact(*map(float, numbers)) for numbers in zip(*columns, strict=True)]
+
+
 def _ball_states(
     case: Case,
     batch: BatchState,
@@ -102,7 +162,7 @@ def _ball_states(
     inner: list[ContactState],
     outer: list[ContactState],
 ) -> tuple[BallState, ...]:
-    shared = case.model.raceway_control == "none"
+    mode = case.model.raceway_control
     motion = table.motion
     return tuple(
         BallState(
@@ -115,7 +175,9 @@ def _ball_states(
             orbital_speed=float(motion.orbital_speed[0, j]),
             ball_speed=float(motion.ball_speed[0, j]),
             attitude=float(motion.attitude[0, j]),
-            raceway_control="none" if shared else _CONTROL_NAMES[int(batch.raceway_control[0, j])],
+            raceway_control=mode
+            if mode in ("none", "friction")
+            else _CONTROL_NAMES[int(batch.raceway_control[0, j])],
         )
         for j, row in enumerate(batch.row)
     )
