@@ -197,7 +197,10 @@ class Lubricant(Record):
         oil = self.oil
         if oil.viscosities is not None:
             first, second = sorted(oil.viscosities, key=lambda point: point.temperature)
-            return OilPoint(*_pair(first)), OilPoint(*_pair(second))
+            return (
+                OilPoint(first.temperature, first.viscosity),
+                OilPoint(second.temperature, second.viscosity),
+            )
         if oil.viscosity_40 is None:
             raise InputError("has no viscosity: the lubrication is dry", field="lubricant.kind")
         cool = OilPoint(_CENTIGRADE_40, oil.viscosity_40)
@@ -359,10 +362,6 @@ LubricantField = Annotated[
     Field(description="a name or a table", examples=[_EXAMPLE]),
 ]
 """Annotation of a field that takes a lubricant, its name or its table."""
-
-
-def _pair(point: ViscosityPoint) -> tuple[float, float]:
-    return point.temperature, point.viscosity
 
 
 def _folded(name: str) -> str:

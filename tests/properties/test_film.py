@@ -122,3 +122,27 @@ def test_nothing_slides_along_rolling_at_the_centre(
             motion.attitude,
         )
         assert float(found.sliding) == pytest.approx(0.0, abs=1e-10 * (abs(speed) + 1.0))
+
+
+@given(
+    angle=st.floats(0.0, 1.2),
+    attitude=st.floats(-1.5, 1.5),
+    yaw=st.floats(-1.0, 1.0),
+    speed=speeds,
+    orbit=speeds,
+    ring=speeds,
+)
+def test_speeds_are_those_of_turning_bodies(
+    angle: float, attitude: float, yaw: float, speed: float, orbit: float, ring: float
+) -> None:
+    """Against ω × r in three dimensions: along the shaft, outward, along the azimuth."""
+    ball, pitch = 0.02, 0.1
+    axis = np.array([cos(attitude) * cos(yaw), -np.sin(attitude) * cos(yaw), np.sin(yaw)])
+    for race, side in (("inner", -1.0), ("outer", 1.0)):
+        reach = 0.5 * side * ball * np.array([np.sin(angle), cos(angle), 0.0])
+        place = reach + np.array([0.0, 0.5 * pitch, 0.0])
+        of_ball = np.cross(speed * axis, reach)[2]
+        of_ring = np.cross(np.array([ring - orbit, 0.0, 0.0]), place)[2]
+        found = surface_speeds(race, ball, pitch, angle, ring, orbit, speed, attitude, yaw)  # type: ignore[arg-type]
+        assert float(found.ball) == pytest.approx(of_ball, rel=1e-9, abs=1e-9)
+        assert float(found.ring) == pytest.approx(of_ring, rel=1e-9, abs=1e-9)

@@ -4,7 +4,9 @@ The contact travels with the ball about the shaft, so the speeds of both surface
 frame of the cage, at the contact's centre and in the rolling direction:
 
     ring   v_r = (ω_ring - ω_m) (d_m/2 ∓ (D/2) cos α)        inner -, outer +
-    ball   v_b = ∓ (D/2) ω_R cos(β - α)
+    ball   v_b = ∓ (D/2) ω_R cos β' cos(β - α)
+
+β' is the yaw of the ball's axis out of the axial plane, zero under raceway control.
 
 The entrainment speed is their *mean*, u = ½ |v_r + v_b|. With rolling at one contact angle both
 are equal and u = (d_m/4) (1 - γ²) |ω_i - ω_o| at either race, γ = D cos α / d_m. Some books print
@@ -49,6 +51,7 @@ def surface_speeds(
     orbital_speed: ArrayLike,
     ball_speed: ArrayLike,
     attitude: ArrayLike,
+    yaw: ArrayLike = 0.0,
 ) -> SurfaceSpeeds:
     """Speeds of both surfaces at the centre of a contact.
 
@@ -59,6 +62,7 @@ def surface_speeds(
     contact_angle : array, of this contact under load; rad.
     ring_speed : array, of this race's ring about the shaft; rad/s.
     orbital_speed, ball_speed, attitude : arrays, as in `BallMotion`; rad/s, rad/s, rad.
+    yaw : array, of the ball's axis out of the axial plane; rad.
         All broadcast against each other.
 
     Returns
@@ -71,7 +75,8 @@ def surface_speeds(
     radius = 0.5 * np.asarray(ball_diameter, dtype=np.float64)
     arm = 0.5 * np.asarray(pitch_diameter) + side * radius * np.cos(contact_angle)
     ring = (np.asarray(ring_speed) - orbital_speed) * arm
-    ball = side * radius * np.asarray(ball_speed) * np.cos(np.subtract(attitude, contact_angle))
+    in_plane = np.asarray(ball_speed) * np.cos(yaw)
+    ball = side * radius * in_plane * np.cos(np.subtract(attitude, contact_angle))
     return SurfaceSpeeds(*np.broadcast_arrays(ring, ball))
 
 

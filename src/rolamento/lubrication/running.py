@@ -66,6 +66,7 @@ class _Motion:
     orbital_speed: FloatArray
     ball_speed: FloatArray
     attitude: FloatArray
+    yaw: FloatArray
 
 
 def part(batch: BatchState, cases: slice) -> BatchState:
@@ -96,7 +97,9 @@ def balls_of_batch(batch: BatchState) -> RunningBalls:
     """Gather the balls of a batch."""
     table = batch.balls()
     place = _place_of_batch(batch)
-    motion = _Motion(table.motion.orbital_speed, table.motion.ball_speed, table.motion.attitude)
+    motion = _Motion(
+        table.motion.orbital_speed, table.motion.ball_speed, table.motion.attitude, table.yaw
+    )
     angles = {"inner": table.inner.contact_angle, "outer": table.outer.contact_angle}
     loads = {"inner": _felt(table.inner, table.outer), "outer": _felt(table.outer, table.inner)}
     found = {}
@@ -110,11 +113,14 @@ def balls_of_batch(batch: BatchState) -> RunningBalls:
 def balls_of_state(state: State) -> RunningBalls:
     """Gather the balls of one state, as a batch of one."""
     place = _place_of_state(state)
+    rolling = state.rolling
     motion = _Motion(
-        *(
-            np.array([[getattr(ball, name) for ball in state.balls]])
-            for name in ("orbital_speed", "ball_speed", "attitude")
-        )
+        orbital_speed=np.array([[ball.orbital_speed for ball in state.balls]]),
+        ball_speed=np.array([[ball.ball_speed for ball in state.balls]]),
+        attitude=np.array([[ball.attitude for ball in state.balls]]),
+        yaw=np.array(
+            [[ball.yaw for ball in rolling.balls] if rolling else [0.0] * len(state.balls)]
+        ),
     )
     tables = {race: _contacts_of_state(state, race) for race in _RACES}
     found = {}
@@ -149,6 +155,7 @@ def _running(
         motion.orbital_speed,
         motion.ball_speed,
         motion.attitude,
+        motion.yaw,
     )
     curvature = race_curvature(
         place.ball_diameter, place.pitch_diameter, place.conformity[race], contact_angle, race
