@@ -17,6 +17,7 @@ from rolamento._record import record_of
 from rolamento.arrangement import PRELOAD_KINDS, Preload
 from rolamento.duty import AXES, LOADS
 from rolamento.errors import InputError, UnknownKeyError, nearest
+from rolamento.lubricant import Lubricant
 from rolamento.material import Material
 
 __all__ = ["OVERRIDE_SOURCE", "overridden"]
@@ -29,8 +30,15 @@ _LONGEST_SETTING: Final = 300
 Path = tuple[str, ...]
 
 
-_SHORTHANDS: Final = (Material, Preload)
+_SHORTHANDS: Final = (Material, Preload, Lubricant)
 """Tables that may be given as text as well."""
+
+
+_LUBRICANT_RIVALS: Final = (
+    ("viscosity_40", "viscosities", "base_oil"),
+    ("viscosity_100", "viscosity_index"),
+    ("pressure_viscosity", "pressure_viscosity_method"),
+)
 
 
 def _rivals() -> dict[Path, tuple[Path, ...]]:
@@ -39,6 +47,7 @@ def _rivals() -> dict[Path, tuple[Path, ...]]:
         (("bearing", "contact_angle"), ("bearing", "diametral_clearance")),
         (("bearing", "arrangement"), ("bearing", "rows")),
         tuple((*preload, name) for name in PRELOAD_KINDS),
+        *(tuple(("lubricant", name) for name in rivals) for rivals in _LUBRICANT_RIVALS),
     ]
     for axis, load in zip(AXES, LOADS, strict=True):
         groups.append((("duty", "load", load), ("duty", "displacement", axis)))
