@@ -25,6 +25,9 @@ from rolamento.numerics import BoolArray, FloatArray
 INERTIA_SHARE: Final = 0.1
 """Share of friction, or of the ball's load, that forces of inertia may take at low speed."""
 
+COUNTED_LOAD: Final = 0.05
+"""Of the heaviest ball's load: balls with less have no say in the torque."""
+
 FULL_FILM: Final = 3.0
 """Film parameter λ above which the surfaces do not touch."""
 
@@ -89,7 +92,9 @@ def inertia_counts(balls: LoadedBalls, coefficient: FloatArray) -> BoolArray:
     with np.errstate(invalid="ignore"):
         turned = demand > INERTIA_SHARE * coefficient
         thrown = balls.centrifugal_force > INERTIA_SHARE * balls.inner.load
-    return np.asarray(np.any(balls.loaded & (turned | thrown), axis=-1))
+        heaviest = np.max(balls.inner.load, axis=-1, keepdims=True)
+        counted = balls.loaded & (balls.inner.load > COUNTED_LOAD * heaviest)
+    return np.asarray(np.any(counted & (turned | thrown), axis=-1))
 
 
 def verdict(

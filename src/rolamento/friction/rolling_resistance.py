@@ -10,11 +10,11 @@ the surfaces, W = Q/(E' R_x²), U = 2 η₀ u/(E' R_x) and β = b E'/(π p0 R_x)
 F_R holds each of the two surfaces back, so the contact takes the power 2 F_R u. It is isothermal
 and fully flooded: inlet heating and starvation lower it.
 
-The formula is given here as the open source of NSK's D-BRAIN has it (Tribology.cpp), with two
-differences. There an integer division turns the exponent -1/3 into 0; without it the
-isoviscous-rigid limit would depend on the elastic modulus. And there F_R R_x is the whole moment
-between ball and ring, which is half the power. That F_R is the force on one surface is decided by
-Kapitza's solution for a rigid sphere (see docs/theory/friction.md).
+The formula is given here as the open source of NSK's D-BRAIN has it (Tribology.cpp; its own test
+has the value with the exponent -1/3, which an integer division in the code turns into 0). One
+thing is read otherwise: there F_R R_x is the whole moment between ball and ring, which would be
+half the power. That F_R is the force on one surface is decided by Kapitza's solution for a rigid
+sphere (docs/theory/friction.md).
 """
 
 from __future__ import annotations

@@ -1,0 +1,268 @@
+"""Maps of a contact ellipse: slip, pressure, and their product, with the lines of pure rolling."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Final, Literal
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.patches import Ellipse
+from numpy.typing import NDArray
+
+from rolamento.errors import InputError
+from rolamento.friction.loaded_balls import loaded_balls
+from rolamento.friction.slip import (
+    Patch,
+    RelativeMotion,
+    greatest_pressure_slip,
+    pressure_share,
+    relative_motion,
+    rolling_lines,
+    slip_velocity,
+)
+from rolamento.plots.axes_units import MILLIMETRE
+from rolamento.plots.balls import Race
+from rolamento.plots.frame import PlainNumbers, empty_frame, figure_of, label_x, label_y, number
+from rolamento.plots.style import in_style, new_figure, new_stacked_figure
+from rolamento.plots.words import ENGLISH, PlotWords
+from rolamento.state import State
+
+__all__ = ["QUANTITIES", "Quantity", "slip_map", "slip_maps"]
+
+Floats = NDArray[np.float64]
+Quantity = Literal["slip", "pressure", "pressure_slip"]
+QUANTITIES: Final[tuple[Quantity, ...]] = ("slip", "pressure", "pressure_slip")
+
+_GRID: Final = 161
+_LEVELS: Final = 16
+_ARROWS: Final = (13, 5)
+_HEAVIEST: Final = -1
+
+_UNITS: Final[Mapping[str, tuple[float, str]]] = {
+    "slip": (1.0, "m/s"),
+    "pressure": (1e-6, "MPa"),
+    "pressure_slip": (1e-6, "W/mm²"),
+}
+
+_WORDS: Final[Mapping[str, Mapping[str, str]]] = {
+    "en": {
+        "slip": "Slip",
+        "pressure": "Pressure",
+        "pressure_slip": "Pressure times slip",
+        "across": "Across rolling",
+        "along": "Along rolling",
+        "lines": "no slip along rolling",
+        "greatest": "greatest, {value}",
+        "no_contact": "ball and race do not touch",
+    },
+    "pt": {
+        "slip": "Deslizamento",
+        "pressure": "Pressão",
+        "pressure_slip": "Pressão vezes deslizamento",
+        "across": "Transversal ao rolamento",
+        "along": "No sentido do rolamento",
+        "lines": "sem deslizamento no sentido do rolamento",
+        "greatest": "máximo, {value}",
+        "no_contact": "esfera e pista não se tocam",
+    },
+}
+
+
+@dataclass(frozen=True, slots=True)
+class _Contact:
+    """One contact, its patch and motion as arrays of one."""
+
+    patch: Patch
+    motion: RelativeMotion
+
+    @property
+    def touches(self) -> bool:
+        return bool(self.patch.load[0] > 0.0)
+
+
+@in_style
+def slip_map(
+    state: State,
+    axes: Axes | None = None,
+    *,
+    quantity: Quantity = "slip",
+    race: Race = "inner",
+    ball: int = _HEAVIEST,
+    words: PlotWords = ENGLISH,
+) -> Axes:
+    """Draw slip, pressure or their product over one contact ellipse.
+
+    The motion is that of the state, by its raceway control. Lines of pure rolling are dashed;
+    arrows show how the race slips over the ball; a cross marks the greatest product.
+
+    Parameters
+    ----------
+    state
+        A solved state; without a result, a frame that says why is drawn.
+    axes
+        To draw on; of a new figure if not given.
+    quantity
+        ``"slip"``, ``"pressure"`` or ``"pressure_slip"``.
+    race
+        ``"inner"`` or ``"outer"``.
+    ball
+        Counted from 0; the one with the greatest load on this race if not given.
+    words
+        Language of the labels.
+
+    Returns
+    -------
+    Axes
+        Those given, with a colour bar beside them.
+
+    Raises
+    ------
+    InputError
+        If there is no such ball, or the quantity is not known.
+    """
+    axes = new_figure(height=62.0)[1] if axes is None else axes
+    if quantity not in QUANTITIES:
+        raise InputError(
+            f"must be one of {', '.join(QUANTITIES)}", field="quantity", value=quantity
+        )
+    if not state.status.converged:
+        return empty_frame(axes, words.reason(state.status.code))
+    contact = _contact(state, race, ball)
+    if not contact.touches:
+        return empty_frame(axes, _said(words, "no_contact"))
+    _draw(axes, contact, quantity, words)
+    return axes
+
+
+@in_style
+def slip_maps(
+    state: State, *, race: Race = "inner", ball: int = _HEAVIEST, words: PlotWords = ENGLISH
+) -> tuple[Axes, ...]:
+    """Draw slip, pressure and their product of one contact below each other, in a new figure.
+
+    Parameters and errors as of `slip_map`.
+    """
+    _, frames = new_stacked_figure(len(QUANTITIES), height=170.0)
+    for axes, quantity in zip(frames, QUANTITIES, strict=True):
+        slip_map(state, axes, quantity=quantity, race=race, ball=ball, words=words)
+    return frames
+
+
+def _contact(state: State, race: Race, ball: int) -> _Contact:
+    balls = loaded_balls(state)
+    patch = balls.patch(race)
+    if ball == _HEAVIEST:
+        ball = int(np.argmax(patch.load[0]))
+    if not 0 <= ball < len(state.balls):
+        raise InputError(
+            f"must be from 0 to {len(state.balls) - 1}", field="ball", value=ball, example="0"
+        )
+    motion = relative_motion(patch, balls.ball_velocity, balls.ring_speed(race))
+
+    def one(array: Floats) -> Floats:
+        return np.array([np.broadcast_to(array, patch.load.shape)[0, ball]])
+
+    chosen = RelativeMotion(
+        one(motion.drift), one(motion.roll), one(motion.twist), one(motion.tumble), motion.side
+    )
+    return _Contact(patch.mapped(one), chosen)
+
+
+def _draw(axes: Axes, contact: _Contact, quantity: Quantity, words: PlotWords) -> None:
+    """Draw the map, the edge of the ellipse, the lines, the arrows and the maximum."""
+    a, b = (
+        float(MILLIMETRE.of(x)[0]) for x in (contact.patch.semi_major, contact.patch.semi_minor)
+    )
+    steps = np.linspace(-1.0, 1.0, _GRID)
+    u, v = np.meshgrid(steps, steps, indexing="ij")
+    factor, unit = _UNITS[quantity]
+    values = factor * _values(contact, quantity, u, v)
+    edge = Ellipse((0.0, 0.0), 2.0 * a, 2.0 * b, fill=False, linewidth=0.9, zorder=3.0)
+    drawn = axes.contourf(a * u, b * v, values, levels=_LEVELS)
+    axes.add_patch(edge)
+    drawn.set_clip_path(edge)
+    bar = figure_of(axes).colorbar(drawn, ax=axes, format=PlainNumbers(words.decimal_mark))
+    bar.set_label(f"{_said(words, quantity)} ({unit})")
+    if quantity != "pressure":
+        _draw_lines(axes, contact, a, b, words)
+    if quantity == "slip":
+        _draw_arrows(axes, contact, a, b)
+    if quantity == "pressure_slip":
+        _mark_greatest(axes, contact, a, b, words)
+    axes.set_xlim(-1.05 * a, 1.05 * a)
+    axes.set_ylim(-1.15 * b, 1.15 * b)
+    axes.grid(False)
+    label_x(axes, MILLIMETRE.label(_said(words, "across")), words)
+    label_y(axes, MILLIMETRE.label(_said(words, "along")), words)
+    if axes.get_legend_handles_labels()[0]:
+        axes.legend(
+            loc="lower left",
+            bbox_to_anchor=(0.0, 1.0),
+            ncols=2,
+            facecolor="#8A8A8A",
+            frameon=True,
+            borderaxespad=0.2,
+        )
+
+
+def _values(contact: _Contact, quantity: Quantity, u: Floats, v: Floats) -> Floats:
+    """The quantity in SI on a grid; outside the ellipse it is not shown."""
+    pressure = pressure_share(u, v) * contact.patch.max_pressure[0]
+    if quantity == "pressure":
+        return pressure
+    slip = slip_velocity(contact.patch, contact.motion, u.ravel(), v.ravel())
+    speed = np.asarray(slip.speed[0].reshape(u.shape))
+    return speed if quantity == "slip" else np.asarray(speed * pressure)
+
+
+def _draw_lines(axes: Axes, contact: _Contact, a: float, b: float, words: PlotWords) -> None:
+    lines = rolling_lines(contact.patch, contact.motion)[0]
+    label = _said(words, "lines")
+    for line in lines[np.isfinite(lines)]:
+        reach = b * float(np.sqrt(1.0 - line**2))
+        axes.plot([a * line, a * line], [-reach, reach], "w--", linewidth=1.1, label=label)
+        label = "_"
+
+
+def _draw_arrows(axes: Axes, contact: _Contact, a: float, b: float) -> None:
+    """Direction of the slip at some points, all arrows of one length on the page."""
+    across, along = (np.linspace(-0.9, 0.9, count) for count in _ARROWS)
+    u, v = (array.ravel() for array in np.meshgrid(across, along, indexing="ij"))
+    inside = u**2 + v**2 < 0.95
+    u, v = u[inside], v[inside]
+    slip = slip_velocity(contact.patch, contact.motion, u, v)
+    speed = np.maximum(slip.speed[0], np.finfo(np.float64).tiny)
+    axes.quiver(
+        a * u,
+        b * v,
+        slip.transverse[0] / speed,
+        slip.rolling[0] / speed,
+        color="white",
+        scale=34.0,
+        width=0.0028,
+        pivot="middle",
+        zorder=4.0,
+    )
+
+
+def _mark_greatest(axes: Axes, contact: _Contact, a: float, b: float, words: PlotWords) -> None:
+    found = greatest_pressure_slip(contact.patch, contact.motion)
+    factor, unit = _UNITS["pressure_slip"]
+    value = f"{number(float(factor * found.value[0]), words)} {unit}"
+    axes.plot(
+        [a * found.across[0]],
+        [b * found.along[0]],
+        "x",
+        color="white",
+        markersize=6.0,
+        markeredgewidth=1.6,
+        linestyle="none",
+        label=_said(words, "greatest").format(value=value),
+        zorder=4.0,
+    )
+
+
+def _said(words: PlotWords, key: str) -> str:
+    return _WORDS.get(words.code, _WORDS["en"])[key]
