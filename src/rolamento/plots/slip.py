@@ -209,7 +209,7 @@ def _draw(axes: Axes, contact: _Contact, quantity: Quantity, words: PlotWords) -
 
 def _values(contact: _Contact, quantity: Quantity, u: Floats, v: Floats) -> Floats:
     """The quantity in SI on a grid; outside the ellipse it is not shown."""
-    pressure = pressure_share(u, v) * contact.patch.max_pressure[0]
+    pressure = np.asarray(pressure_share(u, v) * contact.patch.max_pressure[0])
     if quantity == "pressure":
         return pressure
     slip = slip_velocity(contact.patch, contact.motion, u.ravel(), v.ravel())
