@@ -119,7 +119,7 @@ def _filled_lanes() -> tuple[Floats, Floats]:
     solution = solve_columns(p, np.ones((1, balls)), balls, threads=1)
     azimuth = 2.0 * np.pi * np.arange(balls)[:, np.newaxis] / balls
     ring = np.zeros((rows.RING_ROWS, rows.LANES))
-    ring[: rows.PARAMETERS] = p
+    ring[: rows.PARAMETERS] = p[: rows.PARAMETERS]
     ring[rows.DISPLACEMENT : rows.DISPLACEMENT + 5] = solution.displacement.T
     ball = np.zeros((balls, rows.BALL_ROWS, rows.LANES))
     ball[:, rows.COS], ball[:, rows.SIN] = np.cos(azimuth), np.sin(azimuth)
