@@ -14,6 +14,7 @@ import importlib
 from typing import TYPE_CHECKING, Any, Final
 
 if TYPE_CHECKING:
+    from rolamento.analysis import Analysis, BatchAnalysis, analyse, analyse_batch
     from rolamento.bearing import Bearing
     from rolamento.case import (
         Case,
@@ -33,28 +34,40 @@ if TYPE_CHECKING:
         UnitError,
         UnknownKeyError,
     )
+    from rolamento.film_model import FilmModel
+    from rolamento.lubricant import Lubricant
     from rolamento.material import Material
     from rolamento.model import Model
     from rolamento.state import State
+    from rolamento.surface import Surface
+    from rolamento.temperature import Temperature
 
 __version__ = "0.1.0"
 
 __all__ = [
+    "Analysis",
+    "BatchAnalysis",
     "BatchState",
     "Bearing",
     "Case",
     "Displacement",
     "Duty",
     "FileError",
+    "FilmModel",
     "InputError",
     "Load",
+    "Lubricant",
     "Material",
     "Model",
     "RolamentoError",
     "State",
+    "Surface",
+    "Temperature",
     "UnitError",
     "UnknownKeyError",
     "__version__",
+    "analyse",
+    "analyse_batch",
     "case_to_json",
     "case_to_toml",
     "load_case",
@@ -66,6 +79,7 @@ __all__ = [
 ]
 
 _NAMES_OF_MODULES: Final = {
+    "analysis": ("Analysis", "BatchAnalysis", "analyse", "analyse_batch"),
     "bearing": ("Bearing",),
     "case": (
         "Case",
@@ -79,9 +93,13 @@ _NAMES_OF_MODULES: Final = {
     "duty": ("Displacement", "Duty", "Load"),
     "equilibrium": ("BatchState", "solve", "solve_batch"),
     "errors": ("FileError", "InputError", "RolamentoError", "UnitError", "UnknownKeyError"),
+    "film_model": ("FilmModel",),
+    "lubricant": ("Lubricant",),
     "material": ("Material",),
     "model": ("Model",),
     "state": ("State",),
+    "surface": ("Surface",),
+    "temperature": ("Temperature",),
 }
 _MODULE_OF_NAME: Final = {
     name: module for module, names in _NAMES_OF_MODULES.items() for name in names
