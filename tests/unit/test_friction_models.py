@@ -174,6 +174,24 @@ def test_case_without_result_is_nan_and_alone(satellite: Case) -> None:
         assert list(np.isfinite(total)) == [True, False, False, True]
 
 
+def test_ellipse_wider_than_the_ball_has_no_torque() -> None:
+    bearing = Bearing(
+        ball_count=8,
+        ball_diameter="10 mm",
+        pitch_diameter="50 mm",
+        contact_angle="20 deg",
+        inner_conformity=0.501,
+        outer_conformity=0.501,
+    )
+    case = Case(bearing=bearing, duty=Duty(load=Load(fx="1 kN")))
+    batch = ro.solve_batch(case, fx=[1e-3, 1e3, 1e5])
+    assert batch.converged.all()
+    balls = loaded_balls(batch)
+    for model in (jones_full, jones_control, harris_1971, todd, jones_simplified):
+        total = model(balls, MU).total  # type: ignore[operator]
+        assert list(np.isfinite(total)) == [True, True, False]
+
+
 def test_batch_is_the_states_one_by_one(case_218: Case) -> None:
     speeds = [100.0, 900.0]
     balls = loaded_balls(ro.solve_batch(case_218, inner_speed=speeds))

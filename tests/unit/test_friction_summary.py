@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+
 import numpy as np
 import pytest
 
@@ -42,6 +44,22 @@ def test_heat_by_source_and_contact_is_the_power(slow: ro.State) -> None:
     np.testing.assert_allclose(sum(found.torque_by_source.values()), found.torque, rtol=1e-12)
     np.testing.assert_allclose(found.power, found.torque * 20.0 * np.pi / 30.0, rtol=1e-12)
     assert all(loss.inner.shape == (1, 16) for loss in found.heat.values())
+
+
+def test_mapping_is_plain_json(slow: ro.State, case_218: Case) -> None:
+    found = friction(slow, friction_coefficient=0.1, machine=OIL, film_parameter=0.5)
+    read = json.loads(json.dumps(found.to_mapping(), allow_nan=False))
+    assert read["torque"] == found.torque[0]
+    heat = sum(sum(ball[race].values()) for ball in read["heat"] for race in ("inner", "outer"))
+    assert heat == pytest.approx(read["power"])
+    assert len(read["heat"]) == 16
+    by_name = {model["model"]: model for model in read["models"]}
+    assert by_name["skf"]["holds"] is False
+    assert by_name["skf"]["notes"] == ["no_film"]
+    unsolved = ro.solve(ro.override(case_218, ["duty.load.fx=-20 kN"]))
+    none = friction(unsolved, friction_coefficient=0.1).to_mapping()
+    assert none["torque"] is None
+    json.dumps(none, allow_nan=False)
 
 
 def test_all_models_of_a_state_and_one_of_a_batch(slow: ro.State, case_218: Case) -> None:

@@ -86,9 +86,9 @@ def _primitives(patch: Patch, s: FloatArray) -> tuple[FloatArray, FloatArray, Fl
     moment = 0.75 * (s**2 / 2.0 - s**4 / 4.0)
     a, radius = patch.semi_major[..., np.newaxis], patch.deformed_radius[..., np.newaxis]
     ratio = a / radius
-    # √(R² - x²) = R - x²/(R + √(R² - x²)): the part beside R keeps its digits
-    root = np.sqrt(1.0 - (ratio * s) ** 2)
-    angle = np.arcsin(ratio * s)
+    with np.errstate(invalid="ignore"):  # an ellipse wider than the ball has no result
+        root = np.sqrt(1.0 - (ratio * s) ** 2)
+        angle = np.arcsin(ratio * s)
     first = 0.5 * (s * root + angle / ratio)
     t = ratio * s
     second = (0.125 * (2.0 * t**2 - 1.0) * t * root + 0.125 * angle) / ratio**3

@@ -65,8 +65,16 @@ class LoadedBalls:
 
     @property
     def solved(self) -> BoolArray:
-        """(cases,): whether the case has a result."""
-        return np.asarray(np.all(np.isfinite(self.outer.load), axis=-1))
+        """(cases,): whether the case has a result, with ellipses narrower than the balls."""
+        with np.errstate(invalid="ignore"):
+            narrow = [2.0 * patch.semi_major < patch.ball_diameter for patch in self.patches]
+        fine = np.isfinite(self.outer.load) & (np.all(narrow, axis=0) | ~self.loaded)
+        return np.asarray(np.all(fine, axis=-1))
+
+    @property
+    def patches(self) -> tuple[Patch, Patch]:
+        """The contacts of both races, inner and outer."""
+        return self.inner, self.outer
 
     @property
     def relative_speed(self) -> FloatArray:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Final, Literal
+from typing import Any, Final, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -81,6 +81,37 @@ class Friction:
     def holding(self, case: int = 0) -> tuple[str, ...]:
         """Name the models that hold for a case."""
         return tuple(found.model for found in self.verdicts if found.holds[case])
+
+    def to_mapping(self, case: int = 0) -> dict[str, Any]:
+        """Give one case as plain mappings and lists in SI units, NaN as None."""
+        return {
+            "model": self.model,
+            "regime": str(self.regime[case]),
+            "torque": _plain(self.torque[case]),
+            "starting_torque": _plain(self.starting_torque[case]),
+            "power": _plain(self.power[case]),
+            "torque_by_source": {k: _plain(v[case]) for k, v in self.torque_by_source.items()},
+            "heat": [
+                {
+                    race: {k: _plain(getattr(v, race)[case, j]) for k, v in self.heat.items()}
+                    for race in ("inner", "outer")
+                }
+                for j in range(self._ball_count)
+            ],
+            "models": [
+                {
+                    "model": found.model,
+                    "torque": _plain(self.models[found.model].total[case]),
+                    "holds": bool(found.holds[case]),
+                    "notes": [name for name, where in found.notes.items() if where[case]],
+                }
+                for found in self.verdicts
+            ],
+        }
+
+    @property
+    def _ball_count(self) -> int:
+        return next((int(loss.inner.shape[1]) for loss in self.heat.values()), 0)
 
 
 def friction(
@@ -167,6 +198,10 @@ def friction(
             verdict(name, balls, mu, regime, found.converged) for name, found in compared.items()
         ),
     )
+
+
+def _plain(value: float) -> float | None:
+    return float(value) if np.isfinite(value) else None
 
 
 def _compares(state: State | BatchState, compare: bool | None) -> bool:
