@@ -93,9 +93,9 @@ def solve(
     """Show the internal state of a bearing under its duty."""
     with plain_endings(lang):
         _check_outputs(case, json, csv)
-        solved = _solved(rolamento.load_case(case, settings or ()), lang)
-        _show(solved, json, csv, lang)
-    raise typer.Exit(SOLVED if solved.status.converged else NO_RESULT)
+        analysis = _analysed(rolamento.load_case(case, settings or ()), lang)
+        _show(analysis, json, csv, lang)
+    raise typer.Exit(SOLVED if analysis.state.status.converged else NO_RESULT)
 
 
 @app.command()
@@ -114,7 +114,7 @@ def demo(
             print_text(demonstration.written(write, words_of(lang)))
             return
         example = demonstration.example_case()
-        _show(_solved(example, lang), None, None, lang)
+        _show(_analysed(example, lang), None, None, lang)
         print_text(demonstration.what_next(words_of(lang)))
 
 
@@ -128,38 +128,41 @@ def _check_outputs(case: str, json: str | None, csv: str | None) -> None:
             raise FileError("is the case file itself; choose another name", source=path)
 
 
-def _solved(case: rolamento.Case, lang: Language | None) -> rolamento.State:
+def _analysed(case: rolamento.Case, lang: Language | None) -> rolamento.Analysis:
     """Solve a case; whoever waits at a terminal for long is told why."""
-    from rolamento.equilibrium import solve
+    from rolamento.analysis import analyse
 
     if sys.stderr is None or not sys.stderr.isatty():
-        return solve(case)
+        return analyse(case)
     from rolamento.cli.waiting import told
 
     with told(words_of(lang).waiting):
-        return solve(case)
+        return analyse(case)
 
 
-def _show(state: rolamento.State, json: str | None, csv: str | None, lang: Language | None) -> None:
+def _show(
+    analysis: rolamento.Analysis, json: str | None, csv: str | None, lang: Language | None
+) -> None:
     """Write what was asked for; standard output takes data or the report, not both."""
+    state = analysis.state
     if json is not None:
-        put(state.to_json() + "\n", json)
+        put(analysis.to_json() + "\n", json)
     if csv is not None:
         from rolamento.report.balls_csv import ball_csv
 
         put(ball_csv(state), csv)
     if STANDARD_STREAM not in (json, csv):
-        _print_report(state, words_of(lang))
+        _print_report(analysis, words_of(lang))
     elif not state.status.converged:
         words, status = words_of(lang), state.status
         complain(": ".join(part for part in (words.reason(status), words.advice(status)) if part))
 
 
-def _print_report(state: rolamento.State, words: Words) -> None:
+def _print_report(analysis: rolamento.Analysis, words: Words) -> None:
     from rolamento.report.medium import Medium
     from rolamento.report.terminal import terminal_report
 
-    print_text(terminal_report(state, words, Medium.of(sys.stdout)))
+    print_text(terminal_report(analysis.state, words, Medium.of(sys.stdout), analysis))
 
 
 app.command(epilog="Examples: sweep study.toml -o result.nc; sweep --list fields.")(sweep)

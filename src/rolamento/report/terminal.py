@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from io import StringIO
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 from rich.console import Console
 from rich.text import Text
@@ -19,12 +19,20 @@ from rolamento.report.rows import arrangement_lines, preload_part, rows_part
 from rolamento.state import State
 from rolamento.units import Dimension
 
+if TYPE_CHECKING:
+    from rolamento.analysis import Analysis
+
 __all__ = ["rendered", "terminal_report"]
 
 _GAP: Final = 3
 
 
-def terminal_report(state: State, words: Words = ENGLISH, medium: Medium | None = None) -> str:
+def terminal_report(
+    state: State,
+    words: Words = ENGLISH,
+    medium: Medium | None = None,
+    analysis: Analysis | None = None,
+) -> str:
     """Return the report of a state as text that ends in a newline.
 
     Parameters
@@ -35,14 +43,19 @@ def terminal_report(state: State, words: Words = ENGLISH, medium: Medium | None 
         The language.
     medium
         What the text is shown on; by default plain text of 80 columns in UTF-8.
+    analysis
+        What follows from the state; film and friction are shown if it has them.
     """
     page = Page(words, medium or Medium())
     parts = [_head(page, state)]
     if state.status.converged:
         parts += [*_set(page, state), *_middle(page, state)]
         parts += [stiffness_part(page, state), *ball_parts(page, state)]
-    if state.notes:
-        parts.append(_notes(page, state))
+    notes = [page.words.note(note) for note in state.notes]
+    if analysis is not None:
+        parts += _what_follows(page, analysis, notes)
+    if notes:
+        parts.append(_notes(page, notes))
     return rendered(page.medium, parts)
 
 
@@ -188,8 +201,27 @@ def _middle(page: Page, state: State) -> list[Lines]:
     return [left, rosette_part(page, state, page.medium.width)]
 
 
-def _notes(page: Page, state: State) -> Lines:
+def _what_follows(page: Page, analysis: Analysis, notes: list[str]) -> list[Lines]:
+    """Show film and friction; what is to be known of them goes to the notes."""
+    parts: list[Lines] = []
+    if analysis.film is not None:
+        from rolamento.report.film import film_notes, film_parts
+
+        parts += film_parts(page, analysis.film)
+        notes += film_notes(page, analysis.film)
+    if analysis.friction is not None:
+        from rolamento.report.friction import friction_parts
+
+        parts += friction_parts(page, analysis.state, analysis.friction)
+    if analysis.notes:
+        from rolamento.report.film_sentences import said_note
+
+        notes += [said_note(sentence, page.words.code) for sentence in analysis.sentences]
+    return parts
+
+
+def _notes(page: Page, notes: list[str]) -> Lines:
     lines = [page.heading(page.words.notes)]
-    for note in state.notes:
-        lines += page.hanging(page.text("  • ", "yellow"), page.words.note(note))
+    for note in notes:
+        lines += page.hanging(page.text("  • ", "yellow"), note)
     return lines

@@ -1,0 +1,253 @@
+"""What follows from a case: which parts there are, in one record, as JSON, and over a batch."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import rolamento
+from rolamento import Case, InputError, Lubricant, analyse, analyse_batch, load_case, solve_batch
+from rolamento.analysis import NOTES
+from rolamento.friction import friction
+from rolamento.lubrication import film_of, film_of_batch
+
+SURFACE = {"inner_roughness": 1e-7, "outer_roughness": 1e-7, "ball_roughness": 5e-8}
+WARM = {"lubricant": 343.15}
+
+
+def strict(text: str) -> Any:
+    def refuse(constant: str) -> None:
+        raise AssertionError(f"{constant} in JSON")
+
+    return json.loads(text, parse_constant=refuse)
+
+
+@pytest.fixture(scope="module")
+def oiled(case_218: Case) -> Case:
+    oil = Lubricant.named("ISO VG 68").replace(friction_coefficient=0.08)
+    return case_218.replace(lubricant=oil, temperature=WARM, surface=SURFACE)
+
+
+def test_a_plain_case_is_its_state_and_nothing_else(case_218: Case) -> None:
+    analysis = analyse(case_218)
+    assert analysis.film is None
+    assert analysis.friction is None
+    assert analysis.notes == ()
+    mapping = analysis.to_mapping()
+    assert mapping.pop("film") is None
+    assert mapping.pop("friction") is None
+    assert mapping == analysis.state.to_mapping()
+
+
+def test_oil_and_coefficient_make_film_and_friction(oiled: Case) -> None:
+    analysis = analyse(oiled)
+    assert analysis.film == film_of(analysis.state)
+    assert analysis.friction is not None
+    assert analysis.notes == ()
+    assert set(analysis.friction.torque_by_source) == {
+        "spin", "rolling_slip", "hysteresis", "rolling_resistance"
+    }  # fmt: skip
+    total = sum(part[0] for part in analysis.friction.torque_by_source.values())
+    assert analysis.friction.torque[0] == pytest.approx(total)
+
+
+def test_the_least_film_parameter_decides_the_regime(oiled: Case) -> None:
+    analysis = analyse(oiled)
+    assert analysis.film is not None
+    assert analysis.friction is not None
+    least = min(
+        contact.film_parameter
+        for ball in analysis.film.balls
+        for contact in (ball.inner, ball.outer)
+    )
+    assert least > 3.0
+    assert analysis.friction.regime.tolist() == ["full_film"]
+    warm = oiled.replace(temperature={"lubricant": 430.0})
+    mixed = analyse(warm).friction
+    assert mixed is not None
+    assert mixed.regime.tolist() == ["mixed"]
+
+
+@pytest.mark.parametrize(
+    ("changes", "film", "with_friction", "notes"),
+    [
+        ({"temperature": None}, False, True, ("no_temperature",)),
+        ({"lubricant": "ISO VG 68"}, True, False, ("no_coefficient",)),
+        (
+            {"lubricant": "ISO VG 68", "temperature": None},
+            False,
+            False,
+            ("no_temperature", "no_coefficient"),
+        ),
+        ({"lubricant": "BP 135"}, False, True, ()),
+        ({"surface": None}, True, True, ()),
+        (
+            {"lubricant": {"kind": "dry", "friction_coefficient": 1.5}},
+            False,
+            False,
+            ("coefficient_too_great",),
+        ),
+        ({"lubricant": None}, False, False, ()),
+    ],
+)
+def test_what_a_case_lacks_is_noted_and_not_raised(
+    oiled: Case, changes: dict[str, Any], film: bool, with_friction: bool, notes: tuple[str, ...]
+) -> None:
+    analysis = analyse(oiled.replace(**changes))
+    assert (analysis.film is not None) is film
+    assert (analysis.friction is not None) is with_friction
+    assert analysis.notes == notes
+    assert analysis.sentences == tuple(NOTES[name] for name in notes)
+    mapping = strict(analysis.to_json())
+    assert (mapping["film"] is not None) is film
+    assert (mapping["friction"] is not None) is with_friction
+    assert set(analysis.sentences) <= set(mapping["notes"])
+
+
+def test_without_a_result_there_is_neither(oiled: Case) -> None:
+    load = oiled.duty.load.replace(fx=-20e3)
+    analysis = analyse(oiled.replace(duty=oiled.duty.replace(load=load)))
+    assert not analysis.state.status.converged
+    assert analysis.film is None
+    assert analysis.friction is None
+
+
+def test_json_has_heat_of_every_contact(oiled: Case) -> None:
+    found = strict(analyse(oiled).to_json())["friction"]
+    assert found["friction_coefficient"] == 0.08
+    assert found["model"] == "jones_full"
+    heat = sum(
+        sum(value)
+        for source in found["heat"].values()
+        for value in (source["inner"], source["outer"])
+    )
+    assert heat == pytest.approx(found["power"], rel=1e-9)
+    assert len(found["heat"]["spin"]["inner"]) == 16
+    speed = oiled.duty.inner_speed
+    assert found["torque"] * speed == pytest.approx(found["power"], rel=1e-9)
+    assert set(found["models"]) == {
+        "jones_full", "jones_control", "jones_simplified", "harris_1971", "todd"
+    }  # fmt: skip
+    assert found["models"]["todd"]["holds"] is False
+    assert "inertia" in found["models"]["todd"]["reasons"]
+
+
+def test_hysteresis_is_the_users(oiled: Case) -> None:
+    parts = [analyse(oiled, hysteresis=loss).friction for loss in (0.0, 0.01, 0.02)]
+    torques = [part.torque_by_source["hysteresis"][0] for part in parts if part is not None]
+    assert torques[0] == 0.0
+    assert torques[2] == pytest.approx(2.0 * torques[1])
+
+
+def test_at_rest_there_is_a_starting_torque_and_no_power(examples: Path) -> None:
+    case = load_case(examples / "ricci_fleury.toml", ["duty.inner_speed=0 rpm"])
+    found = analyse(case).friction
+    assert found is not None
+    assert found.power[0] == 0.0
+    assert found.starting_torque[0] > 0.0
+
+
+# --- batches ---------------------------------------------------------------------------------
+
+
+FX = np.linspace(20e3, 40e3, 7)
+
+
+def test_a_batch_is_the_cases_one_by_one(oiled: Case) -> None:
+    found = analyse_batch(oiled, solve_batch(oiled, fx=FX), model="jones_full", compare=True)
+    assert found.film is not None
+    assert found.friction is not None
+    for index in (0, 3, 6):
+        load = oiled.duty.load.replace(fx=float(FX[index]))
+        one = analyse(oiled.replace(duty=oiled.duty.replace(load=load)))
+        assert one.film is not None
+        assert one.friction is not None
+        assert found.friction.torque[index] == pytest.approx(one.friction.torque[0], rel=1e-6)
+        assert found.friction.regime[index] == one.friction.regime[0]
+        for name, model in one.friction.models.items():
+            assert found.friction.models[name].total[index] == pytest.approx(
+                model.total[0], rel=1e-6
+            )
+        thinnest = one.film.thinnest("inner")
+        assert thinnest is not None
+        assert np.nanmin(found.film.inner.central_thickness[index]) == pytest.approx(
+            thinnest.central_thickness, rel=1e-9
+        )
+
+
+def test_blocks_are_the_whole(oiled: Case, monkeypatch: pytest.MonkeyPatch) -> None:
+    fx = FX.copy()
+    fx[2] = -50e3  # no equilibrium
+    batch = solve_batch(oiled, fx=fx, inner_speed=np.linspace(0.0, 900.0, 7))
+    whole = analyse_batch(oiled, batch)
+    monkeypatch.setattr("rolamento.analysis._BLOCK", 2)
+    for threads in (1, 2):
+        blocks = analyse_batch(oiled, batch, threads=threads)
+        assert whole.friction is not None
+        assert blocks.friction is not None
+        assert whole.film is not None
+        assert blocks.film is not None
+        np.testing.assert_array_equal(blocks.friction.torque, whole.friction.torque)
+        np.testing.assert_array_equal(blocks.film.viscosity_ratio, whole.film.viscosity_ratio)
+        for one, other in zip(blocks.friction.verdicts, whole.friction.verdicts, strict=True):
+            np.testing.assert_array_equal(one.holds, other.holds)
+            assert one.notes.keys() == other.notes.keys()
+            for name, where in one.notes.items():
+                np.testing.assert_array_equal(where, other.notes[name])
+        for name, loss in blocks.friction.heat.items():
+            np.testing.assert_array_equal(loss.inner, whole.friction.heat[name].inner)
+        assert np.isnan(whole.friction.torque[2])
+        assert np.isfinite(np.delete(whole.friction.torque, 2)).all()
+
+
+def test_coefficient_and_temperature_may_vary(case_218: Case) -> None:
+    case = case_218.replace(lubricant="ISO VG 68")
+    batch = solve_batch(case, fx=FX)
+    assert analyse_batch(case, batch).film is None
+    assert analyse_batch(case, batch).friction is None
+    warm, mu = np.linspace(300.0, 380.0, 7), np.linspace(0.02, 0.2, 7)
+    found = analyse_batch(case, batch, friction_coefficient=mu, lubricant_temperature=warm)
+    assert found.film is not None
+    expected = film_of_batch(case, batch, lubricant_temperature=warm)
+    np.testing.assert_array_equal(
+        found.film.inner.central_thickness, expected.inner.central_thickness
+    )
+    assert found.friction is not None
+    plain = friction(batch, friction_coefficient=mu, model="jones_simplified")
+    np.testing.assert_allclose(
+        found.friction.models["jones_simplified"].total, plain.models["jones_simplified"].total
+    )
+
+
+@pytest.mark.parametrize("name", ["friction_coefficient", "lubricant_temperature"])
+def test_arrays_of_another_length_are_refused(oiled: Case, name: str) -> None:
+    batch = solve_batch(oiled, fx=FX)
+    with pytest.raises(InputError, match=name):
+        analyse_batch(oiled, batch, **{name: np.full(3, 0.1)})  # type: ignore[arg-type]
+
+
+# --- import ----------------------------------------------------------------------------------
+
+
+def test_the_names_are_there_when_asked_for() -> None:
+    for name in ("Analysis", "Lubricant", "Surface", "Temperature", "analyse", "analyse_batch"):
+        assert name in rolamento.__all__
+        assert getattr(rolamento, name).__name__ == name
+
+
+def test_a_plain_case_does_not_load_film_or_friction(examples: Path) -> None:
+    code = (
+        "import sys, rolamento\n"
+        f"rolamento.analyse(rolamento.load_case({str(examples / '218_combined.toml')!r}))\n"
+        "bad = [n for n in sys.modules if n.startswith(('rolamento.friction',"
+        " 'rolamento.lubrication', 'rolamento.oil'))]\n"
+        "assert not bad, bad\n"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
