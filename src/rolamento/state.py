@@ -181,13 +181,15 @@ class RollingState:
     cage_speed
         of all balls about the bearing's axis (rad/s)
     control_cage_speed
-        the same under outer raceway control, the balls' mean weighted by their loads (rad/s)
+        the same solved under outer raceway control, the balls' mean weighted by their loads (rad/s)
     skid
-        how far the cage lags behind that, relative to it
+        how far the cage lags behind that, relative to it; below zero where it leads
     inner_torque, outer_torque
         that shaft and housing put on the rings against the friction at the races (N·m)
     power
         lost at all races (W)
+    imbalance
+        what is missing between the work of shaft and housing and the losses, over the losses
     balls
         in the order of the state's balls
     """
@@ -198,6 +200,7 @@ class RollingState:
     inner_torque: float
     outer_torque: float
     power: float
+    imbalance: float
     balls: tuple[RollingBall, ...]
 
 

@@ -19,7 +19,7 @@ import pytest
 
 import rolamento
 from rolamento import Case, State
-from rolamento.equilibrium import advice, notes, solve
+from rolamento.equilibrium import advice, notes, rolling_notes, solve
 from rolamento.equilibrium.batch_state import STATUS_NAMES
 from rolamento.model import RacewayControl
 from rolamento.report.balls_csv import CSV_COLUMNS, ball_csv
@@ -241,6 +241,7 @@ def _sample(expression: str) -> str:
         "_count(": "3 balls",
         "_azimuths(": "0°, 22.5°",
         "{race}": "outer",
+        "{sense}": "behind",
         "{assumed}": "inner",
         "{holder}": "nothing presses on them",
         "{name}": "rz",
@@ -254,7 +255,7 @@ def _sample(expression: str) -> str:
     return next((text for mark, text in samples.items() if mark in expression), "1.5e+06")
 
 
-@pytest.mark.parametrize("sentence", sentences_in(notes))
+@pytest.mark.parametrize("sentence", [*sentences_in(notes), *sentences_in(rolling_notes)])
 def test_every_note_of_the_engine_is_translated(sentence: str) -> None:
     assert portuguese_sentence(sentence) != sentence
 

@@ -44,6 +44,13 @@ def advise(case: Case, batch: BatchState) -> str | None:
             'bear its gyroscopic moment. Take model.raceway_control = "jones" or "outer", or '
             "more axial load."
         )
+    if case.model.raceway_control == "friction":
+        return (
+            "Under friction alone the solver stopped at a residual of "
+            f"{batch.residual[0]:.1e} of the loads, so it shows no result. Vary a little the load, "
+            "the speed or lubricant.friction_coefficient, take the other model.mesh, more load or "
+            'less model.cage_drag; raceway_control = "jones" gives loads and angles close to these.'
+        )
     if case.duty.inner_speed * case.duty.outer_speed < 0.0:
         return (
             "Between rings that turn against each other the balls may orbit so slowly that the "

@@ -57,17 +57,16 @@ def ball_table(
     outer = _contacts(x1, x2, column, rows.OUTER_LENGTH, rows.OUTER_STIFFNESS)
     inner = _contacts(a1 - x1, a2 - x2, column, rows.INNER_LENGTH, rows.INNER_STIFFNESS)
     yaw = np.zeros_like(azimuth)
-    if rolling is None:
-        motion = ball_motion(
-            inner.contact_angle,
-            outer.contact_angle,
-            column[rows.GAMMA],
-            column[rows.INNER_SPEED],
-            column[rows.OUTER_SPEED],
-            control.astype(np.int64),
-        )
-    else:
-        motion, yaw = motion_of(p, rolling, inner.contact_angle, outer.contact_angle)
+    motion = ball_motion(
+        inner.contact_angle,
+        outer.contact_angle,
+        column[rows.GAMMA],
+        column[rows.INNER_SPEED],
+        column[rows.OUTER_SPEED],
+        control.astype(np.int64),
+    )
+    if rolling is not None:
+        motion, yaw = motion_of(p, rolling, inner.contact_angle, outer.contact_angle, motion)
     # J / gamma' D is the parameter: times gamma' D, it is J again
     inertia = column[rows.GYROSCOPIC] * column[rows.GAMMA] * column[rows.BALL_DIAMETER]
     return BallTable(

@@ -6,7 +6,7 @@ A note never changes a number. Each check returns sentences; `notes_on` collects
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from math import acos, degrees, inf, pi, radians
 from typing import Final
 
@@ -17,6 +17,9 @@ from rolamento.duty import AXES
 from rolamento.equilibrium.batch_state import BatchState
 from rolamento.equilibrium.detail import criterion
 from rolamento.equilibrium.problem import ring_arms
+from rolamento.equilibrium.rolling_notes import notes_on_rolling
+from rolamento.equilibrium.wording import azimuths as _azimuths
+from rolamento.equilibrium.wording import count as _count
 from rolamento.kinematics import RacewayControl, friction_demand
 from rolamento.state import BallState, ContactState, PreloadState, State
 
@@ -34,8 +37,6 @@ FREE_STIFFNESS: Final = 1e-9
 """Of the greatest stiffness: a direction with less is free."""
 PRELOAD_MARGIN: Final = 1.1
 """Times the load at which a row lifts off: what is nearer deserves a word."""
-_MOST_AZIMUTHS: Final = 6
-_MOST_IN_A_ROW: Final = 4
 
 
 def notes_on(state: State, batch: BatchState) -> State:
@@ -51,6 +52,7 @@ def notes_on(state: State, batch: BatchState) -> State:
         *_free_directions(state, batch),
         *_control(state, batch),
         *_gyroscopic_slip(state),
+        *notes_on_rolling(state),
     ]
     return dataclasses.replace(state, notes=tuple(notes))
 
@@ -263,24 +265,3 @@ def _controlling(ball: BallState) -> str:
 
 def _turns(state: State) -> bool:
     return state.case.duty.inner_speed != state.case.duty.outer_speed
-
-
-def _count(balls: list[BallState]) -> str:
-    return "1 ball" if len(balls) == 1 else f"{len(balls)} balls"
-
-
-def _azimuths(state: State, balls: Sequence[BallState]) -> str:
-    """Where some balls are; of a set, row by row."""
-    if len(state.rows) < 2:
-        return _listed(balls, _MOST_AZIMUTHS)
-    parts = []
-    for row in dict.fromkeys(ball.row for ball in balls):
-        own = [ball for ball in balls if ball.row == row]
-        all_of_it = len(own) == sum(ball.row == row for ball in state.balls)
-        parts.append(f"row {row}: {'all' if all_of_it else _listed(own, _MOST_IN_A_ROW)}")
-    return "; ".join(parts[:_MOST_AZIMUTHS]) + ("; …" if len(parts) > _MOST_AZIMUTHS else "")
-
-
-def _listed(balls: Sequence[BallState], most: int) -> str:
-    angles = [f"{degrees(ball.azimuth):.4g}°" for ball in balls]
-    return ", ".join(angles[:most]) + (" …" if len(angles) > most else "")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import nan
 from typing import Final
 
 import numpy as np
@@ -18,7 +19,7 @@ from rolamento.equilibrium.notes import notes_on
 from rolamento.equilibrium.problem import Floats
 from rolamento.equilibrium.rolling import Rolling
 from rolamento.geometry import Race
-from rolamento.kinematics import RacewayControl, orbital_speed
+from rolamento.kinematics import RacewayControl
 from rolamento.state import (
     BallState,
     ContactState,
@@ -116,12 +117,7 @@ def _rolling_state(batch: BatchState, table: BallTable) -> RollingState | None:
         race: _rolling_contacts(rolling, index, race, angles[race], p[:, 0])
         for index, race in enumerate(angles)
     }
-    controlled = orbital_speed(
-        angles["inner"], angles["outer"], p[rows.GAMMA, 0], p[rows.INNER_SPEED, 0],
-        p[rows.OUTER_SPEED, 0],
-    )  # fmt: skip
-    load = table.inner.load[0]
-    usual = float(np.average(controlled, weights=load if load.any() else None))
+    usual = float(rolling.control_cage_speed[0])
     cage = float(rolling.cage_speed[0])
     balls = zip(
         rolling.angular_velocity[0].tolist(), table.yaw[0].tolist(), contacts["inner"],
@@ -130,10 +126,11 @@ def _rolling_state(batch: BatchState, table: BallTable) -> RollingState | None:
     return RollingState(
         cage_speed=cage,
         control_cage_speed=usual,
-        skid=1.0 - cage / usual if usual else 0.0,
+        skid=1.0 - cage / usual if usual else nan,
         inner_torque=float(rolling.torque("inner")[0]),
         outer_torque=float(rolling.torque("outer")[0]),
         power=float(rolling.power[0].sum()),
+        imbalance=float(rolling.imbalance[0]),
         balls=tuple(RollingBall(tuple(omega), yaw, *races) for omega, yaw, *races in balls),
     )
 
@@ -150,8 +147,8 @@ def _rolling_contacts(
     slip = (speed - rolling.cage_speed[0]) * rolling.radius[0] - radius * across
     # the normal load has no part along t, nor along the orbit
     sideways = forces[:, 0] * np.cos(angle) - forces[:, 1] * np.sin(angle)
-    touching = rolling.power[0, :, index] > 0.0
-    columns = (rolling.power[0, :, index], np.where(touching, slip, np.nan), forces[:, 2], sideways)
+    slip = np.where(forces.any(axis=1), slip, np.nan)
+    columns = (rolling.power[0, :, index], slip, forces[:, 2], sideways)
     return [RollingContact(*map(float, numbers)) for numbers in zip(*columns, strict=True)]
 
 

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
 import numpy as np
+from numpy.typing import NDArray
 
 from rolamento.equilibrium import rows
 from rolamento.equilibrium.problem import Floats
@@ -16,19 +17,44 @@ from rolamento.kinematics import BallMotion
 class Rolling:
     """How friction-controlled balls move, and what that costs; cases without a result hold NaN.
 
-    cage_speed (cases,), rad/s. angular_velocity (cases, balls, 3): of the balls along x, along
-    increasing azimuth, and outward, absolute, rad/s. inner, outer (cases, balls, 6): force (x,
-    outward, along azimuth; N) and moment about the ball's centre (x, azimuth, outward; N·m) of
+    Rings that turn alike move no ball, and have no result here either.
+
+    cage_speed, control_cage_speed (cases,), rad/s: under friction, and under outer raceway control.
+    angular_velocity (cases, balls, 3): of the balls along x, along increasing azimuth, and
+    outward, absolute, rad/s; NaN of balls that nothing touches. inner, outer (cases, balls, 6):
+    force (x, azimuth last; N) and moment about the ball's centre (x, azimuth, outward; N·m) of
     the race on the ball, the normal load included. power (cases, balls, 2): friction loss at the
-    inner and the outer race, W.
+    inner and the outer race, W. imbalance (cases,): what is missing between the work of shaft and
+    housing and the losses, over the losses. radius (cases,): of the balls' orbit, m.
     """
 
     cage_speed: Floats
+    control_cage_speed: Floats
     angular_velocity: Floats
     inner: Floats
     outer: Floats
     power: Floats
+    imbalance: Floats
     radius: Floats
+
+    @classmethod
+    def empty(cls, cases: int, balls: int, radius: Floats, control_cage_speed: Floats) -> Rolling:
+        """Make room for so many cases."""
+        return cls(
+            cage_speed=np.full(cases, np.nan),
+            control_cage_speed=control_cage_speed,
+            angular_velocity=np.full((cases, balls, 3), np.nan),
+            inner=np.full((cases, balls, 6), np.nan),
+            outer=np.full((cases, balls, 6), np.nan),
+            power=np.full((cases, balls, 2), np.nan),
+            imbalance=np.full(cases, np.nan),
+            radius=radius.copy(),
+        )
+
+    def forget(self, cases: NDArray[np.bool_]) -> None:
+        """Leave cases without a result."""
+        for array in (self.cage_speed, self.angular_velocity, self.inner, self.outer, self.power):
+            array[cases] = np.nan
 
     def torque(self, race: Race) -> Floats:
         """Torque about x that the shaft or the housing puts on a ring to turn it; (cases,), N·m."""
@@ -38,11 +64,12 @@ class Rolling:
 
 
 def motion_of(
-    p: Floats, rolling: Rolling, inner_angle: Floats, outer_angle: Floats
+    p: Floats, rolling: Rolling, inner_angle: Floats, outer_angle: Floats, controlled: BallMotion
 ) -> tuple[BallMotion, Floats]:
     """The motion as raceway control describes it, and the yaw β' of the balls' axes.
 
-    inner_angle, outer_angle: contact angles, (cases, balls). The yaw is the angle of the ball's
+    inner_angle, outer_angle: contact angles, (cases, balls). controlled: the motion under raceway
+    control, which rings that turn alike leave to the balls. The yaw is the angle of the ball's
     axis out of the bearing's axial plane, toward increasing azimuth.
     """
     orbit = np.broadcast_to(rolling.cage_speed[:, np.newaxis], inner_angle.shape)
@@ -59,5 +86,11 @@ def motion_of(
         inner_roll=(x - inner) * np.cos(inner_angle) - out * np.sin(inner_angle),
         outer_roll=(x - outer) * np.cos(outer_angle) - out * np.sin(outer_angle),
     )
-    yaw = np.arcsin(np.clip(sign * along / np.abs(speed), -1.0, 1.0))
-    return motion, yaw
+    with np.errstate(invalid="ignore", divide="ignore"):
+        yaw = np.arcsin(np.clip(sign * along / np.abs(speed), -1.0, 1.0))
+    alike = inner == outer
+    chosen = (
+        np.where(alike, getattr(controlled, f.name), getattr(motion, f.name))
+        for f in fields(BallMotion)
+    )
+    return BallMotion(*chosen), np.where(alike, 0.0, yaw)

@@ -80,7 +80,7 @@ def solve_columns(
     if cases == 0:
         return solution
     finite = np.isfinite(p).all(axis=0)
-    moving = _has_inertia(p)
+    moving = has_inertia(p)
     if not moving.all():
         p = p.copy()
         p[rows.INNER_SPEED, ~moving] = p[rows.OUTER_SPEED, ~moving] = 0.0
@@ -96,7 +96,7 @@ def solve_columns(
     return solution
 
 
-def _has_inertia(p: Floats) -> NDArray[np.bool_]:
+def has_inertia(p: Floats) -> NDArray[np.bool_]:
     """Which columns have inertia that can be told from rounding; the others are at rest.
 
     A load presses a ball in by (F/K)^(2/3), which is known to some 1e-16 of the groove's offset.

@@ -26,6 +26,8 @@ _TERMS: Final = {
     "nothing presses on them": "nada age sobre elas",
     "its preload is gone": "a pré-carga dela acabou",
     "no preload holds it there": "nenhuma pré-carga a segura",
+    "behind": "atrás",
+    "ahead of": "à frente",
 }
 
 _GROUPS: Final = {
@@ -39,6 +41,8 @@ _GROUPS: Final = {
     "SIDE2": r"(?P<side2>[-+]x)",
     "SIDE": r"(?P<side>[-+]x)",
     "ROWS": r"(?P<rows>\d+(?:, \d+)*)",
+    "SENSE": r"(?P<sense>behind|ahead of)",
+    "NUMBER3": r"(?P<number3>[-+.\de]+)",
     "NUMBER2": r"(?P<number2>[-+.\de]+)",
     "NUMBER": r"(?P<number>[-+.\de]+)",
 }
@@ -144,7 +148,35 @@ _SENTENCES: Final = (
         " momento giroscópico vira uma que leva pouca carga. Aumente a carga axial ou mude a"
         " razão das rotações.",
     ),
+    (
+        "Under friction alone the solver stopped at a residual of NUMBER of the loads, so it shows"
+        " no result. Vary a little the load, the speed or lubricant.friction_coefficient, take the"
+        ' other model.mesh, more load or less model.cage_drag; raceway_control = "jones" gives'
+        " loads and angles close to these.",
+        "Só com o atrito, o cálculo parou com um resíduo de {number} das cargas, e por isso não"
+        " mostra resultado. Varie um pouco a carga, a rotação ou lubricant.friction_coefficient,"
+        ' use a outra model.mesh, mais carga ou menos model.cage_drag; raceway_control = "jones"'
+        " dá cargas e ângulos próximos destes.",
+    ),
     # notes
+    (
+        "The rings do not turn against each other, so friction has nothing to decide: this is the"
+        " result of outer raceway control.",
+        "Os anéis não giram um em relação ao outro, e o atrito nada tem a decidir: este é o"
+        " resultado do controle pela pista externa.",
+    ),
+    (
+        "The cage runs NUMBER % SENSE that of outer raceway control (NUMBER2 instead of NUMBER3"
+        " rpm): the balls skid, and the fault frequencies move with the cage.",
+        "A gaiola gira {number} % {sense} da do controle pela pista externa ({number2} em vez de"
+        " {number3} rpm): as esferas escorregam, e as frequências de falha mudam com a gaiola.",
+    ),
+    (
+        "BALLS spin at both races (azimuth AZIMUTHS), by up to NUMBER of the roll at the inner and"
+        " NUMBER2 at the outer race: no raceway control describes them.",
+        "{balls} com spin nas duas pistas (azimute {azimuths}), até {number} do rolamento na pista"
+        " interna e {number2} na externa: nenhum controle de pista as descreve.",
+    ),
     (
         "Row ROWS is about to lose its preload: it lifts off the inner ring at NUMBER times this"
         " load. More preload keeps it in contact.",

@@ -15,6 +15,7 @@ Jones (1959, 1960); Harris, Rolling Bearing Analysis, 3rd ed. (1991), chapter 8.
 from __future__ import annotations
 
 from math import sqrt
+from typing import NamedTuple
 
 import numpy as np
 
@@ -41,6 +42,60 @@ AXES_OUTER = AXES_INNER + 2 * rows.COEFFICIENTS
 CONSTANTS = AXES_OUTER + 2 * rows.COEFFICIENTS
 
 
+class Rig(NamedTuple):
+    """What stays while a case is solved.
+
+    p: parameters (rows.PARAMETERS, cases), and which of the cases; k (CONSTANTS,); drag on the
+    cage, N·m; cosines, sines of the azimuths beyond the first ball's (balls,).
+    """
+
+    p: Array
+    case: int
+    k: Array
+    drag: float
+    cosines: Array
+    sines: Array
+
+
+class Mesh(NamedTuple):
+    """Nodes of an ellipse as of `ellipse_nodes`, and v0² at each; (nodes,)."""
+
+    across: Array
+    along: Array
+    weight: Array
+    least: Array
+
+
+class Race(NamedTuple):
+    """Room for what one race does to a ball.
+
+    force (OUTPUTS,), slope (OUTPUTS, INPUTS); friction (FORCES,) and its derivatives by velocity
+    (FORCES, FORCES), by the logarithms of the axes (FORCES, 2), by angle and by load (FORCES,).
+    """
+
+    force: Array
+    slope: Array
+    friction: Array
+    by_velocity: Array
+    growth: Array
+    by_angle: Array
+    by_load: Array
+
+
+@shared
+def race_room() -> Race:
+    """Make room for one race."""
+    return Race(
+        np.empty(OUTPUTS),
+        np.empty((OUTPUTS, INPUTS)),
+        np.empty(FORCES),
+        np.empty((FORCES, FORCES)),
+        np.empty((FORCES, 2)),
+        np.empty(FORCES),
+        np.empty(FORCES),
+    )
+
+
 @shared
 def polynomial(c: Array, first: int, x: float) -> Two:
     """A polynomial of `rows.COEFFICIENTS` terms and its slope, by Horner's scheme."""
@@ -54,24 +109,21 @@ def polynomial(c: Array, first: int, x: float) -> Two:
 
 @shared
 def contact_forces(
-    p: Array,
-    case: int,
-    k: Array,
+    rig: Rig,
     inner: bool,
     y1: float,
     y2: float,
     omega: Array,
     orbit: float,
-    nodes: tuple[Array, Array, Array],
-    least: Array,
-    out: Array,
-    jacobian: Array,
+    mesh: Mesh,
+    found: Race,
 ) -> tuple[float, float]:
     """Forces and moments of one race on the ball, and their derivatives: (Q, dissipated power).
 
     y1, y2: from the groove's centre to the ball's (outer), or from the ball's to the groove's
-    (inner). Fills out (OUTPUTS,) and jacobian (OUTPUTS, INPUTS).
+    (inner). omega (3,), orbit: ω_b and ω_m. Fills found.force and found.slope.
     """
+    p, case, k = rig.p, rig.case, rig.k
     if inner:
         length, series = p[rows.INNER_LENGTH, case], rows.INNER_STIFFNESS
         groove, axes, sign = k[GROOVE_INNER], AXES_INNER, 1.0
@@ -80,49 +132,65 @@ def contact_forces(
         length, series = p[rows.OUTER_LENGTH, case], rows.OUTER_STIFFNESS
         groove, axes, sign = k[GROOVE_OUTER], AXES_OUTER, -1.0
         speed = p[rows.OUTER_SPEED, case]
-    out[:] = 0.0
-    jacobian[:, :] = 0.0
+    for i in range(OUTPUTS):
+        found.force[i] = 0.0
+        for column in range(INPUTS):
+            found.slope[i, column] = 0.0
     s, c, v, _, q, kn, ka = contact_exact(y1, y2, length, coefficients(p, series, case))
     if q <= 0.0:
         return 0.0, 0.0
     root = q ** (1.0 / 3.0)
     a_1, a_c = polynomial(k, axes, c)
     b_1, b_c = polynomial(k, axes + rows.COEFFICIENTS, c)
-    a, b = a_1 * root, b_1 * root
     spin = (omega[0] - speed) * s + omega[2] * c
     across = (omega[0] - speed) * c - omega[2] * s
     w = (speed - orbit) * k[RADIUS]
-    g, n, grow = np.empty(FORCES), np.empty((FORCES, FORCES)), np.empty((FORCES, 2))
+    g, n, grow = found.friction, found.by_velocity, found.growth
     power = add_friction(
-        nodes[0], nodes[1], nodes[2], spin, across, omega[1], w, -sign, k[FRICTION] * q,
-        a, b, groove, k[HALF], least, g, n, grow,
+        mesh.across, mesh.along, mesh.weight, spin, across, omega[1], w, -sign, k[FRICTION] * q,
+        a_1 * root, b_1 * root, groove, k[HALF], mesh.least, g, n, grow,
     )  # fmt: skip
-
-    out[0] = sign * q * s + g[4] * c
-    out[1] = sign * q * c - g[4] * s
-    out[2] = g[3]
-    out[3] = g[0] * s + g[1] * c
-    out[4] = g[2]
-    out[5] = g[0] * c - g[1] * s
-
-    # derivatives by the load and by the angle, then by the contact's vector
-    h, by_load = np.empty(FORCES), np.empty(FORCES)
+    found.force[0] = sign * q * s + g[4] * c
+    found.force[1] = sign * q * c - g[4] * s
+    found.force[2] = g[3]
+    found.force[3] = g[0] * s + g[1] * c
+    found.force[4] = g[2]
+    found.force[5] = g[0] * c - g[1] * s
+    turn = found.by_angle
     for i in range(FORCES):
-        h[i] = n[i, 0] * across - n[i, 1] * spin
-        h[i] -= s * (grow[i, 0] * a_c / a_1 + grow[i, 1] * b_c / b_1)
-        by_load[i] = (g[i] + (grow[i, 0] + grow[i, 1]) / 3.0) / q
+        turn[i] = n[i, 0] * across - n[i, 1] * spin
+        turn[i] -= s * (grow[i, 0] * a_c / a_1 + grow[i, 1] * b_c / b_1)
+    _slope_by_place(found, sign, q, s, c, v, kn, ka)
+    _slope_by_motion(found, s, c, k[RADIUS])
+    return q, power
+
+
+@shared
+def _slope_by_place(
+    found: Race, sign: float, q: float, s: float, c: float, v: float, kn: float, ka: float
+) -> None:
+    """Derivatives by the contact's vector: through the load, and through the angle."""
+    g, by_angle, by_load, slope = found.friction, found.by_angle, found.by_load, found.slope
+    for i in range(FORCES):
+        by_load[i] = (g[i] + (found.growth[i, 0] + found.growth[i, 1]) / 3.0) / q
     for column in range(2):
         turn = c * v if column == 0 else -s * v
         load = kn * (s if column == 0 else c) + ka * turn
-        m_a = by_load[0] * load + h[0] * turn
-        m_t = by_load[1] * load + h[1] * turn
-        f_t = by_load[4] * load + h[4] * turn
-        jacobian[0, column] = sign * (load * s + q * c * turn) + f_t * c - g[4] * s * turn
-        jacobian[1, column] = sign * (load * c - q * s * turn) - f_t * s - g[4] * c * turn
-        jacobian[2, column] = by_load[3] * load + h[3] * turn
-        jacobian[3, column] = m_a * s + m_t * c + (g[0] * c - g[1] * s) * turn
-        jacobian[4, column] = by_load[2] * load + h[2] * turn
-        jacobian[5, column] = m_a * c - m_t * s - (g[0] * s + g[1] * c) * turn
+        m_a = by_load[0] * load + by_angle[0] * turn
+        m_t = by_load[1] * load + by_angle[1] * turn
+        f_t = by_load[4] * load + by_angle[4] * turn
+        slope[0, column] = sign * (load * s + q * c * turn) + f_t * c - g[4] * s * turn
+        slope[1, column] = sign * (load * c - q * s * turn) - f_t * s - g[4] * c * turn
+        slope[2, column] = by_load[3] * load + by_angle[3] * turn
+        slope[3, column] = m_a * s + m_t * c + (g[0] * c - g[1] * s) * turn
+        slope[4, column] = by_load[2] * load + by_angle[2] * turn
+        slope[5, column] = m_a * c - m_t * s - (g[0] * s + g[1] * c) * turn
+
+
+@shared
+def _slope_by_motion(found: Race, s: float, c: float, radius: float) -> None:
+    """Derivatives by ω_x, ω_e, ω_r of the ball and by ω_m."""
+    n, h, slope = found.by_velocity, found.by_angle, found.slope
     for column in range(2, INPUTS):
         for i in range(FORCES):
             if column == 2:
@@ -132,23 +200,22 @@ def contact_forces(
             elif column == 4:
                 h[i] = n[i, 0] * c - n[i, 1] * s
             else:
-                h[i] = -n[i, 3] * k[RADIUS]
-        jacobian[0, column] = h[4] * c
-        jacobian[1, column] = -h[4] * s
-        jacobian[2, column] = h[3]
-        jacobian[3, column] = h[0] * s + h[1] * c
-        jacobian[4, column] = h[2]
-        jacobian[5, column] = h[0] * c - h[1] * s
-    return q, power
+                h[i] = -n[i, 3] * radius
+        slope[0, column] = h[4] * c
+        slope[1, column] = -h[4] * s
+        slope[2, column] = h[3]
+        slope[3, column] = h[0] * s + h[1] * c
+        slope[4, column] = h[2]
+        slope[5, column] = h[0] * c - h[1] * s
 
 
 @shared
 def rolling_start(
-    p: Array, case: int, k: Array, s_i: float, c_i: float, s_o: float, c_o: float
+    rig: Rig, s_i: float, c_i: float, s_o: float, c_o: float
 ) -> tuple[float, float, float]:
     """ω_x, ω_r and ω_m of a ball that rolls on both races and spins on the inner one only."""
-    inner, outer = p[rows.INNER_SPEED, case], p[rows.OUTER_SPEED, case]
-    half, radius = k[HALF], k[RADIUS]
+    inner, outer = rig.p[rows.INNER_SPEED, rig.case], rig.p[rows.OUTER_SPEED, rig.case]
+    half, radius = rig.k[HALF], rig.k[RADIUS]
     # with u = (ω_x - ω_outer, ω_r) along the outer contact's t, no spin there: u = τ (c_o, -s_o)
     cosine = c_i * c_o + s_i * s_o
     # outer: -τ half + (outer - ω_m) radius = 0; inner: Ω_t half + (inner - ω_m) radius = 0
@@ -160,7 +227,8 @@ def rolling_start(
 
 
 @shared
-def least_speed(p: Array, case: int, k: Array) -> Two:
+def least_speed(rig: Rig) -> Two:
     """The scale of slip, |ω_i - ω_o| D, and of angular velocity."""
-    relative = abs(p[rows.INNER_SPEED, case] - p[rows.OUTER_SPEED, case])
-    return 2.0 * relative * k[HALF], relative * sqrt(1.0 + (k[RADIUS] / k[HALF]) ** 2)
+    relative = abs(rig.p[rows.INNER_SPEED, rig.case] - rig.p[rows.OUTER_SPEED, rig.case])
+    half = rig.k[HALF]
+    return 2.0 * relative * half, relative * sqrt(1.0 + (rig.k[RADIUS] / half) ** 2)

@@ -9,16 +9,20 @@ from __future__ import annotations
 import logging
 import os
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
 
 from rolamento.contact.hertz import elliptical_contact
 from rolamento.equilibrium import accept, rows
+from rolamento.equilibrium.detail import BallTable, ball_table
 from rolamento.equilibrium.problem import LEAST_ANGLE_COSINE, Floats
 from rolamento.equilibrium.rolling import Rolling
-from rolamento.equilibrium.run import Solution
-from rolamento.equilibrium.traction import system
+from rolamento.equilibrium.run import Solution, ball_azimuths, has_inertia
+from rolamento.equilibrium.single import direction, groove
+from rolamento.equilibrium.traction import balance, system
+from rolamento.equilibrium.traction.balance import Place
 from rolamento.equilibrium.traction.ball import (
     AXES_INNER,
     AXES_OUTER,
@@ -30,6 +34,8 @@ from rolamento.equilibrium.traction.ball import (
     INERTIA,
     MASS,
     RADIUS,
+    Mesh,
+    Rig,
 )
 from rolamento.equilibrium.traction.contact import ellipse_nodes
 from rolamento.geometry import Race, race_curvature
@@ -42,6 +48,9 @@ SMOOTHING: Final = 1e-4
 """Where it ends; the power changes by less than 1 in 10^3 from there to Coulomb's law."""
 MESHES: Final = {"coarse": (40, 5), "fine": (120, 9)}
 COARSE: Final = MESHES["coarse"]
+MOST_IMBALANCE: Final = 1e-6
+"""Of the power: what may be missing between the rings' work and the losses."""
+_PATIENCE: Final = "some half a minute"
 
 
 def solve_rolling(
@@ -64,61 +73,122 @@ def solve_rolling(
     constants = case_constants(p, friction)
     solution = Solution.empty(cases, balls)
     solution.put(np.arange(cases), start)
-    rolling = Rolling(
-        cage_speed=np.full(cases, np.nan),
-        angular_velocity=np.full((cases, balls, 3), np.nan),
-        inner=np.full((cases, balls, 6), np.nan),
-        outer=np.full((cases, balls, 6), np.nan),
-        power=np.full((cases, balls, 2), np.nan),
-        radius=constants[RADIUS].copy(),
+    table = ball_table(
+        p, np.ones((1, balls)), start.displacement, start.position, ball_azimuths(p, balls)
     )
-    azimuth = 2.0 * np.pi * np.arange(balls) / balls
-    cosines, sines = np.cos(azimuth), np.sin(azimuth)
-    coarse, fine = ellipse_nodes(*COARSE), ellipse_nodes(*MESHES[mesh])
-    columns = np.ascontiguousarray(p[: rows.PARAMETERS])
-    turning = p[rows.INNER_SPEED] != p[rows.OUTER_SPEED]
+    rolling = Rolling.empty(cases, balls, constants[RADIUS], _mean_orbit(table))
+    problem = _Problem.of(p, constants, drag, balls, mesh)
     if not system.solve_with_friction.is_cached:
-        _log.warning("compiling the friction solver for this machine, once: some half a minute")
-    wanted = np.flatnonzero((start.code == accept.CONVERGED) & turning)
-
-    def run(case: int) -> None:
-        u, x = np.zeros(system.RING), start.position[case].copy()
-        u[:5] = start.displacement[case]
-        omega, view = np.zeros((balls, 3)), np.zeros((balls, 4))
-        forces, tangent = np.zeros((balls, system.FORCES)), np.zeros((5, 5))
-        code, residual, steps = system.solve_with_friction.compiled(
-            columns, case, constants[:, case].copy(), float(drag[case]), cosines, sines, coarse,
-            fine, SMOOTHEST, SMOOTHING, u, x, omega, view, forces, tangent,
-        )  # fmt: skip
-        solution.residual[case] = residual
-        solution.iterations[case] += steps
-        if code != system.CONVERGED:
-            solution.code[case] = accept.NOT_CONVERGED
-            return
-        solution.displacement[case], solution.position[case] = u[:5], x
-        solution.reaction[case] = _reaction(columns[:, case], cosines, sines, view)
-        solution.stiffness[case] = tangent
-        rolling.cage_speed[case], rolling.angular_velocity[case] = u[system.CAGE], omega
-        rolling.power[case] = forces[:, 4:6]
-        rolling.inner[case] = forces[:, system.OF_INNER : system.OF_OUTER]
-        rolling.outer[case] = forces[:, system.OF_OUTER : system.FORCES]
-
+        _log.warning("compiling the friction solver for this machine, once: %s", _PATIENCE)
+    turning = p[rows.INNER_SPEED] != p[rows.OUTER_SPEED]
+    wanted = np.flatnonzero((start.code == accept.CONVERGED) & turning).tolist()
     workers = min(threads or os.cpu_count() or 1, max(len(wanted), 1))
     if workers == 1:
         for case in wanted:
-            run(int(case))
+            _solve_case(problem, case, solution, rolling)
     else:
         with ThreadPoolExecutor(workers) as pool:
-            list(pool.map(run, wanted.tolist()))
+            list(pool.map(lambda case: _solve_case(problem, case, solution, rolling), wanted))
+    _check_power(p, drag, solution, rolling)
     return solution, rolling
 
 
-def _reaction(p: Floats, cosines: Floats, sines: Floats, view: Floats) -> Floats:
+@dataclass(frozen=True, slots=True)
+class _Problem:
+    """What all cases of a batch are solved from."""
+
+    p: Floats
+    constants: Floats
+    drag: Floats
+    cosines: Floats
+    sines: Floats
+    coarse: tuple[Floats, Floats, Floats]
+    fine: tuple[Floats, Floats, Floats]
+
+    @classmethod
+    def of(cls, p: Floats, constants: Floats, drag: Floats, balls: int, mesh: str) -> _Problem:
+        """Prepare the arrays of a batch."""
+        azimuth = 2.0 * np.pi * np.arange(balls) / balls
+        return cls(
+            np.ascontiguousarray(p[: rows.PARAMETERS]), constants, drag, np.cos(azimuth),
+            np.sin(azimuth), ellipse_nodes(*COARSE), ellipse_nodes(*MESHES[mesh]),
+        )  # fmt: skip
+
+    def rig(self, case: int) -> Rig:
+        """One case, as the kernel takes it."""
+        constants = np.ascontiguousarray(self.constants[:, case])
+        return Rig(self.p, case, constants, float(self.drag[case]), self.cosines, self.sines)
+
+
+def _solve_case(problem: _Problem, case: int, solution: Solution, rolling: Rolling) -> None:
+    """Solve one case and put the result into its place, or the code of its failure."""
+    rig, balls = problem.rig(case), problem.cosines.size
+    place = _start(rig, solution.displacement[case], solution.position[case])
+    sight, forces = np.zeros((balls, balance.SEEN)), np.zeros((balls, balance.FORCES))
+    tangent = np.zeros((5, 5))
+    code, solution.residual[case], steps = system.solve_with_friction.compiled(
+        rig, place, _mesh(problem.coarse), _mesh(problem.fine), SMOOTHEST, SMOOTHING, sight, forces,
+        tangent,
+    )  # fmt: skip
+    solution.iterations[case] += steps
+    if code != system.CONVERGED:
+        solution.code[case] = accept.NOT_CONVERGED
+        return
+    touched = np.asarray(forces[:, :2].sum(axis=1) > 0.0)
+    rolling.cage_speed[case] = place.u[balance.CAGE]
+    rolling.angular_velocity[case] = np.where(touched[:, np.newaxis], place.omega, np.nan)
+    rolling.power[case] = forces[:, balance.INNER_POWER : balance.OF_INNER]
+    rolling.inner[case] = forces[:, balance.OF_INNER : balance.OF_OUTER]
+    rolling.outer[case] = forces[:, balance.OF_OUTER : balance.FORCES]
+    solution.displacement[case], solution.position[case] = place.u[:5], place.x
+    solution.reaction[case] = _reaction(rig, sight)
+    solution.stiffness[case] = tangent
+
+
+def _check_power(p: Floats, drag: Floats, solution: Solution, rolling: Rolling) -> None:
+    """Compare the work of shaft and housing with the losses; a case that fails has no result."""
+    work = p[rows.INNER_SPEED] * rolling.torque("inner")
+    work += p[rows.OUTER_SPEED] * rolling.torque("outer")
+    lost = np.asarray(rolling.power.sum(axis=(1, 2))) + drag * np.abs(rolling.cage_speed)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        rolling.imbalance[:] = np.abs(work - lost) / lost
+    failed = np.isfinite(rolling.cage_speed)
+    failed &= ~(rolling.imbalance <= MOST_IMBALANCE)
+    solution.code[failed] = accept.NOT_CONVERGED
+    rolling.forget(failed)
+
+
+def _mesh(nodes: tuple[Floats, Floats, Floats]) -> Mesh:
+    """Nodes with room of their own for the smoothing."""
+    return Mesh(*nodes, np.zeros(nodes[0].size))
+
+
+def _start(rig: Rig, displacement: Floats, position: Floats) -> Place:
+    """Where raceway control leaves ring and balls; balls that nothing touches amid their gap."""
+    u, x = np.zeros(balance.RING), position.copy()
+    u[:5] = displacement
+    inner, outer = rig.p[rows.INNER_LENGTH, rig.case], rig.p[rows.OUTER_LENGTH, rig.case]
+    for j, (cosine, sine) in enumerate(zip(rig.cosines, rig.sines, strict=True)):
+        c, s = direction(rig.p, rig.case, cosine, sine)
+        grooves = np.array(groove(rig.p, rig.case, u, c, s))
+        if rig.k[MASS] == 0.0 and np.hypot(*grooves) <= inner + outer:
+            x[j] = grooves * outer / (inner + outer)
+    return Place(u, x, np.zeros((len(x), 3)))
+
+
+def _mean_orbit(table: BallTable) -> Floats:
+    """The cage's speed under raceway control, the balls' mean weighted by their loads; (cases,)."""
+    load = np.where(table.inner.load > 0.0, table.inner.load, 0.0)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        mean = (load * np.nan_to_num(table.motion.orbital_speed)).sum(axis=1) / load.sum(axis=1)
+    return np.asarray(mean)
+
+
+def _reaction(rig: Rig, sight: Floats) -> Floats:
     """What the balls ask of the ring: x, y, z, ry R_i, rz R_i."""
-    total = np.zeros(5)
-    c0, s0 = p[rows.COS_FIRST], p[rows.SIN_FIRST]
-    for c, s, ball in zip(cosines, sines, view, strict=True):
-        system.add_reaction(c * c0 - s * s0, s * c0 + c * s0, ball, total)
+    total = np.zeros(rows.DEGREES_OF_FREEDOM)
+    for cosine, sine, ball in zip(rig.cosines, rig.sines, sight, strict=True):
+        balance.add_reaction(*direction(rig.p, rig.case, cosine, sine), ball, total)
     return total
 
 
@@ -130,13 +200,14 @@ def case_constants(p: Floats, friction: Floats) -> Floats:
     pitch = diameter / p[rows.GAMMA]
     # switched-off effects are zero in the column: mass from one, inertia from the other
     k[RADIUS] = 0.5 * pitch
-    k[MASS] = 2.0 * p[rows.CENTRIFUGAL] / pitch
-    k[INERTIA] = p[rows.GYROSCOPIC] * p[rows.GAMMA] * diameter
+    moving = has_inertia(p)  # else it cannot be told from rounding
+    k[MASS] = np.where(moving, 2.0 * p[rows.CENTRIFUGAL] / pitch, 0.0)
+    k[INERTIA] = np.where(moving, p[rows.GYROSCOPIC] * p[rows.GAMMA] * diameter, 0.0)
     k[HALF] = 0.5 * diameter
     k[FRICTION] = friction
-    for race, length, groove, axes in _RACES:
+    for race, length, radius, axes in _RACES:
         conformity = 0.5 + p[length] / diameter
-        k[groove] = 2.0 * conformity * diameter / (2.0 * conformity + 1.0)
+        k[radius] = 2.0 * conformity * diameter / (2.0 * conformity + 1.0)
         k[axes : axes + 2 * rows.COEFFICIENTS] = _axes_polynomials(p, conformity, race)
     return k
 
