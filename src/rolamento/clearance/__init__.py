@@ -1,0 +1,33 @@
+"""From the clearance of a bearing in its box to the one that it runs with.
+
+Pure functions, one idea a file: clearance classes, the measuring load, tolerances of seats, press
+fits, temperature, speed, wear; `operating` puts them in a chain. See docs/theory/clearance.md.
+"""
+
+from __future__ import annotations
+
+from rolamento.clearance.band import Band
+from rolamento.clearance.classes import CLEARANCE_CLASSES, ClearanceClass, class_clearance
+from rolamento.clearance.iso286 import hole_deviations, shaft_deviations, standard_tolerance
+from rolamento.clearance.iso492 import ToleranceClass, bore_deviations, outside_deviations
+from rolamento.clearance.measuring_load import (
+    clearance_from_reading,
+    measuring_load_correction,
+    usual_measuring_load,
+)
+
+__all__ = [
+    "CLEARANCE_CLASSES",
+    "Band",
+    "ClearanceClass",
+    "ToleranceClass",
+    "bore_deviations",
+    "class_clearance",
+    "clearance_from_reading",
+    "hole_deviations",
+    "measuring_load_correction",
+    "outside_deviations",
+    "shaft_deviations",
+    "standard_tolerance",
+    "usual_measuring_load",
+]
