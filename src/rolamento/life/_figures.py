@@ -1,0 +1,66 @@
+"""The figures of the standards, from their data file, and checks of what callers give."""
+
+from __future__ import annotations
+
+import tomllib
+from functools import cache
+from importlib import resources
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from rolamento.errors import InputError
+from rolamento.numerics import FloatArray
+
+
+@cache
+def figures() -> dict[str, Any]:
+    """Return the tables of data/iso281.toml; not to be changed."""
+    file = resources.files("rolamento") / "data" / "iso281.toml"
+    return tomllib.loads(file.read_text(encoding="utf-8"))
+
+
+def positive(value: ArrayLike, field: str, *, zero: bool = False) -> FloatArray:
+    """Return numbers above zero (or zero as well) as an array; NaN, no result, passes.
+
+    Raises
+    ------
+    InputError
+        If one is below.
+    """
+    try:
+        array = np.asarray(value, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise InputError("must be a number, or an array of them", field=field) from None
+    low = array < 0.0 if zero else array <= 0.0
+    if np.any(low):
+        raise InputError(
+            "must be zero or more" if zero else "must be greater than zero",
+            field=field,
+            value=float(array[low].flat[0]),
+        )
+    return array
+
+
+def within(value: ArrayLike, field: str, least: float, most: float, example: str) -> FloatArray:
+    """Return numbers of a closed range as an array.
+
+    Raises
+    ------
+    InputError
+        If one lies outside, or is not a number.
+    """
+    try:
+        array = np.asarray(value, dtype=np.float64)
+    except (TypeError, ValueError):
+        array = np.asarray(np.nan)
+    outside = ~((array >= least) & (array <= most))
+    if np.any(outside):
+        raise InputError(
+            f"must be from {least:g} to {most:g}",
+            field=field,
+            value=value if array.ndim == 0 else float(array[outside].flat[0]),
+            example=example,
+        )
+    return array

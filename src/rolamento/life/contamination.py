@@ -1,0 +1,176 @@
+"""How dirty the lubricant is: from a code, a filter or a word to the contamination factor e_C.
+
+    e_C = min(1, c1 κ^0.68 D_pw^0.55) (1 - c2/D_pw^(1/3)),   D_pw in mm, at least 0.
+
+The standard gives c1 and c2 for a few classes of oil, by their ISO 4406 codes, and of grease. An
+oil between two of them counts as the dirtier one; one dirtier than the last has no factor.
+
+Sources: ISO 281:2007, annex A; ISO 4406.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import Any, Final, Literal, get_args
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from rolamento.errors import InputError, nearest
+from rolamento.life._figures import figures, positive
+from rolamento.numerics import FloatArray
+
+OilSupply = Literal["circulating", "bath"]
+"""Circulating: filtered in the line before the bearing; bath: not, or in a circuit of its own."""
+
+_CODE: Final = re.compile(r"(-|\*|\d{1,2})/(\d{1,2})/(\d{1,2})", re.ASCII)
+_LONGEST: Final = 40
+_GREATEST_NUMBER: Final = 28
+_EXAMPLE: Final = 'cleanliness = "-/17/14"'
+
+
+@dataclass(frozen=True, slots=True)
+class ContaminationClass:
+    """A class of cleanliness: its name in the standard, and its constants."""
+
+    name: str
+    supply: str
+    c1: float
+    c2: float
+
+
+def cleanliness_numbers(code: str) -> tuple[int | None, int, int]:
+    """Return the three scale numbers of an ISO 4406 code; the first may be left open.
+
+    Raises
+    ------
+    InputError
+        If the code is malformed, a number beyond 28, or the numbers rise.
+    """
+    found = _CODE.fullmatch(str(code)[:_LONGEST].strip())
+    if found is None:
+        raise InputError(
+            "is not an ISO 4406 code: three numbers for particles from 4, 6 and 14 µm, of which"
+            " the first may be -",
+            field="cleanliness",
+            value=code,
+            example=_EXAMPLE,
+        )
+    first = None if found[1] in "-*" else int(found[1])
+    numbers = (first, int(found[2]), int(found[3]))
+    given = [number for number in numbers if number is not None]
+    if max(given) > _GREATEST_NUMBER:
+        raise InputError(
+            f"has a number beyond {_GREATEST_NUMBER}, the last of the scale",
+            field="cleanliness",
+            value=code,
+            example=_EXAMPLE,
+        )
+    if given != sorted(given, reverse=True):
+        raise InputError(
+            "has numbers that rise: there cannot be more large particles than small ones too",
+            field="cleanliness",
+            value=code,
+            example=_EXAMPLE,
+        )
+    return numbers
+
+
+def class_of_code(code: str, supply: OilSupply) -> ContaminationClass:
+    """Return the class of an oil by its ISO 4406 code: the cleanest one not cleaner than the oil.
+
+    Raises
+    ------
+    InputError
+        For a malformed code, an oil dirtier than all classes, or an unknown supply.
+    """
+    if supply not in get_args(OilSupply):
+        raise InputError(
+            f"must be one of {', '.join(get_args(OilSupply))}",
+            field="supply",
+            value=supply,
+            example='supply = "circulating"',
+        )
+    _, six, fourteen = cleanliness_numbers(code)
+    rows = figures()["contamination"][supply]
+    for row in rows:
+        _, most_six, most_fourteen = cleanliness_numbers(row["name"])
+        if six <= most_six and fourteen <= most_fourteen:
+            return _class(row, supply)
+    raise InputError(
+        f"is dirtier than {rows[-1]['name']}, the last class of the standard for this supply",
+        field="cleanliness",
+        value=code,
+        example=_EXAMPLE,
+    )
+
+
+def class_of_filter(size: float, ratio: float) -> ContaminationClass:
+    """Return the class of circulating oil by its in-line filter.
+
+    Parameters
+    ----------
+    size : of the particles that the filter is rated for; m (as ISO 16889 counts them).
+    ratio : filtration ratio β at that size: particles before over particles after.
+
+    Raises
+    ------
+    InputError
+        If the filter is coarser than all of the standard's.
+    """
+    micrometres = float(positive(size, "filter_size")) * 1e6
+    beta = float(positive(ratio, "filter_ratio"))
+    for row in figures()["contamination"]["circulating"]:
+        if micrometres <= row["filter_size"] * (1.0 + 1e-9) and beta >= row["filter_ratio"]:
+            return _class(row, "circulating")
+    raise InputError(
+        "is coarser than the standard's last filter, β of 75 at 40 µm",
+        field="filter",
+        value=f"β = {beta:g} at {micrometres:g} µm",
+        example="β = 200 at 12 µm",
+    )
+
+
+def class_of_grease(level: str) -> ContaminationClass:
+    """Return the class of a grease: high (cleanliness), normal, slight, severe, very_severe.
+
+    Raises
+    ------
+    InputError
+        For another word.
+    """
+    rows = {row["name"]: row for row in figures()["contamination"]["grease"]}
+    if level not in rows:
+        near = nearest(str(level), rows)
+        guess = f"; did you mean {near}?" if near else ""
+        raise InputError(
+            f"must be one of {', '.join(rows)}{guess}",
+            field="grease_cleanliness",
+            value=level,
+            example='grease_cleanliness = "normal"',
+        )
+    return _class(rows[level], "grease")
+
+
+def contamination_factor(
+    found: ContaminationClass, viscosity_ratio: ArrayLike, pitch_diameter: ArrayLike
+) -> FloatArray:
+    """Contamination factor e_C, 0 (dirt decides) to 1 (clean).
+
+    Parameters
+    ----------
+    found : the class.
+    viscosity_ratio : array, κ.
+    pitch_diameter : array that broadcasts with it; m.
+
+    ISO 281:2007, annex A.
+    """
+    ratio = positive(viscosity_ratio, "viscosity_ratio", zero=True)
+    diameter = positive(pitch_diameter, "pitch_diameter") * 1e3
+    film = np.minimum(found.c1 * ratio**0.68 * diameter**0.55, 1.0)
+    return np.asarray(np.maximum(film * (1.0 - found.c2 / np.cbrt(diameter)), 0.0))
+
+
+def _class(row: dict[str, Any], supply: str) -> ContaminationClass:
+    return ContaminationClass(row["name"], supply, row["c1"], row["c2"])
