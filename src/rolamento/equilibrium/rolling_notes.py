@@ -30,10 +30,11 @@ def notes_on_rolling(state: State) -> Iterator[str]:
     rolling = state.rolling
     if abs(rolling.skid) > SKID_LIMIT:
         sense = "behind" if rolling.skid > 0.0 else "ahead of"
+        speed, usual = _RPM * rolling.cage_speed, _RPM * rolling.control_cage_speed
         yield (
-            f"The cage runs {100.0 * abs(rolling.skid):.1f} % {sense} that of outer raceway control "
-            f"({_RPM * rolling.cage_speed:.1f} instead of {_RPM * rolling.control_cage_speed:.1f} "
-            "rpm): the balls skid, and the fault frequencies move with the cage."
+            f"The cage runs {100.0 * abs(rolling.skid):.1f} % {sense} that of outer raceway "
+            f"control ({speed:.1f} instead of {usual:.1f} rpm): the balls skid, and the fault "
+            "frequencies move with the cage."
         )
     spinning = [
         ball
