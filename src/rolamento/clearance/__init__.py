@@ -15,15 +15,19 @@ from rolamento.clearance.measuring_load import (
     measuring_load_correction,
     usual_measuring_load,
 )
+from rolamento.clearance.wear import WearFit, WearLaw, fit_wear
 
 __all__ = [
     "CLEARANCE_CLASSES",
     "Band",
     "ClearanceClass",
     "ToleranceClass",
+    "WearFit",
+    "WearLaw",
     "bore_deviations",
     "class_clearance",
     "clearance_from_reading",
+    "fit_wear",
     "hole_deviations",
     "measuring_load_correction",
     "outside_deviations",

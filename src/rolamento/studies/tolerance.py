@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rolamento.bearing import Bearing
+from rolamento.clearance.temperature import EXPANSION_100CR6, clearance_change_of_rings
 from rolamento.errors import InputError
 from rolamento.studies.samples import SAMPLE, samples_of
 
@@ -36,10 +37,6 @@ Floats = NDArray[np.float64]
 
 PERCENTILES: Final = (0.135, 5.0, 50.0, 95.0, 99.865)
 """The outer ones are those of three standard deviations of a normal distribution."""
-
-EXPANSION_100CR6: Final = 12.5e-6
-"""Coefficient of thermal expansion of bearing steel; 1/K. NSK, Rolling Bearings (catalogue
-E1102), on the internal clearance."""
 
 _MOST_PERCENTILES: Final = 50
 _LARGEST_DIFFERENCE: Final = 200.0  # K
@@ -309,7 +306,8 @@ def clearance_from_temperature(
             example="10.0",
         )
     raceway = bearing.pitch_diameter + bearing.ball_diameter
-    return np.asarray(bearing.diametral_clearance - expansion * raceway * difference)
+    change = clearance_change_of_rings(raceway, difference, expansion)
+    return np.asarray(bearing.diametral_clearance + change)
 
 
 def _worst(values: Floats) -> Any:
