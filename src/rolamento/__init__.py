@@ -26,7 +26,7 @@ if TYPE_CHECKING:
         save_case,
     )
     from rolamento.duty import Displacement, Duty, Load
-    from rolamento.equilibrium import BatchState, solve, solve_batch
+    from rolamento.equilibrium import BatchState
     from rolamento.errors import (
         FileError,
         InputError,
@@ -38,6 +38,7 @@ if TYPE_CHECKING:
     from rolamento.lubricant import Lubricant
     from rolamento.material import Material
     from rolamento.model import Model
+    from rolamento.solution import solve, solve_batch
     from rolamento.state import State
     from rolamento.surface import Surface
     from rolamento.temperature import Temperature
@@ -91,12 +92,13 @@ _NAMES_OF_MODULES: Final = {
         "save_case",
     ),
     "duty": ("Displacement", "Duty", "Load"),
-    "equilibrium": ("BatchState", "solve", "solve_batch"),
+    "equilibrium": ("BatchState",),
     "errors": ("FileError", "InputError", "RolamentoError", "UnitError", "UnknownKeyError"),
     "film_model": ("FilmModel",),
     "lubricant": ("Lubricant",),
     "material": ("Material",),
     "model": ("Model",),
+    "solution": ("solve", "solve_batch"),
     "state": ("State",),
     "surface": ("Surface",),
     "temperature": ("Temperature",),

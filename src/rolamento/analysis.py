@@ -35,6 +35,7 @@ __all__ = [
     "analyse",
     "analyse_batch",
     "analyse_state",
+    "joined",
     "least_film_parameter",
 ]
 
@@ -127,7 +128,7 @@ def analyse(case: Case, *, hysteresis: float = _DEFAULT_HYSTERESIS) -> Analysis:
     Analysis
         Never raises for a duty that has no solution: the state's status tells.
     """
-    from rolamento.equilibrium import solve
+    from rolamento.solution import solve
 
     return analyse_state(solve(case), hysteresis=hysteresis)
 
@@ -221,7 +222,7 @@ def analyse_batch(
     else:
         with ThreadPoolExecutor(threads or os.cpu_count()) as pool:
             parts = list(pool.map(part, blocks))
-    return _joined(parts)
+    return joined(parts)
 
 
 def _part(
@@ -358,7 +359,8 @@ def _over_cases(given: ArrayLike | None, name: str, cases: int) -> NDArray[np.fl
 # --- blocks side by side ---------------------------------------------------------------------
 
 
-def _joined(parts: list[BatchAnalysis]) -> BatchAnalysis:
+def joined(parts: list[BatchAnalysis]) -> BatchAnalysis:
+    """Put what was found for some cases after what was found for others."""
     from rolamento.lubrication.table import _stacked
 
     if len(parts) == 1:

@@ -98,7 +98,7 @@ class Case(Record):
     def _friction_control_has_friction(self) -> Self:
         """Balls that only friction controls need a coefficient of it, and one row."""
         if self.model.raceway_control != "friction":
-            return self
+            return self._without_film()
         if self.bearing.is_set:
             raise InputError(
                 "is available for single bearings; a set takes outer, inner, jones or none",
@@ -111,6 +111,25 @@ class Case(Record):
                 'is missing, and raceway_control = "friction" rests on it',
                 field="lubricant.friction_coefficient",
                 example='[lubricant] with kind = "dry" and friction_coefficient = 0.1',
+            )
+        if self.model.needs_film and (self.lubricant.kind == "dry" or self.temperature is None):
+            raise InputError(
+                "needs an oil or a grease in [lubricant], and its temperature in [temperature]",
+                field="model.traction"
+                if self.model.traction == "film"
+                else "model.film_in_contact",
+                example='lubricant = "60 degC" in [temperature]',
+            )
+        return self
+
+    def _without_film(self) -> Self:
+        if self.model.needs_film:
+            raise InputError(
+                'is for raceway_control = "friction" only',
+                field="model.traction"
+                if self.model.traction == "film"
+                else "model.film_in_contact",
+                example='raceway_control = "friction"',
             )
         return self
 

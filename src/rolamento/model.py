@@ -9,10 +9,11 @@ from pydantic import Field
 from rolamento._quantity import Quantity
 from rolamento._record import Record
 
-__all__ = ["Mesh", "Model", "RacewayControl"]
+__all__ = ["Mesh", "Model", "RacewayControl", "Traction"]
 
 RacewayControl = Literal["outer", "inner", "jones", "none", "friction"]
 Mesh = Literal["coarse", "fine"]
+Traction = Literal["coulomb", "film"]
 
 
 class Model(Record):
@@ -37,6 +38,14 @@ class Model(Record):
         Under friction control, how finely the contact ellipse is divided: ``"fine"`` or
         ``"coarse"``, several times faster and good to some 2 % in the balls' attitude.
 
+    traction
+        Under friction control, what resists slip: ``"coulomb"``, friction that does not depend on
+        the speed of slip; ``"film"``, the shear of the lubricant film, limited by the same
+        coefficient.
+    film_in_contact
+        Under friction control, whether the thickness of the film enters the geometry: it
+        presses ball and groove further in.
+
     Raises
     ------
     InputError
@@ -50,3 +59,17 @@ class Model(Record):
         0.0, examples=["5 N mm"]
     )
     mesh: Mesh = Field("fine", examples=["fine"])
+    traction: Traction = Field("coulomb", examples=["film"])
+    film_in_contact: bool = Field(False, strict=True, examples=[True])
+
+    @property
+    def needs_film(self) -> bool:
+        """Whether the lubricant film takes part in the balance of the balls."""
+        return self.film_field is not None
+
+    @property
+    def film_field(self) -> str | None:
+        """The field that asks for it, for messages; None where none does."""
+        if self.traction == "film":
+            return "model.traction"
+        return "model.film_in_contact" if self.film_in_contact else None

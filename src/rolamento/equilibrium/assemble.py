@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -14,11 +16,21 @@ from rolamento.equilibrium.rolling import Rolling
 from rolamento.equilibrium.run import OneRow, Solution, ball_azimuths
 from rolamento.equilibrium.sets import SLIDE, RowSet, pressed_in, transform
 
+if TYPE_CHECKING:
+    from rolamento.equilibrium.traction.solve import Film
+
 
 def solve_columns_of(
-    columns: Columns, *, threads: int | None = None, fast: bool = True
+    columns: Columns,
+    *,
+    threads: int | None = None,
+    fast: bool = True,
+    film: Film | None = None,
 ) -> BatchState:
-    """Solve columns of parameters: of one row by the kernels alone, of a set around them."""
+    """Solve columns of parameters: of one row by the kernels alone, of a set around them.
+
+    film: what shears in the contacts under friction control, instead of Coulomb's friction.
+    """
     if not columns.is_plain:
         return _solve_set(columns, threads, fast)
     row = columns.rows[0]
@@ -27,7 +39,7 @@ def solve_columns_of(
     )
     rolling = None
     if columns.control == "friction":
-        solution, rolling = _rolled(columns, solution, threads)
+        solution, rolling = _rolled(columns, solution, threads, film)
     arms = ring_arms(row.p).T
     free = row.p[rows.FREE : rows.FREE + 5].T > 0.0
     applied = row.p[rows.APPLIED : rows.APPLIED + 5].T
@@ -57,7 +69,7 @@ def solve_columns_of(
 
 
 def _rolled(
-    columns: Columns, start: Solution, threads: int | None
+    columns: Columns, start: Solution, threads: int | None, film: Film | None
 ) -> tuple[Solution, Rolling | None]:
     """Let friction move the balls; rings that turn alike, or not at all, ask for none."""
     from rolamento.equilibrium.traction.solve import solve_rolling
@@ -65,7 +77,7 @@ def _rolled(
     row = columns.rows[0]
     return solve_rolling(
         row.p, start, row.balls, columns.friction, columns.cage_drag,
-        mesh=columns.mesh, threads=threads,
+        mesh=columns.mesh, film=film, threads=threads,
     )  # fmt: skip
 
 

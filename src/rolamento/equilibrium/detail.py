@@ -54,8 +54,9 @@ def ball_table(
     column = p[:, :, np.newaxis]
     a1, a2 = groove_centres(p, displacement, azimuth)
     x1, x2 = position[..., 0], position[..., 1]
-    outer = _contacts(x1, x2, column, rows.OUTER_LENGTH, rows.OUTER_STIFFNESS)
-    inner = _contacts(a1 - x1, a2 - x2, column, rows.INNER_LENGTH, rows.INNER_STIFFNESS)
+    lift = np.zeros(2) if rolling is None else np.moveaxis(rolling.lift, -1, 0)
+    outer = _contacts(x1, x2, column, rows.OUTER_LENGTH, rows.OUTER_STIFFNESS, lift[1])
+    inner = _contacts(a1 - x1, a2 - x2, column, rows.INNER_LENGTH, rows.INNER_STIFFNESS, lift[0])
     yaw = np.zeros_like(azimuth)
     motion = ball_motion(
         inner.contact_angle,
@@ -94,10 +95,15 @@ def groove_centres(p: Floats, displacement: Floats, azimuth: Floats) -> tuple[Fl
     return a1, a2
 
 
-def _contacts(y1: Floats, y2: Floats, column: Floats, length: int, stiffness: int) -> ContactTable:
-    """Load, angle and approach of the springs along (y1, y2), as `ball.contact` has them."""
+def _contacts(
+    y1: Floats, y2: Floats, column: Floats, length: int, stiffness: int, lift: Floats
+) -> ContactTable:
+    """Load, angle and approach of the springs along (y1, y2), as `ball.contact` has them.
+
+    lift: the film between, which presses ball and groove in by as much.
+    """
     distance = np.hypot(y1, y2)
-    approach = np.maximum(distance - column[length], 0.0)
+    approach = np.maximum(distance - (column[length] - lift), 0.0)
     cosine = y2 / distance
     value = column[stiffness + rows.COEFFICIENTS - 1]
     for power in range(rows.COEFFICIENTS - 2, -1, -1):

@@ -25,7 +25,8 @@ class Rolling:
     force (x, azimuth last; N) and moment about the ball's centre (x, azimuth, outward; N·m) of
     the race on the ball, the normal load included. power (cases, balls, 2): friction loss at the
     inner and the outer race, W. imbalance (cases,): what is missing between the work of shaft and
-    housing and the losses, over the losses. radius (cases,): of the balls' orbit, m.
+    housing and the losses, over the losses. radius (cases,): of the balls' orbit, m. lift (cases,
+    balls, 2): film between the ball and the inner and outer race that enters the geometry, m.
     """
 
     cage_speed: Floats
@@ -36,6 +37,7 @@ class Rolling:
     power: Floats
     imbalance: Floats
     radius: Floats
+    lift: Floats
 
     @classmethod
     def empty(cls, cases: int, balls: int, radius: Floats, control_cage_speed: Floats) -> Rolling:
@@ -49,6 +51,7 @@ class Rolling:
             power=np.full((cases, balls, 2), np.nan),
             imbalance=np.full(cases, np.nan),
             radius=radius.copy(),
+            lift=np.zeros((cases, balls, 2)),
         )
 
     def forget(self, cases: NDArray[np.bool_]) -> None:

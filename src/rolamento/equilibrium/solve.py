@@ -14,6 +14,7 @@ from rolamento.equilibrium.columns import DutyFields, spread
 from rolamento.equilibrium.notes import with_preload
 from rolamento.equilibrium.preload import preload_of
 from rolamento.equilibrium.record import state_of
+from rolamento.errors import InputError
 from rolamento.state import State
 
 
@@ -26,6 +27,7 @@ def solve(case: Case) -> State:
     Harris, Rolling Bearing Analysis, 3rd ed. (1991), chapter 8; Jones (1960); Radaelli (2013),
     chapter 4. See docs/theory/equilibrium.md.
     """
+    refuse_film(case)
     state = state_of(case, solve_columns_of(spread(case, {}), threads=1))
     if case.bearing.preload is None or not state.status.converged:
         return state
@@ -61,5 +63,22 @@ def solve_batch(
         For an unknown field, arrays of different lengths, or fields that exclude each other. A
         value that the case would refuse is that case's affair: its status is "invalid_input".
     """
+    refuse_film(case)
     given = {**(values or {}), **cast("dict[str, ArrayLike]", fields)}
     return solve_columns_of(spread(case, given), threads=threads)
+
+
+def refuse_film(case: Case) -> None:
+    """A film in the balance of the balls is found where films are known: `rolamento.solution`.
+
+    Raises
+    ------
+    InputError
+        If the case wants one.
+    """
+    if case.model.needs_film:
+        raise InputError(
+            "is solved by rolamento.solve and rolamento.solve_batch",
+            field=case.model.film_field or "",
+            example="rolamento.solve(case)",
+        )

@@ -20,9 +20,10 @@ from numpy.typing import NDArray
 from rolamento.bearing import Bearing
 from rolamento.case import Case
 from rolamento.contact.hertz import effective_modulus, elliptical_contact
-from rolamento.equilibrium import BatchState, solve, solve_batch
+from rolamento.equilibrium import BatchState
 from rolamento.errors import InputError
 from rolamento.geometry import Race, race_curvature
+from rolamento.solution import solve, solve_batch
 
 if TYPE_CHECKING:
     from rolamento.equilibrium.detail import BallTable, ContactTable

@@ -70,7 +70,7 @@ def solve(
     InputError
         If fields that vary do not go with the case, whatever their values.
     """
-    from rolamento.equilibrium import solve_batch
+    from rolamento.solution import solve_batch
 
     if not values:  # every case the same: the length has to come from somewhere
         values = {"duty.inner_speed": np.full(cases, case.duty.inner_speed)}

@@ -127,12 +127,25 @@ def evaluate(rig: Rig, place: Place, mesh: Mesh, sheet: Sheet) -> Two:
         for inner in range(2):  # one call, so that the compiler has one to look at
             race = sheet.inner if inner == 1 else sheet.outer
             y1, y2 = (a1 - x1, a2 - x2) if inner == 1 else (x1, x2)
-            q, power = contact_forces(rig, inner == 1, y1, y2, omega, orbit, mesh, race)
+            own = _with_film(mesh, race, j, 1 - inner)
+            q, power = contact_forces(rig, inner == 1, y1, y2, omega, orbit, own, race)
             forces[j, 1 - inner], forces[j, OUTER_POWER - inner] = q, power
         _put_ball(rig, omega, orbit, sheet, j)
         _put_sight(rig, a1 - x1, a2 - x2, sheet, j)
         heaviest = max(heaviest, forces[j, 0], forces[j, 1], forces[j, 2])
     return _measured(rig, place.u, sheet, heaviest)
+
+
+@shared
+def _with_film(mesh: Mesh, race: Race, j: int, side: int) -> Mesh:
+    """The mesh of one contact: with the film of the ball's inner (0) or outer (1) side, if any."""
+    if mesh.lift.size > 0:
+        race.lift[0] = mesh.lift[j, side]
+    if mesh.film.size == 0:
+        return mesh
+    for node in range(mesh.least.size):
+        race.least[node] = mesh.least[node] + mesh.film[j, side, node]
+    return Mesh(mesh.across, mesh.along, mesh.weight, race.least, mesh.film, mesh.lift)
 
 
 @shared

@@ -27,6 +27,7 @@ from rolamento.equilibrium.types import Array, Two
 from rolamento.numerics.compiled import shared
 
 OUTPUTS = 6  # Fx, Fr, Fe on the ball, Mx, Me, Mr about its centre
+MOST_NODES = 4096
 INPUTS = 6  # y1, y2 (the contact's vector), ω_x, ω_e, ω_r of the ball, ω_m
 
 # constants of a case beside its column of `rows`
@@ -57,20 +58,31 @@ class Rig(NamedTuple):
     sines: Array
 
 
+NO_FILM = np.zeros((0, 2, 0))
+NO_LIFT = np.zeros((0, 2))
+
+
 class Mesh(NamedTuple):
-    """Nodes of an ellipse as of `ellipse_nodes`, and v0² at each; (nodes,)."""
+    """Nodes of an ellipse as of `ellipse_nodes`, and v0² at each; (nodes,).
+
+    film (balls, 2, nodes): what a film adds to v0² at the inner and the outer contact of every
+    ball; lift (balls, 2): its thickness, where it enters the geometry. Empty without a film.
+    """
 
     across: Array
     along: Array
     weight: Array
     least: Array
+    film: Array = NO_FILM
+    lift: Array = NO_LIFT
 
 
 class Race(NamedTuple):
     """Room for what one race does to a ball.
 
     force (OUTPUTS,), slope (OUTPUTS, INPUTS); friction (FORCES,) and its derivatives by velocity
-    (FORCES, FORCES), by the logarithms of the axes (FORCES, 2), by angle and by load (FORCES,).
+    (FORCES, FORCES), by the logarithms of the axes (FORCES, 2), by angle and by load (FORCES,);
+    least, v0² at the nodes of this contact; lift (1,), the film between ball and race.
     """
 
     force: Array
@@ -80,6 +92,8 @@ class Race(NamedTuple):
     growth: Array
     by_angle: Array
     by_load: Array
+    least: Array
+    lift: Array
 
 
 @shared
@@ -93,6 +107,8 @@ def race_room() -> Race:
         np.empty((FORCES, 2)),
         np.empty(FORCES),
         np.empty(FORCES),
+        np.empty(MOST_NODES),
+        np.zeros(1),
     )
 
 
@@ -136,6 +152,7 @@ def contact_forces(
         found.force[i] = 0.0
         for column in range(INPUTS):
             found.slope[i, column] = 0.0
+    length -= found.lift[0]
     s, c, v, _, q, kn, ka = contact_exact(y1, y2, length, coefficients(p, series, case))
     if q <= 0.0:
         return 0.0, 0.0

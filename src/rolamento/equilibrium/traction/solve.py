@@ -10,7 +10,7 @@ import logging
 import os
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
-from typing import Final
+from typing import Final, Protocol
 
 import numpy as np
 
@@ -61,13 +61,14 @@ def solve_rolling(
     drag: Floats,
     *,
     mesh: str = "fine",
+    film: Film | None = None,
     threads: int | None = None,
 ) -> tuple[Solution, Rolling]:
     """Let friction control the balls of every case.
 
     p: (rows.COLUMN, cases); start: under outer raceway control; friction: μ, (cases,); drag: the
-    torque that holds the cage back, (cases,), N·m. Returns the solution, scaled as `run` has it,
-    and the motions.
+    torque that holds the cage back, (cases,), N·m; film: what shears in the contacts. Returns the
+    solution, scaled as `run` has it, and the motions.
     """
     cases = p.shape[1]
     constants = case_constants(p, friction)
@@ -77,7 +78,9 @@ def solve_rolling(
         p, np.ones((1, balls)), start.displacement, start.position, ball_azimuths(p, balls)
     )
     rolling = Rolling.empty(cases, balls, constants[RADIUS], _mean_orbit(table))
-    problem = _Problem.of(p, constants, drag, balls, mesh)
+    if film is not None:
+        rolling.lift[:] = film.lift
+    problem = _Problem.of(p, constants, drag, balls, mesh, film)
     if not system.solve_with_friction.is_cached:
         _log.warning("compiling the friction solver for this machine, once: %s", _PATIENCE)
     turning = p[rows.INNER_SPEED] != p[rows.OUTER_SPEED]
@@ -93,6 +96,22 @@ def solve_rolling(
     return solution, rolling
 
 
+class Film(Protocol):
+    """A film between balls and races, that shears instead of Coulomb's friction."""
+
+    @property
+    def lift(self) -> Floats:
+        """Its thickness where it enters the geometry, else zero; (cases, balls, 2), m."""
+        ...
+
+    def slip_speed(self, case: int, across: Floats, along: Floats) -> Floats:
+        """The slip at which the sheared film would reach the limiting friction, μ p h / η.
+
+        across, along: nodes in units of the axes, (nodes,). Returns (balls, 2, nodes), m/s.
+        """
+        ...
+
+
 @dataclass(frozen=True, slots=True)
 class _Problem:
     """What all cases of a batch are solved from."""
@@ -104,20 +123,37 @@ class _Problem:
     sines: Floats
     coarse: tuple[Floats, Floats, Floats]
     fine: tuple[Floats, Floats, Floats]
+    film: Film | None
 
     @classmethod
-    def of(cls, p: Floats, constants: Floats, drag: Floats, balls: int, mesh: str) -> _Problem:
+    def of(
+        cls,
+        p: Floats,
+        constants: Floats,
+        drag: Floats,
+        balls: int,
+        mesh: str,
+        film: Film | None = None,
+    ) -> _Problem:
         """Prepare the arrays of a batch."""
         azimuth = 2.0 * np.pi * np.arange(balls) / balls
         return cls(
             np.ascontiguousarray(p[: rows.PARAMETERS]), constants, drag, np.cos(azimuth),
-            np.sin(azimuth), ellipse_nodes(*COARSE), ellipse_nodes(*MESHES[mesh]),
+            np.sin(azimuth), ellipse_nodes(*COARSE), ellipse_nodes(*MESHES[mesh]), film,
         )  # fmt: skip
 
     def rig(self, case: int) -> Rig:
         """One case, as the kernel takes it."""
         constants = np.ascontiguousarray(self.constants[:, case])
         return Rig(self.p, case, constants, float(self.drag[case]), self.cosines, self.sines)
+
+    def mesh(self, nodes: tuple[Floats, Floats, Floats], case: int) -> Mesh:
+        """Nodes with room of their own for the smoothing, and the film of a case."""
+        least = np.zeros(nodes[0].size)
+        if self.film is None:
+            return Mesh(*nodes, least)
+        slow = self.film.slip_speed(case, nodes[0], nodes[1])
+        return Mesh(*nodes, least, np.ascontiguousarray(slow**2), self.film.lift[case].copy())
 
 
 def _solve_case(problem: _Problem, case: int, solution: Solution, rolling: Rolling) -> None:
@@ -126,10 +162,10 @@ def _solve_case(problem: _Problem, case: int, solution: Solution, rolling: Rolli
     place = _start(rig, solution.displacement[case], solution.position[case])
     sight, forces = np.zeros((balls, balance.SEEN)), np.zeros((balls, balance.FORCES))
     tangent = np.zeros((5, 5))
+    coarse, fine = problem.mesh(problem.coarse, case), problem.mesh(problem.fine, case)
     code, solution.residual[case], steps = system.solve_with_friction.compiled(
-        rig, place, _mesh(problem.coarse), _mesh(problem.fine), SMOOTHEST, SMOOTHING, sight, forces,
-        tangent,
-    )  # fmt: skip
+        rig, place, coarse, fine, SMOOTHEST, SMOOTHING, sight, forces, tangent
+    )
     solution.iterations[case] += steps
     if code != system.CONVERGED:
         solution.code[case] = accept.NOT_CONVERGED
@@ -156,11 +192,6 @@ def _check_power(p: Floats, drag: Floats, solution: Solution, rolling: Rolling) 
     failed &= ~(rolling.imbalance <= MOST_IMBALANCE)
     solution.code[failed] = accept.NOT_CONVERGED
     rolling.forget(failed)
-
-
-def _mesh(nodes: tuple[Floats, Floats, Floats]) -> Mesh:
-    """Nodes with room of their own for the smoothing."""
-    return Mesh(*nodes, np.zeros(nodes[0].size))
 
 
 def _start(rig: Rig, displacement: Floats, position: Floats) -> Place:
@@ -234,4 +265,4 @@ def _axes_polynomials(p: Floats, conformity: Floats, race: Race) -> Floats:
     )
 
 
-__all__ = ["MESHES", "solve_rolling"]
+__all__ = ["MESHES", "Film", "solve_rolling"]

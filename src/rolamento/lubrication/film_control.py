@@ -1,0 +1,102 @@
+"""Friction-controlled balls on a lubricant film: the film shears, and may enter the geometry.
+
+A film of thickness h between the contact and its ball resists a slip v with the shear stress
+η v / h, up to the limiting stress μ p; joined smoothly, τ = μ p v / √(v² + v₀²) with
+v₀ = μ p h / η(p), η by Roelands. The film depends on the motion and the loads that it
+brings about: both are found in turn.
+
+Johnson and Tevaarwerk (1977), Newtonian shear with a limiting stress; Radaelli (2013), section 6,
+which asks for the film in the balance of the balls.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from rolamento.case import Case
+from rolamento.equilibrium import BatchState
+from rolamento.equilibrium.accept import CONVERGED, NOT_CONVERGED
+from rolamento.equilibrium.assemble import solve_columns_of
+from rolamento.equilibrium.columns import Columns
+from rolamento.lubrication.table import FilmTable, film_of_batch
+from rolamento.numerics import FloatArray
+from rolamento.oil.piezoviscosity import roelands
+
+PASSES: Final = 25
+SAME: Final = 1e-6
+"""Relative change of the films at which they no longer change."""
+
+
+@dataclass(frozen=True, slots=True)
+class ShearedFilm:
+    """The films of a batch as the balls feel them; arrays (cases, balls, 2), inner race first."""
+
+    thickness: FloatArray
+    pressure: FloatArray
+    friction: FloatArray
+    viscosity: FloatArray
+    pressure_viscosity: FloatArray
+    shears: bool
+    lifts: bool
+
+    @property
+    def lift(self) -> FloatArray:
+        """The thickness where it enters the geometry; (cases, balls, 2), m."""
+        return self.thickness if self.lifts else np.zeros_like(self.thickness)
+
+    def slip_speed(self, case: int, across: FloatArray, along: FloatArray) -> FloatArray:
+        """The slip v₀ at every node of the ellipses of a case; (balls, 2, nodes), m/s."""
+        shape = (*self.thickness.shape[1:], across.size)
+        if not self.shears:
+            return np.zeros(shape)
+        height = np.sqrt(np.maximum(1.0 - across**2 - along**2, 0.0))
+        pressure = self.pressure[case, ..., np.newaxis] * height
+        viscosity = roelands(pressure, self.viscosity[case], self.pressure_viscosity[case])
+        gap = self.thickness[case, ..., np.newaxis]
+        return np.asarray(self.friction[case] * pressure * gap / viscosity)
+
+
+def solve_on_film(case: Case, columns: Columns, *, threads: int | None = None) -> BatchState:
+    """Solve columns of a case whose model wants the film in the balance of the balls.
+
+    A case whose film still changes after `PASSES` solutions has no result.
+    """
+    batch = solve_columns_of(columns, threads=threads)
+    before = _sheared(case, columns, batch)
+    for _ in range(PASSES):
+        batch = solve_columns_of(columns, threads=threads, film=before)
+        after = _sheared(case, columns, batch)
+        moved = np.abs(after.thickness - before.thickness).max(axis=(1, 2), initial=0.0)
+        size = after.thickness.max(axis=(1, 2), initial=0.0)
+        before = after
+        settled = ~(moved > SAME * size)
+        if settled.all():
+            break
+    batch.code[~settled & (batch.code == CONVERGED)] = NOT_CONVERGED
+    for array in (batch.displacement, batch.load, batch.stiffness):
+        array[batch.code != CONVERGED] = np.nan
+    return batch
+
+
+def _sheared(case: Case, columns: Columns, batch: BatchState) -> ShearedFilm:
+    """The films that a solution brings about."""
+    films = film_of_batch(case, batch)
+    contacts = [batch.contact("inner"), batch.contact("outer")]
+    pressure = np.stack([contact.max_pressure for contact in contacts], axis=-1)
+    return ShearedFilm(
+        thickness=np.nan_to_num(_thickness(films)),
+        pressure=np.nan_to_num(pressure),
+        friction=columns.friction,
+        viscosity=films.oil.dynamic_viscosity,
+        pressure_viscosity=films.oil.pressure_viscosity,
+        shears=case.model.traction == "film",
+        lifts=case.model.film_in_contact,
+    )
+
+
+def _thickness(films: FilmTable) -> FloatArray:
+    """Central film at both races; (cases, balls, 2)."""
+    return np.stack([films.inner.central_thickness, films.outer.central_thickness], axis=-1)

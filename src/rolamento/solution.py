@@ -1,0 +1,70 @@
+"""Solve any case: by the equilibrium alone, or with the lubricant film in it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Unpack, cast
+
+from numpy.typing import ArrayLike
+
+from rolamento import equilibrium
+from rolamento.case import Case
+from rolamento.equilibrium import BatchState
+from rolamento.equilibrium.columns import DutyFields, spread
+from rolamento.equilibrium.record import state_of
+from rolamento.state import State
+
+__all__ = ["solve", "solve_batch"]
+
+
+def solve(case: Case) -> State:
+    """Find the internal state of the bearing: Jones-Harris equilibrium, five degrees of freedom.
+
+    A set of rows shares one rigid inner ring. Never raises for a duty that has no solution: the
+    state's status tells, with advice.
+
+    Harris, Rolling Bearing Analysis, 3rd ed. (1991), chapter 8; Jones (1960); Radaelli (2013),
+    chapter 4. See docs/theory/equilibrium.md.
+    """
+    if not case.model.needs_film:
+        return equilibrium.solve(case)
+    from rolamento.lubrication.film_control import solve_on_film
+
+    return state_of(case, solve_on_film(case, spread(case, {}), threads=1))
+
+
+def solve_batch(
+    case: Case,
+    values: Mapping[str, ArrayLike] | None = None,
+    *,
+    threads: int | None = None,
+    **fields: Unpack[DutyFields],
+) -> BatchState:
+    """Solve a case for many values of its fields at once.
+
+    Parameters
+    ----------
+    case
+        Supplies what is not given otherwise.
+    values
+        Arrays of one length, or scalars, in SI units, by the dotted names of the case's fields,
+        such as ``{"bearing.contact_angle": [0.6, 0.7]}``; `batch_fields` lists them.
+    threads
+        As many as there are processors by default.
+    fields
+        Likewise by the short names of the duty's fields: inner_speed, outer_speed (rad/s),
+        first_ball_azimuth (rad), loads fx, fy, fz (N), my, mz (N·m) and displacements x, y, z
+        (m), ry, rz (rad). A load frees its degree of freedom, a displacement holds it.
+
+    Raises
+    ------
+    InputError
+        For an unknown field, arrays of different lengths, or fields that exclude each other. A
+        value that the case would refuse is that case's affair: its status is "invalid_input".
+    """
+    if not case.model.needs_film:
+        return equilibrium.solve_batch(case, values, threads=threads, **fields)
+    from rolamento.lubrication.film_control import solve_on_film
+
+    given = {**(values or {}), **cast("dict[str, ArrayLike]", fields)}
+    return solve_on_film(case, spread(case, given), threads=threads)
