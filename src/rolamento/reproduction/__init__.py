@@ -14,7 +14,10 @@ from rolamento.reproduction.writing import computed, open_folder, write
 
 __all__ = ["NAMES", "computed", "find", "open_folder", "write"]
 
-_MODULES: Final = {"radaelli-2013": "rolamento.reproduction.radaelli_2013"}
+_MODULES: Final = {
+    "radaelli-2013": "rolamento.reproduction.radaelli_2013",
+    "ricci-fleury": "rolamento.reproduction.ricci_fleury",
+}
 NAMES: Final = tuple(_MODULES)
 """What can be reproduced."""
 

@@ -11,11 +11,12 @@ from collections.abc import Iterable, Sequence
 from io import StringIO
 from math import isfinite
 
+from rolamento.reproduction.errata import Errata, power_above
 from rolamento.reproduction.printed import Cell
 from rolamento.reproduction.record import Figure, Table, TableColumn
 from rolamento.reproduction.text import Text
 
-__all__ = ["figure_csv", "table_csv"]
+__all__ = ["errata_csv", "figure_csv", "table_csv"]
 
 
 def figure_csv(figure: Figure) -> str:
@@ -34,6 +35,38 @@ def table_csv(table: Table) -> str:
         header += names
         columns += values
     return _text(header, zip(*columns, strict=True))
+
+
+def errata_csv(errata: Errata) -> str:
+    """Return misprints and sound equations with their residuals.
+
+    What is left by rounding alone is given as the power of ten above it, the same everywhere.
+    """
+    names = ("median", "greatest", "corrected_below")
+    header = ["place", "printed", "corrected", *(f"residual_{name}" for name in names)]
+    rows = [
+        [
+            one.place.en,
+            one.printed.en,
+            one.corrected.en,
+            f"{one.printed_residual.median:.1e}",
+            f"{one.printed_residual.greatest:.1e}",
+            f"{power_above(one.corrected_residual.greatest):.0e}",
+        ]
+        for one in errata.misprints
+    ]
+    rows += [
+        [
+            f"Equation ({one.number})",
+            one.form.en,
+            "",
+            "",
+            "",
+            f"{power_above(one.residual.greatest):.0e}",
+        ]
+        for one in errata.sound
+    ]
+    return _text(header, rows)
 
 
 def _spread(column: TableColumn) -> tuple[list[str], list[list[str]]]:

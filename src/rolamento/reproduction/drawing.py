@@ -2,27 +2,26 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from io import BytesIO
 from typing import Any, Final
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.axis import Axis
 from matplotlib.figure import Figure as Picture
 from matplotlib.lines import Line2D
 from matplotlib.patches import Circle
-from matplotlib.ticker import Formatter, MultipleLocator
+from matplotlib.ticker import MultipleLocator
 from PIL import Image
 
 from rolamento.plots.style import INNER, OUTER, new_figure, series, styled
-from rolamento.reproduction.record import Curves, Ending, Figure, Floats, Line, Panel, Positions
-from rolamento.reproduction.text import Language, localised, with_indices
+from rolamento.reproduction.labels import Numbers, mathematical, titled
+from rolamento.reproduction.maps import draw_maps
+from rolamento.reproduction.record import Curves, Ending, Figure, Line, Maps, Panel, Positions
+from rolamento.reproduction.text import Language, localised
 
 __all__ = ["drawn", "rendered"]
 
-_LONE_SYMBOL: Final = re.compile(r"(?<![$\w{}])([α-ωQ])(?![\w$}])")
 _METADATA: Final[dict[str, dict[str, Any]]] = {
     "png": {"Software": None},
     "svg": {"Date": None, "Creator": "Rolamento"},
@@ -69,6 +68,8 @@ def drawn(figure: Figure, language: Language) -> Picture:
     with styled():
         if isinstance(figure.picture, Positions):
             return _positions(figure, figure.picture, language)
+        if isinstance(figure.picture, Maps):
+            return draw_maps(figure, figure.picture, language)
         return _curves(figure, figure.picture, language)
 
 
@@ -95,9 +96,9 @@ def _draw_panel(
     x = figure.column(panel.x)
     for line in panel.lines:
         _draw_line(figure, panel, line, axes)
-    axes.set_xlabel(_titled(x.title.speak(language), x.unit))
+    axes.set_xlabel(titled(x.title.speak(language), x.unit))
     if first:
-        axes.set_ylabel(_titled(panel.y_title.speak(language), panel.y_unit))
+        axes.set_ylabel(titled(panel.y_title.speak(language), panel.y_unit))
     low, high = float(np.nanmin(x.numbers)), float(np.nanmax(x.numbers))
     if panel.around:
         low, high = -0.5 * _TURN, 0.5 * _TURN
@@ -113,7 +114,7 @@ def _draw_panel(
     else:
         axes.axhline(0.0, color=_INK, linewidth=0.8, zorder=1.5)
     for axis in (axes.xaxis, axes.yaxis):
-        axis.set_major_formatter(_Numbers(axis, language))
+        axis.set_major_formatter(Numbers(axis, language))
 
 
 def _draw_line(figure: Figure, panel: Panel, line: Line, axes: Axes) -> None:
@@ -209,7 +210,7 @@ def _entries(panel: Panel, language: Language) -> list[Line2D]:
 
 
 def _entry(label: str, look: dict[str, Any]) -> Line2D:
-    return Line2D([], [], label=_mathematical(label), **look)
+    return Line2D([], [], label=mathematical(label), **look)
 
 
 # --- balls in their places --------------------------------------------------
@@ -253,38 +254,3 @@ def _arrow(axes: Axes, tip: tuple[float, float], label: str, offset: tuple[float
     arrow = {"arrowstyle": "-|>", "color": _INK, "linewidth": 1.2, "shrinkA": 0, "shrinkB": 0}
     axes.annotate("", tip, (0.0, 0.0), arrowprops=arrow)
     axes.text(tip[0] + offset[0], tip[1] + offset[1], label, ha="left", va="bottom")
-
-
-# --- words and numbers ------------------------------------------------------
-
-
-class _Numbers(Formatter):
-    """Numbers of an axis: as many decimals as its ticks need, in the manner of a language."""
-
-    def __init__(self, ticked: Axis, language: Language) -> None:
-        self._ticked = ticked
-        self._language: Language = language
-
-    def __call__(self, x: float, pos: int | None = None) -> str:
-        places: Floats = np.asarray(self._ticked.get_majorticklocs(), dtype=np.float64)
-        decimals = next(
-            (n for n in range(7) if np.allclose(places, np.round(places, n), rtol=0, atol=1e-9)), 7
-        )
-        value = 0.0 if round(x, decimals) == 0.0 else x
-        grouping = "," if np.abs(places).max(initial=0.0) >= 1e4 else ""
-        return localised(f"{value:{grouping}.{decimals}f}", self._language)
-
-
-def _titled(title: str, unit: str) -> str:
-    return f"{_mathematical(title)} ({unit})" if unit else _mathematical(title)
-
-
-def _mathematical(text: str) -> str:
-    """Set symbols as mathematics: indices below, letters that stand for quantities slanted."""
-    indexed = with_indices(
-        text,
-        lambda symbol, index: (
-            f"${symbol}_{{{index}}}$" if len(index) == 1 else f"${symbol}_{{\\mathrm{{{index}}}}}$"
-        ),
-    )
-    return _LONE_SYMBOL.sub(r"$\1$", indexed)

@@ -7,23 +7,28 @@ from collections.abc import Iterable, Sequence
 from html import escape
 from typing import Final
 
+from rolamento.reproduction.errata import Errata
 from rolamento.reproduction.printed import Cell
 from rolamento.reproduction.record import Claim, Figure, Section, Source, Table, TableColumn
 from rolamento.reproduction.text import Language, Text, localised, with_indices
 from rolamento.reproduction.wording import (
     COMPUTED,
     DATA,
+    EXPECTED,
     FIGURE,
     INPUTS,
+    MISPRINTS,
     PRINTED,
     REGENERATED,
     TABLE,
     VERDICTS,
+    claims_by_kind,
     gap_sentence,
+    misprints_sentence,
     summary,
 )
 
-__all__ = ["markdown_page"]
+__all__ = ["markdown_page", "marked"]
 
 _SPECIAL: Final = re.compile(r"([\\`*\[\]|])")
 _AS_PRINTED: Final = ("printed", "tie", "cut")
@@ -34,32 +39,46 @@ def markdown_page(
 ) -> str:
     """Write the page; parameters as of `rolamento.reproduction.page.html_page`."""
     parts = [
-        f"# {_marked(source.title, language)}",
-        *(_marked(text, language) for text in source.remarks),
-        "\n".join(f"- {_marked(line, language)}" for line in summary(tuple(sections))),
+        f"# {marked(source.title, language)}",
+        *(marked(text, language) for text in source.remarks),
+        "\n".join(f"- {marked(line, language)}" for line in summary(tuple(sections))),
     ]
     for section in sections:
-        parts.append(f"## {_marked(section.title, language)}")
+        parts.append(f"## {marked(section.title, language)}")
         for item in section.items:
-            parts += (
-                _figure(item, endings, language)
-                if isinstance(item, Figure)
-                else _table(item, language)
-            )
+            parts += _item(item, endings, language)
     parts.append(f"{REGENERATED.speak(language)} `rolamento reproduce {source.name}`.")
     return "\n\n".join(parts) + "\n"
+
+
+def _item(
+    item: Figure | Table | Errata, endings: Sequence[str], language: Language
+) -> Iterable[str]:
+    if isinstance(item, Errata):
+        return _errata(item, language)
+    return _figure(item, endings, language) if isinstance(item, Figure) else _table(item, language)
+
+
+def _errata(errata: Errata, language: Language) -> Iterable[str]:
+    """Name the misprints, and point to the page that has them."""
+    yield f"{marked(errata.caption, language)} {marked(misprints_sentence(errata), language)}"
+    yield "\n".join(
+        f"- {marked(one.place, language)}: {marked(one.what, language)}" for one in errata.misprints
+    )
+    page, data = MISPRINTS.speak(language), DATA.speak(language)
+    yield f"[{page}]({errata.stem}.md), [{data}]({errata.stem}.csv)"
 
 
 def _figure(figure: Figure, endings: Sequence[str], language: Language) -> Iterable[str]:
     name = f"{FIGURE.speak(language)} {figure.number}"
     yield f"![{name}]({figure.stem}.{endings[0]})"
-    yield f"**{name}.** {_marked(figure.caption, language)}"
+    yield f"**{name}.** {marked(figure.caption, language)}"
     yield from _remarks(figure, language)
 
 
 def _table(table: Table, language: Language) -> Iterable[str]:
     name = f"{TABLE.speak(language)} {table.number}"
-    yield f"**{name}.** {_marked(table.caption, language)}"
+    yield f"**{name}.** {marked(table.caption, language)}"
     columns = [_column(column, language) for column in table.columns]
     width = sum(len(column[0]) for column in columns)
     rows = [
@@ -72,7 +91,7 @@ def _table(table: Table, language: Language) -> Iterable[str]:
 
 def _column(column: TableColumn, language: Language) -> list[list[str]]:
     """Return a column of a table, head first, each entry as one cell or two."""
-    title = _marked(column.title, language)
+    title = marked(column.title, language)
     if not any(isinstance(cell, Cell) for cell in column.cells):
         texts = (
             cell.speak(language) if isinstance(cell, Text) else localised(str(cell), language)
@@ -91,10 +110,12 @@ def _pair(cell: Cell, language: Language) -> list[str]:
 
 def _remarks(item: Figure | Table, language: Language) -> Iterable[str]:
     data = f"[{DATA.speak(language)}]({item.stem}.csv)"
-    yield f"{INPUTS.speak(language)}: {_marked(item.source, language)}. {data}"
-    if item.claims:
-        yield "\n".join(_claim(claim, language) for claim in item.claims)
-    yield from (_marked(note, language) for note in item.notes)
+    yield f"{INPUTS.speak(language)}: {marked(item.source, language)}. {data}"
+    for heading, claims in claims_by_kind(item):
+        if heading is EXPECTED:
+            yield f"{marked(heading, language)}:"
+        yield "\n".join(_claim(claim, language) for claim in claims)
+    yield from (marked(note, language) for note in item.notes)
     gaps = gap_sentence(item, language) if isinstance(item, Figure) else ""
     if gaps:
         yield _indexed(gaps)
@@ -102,11 +123,12 @@ def _remarks(item: Figure | Table, language: Language) -> Iterable[str]:
 
 def _claim(claim: Claim, language: Language) -> str:
     verdict = VERDICTS[claim.verdict].speak(language)
-    statement, finding = (_marked(text, language) for text in (claim.statement, claim.finding))
+    statement, finding = (marked(text, language) for text in (claim.statement, claim.finding))
     return f"- {statement} **{verdict}** {finding}"
 
 
-def _marked(text: Text, language: Language) -> str:
+def marked(text: Text, language: Language) -> str:
+    """Return a text as Markdown, with the indices of its symbols below the line."""
     return _indexed(text.speak(language))
 
 

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 from html import escape
 from typing import Final
 
+from rolamento.reproduction.errata import Errata
 from rolamento.reproduction.printed import Cell
 from rolamento.reproduction.record import Claim, Figure, Section, Source, Table, TableColumn
 from rolamento.reproduction.text import Language, Text, localised, with_indices
@@ -15,17 +16,19 @@ from rolamento.reproduction.wording import (
     DATA,
     FIGURE,
     INPUTS,
+    MISPRINTS,
     PRINTED,
     REGENERATED,
-    STATED,
     TABLE,
     VERDICTS,
+    claims_by_kind,
     contents_of,
     gap_sentence,
+    misprints_sentence,
     summary,
 )
 
-__all__ = ["generator_mark", "html_page"]
+__all__ = ["generator_mark", "head_of_page", "html_page", "marked"]
 
 _STYLE: Final = """
 :root { color-scheme: light; }
@@ -78,42 +81,68 @@ def html_page(
     language
         Of the page.
     """
-    title = _marked(source.title, language)
     lines = [
-        "<!DOCTYPE html>",
-        f'<html lang="{"pt-BR" if language == "pt" else "en"}">',
-        "<head>",
-        '<meta charset="utf-8">',
-        '<meta name="viewport" content="width=device-width, initial-scale=1">',
-        generator_mark(source.name),
-        f"<title>{escape(source.title.speak(language))}</title>",
-        f"<style>{_STYLE}</style>",
-        "</head>",
-        "<body>",
-        f"<h1>{title}</h1>",
-        *(f"<p>{_marked(text, language)}</p>" for text in source.remarks),
-        "<p>" + "<br>\n".join(_marked(s, language) for s in summary(tuple(sections))) + "</p>",
+        *head_of_page(source, source.title, language),
+        *(f"<p>{marked(text, language)}</p>" for text in source.remarks),
+        "<p>" + "<br>\n".join(marked(s, language) for s in summary(tuple(sections))) + "</p>",
         *_contents(sections, language),
     ]
     for place, section in enumerate(sections, start=1):
-        lines.append(f'<h2 id="part-{place}">{_marked(section.title, language)}</h2>')
+        lines.append(f'<h2 id="part-{place}">{marked(section.title, language)}</h2>')
         for item in section.items:
-            lines += (
-                _figure(item, endings, language)
-                if isinstance(item, Figure)
-                else _table(item, language)
-            )
+            lines += _item(item, endings, language)
     command = escape(f"rolamento reproduce {source.name}")
     written = escape(REGENERATED.speak(language))
     lines += [f'<p class="small">{written} <code>{command}</code>.</p>', "</body>", "</html>", ""]
     return "\n".join(lines)
 
 
+def head_of_page(source: Source, title: Text, language: Language, *, style: str = "") -> list[str]:
+    """Return what every page begins with, its title included; style: more of it."""
+    return [
+        "<!DOCTYPE html>",
+        f'<html lang="{"pt-BR" if language == "pt" else "en"}">',
+        "<head>",
+        '<meta charset="utf-8">',
+        '<meta name="viewport" content="width=device-width, initial-scale=1">',
+        generator_mark(source.name),
+        f"<title>{escape(title.speak(language))}</title>",
+        f"<style>{_STYLE}{style}</style>",
+        "</head>",
+        "<body>",
+        f"<h1>{marked(title, language)}</h1>",
+    ]
+
+
+def _item(
+    item: Figure | Table | Errata, endings: Sequence[str], language: Language
+) -> Iterable[str]:
+    if isinstance(item, Errata):
+        return _errata(item, language)
+    return _figure(item, endings, language) if isinstance(item, Figure) else _table(item, language)
+
+
+def _errata(errata: Errata, language: Language) -> Iterable[str]:
+    """Name the misprints, and point to the page that has them."""
+    told = (marked(text, language) for text in (errata.caption, misprints_sentence(errata)))
+    yield f"<p>{' '.join(told)}</p>"
+    yield "<ul>"
+    for one in errata.misprints:
+        yield f"<li>{marked(one.place, language)}: {marked(one.what, language)}</li>"
+    yield "</ul>"
+    page = escape(MISPRINTS.speak(language))
+    data = escape(DATA.speak(language))
+    yield (
+        f'<p><a href="{errata.stem}.html">{page}</a>, <a href="{errata.stem}.csv">{data} (CSV)</a>'
+        "</p>"
+    )
+
+
 def _contents(sections: Sequence[Section], language: Language) -> Iterable[str]:
     yield "<nav><ul>"
     for place, section in enumerate(sections, start=1):
         numbers = escape(contents_of(section, language))
-        title = _marked(section.title, language)
+        title = marked(section.title, language)
         yield f'<li><a href="#part-{place}">{title}</a> <span class="small">{numbers}</span></li>'
     yield "</ul></nav>"
 
@@ -129,7 +158,7 @@ def _figure(figure: Figure, endings: Sequence[str], language: Language) -> list[
         f'<img src="{stem}.{endings[0]}" alt="{escape(f"{name}. {caption}", quote=True)}"'
         ' loading="lazy">',
         f'<figcaption><span class="number">{escape(name)}.</span>'
-        f" {_marked(figure.caption, language)}</figcaption>",
+        f" {marked(figure.caption, language)}</figcaption>",
         *_small_print(figure, links, language),
         *_remarks(figure, language),
         "</figure>",
@@ -146,12 +175,12 @@ def _small_print(
 
 def _remarks(item: Figure | Table, language: Language) -> list[str]:
     lines = []
-    if item.claims:
-        lines.append(f'<p class="small">{escape(STATED.speak(language))}:</p>')
+    for heading, claims in claims_by_kind(item):
+        lines.append(f'<p class="small">{escape(heading.speak(language))}:</p>')
         lines.append('<ul class="claims">')
-        lines += [_claim(claim, language) for claim in item.claims]
+        lines += [_claim(claim, language) for claim in claims]
         lines.append("</ul>")
-    lines += [f"<p>{_marked(note, language)}</p>" for note in item.notes]
+    lines += [f"<p>{marked(note, language)}</p>" for note in item.notes]
     gaps = gap_sentence(item, language) if isinstance(item, Figure) else ""
     return [*lines, f"<p>{_indexed(gaps)}</p>"] if gaps else lines
 
@@ -159,8 +188,8 @@ def _remarks(item: Figure | Table, language: Language) -> list[str]:
 def _claim(claim: Claim, language: Language) -> str:
     verdict = escape(VERDICTS[claim.verdict].speak(language))
     return (
-        f'<li class="{claim.verdict}">{_marked(claim.statement, language)}<br>'
-        f"<strong>{verdict}</strong> {_marked(claim.finding, language)}</li>"
+        f'<li class="{claim.verdict}">{marked(claim.statement, language)}<br>'
+        f"<strong>{verdict}</strong> {marked(claim.finding, language)}</li>"
     )
 
 
@@ -171,7 +200,7 @@ def _table(table: Table, language: Language) -> list[str]:
     return [
         f'<section class="table" id="{stem}">',
         f'<p class="caption"><span class="number">{escape(name)}.</span>'
-        f" {_marked(table.caption, language)}</p>",
+        f" {marked(table.caption, language)}</p>",
         '<div class="wide"><table>',
         *_heads(table, language),
         *("<tr>" + "".join(row) + "</tr>" for row in rows),
@@ -184,15 +213,17 @@ def _table(table: Table, language: Language) -> list[str]:
 
 def _heads(table: Table, language: Language) -> Iterable[str]:
     above, below = [], []
+    rows = 2 if table.cells else 1
     for column in table.columns:
-        title = _marked(column.title, language)
+        title = marked(column.title, language)
         if any(isinstance(cell, Cell) for cell in column.cells):
             above.append(f'<th colspan="2">{title}</th>')
             below += [f"<th>{escape(word.speak(language))}</th>" for word in (PRINTED, COMPUTED)]
         else:
-            above.append(f'<th rowspan="2">{title}</th>')
+            above.append(f'<th rowspan="{rows}">{title}</th>')
     yield "<tr>" + "".join(above) + "</tr>"
-    yield "<tr>" + "".join(below) + "</tr>"
+    if below:
+        yield "<tr>" + "".join(below) + "</tr>"
 
 
 def _cells(column: TableColumn, language: Language) -> list[str]:
@@ -212,7 +243,8 @@ def _cells(column: TableColumn, language: Language) -> list[str]:
     return cells
 
 
-def _marked(text: Text, language: Language) -> str:
+def marked(text: Text, language: Language) -> str:
+    """Return a text as HTML, with the indices of its symbols below the line."""
     return _indexed(text.speak(language))
 
 

@@ -13,6 +13,7 @@ from typing import Final, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from rolamento.reproduction.errata import Errata
 from rolamento.reproduction.printed import Cell
 from rolamento.reproduction.text import Text
 
@@ -23,6 +24,8 @@ __all__ = [
     "Ending",
     "Figure",
     "Line",
+    "Map",
+    "Maps",
     "Panel",
     "Part",
     "Positions",
@@ -55,7 +58,7 @@ class Column:
     @property
     def header(self) -> str:
         """The name with its unit, such as ``"axial_load_kN"``."""
-        unit = {"°": "deg", "N·m": "Nm"}.get(self.unit, self.unit)
+        unit = {"°": "deg", "N·m": "Nm", "N·mm": "Nmm", "m/s": "m_per_s"}.get(self.unit, self.unit)
         return f"{self.name}_{unit}" if unit else self.name
 
     @property
@@ -68,13 +71,15 @@ class Column:
 class Claim:
     """What the source states in words, what the program finds, and whether they agree.
 
-    partly: the statement holds for a part only, which the finding tells.
+    partly: the statement holds for a part only, which the finding tells; of_theory: the statement
+    is not the source's, but what theory lets expect of its subject.
     """
 
     statement: Text
     finding: Text
     holds: bool
     partly: bool = False
+    of_theory: bool = False
 
     @property
     def verdict(self) -> Verdict:
@@ -124,6 +129,32 @@ class Curves:
 
 
 @dataclass(frozen=True, slots=True)
+class Map:
+    """One field over a contact ellipse: its column, a title, and arrows (columns along x and y).
+
+    signed: drawn with zero in the middle of the colours, and the lines of zero dashed.
+    """
+
+    value: str
+    title: Text
+    signed: bool = True
+    arrows: tuple[str, str] | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Maps:
+    """A picture of fields over a contact ellipse, one below the other.
+
+    The rows of the data are a grid: `count` lines across, each over the whole of the ellipse.
+    """
+
+    x: str
+    y: str
+    count: int
+    maps: tuple[Map, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class Positions:
     """A picture of the balls of a bearing in their places, to scale; lengths in mm."""
 
@@ -139,15 +170,15 @@ class Figure:
     caption: Text
     source: Text
     columns: tuple[Column, ...]
-    picture: Curves | Positions
+    picture: Curves | Maps | Positions
     claims: tuple[Claim, ...] = ()
     notes: tuple[Text, ...] = ()
 
     @property
     def stem(self) -> str:
-        """Its files' name without an ending; sorts in order: ``"figure-5.01"``."""
-        chapter, _, figure = self.number.partition(".")
-        return f"figure-{chapter}.{int(figure):02d}"
+        """Its files' name without an ending; sorts in order: ``"figure-5.01"``, ``"figure-08"``."""
+        *chapter, figure = self.number.split(".")
+        return "figure-" + ".".join([*chapter, f"{int(figure):02d}"])
 
     def column(self, name: str) -> Column:
         """Return the column of a name."""
@@ -172,7 +203,7 @@ class TableColumn:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Table:
-    """A table of printed numbers, each beside what the program computes."""
+    """A table: printed numbers, each beside what the program computes, or computed ones alone."""
 
     number: str
     caption: Text
@@ -194,10 +225,10 @@ class Table:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Section:
-    """Figures and tables that belong together, in the order of the source."""
+    """Figures, tables and misprints that belong together, in the order of the source."""
 
     title: Text
-    items: tuple[Figure | Table, ...]
+    items: tuple[Figure | Table | Errata, ...]
 
 
 @dataclass(frozen=True, slots=True)

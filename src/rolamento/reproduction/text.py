@@ -8,14 +8,16 @@ from dataclasses import dataclass
 from string import Formatter
 from typing import Any, Final, Literal
 
-__all__ = ["Language", "Text", "localised", "said", "same", "with_indices"]
+__all__ = ["Language", "Text", "formula", "localised", "said", "same", "with_indices"]
 
 Language = Literal["en", "pt"]
 
 _MINUS: Final = "−"
 _THIN_SPACE: Final = "\N{NARROW NO-BREAK SPACE}"
 _FOUR_DIGITS: Final = re.compile(r"(?<![\d,])(\d),(\d{3})(?!,)")
-_INDEXED: Final = re.compile(r"(?<![A-Za-z0-9_])([A-Za-zα-ω])_([A-Za-z0-9]+)(?!\w)")
+_SINE: Final = re.compile(r"\bsin\b")
+_TANGENT: Final = re.compile(r"\btan\b")
+_INDEXED: Final = re.compile(r"(?<![A-Za-z0-9_])([A-Za-zα-ω])_([A-Za-z0-9]+)(?![^\W²³])")
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,6 +43,11 @@ def said(en: str, pt: str, *values: object, **named: object) -> Text:
 def same(text: str) -> Text:
     """Return what is the same in both languages."""
     return Text(text, text)
+
+
+def formula(text: str) -> Text:
+    """Return a formula; the sine is "sen" and the tangent "tg" in Portuguese."""
+    return Text(text, _TANGENT.sub("tg", _SINE.sub("sen", text)))
 
 
 def localised(number: str, language: Language) -> str:

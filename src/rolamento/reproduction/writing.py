@@ -9,7 +9,9 @@ from pathlib import Path
 from typing import Final, Literal
 
 from rolamento.errors import FileError
-from rolamento.reproduction.data_files import figure_csv, table_csv
+from rolamento.reproduction.data_files import errata_csv, figure_csv, table_csv
+from rolamento.reproduction.errata import ERRATA_STEM, Errata
+from rolamento.reproduction.errata_page import errata_html, errata_markdown
 from rolamento.reproduction.markdown import markdown_page
 from rolamento.reproduction.page import generator_mark, html_page
 from rolamento.reproduction.record import Ending, Figure, Section, Source, Table
@@ -74,7 +76,10 @@ def write(
     done = len(source.parts)
     for item in _items(sections):
         _put(folder, f"{item.stem}.csv", _data(item).encode())
-        if isinstance(item, Table):
+        if isinstance(item, Errata):
+            _put(folder, f"{item.stem}.html", errata_html(source, item, language).encode())
+            _put(folder, f"{item.stem}.md", errata_markdown(source, item, language).encode())
+        if not isinstance(item, Figure):
             continue
         progress(done, _steps(source), item.caption)
         contents = rendered(item, endings, language)
@@ -123,6 +128,8 @@ def file_names(source: Source) -> tuple[str, ...]:
     for part in source.parts:
         names += [f"{stem}.csv" for stem in part.holds]
         names += [f"{stem}.{ending}" for stem in part.figures for ending in _ENDINGS]
+        if ERRATA_STEM in part.holds:
+            names += [f"{ERRATA_STEM}.html", f"{ERRATA_STEM}.md"]
     return tuple(names)
 
 
@@ -134,12 +141,14 @@ def _steps(source: Source) -> int:
     return len(source.parts) + sum(len(part.figures) for part in source.parts)
 
 
-def _items(sections: Sequence[Section]) -> Iterator[Figure | Table]:
+def _items(sections: Sequence[Section]) -> Iterator[Figure | Table | Errata]:
     for section in sections:
         yield from section.items
 
 
-def _data(item: Figure | Table) -> str:
+def _data(item: Figure | Table | Errata) -> str:
+    if isinstance(item, Errata):
+        return errata_csv(item)
     return figure_csv(item) if isinstance(item, Figure) else table_csv(item)
 
 

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import tomllib
-from functools import cache
-from importlib import resources
 from typing import Any, Final
 
 import numpy as np
@@ -12,11 +9,10 @@ import numpy as np
 from rolamento.bearing import Bearing
 from rolamento.case import Case
 from rolamento.duty import Duty
-from rolamento.equilibrium import BatchState
 from rolamento.material import Material
 from rolamento.model import Model
-from rolamento.reproduction.record import Column, Floats
-from rolamento.reproduction.text import Text, said
+from rolamento.reproduction.given import KILO, MILLI, RPM, Given, grid, status_column
+from rolamento.reproduction.text import Text
 
 __all__ = [
     "KILO",
@@ -33,27 +29,22 @@ __all__ = [
     "steel",
 ]
 
-RPM: Final = np.pi / 30.0
-MILLI: Final = 1e-3
-KILO: Final = 1e3
+_GIVEN: Final = Given("radaelli_2013")
 
 
-@cache
 def data() -> dict[str, Any]:
     """Return the data file: inputs and printed numbers, each with its place in the source."""
-    file = resources.files("rolamento.reproduction") / "data" / "radaelli_2013.toml"
-    return tomllib.loads(file.read_text(encoding="utf-8"))
+    return _GIVEN.data
 
 
 def inputs_of(name: str) -> dict[str, Any]:
     """Return one table of the data file."""
-    table: dict[str, Any] = data()[name]
-    return table
+    return _GIVEN.inputs_of(name)
 
 
 def source_of(name: str) -> Text:
     """Return where a table's inputs stand, or how they were chosen."""
-    return Text(**inputs_of(name)["source"])
+    return _GIVEN.source_of(name)
 
 
 def modulus() -> float:
@@ -95,13 +86,3 @@ def bearing(name: str) -> Bearing:
 def case(duty: Duty | None = None, model: Model | None = None) -> Case:
     """Return a case of the 218: outer raceway control, as in the dissertation."""
     return Case(bearing=bearing("218"), duty=duty or Duty(), model=model or Model())
-
-
-def grid(lowest: float, highest: float, step: float) -> Floats:
-    """Return numbers from the lowest to the highest, both included."""
-    return np.linspace(lowest, highest, round((highest - lowest) / step) + 1)
-
-
-def status_column(state: BatchState) -> Column:
-    """Return how each case of a batch ended."""
-    return Column("status", "", said("status", "estado"), tuple(str(s) for s in state.status))

@@ -1,0 +1,1 @@
+"""Braga and Almeida, relative motions: what is computed, part by part."""
