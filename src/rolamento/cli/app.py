@@ -17,6 +17,7 @@ from rolamento.cli.common import (
     same_file,
     words_of,
 )
+from rolamento.cli.friction import friction
 from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.plot import plot
 from rolamento.cli.reproduce import reproduce
@@ -170,6 +171,11 @@ app.command(
     epilog="Examples: plot state.json --kind ellipses -o ellipses.pdf;"
     " plot sweep.nc --variable stiffness_zz."
 )(plot)
+app.command(
+    cls=JsonCommand,
+    epilog="Examples: friction case.toml --coefficient 0.1;"
+    " friction case.toml --over duty.load.fx=10..200N --plot friction.png.",
+)(friction)
 app.command(cls=JsonCommand, epilog="Example: turn case.toml --plot turn.png.")(turn)
 app.command(cls=JsonCommand, epilog="Example: tolerance scatter.nc --plot bands.png.")(tolerance)
 app.command(epilog="Example: reproduce radaelli-2013 --output radaelli --lang pt.")(reproduce)

@@ -22,7 +22,7 @@ from rolamento.units import Dimension
 if TYPE_CHECKING:
     from rolamento.analysis import Analysis
 
-__all__ = ["rendered", "terminal_report"]
+__all__ = ["rendered", "terminal_head", "terminal_report"]
 
 _GAP: Final = 3
 
@@ -47,7 +47,7 @@ def terminal_report(
         What follows from the state; film and friction are shown if it has them.
     """
     page = Page(words, medium or Medium())
-    parts = [_head(page, state)]
+    parts = [terminal_head(page, state)]
     if state.status.converged:
         parts += [*_set(page, state), *_middle(page, state)]
         parts += [stiffness_part(page, state), *ball_parts(page, state)]
@@ -80,7 +80,7 @@ def rendered(medium: Medium, parts: list[Lines]) -> str:
     return capture.get()
 
 
-def _head(page: Page, state: State) -> Lines:
+def terminal_head(page: Page, state: State) -> Lines:
     """Show the title, what was given, and how the solution ended."""
     words, case = page.words, state.case
     entries = [

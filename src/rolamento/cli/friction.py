@@ -1,0 +1,234 @@
+"""`rolamento friction`: torque by every model, for a case or over one of its fields."""
+
+from __future__ import annotations
+
+import sys
+from typing import TYPE_CHECKING, Annotated, Final
+
+import typer
+
+import rolamento
+from rolamento.cli.common import (
+    NO_RESULT,
+    SOLVED,
+    Language,
+    LanguageOption,
+    plain_endings,
+    same_file,
+    words_of,
+)
+from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
+from rolamento.errors import FileError, InputError
+
+if TYPE_CHECKING:
+    from rolamento.studies.friction_curves import FrictionCurve
+
+__all__ = ["friction"]
+
+_POINTS: Final = 40
+_HYSTERESIS: Final = 0.01
+_MOST_VARIANTS: Final = 5
+
+
+def friction(
+    case: Annotated[str, typer.Argument(help="Case file (TOML or JSON); - is standard input.")],
+    over: Annotated[
+        str | None,
+        typer.Option(
+            "--over",
+            metavar="FIELD=FIRST..LAST",
+            help="Vary a field, such as duty.load.fx=10..200N or duty.inner_speed=0.5..30000rpm.",
+        ),
+    ] = None,
+    points: Annotated[
+        int, typer.Option("--points", metavar="N", help="Values of that field, 2 to 1000.")
+    ] = _POINTS,
+    log: Annotated[bool, typer.Option("--log", help="With equal ratios between them.")] = False,
+    variants: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--variant",
+            metavar="KEY=VALUE",
+            help="Show the case with this field changed beside it; with --over. Repeats.",
+        ),
+    ] = None,
+    coefficient: Annotated[
+        float | None,
+        typer.Option("--coefficient", metavar="MU", help="Coefficient of friction, up to 1."),
+    ] = None,
+    hysteresis: Annotated[
+        float,
+        typer.Option(
+            "--hysteresis", metavar="LOSS", help="Part of the elastic work that is lost, 0 to 1."
+        ),
+    ] = _HYSTERESIS,
+    json: Annotated[
+        str | None,
+        typer.Option(
+            "--json",
+            metavar="[FILE]",
+            help="Write everything as JSON, in SI units; without FILE, to standard output.",
+        ),
+    ] = None,
+    csv: Annotated[
+        str | None,
+        typer.Option(
+            "--csv", metavar="FILE", help="With --over: write the points; - is standard output."
+        ),
+    ] = None,
+    plot: Annotated[
+        str | None,
+        typer.Option(
+            "--plot", metavar="FILE", help="With --over: draw it, a .png, .svg or .pdf file."
+        ),
+    ] = None,
+    settings: Annotated[
+        list[str] | None,
+        typer.Option("--set", metavar="KEY=VALUE", help="Override a field of the case. Repeats."),
+    ] = None,
+    lang: LanguageOption = None,
+) -> None:
+    """Show the friction torque by every model, and which of them hold."""
+    with plain_endings(lang):
+        _check(case, over, json, csv, plot, variants or [])
+        _check_share("--hysteresis", hysteresis)
+        _check_share("--coefficient", coefficient)
+        loaded = rolamento.load_case(case, settings or ())
+        chosen = _with_coefficient(loaded, coefficient)
+        if over is None:
+            solved = _one(chosen, hysteresis, json, lang)
+        else:
+            curves = _curves(chosen, over, points, log, variants or [], hysteresis, lang)
+            solved = _show(curves, json, csv, plot, lang)
+    raise typer.Exit(SOLVED if solved else NO_RESULT)
+
+
+def _check(
+    case: str,
+    over: str | None,
+    json: str | None,
+    csv: str | None,
+    plot: str | None,
+    variants: list[str],
+) -> None:
+    """Refuse what does not go together, before any work."""
+    if over is None:
+        for name, given in (("--csv", csv), ("--plot", plot), ("--variant", variants or None)):
+            if given is not None:
+                raise InputError(
+                    "needs --over", field=name, value=given, example="--over duty.load.fx=10..200N"
+                )
+    if len(variants) > _MOST_VARIANTS:
+        raise InputError(
+            f"may be given at most {_MOST_VARIANTS} times", field="--variant", value=len(variants)
+        )
+    given_paths = [path for path in (json, csv, plot) if path is not None]
+    for path in given_paths:
+        if given_paths.count(path) > 1:
+            where = "standard output" if path == STANDARD_STREAM else path
+            raise InputError("only one of --json, --csv and --plot can go there", source=where)
+        if same_file(path, case):
+            raise FileError("is the case file itself; choose another name", source=path)
+    if plot is not None:
+        from rolamento.plots.saving import check_name
+
+        check_name(plot)
+
+
+def _check_share(name: str, value: float | None) -> None:
+    if value is not None and not 0.0 <= value <= 1.0:
+        raise InputError("must be from 0 to 1", field=name, value=value, example=f"{name} 0.1")
+
+
+def _with_coefficient(case: rolamento.Case, coefficient: float | None) -> rolamento.Case:
+    """Return the case with the coefficient in its lubricant; a dry one if it has none."""
+    if coefficient is None:
+        return case
+    if case.lubricant is None:
+        dry = {"kind": "dry", "name": "dry", "friction_coefficient": coefficient}
+        return case.replace(lubricant=dry)
+    return case.replace(lubricant=case.lubricant.replace(friction_coefficient=coefficient))
+
+
+def _one(case: rolamento.Case, hysteresis: float, json: str | None, lang: Language | None) -> bool:
+    """Show the friction of the case itself; tell whether it has a result."""
+    from rolamento.analysis import analyse
+
+    if case.lubricant is None or case.lubricant.friction_coefficient is None:
+        raise InputError(
+            "is missing: friction rests on it",
+            field="lubricant.friction_coefficient",
+            example="--coefficient 0.1",
+        )
+    analysis = analyse(case, hysteresis=hysteresis)
+    from rolamento.report.friction_curves import friction_json, friction_report
+    from rolamento.report.medium import Medium
+
+    words, status = words_of(lang), analysis.state.status
+    if json is not None:
+        put(friction_json(analysis) + "\n", json)
+    if json != STANDARD_STREAM:
+        print_text(friction_report(analysis, words, Medium.of(sys.stdout)))
+    elif not status.converged:
+        complain(": ".join(part for part in (words.reason(status), words.advice(status)) if part))
+    return status.converged
+
+
+def _curves(
+    case: rolamento.Case,
+    over: str,
+    points: int,
+    log: bool,
+    variants: list[str],
+    hysteresis: float,
+    lang: Language | None,
+) -> list[FrictionCurve]:
+    """Solve the case and its variants; whoever waits at a terminal for long is told why."""
+    from rolamento.studies.friction_curves import friction_curve, read_range
+
+    chosen = read_range(over, points, log=log)
+    cases = [("", case), *((text, rolamento.override(case, [text])) for text in variants)]
+
+    def solve() -> list[FrictionCurve]:
+        return [
+            friction_curve(one, chosen, hysteresis=hysteresis, label=label) for label, one in cases
+        ]
+
+    if sys.stderr is None or not sys.stderr.isatty():
+        return solve()
+    from rolamento.cli.waiting import told
+
+    with told(words_of(lang).waiting):
+        return solve()
+
+
+def _show(
+    curves: list[FrictionCurve],
+    json: str | None,
+    csv: str | None,
+    plot: str | None,
+    lang: Language | None,
+) -> bool:
+    """Write what was asked for; tell whether every point has a result."""
+    from rolamento.report.friction_curves import curves_csv, curves_json, curves_report
+
+    words = words_of(lang)
+    if json is not None:
+        put(curves_json(curves) + "\n", json)
+    if csv is not None:
+        put(curves_csv(curves), csv)
+    if plot is not None:
+        from rolamento.plots.friction import friction_figure
+        from rolamento.plots.saving import save_figure
+
+        save_figure(friction_figure(curves, words.code), plot)
+    converged = all(curve.converged for curve in curves)
+    if STANDARD_STREAM not in (json, csv):
+        from rolamento.report.medium import Medium
+
+        print_text(curves_report(curves, words, Medium.of(sys.stdout)))
+    elif not converged:
+        status = next(curve.status for curve in curves if not curve.converged)
+        failed = status[status != "converged"]
+        complain(f"{len(failed)} / {len(status)}: {words.reasons[str(failed[0])]}")
+    return converged

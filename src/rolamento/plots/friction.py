@@ -1,0 +1,303 @@
+"""Friction over a field of a case: the torque by every model, and the ratios of spin to roll."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Final
+
+import numpy as np
+from matplotlib.figure import Figure
+from matplotlib.ticker import LogLocator
+from numpy.typing import NDArray
+
+from rolamento.plots.axes_units import NONE, readable_unit
+from rolamento.plots.frame import (
+    add_title,
+    empty_frame,
+    label_x,
+    label_y,
+    legend_above,
+    log_scale,
+)
+from rolamento.plots.style import (
+    INNER,
+    OUTER,
+    new_figure,
+    new_stacked_figure,
+    series,
+    styled,
+)
+from rolamento.plots.words import PlotWords, plot_words
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from rolamento.studies.friction_curves import FrictionCurve
+
+__all__ = ["friction_figure", "spin_to_roll", "torque_by_model"]
+
+Floats = NDArray[np.float64]
+
+_CONTROLLED: Final = "friction_control"
+_ZERO_CELSIUS: Final = 273.15
+_FAINT: Final = 0.3
+"""Of a line where its model does not hold."""
+_WIDE: Final = 30.0
+"""Greatest over least torque from which on both axes become logarithmic, not only the field's."""
+_DECADES: Final = 100.0
+"""Greatest over least value from which on there is room for whole decades only."""
+_VARIANTS: Final[tuple[Any, ...]] = ("-", "--", ":", "-.", (0, (5, 1, 1, 1)), (0, (7, 2)))
+
+
+@dataclass(frozen=True, slots=True)
+class _Words:
+    torque: str
+    ratio: str
+    models: Mapping[str, str]
+    inner: str
+    outer: str
+    faint: str
+    fields: Mapping[str, str]
+
+
+_WORDS: Final[Mapping[str, _Words]] = {
+    "en": _Words(
+        torque="Friction torque",
+        ratio="Spin to roll",
+        models={
+            "jones_full": "Jones, full",
+            "jones_control": "Jones, raceway control",
+            "jones_simplified": "Jones, simplified",
+            "harris_1971": "Harris 1971",
+            "todd": "Todd",
+            "palmgren": "Palmgren",
+            "skf": "SKF",
+            _CONTROLLED: "friction control",
+        },
+        inner="inner contact",
+        outer="outer contact",
+        faint="faint: the model does not hold there",
+        fields={
+            "duty.load.fx": "Axial load",
+            "duty.load.fy": "Radial load y",
+            "duty.load.fz": "Radial load",
+            "duty.inner_speed": "Speed of the inner ring",
+            "duty.outer_speed": "Speed of the outer ring",
+            "lubricant.friction_coefficient": "Coefficient of friction",
+            "temperature.lubricant": "Temperature of the lubricant",
+            "bearing.contact_angle": "Free contact angle",
+            "bearing.inner_conformity": "Inner conformity",
+            "bearing.outer_conformity": "Outer conformity",
+        },
+    ),
+    "pt": _Words(
+        torque="Torque de atrito",
+        ratio="Pivotamento sobre rolamento",
+        models={
+            "jones_full": "Jones, completo",
+            "jones_control": "Jones, controle de pista",
+            "jones_simplified": "Jones, simplificado",
+            "harris_1971": "Harris 1971",
+            "todd": "Todd",
+            "palmgren": "Palmgren",
+            "skf": "SKF",
+            _CONTROLLED: "controle por atrito",
+        },
+        inner="contato interno",
+        outer="contato externo",
+        faint="claro: o modelo não vale ali",
+        fields={
+            "duty.load.fx": "Carga axial",
+            "duty.load.fy": "Carga radial y",
+            "duty.load.fz": "Carga radial",
+            "duty.inner_speed": "Rotação do anel interno",
+            "duty.outer_speed": "Rotação do anel externo",
+            "lubricant.friction_coefficient": "Coeficiente de atrito",
+            "temperature.lubricant": "Temperatura do lubrificante",
+            "bearing.contact_angle": "Ângulo de contato livre",
+            "bearing.inner_conformity": "Conformidade interna",
+            "bearing.outer_conformity": "Conformidade externa",
+        },
+    ),
+}
+
+
+def friction_figure(curves: Sequence[FrictionCurve], language: str = "en") -> Figure:
+    """Draw friction over a field: the torque by model, and over a speed the ratios below it.
+
+    Parameters
+    ----------
+    curves
+        The case's own first, then its variants; over one field.
+    language
+        ``"en"`` or ``"pt"``.
+    """
+    shown = curves[0].is_speed and any(curve.controlled is not None for curve in curves)
+    with styled():
+        if shown:
+            figure, (above, below) = new_stacked_figure(2, height=165.0)
+            torque_by_model(curves, above, language=language)
+            above.set_xlabel("")
+            spin_to_roll(curves, below, language=language)
+        else:
+            figure, above = new_figure(height=105.0)
+            torque_by_model(curves, above, language=language)
+        if curves[0].case.title:
+            add_title(figure, curves[0].case.title)
+    return figure
+
+
+def torque_by_model(
+    curves: Sequence[FrictionCurve], axes: Axes | None = None, *, language: str = "en"
+) -> Axes:
+    """Draw the running torque of all sources by every model; of variants by the one in use.
+
+    Parameters
+    ----------
+    curves
+        As in `friction_figure`.
+    axes
+        To draw on; of a new figure if not given.
+    language
+        ``"en"`` or ``"pt"``.
+    """
+    shared, words = plot_words(language), _WORDS.get(language, _WORDS["en"])
+    with styled():
+        axes = new_figure()[1] if axes is None else axes
+        lines = list(_torques(curves, words))
+        values = np.concatenate([torque for torque, _, _, _ in lines])
+        if not np.isfinite(values).any():
+            return empty_frame(axes, shared.no_result)
+        unit, x = readable_unit("N*m", values), _read(curves[0])[0]
+        faint = False
+        for torque, holds, name, look in lines:
+            faint |= _judged_line(axes, x, unit.of(torque), holds, name, look)
+        _across(axes, curves[0], shared, words)
+        if _is_wide(values) and _is_geometric(curves[0].values):
+            log_scale(axes, "y", shared)
+            axes.set_ylabel(unit.label(words.torque), parse_math=False)
+        else:
+            axes.set_ylim(bottom=0.0)
+            label_y(axes, unit.label(words.torque), shared)
+        legend_above(axes, title=words.faint if faint else "")
+    return axes
+
+
+def spin_to_roll(
+    curves: Sequence[FrictionCurve], axes: Axes | None = None, *, language: str = "en"
+) -> Axes:
+    """Draw the ratios of spin to roll under friction control, of the most loaded ball.
+
+    Parameters as of `torque_by_model`.
+    """
+    shared, words = plot_words(language), _WORDS.get(language, _WORDS["en"])
+    with styled():
+        axes = new_figure()[1] if axes is None else axes
+        drawn = False
+        for number, curve in enumerate(curves):
+            if curve.controlled is None:
+                continue
+            ratios = (
+                (words.inner, INNER, curve.controlled.inner_spin_to_roll),
+                (words.outer, OUTER, curve.controlled.outer_spin_to_roll),
+            )
+            for name, look, values in ratios:
+                drawn |= bool(np.isfinite(values).any())
+                axes.plot(
+                    _read(curve)[0],
+                    np.abs(values),
+                    color=look.color,
+                    linestyle=_VARIANTS[number % len(_VARIANTS)],
+                    label=", ".join(part for part in (name, _short(curve.label)) if part),
+                )
+        if not drawn:
+            return empty_frame(axes, shared.no_result)
+        _across(axes, curves[0], shared, words)
+        axes.set_ylim(bottom=0.0)
+        label_y(axes, NONE.label(words.ratio), shared)
+        legend_above(axes)
+    return axes
+
+
+def _torques(
+    curves: Sequence[FrictionCurve], words: _Words
+) -> list[tuple[Floats, NDArray[np.bool_], str, dict[str, Any]]]:
+    """Torque, where it holds, name and look of every line."""
+    own = curves[0]
+    lines: list[tuple[Floats, NDArray[np.bool_], str, dict[str, Any]]] = []
+    for index, verdict in enumerate(own.friction.verdicts):
+        name = words.models.get(verdict.model, verdict.model)
+        look = series(index).keywords()
+        lines.append((own.torque(verdict.model), verdict.holds, name, look))
+    controlled = own.is_speed and own.controlled is not None
+    if controlled:
+        torque = own.controlled_torque
+        name = words.models[_CONTROLLED]
+        look = series(len(lines)).keywords()
+        lines.append((torque, own.friction.regime != "full_film", name, look))
+    for number, curve in enumerate(curves[1:], start=1):
+        look = {"color": "#000000", "linestyle": _VARIANTS[number % len(_VARIANTS)]}
+        model = _CONTROLLED if controlled else curve.friction.model
+        if controlled:
+            torque, holds = curve.controlled_torque, curve.friction.regime != "full_film"
+        else:
+            torque, holds = curve.torque(model), curve.friction.verdicts[0].holds
+        lines.append(
+            (torque, np.asarray(holds), f"{words.models[model]}, {_short(curve.label)}", look)
+        )
+    return lines
+
+
+def _judged_line(
+    axes: Axes, x: Floats, y: Floats, holds: NDArray[np.bool_], name: str, look: dict[str, Any]
+) -> bool:
+    """Draw a line in full where its model holds and faintly where not; tell if there is such."""
+    axes.plot(x, np.where(_widened(holds), y, np.nan), label=name, **look)
+    fails = np.isfinite(y) & ~holds
+    if fails.any():
+        axes.plot(x, np.where(_widened(fails), y, np.nan), alpha=_FAINT, **look)
+    return bool(fails.any())
+
+
+def _widened(where: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Reach from single points to their neighbours before, so that pieces of a line meet."""
+    return np.asarray(where | np.append(where[1:], False)) if where.any() else where
+
+
+def _across(axes: Axes, curve: FrictionCurve, shared: PlotWords, words: _Words) -> None:
+    name = words.fields.get(curve.field.name, curve.field.name)
+    x, symbol = _read(curve)
+    label_x(axes, f"{name} ({symbol})", shared)
+    if _is_geometric(curve.values):
+        log_scale(axes, "x", shared)
+        if x.max() > _DECADES * x.min() > 0.0:
+            axes.xaxis.set_major_locator(LogLocator())
+    axes.set_xlim(float(x.min()), float(x.max()))
+
+
+def _read(curve: FrictionCurve) -> tuple[Floats, str]:
+    """Return the values of the field as a person reads them, and their unit."""
+    if curve.field.dimension == "temperature":
+        return curve.values - _ZERO_CELSIUS, "°C"
+    unit = readable_unit(curve.field.unit, curve.values)
+    return unit.of(curve.values), unit.symbol
+
+
+def _short(label: str) -> str:
+    """Return a setting with the last part of its key alone."""
+    key, equals, value = label.partition("=")
+    return f"{key.rpartition('.')[2]} = {value}" if equals else label
+
+
+def _is_geometric(values: Floats) -> bool:
+    """Whether the points have equal ratios, as after ``--log``."""
+    if len(values) < 3 or not np.all(values * values[0] > 0.0):
+        return False
+    ratios = np.diff(np.log(np.abs(values)))
+    return bool(np.ptp(ratios) < 1e-6 * np.abs(ratios).max())
+
+
+def _is_wide(values: Floats) -> bool:
+    finite = values[np.isfinite(values)]
+    return bool(finite.min() > 0.0 and finite.max() > _WIDE * finite.min())

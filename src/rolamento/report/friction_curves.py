@@ -1,0 +1,409 @@
+"""Friction over a field for a reader: tables for a terminal, a table for spreadsheets, JSON."""
+
+from __future__ import annotations
+
+import csv
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from io import StringIO
+from math import isfinite
+from typing import TYPE_CHECKING, Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+from rich.text import Text
+
+from rolamento.plots.axes_units import readable_unit
+from rolamento.report.friction import friction_parts, model_name, unit_of_torque
+from rolamento.report.language import ENGLISH, Words
+from rolamento.report.medium import Medium
+from rolamento.report.numbers import decimals_for
+from rolamento.report.page import Lines, Page
+from rolamento.report.terminal import rendered, terminal_head
+
+if TYPE_CHECKING:
+    from rolamento.analysis import Analysis
+    from rolamento.studies.friction_curves import FrictionCurve
+
+__all__ = ["curves_csv", "curves_json", "curves_report", "friction_json", "friction_report"]
+
+SCHEMA: Final = 1
+_CONTROLLED: Final = "friction_control"
+_MARK: Final = "*"
+_ZERO_CELSIUS: Final = 273.15
+_DECADES: Final = 100.0
+
+
+@dataclass(frozen=True, slots=True)
+class _Words:
+    torque: str
+    with_all: str
+    fails: str
+    all_models: str
+    everywhere: str
+    at: str
+    between: str
+    reasons: Mapping[str, str]
+    spin: str
+    spin_legend: str
+    variant: str
+    heads: Mapping[str, str]
+    failed: str
+
+
+_WORDS: Final[Mapping[str, _Words]] = {
+    "en": _Words(
+        torque="Friction torque by model over {field}",
+        with_all=(
+            "running torque of all sources, in {unit}: the contacts by each model, elastic"
+            " hysteresis{oil}; with friction control the balls' inertia counts"
+        ),
+        fails="* the model does not hold there",
+        all_models="every model but friction control",
+        everywhere="everywhere",
+        at="at {value}",
+        between="from {least} to {greatest}",
+        reasons={
+            "inertia": "inertia counts",
+            "full_film": "a full film",
+            "no_result": "no result",
+            "no_film": "no film",
+        },
+        spin="Spin to roll over {field}",
+        spin_legend=(
+            "friction control, the ball with the greatest inner load; i inner contact, o outer"
+            " contact; n_m cage"
+        ),
+        variant="with {label}",
+        heads={
+            "jones_full": "Jones full",
+            "jones_control": "Jones ctrl",
+            "jones_simplified": "Jones simp",
+            "harris_1971": "Harris",
+            "todd": "Todd",
+            _CONTROLLED: "fr. control",
+        },
+        failed="{failed} of {count} points without a result: {reasons}",
+    ),
+    "pt": _Words(
+        torque="Torque de atrito por modelo em função de {field}",
+        with_all=(
+            "torque em movimento de todas as fontes, em {unit}: os contatos segundo cada modelo,"
+            " histerese elástica{oil}; com controle por atrito conta a inércia das esferas"
+        ),
+        fails="* o modelo não vale ali",
+        all_models="todos os modelos menos o controle por atrito",
+        everywhere="em todos os pontos",
+        at="em {value}",
+        between="de {least} a {greatest}",
+        reasons={
+            "inertia": "a inércia conta",
+            "full_film": "filme completo",
+            "no_result": "sem resultado",
+            "no_film": "sem filme",
+        },
+        spin="Pivotamento sobre rolamento em função de {field}",
+        spin_legend=(
+            "controle por atrito, a esfera de maior carga interna; i contato interno, o externo;"
+            " n_m gaiola"
+        ),
+        variant="com {label}",
+        heads={
+            "jones_full": "Jones comp",
+            "jones_control": "Jones ctrl",
+            "jones_simplified": "Jones simp",
+            "harris_1971": "Harris",
+            "todd": "Todd",
+            _CONTROLLED: "c. atrito",
+        },
+        failed="{failed} de {count} pontos sem resultado: {reasons}",
+    ),
+}
+_OIL: Final = {"en": ", oil at the inlets", "pt": ", óleo nas entradas"}
+
+
+def friction_report(
+    analysis: Analysis, words: Words = ENGLISH, medium: Medium | None = None
+) -> str:
+    """Return the friction of one case as text that ends in a newline."""
+    page = Page(words, medium or Medium())
+    parts = [terminal_head(page, analysis.state)]
+    if analysis.friction is not None:
+        parts += friction_parts(page, analysis.state, analysis.friction)
+    return rendered(page.medium, parts)
+
+
+def friction_json(analysis: Analysis) -> str:
+    """Return the friction of one case as one JSON object in SI units."""
+    whole = analysis.to_mapping()
+    kept = {key: whole[key] for key in ("schema", "title", "status", "friction", "notes", "case")}
+    return _json({"schema": SCHEMA, "kind": "friction", **kept})
+
+
+def curves_report(
+    curves: Sequence[FrictionCurve], words: Words = ENGLISH, medium: Medium | None = None
+) -> str:
+    """Return friction over a field as text that ends in a newline.
+
+    Parameters
+    ----------
+    curves
+        The case's own first, then its variants.
+    words
+        The language.
+    medium
+        What the text is shown on; by default plain text of 80 columns in UTF-8.
+    """
+    page = Page(words, medium or Medium())
+    head = page.hanging(Text(), curves[0].case.title or words.untitled, "bold")
+    parts: list[Lines] = [[*head, page.rule(page.medium.width)]]
+    for curve in curves:
+        parts.append(_torques(page, curve))
+        if curve.is_speed and curve.controlled is not None:
+            parts.append(_ratios(page, curve))
+    return rendered(page.medium, parts)
+
+
+def _words(page: Page) -> _Words:
+    return _WORDS.get(page.words.code, _WORDS["en"])
+
+
+def _read(curve: FrictionCurve) -> tuple[NDArray[np.float64], str]:
+    """Return the values of the field as a person reads them, and their unit."""
+    if curve.field.dimension == "temperature":
+        return np.round(curve.values - _ZERO_CELSIUS, 9), "°C"
+    unit = readable_unit(curve.field.unit, curve.values)
+    return unit.of(curve.values), unit.symbol
+
+
+def _heading(page: Page, template: str, curve: FrictionCurve) -> Lines:
+    said, lines = _words(page), [page.heading(template.format(field=curve.field.name))]
+    if curve.label:
+        lines += page.hanging(Text("  "), said.variant.format(label=curve.label))
+    return lines
+
+
+def _columns(curve: FrictionCurve) -> dict[str, tuple[NDArray[np.float64], NDArray[np.bool_]]]:
+    """Torque of every model, and where the model holds."""
+    found = {
+        verdict.model: (curve.torque(verdict.model), verdict.holds)
+        for verdict in curve.friction.verdicts
+    }
+    if curve.controlled is not None and np.isfinite(curve.controlled_torque).any():
+        torque = curve.controlled_torque
+        film = curve.friction.regime == "full_film"
+        found[_CONTROLLED] = (torque, np.isfinite(torque) & ~film)
+    return found
+
+
+def _torques(page: Page, curve: FrictionCurve) -> Lines:
+    said, digits = _words(page), page.digits
+    columns = _columns(curve)
+    greatest = [float(v) for torque, _ in columns.values() for v in torque]
+    factor, unit = unit_of_torque(greatest)
+    across, symbol = _read(curve)
+    values = _values(page, across)
+    decimals = decimals_for([factor * value for value in greatest], 5)
+    cells: list[Lines] = [[Text(), page.text(symbol, "dim"), *map(page.text, values)]]
+    for model, (torque, holds) in columns.items():
+        written = [digits.fixed(factor * float(value), decimals) for value in torque]
+        head = [page.text(f"{said.heads.get(model, model)} "), page.text(f"{unit} ", "dim")]
+        cells.append(head + [_judged(page, t, h) for t, h in zip(written, holds, strict=True)])
+    lines = _heading(page, said.torque, curve)
+    lines += page.columns(list(zip(*cells, strict=True)), "r" * len(cells))
+    oil = _OIL[page.words.code] if "rolling_resistance" in curve.friction.heat else ""
+    lines += page.hanging(Text("  "), said.with_all.format(unit=unit, oil=oil), "dim")
+    return lines + _failures(page, curve)
+
+
+def _values(page: Page, values: NDArray[np.float64]) -> list[str]:
+    """Write the values of the field, each with its own digits where they span decades."""
+    if np.abs(values).max() > _DECADES * np.abs(values).min() > 0.0:
+        return [page.digits.short(float(value), 4) for value in values]
+    return page.digits.column(values.tolist(), 5, 6)
+
+
+def _judged(page: Page, text: str, holds: bool) -> Text:
+    return page.text(f"{text} ") if holds else page.text(f"{text}{_MARK}", "yellow")
+
+
+def _failures(page: Page, curve: FrictionCurve) -> Lines:
+    """Say of every group of models why and where they do not hold, and what was not solved."""
+    said, lines = _words(page), []
+    why: dict[str, list[str]] = {}
+    for verdict in curve.friction.verdicts:
+        for name in said.reasons:
+            where = verdict.notes.get(name)
+            if where is not None and where.any():
+                text = f"{said.reasons[name]} {_where(page, said, curve, where)}"
+                why.setdefault(text, []).append(model_name(verdict.model, page.words.code))
+    if any(not verdict.holds.all() for verdict in curve.friction.verdicts):
+        lines += page.hanging(Text("  "), said.fails, "dim")
+    for text, models in why.items():
+        every = len(models) == len(curve.friction.verdicts)
+        named = said.all_models if every else "; ".join(models)
+        lines += page.hanging(Text("    "), f"{text}: {named}", "dim")
+    failed = curve.status[curve.status != "converged"]
+    if failed.size:
+        reasons = ", ".join(page.words.reasons.get(c, c) for c in np.unique(failed).tolist())
+        text = said.failed.format(failed=failed.size, count=len(curve), reasons=reasons)
+        lines += page.hanging(Text("  "), text, "bold red")
+    return lines
+
+
+def _where(page: Page, said: _Words, curve: FrictionCurve, where: NDArray[np.bool_]) -> str:
+    if where.all():
+        return said.everywhere
+    across, symbol = _read(curve)
+    values = across[where]
+    least, greatest = (page.digits.short(float(v), 4) for v in (values.min(), values.max()))
+    if least == greatest:
+        return f"{said.at.format(value=least)} {symbol}"
+    return f"{said.between.format(least=least, greatest=greatest)} {symbol}"
+
+
+def _ratios(page: Page, curve: FrictionCurve) -> Lines:
+    assert curve.controlled is not None
+    said, digits = _words(page), page.digits
+    across, symbol = _read(curve)
+    controlled = curve.controlled
+    cage = readable_unit("rad/s", controlled.cage_speed)
+    columns = (
+        ("", symbol, _values(page, across)),
+        ("s_i", "–", digits.column(controlled.inner_spin_to_roll.tolist(), 4)),
+        ("s_o", "–", digits.column(controlled.outer_spin_to_roll.tolist(), 4)),
+        ("n_m", cage.symbol, [digits.short(float(v), 4) for v in cage.of(controlled.cage_speed)]),
+    )
+    cells = [
+        [page.text(name), page.text(unit, "dim"), *map(page.text, written)]
+        for name, unit, written in columns
+    ]
+    lines = _heading(page, said.spin, curve)
+    lines += page.columns(list(zip(*cells, strict=True)), "rrrr")
+    return lines + page.hanging(Text("  "), said.spin_legend, "dim")
+
+
+# --- data -------------------------------------------------------------------------------------
+
+
+def curves_csv(curves: Sequence[FrictionCurve]) -> str:
+    """Return the points, one a line below a header that names the units (RFC 4180).
+
+    SI units, a decimal point, ten significant digits, an empty field for what does not exist.
+    """
+    text = StringIO(newline="")
+    writer = csv.writer(text)
+    first = curves[0]
+    models = [verdict.model for verdict in first.friction.verdicts]
+    sources = list(first.friction.torque_by_source)
+    writer.writerow(
+        [
+            "variant",
+            f"{first.field.name}_{first.field.unit}",
+            "status",
+            *(f"torque_{model}_Nm" for model in models),
+            *(f"holds_{model}" for model in models),
+            *(f"torque_of_{source}_Nm" for source in sources),
+            "torque_friction_control_Nm",
+            "cage_speed_rad/s",
+            "inner_spin_to_roll",
+            "outer_spin_to_roll",
+            "film_parameter",
+        ]
+    )
+    for curve in curves:
+        torques = [curve.torque(model) for model in models]
+        holds = {verdict.model: verdict.holds for verdict in curve.friction.verdicts}
+        parts = [
+            curve.friction.torque_by_source.get(s, np.full(len(curve), np.nan)) for s in sources
+        ]
+        for point in range(len(curve)):
+            writer.writerow(
+                [
+                    curve.label,
+                    _written(curve.values[point]),
+                    str(curve.status[point]),
+                    *(_written(torque[point]) for torque in torques),
+                    *("yes" if holds[model][point] else "no" for model in models),
+                    *(_written(part[point]) for part in parts),
+                    *(_written(column[point]) for column in _controlled_columns(curve)),
+                    _written(curve.film_parameter[point]),
+                ]
+            )
+    return text.getvalue()
+
+
+def _controlled_columns(curve: FrictionCurve) -> tuple[NDArray[np.float64], ...]:
+    found = curve.controlled
+    if found is None:
+        return (np.full(len(curve), np.nan),) * 4
+    ratios = (found.inner_spin_to_roll, found.outer_spin_to_roll)
+    return (curve.controlled_torque, found.cage_speed, *ratios)
+
+
+def _written(value: float) -> str:
+    return f"{value:.10g}" if isfinite(value) else ""
+
+
+def curves_json(curves: Sequence[FrictionCurve]) -> str:
+    """Return everything as one JSON object in SI units, ``null`` for what does not exist."""
+    first = curves[0]
+    return _json(
+        {
+            "schema": SCHEMA,
+            "kind": "friction_curve",
+            "title": first.case.title,
+            "field": first.field.name,
+            "unit": first.field.unit,
+            "values": first.values,
+            "curves": [_curve_mapping(curve) for curve in curves],
+        }
+    )
+
+
+def _curve_mapping(curve: FrictionCurve) -> dict[str, Any]:
+    friction = curve.friction
+    models = {
+        verdict.model: {
+            "contact_torque": friction.models[verdict.model].total,
+            "torque": curve.torque(verdict.model),
+            "holds": verdict.holds.tolist(),
+            "reasons": {name: where.tolist() for name, where in verdict.notes.items()},
+        }
+        for verdict in friction.verdicts
+    }
+    torque, cage, inner, outer = _controlled_columns(curve)
+    return {
+        "label": curve.label,
+        "status": curve.status.tolist(),
+        "model": friction.model,
+        "torque": friction.torque,
+        "starting_torque": friction.starting_torque,
+        "power": friction.power,
+        "torque_by_source": dict(friction.torque_by_source),
+        "regime": friction.regime.tolist(),
+        "film_parameter": curve.film_parameter,
+        "models": models,
+        "friction_control": {
+            "torque": torque,
+            "cage_speed": cage,
+            "inner_spin_to_roll": inner,
+            "outer_spin_to_roll": outer,
+        },
+    }
+
+
+def _json(mapping: dict[str, Any]) -> str:
+    return json.dumps(_plain(mapping), indent=2, ensure_ascii=False, allow_nan=False)
+
+
+def _plain(value: Any) -> Any:
+    """Turn arrays into lists and what is not finite into None, at any depth."""
+    if isinstance(value, np.ndarray):
+        return [_plain(item) for item in value.tolist()]
+    if isinstance(value, dict):
+        return {key: _plain(item) for key, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [_plain(item) for item in value]
+    return None if isinstance(value, float) and not isfinite(value) else value
