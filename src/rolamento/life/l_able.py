@@ -1,0 +1,193 @@
+"""NSK's life L_able = a_1 a_NSK L_10: what can be had without the maker's charts.
+
+a_NSK is published as curves over (P - P_u)/(C a_c) at some κ, and not as numbers. None are made up
+here. There are three ways instead:
+
+- a table that the user reads off the maker's chart, interpolated and never continued;
+- a_ISO with e_C = a_c, a stand-in that is named as such;
+- the structure behind the curves: the risk below the surface, with a fatigue limit, over a factor
+  f ≤ 1 of contamination and lubrication. Of that risk, (1/f - 1) comes from the surface; f follows
+  from one known a_NSK.
+
+The maker refuses P > 0.5 C, P > C_0, less than 20 r/min and more than 130 °C, and so does this.
+
+Source: Takemura, Matsumoto and Murakami (2000), as in Campanha (2008), eqs. 2.6.8, 2.6.9 and
+table 2.6.3.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from rolamento.errors import InputError
+from rolamento.life._figures import positive
+from rolamento.life.basic import load_notes
+from rolamento.life.reference import SLOPE
+from rolamento.numerics import BoolArray, FloatArray
+
+CLEANLINESS: Final = {
+    "very_clean": (1.0, 1.0),
+    "clean": (0.8, 0.8),
+    "normal": (0.5, 0.5),
+    "contaminated": (0.1, 0.4),
+    "very_contaminated": (0.05, 0.05),
+}
+"""a_c by word, least and most: filters to 10, 30, 100 µm, coarser, none. Campanha, table 2.6.3."""
+LEAST_SPEED: Final = 20.0
+"""r/min."""
+HOTTEST: Final = 130.0 + 273.15
+"""K."""
+_MOST_POINTS: Final = 10_000
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class FactorTable:
+    """a_NSK as a user reads it off the maker's chart.
+
+    Attributes
+    ----------
+    viscosity_ratio
+        κ of the curves, rising
+    load_parameter
+        (P - P_u)/(C a_c) of the readings, rising, above 0
+    factor
+        a_NSK, (κ, load parameters), above 0
+
+    Raises
+    ------
+    InputError
+        If the arrays do not fit together, or a number is not above 0.
+    """
+
+    viscosity_ratio: FloatArray
+    load_parameter: FloatArray
+    factor: FloatArray
+
+    def __post_init__(self) -> None:
+        for name in ("viscosity_ratio", "load_parameter", "factor"):
+            array = np.array(positive(getattr(self, name), name))
+            if not np.all(np.isfinite(array)) or array.size > _MOST_POINTS:
+                raise InputError(f"must be at most {_MOST_POINTS} finite numbers", field=name)
+            object.__setattr__(self, name, array)
+        for name in ("viscosity_ratio", "load_parameter"):
+            axis = getattr(self, name)
+            if axis.ndim != 1 or axis.size < 2 or not np.all(np.diff(axis) > 0.0):
+                raise InputError("must be at least two numbers that rise", field=name)
+        if self.factor.shape != (self.viscosity_ratio.size, self.load_parameter.size):
+            raise InputError(
+                f"must have {self.viscosity_ratio.size} rows of {self.load_parameter.size} numbers",
+                field="factor",
+            )
+
+    def at(self, viscosity_ratio: ArrayLike, load_parameter: ArrayLike) -> FloatArray:
+        """Interpolate a_NSK, all in logarithms; NaN outside the table.
+
+        A load parameter of 0 or less (P ≤ P_u) gives infinity: the fatigue limit is not reached.
+        """
+        kappa, load = np.broadcast_arrays(
+            np.asarray(viscosity_ratio, np.float64), np.asarray(load_parameter, np.float64)
+        )
+        with np.errstate(divide="ignore", invalid="ignore"):
+            row, row_share = _placed(np.log(kappa), np.log(self.viscosity_ratio))
+            column, column_share = _placed(np.log(load), np.log(self.load_parameter))
+        table = np.log(self.factor)
+        low, high = (
+            table[row + i, column] * (1.0 - column_share)
+            + table[row + i, column + 1] * column_share
+            for i in (0, 1)
+        )
+        return np.where(load <= 0.0, np.inf, np.exp(low * (1.0 - row_share) + high * row_share))
+
+
+def load_parameter(
+    equivalent_load: ArrayLike,
+    fatigue_load_limit: ArrayLike,
+    dynamic_rating: ArrayLike,
+    contamination_factor: ArrayLike,
+) -> FloatArray:
+    """(P - P_u)/(C a_c), over which the maker's curves are drawn; arrays, N."""
+    rating = positive(dynamic_rating, "dynamic_rating")
+    clean = positive(contamination_factor, "contamination_factor")
+    excess = np.asarray(equivalent_load) - np.asarray(fatigue_load_limit)
+    return np.asarray(excess / (rating * clean))
+
+
+def refusals(
+    equivalent_load: ArrayLike,
+    dynamic_rating: ArrayLike,
+    static_rating: ArrayLike,
+    speed: ArrayLike,
+    temperature: ArrayLike,
+) -> dict[str, BoolArray]:
+    """Where the maker refuses to give a life, by name.
+
+    Parameters
+    ----------
+    equivalent_load, dynamic_rating, static_rating : arrays, P, C and C_0; N.
+    speed : array, of the rings against each other; rad/s.
+    temperature : array, of the bearing; K, NaN if unknown.
+    """
+    turns = np.abs(np.asarray(speed, dtype=np.float64)) * 30.0 / np.pi
+    return {
+        **load_notes(equivalent_load, dynamic_rating, static_rating),
+        "too_slow": np.asarray(turns < LEAST_SPEED * (1.0 - 1e-12)),
+        "too_hot": np.asarray(np.asarray(temperature, dtype=np.float64) > HOTTEST),
+    }
+
+
+def l_able(
+    basic_life: ArrayLike,
+    factor: ArrayLike,
+    refused: dict[str, BoolArray],
+    reliability_factor: ArrayLike = 1.0,
+) -> FloatArray:
+    """L_able = a_1 a_NSK L_10, NaN where the maker refuses; in the unit of the basic life.
+
+    Parameters
+    ----------
+    basic_life, factor, reliability_factor : arrays that broadcast, L_10, a_NSK (or its stand-in)
+        and a_1.
+    refused : of `refusals`.
+    """
+    life = np.asarray(basic_life) * np.asarray(factor) * np.asarray(reliability_factor)
+    outside = np.any(np.broadcast_arrays(*refused.values()), axis=0)
+    return np.where(outside, np.nan, life)
+
+
+def surface_factor(
+    factor: ArrayLike, basic_life: ArrayLike, subsurface_life: ArrayLike
+) -> FloatArray:
+    """f(a_c, a_L) that turns the subsurface risk with a fatigue limit into a known a_NSK.
+
+    Parameters: arrays that broadcast: a_NSK, L_10 and the life by `ioannides_harris`, in one
+    unit. Returns f = (a_NSK L_10/L)^e; NaN above 1, where no risk is left for the surface.
+    Campanha (2008), eq. 2.6.9.
+    """
+    ratio = np.asarray(factor) * np.asarray(basic_life) / np.asarray(subsurface_life)
+    f = ratio**SLOPE
+    return np.where(f <= 1.0, f, np.nan)
+
+
+def life_with_surface(subsurface_life: ArrayLike, surface_factor: ArrayLike) -> FloatArray:
+    """Life L f^(1/e) under the risk of subsurface and surface together; arrays, 0 < f ≤ 1.
+
+    The risk below the surface counts 1, that of the surface 1/f - 1: together 1/f.
+    """
+    f = np.asarray(surface_factor, dtype=np.float64)
+    if np.any((f <= 0.0) | (f > 1.0)):
+        raise InputError("must be above 0 and at most 1", field="surface_factor", example="0.5")
+    return np.asarray(np.asarray(subsurface_life) * f ** (1.0 / SLOPE))
+
+
+def _placed(
+    value: FloatArray, axis: FloatArray
+) -> tuple[np.ndarray[tuple[int, ...], np.dtype[np.int64]], FloatArray]:
+    """Interval of an axis that a value lies in, and how far in it; NaN outside."""
+    index = np.clip(np.searchsorted(axis, value), 1, axis.size - 1) - 1
+    share = (value - axis[index]) / (axis[index + 1] - axis[index])
+    inside = (share >= -1e-9) & (share <= 1.0 + 1e-9)
+    return np.asarray(index, dtype=np.int64), np.where(inside, share, np.nan)

@@ -1,0 +1,134 @@
+"""Life under changing duty, and of several bearings on a shaft.
+
+Miner: each step of a duty uses up its share of revolutions over the life that it would allow, and
+the bearing has lived when the shares make one. Parts that all have to survive multiply their
+reliabilities: lives combine with Weibull's slope, 10/9 for ball and 9/8 for roller bearings
+(`reference.system_life`).
+
+Where races are known apart, each gathers its damage first, and then the races combine: the order
+matters when the steps load different races or rows.
+
+Sources: Palmgren (1924), Miner (1945); Lundberg and Palmgren (1947); Harris (1991), chapter 18.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from rolamento.errors import InputError
+from rolamento.life._figures import positive
+from rolamento.life.reference import SLOPE, system_life
+from rolamento.numerics import FloatArray
+
+ROLLER_SLOPE: Final = 9.0 / 8.0
+"""Weibull's slope of line contact, for roller bearings on the same shaft."""
+_SUM: Final = 1e-6
+
+
+def miner_life(lives: ArrayLike, shares: ArrayLike, *, axis: int = 0) -> FloatArray:
+    """Life under a duty of several steps.
+
+    Parameters
+    ----------
+    lives : array, of each step alone along `axis`; in revolutions with shares of revolutions, in
+        hours with shares of time.
+    shares : array (steps,), that sum to 1.
+
+    Returns
+    -------
+    Array without that axis, in the unit of the lives: 1/Σ(q/L). A step that takes no part of the
+    duty counts nothing; NaN if a step that does has no life.
+
+    Raises
+    ------
+    InputError
+        If the shares are negative, do not sum to 1, or are as many as there are no lives.
+    """
+    life = np.moveaxis(np.asarray(lives, dtype=np.float64), axis, -1)
+    share = positive(shares, "shares", zero=True)
+    if share.ndim != 1 or share.size != life.shape[-1]:
+        raise InputError(
+            f"must be as many as there are steps, {life.shape[-1]}",
+            field="shares",
+            value=f"{share.size} numbers",
+        )
+    if not abs(float(share.sum()) - 1.0) <= _SUM:
+        raise InputError("must sum to 1", field="shares", value=float(share.sum()))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        damage = np.where(share > 0.0, share / life, 0.0).sum(axis=-1)
+        return np.asarray(1.0 / damage)
+
+
+def revolution_shares(time_shares: ArrayLike, speeds: ArrayLike) -> FloatArray:
+    """Shares of revolutions of steps that last shares of the time at given speeds.
+
+    Parameters: arrays (steps,); the speeds in any one unit, their size counts.
+
+    Raises
+    ------
+    InputError
+        If nothing turns in any step.
+    """
+    turned = positive(time_shares, "time_shares", zero=True) * np.abs(np.asarray(speeds))
+    total = turned.sum()
+    if not total > 0.0:
+        raise InputError("must not all be zero: nothing turns", field="speeds")
+    return np.asarray(turned / total)
+
+
+def races_under_spectrum(
+    inner: ArrayLike, outer: ArrayLike, shares: ArrayLike, *, slope: float = SLOPE
+) -> FloatArray:
+    """Life of one bearing under several steps, damage gathered race by race.
+
+    Parameters
+    ----------
+    inner, outer : arrays (steps, rows), lives of the races in each step alone.
+    shares : array (steps,), of revolutions (or of time, with lives in hours).
+    slope : Weibull's e.
+
+    Returns
+    -------
+    Life, in the unit of the lives; a 0-dimensional array.
+    """
+    races = np.concatenate([np.asarray(inner), np.asarray(outer)], axis=1)
+    return system_life(miner_life(races, shares), slope=slope)
+
+
+def shaft_life(lives: ArrayLike, *, axis: int = -1, slope: ArrayLike = SLOPE) -> FloatArray:
+    """Life of several bearings that all have to survive, for the reliability of each life.
+
+    Parameters
+    ----------
+    lives : array, of the bearings along `axis`; in hours if they turn at different speeds.
+    slope : Weibull's e of the bearings; ball and roller bearings together have one each, and the
+        life then follows from Σ (t/L)^e = 1.
+
+    Returns
+    -------
+    Array without that axis, in the unit of the lives.
+    """
+    exponents = positive(slope, "slope")
+    if exponents.ndim == 0:
+        return system_life(lives, axis=axis, slope=float(exponents))
+    life = np.moveaxis(np.asarray(lives, dtype=np.float64), axis, -1)
+    if exponents.shape != life.shape[-1:]:
+        raise InputError("must be one number, or one for each bearing", field="slope")
+    return _mixed_life(life, exponents)
+
+
+def _mixed_life(life: FloatArray, slope: FloatArray) -> FloatArray:
+    """Root t of Σ (t/L)^e = 1, by halving in ln t between the least life and what it allows."""
+    least = life.min(axis=-1)
+    usable = np.isfinite(least)
+    scaled = life / np.where(usable, least, 1.0)[..., np.newaxis]
+    low = np.full(least.shape, -np.log(life.shape[-1]) / slope.min())
+    high = np.zeros(least.shape)
+    for _ in range(60):
+        middle = 0.5 * (low + high)
+        risk = np.sum((np.exp(middle)[..., np.newaxis] / scaled) ** slope, axis=-1)
+        low, high = np.where(risk < 1.0, middle, low), np.where(risk < 1.0, high, middle)
+    return np.asarray(np.where(usable, least * np.exp(0.5 * (low + high)), least))
