@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import csv
-from pathlib import Path
-
 import numpy as np
 import pytest
 
 from rolamento import ratings
+from rolamento.catalogue import catalogue
 
 MM = 1e-3
 GAMMA = np.arange(1, 41) / 100.0
@@ -86,11 +84,10 @@ def test_campanha_dynamic_factor_of_measured_grooves() -> None:
     assert found == pytest.approx(88.6, abs=0.05)
 
 
-def test_the_data_of_a_catalogue_keep_the_static_formula() -> None:
-    """C0 = f0 Z D²: over NSK's deep-groove list, C0/(f0 Z) must be a square of a ball size."""
-    file = Path(ratings.__file__).parent / "data" / "nsk_deep_groove.csv"
-    lines = [line for line in file.read_text("utf-8").splitlines() if not line.startswith("#")]
-    rows = {row["designation"]: row for row in csv.DictReader(lines)}
-    row = rows["6205"]
-    ball = np.sqrt(float(row["static_load_rating_N"]) / (float(row["f0"]) * 9))
+def test_a_catalogue_keeps_the_static_formula() -> None:
+    """C0 = f0 Z D²: the balls of NSK's 6205, of which Case Western counts nine of 5/16 in."""
+    bearing = catalogue().find("6205").bearing
+    assert bearing.static_rating is not None
+    assert bearing.f0 is not None
+    ball = np.sqrt(bearing.static_rating / (bearing.f0 * 9))
     assert ball == pytest.approx(7.938, rel=5e-3)

@@ -1,0 +1,42 @@
+"""Bearings by their designation: dimensions and ratings from catalogues, the inside inferred.
+
+>>> from rolamento.catalogue import geometry_of
+>>> geometry_of("6205").fields["ball_count"]
+9
+"""
+
+from __future__ import annotations
+
+from rolamento.catalogue.balls import ball_name, ball_sizes
+from rolamento.catalogue.designation import ClearanceClass, Designation, parse_designation
+from rolamento.catalogue.geometry import (
+    ASSUMED_CONFORMITY,
+    InternalGeometry,
+    Origin,
+    ambiguity_axis,
+    geometry_of,
+)
+from rolamento.catalogue.inference import Candidate, Practice, inferred_geometry, practice_of
+from rolamento.catalogue.record import CatalogueBearing
+from rolamento.catalogue.search import Catalogue, Found, catalogue
+
+__all__ = [
+    "ASSUMED_CONFORMITY",
+    "Candidate",
+    "Catalogue",
+    "CatalogueBearing",
+    "ClearanceClass",
+    "Designation",
+    "Found",
+    "InternalGeometry",
+    "Origin",
+    "Practice",
+    "ambiguity_axis",
+    "ball_name",
+    "ball_sizes",
+    "catalogue",
+    "geometry_of",
+    "inferred_geometry",
+    "parse_designation",
+    "practice_of",
+]

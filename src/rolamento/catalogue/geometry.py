@@ -1,0 +1,223 @@
+"""From a designation to the inside of a bearing: each figure published, inferred or assumed."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from importlib import resources
+from itertools import pairwise
+from math import radians
+from typing import Any, Final, Literal
+
+from rolamento.catalogue.designation import ClearanceClass, Designation
+from rolamento.catalogue.inference import Candidate, inferred_geometry
+from rolamento.catalogue.record import CatalogueBearing
+from rolamento.catalogue.search import Catalogue, catalogue
+from rolamento.errors import InputError
+
+__all__ = [
+    "ASSUMED_CONFORMITY",
+    "InternalGeometry",
+    "Origin",
+    "ambiguity_axis",
+    "geometry_of",
+    "middle_clearance",
+]
+
+Origin = Literal["published", "inferred", "assumed"]
+
+ASSUMED_CONFORMITY: Final = 0.52
+"""Of both races where nothing is published: what ISO 281 supposes of its ratings."""
+
+_BALLS: Final = ("ball_count", "ball_diameter")
+_LEAST_ANGLE: Final = radians(1.0)
+_MICROMETRE: Final = 1e-6
+_MILLIMETRE: Final = 1e-3
+_ROUNDING: Final = 1e-9
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class InternalGeometry:
+    """The inside of a bearing, with where each figure comes from.
+
+    Attributes
+    ----------
+    bearing
+        What the catalogue holds.
+    designation
+        What was asked for.
+    fields
+        Fields of a `rolamento.Bearing` in SI: balls, pitch diameter, conformities, and the
+        nominal contact angle or the diametral clearance where there is one.
+    origins
+        Of each field: ``"published"``, ``"inferred"`` from the ratings, or ``"assumed"``.
+    candidates
+        All insides that the ratings allow, the best first; empty if nothing was inferred.
+    """
+
+    bearing: CatalogueBearing
+    designation: Designation
+    fields: Mapping[str, Any]
+    origins: Mapping[str, Origin]
+    candidates: tuple[Candidate, ...] = ()
+
+    @property
+    def is_inferred(self) -> bool:
+        """Whether the balls are inferred."""
+        return "inferred" in self.origins.values()
+
+    @property
+    def clearance_class(self) -> ClearanceClass | None:
+        """The class of the designation, CN if a deep-groove bearing names none."""
+        if self.bearing.kind != "deep_groove":
+            return None
+        return self.designation.clearance_class or "CN"
+
+
+def geometry_of(
+    designation: str, *, catalogue_of: Catalogue | None = None, rank: int = 1
+) -> InternalGeometry:
+    """Return the inside of a bearing by its designation.
+
+    Parameters
+    ----------
+    designation
+        Such as ``"6305/C3"`` or ``"EX 70 25deg"``.
+    catalogue_of
+        Where to look; by default the built-in catalogue.
+    rank
+        Which of the candidates to take, if the balls are inferred.
+
+    Raises
+    ------
+    InputError
+        If the designation is not known, its balls are neither published nor to be inferred, or
+        there is no such rank.
+    """
+    found = (catalogue_of or catalogue()).find(designation)
+    bearing = found.bearing
+    fields: dict[str, Any] = {}
+    origins: dict[str, Origin] = {}
+    candidates: tuple[Candidate, ...] = ()
+    if any(getattr(bearing, name) is None for name in _BALLS):
+        candidates = inferred_geometry(bearing)
+        chosen = _chosen(candidates, rank, bearing)
+        for name in (*_BALLS, "pitch_diameter"):
+            known = getattr(bearing, name) is not None
+            fields[name] = getattr(chosen, name)
+            origins[name] = "published" if known else "inferred"
+    else:
+        for name in _BALLS:
+            fields[name], origins[name] = getattr(bearing, name), "published"
+        known = bearing.pitch_diameter is not None
+        fields["pitch_diameter"] = bearing.pitch_diameter if known else bearing.mean_diameter
+        origins["pitch_diameter"] = "published" if known else "assumed"
+    for name in ("inner_conformity", "outer_conformity"):
+        own = getattr(bearing, name)
+        fields[name] = ASSUMED_CONFORMITY if own is None else own
+        origins[name] = "assumed" if own is None else "published"
+    _add_play(bearing, found.designation, fields, origins)
+    return InternalGeometry(
+        bearing=bearing,
+        designation=found.designation,
+        fields=fields,
+        origins=origins,
+        candidates=candidates,
+    )
+
+
+def ambiguity_axis(
+    candidates: Sequence[Candidate], *, credible_only: bool = True
+) -> dict[str, Any]:
+    """Return the candidates as an axis of a study: any result becomes a band.
+
+    Parameters
+    ----------
+    candidates
+        Such as those of an `InternalGeometry`.
+    credible_only
+        Leave out those that miss a printed figure by more than three tolerances, the best
+        excepted.
+
+    Returns
+    -------
+    dict
+        ``name`` and ``zipped`` with balls and pitch diameter in SI: the arguments of
+        `rolamento.studies.Axis`.
+    """
+    kept = [one for one in candidates if one.reproduces or not credible_only]
+    kept = kept or list(candidates[:1])
+    if not kept:
+        raise InputError("has no candidates", field="candidates")
+    return {
+        "name": "internal geometry",
+        "zipped": {
+            "bearing.ball_count": [one.ball_count for one in kept],
+            "bearing.ball_diameter": [one.ball_diameter for one in kept],
+            "bearing.pitch_diameter": [one.pitch_diameter for one in kept],
+        },
+    }
+
+
+def middle_clearance(bore: float, clearance_class: str) -> float | None:
+    """Return the middle of a class's radial internal clearance in m; None without a range.
+
+    Parameters
+    ----------
+    bore
+        In m.
+    clearance_class
+        Of ISO 5753-1.
+    """
+    data = _clearances()
+    limits = [_MILLIMETRE * limit for limit in data["bore_mm"]]
+    for step, (over, to) in enumerate(pairwise(limits)):
+        if over * (1.0 + _ROUNDING) < bore <= to * (1.0 + _ROUNDING):
+            pair = data["classes"][clearance_class][step]
+            return 0.5 * sum(pair) * _MICROMETRE if pair else None
+    return None
+
+
+def _chosen(candidates: tuple[Candidate, ...], rank: int, bearing: CatalogueBearing) -> Candidate:
+    if not candidates:
+        raise InputError(
+            "has ratings that no standard balls reproduce: give ball_count, ball_diameter and"
+            " pitch_diameter",
+            field="designation",
+            value=bearing.designation,
+        )
+    if not 1 <= rank <= len(candidates):
+        raise InputError(
+            f"must be between 1 and {len(candidates)}, the number of candidates",
+            field="rank",
+            value=rank,
+        )
+    return candidates[rank - 1]
+
+
+def _add_play(
+    bearing: CatalogueBearing,
+    designation: Designation,
+    fields: dict[str, Any],
+    origins: dict[str, Origin],
+) -> None:
+    """Add the nominal contact angle, or the middle of the clearance class."""
+    angle = bearing.contact_angle
+    if angle is None and bearing.kind == "angular_contact":
+        angle = designation.contact_angle
+    if angle is not None and angle >= _LEAST_ANGLE:
+        fields["contact_angle"], origins["contact_angle"] = angle, "published"
+    elif bearing.kind == "deep_groove":
+        clearance = middle_clearance(bearing.bore, designation.clearance_class or "CN")
+        if clearance is not None:
+            fields["diametral_clearance"] = clearance
+            origins["diametral_clearance"] = "assumed"
+
+
+@lru_cache(maxsize=1)
+def _clearances() -> Mapping[str, Any]:
+    # the data of rolamento.clearance, which is built on bearings and so cannot be asked here
+    file = resources.files("rolamento") / "clearance" / "data" / "iso5753.toml"
+    return tomllib.loads(file.read_text(encoding="utf-8"))

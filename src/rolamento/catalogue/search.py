@@ -1,0 +1,196 @@
+"""Catalogues: the built-in one, a user's beside it; search as one types, look up a designation."""
+
+from __future__ import annotations
+
+import difflib
+import os
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass, field, replace
+from functools import lru_cache
+from importlib import resources
+from typing import Final
+
+from rolamento._reading import read_text
+from rolamento.catalogue.designation import Designation, folded, parse_designation
+from rolamento.catalogue.record import CatalogueBearing
+from rolamento.catalogue.tables import records_of_csv, records_of_toml
+from rolamento.errors import FileError, InputError
+
+__all__ = ["Catalogue", "Found", "catalogue"]
+
+_MOST_RESULTS: Final = 1000
+_NEAREST: Final = 3
+_BOUNDARY: Final = ("bore", "outside_diameter", "width")
+_SIZES: Final = re.compile(r"\d+(?:\.\d+)?(?:[x×]\d+(?:\.\d+)?){1,2}")
+_ISO_15: Final = "ISO 15, dimension series of {}"
+_ROUNDING: Final = 1e-6
+
+
+@dataclass(frozen=True, slots=True)
+class Found:
+    """A bearing of a catalogue, and what the designation says beyond its number."""
+
+    bearing: CatalogueBearing
+    designation: Designation
+
+
+@dataclass(frozen=True, slots=True)
+class Catalogue:
+    """Bearings by their designation; later ones take the place of earlier ones.
+
+    Parameters
+    ----------
+    bearings
+        The records.
+    """
+
+    bearings: tuple[CatalogueBearing, ...]
+    _by_key: dict[str, CatalogueBearing] = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        by_key = {folded(bearing.designation): bearing for bearing in self.bearings}
+        object.__setattr__(self, "_by_key", by_key)
+
+    def beside(self, paths: Iterable[str | os.PathLike[str]]) -> Catalogue:
+        """Return a catalogue with a user's files added; what they name again, they replace.
+
+        Parameters
+        ----------
+        paths
+            Files that end in .csv or .toml, of 1 MB at most.
+
+        Raises
+        ------
+        InputError
+            If a file cannot be read, or is no catalogue; with the line.
+        """
+        added: list[CatalogueBearing] = []
+        for path in paths:
+            text, source = read_text(path)
+            ending = os.path.splitext(source)[1].lower()
+            if ending not in (".csv", ".toml"):
+                raise FileError("must end in .csv or .toml", source=source, example="bearings.csv")
+            read = records_of_csv if ending == ".csv" else records_of_toml
+            added += read(text, source)
+        return Catalogue((*self.bearings, *added))
+
+    def search(self, text: str, most: int = 50) -> tuple[CatalogueBearing, ...]:
+        """Return the bearings whose designation begins with, then those that contain, a text.
+
+        Parameters
+        ----------
+        text
+            Part of a designation, or of "maker designation"; or boundary dimensions in mm such
+            as ``"25x52"`` or ``"25x52x15"``. Case, spaces, hyphens and slashes do not matter.
+        most
+            Greatest number of results.
+        """
+        wanted = folded(text)
+        if not wanted:
+            return ()
+        most = min(most, _MOST_RESULTS)
+        compact = "".join(text[:60].split()).casefold()
+        if _SIZES.fullmatch(compact):
+            return self._of_sizes([1e-3 * float(size) for size in re.split("[x×]", compact)])[:most]
+        keyed = self._by_key.items()
+        first = [bearing for key, bearing in keyed if key.startswith(wanted)]
+        rest = [
+            bearing
+            for key, bearing in keyed
+            if wanted in folded(bearing.maker) + key and not key.startswith(wanted)
+        ]
+        return tuple((first + rest)[:most])
+
+    def find(self, text: str) -> Found:
+        """Return the bearing of a designation with prefixes and suffixes.
+
+        A number of ISO's system that is in no list still has its boundary dimensions, if a
+        bearing of the same dimension series is.
+
+        Parameters
+        ----------
+        text
+            Such as ``"6205"``, ``"6205/C3"``, ``"7218B"`` or ``"EX 70 25deg"``.
+
+        Raises
+        ------
+        InputError
+            If nothing is known of it; the message names the nearest designations.
+        """
+        designation = parse_designation(text)
+        own = self._by_key.get(folded(text))
+        if own is not None:  # a maker's letters need not mean what they mean to others
+            return Found(own, Designation(text=text.strip(), contact_angle=own.contact_angle))
+        for key in _keys(designation):
+            if key in self._by_key:
+                return Found(self._by_key[key], designation)
+        by_sizes = self._of_dimension_series(designation)
+        if by_sizes is not None:
+            return Found(by_sizes, designation)
+        raise self._unknown(text)
+
+    def _of_sizes(self, sizes: list[float]) -> tuple[CatalogueBearing, ...]:
+        def fits(bearing: CatalogueBearing) -> bool:
+            own = [getattr(bearing, name) for name in _BOUNDARY[: len(sizes)]]
+            return all(
+                value is not None and abs(value - size) < _ROUNDING
+                for value, size in zip(own, sizes, strict=True)
+            )
+
+        return tuple(filter(fits, self._by_key.values()))
+
+    def _of_dimension_series(self, designation: Designation) -> CatalogueBearing | None:
+        if not designation.number:
+            return None
+        number = designation.dimension_series + designation.number[-2:]
+        like = self._by_key.get(folded(number))
+        if like is None:
+            return None
+        source = _ISO_15.format(like.designation)
+        angular = designation.is_angular_contact
+        return CatalogueBearing(
+            designation=designation.number,
+            kind="angular_contact" if angular else "deep_groove",
+            bore=like.bore,
+            outside_diameter=like.outside_diameter,
+            width=like.width,
+            contact_angle=designation.contact_angle,
+            sources=dict.fromkeys(_BOUNDARY, source)
+            | ({"contact_angle": "its letters"} if designation.contact_angle else {}),
+        )
+
+    def _unknown(self, text: str) -> InputError:
+        near = self.nearest(text)
+        advice = f"; did you mean {' or '.join(near)}?" if near else ""
+        return InputError(
+            f"is in no catalogue{advice}",
+            field="designation",
+            value=text,
+            example='designation = "6205"',
+        )
+
+    def nearest(self, text: str) -> tuple[str, ...]:
+        """Return up to three designations that are most like a text."""
+        keys = difflib.get_close_matches(folded(text), self._by_key, n=_NEAREST, cutoff=0.6)
+        return tuple(self._by_key[key].designation for key in keys)
+
+
+@lru_cache(maxsize=1)
+def catalogue() -> Catalogue:
+    """Return the built-in catalogue."""
+    folder = resources.files("rolamento") / "data" / "catalogue"
+    files = sorted(
+        (file for file in folder.iterdir() if file.name.endswith(".csv")), key=lambda f: f.name
+    )
+    found = [records_of_csv(file.read_text(encoding="utf-8"), file.name) for file in files]
+    return Catalogue(tuple(bearing for bearings in found for bearing in bearings))
+
+
+def _keys(designation: Designation) -> tuple[str, ...]:
+    """Return the keys of a designation, and those without its clearance class."""
+    keys = designation.keys
+    if designation.number or designation.clearance_class is None:
+        return keys
+    plain = re.sub(r"[/\s-]C[2-5N]\s*$", "", designation.text, flags=re.IGNORECASE)
+    return (*keys, *replace(designation, text=plain).keys)

@@ -1,0 +1,248 @@
+"""From the text of a catalogue to its records: CSV or TOML, the built-in ones and a user's.
+
+A CSV file has one bearing in a line; the units are in the names of the columns. Lines that
+begin with ``#`` are comments, and ``# maker: NSK``, ``# kind:`` and ``# source:`` before the
+header hold for all lines. A TOML file has one ``[[bearing]]`` a bearing, quantities with units.
+"""
+
+from __future__ import annotations
+
+import csv
+import tomllib
+from collections.abc import Mapping
+from io import StringIO
+from math import isfinite, pi, radians
+from typing import Any, Final, get_args
+
+from rolamento.catalogue.record import FIGURES, CatalogueBearing, Kind
+from rolamento.errors import FileError, InputError, UnknownKeyError, nearest
+from rolamento.units import Dimension, to_si
+
+__all__ = ["MOST_BEARINGS", "records_of_csv", "records_of_toml"]
+
+MOST_BEARINGS: Final = 20_000
+_LONGEST_TEXT: Final = 200
+_TEXTS: Final = ("designation", "maker", "kind", "source")
+_EXAMPLE: Final = "designation,bore_mm,outside_diameter_mm,dynamic_rating_N"
+
+_LENGTHS: Final = ("bore", "outside_diameter", "width", "ball_diameter", "pitch_diameter")
+_FORCES: Final = ("dynamic_rating", "static_rating")
+_RATIOS: Final = ("f0", "inner_conformity", "outer_conformity")
+_COLUMNS: Final[Mapping[str, tuple[str, float]]] = {
+    **{f"{name}_mm": (name, 1e-3) for name in _LENGTHS},
+    **{f"{name}_N": (name, 1.0) for name in _FORCES},
+    **{f"{name}_kN": (name, 1e3) for name in _FORCES},
+    "contact_angle_deg": ("contact_angle", pi / 180.0),
+    **{name: (name, 1.0) for name in (*_RATIOS, "ball_count")},
+}
+_DIMENSIONS: Final[Mapping[str, Dimension]] = {
+    **dict.fromkeys(_LENGTHS, "length"),
+    **dict.fromkeys(_FORCES, "force"),
+    "contact_angle": "angle",
+}
+_LIMITS: Final[Mapping[str, tuple[float, float]]] = {
+    **dict.fromkeys(_LENGTHS, (1e-5, 20.0)),
+    **dict.fromkeys(_FORCES, (1e-3, 1e10)),
+    "contact_angle": (0.0, radians(89.9)),
+    "f0": (1.0, 50.0),
+    "inner_conformity": (0.501, 1.0),
+    "outer_conformity": (0.501, 1.0),
+    "ball_count": (3, 500),
+}
+
+
+def records_of_csv(text: str, source: str) -> tuple[CatalogueBearing, ...]:
+    """Return the bearings of a CSV text.
+
+    Parameters
+    ----------
+    text
+        See the module.
+    source
+        What to call the text in messages, and the source of figures that name none.
+
+    Raises
+    ------
+    InputError
+        With the line, if a column is not known, a figure is missing or out of range.
+    """
+    defaults, lines = _split(text)
+    if not lines:
+        raise FileError("holds no table", source=source, example=_EXAMPLE)
+    header = [name.strip() for name in _cells(lines[0], source)]
+    _check_header(header, source, lines[0][0])
+    found: list[CatalogueBearing] = []
+    for line in lines[1:]:
+        _check_number(len(found), source)
+        cells = _cells(line, source)
+        if len(cells) != len(header):
+            raise FileError(
+                f"has {len(cells)} cells where the header has {len(header)}",
+                source=source,
+                line=line[0],
+            )
+        given = {name: cell.strip() for name, cell in zip(header, cells, strict=True)}
+        try:
+            texts = {**defaults, **{name: given[name] for name in _TEXTS if given.get(name)}}
+            figures = {
+                _COLUMNS[name][0]: _number(cell, name) * _COLUMNS[name][1]
+                for name, cell in given.items()
+                if name in _COLUMNS and cell
+            }
+            found.append(_record(texts, figures, source))
+        except InputError as error:
+            raise error.with_details(source=source, line=line[0]) from None
+    return tuple(found)
+
+
+def records_of_toml(text: str, source: str) -> tuple[CatalogueBearing, ...]:
+    """Return the bearings of a TOML text.
+
+    Parameters
+    ----------
+    text
+        See the module; ``maker``, ``kind`` and ``source`` at the top hold for all bearings.
+    source
+        As in `records_of_csv`.
+
+    Raises
+    ------
+    InputError
+        If it is not TOML, a key is not known, a figure is missing or out of range.
+    """
+    try:
+        data = tomllib.loads(text)
+    except (tomllib.TOMLDecodeError, RecursionError, ValueError) as error:
+        raise FileError(f"is not valid TOML: {str(error)[:150].lower()}", source=source) from None
+    tables = data.pop("bearing", None)
+    if not isinstance(tables, list) or not all(isinstance(table, dict) for table in tables):
+        raise FileError("holds no [[bearing]]", source=source, example="[[bearing]]")
+    _check_keys(data, _TEXTS[1:], source)
+    _check_number(len(tables) - 1, source)
+    found = []
+    for number, table in enumerate(tables, start=1):
+        where = f"{source}, bearing {number}"
+        _check_keys(table, (*_TEXTS, *FIGURES), where)
+        merged = {**data, **table}
+        try:
+            texts = {name: _text(merged[name], name) for name in _TEXTS if name in merged}
+            figures = {name: _figure(table[name], name) for name in FIGURES if name in table}
+            found.append(_record(texts, figures, source))
+        except InputError as error:
+            raise error.with_details(source=where) from None
+    return tuple(found)
+
+
+def _record(
+    texts: Mapping[str, str], figures: Mapping[str, float], source: str
+) -> CatalogueBearing:
+    """Return a record whose figures are within reason."""
+    for name in ("designation", "bore", "outside_diameter"):
+        if not (texts.get(name) or figures.get(name)):
+            raise InputError("is missing", field=name)
+    for name, value in figures.items():
+        least, most = _LIMITS[name]
+        if not (isfinite(value) and least <= value <= most):
+            raise InputError(f"must be between {least:g} and {most:g} in SI", field=name)
+    balls = figures.get("ball_count")
+    if balls is not None and balls != int(balls):
+        raise InputError("must be a whole number", field="ball_count", value=balls)
+    if figures["outside_diameter"] <= figures["bore"]:
+        raise InputError("must be greater than the bore", field="outside_diameter")
+    kind = texts.get("kind") or ("angular_contact" if "contact_angle" in figures else "deep_groove")
+    if kind not in get_args(Kind):
+        raise InputError(f"must be {' or '.join(get_args(Kind))}", field="kind", value=kind)
+    values: dict[str, Any] = dict(figures)
+    if balls is not None:
+        values["ball_count"] = int(balls)
+    return CatalogueBearing(
+        designation=texts["designation"],
+        maker=texts.get("maker", ""),
+        kind="deep_groove" if kind == "deep_groove" else "angular_contact",
+        sources=dict.fromkeys(figures, texts.get("source") or source),
+        **values,
+    )
+
+
+def _split(text: str) -> tuple[dict[str, str], list[tuple[int, str]]]:
+    """Part what the comments say from the numbered lines of the table."""
+    defaults: dict[str, str] = {}
+    lines = []
+    for number, line in enumerate(text.splitlines(), start=1):
+        if not line.strip():
+            continue
+        if not line.startswith("#"):
+            lines.append((number, line))
+            continue
+        name, colon, value = line.lstrip("# ").partition(":")
+        if colon and not lines and name.strip() in _TEXTS[1:]:
+            defaults[name.strip()] = value.strip()[:_LONGEST_TEXT]
+    return defaults, lines
+
+
+def _cells(line: tuple[int, str], source: str) -> list[str]:
+    try:
+        return next(csv.reader(StringIO(line[1]), strict=True))
+    except (csv.Error, StopIteration):
+        raise FileError("is not a line of a CSV table", source=source, line=line[0]) from None
+
+
+def _check_header(header: list[str], source: str, line: int) -> None:
+    known = (*_TEXTS, *_COLUMNS)
+    for name in header:
+        if name not in known or header.count(name) > 1:
+            near = nearest(name, known)
+            advice = f"did you mean {near}?" if near else f"known here: {', '.join(known)}"
+            rule = "is there twice" if name in known else f"is not a known column; {advice}"
+            raise UnknownKeyError(rule, field=name, source=source, line=line)
+
+
+def _check_keys(table: Mapping[str, Any], known: tuple[str, ...], source: str) -> None:
+    for name in table:
+        if name not in known:
+            near = nearest(name, known)
+            advice = f"did you mean {near}?" if near else f"known here: {', '.join(known)}"
+            raise UnknownKeyError(f"is not a known key; {advice}", field=name, source=source)
+
+
+def _check_number(number: int, source: str) -> None:
+    if number >= MOST_BEARINGS:
+        raise FileError(f"holds more than {MOST_BEARINGS} bearings", source=source)
+
+
+def _number(cell: str, name: str) -> float:
+    try:
+        return float(cell)
+    except ValueError:
+        raise InputError("must be a number", field=name, value=cell) from None
+
+
+def _text(value: object, name: str) -> str:
+    if not isinstance(value, str) or len(value) > _LONGEST_TEXT or not value.isprintable():
+        raise InputError("must be one line of text", field=name, value=value)
+    return value.strip()
+
+
+def _figure(value: object, name: str) -> float:
+    dimension = _DIMENSIONS.get(name)
+    if dimension is None:
+        return _plain_number(value, name)
+    if not isinstance(value, str):
+        raise InputError(
+            "needs its unit", field=name, value=value, example=f'{name} = "{_example(dimension)}"'
+        )
+    try:
+        return to_si(value, dimension)
+    except InputError as error:
+        raise error.with_details(field=name) from None
+
+
+def _plain_number(value: object, name: str) -> float:
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        raise InputError("must be a number", field=name, value=value)
+    return float(value)
+
+
+def _example(dimension: Dimension) -> str:
+    examples: dict[str, str] = {"length": "25 mm", "force": "14 kN", "angle": "40 deg"}
+    return examples[dimension]

@@ -1,0 +1,332 @@
+"""The catalogue: designations, search, users' files, and what is said of a bearing's inside."""
+
+from __future__ import annotations
+
+import dataclasses
+import time
+from math import degrees
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from rolamento.catalogue import (
+    CatalogueBearing,
+    ambiguity_axis,
+    ball_name,
+    ball_sizes,
+    catalogue,
+    geometry_of,
+    inferred_geometry,
+    parse_designation,
+    practice_of,
+)
+from rolamento.catalogue.geometry import middle_clearance
+from rolamento.catalogue.tables import records_of_csv, records_of_toml
+from rolamento.clearance import class_clearance
+from rolamento.errors import FileError, InputError, UnknownKeyError
+
+HEADER = "designation,bore_mm,outside_diameter_mm,dynamic_rating_kN,static_rating_N\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "number", "angle", "clearance"),
+    [
+        ("6205", "6205", None, None),
+        ("6205/C3", "6205", None, "C3"),
+        ("6205-2RS1/C3", "6205", None, "C3"),
+        ("6205zz c4", "6205", None, "C4"),
+        ("W 6205-2Z", "6205", None, None),
+        ("7218B", "7218", 40.0, None),
+        ("7218 BEP", "7218", 40.0, None),
+        ("7205ACDGA/P4A", "7205", 25.0, None),
+        ("B7014E", "7014", 25.0, None),
+        ("71914C", "71914", 15.0, None),
+        ("7206A5", "7206", 25.0, None),
+        ("7010 15°", "7010", 15.0, None),
+        ("EX 70 25deg", "", 25.0, None),
+        ("EX 70 15 deg/C2", "", 15.0, "C2"),
+    ],
+)
+def test_parts_of_a_designation(
+    text: str, number: str, angle: float | None, clearance: str | None
+) -> None:
+    parts = parse_designation(text)
+    assert parts.number == number
+    assert parts.clearance_class == clearance
+    assert parts.contact_angle == (None if angle is None else pytest.approx(np.radians(angle)))
+
+
+def test_bore_by_its_code() -> None:
+    bores = {name: parse_designation(name).bore for name in ("6200", "6203", "6204", "6821")}
+    assert bores == {
+        "6200": pytest.approx(0.010),
+        "6203": pytest.approx(0.017),
+        "6204": pytest.approx(0.020),
+        "6821": pytest.approx(0.105),
+    }
+
+
+def test_suffixes_are_told_and_the_unknown_is_named() -> None:
+    parts = parse_designation("6305DDUC3E")
+    assert dict(parts.meanings) == {
+        "DDU": "contact seals on both sides",
+        "E": "reinforced interior",
+    }
+    assert parse_designation("6205-Q").unknown == ("Q",)
+
+
+@pytest.mark.parametrize("text", ["", "   ", "x" * 61])
+def test_no_designation(text: str) -> None:
+    with pytest.raises(InputError, match="1 to 60 characters"):
+        parse_designation(text)
+
+
+def test_a_class_that_does_not_exist() -> None:
+    with pytest.raises(InputError, match="no clearance class of ISO 5753-1 with C9"):
+        parse_designation("6205/C9")
+
+
+def test_what_the_makers_publish() -> None:
+    bearing = catalogue().find("6205-2RS/C3").bearing
+    assert (bearing.maker, bearing.kind) == ("NSK", "deep_groove")
+    assert bearing.figures == {
+        "bore": pytest.approx(0.025),
+        "outside_diameter": pytest.approx(0.052),
+        "width": pytest.approx(0.015),
+        "dynamic_rating": 14000.0,
+        "static_rating": 7850.0,
+        "f0": 13.9,
+    }
+    assert all("NSK" in bearing.sources[name] for name in bearing.figures)
+    spindle = catalogue().find("ex70 25°").bearing
+    assert (spindle.ball_count, spindle.dynamic_rating) == (18, 48800.0)
+    assert degrees(spindle.contact_angle or 0.0) == pytest.approx(25.0)
+
+
+def test_every_record_has_a_source_for_every_figure() -> None:
+    for bearing in catalogue().bearings:
+        assert bearing.sources.keys() == bearing.figures.keys()
+        assert all(bearing.sources.values())
+    assert len(catalogue().bearings) > 550
+
+
+def test_the_same_series_gives_boundary_dimensions() -> None:
+    bearing = catalogue().find("7205B").bearing
+    assert (bearing.bore, bearing.outside_diameter) == pytest.approx((0.025, 0.052))
+    assert bearing.dynamic_rating is None
+    assert "ISO 15" in bearing.sources["bore"]
+    with pytest.raises(InputError, match="no load rating to infer the balls from"):
+        geometry_of("7205B")
+
+
+def test_unknown_designation_offers_the_nearest() -> None:
+    with pytest.raises(InputError, match=r'"6255": is in no catalogue; did you mean 62\d5'):
+        catalogue().find("6255")
+    with pytest.raises(InputError, match="EX 7"):
+        catalogue().find("EX 71 25deg")
+
+
+def test_search_as_one_types() -> None:
+    search = catalogue().search
+    assert [bearing.designation for bearing in search("620")] == [f"620{i}" for i in range(10)] + [
+        f"S 620{i} {angle}" for i in range(10) for angle in "CE"
+    ]
+    assert [bearing.designation for bearing in search("nsk 6305")] == ["6305"]
+    assert {bearing.designation for bearing in search("25 x 52 x 15")} == {
+        "6205",
+        "E 225 15deg",
+        "E 225 25deg",
+    }
+    assert search("") == search("no such thing") == ()
+    assert len(search("6", most=7)) == 7
+
+
+def test_search_is_fast() -> None:
+    catalogue()
+    start = time.perf_counter()
+    for length in range(1, 5):
+        catalogue().search("6305"[:length])
+    assert time.perf_counter() - start < 0.1
+
+
+def test_csv_of_a_user(tmp_path: Path) -> None:
+    file = tmp_path / "own.csv"
+    file.write_text("# maker: ACME\n# source: drawing 7\n" + HEADER + "AC-1,25,52,14,7850\n\n")
+    bearing = catalogue().beside([file]).find("ac1").bearing
+    assert bearing.maker == "ACME"
+    assert bearing.dynamic_rating == pytest.approx(14000.0)
+    assert bearing.sources["static_rating"] == "drawing 7"
+    assert geometry_of("AC-1", catalogue_of=catalogue().beside([file])).fields["ball_count"] == 9
+
+
+def test_toml_of_a_user_takes_the_place_of_the_built_in(tmp_path: Path) -> None:
+    file = tmp_path / "own.toml"
+    file.write_text(
+        'source = "measured"\n[[bearing]]\ndesignation = "6205"\nbore = "25 mm"\n'
+        'outside_diameter = "52 mm"\nball_count = 9\nball_diameter = "0.3126 in"\n'
+        'pitch_diameter = "1.537 in"\ninner_conformity = 0.515\nouter_conformity = 0.53\n'
+    )
+    both = catalogue().beside([file])
+    inside = geometry_of("6205", catalogue_of=both)
+    assert not inside.is_inferred
+    assert inside.fields["pitch_diameter"] == pytest.approx(0.03904, abs=1e-5)
+    assert inside.origins["inner_conformity"] == "published"
+    assert catalogue().find("6205").bearing.maker == "NSK"
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("", "holds no table"),
+        ("designation,bore_mm,outside_mm\n", "outside_diameter_mm"),
+        ("designation,bore_mm,bore_mm\n", "is there twice"),
+        (HEADER + "A,25,52,14\n", "line 2: has 4 cells where the header has 5"),
+        (HEADER + "A,25,52,14,x\n", "must be a number"),
+        (HEADER + "A,25,52,14,nan\n", "must be between"),
+        (HEADER + "A,52,25,14,1\n", "greater than the bore"),
+        (HEADER + ",25,52,14,1\n", "designation: is missing"),
+        (HEADER + "A,,52,14,1\n", "bore: is missing"),
+        (HEADER + '"A,25\n', "not a line of a CSV table"),
+        ("# kind: roller\n" + HEADER + "A,25,52,14,1\n", "deep_groove or angular_contact"),
+        ("designation,bore_mm,outside_diameter_mm,ball_count\nA,25,52,8.5\n", "whole number"),
+    ],
+)
+def test_wrong_csv(text: str, message: str) -> None:
+    with pytest.raises(InputError, match=message) as caught:
+        records_of_csv(text, "own.csv")
+    assert "own.csv" in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("a = ", "not valid TOML"),
+        ("[bearing]\n", r"holds no \[\[bearing\]\]"),
+        ("[[bearing]]\ndesignatoin = 'A'\n", "did you mean designation"),
+        ("[[bearing]]\ndesignation = 'A'\nbore = 25\n", 'needs its unit .*bore = "25 mm"'),
+        ("[[bearing]]\ndesignation = 'A'\nbore = '25 kg'\n", "bore"),
+        ("[[bearing]]\ndesignation = 5\n", "one line of text"),
+        ("[[bearing]]\ndesignation = 'A'\nbore = '1 mm'\nf0 = true\n", "must be a number"),
+    ],
+)
+def test_wrong_toml(text: str, message: str) -> None:
+    with pytest.raises(InputError, match=message):
+        records_of_toml(text, "own.toml")
+
+
+def test_wrong_files(tmp_path: Path) -> None:
+    (tmp_path / "own.xls").write_text("x")
+    with pytest.raises(FileError, match=r"\.csv or \.toml"):
+        catalogue().beside([tmp_path / "own.xls"])
+    with pytest.raises(FileError, match="cannot be opened"):
+        catalogue().beside([tmp_path / "absent.csv"])
+    with pytest.raises(UnknownKeyError):
+        records_of_csv("colour\nred\n", "own.csv")
+    many = HEADER + "A,25,52,14,1\n" * 20_001
+    with pytest.raises(FileError, match="more than 20000 bearings"):
+        records_of_csv(many, "own.csv")
+
+
+def test_standard_balls() -> None:
+    sizes = ball_sizes()
+    assert (np.diff(sizes) > 0.0).all()
+    for millimetres in (2.38125, 4.7625, 5.953125, 6.746875, 7.9375, 8.0, 10.31875, 38.1):
+        assert np.isclose(sizes, millimetres * 1e-3, rtol=1e-9).any()
+    assert [ball_name(size) for size in (7.938e-3, 8e-3, 38.1e-3, 7.7e-3)] == [
+        "5/16 in",
+        "8 mm",
+        "1 1/2 in",
+        "",
+    ]
+
+
+def test_every_published_ball_is_a_standard_one() -> None:
+    """The list is complete for GMN and SNFA; they print two decimals, at times cut off."""
+    published = {b.ball_diameter for b in catalogue().bearings if b.ball_diameter and b.maker}
+    assert all(np.abs(ball_sizes() - size).min() < 9e-6 for size in published)
+
+
+def test_the_inside_is_marked_as_inferred() -> None:
+    inside = geometry_of("6305/C3")
+    assert inside.is_inferred
+    assert inside.clearance_class == "C3"
+    assert inside.origins == {
+        "ball_count": "inferred",
+        "ball_diameter": "inferred",
+        "pitch_diameter": "inferred",
+        "inner_conformity": "assumed",
+        "outer_conformity": "assumed",
+        "diametral_clearance": "assumed",
+    }
+    best = inside.candidates[0]
+    assert best.rests_on == ("dynamic_rating", "static_rating", "f0")
+    assert best.rank == 1
+    low, high = best.pitch_diameter_range
+    assert low <= best.pitch_diameter <= high
+    assert sum(one.weight for one in inside.candidates) == pytest.approx(1.0)
+    misfits = [one.misfit for one in inside.candidates]
+    assert misfits == sorted(misfits)
+
+
+def test_the_inside_that_is_published_is_not_inferred() -> None:
+    spindle = geometry_of("S 6012 C")
+    assert set(spindle.origins.values()) == {"published", "assumed"}
+    assert spindle.fields["ball_count"] == 22
+    assert spindle.candidates == ()
+    harris = geometry_of("7218B")
+    assert set(harris.origins.values()) == {"published"}
+    assert harris.fields["inner_conformity"] == 0.5232
+    assert geometry_of("EX 70 25deg").origins["pitch_diameter"] == "assumed"
+
+
+def test_other_candidates_can_be_chosen() -> None:
+    first, second = geometry_of("6205"), geometry_of("6205", rank=2)
+    assert second.fields["ball_diameter"] == first.candidates[1].ball_diameter
+    with pytest.raises(InputError, match=r"rank = 99: must be between 1 and"):
+        geometry_of("6205", rank=99)
+
+
+def test_what_is_published_is_kept() -> None:
+    known = dataclasses.replace(catalogue().find("6205").bearing, ball_count=10)
+    assert {one.ball_count for one in inferred_geometry(known)} == {10}
+    assert inferred_geometry(known)[0].rests_on[-1] == "ball_count"
+
+
+def test_one_rating_is_enough_for_a_guess() -> None:
+    only = dataclasses.replace(catalogue().find("6205").bearing, static_rating=None, f0=None)
+    candidates = inferred_geometry(only)
+    assert candidates[0].static_error is None
+    assert candidates[0].rests_on == ("dynamic_rating",)
+    assert (9, pytest.approx(7.9375e-3)) in [(c.ball_count, c.ball_diameter) for c in candidates]
+
+
+def test_ratings_that_nothing_reproduces() -> None:
+    odd = CatalogueBearing(
+        designation="odd", bore=0.025, outside_diameter=0.052, dynamic_rating=1e6
+    )
+    assert inferred_geometry(odd) == ()
+
+
+def test_practice_of_makers() -> None:
+    assert practice_of("SNFA").static > 1.2
+    assert practice_of("grooves") == practice_of("iso") == practice_of("")
+
+
+def test_the_middle_of_a_class_is_that_of_the_clearance_module() -> None:
+    for bore in (0.003, 0.010, 0.0101, 0.025, 0.030, 0.055, 0.5):
+        for name in ("C2", "CN", "C3"):
+            expected = class_clearance(bore, name).middle
+            assert middle_clearance(bore, name) == pytest.approx(expected, rel=1e-12)
+    assert middle_clearance(0.004, "C5") is None
+    assert middle_clearance(0.6, "CN") is None
+
+
+def test_axis_of_a_study() -> None:
+    candidates = geometry_of("6205").candidates
+    credible = ambiguity_axis(candidates)["zipped"]
+    assert 1 <= len(credible["bearing.ball_count"]) <= len(candidates)
+    everything = ambiguity_axis(candidates, credible_only=False)["zipped"]
+    assert len(everything["bearing.ball_diameter"]) == len(candidates)
+    with pytest.raises(InputError, match="no candidates"):
+        ambiguity_axis(())
