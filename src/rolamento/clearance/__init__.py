@@ -6,6 +6,7 @@ fits, temperature, speed, wear; `operating` puts them in a chain. See docs/theor
 
 from __future__ import annotations
 
+from rolamento.clearance.assembly import PartTemperatures
 from rolamento.clearance.band import Band
 from rolamento.clearance.classes import CLEARANCE_CLASSES, ClearanceClass, class_clearance
 from rolamento.clearance.iso286 import hole_deviations, shaft_deviations, standard_tolerance
@@ -15,22 +16,44 @@ from rolamento.clearance.measuring_load import (
     measuring_load_correction,
     usual_measuring_load,
 )
+from rolamento.clearance.operating import operating_case, operating_clearance
+from rolamento.clearance.record import (
+    WARNINGS,
+    Limit,
+    OperatingClearance,
+    Step,
+    bearing_with_clearance,
+)
+from rolamento.clearance.sampling import ClearanceSamples, sample_clearance
 from rolamento.clearance.wear import WearFit, WearLaw, fit_wear
+from rolamento.mounting import Mounting, SeatMaterial
 
 __all__ = [
     "CLEARANCE_CLASSES",
+    "WARNINGS",
     "Band",
     "ClearanceClass",
+    "ClearanceSamples",
+    "Limit",
+    "Mounting",
+    "OperatingClearance",
+    "PartTemperatures",
+    "SeatMaterial",
+    "Step",
     "ToleranceClass",
     "WearFit",
     "WearLaw",
+    "bearing_with_clearance",
     "bore_deviations",
     "class_clearance",
     "clearance_from_reading",
     "fit_wear",
     "hole_deviations",
     "measuring_load_correction",
+    "operating_case",
+    "operating_clearance",
     "outside_deviations",
+    "sample_clearance",
     "shaft_deviations",
     "standard_tolerance",
     "usual_measuring_load",

@@ -1,0 +1,364 @@
+"""A bearing between its shaft and its housing, and what each effect does to its clearance.
+
+All parts are linear and elastic, so that press fit, expansion and rotation superpose. What couples
+them is the interference that is left in operation:
+
+    δ_eff = max(δ - smoothing + expansion - rotation, 0).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import inf
+from typing import Final, NamedTuple, Protocol
+
+import numpy as np
+
+from rolamento.bearing import Bearing
+from rolamento.clearance.fits import (
+    Finish,
+    bore_shrinkage,
+    contact_pressure,
+    finish_loss,
+    outside_growth,
+    roughness_loss,
+)
+from rolamento.clearance.speed import spin_growth
+from rolamento.clearance.temperature import clearance_change, expansion_of, interference_change
+from rolamento.errors import InputError
+from rolamento.geometry import ring_geometry
+from rolamento.material import Material
+from rolamento.mounting import Mounting, SeatMaterial
+from rolamento.numerics import FloatArray
+from rolamento.units import from_si
+
+__all__ = ["Assembly", "FitState", "PartTemperatures", "Temperatures", "assembly_of"]
+
+_WARMEST: Final = 1000.0
+
+
+class Temperatures(Protocol):
+    """What the clearance reads of temperatures; K, or None."""
+
+    @property
+    def inner_ring(self) -> float | None:
+        """Of the inner ring."""
+        ...
+
+    @property
+    def outer_ring(self) -> float | None:
+        """Of the outer ring."""
+        ...
+
+    @property
+    def balls(self) -> float | None:
+        """Of the balls; those of the inner ring if None."""
+        ...
+
+    @property
+    def shaft(self) -> float | None:
+        """Of the shaft at its seat; that of the inner ring if None."""
+        ...
+
+    @property
+    def housing(self) -> float | None:
+        """Of the housing at its seat; that of the outer ring if None."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class PartTemperatures:
+    """Temperatures in operation, in K; see `Temperatures`. Without those of the rings: none."""
+
+    inner_ring: float | None = None
+    outer_ring: float | None = None
+    balls: float | None = None
+    shaft: float | None = None
+    housing: float | None = None
+
+
+class FitState(NamedTuple):
+    """A press fit in operation; arrays, m and Pa."""
+
+    interference: FloatArray
+    """δ as mounted, on nominal diameters."""
+    smoothing: FloatArray
+    expansion: float
+    rotation: float
+    effective: FloatArray
+    pressure: FloatArray
+    change: FloatArray
+    """Of the clearance; never above 0."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Seat:
+    """One fit: where, of what, how smooth, and what operation adds to its interference."""
+
+    diameter: float
+    finish: Finish | None
+    roughness: float | None
+    expansion: float
+    rotation: float
+
+    def state(self, interference: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Loss by smoothing, and the interference that is left."""
+        if self.finish is not None:
+            lost = finish_loss(interference, self.diameter, self.finish)
+        else:
+            lost = roughness_loss(interference, self.roughness or 0.0)
+        left = interference - lost + self.expansion - self.rotation
+        return lost, np.maximum(left, 0.0)
+
+
+@dataclass(frozen=True, slots=True)
+class Assembly:
+    """Bearing, seats, temperatures and speeds, ready to be reckoned with; SI."""
+
+    bearing: Bearing
+    mounting: Mounting
+    inner_raceway: float
+    """Diameter at the bottom of the groove."""
+    outer_raceway: float
+    initial_clearance: float
+    """The bearing's own, or the one that goes with its contact angle."""
+    expansion_change: float
+    """Of the clearance, by free expansion of rings and balls."""
+    spin_change: float
+    """Of the clearance, by free growth of the rings as they turn."""
+    _shaft: _Seat
+    _housing: _Seat
+
+    def shaft_fit(self, interference: FloatArray) -> FitState:
+        """Fit of the inner ring on the shaft for the interferences as mounted (m)."""
+        lost, effective = self._shaft.state(interference)
+        ring, mounting = self.bearing.ring_material, self.mounting
+        pressure = contact_pressure(
+            effective,
+            mounting.bore,
+            bore=mounting.shaft_bore,
+            outside=self.inner_raceway,
+            inner=mounting.shaft_material or ring,
+            outer=ring,
+        )
+        growth = outside_growth(pressure, mounting.bore, self.inner_raceway, ring)
+        seat = self._shaft
+        return FitState(
+            interference, lost, seat.expansion, seat.rotation, effective, pressure, 0.0 - growth
+        )
+
+    def housing_fit(self, interference: FloatArray) -> FitState:
+        """Fit of the outer ring in the housing for the interferences as mounted (m)."""
+        lost, effective = self._housing.state(interference)
+        ring, mounting = self.bearing.ring_material, self.mounting
+        pressure = contact_pressure(
+            effective,
+            mounting.outside_diameter,
+            bore=self.outer_raceway,
+            outside=mounting.housing_outside_diameter or inf,
+            inner=ring,
+            outer=mounting.housing_material or ring,
+        )
+        shrinkage = bore_shrinkage(pressure, mounting.outside_diameter, self.outer_raceway, ring)
+        seat = self._housing
+        return FitState(
+            interference, lost, seat.expansion, seat.rotation, effective, pressure, 0.0 - shrinkage
+        )
+
+
+def assembly_of(
+    bearing: Bearing,
+    mounting: Mounting,
+    temperatures: Temperatures,
+    inner_speed: float,
+    outer_speed: float,
+) -> Assembly:
+    """Gather what the clearance in operation rests on.
+
+    Raises
+    ------
+    InputError
+        If the bearing is a set, does not lie between bore and outside diameter, or a temperature
+        or an expansion that is needed is missing.
+    """
+    if bearing.is_set:
+        raise InputError(
+            "is available for single rows: what the fits of a set do to its preload is not",
+            field="mounting",
+        )
+    ring = ring_geometry(bearing)
+    groove = bearing.inner_conformity * bearing.ball_diameter
+    inner = 2.0 * (ring.inner_groove_radius - groove)
+    outer = inner + 2.0 * bearing.ball_diameter + ring.diametral_clearance
+    _check_place(mounting, inner, outer)
+    warm = _Rises.of(mounting, temperatures)
+    ring_expansion = _expansion(
+        mounting.ring_expansion, bearing.ring_material, "ring_expansion", warm
+    )
+    ball_expansion = _expansion(
+        mounting.ball_expansion, bearing.ball_material, "ball_expansion", warm
+    )
+    shaft, housing = mounting.shaft_material, mounting.housing_material
+    inner_spin = _spins(bearing.ring_material, mounting.bore, inner, inner_speed)
+    outer_spin = _spins(bearing.ring_material, outer, mounting.outside_diameter, outer_speed)
+    return Assembly(
+        bearing=bearing,
+        mounting=mounting,
+        inner_raceway=inner,
+        outer_raceway=outer,
+        initial_clearance=ring.diametral_clearance,
+        expansion_change=float(
+            clearance_change(
+                inner_raceway=inner,
+                outer_raceway=outer,
+                ball_diameter=bearing.ball_diameter,
+                inner_rise=warm.inner,
+                outer_rise=warm.outer,
+                ball_rise=warm.balls,
+                ring_expansion=ring_expansion,
+                ball_expansion=ball_expansion,
+            )
+        ),
+        spin_change=outer_spin[0] - inner_spin[1],
+        _shaft=_Seat(
+            diameter=mounting.bore,
+            finish=mounting.shaft_finish,
+            roughness=mounting.shaft_roughness,
+            expansion=interference_change(
+                mounting.bore,
+                inner_expansion=shaft.thermal_expansion if shaft else ring_expansion,
+                inner_rise=warm.shaft,
+                outer_expansion=ring_expansion,
+                outer_rise=warm.inner,
+            ),
+            rotation=inner_spin[0] - _shaft_spin(bearing, mounting, inner_speed),
+        ),
+        _housing=_Seat(
+            diameter=mounting.outside_diameter,
+            finish=mounting.housing_finish,
+            roughness=mounting.housing_roughness,
+            expansion=interference_change(
+                mounting.outside_diameter,
+                inner_expansion=ring_expansion,
+                inner_rise=warm.outer,
+                outer_expansion=housing.thermal_expansion if housing else ring_expansion,
+                outer_rise=warm.housing,
+            ),
+            rotation=_housing_spin(bearing, mounting, outer_speed) - outer_spin[1],
+        ),
+    )
+
+
+class _Rises(NamedTuple):
+    """Temperatures above that of assembly; K."""
+
+    inner: float
+    outer: float
+    balls: float
+    shaft: float
+    housing: float
+
+    @classmethod
+    def of(cls, mounting: Mounting, given: Temperatures) -> _Rises:
+        start = mounting.assembly_temperature
+        if given.inner_ring is None and given.outer_ring is None:
+            for field in ("balls", "shaft", "housing"):
+                if getattr(given, field) is not None:
+                    raise _missing("inner_ring", field)
+            return cls(0.0, 0.0, 0.0, 0.0, 0.0)
+        if given.inner_ring is None:
+            raise _missing("inner_ring", "outer_ring")
+        if given.outer_ring is None:
+            raise _missing("outer_ring", "inner_ring")
+        inner, outer = given.inner_ring, given.outer_ring
+        balls = inner if given.balls is None else given.balls
+        shaft = inner if given.shaft is None else given.shaft
+        housing = outer if given.housing is None else given.housing
+        values = (inner, outer, balls, shaft, housing)
+        for name, value in zip(PartTemperatures.__dataclass_fields__, values, strict=True):
+            if not 0.0 < value <= _WARMEST:
+                raise InputError(
+                    f"must be above 0 K and at most {_WARMEST:g} K",
+                    field=f"temperature.{name}",
+                    value=value,
+                    example=f'{name} = "60 degC"',
+                )
+        return cls(*(value - start for value in values))
+
+
+def _missing(field: str, beside: str) -> InputError:
+    return InputError(
+        f"is missing beside {beside}: the clearance needs both rings",
+        field=f"temperature.{field}",
+        example=f'{field} = "60 degC"',
+    )
+
+
+def _expansion(given: float | None, material: Material, field: str, warm: _Rises) -> float:
+    """Coefficient of expansion; without temperatures none is needed."""
+    if given is not None:
+        return given
+    return expansion_of(material, f"mounting.{field}") if any(warm) else 0.0
+
+
+def _spins(material: Material, bore: float, outside: float, speed: float) -> tuple[float, float]:
+    """Growth of bore and outside diameter of a ring."""
+    first, second = (
+        float(spin_growth(speed, at, bore=bore, outside=outside, material=material))
+        for at in (bore, outside)
+    )
+    return first, second
+
+
+def _shaft_spin(bearing: Bearing, mounting: Mounting, speed: float) -> float:
+    material: Material | SeatMaterial = mounting.shaft_material or bearing.ring_material
+    return float(
+        spin_growth(
+            speed,
+            mounting.bore,
+            bore=mounting.shaft_bore,
+            outside=mounting.bore,
+            material=material,
+        )
+    )
+
+
+def _housing_spin(bearing: Bearing, mounting: Mounting, speed: float) -> float:
+    if speed == 0.0 or not (
+        mounting.housing_tolerance or mounting.housing_interference is not None
+    ):
+        return 0.0
+    if mounting.housing_outside_diameter is None:
+        raise InputError(
+            "is missing: how much a turning housing grows depends on it",
+            field="mounting.housing_outside_diameter",
+            example='housing_outside_diameter = "100 mm"',
+        )
+    material: Material | SeatMaterial = mounting.housing_material or bearing.ring_material
+    return float(
+        spin_growth(
+            speed,
+            mounting.outside_diameter,
+            bore=mounting.outside_diameter,
+            outside=mounting.housing_outside_diameter,
+            material=material,
+        )
+    )
+
+
+def _check_place(mounting: Mounting, inner: float, outer: float) -> None:
+    for field, value, rule, limit in (
+        ("bore", inner - mounting.bore, "less than the inner raceway's diameter", inner),
+        (
+            "outside_diameter",
+            mounting.outside_diameter - outer,
+            "greater than the outer raceway's diameter",
+            outer,
+        ),
+    ):
+        if value <= 0.0:
+            raise InputError(
+                f"must be {rule}, {from_si(float(f'{limit:.5g}'), 'length')}",
+                field=f"mounting.{field}",
+                value=from_si(getattr(mounting, field), "length"),
+            )

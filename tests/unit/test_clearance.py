@@ -1,0 +1,440 @@
+"""The clearance in operation: the chain, its limits, its scatter, its refusals."""
+
+from __future__ import annotations
+
+import json
+import tomllib
+from itertools import pairwise
+from math import acos, cos, pi
+from typing import Any
+
+import numpy as np
+import pytest
+
+from rolamento import Bearing, Case, Duty, Load, solve
+from rolamento.clearance import (
+    WARNINGS,
+    Mounting,
+    OperatingClearance,
+    PartTemperatures,
+    SeatMaterial,
+    class_clearance,
+    operating_case,
+    operating_clearance,
+    sample_clearance,
+)
+from rolamento.clearance.fits import bore_shrinkage, contact_pressure
+from rolamento.clearance.record import bearing_with_clearance
+from rolamento.errors import InputError, UnitError
+from rolamento.geometry import ring_geometry
+
+RPM = pi / 30.0
+WARM = PartTemperatures(inner_ring=343.15, outer_ring=335.15)
+
+
+def bearing_6305(**changes: Any) -> Bearing:
+    fields: dict[str, Any] = {
+        "ball_count": 8,
+        "ball_diameter": "10.319 mm",
+        "pitch_diameter": "44.5 mm",
+        "diametral_clearance": "0.02 mm",
+        "inner_conformity": 0.505,
+        "outer_conformity": 0.53,
+    }
+    return Bearing(**(fields | changes))
+
+
+def mounting(**changes: Any) -> Mounting:
+    fields: dict[str, Any] = {"bore": "25 mm", "outside_diameter": "62 mm"}
+    return Mounting(**(fields | changes))
+
+
+FULL: dict[str, Any] = {
+    "clearance_class": "C3",
+    "shaft_tolerance": "k5",
+    "housing_tolerance": "J7",
+    "shaft_finish": "ground",
+    "housing_finish": "turned",
+    "shaft_bore": "8 mm",
+    "housing_material": "cast iron",
+    "housing_outside_diameter": "100 mm",
+    "wear": "5 um",
+}
+
+
+def found(
+    temperatures: PartTemperatures | None = None, speed: float = 0.0, **changes: Any
+) -> OperatingClearance:
+    return operating_clearance(bearing_6305(), mounting(**changes), temperatures, inner_speed=speed)
+
+
+# --- the chain ----------------------------------------------------------------------
+
+
+def test_a_bearing_in_its_box_keeps_its_clearance() -> None:
+    result = found()
+    assert [step.name for step in result.steps] == ["initial"]
+    assert result.minimum == result.mean == result.maximum == pytest.approx(20e-6)
+    assert result.warnings == ()
+
+
+def test_the_steps_add_up() -> None:
+    result = found(WARM, 2000 * RPM, **FULL)
+    assert [step.name for step in result.steps] == [
+        "initial",
+        "shaft_fit",
+        "housing_fit",
+        "temperature",
+        "speed",
+        "wear",
+    ]
+    total = np.sum([step.change for step in result.steps], axis=0)
+    assert total == pytest.approx([result.minimum, result.mean, result.maximum], rel=1e-12)
+    for before, after in pairwise(result.steps):
+        assert after.clearance == pytest.approx(np.add(before.clearance, after.change))
+    assert all(step.formula and step.source for step in result.steps)
+    assert result.minimum < result.mean < result.maximum
+
+
+def test_a_class_and_the_limits_of_fits() -> None:
+    """25 k5 in a normal bore: 2 to 21 µm of interference; solid steel: times bore over raceway."""
+    result = found(clearance_class="C3", shaft_tolerance="k5")
+    fit = result.steps[1]
+    assert fit.details["interference"] == pytest.approx((21e-6, 11.5e-6, 2e-6))
+    ring = ring_geometry(bearing_6305())
+    raceway = 2 * (ring.inner_groove_radius - 0.505 * 10.319e-3)
+    band = class_clearance(0.025, "C3")
+    expected = [
+        initial - tight * 0.025 / raceway
+        for initial, tight in ((band.low, 21e-6), (band.middle, 11.5e-6), (band.high, 2e-6))
+    ]
+    assert [result.minimum, result.mean, result.maximum] == pytest.approx(expected, rel=1e-9)
+
+
+def test_an_interference_that_is_known_has_one_result() -> None:
+    result = found(shaft_interference="10 um", housing_interference="8 um")
+    assert result.minimum == result.maximum
+    loose = found(shaft_interference="-10 um", housing_interference="-8 um")
+    assert loose.mean == pytest.approx(20e-6)
+
+
+def test_the_housing_presses_the_outer_ring() -> None:
+    bearing = bearing_6305()
+    result = found(housing_interference="8 um")
+    ring = ring_geometry(bearing)
+    inner = 2 * (ring.inner_groove_radius - 0.505 * 10.319e-3)
+    raceway = inner + 2 * 10.319e-3 + 20e-6
+    steel = bearing.ring_material
+    pressure = contact_pressure(
+        8e-6, 0.062, bore=raceway, outside=float("inf"), inner=steel, outer=steel
+    )
+    shrinkage = float(bore_shrinkage(pressure, 0.062, raceway, steel))
+    assert result.mean == pytest.approx(20e-6 - shrinkage, rel=1e-12)
+    softer = found(housing_interference="8 um", housing_material="aluminium")
+    thinner = found(housing_interference="8 um", housing_outside_diameter="70 mm")
+    assert softer.mean > result.mean
+    assert thinner.mean > result.mean
+
+
+def test_temperature_is_linear_where_the_fit_does_not_change() -> None:
+    cold = found(shaft_tolerance="k5").mean
+    changes = [
+        found(PartTemperatures(293.15 + rise, 293.15), shaft_tolerance="k5").mean - cold
+        for rise in (10.0, 20.0)
+    ]
+    assert changes[1] == pytest.approx(2 * changes[0], rel=1e-9)
+    assert changes[0] == pytest.approx(-12.5e-6 * 10 * (0.0445 + 0.010319), rel=1e-3)
+
+
+def test_a_warm_aluminium_housing_lets_go_of_the_ring() -> None:
+    warm = PartTemperatures(343.15, 343.15)
+    result = found(warm, housing_interference="10 um", housing_material="aluminium")
+    step = result.steps[1]
+    assert step.details["expansion"][1] == pytest.approx(-(23e-6 - 12.5e-6) * 50 * 0.062)
+    assert step.change == (0.0, 0.0, 0.0)
+    assert result.warnings == ("outer_ring_loose",)
+
+
+def test_speed_loosens_the_fit_and_grows_the_ring() -> None:
+    slow, fast = (found(None, speed, shaft_interference="10 um") for speed in (1000.0, 2000.0))
+    for name in ("speed", "shaft_fit"):
+        assert name in [step.name for step in fast.steps]
+    growth = [result.steps[2].change[1] for result in (slow, fast)]
+    assert growth[1] == pytest.approx(4 * growth[0], rel=1e-12)
+    rotation = [result.steps[1].details["rotation"][1] for result in (slow, fast)]
+    assert rotation[1] == pytest.approx(4 * rotation[0], rel=1e-12)
+    assert rotation[0] > 0.0
+    assert "inner_ring_loose" in found(None, 30000.0, shaft_interference="10 um").warnings
+
+
+def test_a_turning_outer_ring_opens_the_bearing() -> None:
+    opened = operating_clearance(bearing_6305(), mounting(), outer_speed=2000.0)
+    closed = operating_clearance(bearing_6305(), mounting(), inner_speed=2000.0)
+    assert opened.mean > 20e-6 > closed.mean
+    with pytest.raises(InputError, match="turning housing") as error:
+        operating_clearance(
+            bearing_6305(), mounting(housing_interference="5 um"), outer_speed=100.0
+        )
+    assert error.value.field == "mounting.housing_outside_diameter"
+
+
+def test_a_measured_clearance_is_corrected_first() -> None:
+    result = found(measured_clearance="26 um")
+    assert [step.name for step in result.steps] == ["initial", "measuring_load"]
+    assert result.steps[0].change[1] == pytest.approx(26e-6)
+    assert result.steps[1].details["load"][1] == 49.0
+    assert 26e-6 - 6e-6 < result.mean < 26e-6 - 5e-6
+    heavier = found(measured_clearance="26 um", measuring_load="98 N")
+    assert heavier.mean < result.mean
+
+
+def test_wear_is_added() -> None:
+    assert found(wear="7 um").mean == pytest.approx(27e-6)
+
+
+# --- what solve uses -------------------------------------------------------------------
+
+
+def test_the_bearing_in_operation_is_what_solve_takes() -> None:
+    case = Case(bearing=bearing_6305(), duty=Duty(inner_speed=2000 * RPM, load=Load(fz=5000.0)))
+    mounted = operating_case(case, mounting(**FULL), WARM)
+    result = found(WARM, 2000 * RPM, **FULL)
+    assert mounted.bearing.diametral_clearance == result.mean
+    assert mounted == case.replace(bearing=result.operating_bearing())
+    loose, tight = (
+        solve(operating_case(case, mounting(**FULL), WARM, limit=limit))  # type: ignore[arg-type]
+        for limit in ("maximum", "mean")
+    )
+    assert loose.displacement.z > tight.displacement.z
+
+
+def test_an_angular_contact_bearing_changes_its_angle() -> None:
+    bearing = bearing_6305(diametral_clearance=None, contact_angle="25 deg")
+    distance = 10.319e-3 * 0.035
+    before = 2 * distance * (1 - cos(25 * pi / 180))
+    result = operating_clearance(bearing, mounting(shaft_interference="8 um"))
+    assert result.steps[0].change[1] == pytest.approx(before, rel=1e-9)
+    after = result.operating_bearing()
+    assert after.diametral_clearance is None
+    assert after.contact_angle == pytest.approx(acos(1 - result.mean / (2 * distance)))
+    assert after.contact_angle < bearing.contact_angle  # type: ignore[operator]
+
+
+def test_fits_that_close_the_bearing() -> None:
+    result = found(shaft_interference="24 um", housing_interference="20 um")
+    assert result.warnings == ("interference",)
+    assert result.operating_bearing().diametral_clearance == result.mean < 0.0
+    angular = bearing_6305(diametral_clearance=None, contact_angle="12 deg")
+    closed = operating_clearance(
+        angular, mounting(shaft_interference="24 um", housing_interference="20 um")
+    )
+    with pytest.raises(InputError, match="leaves no contact angle") as error:
+        closed.operating_bearing()
+    assert error.value.field == "mounting"
+    crushed = found(shaft_interference="300 um")
+    assert crushed.warnings == ("interference", "tight_shaft")
+    with pytest.raises(InputError, match="closes the bearing"):
+        crushed.operating_bearing()
+    with pytest.raises(InputError, match="opens too far"):
+        bearing_with_clearance(bearing_6305(), 2e-3)
+
+
+def test_warnings_have_sentences() -> None:
+    result = found(clearance_class="C4", shaft_tolerance="p6")
+    assert set(result.warnings) == {"interference_at_minimum", "tight_shaft"}
+    assert all(name in WARNINGS for name in result.warnings)
+
+
+def test_results_are_plain_for_json() -> None:
+    text = json.dumps(found(WARM, 100.0, **FULL).to_mapping(), allow_nan=False)
+    read = json.loads(text)
+    assert len(read["steps"]) == 6
+    assert read["steps"][1]["details"]["pressure"][1] > 0.0
+
+
+# --- scatter ---------------------------------------------------------------------------
+
+TIGHT = {"clearance_class": "C3", "shaft_tolerance": "m5", "housing_tolerance": "P7"}
+
+
+def drawn(samples: int = 40_000, seed: int = 1, distribution: str = "normal") -> Any:
+    return sample_clearance(
+        bearing_6305(),
+        mounting(**TIGHT),
+        WARM,
+        samples=samples,
+        seed=seed,
+        distribution=distribution,  # type: ignore[arg-type]
+    )
+
+
+def test_samples_scatter_about_the_mean_within_the_limits() -> None:
+    """Tight fits throughout keep the chain linear: mean and variance follow from the bands."""
+    limits = found(WARM, **TIGHT)
+    samples = drawn()
+    assert samples.clearance.min() >= limits.minimum
+    assert samples.clearance.max() <= limits.maximum
+    assert samples.mean == pytest.approx(limits.mean, abs=4 * samples.standard_deviation / 200)
+    half = [
+        0.5 * (step.change[2] - step.change[0]) / 3 for step in limits.steps[:3]
+    ]  # of classes and of the two parts of each fit below
+    shaft, housing = limits.steps[1], limits.steps[2]
+    slope = [
+        (step.change[2] - step.change[0])
+        / (step.details["interference"][2] - step.details["interference"][0])
+        for step in (shaft, housing)
+    ]
+    parts = [(9e-6, 10e-6), (30e-6, 13e-6)]  # IT5 of 25, bore; IT7 of 62, outside diameter
+    variance = half[0] ** 2 + sum(
+        (s * width / 6) ** 2 for s, widths in zip(slope, parts, strict=True) for width in widths
+    )
+    # a normal distribution cut at three standard deviations has 0.9867 of them
+    assert samples.standard_deviation == pytest.approx(0.9867 * variance**0.5, rel=0.02)
+
+
+def test_percentiles_are_those_of_a_normal_distribution() -> None:
+    samples = drawn()
+    for percent, sigmas in ((15.866, -1.0), (50.0, 0.0), (97.725, 2.0)):
+        expected = samples.mean + sigmas * samples.standard_deviation
+        assert samples.percentile(percent) == pytest.approx(
+            expected, abs=0.04 * samples.standard_deviation
+        )
+
+
+def test_uniform_dimensions_scatter_more() -> None:
+    ratio = drawn(distribution="uniform").standard_deviation / drawn().standard_deviation
+    assert ratio == pytest.approx(3**0.5 / 0.9867, rel=0.02)
+
+
+def test_the_seed_decides() -> None:
+    assert np.array_equal(drawn(100).clearance, drawn(100).clearance)
+    assert not np.array_equal(drawn(100).clearance, drawn(100, seed=2).clearance)
+
+
+def test_one_sample_and_none_of_a_seat() -> None:
+    samples = sample_clearance(bearing_6305(), mounting(), samples=1)
+    assert samples.mean == pytest.approx(20e-6)
+    assert np.isnan(samples.standard_deviation)
+    assert np.isnan(samples.shaft_interference).all()
+
+
+def test_share_of_preloaded_bearings() -> None:
+    samples = sample_clearance(bearing_6305(), mounting(clearance_class="CN", shaft_tolerance="n6"))
+    assert samples.preloaded == np.mean(samples.clearance < 0.0) > 0.5
+
+
+@pytest.mark.parametrize(
+    ("fields", "told"),
+    [
+        ({"samples": 0}, "whole number from 1"),
+        ({"samples": 10**9}, "whole number from 1"),
+        ({"samples": True}, "whole number from 1"),
+        ({"distribution": "beta"}, "normal or uniform"),
+    ],
+)
+def test_samples_out_of_range(fields: dict[str, Any], told: str) -> None:
+    with pytest.raises(InputError, match=told):
+        sample_clearance(bearing_6305(), mounting(), **fields)
+
+
+# --- refusals ----------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("changes", "field", "told"),
+    [
+        ({"clearance_class": "C3", "bore": "2 mm"}, "mounting.bore", "over 2.5 mm to 500 mm"),
+        ({"shaft_tolerance": "K5"}, "mounting.shaft_tolerance", "must be one of"),
+        ({"housing_tolerance": "j7"}, "mounting.housing_tolerance", "must be one of"),
+        ({"measured_clearance": "1 um"}, "mounting.measured_clearance", "interference"),
+        ({"bore": "40 mm"}, "mounting.bore", "less than the inner raceway"),
+        ({"outside_diameter": "50 mm"}, "mounting.outside_diameter", "greater than the outer"),
+    ],
+)
+def test_wrong_mountings(changes: dict[str, Any], field: str, told: str) -> None:
+    with pytest.raises(InputError, match=told) as error:
+        found(**changes)
+    assert error.value.field == field
+
+
+@pytest.mark.parametrize(
+    ("changes", "field", "told"),
+    [
+        ({"clearance_class": "C9"}, "clearance_class", "must be one of"),
+        (
+            {"clearance_class": "C3", "measured_clearance": "20 um"},
+            "clearance_class",
+            "beside measured_clearance",
+        ),
+        ({"shaft_tolerance": "k5", "shaft_interference": 1e-6}, "shaft_tolerance", "give one"),
+        ({"measuring_load": "49 N"}, "measuring_load", "without the clearance"),
+        ({"shaft_bore": "25 mm"}, "shaft_bore", "must be less than bore, 25 mm"),
+        ({"outside_diameter": "20 mm"}, "bore", "must be less than outside_diameter"),
+        ({"housing_outside_diameter": "62 mm"}, "outside_diameter", "must be less than housing"),
+        ({"housing_material": "aluminum"}, "housing_material", "did you mean aluminium"),
+        ({"housing_material": 3}, "housing_material", "name of a material of seats"),
+        ({"wear": "-1 um"}, "wear", "must be at least 0 mm"),
+    ],
+)
+def test_wrong_records(changes: dict[str, Any], field: str, told: str) -> None:
+    with pytest.raises(InputError, match=told) as error:
+        mounting(**changes)
+    assert error.value.field == field
+
+
+def test_temperatures_and_expansions_that_are_missing() -> None:
+    for given, field in (
+        (PartTemperatures(inner_ring=340.0), "temperature.outer_ring"),
+        (PartTemperatures(outer_ring=340.0), "temperature.inner_ring"),
+        (PartTemperatures(balls=340.0), "temperature.inner_ring"),
+        (PartTemperatures(inner_ring=-4.0, outer_ring=340.0), "temperature.inner_ring"),
+    ):
+        with pytest.raises(InputError) as error:
+            found(given)
+        assert error.value.field == field
+    hot = bearing_6305(ring_material="M50")
+    with pytest.raises(InputError, match="no expansion is on file for M50"):
+        operating_clearance(hot, mounting(), WARM)
+    given_one = operating_clearance(
+        hot, mounting(ring_expansion="12e-6 1/K", ball_expansion="12e-6 1/K"), WARM
+    )
+    assert given_one.mean < 20e-6
+    assert operating_clearance(hot, mounting()).mean == pytest.approx(20e-6)
+
+
+def test_sets_angles_and_speeds_that_do_not_go() -> None:
+    pair = bearing_6305(
+        diametral_clearance=None, contact_angle="15 deg", arrangement="DB", spacing="17 mm"
+    )
+    with pytest.raises(InputError, match="single rows"):
+        operating_clearance(pair, mounting())
+    angular = bearing_6305(diametral_clearance=None, contact_angle="15 deg")
+    with pytest.raises(InputError, match="has a contact angle") as error:
+        operating_clearance(angular, mounting(clearance_class="C3"))
+    assert error.value.field == "mounting.clearance_class"
+    for speed in (float("nan"), float("inf"), 1e7):
+        with pytest.raises(InputError, match="1e6 rad/s"):
+            found(None, speed)
+
+
+# --- the record in a file -------------------------------------------------------------------
+
+
+def test_a_table_of_a_file_and_back() -> None:
+    text = """
+        bore = "25 mm"
+        outside_diameter = "62 mm"
+        clearance_class = "C3"
+        shaft_tolerance = "k5"
+        housing_material = "aluminium"
+        assembly_temperature = "20 degC"
+    """
+    record = Mounting.from_mapping(tomllib.loads(text))
+    assert record.housing_material == SeatMaterial.named("Aluminium")
+    assert record.assembly_temperature == 293.15
+    assert Mounting.from_mapping(record.to_mapping()) == record
+    assert record.to_mapping()["housing_material"] == "aluminium"
+    with pytest.raises(UnitError, match="needs its unit"):
+        Mounting.from_mapping({"bore": 0.025, "outside_diameter": "62 mm"})
+    custom = record.replace(housing_material=SeatMaterial.named("steel").replace(name="mine"))
+    assert Mounting.from_mapping(custom.to_mapping()) == custom
