@@ -17,6 +17,7 @@ __all__ = ["NAMES", "computed", "find", "open_folder", "write"]
 _MODULES: Final = {
     "radaelli-2013": "rolamento.reproduction.radaelli_2013",
     "ricci-fleury": "rolamento.reproduction.ricci_fleury",
+    "braga-almeida": "rolamento.reproduction.braga_almeida",
 }
 NAMES: Final = tuple(_MODULES)
 """What can be reproduced."""

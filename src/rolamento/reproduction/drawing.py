@@ -109,7 +109,9 @@ def _draw_panel(
         axes.xaxis.set_major_locator(MultipleLocator(panel.tick))
     drawn = np.concatenate([figure.column(line.y).numbers for line in panel.lines])
     drawn = drawn[np.isfinite(drawn)]
-    if float(drawn.min(initial=0.0)) >= -_ROUNDING * float(np.abs(drawn).max(initial=0.0)):
+    if not panel.from_zero:
+        axes.margins(y=0.06)
+    elif float(drawn.min(initial=0.0)) >= -_ROUNDING * float(np.abs(drawn).max(initial=0.0)):
         axes.set_ylim(bottom=0.0)
     else:
         axes.axhline(0.0, color=_INK, linewidth=0.8, zorder=1.5)

@@ -23,8 +23,8 @@ _ARROWS: Final = (9, 5)
 """How many, across and along."""
 _INK: Final = "#202020"
 _HEIGHT: Final = 53.0
-_REACH: Final = 0.9
-"""Part of the ellipse that arrows cover."""
+_REACH: Final = (0.8, 2.0 / 3.0)
+"""Part of the grid that arrows cover, likewise."""
 
 
 def draw_maps(figure: Figure, picture: Maps, language: Language) -> Picture:
@@ -45,15 +45,14 @@ def _gridded(figure: Figure, name: str, count: int) -> Floats:
 
 def _draw(figure: Figure, picture: Maps, one: Map, axes: Axes, language: Language) -> None:
     x, y, value = (_gridded(figure, n, picture.count) for n in (picture.x, picture.y, one.value))
-    if one.signed:
-        most = float(np.abs(value).max())
-        levels = MaxNLocator(_LEVELS, symmetric=True).tick_values(-most, most)
-        colours = _SIGNED
-    else:
-        levels = MaxNLocator(_LEVELS).tick_values(0.0, float(value.max()))
-        colours = _UNSIGNED
+    low, high = float(value.min()), float(value.max())
+    parted = one.signed and low < 0.0 < high
+    if parted:
+        low, high = -max(-low, high), max(-low, high)
+    levels = MaxNLocator(_LEVELS, symmetric=parted).tick_values(low, high)
+    colours = _SIGNED if parted else _UNSIGNED
     filled = axes.contourf(x, y, value, levels=levels, cmap=colours)
-    if one.signed and value.min() < 0.0 < value.max():
+    if parted:
         axes.contour(x, y, value, levels=[0.0], colors=_INK, linestyles="--", linewidths=1.2)
     for edge in (y[:, 0], y[:, -1]):
         axes.plot(x[:, 0], edge, color=_INK, linewidth=1.0)
@@ -72,10 +71,8 @@ def _draw_arrows(figure: Figure, picture: Maps, names: tuple[str, str], axes: Ax
         _gridded(figure, n, picture.count) for n in (picture.x, picture.y, *names)
     )
     rows, columns = (
-        np.linspace((1.0 - _REACH) * (n - 1) / 2, (1.0 + _REACH) * (n - 1) / 2, k)
-        .round()
-        .astype(int)
-        for n, k in zip(x.shape, _ARROWS, strict=True)
+        np.linspace((1.0 - reach) * (n - 1) / 2, (1.0 + reach) * (n - 1) / 2, k).round().astype(int)
+        for n, k, reach in zip(x.shape, _ARROWS, _REACH, strict=True)
     )
     at: Any = np.ix_(rows, columns)
     size = np.maximum(np.hypot(across[at], along[at]), np.finfo(np.float64).tiny)

@@ -109,7 +109,8 @@ class Panel:
     """One pair of axes.
 
     tick: distance of the x axis's numbers; keys: what solid and dashed lines stand for; around:
-    x is an azimuth, and the lines close round the ring.
+    x is an azimuth, and the lines close round the ring; from_zero: the y axis begins at zero if
+    nothing lies below.
     """
 
     x: str
@@ -119,6 +120,7 @@ class Panel:
     tick: float | None = None
     keys: tuple[Text, Text] | None = None
     around: bool = False
+    from_zero: bool = True
 
 
 @dataclass(frozen=True, slots=True)
@@ -132,7 +134,7 @@ class Curves:
 class Map:
     """One field over a contact ellipse: its column, a title, and arrows (columns along x and y).
 
-    signed: drawn with zero in the middle of the colours, and the lines of zero dashed.
+    signed: where it changes its sign, zero is in the middle of the colours, with a dashed line.
     """
 
     value: str

@@ -65,7 +65,7 @@ class Contact:
     @property
     def ring_vector(self) -> Floats:
         """The ring's angular velocity, (attitudes, 3)."""
-        return self.ring[:, None] * np.array([1.0, 0.0, 0.0])
+        return np.asarray(self.ring[:, None] * np.array([1.0, 0.0, 0.0]))
 
     @property
     def ring_velocity(self) -> Floats:

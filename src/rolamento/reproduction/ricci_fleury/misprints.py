@@ -208,8 +208,10 @@ def _arc_centre() -> Misprint:
         said("centre of the deformed surface's arc", "centro do arco da superfície deformada"),
         (
             said(
-                "with r_e, which the text has only as the effective rolling radius: (R² − a²)^½ − (r_e² − a²)^½",
-                "com r_e, que no texto só aparece como raio efetivo de rolamento: (R² − a²)^½ − (r_e² − a²)^½",
+                "with r_e, which the text has only as the effective rolling radius: (R² − a²)^½ −"
+                " (r_e² − a²)^½",
+                "com r_e, que no texto só aparece como raio efetivo de rolamento: (R² − a²)^½ −"
+                " (r_e² − a²)^½",
             ),
             said("r_e = d/2: the ball's radius", "r_e = d/2: o raio da esfera"),
         ),
