@@ -325,10 +325,10 @@ def _gyroscopic(dry: Ball, oiled: Ball, much: float, little: float) -> Claim:
             " the axial plane, |β′| from {:.2f}° to {:.2f}°: the gyroscopic moment is one of"
             " inertia, and friction is what holds it. The rotation at the inner contact changes"
             " from {:,.0f} to {:,.0f} rad/s only: the contact angles ask for it.",
-            "Com a lei de Coulomb e μ de {:.2f} para {:.2f} o eixo da esfera sai mais do plano axial, |β′|"
-            " de {:.2f}° para {:.2f}°: o momento giroscópico é de inércia, e é o atrito que o equilibra. A"
-            " rotação no contato interno só muda de {:,.0f} para {:,.0f} rad/s: os ângulos de"
-            " contato a exigem.",
+            "Com a lei de Coulomb e μ de {:.2f} para {:.2f} o eixo da esfera sai mais do plano"
+            " axial, |β′| de {:.2f}° para {:.2f}°: o momento giroscópico é de inércia, e é o atrito"
+            " que o equilibra. A rotação no contato interno só muda de {:,.0f} para {:,.0f} rad/s:"
+            " os ângulos de contato a exigem.",
             much,
             little,
             before,

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from rolamento.reproduction.braga_almeida.solved import GIVEN, Ball, ball, bearing
@@ -82,7 +84,7 @@ def _figure(
         caption=caption,
         source=GIVEN.source_of("speeds"),
         columns=columns,
-        picture=Curves((Panel("inner_speed", title, "", lines, tick=2000.0),)),
+        picture=Curves((Panel("inner_speed", title, "", lines, tick=2000.0, from_zero=False),)),
     )
 
 
@@ -104,13 +106,7 @@ def _cage(speeds: Floats, solved: dict[str, list[Ball]]) -> Figure:
         speeds,
         values,
     )
-    return _claimed(figure, _other_motions(speeds, values))
-
-
-def _claimed(figure: Figure, *claims: Claim) -> Figure:
-    from dataclasses import replace
-
-    return replace(figure, claims=claims)
+    return replace(figure, claims=(_other_motions(speeds, values),))
 
 
 def _other_motions(speeds: Floats, values: dict[str, Floats]) -> Claim:
@@ -162,20 +158,22 @@ def _frequencies() -> Table:
     speed_rpm = GIVEN.inputs_of("contacts")["inner_speed_rpm"]
     count = bearing().ball_count
     turns = speed_rpm / 60.0
-    cage, spin = _by_equations()
-    ways = [(cage, -spin)]
-    for control in ("outer", "friction"):
-        one = ball(control)  # type: ignore[arg-type]
-        ways.append((one.orbit / one.speed, -one.ball_speed / one.speed))
-    rows = (
-        (said("cage", "gaiola"), lambda m, r: m),
-        (said("ball about itself", "esfera em torno de si"), lambda m, r: r),
-        (said("balls passing the outer race", "passagem na pista externa"), lambda m, r: count * m),
-        (
-            said("balls passing the inner race", "passagem na pista interna"),
-            lambda m, r: count * (1.0 - m),
-        ),
+    by_equations = _by_equations()
+    ways = [(by_equations[0], -by_equations[1])]
+    ways += [
+        (one.orbit / one.speed, -one.ball_speed / one.speed)
+        for one in (ball("outer"), ball("friction"))
+    ]
+    parts = (
+        said("cage", "gaiola"),
+        said("ball about itself", "esfera em torno de si"),
+        said("balls passing the outer race", "passagem na pista externa"),
+        said("balls passing the inner race", "passagem na pista interna"),
     )
+    values = [
+        [turns * ratio for ratio in (cage, spin, count * cage, count * (1.0 - cage))]
+        for cage, spin in ways
+    ]
     return Table(
         number="2.1",
         caption=said(
@@ -185,14 +183,14 @@ def _frequencies() -> Table:
         ),
         source=GIVEN.source_of("speeds"),
         columns=(
-            TableColumn("part", said("Part", "Componente"), tuple(name for name, _ in rows)),
+            TableColumn("part", said("Part", "Componente"), parts),
             *(
                 TableColumn(
                     f"{name}_Hz",
                     title,
-                    tuple(f"{turns * rule(*way):.2f}" for _, rule in rows),
+                    tuple(f"{value:.2f}" for value in column),
                 )
-                for (name, title), way in zip(_WAYS, ways, strict=True)
+                for (name, title), column in zip(_WAYS, values, strict=True)
             ),
         ),
         notes=(same("BPFO = Z n_m/60, BPFI = Z (n_i − n_m)/60."),),

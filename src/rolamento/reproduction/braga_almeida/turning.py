@@ -88,7 +88,7 @@ def _figure(number: str, name: str, title: Text, words: Text) -> Figure:
         ),
         source=GIVEN.source_of("orbit"),
         columns=tuple(columns),
-        picture=Curves((Panel("attitude", title, "", tuple(lines), tick=10.0),)),
+        picture=Curves((Panel("attitude", title, "", tuple(lines), tick=10.0, from_zero=False),)),
     )
 
 
