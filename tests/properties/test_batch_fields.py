@@ -13,7 +13,7 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from rolamento import Bearing, Case, Duty, InputError, Load, solve_batch
+from rolamento import Bearing, Case, Duty, InputError, Load, Model, solve_batch
 from rolamento.equilibrium.batch_state import BatchState
 from rolamento.equilibrium.fields import BATCH_FIELDS, GEOMETRY, PRELOADS, batch_fields
 
@@ -49,7 +49,17 @@ CASES = {
         ),
         duty=DUTY,
     ),
+    "rolling": Case(
+        bearing=Bearing(**{**ANGULAR, "ball_count": 5}),
+        duty=DUTY.replace(load=Load(fx=4e3)),
+        model=Model(raceway_control="friction", mesh="coarse"),
+        lubricant="BP 135",
+    ),
 }
+FOR_ROLLING = (
+    "lubricant.friction_coefficient", "model.cage_drag", "temperature.lubricant",
+    "duty.inner_speed", "bearing.inner_conformity",
+)  # fmt: skip
 # within the bounds or not, and near them
 VALUES: dict[str, tuple[float, float, tuple[float, ...]]] = {
     "duty.inner_speed": (-1500.0, 1500.0, (0.0, 1e5, 2e5, -1e7)),
@@ -81,6 +91,9 @@ VALUES: dict[str, tuple[float, float, tuple[float, ...]]] = {
     "bearing.preload.force": (100.0, 6e3, (0.0, -1.0, 2e9)),
     "bearing.preload.offset": (1e-6, 3e-5, (0.0, -5e-6, 0.02)),
     "bearing.preload.spring": (100.0, 6e3, (0.0, -1.0, 2e9)),
+    "lubricant.friction_coefficient": (0.02, 0.3, (0.0, 2.1, -0.1)),
+    "model.cage_drag": (0.0, 0.02, (-1.0, 2e6)),
+    "temperature.lubricant": (250.0, 450.0, (173.1, 673.2, -1.0)),
 }
 
 
@@ -93,6 +106,13 @@ def _compiled() -> None:
 def changed(case: Case, field: str, value: float) -> Case:
     """The case with a field of another value, through the records' own checks."""
     part, *path = field.split(".")
+    if part == "lubricant":
+        assert case.lubricant is not None
+        return case.replace(lubricant=case.lubricant.replace(**{path[0]: value}))
+    if part == "model":
+        return case.replace(model=case.model.replace(**{path[0]: value}))
+    if part == "temperature":
+        return case.replace(temperature={path[0]: value})
     if part == "duty":
         duty: dict[str, Any] = {
             "inner_speed": case.duty.inner_speed,
@@ -130,6 +150,10 @@ def changed(case: Case, field: str, value: float) -> Case:
 
 
 def applies(case: Case, field: str) -> bool:
+    if case is CASES["rolling"]:
+        return field in FOR_ROLLING
+    if field.startswith("lubricant"):
+        return False
     if field.startswith("bearing.preload"):
         return case.bearing.preload is not None
     return field != "bearing.spacing" or case.bearing.spacing is not None
@@ -227,6 +251,25 @@ def test_several_fields_together(name: str, fields: list[str], data: Any) -> Non
             assert batch.status[i] == "invalid_input"
         else:
             same(batch, i, solve_batch(one_case))
+
+
+def test_coefficient_and_drag_move_friction_controlled_balls() -> None:
+    """Each changes the motion; the lubricant's temperature is for the film alone."""
+    case = CASES["rolling"]
+    torque = {}
+    for field in FOR_ROLLING[:3]:
+        low, high, _ = VALUES[field]
+        rolling = solve_batch(case, {field: [low, high]}).rows[0].rolling
+        assert rolling is not None
+        torque[field] = rolling.torque("inner")
+    assert torque["lubricant.friction_coefficient"][1] > torque["lubricant.friction_coefficient"][0]
+    assert torque["model.cage_drag"][1] > torque["model.cage_drag"][0]
+    assert torque["temperature.lubricant"][1] == torque["temperature.lubricant"][0]
+
+
+def test_a_coefficient_belongs_to_a_lubricant() -> None:
+    with pytest.raises(InputError, match="belongs to a lubricant"):
+        solve_batch(CASES["plain"], {"lubricant.friction_coefficient": [0.1, 0.2]})
 
 
 def test_what_no_row_takes_from_the_set_has_to_be_sound_all_the_same() -> None:

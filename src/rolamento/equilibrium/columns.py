@@ -137,11 +137,10 @@ def spread(case: Case, values: Mapping[str, ArrayLike]) -> Columns:
         columns.append(_row_columns(case, place, bearing, arrays, cases))
     for row in columns:
         row.p[:, ~valid] = np.nan
-    control = case.model.raceway_control
-    mu = 0.0 if case.lubricant is None else case.lubricant.friction_coefficient or 0.0
+    friction, drag = _friction(case, arrays)
     found = Columns(
-        tuple(columns), free, load, displacement, kind, amount, control,
-        np.full(cases, mu), np.full(cases, case.model.cage_drag), case.model.mesh,
+        tuple(columns), free, load, displacement, kind, amount, case.model.raceway_control,
+        np.full(cases, friction), np.full(cases, drag), case.model.mesh,
     )  # fmt: skip
     if found.is_plain:
         _put_duty(columns[0].p, free, load, displacement)
@@ -207,6 +206,20 @@ def _duty(case: Case, arrays: Mapping[str, Floats], cases: int) -> tuple[Flags, 
         if (given := arrays.get(f"duty.displacement.{axis}")) is not None:
             free[i], load[i], displacement[i] = False, 0.0, given
     return free, load, displacement
+
+
+def _friction(case: Case, arrays: Mapping[str, Floats]) -> tuple[Floats, Floats]:
+    """Coefficient of friction and drag of the cage; 0 where none is given."""
+    name = "lubricant.friction_coefficient"
+    if name in arrays and case.lubricant is None:
+        raise InputError(
+            "belongs to a lubricant, and this case has none",
+            field=name,
+            example='lubricant = "ISO VG 68"',
+        )
+    own = 0.0 if case.lubricant is None else case.lubricant.friction_coefficient or 0.0
+    drag = arrays.get("model.cage_drag", np.asarray(case.model.cage_drag))
+    return arrays.get(name, np.asarray(own)), drag
 
 
 def _preload(bearing: Bearing, arrays: Mapping[str, Floats], cases: int) -> tuple[str, Floats]:

@@ -46,7 +46,11 @@ BATCH_FIELDS: Final = (
     ),
     "bearing.spacing",
     *(f"bearing.preload.{name}" for name in PRELOADS),
+    "lubricant.friction_coefficient",
+    "model.cage_drag",
+    "temperature.lubricant",
 )
+"""The last changes no equilibrium: it is for the film."""
 
 
 def batch_fields() -> tuple[str, ...]:

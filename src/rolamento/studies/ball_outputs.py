@@ -11,11 +11,11 @@ from rolamento.geometry import Race
 from rolamento.studies.outputs import Floats, Output, Solved
 from rolamento.studies.pressure import greatest_pressure
 
-__all__ = ["ball_outputs"]
+__all__ = ["RACES", "ball_outputs", "family"]
 
 Get = Callable[[Solved], Floats]
 
-_RACES: Final[tuple[Race, ...]] = get_args(Race)
+RACES: Final[tuple[Race, ...]] = get_args(Race)
 _CONTACT: Final = (
     ("load", "N", "load"),
     ("contact_angle", "rad", "contact angle under load"),
@@ -49,36 +49,43 @@ def ball_outputs() -> tuple[Output, ...]:
 
 
 def _of_contacts() -> Iterator[Output]:
-    for race in _RACES:
+    for race in RACES:
         for name, unit, words in _CONTACT:
-            yield from _family(
+            yield from family(
                 f"{race}_{name}", unit, f"{words}, {race} race", _contact(race, name), race
             )
         for name, unit, words in _ELLIPSE:
-            yield from _family(
+            yield from family(
                 f"{race}_{name}", unit, f"{words}, {race} race", _ellipse(race, name), race
             )
         name = f"{race}_spin_to_roll"
-        yield from _family(name, "1", f"ratio of spin to roll, {race} race", _motion(name), race)
+        yield from family(name, "1", f"ratio of spin to roll, {race} race", _motion(name), race)
 
 
 def _of_balls() -> Iterator[Output]:
     for name, unit, words in _BALL:
-        yield from _family(name, unit, words, _ball(name), None)
+        yield from family(name, unit, words, _ball(name), None)
     for name, unit, words in _MOTION:
-        yield from _family(name, unit, words, _motion(name), None)
+        yield from family(name, unit, words, _motion(name), None)
 
 
-def _family(name: str, unit: str, words: str, get: Get, race: Race | None) -> Iterator[Output]:
-    """An output per ball, and what is taken of it over the balls."""
-    yield Output(name, unit, words, get, per_ball=True)
+def family(
+    name: str, unit: str, words: str, get: Get, race: Race | None, needs: tuple[str, ...] = ()
+) -> Iterator[Output]:
+    """Make an output per ball, and what is taken of it over the balls.
+
+    race: whose loads tell which balls count, for outputs that mean nothing without load.
+    """
+    yield Output(name, unit, words, get, per_ball=True, needs=needs)
     among = race if name.endswith(_ONLY_LOADED) else None
     over = "loaded balls" if among else "balls"
     for prefix, word, reduce in _REDUCTIONS:
         compute = _reduced(get, reduce, among)
         if prefix == "max" and race is not None and name.endswith("_max_pressure"):
             compute = _greatest_pressure(race)
-        yield Output(f"{prefix}_{name}", unit, f"{words}: {word} of the {over}", compute)
+        yield Output(
+            f"{prefix}_{name}", unit, f"{words}: {word} of the {over}", compute, needs=needs
+        )
 
 
 def _contact(race: Race, name: str) -> Get:

@@ -13,15 +13,19 @@ from typing import TYPE_CHECKING, Any, Final, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from rolamento.errors import UnknownKeyError, nearest
+from rolamento.errors import InputError, UnknownKeyError, nearest
 
 if TYPE_CHECKING:
+    from rolamento.case import Case
     from rolamento.contact.hertz import HertzContact
     from rolamento.equilibrium import BatchState
     from rolamento.equilibrium.detail import BallTable, ContactTable
+    from rolamento.friction import Friction, LoadedBalls
+    from rolamento.friction.summary import ContactModel
     from rolamento.geometry import Race
+    from rolamento.lubrication import FilmTable
 
-__all__ = ["DEFAULT_OUTPUTS", "Output", "Solved", "catalogue", "outputs_of"]
+__all__ = ["DEFAULT_OUTPUTS", "Output", "Solved", "catalogue", "outputs_of", "refuse_missing"]
 
 Floats = NDArray[np.float64]
 
@@ -40,10 +44,94 @@ DEFAULT_OUTPUTS: Final = (
 
 
 class Solved:
-    """A solved batch, from which each output takes what it needs; shared parts are made once."""
+    """A solved batch, from which each output takes what it needs; shared parts are made once.
 
-    def __init__(self, batch: BatchState) -> None:
-        self.batch = batch
+    Parameters
+    ----------
+    batch
+        From `solve_batch`.
+    case
+        The one that was solved; film and friction take lubricant, temperature and surface of it.
+    values
+        What varied, by the dotted names of the fields; SI.
+    """
+
+    def __init__(
+        self,
+        batch: BatchState,
+        case: Case | None = None,
+        values: Mapping[str, NDArray[Any]] | None = None,
+    ) -> None:
+        self.batch, self._case, self._values = batch, case, values or {}
+
+    @property
+    def case(self) -> Case:
+        """What was solved."""
+        assert self._case is not None
+        return self._case
+
+    @cached_property
+    def loaded_balls(self) -> LoadedBalls:
+        """The balls as the friction models see them."""
+        from rolamento.friction import loaded_balls
+
+        return loaded_balls(self.batch)
+
+    @cached_property
+    def film(self) -> FilmTable:
+        """The film of every contact."""
+        from rolamento.lubrication import film_of_batch
+
+        warm = self._values.get("temperature.lubricant")
+        return film_of_batch(
+            self.case, self.batch, lubricant_temperature=self._sound(warm), threads=1
+        )
+
+    @cached_property
+    def friction_coefficient(self) -> Floats:
+        """μ of every case."""
+        given = self._sound(self._values.get("lubricant.friction_coefficient"))
+        own = None if self.case.lubricant is None else self.case.lubricant.friction_coefficient
+        return np.full(len(self.batch), own if given is None else given, np.float64)
+
+    @property
+    def has_friction(self) -> NDArray[np.bool_]:
+        """Whether a case has a coefficient that the friction models take."""
+        return np.asarray(self.friction_coefficient <= 1.0)
+
+    @cached_property
+    def _frictions(self) -> dict[str, Friction]:
+        return {}
+
+    def friction(self, model: ContactModel) -> Friction:
+        """Torque, power and heat with a model of the contacts.
+
+        Where there is no coefficient that the models take, it is taken as zero: `has_friction`.
+        """
+        from rolamento.friction import friction
+
+        if model not in self._frictions:
+            self._frictions[model] = friction(
+                self.batch,
+                friction_coefficient=np.where(self.has_friction, self.friction_coefficient, 0.0),
+                model=model,
+                dynamic_viscosity=self.film.oil.dynamic_viscosity if self._has_film else None,
+                compare=False,
+            )
+        return self._frictions[model]
+
+    @property
+    def _has_film(self) -> bool:
+        lubricant = self.case.lubricant
+        warm = "temperature.lubricant" in self._values or self.case.temperature is not None
+        return lubricant is not None and lubricant.kind != "dry" and warm
+
+    def _sound(self, values: NDArray[Any] | None) -> Floats | None:
+        """Replace what made a case invalid: its results are NaN whatever stands there."""
+        if values is None:
+            return None
+        invalid = self.batch.status == "invalid_input"
+        return np.where(invalid, 1.0, np.asarray(values, dtype=np.float64))
 
     @cached_property
     def balls(self) -> BallTable:
@@ -83,6 +171,8 @@ class Output:
         whether it has a value for each ball
     kind
         ``"whole"`` of a whole number that every case has, solved or not
+    needs
+        fields or tables that the case must have, or that must vary
     """
 
     name: str
@@ -91,6 +181,7 @@ class Output:
     compute: Callable[[Solved], NDArray[Any]]
     per_ball: bool = False
     kind: Literal["real", "whole"] = "real"
+    needs: tuple[str, ...] = ()
 
     @property
     def dtype(self) -> np.dtype[Any]:
@@ -107,9 +198,11 @@ class Output:
 def catalogue() -> Mapping[str, Output]:
     """Return all outputs by name."""
     from rolamento.studies.ball_outputs import ball_outputs
+    from rolamento.studies.friction_outputs import friction_outputs
+    from rolamento.studies.lubrication_outputs import lubrication_outputs
     from rolamento.studies.ring_outputs import ring_outputs
 
-    providers = (ring_outputs, ball_outputs)
+    providers = (ring_outputs, ball_outputs, lubrication_outputs, friction_outputs)
     return {output.name: output for provider in providers for output in provider()}
 
 
@@ -130,3 +223,61 @@ def outputs_of(names: Iterable[str]) -> tuple[Output, ...]:
             raise UnknownKeyError(f"is not a known output; {advice}", field="outputs", value=name)
         found.append(known[name])
     return tuple(found)
+
+
+_MISSING: Final[Mapping[str, tuple[str, str]]] = {
+    "lubricant": ("a lubricant", 'lubricant = "ISO VG 68" in the case'),
+    "temperature.lubricant": (
+        "the lubricant's temperature",
+        '[temperature] with lubricant = "70 degC" in the case',
+    ),
+    "surface": (
+        "the roughness of the surfaces",
+        '[surface] with inner_roughness = "0.025 um" and the others in the case',
+    ),
+    "lubricant.friction_coefficient": (
+        "a coefficient of friction of at most 1",
+        "[lubricant] with friction_coefficient = 0.1 in the case",
+    ),
+    "friction control": (
+        "balls that friction controls",
+        'model.raceway_control = "friction" in the case',
+    ),
+}
+
+
+def refuse_missing(outputs: Iterable[Output], case: Case, varied: Iterable[str]) -> None:
+    """Refuse outputs that rest on what neither the case has nor what varies supplies.
+
+    Raises
+    ------
+    InputError
+        Naming the output and what it needs.
+    """
+    given = set(varied)
+    for output in outputs:
+        for need in output.needs:
+            if not _has(case, need, given):
+                what, example = _MISSING[need]
+                raise InputError(
+                    f"needs {what}, which the case does not have",
+                    field="outputs",
+                    value=output.name,
+                    example=example,
+                )
+
+
+def _has(case: Case, need: str, varied: set[str]) -> bool:
+    if need in varied or any(name.startswith(f"{need}.") for name in varied):
+        return True
+    lubricant = case.lubricant
+    if need == "lubricant":
+        return lubricant is not None and lubricant.kind != "dry"
+    if need == "lubricant.friction_coefficient":
+        mu = None if lubricant is None else lubricant.friction_coefficient
+        return mu is not None and mu <= 1.0
+    if need == "temperature.lubricant":
+        return case.temperature is not None
+    if need == "surface":
+        return case.surface is not None
+    return case.model.raceway_control == "friction" or "model.raceway_control" in varied

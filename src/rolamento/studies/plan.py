@@ -141,7 +141,7 @@ class Plan:
                     messages.append(str(error))
                 continue
             arrays["status"][solved] = batch.code
-            self._put(arrays, solved, Solved(batch))
+            self._put(arrays, solved, Solved(batch, case, values))
         return Part(index, arrays, tuple(messages))
 
     def task(self, index: int) -> Task:

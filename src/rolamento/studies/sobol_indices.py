@@ -110,7 +110,8 @@ def sobol(
 
     def model(inputs: Mapping[str, Floats]) -> dict[str, Floats]:
         cases = len(next(iter(inputs.values())))
-        solved = Solved(solve(study.case, inputs, cases=cases, threads=threads))
+        batch = solve(study.case, inputs, cases=cases, threads=threads)
+        solved = Solved(batch, study.case, inputs)
         return {one.name: np.asarray(one.compute(solved), np.float64) for one in outputs}
 
     return sobol_of_model(

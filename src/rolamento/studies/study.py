@@ -19,7 +19,7 @@ from rolamento.case import Case
 from rolamento.errors import InputError
 from rolamento.studies import fields
 from rolamento.studies.axes import Axis
-from rolamento.studies.outputs import DEFAULT_OUTPUTS, outputs_of
+from rolamento.studies.outputs import DEFAULT_OUTPUTS, outputs_of, refuse_missing
 from rolamento.studies.scatter import MOST_CASES, Scatter
 from rolamento.studies.solving import array_fields
 
@@ -101,7 +101,7 @@ class Study(Record):
 
     @model_validator(mode="after")
     def _sound(self) -> Self:
-        outputs_of(self.outputs)
+        refuse_missing(outputs_of(self.outputs), self.case, self.varied)
         for name in self.outputs:
             if self.outputs.count(name) > 1:
                 raise InputError("stands there twice", field="outputs", value=name)
