@@ -173,6 +173,9 @@ def _put_ball(rig: Rig, omega: Array, orbit: float, sheet: Sheet, j: int) -> Non
     r[4] -= j_m * orbit * omega[1]
     m[4, 3] -= j_m * orbit
     inputs[4, 2] -= j_m * omega[1]
+    if forces[0] == 0.0 and forces[1] == 0.0 and f_c == 0.0:  # a free gyroscope is no one's burden
+        for row in range(BALL):
+            r[row] = 0.0
     forces[2] = f_c
     forces[3] = inner.force[2] + outer.force[2]
     for i in range(OUTPUTS):
