@@ -205,6 +205,13 @@ PORTUGUESE: Final = VerificationWords(
             "O parâmetro do filme acompanha o filme: com as escolhas do autor sai o impresso. O"
             " certo é um quarto a mais."
         ),
+        "The table does not name its bearings: for each range of bores a usual one that fits is"
+        " taken, with a ball under the load; C2 at both ends of its range, the other classes in the"
+        " middle of theirs. Other bearings of the same range come out up to 2 µm away.": (
+            "A tabela não nomeia os rolamentos: para cada faixa de furos toma-se um usual que"
+            " confere, com uma esfera sob a carga; C2 nos dois extremos da sua faixa, as outras"
+            " classes no meio das suas. Outros rolamentos da mesma faixa ficam a até 2 µm."
+        ),
         "The table takes the continuous load integral J_r. The equilibrium counts the balls where"
         " they stand.": (
             "A tabela usa a integral contínua de carga J_r. O equilíbrio conta as esferas onde"

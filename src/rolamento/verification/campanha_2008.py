@@ -1,4 +1,4 @@
-"""The depth of the greatest shear stress under a ball of a 6305 bearing, and its oil film."""
+"""The greatest shear stress under a ball of a 6305 bearing, its oil film, measured clearances."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Final
 from rolamento.contact.hertz import HertzContact, effective_modulus, elliptical_contact
 from rolamento.contact.subsurface import greatest_shear
 from rolamento.geometry import race_curvature
-from rolamento.verification import campanha_2008_film
+from rolamento.verification import campanha_2008_clearance, campanha_2008_film
 from rolamento.verification.check import Check
 from rolamento.verification.published import MM, published, steel
 
@@ -45,9 +45,10 @@ def inner_contact(load: float) -> HertzContact:
 
 
 def checks() -> Iterator[Check]:
-    """Compare the depth of the greatest shear stress, the oil and the film."""
+    """Compare the depth of the greatest shear stress, the oil, the film and the clearances."""
     yield _shear_depth()
     yield from campanha_2008_film.checks()
+    yield from campanha_2008_clearance.checks()
 
 
 def _shear_depth() -> Check:
