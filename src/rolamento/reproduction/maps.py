@@ -23,7 +23,7 @@ _ARROWS: Final = (9, 5)
 """How many, across and along."""
 _INK: Final = "#202020"
 _HEIGHT: Final = 53.0
-_REACH: Final = (0.8, 2.0 / 3.0)
+_REACH: Final = (0.6, 2.0 / 3.0)
 """Part of the grid that arrows cover, likewise."""
 
 
