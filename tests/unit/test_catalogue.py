@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import re
 import time
 from math import degrees
 from pathlib import Path
@@ -330,3 +331,21 @@ def test_axis_of_a_study() -> None:
     assert len(everything["bearing.ball_diameter"]) == len(candidates)
     with pytest.raises(InputError, match="no candidates"):
         ambiguity_axis(())
+
+
+DOCUMENT = Path(__file__).resolve().parents[2] / "docs" / "catalogue.md"
+
+
+def test_examples_of_the_guide_run() -> None:
+    """The ambiguity as an axis of a study is among them."""
+    names: dict[str, object] = {}
+    for block in re.findall(r"```python\n(.*?)```", DOCUMENT.read_text("utf-8"), re.DOTALL):
+        exec(compile(block, "example", "exec"), names)
+    assert names["low"] != names["high"]
+
+
+def test_the_guide_counts_right() -> None:
+    text = DOCUMENT.read_text("utf-8")
+    for maker, kind in (("NSK", "deep-groove"), ("SNFA", "angular"), ("GMN", "angular")):
+        count = sum(bearing.maker == maker for bearing in catalogue().bearings)
+        assert f"| {maker} | {count} {kind}" in text

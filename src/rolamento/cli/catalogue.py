@@ -1,0 +1,173 @@
+"""`rolamento catalogue`: search bearings, show one with what is inside."""
+
+from __future__ import annotations
+
+import dataclasses
+import sys
+from typing import TYPE_CHECKING, Annotated, Any, Final
+
+import typer
+
+from rolamento.cli.common import (
+    NO_RESULT,
+    SOLVED,
+    Language,
+    LanguageOption,
+    plain_endings,
+    words_of,
+)
+from rolamento.cli.optional_value import JsonCommand
+from rolamento.cli.streams import STANDARD_STREAM, print_text, put
+from rolamento.errors import InputError
+
+if TYPE_CHECKING:
+    from rolamento.catalogue import Catalogue, CatalogueBearing, InternalGeometry
+
+__all__ = ["app"]
+
+_MOST: Final = 40
+_MOST_OF_ALL: Final = 1000
+
+app = typer.Typer(
+    help="Bearings by their designation: search, and show what is published and inferred.",
+    no_args_is_help=True,
+    rich_markup_mode=None,
+)
+
+FilesOption = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--catalogue", metavar="FILE", help="A catalogue of your own, CSV or TOML. Repeats."
+    ),
+]
+JsonOption = Annotated[
+    str | None,
+    typer.Option(
+        "--json",
+        metavar="[FILE]",
+        help="Write everything as JSON, in SI units; without FILE, to standard output.",
+    ),
+]
+
+
+@app.command(cls=JsonCommand, epilog="Examples: search 62; search 'EX 70'; search 25x52x15.")
+def search(
+    text: Annotated[
+        str,
+        typer.Argument(
+            metavar="TEXT", help="Part of a designation, or boundary dimensions such as 25x52."
+        ),
+    ],
+    most: Annotated[
+        int, typer.Option("--most", metavar="N", help="Greatest number of results.")
+    ] = _MOST,
+    files: FilesOption = None,
+    json: JsonOption = None,
+    lang: LanguageOption = None,
+) -> None:
+    """List the bearings whose designation begins with, or contains, a text."""
+    with plain_endings(lang):
+        if not 1 <= most <= _MOST_OF_ALL:
+            raise InputError(f"must be between 1 and {_MOST_OF_ALL}", value=most, source="--most")
+        found = _catalogue(files).search(text, most + 1)
+        _show_list(found[:most], len(found) <= most, json, lang)
+    raise typer.Exit(SOLVED if found else NO_RESULT)
+
+
+@app.command(cls=JsonCommand, epilog="Examples: show 6205/C3; show 7205B --dynamic '14.8 kN'.")
+def show(
+    designation: Annotated[
+        str, typer.Argument(metavar="DESIGNATION", help="Such as 6205/C3 or 'EX 70 25deg'.")
+    ],
+    dynamic: Annotated[
+        str | None,
+        typer.Option("--dynamic", metavar="FORCE", help="Dynamic rating, in place of the list's."),
+    ] = None,
+    static: Annotated[
+        str | None,
+        typer.Option("--static", metavar="FORCE", help="Static rating, in place of the list's."),
+    ] = None,
+    files: FilesOption = None,
+    json: JsonOption = None,
+    lang: LanguageOption = None,
+) -> None:
+    """Show a bearing: published figures with their source, and its inside, marked if inferred."""
+    with plain_endings(lang):
+        known = _catalogue(files)
+        if dynamic or static:
+            known = _with_ratings(known, designation, dynamic, static)
+        bearing = known.find(designation).bearing
+        geometry = _geometry(known, designation, bearing)
+        _show_one(geometry, bearing, json, lang)
+    raise typer.Exit(NO_RESULT if geometry is None else SOLVED)
+
+
+def _catalogue(files: list[str] | None) -> Catalogue:
+    from rolamento.catalogue import catalogue
+
+    return catalogue().beside(files or ())
+
+
+def _with_ratings(
+    known: Catalogue, designation: str, dynamic: str | None, static: str | None
+) -> Catalogue:
+    """Put ratings in the place of the list's; what the list infers from beside them goes."""
+    from rolamento.catalogue import Catalogue
+    from rolamento.units import to_si
+
+    bearing = known.find(designation).bearing
+    given: dict[str, Any] = {}
+    for name, option, text in (
+        ("dynamic_rating", "--dynamic", dynamic),
+        ("static_rating", "--static", static),
+    ):
+        if text is None:
+            continue
+        try:
+            value = to_si(text, "force")
+        except InputError as error:
+            raise error.with_details(source=option) from None
+        if not 1.0 <= value <= 1e9:
+            raise InputError("must be between 1 N and 1 GN", value=text, source=option)
+        given[name] = value
+    sources = {**bearing.sources, **dict.fromkeys(given, "given")}
+    own = dataclasses.replace(bearing, f0=None, **given, sources=sources)
+    return Catalogue((*known.bearings, own))
+
+
+def _geometry(
+    known: Catalogue, designation: str, bearing: CatalogueBearing
+) -> InternalGeometry | None:
+    from rolamento.catalogue import geometry_of
+
+    rated = bearing.dynamic_rating is not None or bearing.static_rating is not None
+    if not rated and (bearing.ball_count is None or bearing.ball_diameter is None):
+        return None
+    return geometry_of(designation, catalogue_of=known)
+
+
+def _show_list(
+    found: tuple[CatalogueBearing, ...], is_all: bool, json: str | None, lang: Language | None
+) -> None:
+    from rolamento.report.catalogue import search_json, search_report
+    from rolamento.report.medium import Medium
+
+    if json is not None:
+        put(search_json(found) + "\n", json)
+    if json != STANDARD_STREAM:
+        print_text(search_report(found, words_of(lang), Medium.of(sys.stdout), is_all=is_all))
+
+
+def _show_one(
+    geometry: InternalGeometry | None,
+    bearing: CatalogueBearing,
+    json: str | None,
+    lang: Language | None,
+) -> None:
+    from rolamento.report.catalogue import bearing_json, bearing_report
+    from rolamento.report.medium import Medium
+
+    if json is not None:
+        put(bearing_json(geometry, bearing) + "\n", json)
+    if json != STANDARD_STREAM:
+        print_text(bearing_report(geometry, bearing, words_of(lang), Medium.of(sys.stdout)))

@@ -1,0 +1,378 @@
+"""Catalogues for a reader: a list of bearings, a page of one; JSON in SI."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from math import degrees
+from typing import Any, Final
+
+from rich.text import Text
+
+from rolamento.catalogue import (
+    Candidate,
+    CatalogueBearing,
+    InternalGeometry,
+    Origin,
+    ball_name,
+)
+from rolamento.report.language import ENGLISH, Words
+from rolamento.report.medium import Medium
+from rolamento.report.page import Lines, Page
+from rolamento.report.terminal import rendered
+
+__all__ = ["bearing_json", "bearing_report", "search_json", "search_report"]
+
+SCHEMA: Final = 1
+_MM: Final = 1e3
+
+
+@dataclass(frozen=True, slots=True)
+class _Words:
+    nothing: str
+    more: str
+    balls: str
+    kinds: Mapping[str, str]
+    figures: str
+    names: Mapping[str, str]
+    inside: str
+    origins: Mapping[Origin, str]
+    clearance_class: str
+    meanings: str
+    unknown: str
+    candidates: str
+    heads: tuple[str, ...]
+    legend: str
+    warning: str
+    unfit: str
+    no_inside: str
+
+
+_WORDS: Final[Mapping[str, _Words]] = {
+    "en": _Words(
+        nothing="no bearing of the catalogue is like that",
+        more="… and more: type more of the designation, or --most",
+        balls="balls",
+        kinds={"deep_groove": "deep groove", "angular_contact": "angular contact"},
+        figures="Published figures",
+        names={
+            "bore": "bore d",
+            "outside_diameter": "outside diameter D",
+            "width": "width B",
+            "contact_angle": "contact angle α",
+            "dynamic_rating": "dynamic rating C",
+            "static_rating": "static rating C0",
+            "f0": "factor f0",
+            "ball_count": "balls Z",
+            "ball_diameter": "ball diameter D",
+            "pitch_diameter": "pitch diameter d_m",
+            "inner_conformity": "inner conformity",
+            "outer_conformity": "outer conformity",
+            "diametral_clearance": "diametral clearance",
+        },
+        inside="Inside",
+        origins={"published": "published", "inferred": "inferred", "assumed": "assumed"},
+        clearance_class="clearance class",
+        meanings="designation",
+        unknown="not understood: {parts}",
+        candidates="What the ratings allow",
+        heads=("", "Z", "D mm", "", "d_m mm", "from", "to", "f_i", "f_o",
+               "C %", "C0 %", "f0", "misfit", "share %"),
+        legend="C, C0, f0: computed less printed; misfit 1 is as good as the printed digits,"
+        " × marks a candidate that misses one by more than three tolerances; share: of the"
+        " likelihood; f_i, f_o: the most open grooves that the ratings allow.",
+        warning="The inside is inferred from {figures}, not published: carry the alternatives"
+        " through whatever rests on it.",
+        unfit="No standard balls reproduce these ratings well: the best candidates are doubtful.",
+        no_inside="Neither balls nor ratings are published: give ball_count, ball_diameter and"
+        " pitch_diameter, or the ratings with --dynamic and --static.",
+    ),
+    "pt": _Words(
+        nothing="nenhum rolamento do catálogo é assim",
+        more="… e mais: digite mais da designação, ou --most",
+        balls="esferas",
+        kinds={"deep_groove": "rígido de esferas", "angular_contact": "contato angular"},
+        figures="Dados publicados",
+        names={
+            "bore": "furo d",
+            "outside_diameter": "diâmetro externo D",
+            "width": "largura B",
+            "contact_angle": "ângulo de contato α",
+            "dynamic_rating": "capacidade dinâmica C",
+            "static_rating": "capacidade estática C0",
+            "f0": "fator f0",
+            "ball_count": "esferas Z",
+            "ball_diameter": "diâmetro da esfera D",
+            "pitch_diameter": "diâmetro primitivo d_m",
+            "inner_conformity": "conformidade interna",
+            "outer_conformity": "conformidade externa",
+            "diametral_clearance": "folga diametral",
+        },
+        inside="Interior",
+        origins={"published": "publicado", "inferred": "inferido", "assumed": "suposto"},
+        clearance_class="classe de folga",
+        meanings="designação",
+        unknown="não entendido: {parts}",
+        candidates="O que as capacidades permitem",
+        heads=("", "Z", "D mm", "", "d_m mm", "de", "a", "f_i", "f_o",
+               "C %", "C0 %", "f0", "desvio", "parte %"),
+        legend="C, C0, f0: calculado menos impresso; desvio 1 é tão bom quanto os dígitos"
+        " impressos, × marca um candidato que erra um deles por mais de três tolerâncias; parte:"
+        " da verossimilhança; f_i, f_o: os sulcos mais abertos que as capacidades permitem.",
+        warning="O interior é inferido de {figures}, não publicado: leve as alternativas a tudo"
+        " que se apoia nele.",
+        unfit="Nenhuma esfera padrão reproduz bem estas capacidades: os melhores candidatos são"
+        " duvidosos.",
+        no_inside="Nem esferas nem capacidades são publicadas: dê ball_count, ball_diameter e"
+        " pitch_diameter, ou as capacidades com --dynamic e --static.",
+    ),
+}  # fmt: skip
+_SHORT_NAMES: Final = {"dynamic_rating": "C", "static_rating": "C0", "f0": "f0"}
+
+
+def search_report(
+    found: Sequence[CatalogueBearing],
+    words: Words = ENGLISH,
+    medium: Medium | None = None,
+    *,
+    is_all: bool = True,
+) -> str:
+    """Return a list of bearings as text that ends in a newline.
+
+    Parameters
+    ----------
+    found
+        Results of a search.
+    words
+        The language.
+    medium
+        What the text is shown on; by default plain text of 80 columns in UTF-8.
+    is_all
+        Whether the search found no more.
+    """
+    page, said = Page(words, medium or Medium()), _words(words)
+    if not found:
+        return rendered(page.medium, [page.hanging(Text(), said.nothing)])
+    heads = ("", "", "d", "D", "B", "α", "C", "C0", said.balls)
+    units = ("", "", "mm", "mm", "mm", "°", "N", "N", "")
+    rows = [[page.text(cell, "dim") for cell in line] for line in (heads, units)]
+    rows += [_line(page, bearing) for bearing in found]
+    lines = page.columns(rows, "llrrrrrrr", gap=2)
+    if not is_all:
+        lines += page.hanging(Text("  "), said.more, "dim")
+    return rendered(page.medium, [lines])
+
+
+def _line(page: Page, bearing: CatalogueBearing) -> list[Text]:
+    lengths = (bearing.bore, bearing.outside_diameter, bearing.width)
+    angle = bearing.contact_angle
+    balls = ""
+    if bearing.ball_count is not None and bearing.ball_diameter is not None:
+        size = page.digits.short(_MM * bearing.ball_diameter)
+        balls = f"{bearing.ball_count} × {size} mm"
+    numbers = [
+        *(None if length is None else _MM * length for length in lengths),
+        None if angle is None else degrees(angle),
+        bearing.dynamic_rating,
+        bearing.static_rating,
+    ]
+    cells = ["" if number is None else page.digits.short(number) for number in numbers]
+    return [
+        page.text(bearing.designation, "bold"),
+        page.text(bearing.maker),
+        *map(page.text, cells),
+        page.text(balls),
+    ]
+
+
+def bearing_report(
+    geometry: InternalGeometry | None,
+    bearing: CatalogueBearing,
+    words: Words = ENGLISH,
+    medium: Medium | None = None,
+) -> str:
+    """Return the page of one bearing as text that ends in a newline.
+
+    Parameters
+    ----------
+    geometry
+        Its inside; None if nothing tells of it.
+    bearing
+        What the catalogue holds.
+    words, medium
+        As in `search_report`.
+    """
+    page, said = Page(words, medium or Medium()), _words(words)
+    parts = [_head(page, said, bearing, geometry), _figures(page, said, bearing)]
+    if geometry is None:
+        parts.append(page.hanging(Text(), said.no_inside, "bold"))
+        return rendered(page.medium, parts)
+    parts.append(_inside(page, said, geometry))
+    if geometry.candidates:
+        parts.append(_candidates(page, said, geometry.candidates))
+    return rendered(page.medium, parts)
+
+
+def _head(
+    page: Page, said: _Words, bearing: CatalogueBearing, geometry: InternalGeometry | None
+) -> Lines:
+    named = " ".join(part for part in (bearing.maker, bearing.designation) if part)
+    kind = page.medium.fitted(said.kinds[bearing.kind])
+    lines = [
+        Text.assemble((page.medium.fitted(named), "bold"), f"  {kind}"),
+        page.rule(page.medium.width),
+    ]
+    if geometry is None:
+        return lines
+    designation = geometry.designation
+    parts = [f"{part}: {meaning}" for part, meaning in designation.meanings]
+    if geometry.clearance_class:
+        parts.append(f"{said.clearance_class} {geometry.clearance_class}")
+    if designation.unknown:
+        parts.append(said.unknown.format(parts=" ".join(designation.unknown)))
+    if parts:
+        label = page.text(f"{said.meanings}  ", "dim")
+        lines += page.hanging(label, "; ".join(parts))
+    return lines
+
+
+def _figures(page: Page, said: _Words, bearing: CatalogueBearing) -> Lines:
+    rows = [
+        [page.text(said.names[name]), page.text(_shown(page, name, value))]
+        for name, value in bearing.figures.items()
+    ]
+    lines = [page.heading(said.figures), *page.columns(rows, "lr", gap=2)]
+    for source in dict.fromkeys(bearing.sources.values()):
+        lines += page.hanging(Text("  "), source, "dim")
+    return lines
+
+
+def _inside(page: Page, said: _Words, geometry: InternalGeometry) -> Lines:
+    rows = []
+    for name, value in geometry.fields.items():
+        origin = geometry.origins[name]
+        style = "" if origin == "published" else "yellow"
+        size = ball_name(value) if name == "ball_diameter" else ""
+        size = "" if size.endswith("mm") else size
+        rows.append(
+            [
+                page.text(said.names[name]),
+                page.text(_shown(page, name, value)),
+                page.text(said.origins[origin], style),
+                page.text(size, "dim"),
+            ]
+        )
+    lines = [page.heading(said.inside), *page.columns(rows, "lrll", gap=2)]
+    if geometry.is_inferred:
+        figures = ", ".join(_SHORT_NAMES.get(n, n) for n in geometry.candidates[0].rests_on)
+        lines += page.hanging(Text("  "), said.warning.format(figures=figures), "yellow")
+        if not geometry.candidates[0].reproduces:
+            lines += page.hanging(Text("  "), said.unfit, "bold yellow")
+    return lines
+
+
+def _candidates(page: Page, said: _Words, candidates: Sequence[Candidate]) -> Lines:
+    rows = [[page.text(head, "dim") for head in said.heads]]
+    for one in candidates:
+        digits = page.digits
+        low, high = one.pitch_diameter_range
+        name = ball_name(one.ball_diameter)
+        cells = [
+            str(one.rank),
+            str(one.ball_count),
+            digits.fixed(_MM * one.ball_diameter, 3),
+            name if name.endswith("in") else "",
+            digits.fixed(_MM * one.pitch_diameter, 1),
+            digits.fixed(_MM * low, 1),
+            digits.fixed(_MM * high, 1),
+            digits.short(one.inner_conformity, 4),
+            digits.short(one.outer_conformity, 4),
+            _signed(page, one.dynamic_error, 100.0, 1),
+            _signed(page, one.static_error, 100.0, 1),
+            _signed(page, one.f0_error, 1.0, 2),
+            digits.fixed(one.misfit, 1) + ("" if one.reproduces else " ×"),
+            digits.fixed(100.0 * one.weight, 0),
+        ]
+        rows.append([page.text(cell, "bold" if one.rank == 1 else "") for cell in cells])
+    lines = [page.heading(said.candidates), *page.columns(rows, "rrrlrrrrrrrrlr", gap=1)]
+    return lines + page.hanging(Text("  "), said.legend, "dim")
+
+
+def _signed(page: Page, value: float | None, factor: float, decimals: int) -> str:
+    if value is None:
+        return ""
+    text = page.digits.fixed(factor * value, decimals)
+    return text if value < 0.0 else f"+{text}"
+
+
+def _shown(page: Page, name: str, value: float) -> str:
+    if name == "ball_count":
+        return str(value)
+    if name == "contact_angle":
+        return f"{page.digits.short(degrees(value), 4)}°"
+    if name in ("dynamic_rating", "static_rating"):
+        return f"{page.digits.short(value)} N"
+    if name in ("f0", "inner_conformity", "outer_conformity"):
+        return page.digits.short(value, 4)
+    digits = 6 if name == "pitch_diameter" else 5
+    return f"{page.digits.short(_MM * value, digits)} mm"
+
+
+def _words(words: Words) -> _Words:
+    return _WORDS.get(words.code, _WORDS["en"])
+
+
+# --- data -------------------------------------------------------------------------------------
+
+
+def search_json(found: Sequence[CatalogueBearing]) -> str:
+    """Return a list of bearings as one JSON object in SI."""
+    mapping = {"schema": SCHEMA, "kind": "catalogue", "bearings": [_record(b) for b in found]}
+    return json.dumps(mapping, ensure_ascii=False, allow_nan=False)
+
+
+def bearing_json(geometry: InternalGeometry | None, bearing: CatalogueBearing) -> str:
+    """Return one bearing as one JSON object in SI; ``inside`` is null if nothing tells of it."""
+    mapping: dict[str, Any] = {
+        "schema": SCHEMA,
+        "kind": "bearing",
+        "bearing": _record(bearing),
+        "clearance_class": None,
+        "meanings": {},
+        "unknown": [],
+        "inside": None,
+        "candidates": [],
+    }
+    if geometry is not None:
+        mapping |= {
+            "clearance_class": geometry.clearance_class,
+            "meanings": dict(geometry.designation.meanings),
+            "unknown": list(geometry.designation.unknown),
+            "inside": {
+                name: {"value": value, "origin": geometry.origins[name]}
+                for name, value in geometry.fields.items()
+            },
+            "candidates": [_candidate(one) for one in geometry.candidates],
+        }
+    return json.dumps(mapping, ensure_ascii=False, allow_nan=False)
+
+
+def _record(bearing: CatalogueBearing) -> dict[str, Any]:
+    return {
+        "designation": bearing.designation,
+        "maker": bearing.maker,
+        "kind": bearing.kind,
+        "figures": {
+            name: {"value": value, "source": bearing.sources.get(name, "")}
+            for name, value in bearing.figures.items()
+        },
+    }
+
+
+def _candidate(one: Candidate) -> dict[str, Any]:
+    names = one.__dataclass_fields__
+    return {
+        name: list(value) if isinstance(value := getattr(one, name), tuple) else value
+        for name in names
+    }

@@ -1,0 +1,114 @@
+"""`rolamento catalogue`: what is printed, what is written, how it ends."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner, Result
+
+from rolamento.catalogue import catalogue, geometry_of
+from rolamento.cli.catalogue import app
+from rolamento.report.catalogue import bearing_report, search_report
+from rolamento.report.language import LANGUAGES, words_for
+from rolamento.report.medium import Medium
+
+
+def run(*arguments: str) -> Result:
+    return CliRunner().invoke(app, [*arguments, "--lang", "en"])
+
+
+def test_search() -> None:
+    result = run("search", "630", "--most", "5")
+    assert result.exit_code == 0
+    assert "6304  NSK  20  52  15" in result.stdout
+    assert "6305" not in result.stdout
+    assert "type more of the designation" in result.stdout
+    assert "type more" not in run("search", "6305").stdout
+
+
+def test_search_finds_nothing() -> None:
+    result = run("search", "no such")
+    assert result.exit_code == 1
+    assert "no bearing" in result.stdout
+
+
+def test_show_tells_that_the_inside_is_inferred() -> None:
+    result = run("show", "6305-2RS/C3")
+    assert result.exit_code == 0
+    assert "inferred from C, C0, f0, not published" in result.stdout
+    assert "10.319 mm  inferred  13/32 in" in result.stdout
+    assert "clearance class C3" in result.stdout
+    assert "2RS: contact seals on both sides" in result.stdout
+    assert "NSK, Rolling Bearings" in result.stdout
+
+
+def test_show_of_a_published_inside() -> None:
+    result = run("show", "S 6012 C")
+    assert result.exit_code == 0
+    assert "inferred" not in result.stdout
+    assert "77.5 mm  published" in result.stdout
+
+
+def test_show_without_ratings_and_with_given_ones() -> None:
+    without = run("show", "7205B")
+    assert without.exit_code == 1
+    assert "--dynamic and --static" in without.stdout
+    given = run("show", "7205B", "--dynamic", "14.8 kN", "--static", "9.4 kN")
+    assert given.exit_code == 0
+    assert "14 800 N" in given.stdout
+    assert "What the ratings allow" in given.stdout
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (("show", "6255"), "did you mean"),
+        (("show", "6205/C9"), "C2, CN, C3, C4 and C5"),
+        (("show", "6205", "--dynamic", "14"), "--dynamic"),
+        (("show", "6205", "--static", "0 N"), "between 1 N and 1 GN"),
+        (("search", "62", "--most", "0"), "must be between 1 and 1000"),
+        (("search", "62", "--catalogue", "absent.csv"), "absent.csv"),
+    ],
+)
+def test_wrong_input(arguments: tuple[str, ...], message: str) -> None:
+    result = run(*arguments)
+    assert result.exit_code == 2
+    assert message in result.stderr
+    assert result.stderr.count("\n") == 1
+
+
+def test_json(tmp_path: Path) -> None:
+    result = run("show", "6205", "--json")
+    data = json.loads(result.stdout)
+    assert data["inside"]["ball_count"] == {"value": 9, "origin": "inferred"}
+    assert data["bearing"]["figures"]["dynamic_rating"]["value"] == 14000.0
+    assert data["candidates"][0]["rests_on"] == ["dynamic_rating", "static_rating", "f0"]
+    file = tmp_path / "list.json"
+    assert run("search", "6305", f"--json={file}").exit_code == 0
+    listed = json.loads(file.read_text("utf-8"))["bearings"]
+    assert [one["designation"] for one in listed] == ["6305"]
+
+
+def test_own_catalogue(tmp_path: Path) -> None:
+    file = tmp_path / "own.csv"
+    file.write_text(
+        "designation,bore_mm,outside_diameter_mm,ball_count,ball_diameter_mm\nQX 1,25,52,9,7.5\n"
+    )
+    result = run("show", "qx1", "--catalogue", str(file))
+    assert result.exit_code == 0
+    assert "7.5 mm  published" in result.stdout
+    assert "38.5 mm  assumed" in result.stdout
+
+
+@pytest.mark.parametrize("language", sorted(LANGUAGES))
+@pytest.mark.parametrize("encoding", ["utf-8", "ascii"])
+def test_pages_in_every_language_and_encoding(language: str, encoding: str) -> None:
+    words, medium = words_for(language), Medium(encoding=encoding)
+    inside = geometry_of("6815")
+    page = bearing_report(inside, inside.bearing, words, medium)
+    page += bearing_report(None, catalogue().find("7205B").bearing, words, medium)
+    page += search_report(catalogue().search("EX"), words, medium, is_all=False)
+    page.encode(encoding)
+    assert max(map(len, page.splitlines())) <= 80
