@@ -11,7 +11,7 @@ import json
 import os
 from collections.abc import Mapping
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from math import isfinite
 from typing import TYPE_CHECKING, Any, Final
 
@@ -199,6 +199,8 @@ def analyse_batch(
     if mu is None and _has_friction(case):
         mu = np.full(cases, _coefficient(case))
     warm = _over_cases(lubricant_temperature, "lubricant_temperature", cases)
+    if warm is not None and not np.all(warm > 0.0):
+        raise InputError("must be above absolute zero, in K", field="lubricant_temperature")
     if warm is None and case.temperature is not None:
         warm = np.full(cases, case.temperature.lubricant)
     if not _has_oil(case):
@@ -210,7 +212,7 @@ def analyse_batch(
         some = slice(first, first + _BLOCK)
         return _part(
             case,
-            some_of(batch, some),
+            remembering(some_of(batch, some)),
             None if mu is None else mu[some],
             None if warm is None else warm[some],
             (model, hysteresis, compare),
@@ -225,6 +227,13 @@ def analyse_batch(
     return joined(parts)
 
 
+def remembering(batch: BatchState) -> BatchState:
+    """Return a batch that reckons its balls and ellipses once, for film and friction alike."""
+    from rolamento.equilibrium.remembering import RememberingBatch
+
+    return RememberingBatch(*(getattr(batch, field.name) for field in fields(batch)))
+
+
 def _part(
     case: Case,
     batch: BatchState,
@@ -234,12 +243,13 @@ def _part(
 ) -> BatchAnalysis:
     """Film and friction of some cases."""
     from rolamento.friction import friction
-    from rolamento.lubrication import film_of_batch
+    from rolamento.lubrication.running import balls_of_batch
+    from rolamento.lubrication.table import film_table, lubricant_of
 
     model, hysteresis, compare = choices
     film = None
     if warm is not None:
-        film = film_of_batch(case, batch, lubricant_temperature=warm, threads=1)
+        film = film_table(case, lubricant_of(case), balls_of_batch(batch), warm)
     if mu is None:
         return BatchAnalysis(film, None)
     found = friction(

@@ -251,3 +251,17 @@ def test_a_plain_case_does_not_load_film_or_friction(examples: Path) -> None:
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
+
+
+def test_a_batch_that_remembers_says_the_same(oiled: Case) -> None:
+    from rolamento.analysis import remembering
+
+    batch = solve_batch(oiled, fx=FX)
+    kept = remembering(batch)
+    assert kept.balls() is kept.balls()
+    for race in ("inner", "outer"):
+        one, other = kept.contact(race), batch.contact(race)  # type: ignore[arg-type]
+        assert kept.contact(race, kept.balls()) is one  # type: ignore[arg-type]
+        assert kept.contact(race, batch.balls()) is not one  # type: ignore[arg-type]
+        np.testing.assert_array_equal(one.semi_major, other.semi_major)
+    np.testing.assert_array_equal(kept.balls().inner.load, batch.balls().inner.load)

@@ -337,3 +337,31 @@ def test_wrong_input_is_one_message(run: Run, arguments: tuple[str, ...], words:
     assert words in err
     assert err.startswith("rolamento: ")
     assert err.count("\n") == 1
+
+
+GUIDE = (Path(__file__).resolve().parents[2] / "docs" / "friction.md").read_text("utf-8")
+
+
+@pytest.mark.parametrize("block", re.findall(r"```python\n(.*?)```", GUIDE, re.DOTALL))
+def test_the_examples_of_the_guide_run(run: Run, block: str) -> None:
+    exec(compile(block, "example", "exec"), {})
+
+
+def test_the_guide_names_every_option() -> None:
+    options = {
+        option
+        for parameter in typer.main.get_command(app).params
+        for option in parameter.opts
+        if option.startswith("--") and option != "--help"
+    }
+    assert options == set(re.findall(r"^\| `(--\w+)", GUIDE, re.MULTILINE))
+
+
+def test_the_commands_of_the_guide_run(run: Run, tmp_path: Path) -> None:
+    commands = re.findall(r"^    rolamento friction (ricci_fleury.*?[^\\])\n", GUIDE, re.S | re.M)
+    assert len(commands) == 3
+    for command in commands:
+        code, _, err = run(*command.replace("\\", "").split(), "--points", "4")
+        assert (code, err) == (0, "")
+    assert (tmp_path / "torque.png").exists()
+    assert (tmp_path / "speed.png").exists()
