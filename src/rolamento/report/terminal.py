@@ -15,6 +15,7 @@ from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium
 from rolamento.report.page import Lines, Page, beside
 from rolamento.report.ring import ring_part, stiffness_part
+from rolamento.report.rolling import rolling_part
 from rolamento.report.rows import arrangement_lines, preload_part, rows_part
 from rolamento.state import State
 from rolamento.units import Dimension
@@ -51,6 +52,7 @@ def terminal_report(
     if state.status.converged:
         parts += [*_set(page, state), *_middle(page, state)]
         parts += [stiffness_part(page, state), *ball_parts(page, state)]
+        parts += [part for part in [rolling_part(page, state)] if part]
     notes = [page.words.note(note) for note in state.notes]
     if analysis is not None:
         parts += _what_follows(page, analysis, notes)
