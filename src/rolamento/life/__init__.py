@@ -1,1 +1,21 @@
-"""Rating and fatigue life: one file a theory, one record for all of them."""
+"""Rating and fatigue life: one file a theory, one record for all of them.
+
+Pure functions of arrays first; `life` and `life_of_batch` gather all theories for solved cases,
+`sensitivity` tells what would help.
+"""
+
+from rolamento.life.conditions import LifeConditions
+from rolamento.life.record import Life, Limit
+from rolamento.life.sensitivity import Change, sensitivity
+from rolamento.life.summary import LifeSummary, life, life_of_batch
+
+__all__ = [
+    "Change",
+    "Life",
+    "LifeConditions",
+    "LifeSummary",
+    "Limit",
+    "life",
+    "life_of_batch",
+    "sensitivity",
+]

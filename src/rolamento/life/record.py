@@ -1,0 +1,199 @@
+"""The common record of all theories of life, and what the notes mean."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from math import isfinite
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rolamento.numerics import BoolArray, FloatArray
+
+NOTES: Final[Mapping[str, str]] = {
+    # outside what the theory holds for
+    "load_above_half_rating": (
+        "The equivalent load is above half of the dynamic rating: the contacts deform plastically,"
+        " and the standard does not vouch for the life."
+    ),
+    "load_above_static_rating": (
+        "The equivalent load is above the static rating: lasting dents are to be expected."
+    ),
+    "viscosity_ratio_too_small": (
+        "The viscosity ratio κ is below 0.1, where the standard gives no factor."
+    ),
+    "contamination_severe": (
+        "The contamination factor is 0: wear, not fatigue, ends the life; the number is no limit."
+    ),
+    "oil_too_hot": (
+        "The lubricant is hotter than 120 °C, which plain bearing steel bears: hardness and size"
+        " change, and the rating falls. Ask for stabilised rings."
+    ),
+    "no_equivalent_load": (
+        "The standard has no equivalent load for this set: its rows differ, or are more than a"
+        " tandem or a pair. The reference life holds for it."
+    ),
+    "too_slow": "The bearing turns slower than 20 r/min, for which the maker gives no life.",
+    "too_hot": "The bearing is hotter than 130 °C, for which the maker gives no life.",
+    "outside_the_table": (
+        "Viscosity ratio or load lie outside the user's table of a_NSK, which is not continued."
+    ),
+    # what the number leaves out, or how it was had
+    "moment_left_out": (
+        "The equivalent load knows no moment; the reference life counts it, ball by ball."
+    ),
+    "preload_left_out": "The equivalent load knows no preload; the reference life counts it.",
+    "centrifugal_left_out": (
+        "The balls press harder on the outer race than on the inner, by their centrifugal force;"
+        " the equivalent load knows nothing of it, the reference life counts it."
+    ),
+    "open_grooves": (
+        "The grooves are more open than 0.52 (inner) or 0.53 (outer): the rating assumes closer"
+        " ones, so that the real life is shorter."
+    ),
+    "close_grooves": (
+        "The grooves are closer than 0.52 (inner) or 0.53 (outer). The standard warns that closer"
+        " grooves need not raise the rating, and none is raised."
+    ),
+    "ceramic_balls": (
+        "The balls are not of steel. With silicon nitride the dynamic rating is that of steel balls"
+        " (ISO 20056-1); the static rating is not, and has to be given."
+    ),
+    "no_static_rating": (
+        "Without the maker's static rating for these balls there is no static safety."
+    ),
+    "viscosity_ratio_capped": "The viscosity ratio κ counts as 4, where the standard ends.",
+    "reliability_continued": (
+        "The reliability lies outside the standard's table; its formula is continued."
+    ),
+    "material_factor_unsupported": (
+        "a_2 is not 1: the standard wants evidence from the maker for it."
+    ),
+    "operation_factor_too_great": (
+        "The oil is thinner than 13 mm²/s, or n d_m below 10 000: the standard asks for a_3 < 1."
+    ),
+    "operation_factor_unfounded": (
+        "a_3 above 1 needs surfaces that a film separates; it makes up for no steel."
+    ),
+    "stand_in_for_the_chart": (
+        "a_NSK is published as charts only: a_ISO with e_C = a_c stands in for it here."
+    ),
+    "no_surface_stress": (
+        "Stress below the surface only, with a fatigue limit: without friction, dents and"
+        " asperities this is an upper bound, wildly optimistic at 3 GPa and more."
+    ),
+    "below_fatigue_limit": "No point is stressed beyond the fatigue limit: no end by fatigue.",
+    "at_rest": "Nothing turns: there are no hours.",
+    "unloaded": "No ball carries load: there is no fatigue.",
+}
+"""What each note says."""
+
+OUTSIDE: Final = frozenset(
+    {
+        "load_above_half_rating",
+        "load_above_static_rating",
+        "viscosity_ratio_too_small",
+        "contamination_severe",
+        "oil_too_hot",
+        "no_equivalent_load",
+        "too_slow",
+        "too_hot",
+        "outside_the_table",
+    }
+)
+"""Notes that say that a theory does not hold for the case, though it may give a number."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Limit:
+    """What limits the life; arrays over cases.
+
+    Attributes
+    ----------
+    row
+        that lives shortest, counted from 0
+    race
+        of that row that lives shortest: "inner" or "outer"; empty without load or result
+    ball
+        that presses hardest on that race, counted from 0 over all rows; -1 without
+    share
+        of the bearing's risk that this race has
+    factor
+        what would raise the modified life most: "viscosity_ratio", "contamination" or "load";
+        empty where lubrication is not known
+    """
+
+    row: NDArray[np.int64]
+    race: NDArray[np.str_]
+    ball: NDArray[np.int64]
+    share: FloatArray
+    factor: NDArray[np.str_]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Life:
+    """Life by one theory; arrays over cases, NaN where the theory gives no number.
+
+    Attributes
+    ----------
+    theory
+        its name
+    reliability
+        S that the life is for
+    basic
+        life for 90 % without the factors; millions of revolutions
+    life
+        with the factors and for the reliability, millions of revolutions of one ring against the
+        other; infinite where fatigue never ends it
+    hours
+        the same at the case's speed; NaN where nothing turns
+    factors
+        by which the basic life was multiplied, and what they come from, by name
+    notes
+        names in `NOTES`, and in which cases each of them is true
+    """
+
+    theory: str
+    reliability: float
+    basic: FloatArray
+    life: FloatArray
+    hours: FloatArray
+    factors: Mapping[str, FloatArray] = field(default_factory=dict)
+    notes: Mapping[str, BoolArray] = field(default_factory=dict)
+
+    @property
+    def holds(self) -> BoolArray:
+        """(cases,): whether there is a life, and the case lies within what the theory is for."""
+        fine = ~np.isnan(self.life)
+        for name, where in self.notes.items():
+            if name in OUTSIDE:
+                fine = fine & ~where
+        return np.asarray(fine)
+
+    def notes_of(self, case: int = 0) -> tuple[str, ...]:
+        """Name the notes of one case."""
+        return tuple(name for name, where in self.notes.items() if where[case])
+
+    def sentences(self, case: int = 0) -> tuple[str, ...]:
+        """Say the notes of one case."""
+        return tuple(NOTES[name] for name in self.notes_of(case))
+
+    def to_mapping(self, case: int = 0) -> dict[str, Any]:
+        """Give one case as plain values; NaN as None, endless life as None beside its note."""
+        return {
+            "theory": self.theory,
+            "reliability": self.reliability,
+            "basic": _finite(self.basic[case]),
+            "life": _finite(self.life[case]),
+            "hours": _finite(self.hours[case]),
+            "endless": bool(np.isposinf(self.life[case])),
+            "factors": {name: _finite(array[case]) for name, array in self.factors.items()},
+            "holds": bool(self.holds[case]),
+            "notes": list(self.sentences(case)),
+        }
+
+
+def _finite(value: float) -> float | None:
+    return float(value) if isfinite(value) else None

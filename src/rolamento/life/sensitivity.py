@@ -1,0 +1,128 @@
+"""What would help: the life after one change at a time, the bearing solved anew each time."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Any, Final
+
+import numpy as np
+
+from rolamento.case import Case
+from rolamento.equilibrium import solve
+from rolamento.errors import InputError
+from rolamento.life.conditions import LifeConditions
+from rolamento.life.duty_loads import viscosity_ratio_of
+from rolamento.life.solved_balls import rows_of_state
+from rolamento.life.summary import LifeSummary, life
+from rolamento.state import State
+
+CHANGES: Final[Mapping[str, str]] = {
+    "less_load": "all forces and moments a tenth smaller",
+    "less_clearance": "diametral clearance 5 µm smaller",
+    "more_clearance": "diametral clearance 5 µm greater",
+    "thicker_oil": "viscosity half as great again, about one ISO VG grade",
+    "cleaner_oil": "contamination factor 0.2 greater, at most 1",
+}
+"""What is changed, by name."""
+
+_LOAD: Final = 0.9
+_CLEARANCE: Final = 5e-6
+_VISCOSITY: Final = 1.5
+_CLEANLINESS: Final = 0.2
+
+
+@dataclass(frozen=True, slots=True)
+class Change:
+    """One change: its name in `CHANGES`, and the life after it over the life before.
+
+    The ratio is NaN where either has no life or no end, or the changed case has no result.
+    """
+
+    name: str
+    life_ratio: float
+
+    @property
+    def sentence(self) -> str:
+        """What is changed."""
+        return CHANGES[self.name]
+
+
+def sensitivity(state: State, conditions: LifeConditions | None = None) -> tuple[Change, ...]:
+    """Life ratios of changes of load, clearance, oil and cleanliness, the most helpful first.
+
+    By the modified reference life where viscosity and contamination are given, else by the
+    reference life; changes of the oil only with the former, of clearance only for a bearing
+    given by it.
+
+    Parameters
+    ----------
+    state
+        Of `rolamento.solve`.
+    conditions
+        As `life`.
+    """
+    given = conditions or LifeConditions()
+    case = state.case
+    before = _life(state, given)
+    found = [Change("less_load", _after(_with_less_load(case), given, before))]
+    for name, step in (("less_clearance", -_CLEARANCE), ("more_clearance", _CLEARANCE)):
+        if case.bearing.diametral_clearance is not None:
+            found.append(Change(name, _after(_with_clearance(case, step), given, before)))
+    summary = life(state, given, stress_volume=False)
+    if summary.contamination_factor is not None:
+        found += [
+            Change("thicker_oil", _ratio(_life(state, _with_thicker_oil(state, given)), before)),
+            Change("cleaner_oil", _ratio(_life(state, _with_cleaner_oil(summary, given)), before)),
+        ]
+    return tuple(sorted(found, key=lambda change: -np.nan_to_num(change.life_ratio, nan=-np.inf)))
+
+
+def _life(state: State, given: LifeConditions) -> float:
+    return float(life(state, given, stress_volume=False).best().life[0])
+
+
+def _after(case: Case | None, given: LifeConditions, before: float) -> float:
+    """Life of a changed case over the one before; NaN where it cannot be, or has no result."""
+    if case is None:
+        return float("nan")
+    state = solve(case)
+    return _ratio(_life(state, given), before) if state.status.converged else float("nan")
+
+
+def _ratio(after: float, before: float) -> float:
+    usable = np.isfinite(before) and np.isfinite(after) and before > 0.0
+    return after / before if usable else float("nan")
+
+
+def _with_less_load(case: Case) -> Case:
+    names = ("fx", "fy", "fz", "my", "mz")
+    load = case.duty.load
+    changes: dict[str, Any] = {
+        name: _LOAD * getattr(load, name) for name in names if getattr(load, name) is not None
+    }
+    return case.replace(duty=case.duty.replace(load=load.replace(**changes)))
+
+
+def _with_clearance(case: Case, step: float) -> Case | None:
+    clearance = case.bearing.diametral_clearance
+    assert clearance is not None
+    try:
+        bearing = case.bearing.replace(diametral_clearance=clearance + step)
+    except InputError:  # no such bearing: the balls would be crushed, or nothing hold them
+        return None
+    return case.replace(bearing=bearing)
+
+
+def _with_thicker_oil(state: State, given: LifeConditions) -> LifeConditions:
+    ratio = viscosity_ratio_of(rows_of_state(state), given)
+    assert ratio is not None
+    return replace(given, viscosity=None, viscosity_ratio=_VISCOSITY * ratio)
+
+
+def _with_cleaner_oil(summary: LifeSummary, given: LifeConditions) -> LifeConditions:
+    """With e_C raised; a class becomes its factor first."""
+    assert summary.contamination_factor is not None
+    return replace(
+        given, contamination=np.minimum(summary.contamination_factor + _CLEANLINESS, 1.0)
+    )
