@@ -27,6 +27,7 @@ from rolamento.errors import FileError, InputError
 from rolamento.film_model import FilmModel
 from rolamento.lubricant import LubricantField
 from rolamento.model import Model
+from rolamento.mounting import Mounting
 from rolamento.surface import Surface
 from rolamento.temperature import Temperature
 from rolamento.units import from_si
@@ -60,7 +61,9 @@ class Case(Record):
     surface
         A `Surface`, for the film parameter.
     temperature
-        A `Temperature`, for the film.
+        A `Temperature`, for the film and the clearance in operation.
+    mounting
+        A `Mounting`; with one the bearing is solved with the clearance that it leaves.
     film
         A `FilmModel`; its defaults if not given.
 
@@ -77,6 +80,7 @@ class Case(Record):
     lubricant: LubricantField | None = Field(None, examples=["ISO VG 68"])
     surface: Surface | None = Field(None, examples=["[surface] as a table"])
     temperature: Temperature | None = Field(None, examples=["[temperature] as a table"])
+    mounting: Mounting | None = Field(None, examples=["[mounting] as a table"])
     film: FilmModel | None = Field(None, examples=["[film] as a table"])
 
     @model_validator(mode="after")
@@ -92,6 +96,21 @@ class Case(Record):
                     value=from_si(shift, "length"),
                     example=f'{axis} = "0.01 mm"',
                 )
+        return self
+
+    @model_validator(mode="after")
+    def _warm_parts_are_mounted(self) -> Self:
+        """Temperatures of parts act on the clearance by way of the mounting."""
+        if self.mounting is None and self.temperature is not None:
+            for part in ("inner_ring", "outer_ring", "balls", "shaft", "housing"):
+                warm = getattr(self.temperature, part)
+                if warm is not None:
+                    raise InputError(
+                        "is given without [mounting], and has no effect",
+                        field=f"temperature.{part}",
+                        value=from_si(warm, "temperature"),
+                        example='[mounting] with bore = "25 mm" and outside_diameter = "62 mm"',
+                    )
         return self
 
     @model_validator(mode="after")

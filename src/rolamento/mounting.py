@@ -156,6 +156,9 @@ class Mounting(Record):
         At which all the above holds, in K; in files in °C.
     wear
         What the clearance has grown by since, in m.
+    limit
+        Which of the clearances in operation `solve` takes: the mean one of mean dimensions, or the
+        minimum or maximum with all tolerances at their worst.
 
     Raises
     ------
@@ -195,6 +198,7 @@ class Mounting(Record):
     wear: Annotated[float, Quantity("length", at_least="0 mm", at_most="5 mm")] = Field(
         0.0, examples=["0.01 mm"]
     )
+    limit: Literal["minimum", "mean", "maximum"] = Field("mean", examples=["minimum"])
 
     @model_validator(mode="after")
     def _consistent(self) -> Self:

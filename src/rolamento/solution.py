@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Unpack, cast
 
 from numpy.typing import ArrayLike
@@ -21,16 +22,33 @@ def solve(case: Case) -> State:
     """Find the internal state of the bearing: Jones-Harris equilibrium, five degrees of freedom.
 
     A set of rows shares one rigid inner ring. Never raises for a duty that has no solution: the
-    state's status tells, with advice.
+    state's status tells, with advice. A case with a mounting is solved with the clearance in
+    operation: `state.case` is the case that it comes to (see `rolamento.clearance`).
 
     Harris, Rolling Bearing Analysis, 3rd ed. (1991), chapter 8; Jones (1960); Radaelli (2013),
     chapter 4. See docs/theory/equilibrium.md.
+
+    Raises
+    ------
+    InputError
+        If the mounting is not one for this bearing, or closes it.
     """
+    if case.mounting is not None:
+        return _solve_mounted(case)
     if not case.model.needs_film:
         return equilibrium.solve(case)
     from rolamento.lubrication.film_control import solve_on_film
 
     return state_of(case, solve_on_film(case, spread(case, {}), threads=1))
+
+
+def _solve_mounted(case: Case) -> State:
+    """Solve with the clearance in operation, which the notes tell."""
+    from rolamento.clearance import clearance_notes, clearance_of_case, operating_case
+
+    notes = clearance_notes(clearance_of_case(case))
+    state = solve(operating_case(case))
+    return replace(state, notes=notes + state.notes)
 
 
 def solve_batch(

@@ -11,6 +11,8 @@ from rolamento._record import Record
 
 __all__ = ["Temperature"]
 
+_Celsius = Annotated[float, Quantity("temperature", at_least="-100 degC", at_most="400 degC")]
+
 
 class Temperature(Record):
     """Temperatures in operation.
@@ -19,13 +21,22 @@ class Temperature(Record):
     ----------
     lubricant
         Of the lubricant as it enters the contacts, in K; in files in °C.
+    inner_ring, outer_ring
+        Of the rings, for the clearance of a mounted bearing; as at assembly if not given.
+    balls
+        Those of the inner ring if not given.
+    shaft, housing
+        At their seats; those of their rings if not given.
 
     Raises
     ------
     InputError
-        If the value is missing or out of range.
+        If a value is missing or out of range.
     """
 
-    lubricant: Annotated[
-        float, Quantity("temperature", at_least="-100 degC", at_most="400 degC")
-    ] = Field(examples=["70 degC"])
+    lubricant: _Celsius = Field(examples=["70 degC"])
+    inner_ring: _Celsius | None = Field(None, examples=["75 degC"])
+    outer_ring: _Celsius | None = Field(None, examples=["68 degC"])
+    balls: _Celsius | None = Field(None, examples=["75 degC"])
+    shaft: _Celsius | None = Field(None, examples=["75 degC"])
+    housing: _Celsius | None = Field(None, examples=["60 degC"])

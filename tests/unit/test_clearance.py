@@ -11,7 +11,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rolamento import Bearing, Case, Duty, Load, solve
+from rolamento import Bearing, Case, Duty, Load, solve, solve_batch
+from rolamento.case import case_to_toml, override, parse_case
 from rolamento.clearance import (
     WARNINGS,
     Mounting,
@@ -19,6 +20,8 @@ from rolamento.clearance import (
     PartTemperatures,
     SeatMaterial,
     class_clearance,
+    clearance_notes,
+    clearance_of_case,
     operating_case,
     operating_clearance,
     sample_clearance,
@@ -27,6 +30,8 @@ from rolamento.clearance.fits import bore_shrinkage, contact_pressure
 from rolamento.clearance.record import bearing_with_clearance
 from rolamento.errors import InputError, UnitError
 from rolamento.geometry import ring_geometry
+from rolamento.report.sentences import portuguese_sentence
+from rolamento.temperature import Temperature
 
 RPM = pi / 30.0
 WARM = PartTemperatures(inner_ring=343.15, outer_ring=335.15)
@@ -195,17 +200,75 @@ def test_wear_is_added() -> None:
 # --- what solve uses -------------------------------------------------------------------
 
 
+def mounted_case(**changes: Any) -> Case:
+    fields: dict[str, Any] = {
+        "bearing": bearing_6305(),
+        "duty": Duty(inner_speed=2000 * RPM, load=Load(fz=5000.0)),
+        "mounting": mounting(**FULL),
+        "temperature": Temperature(lubricant=343.15, inner_ring=343.15, outer_ring=335.15),
+    }
+    return Case(**(fields | changes))
+
+
 def test_the_bearing_in_operation_is_what_solve_takes() -> None:
-    case = Case(bearing=bearing_6305(), duty=Duty(inner_speed=2000 * RPM, load=Load(fz=5000.0)))
-    mounted = operating_case(case, mounting(**FULL), WARM)
+    case = mounted_case()
     result = found(WARM, 2000 * RPM, **FULL)
-    assert mounted.bearing.diametral_clearance == result.mean
-    assert mounted == case.replace(bearing=result.operating_bearing())
-    loose, tight = (
-        solve(operating_case(case, mounting(**FULL), WARM, limit=limit))  # type: ignore[arg-type]
-        for limit in ("maximum", "mean")
-    )
-    assert loose.displacement.z > tight.displacement.z
+    running = operating_case(case)
+    assert clearance_of_case(case).to_mapping() == result.to_mapping()
+    assert running.bearing.diametral_clearance == result.mean
+    assert running.mounting is None
+    assert running.temperature == Temperature(lubricant=343.15)
+    assert operating_case(running) is running
+    state, plain = solve(case), solve(running)
+    assert state.displacement == plain.displacement
+    assert state.case == running
+    assert state.notes == (*clearance_notes(result), *plain.notes)
+
+
+def test_the_limit_decides_which_clearance_is_solved_with() -> None:
+    loads = [
+        solve(mounted_case(mounting=mounting(**FULL, limit=limit))).displacement.z
+        for limit in ("mean", "maximum")
+    ]
+    assert loads[0] < loads[1]
+    for limit in ("minimum", "mean", "maximum"):
+        case = mounted_case(mounting=mounting(**FULL, limit=limit))
+        expected = getattr(clearance_of_case(case), limit)
+        assert operating_case(case).bearing.diametral_clearance == expected
+
+
+def test_a_case_file_with_a_mounting() -> None:
+    text = case_to_toml(mounted_case())
+    assert "[mounting]" in text
+    assert parse_case(text, format="toml") == mounted_case()
+    changed = override(mounted_case(), ["mounting.shaft_tolerance=m5"])
+    assert clearance_of_case(changed).mean < clearance_of_case(mounted_case()).mean
+    with pytest.raises(InputError, match=r"line .*mounting\.shaft_bore"):
+        parse_case(text.replace('shaft_bore = "8 mm"', "shaft_bore = 8"))
+
+
+def test_temperatures_of_parts_need_a_mounting() -> None:
+    with pytest.raises(InputError, match=r"without \[mounting\], and has no effect") as error:
+        mounted_case(mounting=None)
+    assert error.value.field == "temperature.inner_ring"
+    with pytest.raises(InputError, match="runs with its own clearance"):
+        clearance_of_case(mounted_case(mounting=None, temperature=None))
+
+
+def test_a_batch_refuses_a_mounting_by_name() -> None:
+    with pytest.raises(InputError, match="is for single cases") as error:
+        solve_batch(mounted_case(), fz=[1e3, 2e3])
+    assert error.value.field == "mounting"
+    assert len(solve_batch(operating_case(mounted_case()), fz=[1e3, 2e3])) == 2
+
+
+def test_the_notes_speak_portuguese() -> None:
+    result = found(WARM, **FULL)
+    assert all(portuguese_sentence(note) != note for note in clearance_notes(result))
+    assert all(portuguese_sentence(sentence) != sentence for sentence in WARNINGS.values())
+    negative = clearance_notes(found(shaft_interference="40 um"))[0]
+    assert "of -" in negative
+    assert portuguese_sentence(negative).startswith("Montado")
 
 
 def test_an_angular_contact_bearing_changes_its_angle() -> None:

@@ -16,7 +16,12 @@ from rolamento.clearance.measuring_load import (
     measuring_load_correction,
     usual_measuring_load,
 )
-from rolamento.clearance.operating import operating_case, operating_clearance
+from rolamento.clearance.notes import clearance_notes
+from rolamento.clearance.operating import (
+    clearance_of_case,
+    operating_case,
+    operating_clearance,
+)
 from rolamento.clearance.record import (
     WARNINGS,
     Limit,
@@ -47,6 +52,8 @@ __all__ = [
     "bore_deviations",
     "class_clearance",
     "clearance_from_reading",
+    "clearance_notes",
+    "clearance_of_case",
     "fit_wear",
     "hole_deviations",
     "measuring_load_correction",

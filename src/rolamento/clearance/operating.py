@@ -25,12 +25,14 @@ from rolamento.clearance.fits import FIT_SOURCE
 from rolamento.clearance.iso286 import TOLERANCE_SOURCE
 from rolamento.clearance.iso492 import BEARING_TOLERANCE_SOURCE
 from rolamento.clearance.measuring_load import usual_measuring_load
-from rolamento.clearance.record import Limit, OperatingClearance, Step
+from rolamento.clearance.record import OperatingClearance, Step
 from rolamento.clearance.speed import SPEED_SOURCE
 from rolamento.clearance.temperature import TEMPERATURE_SOURCE
+from rolamento.errors import InputError
 from rolamento.mounting import Mounting
+from rolamento.temperature import Temperature
 
-__all__ = ["operating_case", "operating_clearance"]
+__all__ = ["clearance_of_case", "operating_case", "operating_clearance"]
 
 _TIGHTEST: Final = 1e-3
 """Greatest interference over the bore. NTN, Ball and Roller Bearings, chapter 7.3.3."""
@@ -71,28 +73,44 @@ def operating_clearance(
     return OperatingClearance(bearing, steps, low, mean, high, _warnings(chain, result, low, mean))
 
 
-def operating_case(
-    case: Case,
-    mounting: Mounting,
-    temperatures: Temperatures | None = None,
-    *,
-    limit: Limit = "mean",
-) -> Case:
-    """The case with its bearing as it runs, at the speeds of its duty; for `solve`.
+def clearance_of_case(case: Case) -> OperatingClearance:
+    """Clearance in operation of a case that has a mounting, at its temperatures and speeds.
+
+    Raises
+    ------
+    InputError
+        As `operating_clearance`, and if the case has no mounting.
+    """
+    if case.mounting is None:
+        raise InputError(
+            "is missing: without it the bearing runs with its own clearance",
+            field="mounting",
+            example='[mounting] with bore = "25 mm" and outside_diameter = "62 mm"',
+        )
+    return operating_clearance(
+        case.bearing,
+        case.mounting,
+        case.temperature,
+        inner_speed=case.duty.inner_speed,
+        outer_speed=case.duty.outer_speed,
+    )
+
+
+def operating_case(case: Case) -> Case:
+    """The case with its bearing as it runs, and no mounting; what `solve` solves.
+
+    A case without a mounting is returned as it is.
 
     Raises
     ------
     InputError
         As `operating_clearance`, and if no bearing is left.
     """
-    found = operating_clearance(
-        case.bearing,
-        mounting,
-        temperatures,
-        inner_speed=case.duty.inner_speed,
-        outer_speed=case.duty.outer_speed,
-    )
-    return case.replace(bearing=found.operating_bearing(limit))
+    if case.mounting is None:
+        return case
+    running = clearance_of_case(case).operating_bearing(case.mounting.limit)
+    lubricant_only = case.temperature and Temperature(lubricant=case.temperature.lubricant)
+    return case.replace(bearing=running, mounting=None, temperature=lubricant_only)
 
 
 def _three(band: Any) -> Any:

@@ -112,8 +112,16 @@ def spread(case: Case, values: Mapping[str, ArrayLike]) -> Columns:
     Raises
     ------
     InputError
-        For an unknown field, lengths that differ, or two fields that exclude each other.
+        For an unknown field, lengths that differ, two fields that exclude each other, or a case
+        that still has a mounting.
     """
+    if case.mounting is not None:
+        raise InputError(
+            "is for single cases; a batch takes rolamento.clearance.operating_case(case), or the"
+            " clearance as a field",
+            field="mounting",
+            example="bearing.diametral_clearance",
+        )
     arrays = _arrays(values)
     cases = max((array.size for array in arrays.values() if array.ndim), default=1)
     if any(array.ndim and array.size == 0 for array in arrays.values()):

@@ -158,6 +158,35 @@ _SENTENCES: Final = (
         ' use a outra model.mesh, mais carga ou menos model.cage_drag; raceway_control = "jones"'
         " dá cargas e ângulos próximos destes.",
     ),
+    # the clearance in operation
+    (
+        "Mounted, at its temperatures and speeds, the bearing has a diametral clearance of NUMBER"
+        " µm, between NUMBER2 and NUMBER3 µm with all tolerances at their worst.",
+        "Montado, às suas temperaturas e rotações, o rolamento tem folga diametral de {number} µm,"
+        " entre {number2} e {number3} µm com todas as tolerâncias no pior caso.",
+    ),
+    (
+        "The clearance in operation is negative at its mean: the balls are preloaded.",
+        "A folga em operação é negativa na média: as esferas estão pré-carregadas.",
+    ),
+    (
+        "The clearance in operation is negative at its minimum: some bearings are preloaded.",
+        "A folga em operação é negativa no mínimo: alguns rolamentos ficam pré-carregados.",
+    ),
+    (
+        "In operation nothing may be left of the inner ring's interference: it may creep.",
+        "Em operação pode não restar interferência no anel interno: ele pode girar no eixo.",
+    ),
+    (
+        "In operation nothing may be left of the outer ring's interference: it may creep.",
+        "Em operação pode não restar interferência no anel externo: ele pode girar no alojamento.",
+    ),
+    (
+        "The inner ring's interference may be more than a thousandth of the bore: the ring may"
+        " crack (NTN, Ball and Roller Bearings, chapter 7.3).",
+        "A interferência do anel interno pode passar de um milésimo do furo: o anel pode trincar"
+        " (NTN, Ball and Roller Bearings, capítulo 7.3).",
+    ),
     # notes
     (
         "The rings do not turn against each other, so friction has nothing to decide: this is the"
