@@ -57,6 +57,9 @@ def _rivals() -> dict[Path, tuple[Path, ...]]:
     for name in ("force", "offset", "spring"):
         rivals[*preload, name] += ((*preload, "designation"),)
     rivals["bearing", "rows"] += (("bearing", "spacing"),)
+    # another bearing of the catalogue has other balls
+    balls = ("ball_count", "ball_diameter", "pitch_diameter")
+    rivals["bearing", "designation"] = tuple(("bearing", name) for name in balls)
     return rivals
 
 

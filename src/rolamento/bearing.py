@@ -3,24 +3,56 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from functools import lru_cache
 from typing import Annotated, Any, Final, NamedTuple, Self
 
-from pydantic import Field, model_validator
+from pydantic import (
+    BeforeValidator,
+    Field,
+    ModelWrapValidatorHandler,
+    SerializationInfo,
+    SerializerFunctionWrapHandler,
+    ValidationInfo,
+    model_serializer,
+    model_validator,
+)
 
-from rolamento._quantity import Count, Quantity, Ratio
+from rolamento._quantity import Count, Line, Quantity, Ratio, at_the_border
 from rolamento._record import Record
 from rolamento.arrangement import ARRANGEMENTS, Arrangement, PreloadField, Row
 from rolamento.errors import InputError
 from rolamento.material import DEFAULT_MATERIAL, Material, MaterialField
-from rolamento.units import from_si
+from rolamento.units import Dimension, from_si
 
 __all__ = ["Bearing", "RowPlace", "balls_fit", "clearance_fits"]
 
 MOST_ROWS: Final = 32
 _SET_FIELDS: Final = ("arrangement", "spacing", "rows", "preload")
+_BALL_FIELDS: Final = ("ball_count", "ball_diameter", "pitch_diameter")
+_PLAY: Final = ("contact_angle", "diametral_clearance")
+_CATALOGUE_FIELDS: Final[Mapping[str, Dimension | None]] = {
+    "ball_count": None,
+    "ball_diameter": "length",
+    "pitch_diameter": "length",
+    "inner_conformity": None,
+    "outer_conformity": None,
+    "contact_angle": "angle",
+    "diametral_clearance": "length",
+}
+"""What a designation fills in, by the dimension."""
 
 _Conformity = Annotated[float, Ratio(at_least=0.501, at_most=1.0)]
+
+
+def _as_text(value: object) -> object:
+    """Let a designation be written as a number."""
+    if isinstance(value, int) and not isinstance(value, bool) and 0 <= value < 10**9:
+        return str(value)
+    return value
+
+
+_Designation = Annotated[Line, BeforeValidator(_as_text)]
 _ShoulderHeight = Annotated[float, Quantity("length", above="0 mm", at_most="1 m")]
 
 
@@ -34,6 +66,9 @@ class Bearing(Record):
 
     Parameters
     ----------
+    designation
+        Of the catalogue, such as ``"6305/C3"``: it fills in what is not given of the fields
+        from `ball_count` to `outer_conformity`, published or inferred; see `origins`.
     ball_count
         Z, balls in the row, 3 to 500.
     ball_diameter
@@ -70,6 +105,7 @@ class Bearing(Record):
         If a value is missing or out of range, or the values contradict each other.
     """
 
+    designation: _Designation | None = Field(None, examples=["6305/C3"])
     ball_count: Annotated[int, Count] = Field(strict=True, ge=3, le=500, examples=[16])
     ball_diameter: Annotated[float, Quantity("length", at_least="0.01 mm", at_most="1 m")] = Field(
         examples=["22.23 mm"]
@@ -101,6 +137,43 @@ class Bearing(Record):
     )
     preload: PreloadField | None = Field(None, examples=["500 N"])
 
+    @classmethod
+    def named(cls, designation: str, **fields: Any) -> Self:
+        """Return a bearing of the catalogue.
+
+        Parameters
+        ----------
+        designation
+            Such as ``"6305/C3"`` or ``"EX 70 25deg"``.
+        fields
+            Of the bearing, in the place of what the catalogue tells.
+
+        Raises
+        ------
+        InputError
+            If the designation is not known, or does not tell what is not given.
+        """
+        return cls(**{"designation": designation, **fields})
+
+    @property
+    def origins(self) -> Mapping[str, str]:
+        """Where each field that a designation fills in comes from; empty without one.
+
+        ``"given"`` by the user, ``"published"`` by a maker, ``"inferred"`` from the ratings,
+        or ``"assumed"``: an ordinary conformity, the middle of the clearance class.
+        """
+        if self.designation is None:
+            return {}
+        from rolamento.catalogue import built_in_geometry
+
+        own = self.model_fields_set
+        told = built_in_geometry(self.designation, not own.issuperset(_BALL_FIELDS)).origins
+        return {
+            name: "given" if name in own else told[name]
+            for name in _CATALOGUE_FIELDS
+            if getattr(self, name) is not None
+        }
+
     @property
     def is_set(self) -> bool:
         """Whether the bearing is more than one plain row."""
@@ -110,6 +183,33 @@ class Bearing(Record):
     def places(self) -> tuple[RowPlace, ...]:
         """The rows of balls along +x, each as a bearing of one row; one if it is no set."""
         return _places(self)
+
+    @model_validator(mode="wrap")
+    @classmethod
+    def _filled_in(
+        cls, given: Any, handler: ModelWrapValidatorHandler[Self], info: ValidationInfo
+    ) -> Self:
+        """Fill in what a designation tells, without making it the user's own."""
+        if not isinstance(given, Mapping):
+            return handler(given)
+        designation = _as_text(given.get("designation"))
+        if not isinstance(designation, str):
+            return handler(given)
+        found = _of_catalogue(designation, given, in_file=at_the_border(info.context))
+        bearing = handler({**given, **found})
+        bearing.__pydantic_fields_set__.difference_update(found)
+        return bearing
+
+    @model_serializer(mode="wrap")
+    def _without_what_is_filled_in(
+        self, handler: SerializerFunctionWrapHandler, info: SerializationInfo
+    ) -> dict[str, Any]:
+        """Write a designation to a file as it was given, with the user's own fields only."""
+        fields: dict[str, Any] = handler(self)
+        if self.designation is None or not at_the_border(info.context):
+            return fields
+        told = _CATALOGUE_FIELDS.keys() - self.model_fields_set
+        return {name: value for name, value in fields.items() if name not in told}
 
     @model_validator(mode="after")
     def _consistent(self) -> Self:
@@ -210,6 +310,24 @@ class Bearing(Record):
                 self.preload.pair_force(self.contact_angle)
             except InputError as error:
                 raise error.with_details(field=f"preload.{error.field}") from None
+
+
+def _of_catalogue(designation: str, given: Mapping[str, Any], *, in_file: bool) -> dict[str, Any]:
+    """Return the fields that a designation tells and the user does not."""
+    from rolamento.catalogue import built_in_geometry
+
+    own = {name for name, value in given.items() if value is not None}
+    missing = _CATALOGUE_FIELDS.keys() - own
+    if own.intersection(_PLAY):
+        missing -= set(_PLAY)
+    geometry = built_in_geometry(designation, not own.issuperset(_BALL_FIELDS))
+    if missing.issuperset(_PLAY) and not geometry.fields.keys() & set(_PLAY):
+        raise InputError(geometry.lack_of_play, field="designation", value=designation)
+    found: dict[str, Any] = {}
+    for name in missing & geometry.fields.keys():
+        value, dimension = geometry.fields[name], _CATALOGUE_FIELDS[name]
+        found[name] = from_si(value, dimension) if in_file and dimension else value
+    return found
 
 
 def balls_fit(count: int, ball_diameter: Any, pitch_diameter: Any) -> Any:

@@ -349,3 +349,15 @@ def test_the_guide_counts_right() -> None:
     for maker, kind in (("NSK", "deep-groove"), ("SNFA", "angular"), ("GMN", "angular")):
         count = sum(bearing.maker == maker for bearing in catalogue().bearings)
         assert f"| {maker} | {count} {kind}" in text
+
+
+def test_a_class_without_a_range_for_the_bore(tmp_path: Path) -> None:
+    file = tmp_path / "own.csv"
+    file.write_text(
+        "designation,bore_mm,outside_diameter_mm,ball_count,ball_diameter_mm\nQX,4,12,7,2\n"
+    )
+    own = catalogue().beside([file])
+    assert "diametral_clearance" in geometry_of("QX/C3", catalogue_of=own).fields
+    without = geometry_of("QX/C5", catalogue_of=own)
+    assert "diametral_clearance" not in without.fields
+    assert "class C5, and ISO 5753-1 has no range of it for a bore of 4 mm" in without.lack_of_play

@@ -14,6 +14,7 @@ from rolamento.catalogue.geometry import (
     InternalGeometry,
     Origin,
     ambiguity_axis,
+    built_in_geometry,
     geometry_of,
 )
 from rolamento.catalogue.inference import Candidate, Practice, inferred_geometry, practice_of
@@ -34,6 +35,7 @@ __all__ = [
     "ambiguity_axis",
     "ball_name",
     "ball_sizes",
+    "built_in_geometry",
     "catalogue",
     "geometry_of",
     "inferred_geometry",

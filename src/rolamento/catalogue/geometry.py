@@ -16,12 +16,14 @@ from rolamento.catalogue.inference import Candidate, inferred_geometry
 from rolamento.catalogue.record import CatalogueBearing
 from rolamento.catalogue.search import Catalogue, catalogue
 from rolamento.errors import InputError
+from rolamento.units import from_si
 
 __all__ = [
     "ASSUMED_CONFORMITY",
     "InternalGeometry",
     "Origin",
     "ambiguity_axis",
+    "built_in_geometry",
     "geometry_of",
     "middle_clearance",
 ]
@@ -33,7 +35,8 @@ ASSUMED_CONFORMITY: Final = 0.52
 
 _BALLS: Final = ("ball_count", "ball_diameter")
 _LEAST_ANGLE: Final = radians(1.0)
-_MICROMETRE: Final = 1e-6
+_HALF_MICROMETRES: Final = 2e6
+"""In a metre."""
 _MILLIMETRE: Final = 1e-3
 _ROUNDING: Final = 1e-9
 
@@ -69,6 +72,16 @@ class InternalGeometry:
         return "inferred" in self.origins.values()
 
     @property
+    def lack_of_play(self) -> str:
+        """What a user has to add if neither contact angle nor clearance is known, as a rule."""
+        if self.clearance_class is None:
+            return "tells no contact angle: give contact_angle"
+        return (
+            f"has class {self.clearance_class}, and ISO 5753-1 has no range of it for a bore of"
+            f" {from_si(self.bearing.bore, 'length')}: give diametral_clearance"
+        )
+
+    @property
     def clearance_class(self) -> ClearanceClass | None:
         """The class of the designation, CN if a deep-groove bearing names none."""
         if self.bearing.kind != "deep_groove":
@@ -77,7 +90,11 @@ class InternalGeometry:
 
 
 def geometry_of(
-    designation: str, *, catalogue_of: Catalogue | None = None, rank: int = 1
+    designation: str,
+    *,
+    catalogue_of: Catalogue | None = None,
+    rank: int = 1,
+    with_balls: bool = True,
 ) -> InternalGeometry:
     """Return the inside of a bearing by its designation.
 
@@ -89,6 +106,8 @@ def geometry_of(
         Where to look; by default the built-in catalogue.
     rank
         Which of the candidates to take, if the balls are inferred.
+    with_balls
+        Whether balls and pitch diameter are wanted at all; if not, they are left out.
 
     Raises
     ------
@@ -101,19 +120,8 @@ def geometry_of(
     fields: dict[str, Any] = {}
     origins: dict[str, Origin] = {}
     candidates: tuple[Candidate, ...] = ()
-    if any(getattr(bearing, name) is None for name in _BALLS):
-        candidates = inferred_geometry(bearing)
-        chosen = _chosen(candidates, rank, bearing)
-        for name in (*_BALLS, "pitch_diameter"):
-            known = getattr(bearing, name) is not None
-            fields[name] = getattr(chosen, name)
-            origins[name] = "published" if known else "inferred"
-    else:
-        for name in _BALLS:
-            fields[name], origins[name] = getattr(bearing, name), "published"
-        known = bearing.pitch_diameter is not None
-        fields["pitch_diameter"] = bearing.pitch_diameter if known else bearing.mean_diameter
-        origins["pitch_diameter"] = "published" if known else "assumed"
+    if with_balls:
+        candidates = _add_balls(bearing, rank, fields, origins)
     for name in ("inner_conformity", "outer_conformity"):
         own = getattr(bearing, name)
         fields[name] = ASSUMED_CONFORMITY if own is None else own
@@ -126,6 +134,12 @@ def geometry_of(
         origins=origins,
         candidates=candidates,
     )
+
+
+@lru_cache(maxsize=512)
+def built_in_geometry(designation: str, with_balls: bool = True) -> InternalGeometry:
+    """Return `geometry_of` a designation in the built-in catalogue, found once."""
+    return geometry_of(designation, with_balls=with_balls)
 
 
 def ambiguity_axis(
@@ -176,7 +190,7 @@ def middle_clearance(bore: float, clearance_class: str) -> float | None:
     for step, (over, to) in enumerate(pairwise(limits)):
         if over * (1.0 + _ROUNDING) < bore <= to * (1.0 + _ROUNDING):
             pair = data["classes"][clearance_class][step]
-            return 0.5 * sum(pair) * _MICROMETRE if pair else None
+            return sum(pair) / _HALF_MICROMETRES if pair else None
     return None
 
 
@@ -195,6 +209,26 @@ def _chosen(candidates: tuple[Candidate, ...], rank: int, bearing: CatalogueBear
             value=rank,
         )
     return candidates[rank - 1]
+
+
+def _add_balls(
+    bearing: CatalogueBearing, rank: int, fields: dict[str, Any], origins: dict[str, Origin]
+) -> tuple[Candidate, ...]:
+    """Add balls and pitch diameter; return what they were chosen from, if inferred."""
+    names = (*_BALLS, "pitch_diameter")
+    known = {name: getattr(bearing, name) for name in names}
+    candidates: tuple[Candidate, ...] = ()
+    otherwise: Origin = "assumed"
+    if any(known[name] is None for name in _BALLS):
+        candidates, otherwise = inferred_geometry(bearing), "inferred"
+        chosen = _chosen(candidates, rank, bearing)
+        fields.update({name: getattr(chosen, name) for name in names})
+    else:
+        fields.update(known)
+        fields["pitch_diameter"] = known["pitch_diameter"] or bearing.mean_diameter
+    for name in names:
+        origins[name] = otherwise if known[name] is None else "published"
+    return candidates
 
 
 def _add_play(

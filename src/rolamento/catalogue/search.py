@@ -150,7 +150,7 @@ class Catalogue:
         source = _ISO_15.format(like.designation)
         angular = designation.is_angular_contact
         return CatalogueBearing(
-            designation=min(designation.keys[1:] or designation.keys, key=len).upper(),
+            designation=min(designation.keys, key=len).upper(),
             kind="angular_contact" if angular else "deep_groove",
             bore=like.bore,
             outside_diameter=like.outside_diameter,
