@@ -202,9 +202,9 @@ def _outer_slip(c: Contact) -> Misprint:
         ),
         said(
             "(28) less (29), both with their parts in x_0: these join to −x_0 ω_s, the spin about"
-            " the normal as in (35). Off the ellipse's middle it is the greatest part of the slip.",
+            " the normal as in (35). Off the ellipse's middle it is a large part of the slip.",
             "(28) menos (29), ambas com as parcelas em x_0: elas se reúnem em −x_0 ω_s, a rotação"
-            " em torno da normal, como em (35). Fora do centro da elipse é a maior parcela do"
+            " em torno da normal, como em (35). Fora do centro da elipse é grande parcela do"
             " deslizamento.",
         ),
         Proof(printed, printed - c.x * spin, c.slip[:, _ALONG], c.speed_scale),

@@ -24,9 +24,11 @@ def misprints_section(title: Text) -> Section:
     errata = Errata(
         caption=said(
             "Equations of Braga and Almeida that do not hold as printed, each with what it should"
-            " be and why; and those that were checked and hold.",
+            " be and why, with one of Radaelli (2013) on the same attitude; and those that were"
+            " checked and hold.",
             "Equações de Braga e Almeida que não valem como impressas, cada uma com a forma correta"
-            " e o motivo; e as que foram verificadas e valem.",
+            " e o motivo, com uma de Radaelli (2013) sobre a mesma posição; e as que foram"
+            " verificadas e valem.",
         ),
         source=said("equations 19 to 50 of the paper", "equações 19 a 50 do artigo"),
         remarks=_REMARKS,
@@ -65,8 +67,8 @@ _REMARKS = (
         " de 50 a 800 rad/s, pontos em qualquer lugar de elipses de até 0,3 D.",
     ),
     said(
-        "Below (36) and (44) the paper says it puts in relations (24) and (26); it does (25) and"
-        " (27), and likewise below (31).",
+        "Before (36) and (44) the paper says it puts in relations (24) and (26); it does (25) and"
+        " (27), and likewise before (32).",
         "Antes de (36) e (44) o artigo diz substituir as relações (24) e (26); substitui (25) e"
         " (27), e o mesmo antes de (32).",
     ),

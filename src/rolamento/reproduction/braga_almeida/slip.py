@@ -89,16 +89,16 @@ def _map(race: Race) -> Figure:
         Map(
             "rolling_slip",
             said(
-                "Slip along rolling, equation {}; dashed: none",
-                "Deslizamento no sentido do rolamento, equação {}; tracejado: nulo",
+                "Slip along rolling, equation {} corrected; dashed: none",
+                "Deslizamento no rolamento, equação {} corrigida; tracejado: nulo",
                 first,
             ),
         ),
         Map(
             "transverse_slip",
             said(
-                "Slip across rolling, equation {}",
-                "Deslizamento transversal, equação {}",
+                "Slip across rolling, equation {} corrected",
+                "Deslizamento transversal, equação {} corrigida",
                 second,
             ),
         ),
