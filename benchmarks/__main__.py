@@ -19,7 +19,15 @@ from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 from rich.table import Table
 
-from benchmarks import against_scipy, duty_sets, robustness, start, sweep, throughput
+from benchmarks import (
+    against_scipy,
+    duty_sets,
+    friction_control,
+    robustness,
+    start,
+    sweep,
+    throughput,
+)
 from benchmarks.figures import Figure, Findings, has_avx512
 
 
@@ -33,6 +41,9 @@ class Effort:
     robust_cases: int
     runs: int
     sweep_cases: int
+    analysed_cases: int
+    friction_cases: int
+    friction_sample: int
 
 
 FULL = Effort(
@@ -42,8 +53,19 @@ FULL = Effort(
     robust_cases=100_000,
     runs=10,
     sweep_cases=1_000_000,
+    friction_cases=200,
+    friction_sample=2,
 )
-QUICK = Effort(cases=8_000, repeats=1, sample=5, robust_cases=3_000, runs=2, sweep_cases=20_000)
+QUICK = Effort(
+    cases=8_000,
+    repeats=1,
+    sample=5,
+    robust_cases=3_000,
+    runs=2,
+    sweep_cases=20_000,
+    friction_cases=20,
+    friction_sample=0,
+)
 
 
 def steps(effort: Effort) -> list[tuple[str, Callable[[], Findings]]]:
@@ -56,8 +78,13 @@ def steps(effort: Effort) -> list[tuple[str, Callable[[], Findings]]]:
             (f"SciPy, {n}", partial(against_scipy.measure, n, e.sample, e.repeats))
             for n in against_scipy.SETS
         ),
+        (
+            "friction control",
+            partial(friction_control.measure, e.friction_cases, e.friction_sample, e.repeats),
+        ),
         ("start", partial(start.measure, e.runs)),
         ("sweep", partial(sweep.measure, e.sweep_cases)),
+        ("film and friction", partial(lubrication.measure, e.analysed_cases)),
         *((n, partial(robustness.measure, n, e.robust_cases)) for n in robustness.KINDS),
     ]
 
