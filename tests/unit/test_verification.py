@@ -31,7 +31,7 @@ from rolamento.verification.check import cut, half_unit, rounded
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "verification.md"
 BOTH = pytest.mark.parametrize("words", LANGUAGES.values(), ids=LANGUAGES.keys())
-NAMES = {"harris_1991", "iso_16281", "campanha_2008", "radaelli_2013", "case_western", "makers"}
+NAMES = {"harris_1991", "iso_281", "iso_16281", "campanha_2008", "radaelli_2013", "case_western", "makers"}
 
 
 @cache
@@ -179,7 +179,7 @@ def test_an_unknown_source_is_refused_with_the_nearest_one() -> None:
     with pytest.raises(InputError, match="did you mean radaelli_2013") as caught:
         run(["radaeli2013"])
     assert (caught.value.field, caught.value.value) == ("source", "radaeli2013")
-    with pytest.raises(InputError, match="known: harris_1991, iso_16281"):
+    with pytest.raises(InputError, match="known: harris_1991, iso_281, iso_16281"):
         run(["zzz"])
 
 

@@ -129,6 +129,25 @@ PORTUGUESE: Final = VerificationWords(
             "Erro de impressão, de três unidades do último algarismo: o a* e o b* impressos na"
             " mesma linha dão 0,9432, como a solução exata."
         ),
+        "(1 - X)/Y with the printed factors, whose own rounding leaves the last digit open.": (
+            "(1 - X)/Y com os fatores impressos, cujo arredondamento deixa em aberto o último"
+            " algarismo."
+        ),
+        "The author rounds the inner groove's radius to 5.21 mm; the outer conformity is 0.53. The"
+        " standard raises no rating for closer grooves: this factor is theory.": (
+            "O autor arredonda o raio da pista interna para 5,21 mm; a conformidade externa é 0,53."
+            " A norma não aumenta a capacidade por pistas mais justas: este fator é teoria."
+        ),
+        "The program balances its ball loads to some 1e-5, of which the life takes the cube:"
+        " tolerance 1e-4.": (
+            "O programa equilibra as cargas das esferas a cerca de 1e-5, e a vida leva o seu cubo:"
+            " margem 1e-4."
+        ),
+        "With the contact stiffness of the free contact angle, as the standard keeps it, the balls"
+        " stand 0.0006° steeper and carry less. Tolerance 3e-5: the cube of 1e-5 in the loads.": (
+            "Com a rigidez de contato do ângulo livre, como a norma a mantém, as esferas ficam"
+            " 0,0006° mais inclinadas e levam menos. Margem 3e-5: o cubo de 1e-5 nas cargas."
+        ),
         "The digits beyond the printed ones are cut off, not rounded.": (
             "Os algarismos além dos impressos foram cortados, não arredondados."
         ),

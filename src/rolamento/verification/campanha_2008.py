@@ -8,7 +8,11 @@ from typing import Final
 from rolamento.contact.hertz import HertzContact, effective_modulus, elliptical_contact
 from rolamento.contact.subsurface import greatest_shear
 from rolamento.geometry import race_curvature
-from rolamento.verification import campanha_2008_clearance, campanha_2008_film
+from rolamento.verification import (
+    campanha_2008_clearance,
+    campanha_2008_film,
+    campanha_2008_life,
+)
 from rolamento.verification.check import Check
 from rolamento.verification.published import MM, published, steel
 
@@ -45,10 +49,11 @@ def inner_contact(load: float) -> HertzContact:
 
 
 def checks() -> Iterator[Check]:
-    """Compare the depth of the greatest shear stress, the oil, the film and the clearances."""
+    """Compare the depth of the greatest shear, oil, film, clearances, rating and life."""
     yield _shear_depth()
     yield from campanha_2008_film.checks()
     yield from campanha_2008_clearance.checks()
+    yield from campanha_2008_life.checks()
 
 
 def _shear_depth() -> Check:
