@@ -47,13 +47,9 @@ NOTES: Final[Mapping[str, str]] = {
         "No friction: the lubricant's coefficient of friction is not given"
         " (lubricant.friction_coefficient)."
     ),
-    "coefficient_too_great": (
-        "No friction: the friction models take a coefficient of friction of at most 1."
-    ),
 }
 """Why a part is missing, by name."""
 
-_MOST_COEFFICIENT: Final = 1.0
 _DEFAULT_HYSTERESIS: Final = 0.01
 _BLOCK: Final = 4096
 """Cases at a time, so that their arrays stay near the processor."""
@@ -331,7 +327,7 @@ def _coefficient(case: Case) -> float:
 
 
 def _has_friction(case: Case) -> bool:
-    return _coefficient(case) <= _MOST_COEFFICIENT
+    return isfinite(_coefficient(case))
 
 
 def _missing(case: Case) -> tuple[str, ...]:
@@ -339,8 +335,7 @@ def _missing(case: Case) -> tuple[str, ...]:
     if _has_oil(case) and not _has_film(case):
         notes.append("no_temperature")
     if not _has_friction(case):
-        given = isfinite(_coefficient(case))
-        notes.append("coefficient_too_great" if given else "no_coefficient")
+        notes.append("no_coefficient")
     return tuple(notes)
 
 

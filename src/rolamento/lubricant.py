@@ -148,7 +148,7 @@ class Lubricant(Record):
     ) = Field(None, examples=["0.145 W/m/K"])
     minimum_temperature: _Temperature | None = Field(None, examples=["-20 degC"])
     maximum_temperature: _Temperature | None = Field(None, examples=["120 degC"])
-    friction_coefficient: Annotated[float, Ratio(above=0.0, at_most=2.0)] | None = Field(
+    friction_coefficient: Annotated[float, Ratio(above=0.0, at_most=1.0)] | None = Field(
         None, examples=[0.17]
     )
     source: Line = Field("", repr=False, examples=["maker's data sheet"])

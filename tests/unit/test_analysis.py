@@ -87,12 +87,6 @@ def test_the_least_film_parameter_decides_the_regime(oiled: Case) -> None:
         ),
         ({"lubricant": "BP 135"}, False, True, ()),
         ({"surface": None}, True, True, ()),
-        (
-            {"lubricant": {"kind": "dry", "friction_coefficient": 1.5}},
-            False,
-            False,
-            ("coefficient_too_great",),
-        ),
         ({"lubricant": None}, False, False, ()),
     ],
 )

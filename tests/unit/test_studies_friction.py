@@ -171,16 +171,6 @@ def test_coefficient_and_temperature_are_scattered(oiled: Case) -> None:
     np.testing.assert_allclose(ratio, ratio[0], rtol=1e-6)
 
 
-def test_a_coefficient_beyond_the_models_has_no_number(oiled: Case) -> None:
-    axis = Axis(field="lubricant.friction_coefficient", values=(0.1, 1.5))
-    outputs = ("friction_torque_todd", "hysteresis_torque", "x")
-    found = run(Study(case=oiled, outputs=outputs, axes=(axis,)))
-    assert np.isfinite(found["x"]).all()
-    for name in outputs[:2]:
-        assert np.isfinite(found[name][0])
-        assert np.isnan(found[name][1])
-
-
 @pytest.mark.parametrize(
     ("output", "changes", "words"),
     [

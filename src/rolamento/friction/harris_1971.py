@@ -164,7 +164,10 @@ def _balanced(inner: Patch, outer: Patch, start: FloatArray) -> tuple[FloatArray
 
 
 def _step(error: FloatArray, hessian: FloatArray, damping: FloatArray) -> FloatArray:
-    diagonal = np.sqrt(np.einsum("bii->bi", hessian) + np.finfo(np.float64).tiny)
+    stiffness = np.einsum("bii->bi", hessian)
+    # where nothing resists a turn, a little does: the step stays finite
+    greatest = stiffness.max(axis=1, keepdims=True)
+    diagonal = np.sqrt(np.maximum(stiffness, np.where(greatest > 0.0, 1e-12 * greatest, 1.0)))
     scaled = hessian / (diagonal[:, :, np.newaxis] * diagonal[:, np.newaxis, :])
     scaled = scaled + damping[:, np.newaxis, np.newaxis] * np.eye(3)
     return np.asarray(
