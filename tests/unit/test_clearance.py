@@ -381,6 +381,65 @@ def test_one_sample_and_none_of_a_seat() -> None:
     assert np.isnan(samples.shaft_interference).all()
 
 
+# SKF, Housing tolerances and resultant fits: diameter, class, probable fit in µm, a gap positive.
+PROBABLE_OF_SKF = [
+    (62, "J7", -7, 26),
+    (62, "JS5", -3, 16),
+    (62, "JS6", -6, 19),
+    (62, "JS7", -10, 23),
+    (62, "K5", -7, 13),
+    (62, "H7", 5, 38),
+    (62, "H8", 5, 54),
+    (62, "J6", -2, 22),
+    (52, "J7", -7, 26),
+    (100, "J7", -8, 32),
+    (100, "JS6", -6, 21),
+    (140, "J7", -7, 37),
+    (170, "K5", -9, 22),
+]
+
+
+@pytest.mark.parametrize(("diameter", "tolerance", "low", "high"), PROBABLE_OF_SKF)
+def test_probable_fits_are_those_that_skf_prints(
+    diameter: float, tolerance: str, low: float, high: float
+) -> None:
+    """Three standard deviations of independent normal dimensions; SKF rounds outward by a µm."""
+    d = 1e-3 * diameter
+    bearing = bearing_6305(pitch_diameter=0.75 * d, ball_diameter=0.1 * d)
+    place = Mounting(bore=0.4 * d, outside_diameter=d, housing_tolerance=tolerance)
+    samples = sample_clearance(bearing, place, samples=200_000, seed=3)
+    fit = -1e6 * samples.housing_interference
+    sigma = fit.std() / 0.9867
+    assert [fit.mean() - 3 * sigma, fit.mean() + 3 * sigma] == pytest.approx([low, high], abs=1.1)
+
+
+def test_interferences_on_shafts_are_those_that_a_maker_prints() -> None:
+    """GBBCO, Table 1, bore 18 to 30 and 50 to 80: greatest gap and greatest interference, µm."""
+    for bore, tolerance, gap, tight in (
+        (25, "g6", 20, 3),
+        (25, "h6", 13, 10),
+        (25, "j5", 4, 15),
+        (25, "j6", 4, 19),
+        (25, "js6", 6.5, 16.5),
+        (75, "g6", 29, 5),
+        (75, "j5", 7, 21),
+        (75, "js6", 9.5, 24.5),
+    ):
+        bearing = bearing_6305(pitch_diameter="115 mm", ball_diameter="12 mm")
+        if bore == 25:
+            bearing = bearing_6305()
+        place = Mounting(bore=1e-3 * bore, outside_diameter="150 mm", shaft_tolerance=tolerance)
+        limits = operating_clearance(bearing, place).steps[1].details["interference"]
+        assert [1e6 * limits[0], -1e6 * limits[2]] == pytest.approx([tight, gap])
+
+
+def test_what_is_left_of_an_interference_is_never_negative() -> None:
+    samples = sample_clearance(bearing_6305(), mounting(housing_tolerance="J7"))
+    assert samples.housing_interference.min() < 0.0 == samples.housing_effective.min()
+    tight = samples.housing_interference > 0.0
+    assert samples.housing_effective[tight] == pytest.approx(samples.housing_interference[tight])
+
+
 def test_share_of_preloaded_bearings() -> None:
     samples = sample_clearance(bearing_6305(), mounting(clearance_class="CN", shaft_tolerance="n6"))
     assert samples.preloaded == np.mean(samples.clearance < 0.0) > 0.5

@@ -30,7 +30,9 @@ class ClearanceSamples:
     clearance
         (samples,)
     shaft_interference, housing_interference
-        (samples,) left in operation; NaN where the ring has no seat
+        (samples,) as mounted, negative for a gap; NaN where the ring has no seat
+    shaft_effective, housing_effective
+        (samples,) of it left in operation
     preloaded
         share of the samples with a negative clearance, 0 to 1
     """
@@ -38,6 +40,8 @@ class ClearanceSamples:
     clearance: FloatArray
     shaft_interference: FloatArray
     housing_interference: FloatArray
+    shaft_effective: FloatArray
+    housing_effective: FloatArray
     preloaded: float
 
     @property
@@ -91,14 +95,17 @@ def sample_clearance(
     chain = Chain.of(bearing, mounting, temperatures, inner_speed, outer_speed)
     draws = _Draws(np.random.default_rng(seed), samples, distribution)
     initial = draws.over(chain.initial)
-    shaft = None if chain.shaft is None else draws.total(chain.shaft_parts)
-    housing = None if chain.housing is None else draws.total(chain.housing_parts)
-    result = chain.run(initial, shaft, housing)
+    on_shaft = None if chain.shaft is None else draws.total(chain.shaft_parts)
+    in_housing = None if chain.housing is None else draws.total(chain.housing_parts)
+    result = chain.run(initial, on_shaft, in_housing)
     nothing = np.full(samples, np.nan)
+    shaft, housing = result.shaft, result.housing
     return ClearanceSamples(
         clearance=result.clearance,
-        shaft_interference=nothing if result.shaft is None else result.shaft.effective,
-        housing_interference=nothing if result.housing is None else result.housing.effective,
+        shaft_interference=nothing if shaft is None else shaft.interference,
+        housing_interference=nothing if housing is None else housing.interference,
+        shaft_effective=nothing if shaft is None else shaft.effective,
+        housing_effective=nothing if housing is None else housing.effective,
         preloaded=float(np.mean(result.clearance < 0.0)),
     )
 
