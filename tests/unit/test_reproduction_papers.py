@@ -110,6 +110,7 @@ def test_every_statement_ends_as_told(items: dict[str, Any]) -> None:
     assert len(verdicts) == 18
     assert {key: value for key, value in verdicts.items() if value != "holds"} == {
         ("ricci-fleury/figure-09", 0): "partly",  # the inner contact spins less, the outer more
+        ("ricci-fleury/figure-09", 1): "partly",  # at the load drawn, not at a heavier one
         ("braga-almeida/figure-3.01", 0): "partly",  # on the two lines only, not between them
         ("braga-almeida/table-4.1", 0): "fails",  # less friction lets the gyroscopic motion grow
         ("braga-almeida/table-5.1", 0): "partly",  # equation 48 has a misprint

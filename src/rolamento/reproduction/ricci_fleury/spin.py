@@ -58,10 +58,11 @@ def _speeds() -> Floats:
 
 
 @cache
-def _solved(conformity: float) -> _Bearing:
+def _solved(conformity: float, load: float | None = None) -> _Bearing:
     given = GIVEN.inputs_of("spin")
     speeds = _speeds()
-    base = case(given["axial_load_N"], float(speeds[0]), outer_conformity=conformity)
+    load = given["axial_load_N"] if load is None else load
+    base = case(load, float(speeds[0]), outer_conformity=conformity)
     state = solve_batch(base, inner_speed=speeds * RPM)
     balls = loaded_balls(state)
     inner, outer, chosen = flat_balls(balls)
@@ -152,7 +153,11 @@ def _figure() -> Figure:
         source=GIVEN.source_of("spin"),
         columns=columns,
         picture=Curves((_panel(values),)),
-        claims=(_improvement(values, found), _lines_of(found[0]), *_no_free_lunch(found)),
+        claims=(
+            _improvement(values, found),
+            _lines_of(found[0], values[0]),
+            *_no_free_lunch(found),
+        ),
         notes=(
             said(
                 "Both contact angles are those at speed, with the balls' centrifugal force and"
@@ -231,12 +236,11 @@ def _change(one: _Bearing) -> float:
     return float(_speeds()[np.argmax(one.inner > one.outer)])
 
 
-def _lines_of(one: _Bearing) -> Claim:
+def _lines_of(one: _Bearing, conformity: float) -> Claim:
     """Count the lines of pure rolling over speed."""
-    pairs = list(zip(one.inner_lines.astype(int), one.outer_lines.astype(int), strict=True))
-    seen = list(dict.fromkeys(pairs))
-    told = ", ".join(f"{inner}/{outer}" for inner, outer in seen)
-    ends = seen[0] == (2, 1) and seen[-1] == (1, 2)
+    heavier = float(GIVEN.inputs_of("spin")["heavier_load_N"])
+    seen, under_more = _pairs(one), _pairs(_solved(conformity, heavier))
+    stated = [(2, 1), (1, 1), (1, 2)]
     return Claim(
         said(
             "Where the inner race holds the ball, the inner contact has two lines of pure rolling"
@@ -246,13 +250,27 @@ def _lines_of(one: _Bearing) -> Claim:
             " externo uma; onde a externa controla, o contrário; na transição há uma em cada.",
         ),
         said(
-            "Lines inside/outside with rising speed, f_o = f_i: {}.",
-            "Linhas interno/externo com rotação crescente, f_o = f_i: {}.",
-            told,
+            "Lines inside/outside with rising speed, f_o = f_i: {} at the load of the figure; {}"
+            " under {:.0f} N. It depends on the load.",
+            "Linhas interno/externo com rotação crescente, f_o = f_i: {} com a carga da figura; {}"
+            " sob {:.0f} N. Depende da carga.",
+            _told(seen),
+            _told(under_more),
+            heavier,
         ),
-        holds=ends and (1, 1) in seen and len(seen) == 3,
-        partly=ends,
+        holds=seen == stated and under_more == stated,
+        partly=stated in (seen, under_more),
     )
+
+
+def _pairs(one: _Bearing) -> list[tuple[int, int]]:
+    """Return how many lines the contacts have, inner and outer, in the order of appearance."""
+    pairs = zip(one.inner_lines.tolist(), one.outer_lines.tolist(), strict=True)
+    return list(dict.fromkeys((int(inner), int(outer)) for inner, outer in pairs))
+
+
+def _told(pairs: list[tuple[int, int]]) -> str:
+    return ", ".join(f"{inner}/{outer}" for inner, outer in pairs)
 
 
 def _no_free_lunch(found: list[_Bearing]) -> tuple[Claim, ...]:

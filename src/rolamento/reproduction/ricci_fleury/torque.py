@@ -135,6 +135,7 @@ def _figure(found: _Solved) -> Figure:
                 *np.degrees(found.balls.inner.contact_angle[[0, -1], 0]),
                 *(found.balls.inner.max_pressure[[0, -1], 0] / 1e9),
             ),
+            _beyond(),
         ),
     )
 
@@ -148,6 +149,26 @@ def _caption() -> Text:
         " {:.1f} rpm, μ = {:.2f}.",
         given["speed_rpm"],
         given["friction_coefficient"],
+    )
+
+
+def _beyond() -> Text:
+    """Tell the ratios at loads outside the range drawn, where the expectations end."""
+    given = GIVEN.inputs_of("torque")
+    loads, mu = [float(load) for load in given["beyond_N"]], given["friction_coefficient"]
+    balls = loaded_balls(solve_batch(case(loads[0], given["speed_rpm"]), fx=np.array(loads)))
+    simplified = jones_simplified(balls, mu).total
+    over_control = 100.0 * (simplified / jones_control(balls, mu).total - 1.0)
+    over_full = 100.0 * (simplified / jones_full_motion(balls, mu)[0].total - 1.0)
+    pairs = np.column_stack([loads, over_control, over_full]).ravel()
+    return said(
+        "The range of load was chosen so that these expectations cover it; beyond it they do not:"
+        " at {:.0f} N the simplified model lies {:.1f} % above that with control and {:.1f} % above"
+        " the full one, at {:.0f} N {:.1f} % and {:.1f} %.",
+        "A faixa de carga foi escolhida de modo que essas expectativas a cubram; fora dela não:"
+        " com {:.0f} N o modelo simplificado fica {:.1f} % acima do com controle e {:.1f} % acima"
+        " do completo, com {:.0f} N {:.1f} % e {:.1f} %.",
+        *(float(value) for value in pairs),
     )
 
 
