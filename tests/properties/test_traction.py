@@ -351,15 +351,16 @@ def test_meets_raceway_control_where_no_ball_spins() -> None:
 
 
 def test_much_friction_leaves_a_motion_that_does_not_depend_on_it() -> None:
-    """Nothing slips more than geometry asks: attitudes settle, and torque grows with μ."""
-    first, second = (
-        solve(case_of(fx=20e3, mu=mu, model={"centrifugal_force": False})) for mu in (1.0, 2.0)
-    )
-    assert second.balls[0].attitude == pytest.approx(first.balls[0].attitude, rel=1e-3)
-    assert abs(rolling_of(second).balls[0].yaw) < 1e-3
-    assert rolling_of(second).inner_torque == pytest.approx(
-        2.0 * rolling_of(first).inner_torque, rel=1e-2
-    )
+    """What the gyroscopic moment does to the motion dies out as 1/μ; torque over μ settles."""
+    values = (0.25, 0.5, 1.0)
+    states = [solve(case_of(fx=20e3, mu=mu, model={"centrifugal_force": False})) for mu in values]
+    torque = [rolling_of(s).inner_torque / mu for s, mu in zip(states, values, strict=True)]
+    attitude = [state.balls[0].attitude for state in states]
+    yaw = [abs(rolling_of(state).balls[0].yaw) for state in states]
+    for series in (torque, attitude):
+        assert abs(series[2] - series[1]) < 0.7 * abs(series[1] - series[0])
+    assert yaw[0] > 1.5 * yaw[1] > 2.25 * yaw[2]
+    assert torque[2] == pytest.approx(torque[1], rel=0.02)
 
 
 # --- symmetry ---------------------------------------------------------------------------------
