@@ -13,6 +13,8 @@ from rolamento.cli.catalogue import app
 from rolamento.report.catalogue import bearing_report, search_report
 from rolamento.report.language import LANGUAGES, words_for
 from rolamento.report.medium import Medium
+from rolamento.studies import parse_study
+from rolamento.studies import run as run_study
 
 
 def run(*arguments: str) -> Result:
@@ -89,6 +91,22 @@ def test_json(tmp_path: Path) -> None:
     assert run("search", "6305", f"--json={file}").exit_code == 0
     listed = json.loads(file.read_text("utf-8"))["bearings"]
     assert [one["designation"] for one in listed] == ["6305"]
+
+
+def test_axis_of_a_study_file() -> None:
+    result = run("show", "6815", "--axis")
+    assert result.exit_code == 0
+    case = '[case.bearing]\ndesignation = "6815"\n[case.duty.load]\nfz = "5 kN"\n'
+    study = parse_study('outputs = ["max_inner_load"]\n' + result.stdout + case)
+    loads = run_study(study).max_inner_load.to_numpy()
+    assert loads.shape == (3,)
+    assert loads.max() > loads.min()
+
+
+def test_no_axis_without_candidates() -> None:
+    result = run("show", "S 6012 C", "--axis")
+    assert result.exit_code == 2
+    assert "no candidates" in result.stderr
 
 
 def test_own_catalogue(tmp_path: Path) -> None:

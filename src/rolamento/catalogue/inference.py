@@ -345,7 +345,7 @@ def _candidate(
         rank=rank,
         ball_count=round(count),
         ball_diameter=ball,
-        pitch_diameter=pitch,
+        pitch_diameter=_rounded(pitch) if bearing.pitch_diameter is None else pitch,
         pitch_diameter_range=pitch_range,
         inner_conformity=groove.inner,
         outer_conformity=groove.outer,
@@ -359,6 +359,11 @@ def _candidate(
         rests_on=tuple(name for name, known in zip(names, given, strict=True) if known)
         + tuple(kept),
     )
+
+
+def _rounded(length: float) -> float:
+    """Round what is known to a part in a hundred to a tenth of a micrometre."""
+    return round(length, 7)
 
 
 def _relative(logarithm: float | None) -> float | None:

@@ -87,6 +87,10 @@ def show(
         str | None,
         typer.Option("--static", metavar="FORCE", help="Static rating, in place of the list's."),
     ] = None,
+    axis: Annotated[
+        bool,
+        typer.Option("--axis", help="Print the candidates as an axis of a study file instead."),
+    ] = False,
     files: FilesOption = None,
     json: JsonOption = None,
     lang: LanguageOption = None,
@@ -98,7 +102,12 @@ def show(
             known = _with_ratings(known, designation, dynamic, static)
         bearing = known.find(designation).bearing
         geometry = _geometry(known, designation, bearing)
-        _show_one(geometry, bearing, json, lang)
+        if axis and geometry is not None:
+            from rolamento.report.catalogue import axis_toml
+
+            print_text(axis_toml(geometry))
+        else:
+            _show_one(geometry, bearing, json, lang)
     raise typer.Exit(NO_RESULT if geometry is None else SOLVED)
 
 

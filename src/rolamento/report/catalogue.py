@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
 from math import degrees
 from typing import Any, Final
 
@@ -14,120 +13,23 @@ from rolamento.catalogue import (
     Candidate,
     CatalogueBearing,
     InternalGeometry,
-    Origin,
+    ambiguity_axis,
     ball_name,
 )
+from rolamento.errors import InputError
+from rolamento.report.catalogue_words import CATALOGUE_WORDS, CatalogueWords
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium
 from rolamento.report.page import Lines, Page
 from rolamento.report.terminal import rendered
+from rolamento.units import from_si
 
-__all__ = ["bearing_json", "bearing_report", "search_json", "search_report"]
+__all__ = ["axis_toml", "bearing_json", "bearing_report", "search_json", "search_report"]
 
 SCHEMA: Final = 1
 _MM: Final = 1e3
 
 
-@dataclass(frozen=True, slots=True)
-class _Words:
-    nothing: str
-    more: str
-    balls: str
-    kinds: Mapping[str, str]
-    figures: str
-    names: Mapping[str, str]
-    inside: str
-    origins: Mapping[Origin, str]
-    clearance_class: str
-    meanings: str
-    unknown: str
-    candidates: str
-    heads: tuple[str, ...]
-    legend: str
-    warning: str
-    unfit: str
-    no_inside: str
-
-
-_WORDS: Final[Mapping[str, _Words]] = {
-    "en": _Words(
-        nothing="no bearing of the catalogue is like that",
-        more="… and more: type more of the designation, or --most",
-        balls="balls",
-        kinds={"deep_groove": "deep groove", "angular_contact": "angular contact"},
-        figures="Published figures",
-        names={
-            "bore": "bore d",
-            "outside_diameter": "outside diameter D",
-            "width": "width B",
-            "contact_angle": "contact angle α",
-            "dynamic_rating": "dynamic rating C",
-            "static_rating": "static rating C0",
-            "f0": "factor f0",
-            "ball_count": "balls Z",
-            "ball_diameter": "ball diameter D",
-            "pitch_diameter": "pitch diameter d_m",
-            "inner_conformity": "inner conformity",
-            "outer_conformity": "outer conformity",
-            "diametral_clearance": "diametral clearance",
-        },
-        inside="Inside",
-        origins={"published": "published", "inferred": "inferred", "assumed": "assumed"},
-        clearance_class="clearance class",
-        meanings="designation",
-        unknown="not understood: {parts}",
-        candidates="What the ratings allow",
-        heads=("", "Z", "D mm", "", "d_m mm", "from", "to", "f_i", "f_o",
-               "C %", "C0 %", "f0", "misfit", "share %"),
-        legend="C, C0, f0: computed less printed; misfit 1 is as good as the printed digits,"
-        " × marks a candidate that misses one by more than three tolerances; share: of the"
-        " likelihood; f_i, f_o: the most open grooves that the ratings allow.",
-        warning="The inside is inferred from {figures}, not published: carry the alternatives"
-        " through whatever rests on it.",
-        unfit="No standard balls reproduce these ratings well: the best candidates are doubtful.",
-        no_inside="Neither balls nor ratings are published: give ball_count, ball_diameter and"
-        " pitch_diameter, or the ratings with --dynamic and --static.",
-    ),
-    "pt": _Words(
-        nothing="nenhum rolamento do catálogo é assim",
-        more="… e mais: digite mais da designação, ou --most",
-        balls="esferas",
-        kinds={"deep_groove": "rígido de esferas", "angular_contact": "contato angular"},
-        figures="Dados publicados",
-        names={
-            "bore": "furo d",
-            "outside_diameter": "diâmetro externo D",
-            "width": "largura B",
-            "contact_angle": "ângulo de contato α",
-            "dynamic_rating": "capacidade dinâmica C",
-            "static_rating": "capacidade estática C0",
-            "f0": "fator f0",
-            "ball_count": "esferas Z",
-            "ball_diameter": "diâmetro da esfera D",
-            "pitch_diameter": "diâmetro primitivo d_m",
-            "inner_conformity": "conformidade interna",
-            "outer_conformity": "conformidade externa",
-            "diametral_clearance": "folga diametral",
-        },
-        inside="Interior",
-        origins={"published": "publicado", "inferred": "inferido", "assumed": "suposto"},
-        clearance_class="classe de folga",
-        meanings="designação",
-        unknown="não entendido: {parts}",
-        candidates="O que as capacidades permitem",
-        heads=("", "Z", "D mm", "", "d_m mm", "de", "a", "f_i", "f_o",
-               "C %", "C0 %", "f0", "desvio", "parte %"),
-        legend="C, C0, f0: calculado menos impresso; desvio 1 é tão bom quanto os dígitos"
-        " impressos, × marca um candidato que erra um deles por mais de três tolerâncias; parte:"
-        " da verossimilhança; f_i, f_o: os sulcos mais abertos que as capacidades permitem.",
-        warning="O interior é inferido de {figures}, não publicado: leve as alternativas a tudo"
-        " que se apoia nele.",
-        unfit="Nenhuma esfera padrão reproduz bem estas capacidades: os melhores candidatos são"
-        " duvidosos.",
-        no_inside="Nem esferas nem capacidades são publicadas: dê ball_count, ball_diameter e"
-        " pitch_diameter, ou as capacidades com --dynamic e --static.",
-    ),
-}  # fmt: skip
 _SHORT_NAMES: Final = {"dynamic_rating": "C", "static_rating": "C0", "f0": "f0"}
 
 
@@ -215,7 +117,7 @@ def bearing_report(
 
 
 def _head(
-    page: Page, said: _Words, bearing: CatalogueBearing, geometry: InternalGeometry | None
+    page: Page, said: CatalogueWords, bearing: CatalogueBearing, geometry: InternalGeometry | None
 ) -> Lines:
     named = " ".join(part for part in (bearing.maker, bearing.designation) if part)
     kind = page.medium.fitted(said.kinds[bearing.kind])
@@ -237,7 +139,7 @@ def _head(
     return lines
 
 
-def _figures(page: Page, said: _Words, bearing: CatalogueBearing) -> Lines:
+def _figures(page: Page, said: CatalogueWords, bearing: CatalogueBearing) -> Lines:
     rows = [
         [page.text(said.names[name]), page.text(_shown(page, name, value))]
         for name, value in bearing.figures.items()
@@ -248,7 +150,7 @@ def _figures(page: Page, said: _Words, bearing: CatalogueBearing) -> Lines:
     return lines
 
 
-def _inside(page: Page, said: _Words, geometry: InternalGeometry) -> Lines:
+def _inside(page: Page, said: CatalogueWords, geometry: InternalGeometry) -> Lines:
     rows = []
     for name, value in geometry.fields.items():
         origin = geometry.origins[name]
@@ -272,7 +174,7 @@ def _inside(page: Page, said: _Words, geometry: InternalGeometry) -> Lines:
     return lines
 
 
-def _candidates(page: Page, said: _Words, candidates: Sequence[Candidate]) -> Lines:
+def _candidates(page: Page, said: CatalogueWords, candidates: Sequence[Candidate]) -> Lines:
     rows = [[page.text(head, "dim") for head in said.heads]]
     for one in candidates:
         digits = page.digits
@@ -319,8 +221,36 @@ def _shown(page: Page, name: str, value: float) -> str:
     return f"{page.digits.short(_MM * value, digits)} mm"
 
 
-def _words(words: Words) -> _Words:
-    return _WORDS.get(words.code, _WORDS["en"])
+def _words(words: Words) -> CatalogueWords:
+    return CATALOGUE_WORDS.get(words.code, CATALOGUE_WORDS["en"])
+
+
+def axis_toml(geometry: InternalGeometry) -> str:
+    """Return the axis of a study file over the candidates that the ratings allow.
+
+    Parameters
+    ----------
+    geometry
+        With candidates.
+
+    Raises
+    ------
+    InputError
+        If its balls are published: there is nothing to vary.
+    """
+    if not geometry.candidates:
+        raise InputError(
+            "has published balls: there are no candidates",
+            field="designation",
+            value=geometry.designation.text,
+        )
+    axis = ambiguity_axis(geometry.candidates)
+    lines = ["[[axes]]", f'name = "{axis["name"]}"', "[axes.zipped]"]
+    for name, values in axis["zipped"].items():
+        is_length = name.endswith("diameter")
+        texts = [f'"{from_si(value, "length")}"' if is_length else str(value) for value in values]
+        lines.append(f'"{name}" = [{", ".join(texts)}]')
+    return "\n".join(lines) + "\n"
 
 
 # --- data -------------------------------------------------------------------------------------

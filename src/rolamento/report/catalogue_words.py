@@ -1,0 +1,115 @@
+"""What the pages of the catalogue say, by language."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Final
+
+from rolamento.catalogue import Origin
+
+__all__ = ["CATALOGUE_WORDS", "CatalogueWords"]
+
+
+@dataclass(frozen=True, slots=True)
+class CatalogueWords:
+    """The words of one language; `{…}` are filled in by the one who says it."""
+
+    nothing: str
+    more: str
+    balls: str
+    kinds: Mapping[str, str]
+    figures: str
+    names: Mapping[str, str]
+    inside: str
+    origins: Mapping[Origin, str]
+    clearance_class: str
+    meanings: str
+    unknown: str
+    candidates: str
+    heads: tuple[str, ...]
+    legend: str
+    warning: str
+    unfit: str
+    no_inside: str
+
+
+CATALOGUE_WORDS: Final[Mapping[str, CatalogueWords]] = {
+    "en": CatalogueWords(
+        nothing="no bearing of the catalogue is like that",
+        more="… and more: type more of the designation, or --most",
+        balls="balls",
+        kinds={"deep_groove": "deep groove", "angular_contact": "angular contact"},
+        figures="Published figures",
+        names={
+            "bore": "bore d",
+            "outside_diameter": "outside diameter D",
+            "width": "width B",
+            "contact_angle": "contact angle α",
+            "dynamic_rating": "dynamic rating C",
+            "static_rating": "static rating C0",
+            "f0": "factor f0",
+            "ball_count": "balls Z",
+            "ball_diameter": "ball diameter D",
+            "pitch_diameter": "pitch diameter d_m",
+            "inner_conformity": "inner conformity",
+            "outer_conformity": "outer conformity",
+            "diametral_clearance": "diametral clearance",
+        },
+        inside="Inside",
+        origins={"published": "published", "inferred": "inferred", "assumed": "assumed"},
+        clearance_class="clearance class",
+        meanings="designation",
+        unknown="not understood: {parts}",
+        candidates="What the ratings allow",
+        heads=("", "Z", "D mm", "", "d_m mm", "from", "to", "f_i", "f_o",
+               "C %", "C0 %", "f0", "misfit", "share %"),
+        legend="C, C0, f0: computed less printed; misfit 1 is as good as the printed digits,"
+        " × marks a candidate that misses one by more than three tolerances; share: of the"
+        " likelihood; f_i, f_o: the most open grooves that the ratings allow.",
+        warning="The inside is inferred from {figures}, not published: carry the alternatives"
+        " through whatever rests on it.",
+        unfit="No standard balls reproduce these ratings well: the best candidates are doubtful.",
+        no_inside="Neither balls nor ratings are published: give ball_count, ball_diameter and"
+        " pitch_diameter, or the ratings with --dynamic and --static.",
+    ),
+    "pt": CatalogueWords(
+        nothing="nenhum rolamento do catálogo é assim",
+        more="… e mais: digite mais da designação, ou --most",
+        balls="esferas",
+        kinds={"deep_groove": "rígido de esferas", "angular_contact": "contato angular"},
+        figures="Dados publicados",
+        names={
+            "bore": "furo d",
+            "outside_diameter": "diâmetro externo D",
+            "width": "largura B",
+            "contact_angle": "ângulo de contato α",
+            "dynamic_rating": "capacidade dinâmica C",
+            "static_rating": "capacidade estática C0",
+            "f0": "fator f0",
+            "ball_count": "esferas Z",
+            "ball_diameter": "diâmetro da esfera D",
+            "pitch_diameter": "diâmetro primitivo d_m",
+            "inner_conformity": "conformidade interna",
+            "outer_conformity": "conformidade externa",
+            "diametral_clearance": "folga diametral",
+        },
+        inside="Interior",
+        origins={"published": "publicado", "inferred": "inferido", "assumed": "suposto"},
+        clearance_class="classe de folga",
+        meanings="designação",
+        unknown="não entendido: {parts}",
+        candidates="O que as capacidades permitem",
+        heads=("", "Z", "D mm", "", "d_m mm", "de", "a", "f_i", "f_o",
+               "C %", "C0 %", "f0", "desvio", "parte %"),
+        legend="C, C0, f0: calculado menos impresso; desvio 1 é tão bom quanto os dígitos"
+        " impressos, × marca um candidato que erra um deles por mais de três tolerâncias; parte:"
+        " da verossimilhança; f_i, f_o: os sulcos mais abertos que as capacidades permitem.",
+        warning="O interior é inferido de {figures}, não publicado: leve as alternativas a tudo"
+        " que se apoia nele.",
+        unfit="Nenhuma esfera padrão reproduz bem estas capacidades: os melhores candidatos são"
+        " duvidosos.",
+        no_inside="Nem esferas nem capacidades são publicadas: dê ball_count, ball_diameter e"
+        " pitch_diameter, ou as capacidades com --dynamic e --static.",
+    ),
+}  # fmt: skip
