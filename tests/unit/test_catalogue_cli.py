@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import tomllib
+from importlib import resources
 from pathlib import Path
 
 import pytest
@@ -11,6 +13,7 @@ from typer.testing import CliRunner, Result
 from rolamento.catalogue import catalogue, geometry_of
 from rolamento.cli.catalogue import app
 from rolamento.report.catalogue import bearing_report, search_report
+from rolamento.report.catalogue_words import CATALOGUE_WORDS
 from rolamento.report.language import LANGUAGES, words_for
 from rolamento.report.medium import Medium
 from rolamento.studies import parse_study
@@ -130,3 +133,13 @@ def test_pages_in_every_language_and_encoding(language: str, encoding: str) -> N
     page += search_report(catalogue().search("EX"), words, medium, is_all=False)
     page.encode(encoding)
     assert max(map(len, page.splitlines())) <= 80
+
+
+def test_every_meaning_is_translated() -> None:
+    file = resources.files("rolamento") / "data" / "designations.toml"
+    data = tomllib.loads(file.read_text(encoding="utf-8"))
+    meanings = {*data["prefixes"].values(), *data["suffixes"].values()}
+    assert CATALOGUE_WORDS["pt"].translated.keys() == meanings
+    inside = geometry_of("6305ZZ/C3")
+    page = bearing_report(inside, inside.bearing, words_for("pt"))
+    assert "ZZ: placas de proteção dos dois lados; classe de folga C3" in page

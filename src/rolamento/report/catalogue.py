@@ -128,7 +128,9 @@ def _head(
     if geometry is None:
         return lines
     designation = geometry.designation
-    parts = [f"{part}: {meaning}" for part, meaning in designation.meanings]
+    parts = [
+        f"{part}: {said.translated.get(meaning, meaning)}" for part, meaning in designation.meanings
+    ]
     if geometry.clearance_class:
         parts.append(f"{said.clearance_class} {geometry.clearance_class}")
     if designation.unknown:

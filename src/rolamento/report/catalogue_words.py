@@ -25,6 +25,7 @@ class CatalogueWords:
     origins: Mapping[Origin, str]
     clearance_class: str
     meanings: str
+    translated: Mapping[str, str]
     unknown: str
     candidates: str
     heads: tuple[str, ...]
@@ -33,6 +34,72 @@ class CatalogueWords:
     unfit: str
     no_inside: str
 
+
+_PORTUGUESE: Final = {
+    "stainless steel": "aço inoxidável",
+    "flanged outer ring": "anel externo com flange",
+    "low friction design": "projeto de baixo atrito",
+    "ceramic balls": "esferas de cerâmica",
+    "spindle bearing": "rolamento para fusos",
+    "spindle bearing, ceramic balls": "rolamento para fusos, esferas de cerâmica",
+    "spindle bearing, ceramic balls, nitrogen steel rings": (
+        "rolamento para fusos, esferas de cerâmica, anéis de aço nitrogenado"
+    ),
+    "ceramic balls, nitrogen steel rings": "esferas de cerâmica, anéis de aço nitrogenado",
+    "contact seals on both sides": "vedações de contato dos dois lados",
+    "low-friction seals on both sides": "vedações de baixo atrito dos dois lados",
+    "non-contact seals on both sides": "vedações sem contato dos dois lados",
+    "shields on both sides": "placas de proteção dos dois lados",
+    "contact seal on one side": "vedação de contato de um lado",
+    "non-contact seal on one side": "vedação sem contato de um lado",
+    "shield on one side": "placa de proteção de um lado",
+    "non-contact seal on one side, or no cage, by maker": (
+        "vedação sem contato de um lado, ou sem gaiola, conforme o fabricante"
+    ),
+    "snap ring in the outer ring": "anel de retenção no anel externo",
+    "snap ring groove in the outer ring": "ranhura para anel de retenção no anel externo",
+    "tapered bore": "furo cônico",
+    "machined brass cage, guided by the outer ring": (
+        "gaiola usinada de latão, guiada pelo anel externo"
+    ),
+    "machined brass cage, guided by the inner ring": (
+        "gaiola usinada de latão, guiada pelo anel interno"
+    ),
+    "machined brass cage": "gaiola usinada de latão",
+    "polyamide cage": "gaiola de poliamida",
+    "textile-laminate cage": "gaiola de laminado têxtil",
+    "textile-laminate or plastic cage, by maker": (
+        "gaiola de laminado têxtil ou plástico, conforme o fabricante"
+    ),
+    "steel cage": "gaiola de aço",
+    "tolerance class 6": "classe de tolerância 6",
+    "tolerance class 5": "classe de tolerância 5",
+    "tolerance class 4, running accuracy of class 2": (
+        "classe de tolerância 4, exatidão de giro da classe 2"
+    ),
+    "tolerance class 4A of the maker": "classe de tolerância 4A do fabricante",
+    "tolerance class 4": "classe de tolerância 4",
+    "tolerance class 2": "classe de tolerância 2",
+    "clearance for electric motors": "folga para motores elétricos",
+    "for high temperature": "para alta temperatura",
+    "stabilised up to 150 °C": "estabilizado até 150 °C",
+    "stabilised up to 200 °C": "estabilizado até 200 °C",
+    "pair back to back": "par em O (costas com costas)",
+    "pair face to face": "par em X (face a face)",
+    "pair in tandem": "par em tandem",
+    "for universal pairing, small preload or clearance": (
+        "para pareamento universal, pequena pré-carga ou folga"
+    ),
+    "for universal pairing, light preload": "para pareamento universal, pré-carga leve",
+    "for universal pairing, no clearance": "para pareamento universal, sem folga",
+    "for universal pairing, or by maker": "para pareamento universal, ou conforme o fabricante",
+    "for universal pairing": "para pareamento universal",
+    "for universal pairing, small clearance": "para pareamento universal, folga pequena",
+    "for universal pairing, normal clearance": "para pareamento universal, folga normal",
+    "for universal pairing, large clearance": "para pareamento universal, folga grande",
+    "reinforced interior": "interior reforçado",
+    "changed dimensions, by maker": "dimensões alteradas, conforme o fabricante",
+}
 
 CATALOGUE_WORDS: Final[Mapping[str, CatalogueWords]] = {
     "en": CatalogueWords(
@@ -60,6 +127,7 @@ CATALOGUE_WORDS: Final[Mapping[str, CatalogueWords]] = {
         origins={"published": "published", "inferred": "inferred", "assumed": "assumed"},
         clearance_class="clearance class",
         meanings="designation",
+        translated={},
         unknown="not understood: {parts}",
         candidates="What the ratings allow",
         heads=("", "Z", "D mm", "", "d_m mm", "from", "to", "f_i", "f_o",
@@ -98,6 +166,7 @@ CATALOGUE_WORDS: Final[Mapping[str, CatalogueWords]] = {
         origins={"published": "publicado", "inferred": "inferido", "assumed": "suposto"},
         clearance_class="classe de folga",
         meanings="designação",
+        translated=_PORTUGUESE,
         unknown="não entendido: {parts}",
         candidates="O que as capacidades permitem",
         heads=("", "Z", "D mm", "", "d_m mm", "de", "a", "f_i", "f_o",
