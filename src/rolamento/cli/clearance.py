@@ -1,0 +1,79 @@
+"""`rolamento clearance`: the clearance of a mounted bearing in operation, step by step."""
+
+from __future__ import annotations
+
+import sys
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+import rolamento
+from rolamento.cli.common import SOLVED, LanguageOption, plain_endings, same_file, words_of
+from rolamento.cli.streams import STANDARD_STREAM, print_text, put
+from rolamento.errors import FileError
+
+if TYPE_CHECKING:
+    from rolamento.clearance import ClearanceSamples
+
+__all__ = ["clearance"]
+
+
+def clearance(
+    case: Annotated[str, typer.Argument(help="Case file with a [mounting]; - is standard input.")],
+    samples: Annotated[
+        int | None,
+        typer.Option(
+            "--samples",
+            metavar="N",
+            help="Draw so many bearings from their tolerances, up to ten million.",
+        ),
+    ] = None,
+    seed: Annotated[
+        int, typer.Option("--seed", metavar="N", min=0, help="Of the random numbers.")
+    ] = 0,
+    json: Annotated[
+        str | None,
+        typer.Option(
+            "--json",
+            metavar="[FILE]",
+            help="Write everything as JSON, in SI units; without FILE, to standard output.",
+        ),
+    ] = None,
+    settings: Annotated[
+        list[str] | None,
+        typer.Option("--set", metavar="KEY=VALUE", help="Override a field of the case. Repeats."),
+    ] = None,
+    lang: LanguageOption = None,
+) -> None:
+    """Show what fits, temperatures, speed and wear leave of a bearing's clearance."""
+    with plain_endings(lang):
+        if json is not None and same_file(json, case):
+            raise FileError("is the case file itself; choose another name", source=json)
+        loaded = rolamento.load_case(case, settings or ())
+        from rolamento.clearance import clearance_of_case
+        from rolamento.report.clearance import clearance_json, clearance_report
+        from rolamento.report.medium import Medium
+
+        found = clearance_of_case(loaded)
+        drawn = None if samples is None else _drawn(loaded, samples, seed)
+        if json is not None:
+            put(clearance_json(found, drawn) + "\n", json)
+        if json != STANDARD_STREAM:
+            print_text(clearance_report(found, drawn, words_of(lang), Medium.of(sys.stdout)))
+    raise typer.Exit(SOLVED)
+
+
+def _drawn(case: rolamento.Case, samples: int, seed: int) -> ClearanceSamples:
+    """Bearings drawn from the tolerances of a case, which has a mounting."""
+    from rolamento.clearance import sample_clearance
+
+    assert case.mounting is not None
+    return sample_clearance(
+        case.bearing,
+        case.mounting,
+        case.temperature,
+        inner_speed=case.duty.inner_speed,
+        outer_speed=case.duty.outer_speed,
+        samples=samples,
+        seed=seed,
+    )
