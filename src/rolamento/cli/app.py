@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 import rolamento
+from rolamento.cli.catalogue import app as catalogue_app
 from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
@@ -180,3 +181,4 @@ app.command(cls=JsonCommand, epilog="Example: turn case.toml --plot turn.png.")(
 app.command(cls=JsonCommand, epilog="Example: tolerance scatter.nc --plot bands.png.")(tolerance)
 app.command(epilog="Example: reproduce radaelli-2013 --output radaelli --lang pt.")(reproduce)
 app.command(cls=JsonCommand)(verify)
+app.add_typer(catalogue_app, name="catalogue")
