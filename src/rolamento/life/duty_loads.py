@@ -15,7 +15,12 @@ from rolamento.life.modified import fatigue_load_limit, fatigue_load_limit_of_co
 from rolamento.life.solved_balls import SolvedRows
 from rolamento.lubrication.viscosity_ratio import viscosity_ratio
 from rolamento.numerics import BoolArray, FloatArray
-from rolamento.ratings import dynamic_rating, static_rating
+from rolamento.ratings import (
+    dynamic_factor,
+    dynamic_factor_of_grooves,
+    dynamic_rating,
+    static_rating,
+)
 
 _ROW_SHARE: Final = 0.7
 """C of i equal rows is i^0.7 times that of one."""
@@ -62,7 +67,8 @@ def ratings_of(balls: SolvedRows, given: LifeConditions) -> Ratings:
         If the geometry is outside the standard's table, and no rating is given.
     """
     shape = (balls.ball_count, balls.ball_diameter, balls.pitch_diameter, balls.contact_angle)
-    dynamic = _given(given.dynamic_rating, dynamic_rating(*shape), balls)
+    lowered = dynamic_rating(*shape, factor=_groove_factor(balls))
+    dynamic = _given(given.dynamic_rating, lowered, balls)
     if given.static_rating is None and not balls.steel_balls:
         static = np.full_like(balls.ball_diameter, np.nan)
     else:
@@ -178,6 +184,15 @@ def over_cases(value: ArrayLike, name: str, cases: int) -> FloatArray:
     if array.shape not in ((), (cases,)):
         raise InputError(f"must be one number, or one for each of the {cases} cases", field=name)
     return np.broadcast_to(array, (cases,)).copy()
+
+
+def _groove_factor(balls: SolvedRows) -> FloatArray:
+    """f_c of the table, lowered for grooves that are more open than it takes, never raised."""
+    gamma = balls.ball_diameter * np.cos(balls.contact_angle) / balls.pitch_diameter
+    inner = np.maximum(balls.inner_conformity, _INNER_GROOVE)
+    outer = np.maximum(balls.outer_conformity, _OUTER_GROOVE)
+    full = dynamic_factor_of_grooves(gamma, _INNER_GROOVE, _OUTER_GROOVE)
+    return np.asarray(dynamic_factor(gamma) * dynamic_factor_of_grooves(gamma, inner, outer) / full)
 
 
 def _given(value: ArrayLike | None, computed: FloatArray, balls: SolvedRows) -> FloatArray:

@@ -50,8 +50,8 @@ NOTES: Final[Mapping[str, str]] = {
         " the equivalent load knows nothing of it, the reference life counts it."
     ),
     "open_grooves": (
-        "The grooves are more open than 0.52 (inner) or 0.53 (outer): the rating assumes closer"
-        " ones, so that the real life is shorter."
+        "The grooves are more open than 0.52 (inner) or 0.53 (outer). A rating that is not given"
+        " is lowered for it; one that is given has to be the bearing's own."
     ),
     "close_grooves": (
         "The grooves are closer than 0.52 (inner) or 0.53 (outer). The standard warns that closer"
