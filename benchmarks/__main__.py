@@ -23,6 +23,7 @@ from benchmarks import (
     against_scipy,
     duty_sets,
     friction_control,
+    lubrication,
     robustness,
     start,
     sweep,

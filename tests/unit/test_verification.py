@@ -31,7 +31,15 @@ from rolamento.verification.check import cut, half_unit, rounded
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "verification.md"
 BOTH = pytest.mark.parametrize("words", LANGUAGES.values(), ids=LANGUAGES.keys())
-NAMES = {"harris_1991", "iso_281", "iso_16281", "campanha_2008", "radaelli_2013", "case_western", "makers"}
+NAMES = {
+    "harris_1991",
+    "iso_281",
+    "iso_16281",
+    "campanha_2008",
+    "radaelli_2013",
+    "case_western",
+    "makers",
+}
 
 
 @cache
