@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -471,6 +472,20 @@ def test_batch_equals_single_and_threads_change_no_bit() -> None:
     state = solve(case_of(fx=20e3, fz=15e3))
     np.testing.assert_allclose(state.displacement, one.displacement[1], rtol=1e-9)
     assert rolling_of(state).cage_speed == pytest.approx(first.cage_speed[1], rel=1e-10)
+
+
+def test_the_first_compilation_is_announced(
+    monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    solve(CASES["thrust"])  # whatever this machine has to compile is compiled by now
+    caplog.clear()
+    solve(CASES["thrust"])
+    assert not caplog.records
+    kernel = traction.system.solve_with_friction
+    new = SimpleNamespace(is_cached=False, compiled=kernel.compiled)
+    monkeypatch.setattr(traction.system, "solve_with_friction", new)
+    solve(CASES["thrust"])
+    assert "compiling the friction solver for this machine, once" in caplog.text
 
 
 @pytest.mark.parametrize("speed", [0.0, 3000.0])

@@ -11,9 +11,11 @@ import pytest
 
 from rolamento import Bearing, Case, Duty, Load, Lubricant, Model
 from rolamento.equilibrium import solve
+from rolamento.equilibrium.advice import _friction_alone
 from rolamento.equilibrium.rolling_notes import SKID_LIMIT
 from rolamento.report.language import ENGLISH, PORTUGUESE, Words
 from rolamento.report.medium import Medium
+from rolamento.report.sentences import portuguese_sentence
 from rolamento.report.terminal import terminal_report
 from rolamento.state import State
 
@@ -160,6 +162,14 @@ def test_advice_when_friction_does_not_settle(words: Words) -> None:
     assert "model.mesh" in advice
     assert "lubricant.friction_coefficient" in advice
     assert (advice == state.status.advice) == (words is ENGLISH)
+
+
+@pytest.mark.parametrize("residual", [1e-12, 3e-2])
+def test_advice_says_what_is_missing(residual: float) -> None:
+    """A residual as small as a solution's is not what stands in the way."""
+    advice = _friction_alone(residual)
+    assert ("residual" in advice) == (residual > 1e-6)
+    assert portuguese_sentence(advice) != advice
 
 
 def test_a_ball_that_nothing_touches_has_dashes() -> None:

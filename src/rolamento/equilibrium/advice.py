@@ -45,12 +45,7 @@ def advise(case: Case, batch: BatchState) -> str | None:
             "more axial load."
         )
     if case.model.raceway_control == "friction":
-        return (
-            "Under friction alone the solver stopped at a residual of "
-            f"{batch.residual[0]:.1e} of the loads, so it shows no result. Vary a little the load, "
-            "the speed or lubricant.friction_coefficient, take the other model.mesh, more load or "
-            'less model.cage_drag; raceway_control = "jones" gives loads and angles close to these.'
-        )
+        return _friction_alone(float(batch.residual[0]))
     if case.duty.inner_speed * case.duty.outer_speed < 0.0:
         return (
             "Between rings that turn against each other the balls may orbit so slowly that the "
@@ -118,4 +113,21 @@ def _set_without_equilibrium(case: Case) -> str:
         "radial load needs an axial load beside it (about fz tan(contact angle)), and a moment "
         "needs more. Take stronger springs, clamp the rings (bearing.preload.force), lower the "
         "radial load or the moment, or hold the tilts."
+    )
+
+
+def _friction_alone(residual: float) -> str:
+    """Advice where balls that friction controls found no balance, or one that cannot be shown."""
+    if residual <= accept.TOLERANCE:
+        return (
+            "Under friction alone the forces balance, but a ball stands where none can be or the "
+            "power does not balance, so there is no result to show. Vary a little the load, the "
+            "speed or lubricant.friction_coefficient, take the other model.mesh, more load or less "
+            'model.cage_drag; raceway_control = "jones" gives loads and angles close to these.'
+        )
+    return (
+        f"Under friction alone the solver stopped at a residual of {residual:.1e} of the loads, so "
+        "it shows no result. Vary a little the load, the speed or lubricant.friction_coefficient, "
+        "take the other model.mesh, more load or less model.cage_drag; "
+        'raceway_control = "jones" gives loads and angles close to these.'
     )

@@ -149,6 +149,16 @@ _SENTENCES: Final = (
         " razão das rotações.",
     ),
     (
+        "Under friction alone the forces balance, but a ball stands where none can be or the power"
+        " does not balance, so there is no result to show. Vary a little the load, the speed or"
+        " lubricant.friction_coefficient, take the other model.mesh, more load or less"
+        ' model.cage_drag; raceway_control = "jones" gives loads and angles close to these.',
+        "Só com o atrito as forças se equilibram, mas uma esfera está onde nenhuma pode estar ou o"
+        " balanço de potência não fecha, e por isso não há resultado a mostrar. Varie um pouco a"
+        " carga, a rotação ou lubricant.friction_coefficient, use a outra model.mesh, mais carga ou"
+        ' menos model.cage_drag; raceway_control = "jones" dá cargas e ângulos próximos destes.',
+    ),
+    (
         "Under friction alone the solver stopped at a residual of NUMBER of the loads, so it shows"
         " no result. Vary a little the load, the speed or lubricant.friction_coefficient, take the"
         ' other model.mesh, more load or less model.cage_drag; raceway_control = "jones" gives'
