@@ -64,7 +64,7 @@ def shaft_deviations(diameter: float, tolerance: str) -> Band:
         If the class or the diameter is not in the tables.
     """
     letters, grade = _parsed(tolerance, _SHAFTS, "shaft_tolerance", "k5")
-    step = _step(diameter, "shaft_tolerance")
+    step = _step(diameter, "bore")
     width, data = _grade(grade, step), table("iso286")
     if letters == "js":
         return _band(-0.5 * width, 0.5 * width)
@@ -76,7 +76,7 @@ def shaft_deviations(diameter: float, tolerance: str) -> Band:
     elif letters in _FINE_SHAFTS:
         fine = data["fine"]
         lower = fine[letters][
-            step_of(diameter, fine["sizes_mm"], field="diameter", standard=TOLERANCE_SOURCE)
+            step_of(diameter, fine["sizes_mm"], field="bore", standard=TOLERANCE_SOURCE)
         ]
     else:
         lower = data["lower"][letters][step]
@@ -101,7 +101,7 @@ def hole_deviations(diameter: float, tolerance: str) -> Band:
         If the class or the diameter is not in the tables.
     """
     letters, grade = _parsed(tolerance, _HOLES, "housing_tolerance", "H7")
-    step = _step(diameter, "housing_tolerance")
+    step = _step(diameter, "outside_diameter")
     width, data = _grade(grade, step), table("iso286")
     shaft = letters.lower()
     if letters == "JS":
