@@ -451,6 +451,7 @@ def test_share_of_preloaded_bearings() -> None:
         ({"samples": 0}, "whole number from 1"),
         ({"samples": 10**9}, "whole number from 1"),
         ({"samples": True}, "whole number from 1"),
+        ({"seed": -1}, "not negative"),
         ({"distribution": "beta"}, "normal or uniform"),
     ],
 )

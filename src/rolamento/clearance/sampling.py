@@ -17,7 +17,7 @@ from rolamento.numerics import FloatArray
 
 __all__ = ["ClearanceSamples", "sample_clearance"]
 
-_MOST_SAMPLES: Final = 10_000_000
+_MOST_SAMPLES: Final = 1_000_000
 _SIGMAS: Final = 3.0
 
 
@@ -75,7 +75,7 @@ def sample_clearance(
     Parameters
     ----------
     samples
-        1 to ten million.
+        1 to a million.
     seed
         Of the random numbers: the same seed draws the same bearings.
     distribution
@@ -88,6 +88,8 @@ def sample_clearance(
         raise InputError(
             f"must be a whole number from 1 to {_MOST_SAMPLES}", field="samples", value=samples
         )
+    if isinstance(seed, bool) or not 0 <= seed < 2**128:
+        raise InputError("must be a whole number, not negative", field="seed", value=seed)
     if distribution not in ("normal", "uniform"):
         raise InputError(
             "must be normal or uniform", field="distribution", value=distribution, example="normal"

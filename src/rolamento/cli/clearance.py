@@ -25,7 +25,7 @@ def clearance(
         typer.Option(
             "--samples",
             metavar="N",
-            help="Draw so many bearings from their tolerances, up to ten million.",
+            help="Draw so many bearings from their tolerances, up to a million.",
         ),
     ] = None,
     seed: Annotated[
