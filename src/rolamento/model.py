@@ -36,7 +36,7 @@ class Model(Record):
         Under friction control, the torque that holds the cage back, in N·m.
     mesh
         Under friction control, how finely the contact ellipse is divided: ``"fine"`` or
-        ``"coarse"``, several times faster and good to some 2 % in the balls' attitude.
+        ``"coarse"``, up to twice as fast and good to some 2 % in how the balls turn.
 
     traction
         Under friction control, what resists slip: ``"coulomb"``, friction that does not depend on
