@@ -38,6 +38,7 @@ if TYPE_CHECKING:
     from rolamento.lubricant import Lubricant
     from rolamento.material import Material
     from rolamento.model import Model
+    from rolamento.mounting import Mounting, SeatMaterial
     from rolamento.solution import solve, solve_batch
     from rolamento.state import State
     from rolamento.surface import Surface
@@ -60,7 +61,9 @@ __all__ = [
     "Lubricant",
     "Material",
     "Model",
+    "Mounting",
     "RolamentoError",
+    "SeatMaterial",
     "State",
     "Surface",
     "Temperature",
@@ -98,6 +101,7 @@ _NAMES_OF_MODULES: Final = {
     "lubricant": ("Lubricant",),
     "material": ("Material",),
     "model": ("Model",),
+    "mounting": ("Mounting", "SeatMaterial"),
     "solution": ("solve", "solve_batch"),
     "state": ("State",),
     "surface": ("Surface",),

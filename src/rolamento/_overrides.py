@@ -41,6 +41,15 @@ _LUBRICANT_RIVALS: Final = (
 )
 
 
+_MOUNTING_RIVALS: Final = (
+    ("clearance_class", "measured_clearance"),
+    ("shaft_tolerance", "shaft_interference"),
+    ("housing_tolerance", "housing_interference"),
+    ("shaft_finish", "shaft_roughness"),
+    ("housing_finish", "housing_roughness"),
+)
+
+
 def _rivals() -> dict[Path, tuple[Path, ...]]:
     preload = ("bearing", "preload")
     groups: list[tuple[Path, ...]] = [
@@ -48,6 +57,7 @@ def _rivals() -> dict[Path, tuple[Path, ...]]:
         (("bearing", "arrangement"), ("bearing", "rows")),
         tuple((*preload, name) for name in PRELOAD_KINDS),
         *(tuple(("lubricant", name) for name in rivals) for rivals in _LUBRICANT_RIVALS),
+        *(tuple(("mounting", name) for name in rivals) for rivals in _MOUNTING_RIVALS),
     ]
     for axis, load in zip(AXES, LOADS, strict=True):
         groups.append((("duty", "load", load), ("duty", "displacement", axis)))

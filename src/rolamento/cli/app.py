@@ -9,6 +9,7 @@ import typer
 
 import rolamento
 from rolamento.cli.catalogue import app as catalogue_app
+from rolamento.cli.clearance import clearance
 from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
@@ -177,6 +178,7 @@ app.command(
     epilog="Examples: friction case.toml --coefficient 0.1;"
     " friction case.toml --over duty.load.fx=10..200N --plot friction.png.",
 )(friction)
+app.command(cls=JsonCommand, epilog="Example: clearance case.toml --samples 10000.")(clearance)
 app.command(cls=JsonCommand, epilog="Example: turn case.toml --plot turn.png.")(turn)
 app.command(cls=JsonCommand, epilog="Example: tolerance scatter.nc --plot bands.png.")(tolerance)
 app.command(epilog="Example: reproduce radaelli-2013 --output radaelli --lang pt.")(reproduce)
