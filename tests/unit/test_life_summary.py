@@ -10,11 +10,20 @@ import pytest
 
 from rolamento import Bearing, Case, Displacement, Duty, InputError, Load, solve
 from rolamento.equilibrium import solve_batch
-from rolamento.life import Life, LifeConditions, life, life_of_batch, sensitivity
+from rolamento.life import (
+    Life,
+    LifeConditions,
+    life,
+    life_of_batch,
+    sensitivity,
+    with_lubricant,
+)
 from rolamento.life.contamination import class_of_code, class_of_grease
 from rolamento.life.l_able import FactorTable
 from rolamento.life.record import NOTES, OUTSIDE
+from rolamento.lubrication import film_of
 from rolamento.lubrication.viscosity_ratio import viscosity_ratio
+from rolamento.temperature import Temperature
 
 RPM = np.pi / 30.0
 SPEED = 2000.0 * RPM
@@ -242,6 +251,25 @@ def test_table_of_the_user() -> None:
     assert np.isnan(outside["l_able"].life[0])
 
 
+def test_lubricant_of_the_case_is_taken_where_nothing_is_given() -> None:
+    oiled = Case(
+        bearing=DEEP,
+        duty=Duty(inner_speed=SPEED, load=Load(fz=4000.0)),
+        lubricant="ISO VG 68",
+        temperature=Temperature(lubricant=343.15),
+    )
+    state = solve(oiled)
+    filled = with_lubricant(LifeConditions(contamination=0.5), oiled)
+    assert filled.temperature == 343.15
+    found = life(state, filled)
+    assert found.viscosity_ratio is not None
+    assert found.viscosity_ratio[0] == pytest.approx(film_of(state).viscosity_ratio)
+    own = LifeConditions(viscosity_ratio=2.0, temperature=300.0)
+    assert with_lubricant(own, oiled) is own
+    dry = Case(bearing=DEEP, duty=oiled.duty)
+    assert with_lubricant(own, dry) is own
+
+
 def test_given_ratings_are_taken() -> None:
     found = life(
         solve(_case(fz=4000.0)), LifeConditions(dynamic_rating=20_600.0, static_rating=11_200.0)
@@ -292,6 +320,25 @@ def test_what_cannot_be_had() -> None:
         life_of_batch(
             case, solve_batch(case, fz=[1.0, 2.0]), LifeConditions(viscosity_ratio=[1.0, 2.0, 3.0])
         )
+
+
+def test_one_thrust_bearing_does_not_spoil_the_others() -> None:
+    case = _case(Bearing(**ANGULAR), fx=2000.0)
+    batch = solve_batch(case, {"bearing.contact_angle": np.radians([25.0, 60.0])})
+    found = life_of_batch(case, batch, OILED, stress_volume=True)
+    for record in found.theories.values():
+        assert record.life[0] > 0.0
+        assert np.isnan(record.life[1])
+        assert "thrust_bearing" in record.notes_of(1)
+        assert "thrust_bearing" not in record.notes_of(0)
+
+
+def test_sensitivity_at_rest() -> None:
+    found = {
+        change.name: change.life_ratio
+        for change in sensitivity(solve(_case(speed=0.0, fz=4000.0)), OILED)
+    }
+    assert np.isnan(found["thicker_oil"])
 
 
 def test_sensitivity() -> None:

@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final, Literal
 
+import numpy as np
 from numpy.typing import ArrayLike
 
+from rolamento.case import Case
 from rolamento.errors import InputError
 from rolamento.life._figures import positive, within
 from rolamento.life.contamination import ContaminationClass
 from rolamento.life.ioannides_harris import FATIGUE_LIMIT, Depth
 from rolamento.life.l_able import FactorTable
 from rolamento.life.reliability import RATING_RELIABILITY, Edition, reliability_factor
+from rolamento.lubrication.oil_state import oil_state
 
 FatigueLoad = Literal["contacts", "estimate"]
 
@@ -115,3 +118,20 @@ class LifeConditions:
                 )
         else:
             positive(self.fatigue_load_limit, "fatigue_load_limit")
+
+
+def with_lubricant(conditions: LifeConditions, case: Case) -> LifeConditions:
+    """Fill in viscosity and temperature from the case's lubricant, where they are not given.
+
+    Without a lubricant, or its temperature, or with a dry one, the conditions stay as they are.
+    """
+    if case.lubricant is None or case.lubricant.kind == "dry" or case.temperature is None:
+        return conditions
+    kelvin = case.temperature.lubricant
+    filled = conditions
+    if conditions.viscosity is None and conditions.viscosity_ratio is None:
+        oil = oil_state(case.lubricant, np.array([kelvin]))
+        filled = replace(filled, viscosity=float(oil.kinematic_viscosity[0]))
+    if conditions.temperature is None:
+        filled = replace(filled, temperature=kelvin)
+    return filled

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
@@ -10,7 +10,12 @@ from numpy.typing import ArrayLike
 
 from rolamento.errors import InputError
 from rolamento.life.conditions import LifeConditions
-from rolamento.life.equivalent_load import equivalent_load, static_equivalent_load, static_safety
+from rolamento.life.equivalent_load import (
+    STEEPEST,
+    equivalent_load,
+    static_equivalent_load,
+    static_safety,
+)
 from rolamento.life.modified import fatigue_load_limit, fatigue_load_limit_of_contacts
 from rolamento.life.solved_balls import SolvedRows
 from rolamento.lubrication.viscosity_ratio import viscosity_ratio
@@ -112,6 +117,26 @@ def equivalent_loads(balls: SolvedRows, ratings: Ratings) -> EquivalentLoads:
     factors = (found.radial_factor, found.axial_factor, found.limit)
     unsolved = np.where(np.isnan(radial), np.nan, 0.0)
     return EquivalentLoads(*whole, *(np.broadcast_to(a, cases) + unsolved for a in factors))
+
+
+def without_thrust_bearings(balls: SolvedRows) -> tuple[SolvedRows, BoolArray]:
+    """Take the angle from cases with one beyond 45°, and tell which they are, (cases,).
+
+    Raises
+    ------
+    InputError
+        If all are such.
+    """
+    steep = balls.contact_angle > STEEPEST * (1.0 + _SAME)
+    if np.all(steep.any(axis=1)):
+        raise InputError(
+            "is a thrust bearing's: the theories of life here are for radial bearings, up to 45°",
+            field="bearing.contact_angle",
+            value=f"{float(np.degrees(balls.contact_angle.max())):.4g} deg",
+            example='contact_angle = "25 deg"',
+        )
+    whole = np.broadcast_to(steep.any(axis=1), len(balls))
+    return replace(balls, contact_angle=np.where(steep, np.nan, balls.contact_angle)), whole
 
 
 def viscosity_ratio_of(balls: SolvedRows, given: LifeConditions) -> FloatArray | None:

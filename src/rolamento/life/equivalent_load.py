@@ -18,7 +18,8 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento.life._figures import figures, positive, within
+from rolamento.errors import InputError
+from rolamento.life._figures import figures, positive
 from rolamento.numerics import FloatArray
 
 STEEPEST: Final = float(np.radians(45.0))
@@ -144,9 +145,13 @@ def static_safety(static_rating: ArrayLike, static_equivalent: ArrayLike) -> Flo
 
 def _angle(contact_angle: ArrayLike) -> FloatArray:
     angle = np.asarray(contact_angle, dtype=np.float64)
-    known = np.where(np.isnan(angle), 0.0, angle)
-    degrees = np.degrees(known)
-    within(np.round(degrees, 9), "contact_angle in degrees", 0.0, 45.0, 'contact_angle = "25 deg"')
+    if np.any((angle < 0.0) | (angle > STEEPEST * (1.0 + _ROUNDING))):
+        raise InputError(
+            "must be from 0 to 45°: beyond it a thrust bearing, with tables of its own, begins",
+            field="contact_angle",
+            value=f"{float(np.degrees(np.nanmax(np.abs(angle)))):.4g} deg",
+            example='contact_angle = "25 deg"',
+        )
     return angle
 
 

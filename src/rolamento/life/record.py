@@ -35,6 +35,13 @@ NOTES: Final[Mapping[str, str]] = {
         "The standard has no equivalent load for this set: its rows differ, or are more than a"
         " tandem or a pair. The reference life holds for it."
     ),
+    "thrust_bearing": (
+        "The contact angle is beyond 45°: a thrust bearing, which these theories are not for."
+    ),
+    "no_dynamic_rating": (
+        "The geometry lies outside the standard's table (D cos α/d_m from 0.01 to 0.40), and no"
+        " dynamic rating is given; or the case has no geometry."
+    ),
     "too_slow": "The bearing turns slower than 20 r/min, for which the maker gives no life.",
     "too_hot": "The bearing is hotter than 130 °C, for which the maker gives no life.",
     "outside_the_table": (
@@ -98,6 +105,8 @@ OUTSIDE: Final = frozenset(
         "contamination_severe",
         "oil_too_hot",
         "no_equivalent_load",
+        "thrust_bearing",
+        "no_dynamic_rating",
         "too_slow",
         "too_hot",
         "outside_the_table",

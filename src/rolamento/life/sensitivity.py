@@ -12,8 +12,6 @@ from rolamento.case import Case
 from rolamento.equilibrium import solve
 from rolamento.errors import InputError
 from rolamento.life.conditions import LifeConditions
-from rolamento.life.duty_loads import viscosity_ratio_of
-from rolamento.life.solved_balls import rows_of_state
 from rolamento.life.summary import LifeSummary, life
 from rolamento.state import State
 
@@ -72,7 +70,7 @@ def sensitivity(state: State, conditions: LifeConditions | None = None) -> tuple
     summary = life(state, given, stress_volume=False)
     if summary.contamination_factor is not None:
         found += [
-            Change("thicker_oil", _ratio(_life(state, _with_thicker_oil(state, given)), before)),
+            Change("thicker_oil", _ratio(_life(state, _with_thicker_oil(given)), before)),
             Change("cleaner_oil", _ratio(_life(state, _with_cleaner_oil(summary, given)), before)),
         ]
     return tuple(sorted(found, key=lambda change: -np.nan_to_num(change.life_ratio, nan=-np.inf)))
@@ -114,10 +112,11 @@ def _with_clearance(case: Case, step: float) -> Case | None:
     return case.replace(bearing=bearing)
 
 
-def _with_thicker_oil(state: State, given: LifeConditions) -> LifeConditions:
-    ratio = viscosity_ratio_of(rows_of_state(state), given)
-    assert ratio is not None
-    return replace(given, viscosity=None, viscosity_ratio=_VISCOSITY * ratio)
+def _with_thicker_oil(given: LifeConditions) -> LifeConditions:
+    if given.viscosity_ratio is not None:
+        return replace(given, viscosity_ratio=_VISCOSITY * np.asarray(given.viscosity_ratio))
+    assert given.viscosity is not None
+    return replace(given, viscosity=_VISCOSITY * np.asarray(given.viscosity))
 
 
 def _with_cleaner_oil(summary: LifeSummary, given: LifeConditions) -> LifeConditions:

@@ -23,6 +23,7 @@ from rolamento.life.duty_loads import (
     ratings_of,
     turning_rings,
     viscosity_ratio_of,
+    without_thrust_bearings,
 )
 from rolamento.life.ioannides_harris import stress_volume_life
 from rolamento.life.modified import life_modification_factor, modification_notes
@@ -84,11 +85,14 @@ _MULTIPLIERS: Final = frozenset({"a_1", "a_iso", "a_2", "a_3", "a_nsk"})
 
 def basis_of(balls: SolvedRows, given: LifeConditions) -> Basis:
     """Gather what the theories share; InputError as `summary.life`."""
+    balls, steep = without_thrust_bearings(balls)
     ratings = ratings_of(balls, given)
     loads = equivalent_loads(balls, ratings)
     ratio = viscosity_ratio_of(balls, given)
     outside = bool(outside_print(given.reliability, given.edition))
     common = notes_on_bearing(balls, given)
+    common["thrust_bearing"] = steep
+    common["no_dynamic_rating"] = np.isnan(ratings.dynamic_of_set) & ~steep
     common["reliability_continued"] = np.full(len(balls), outside)
     return Basis(
         balls=balls,
