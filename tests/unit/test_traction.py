@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from functools import lru_cache
+from importlib.resources import as_file, files
 from typing import Any
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from rolamento import Case, Lubricant, Model
+from rolamento import Case, Lubricant, Model, load_case, solve
 from rolamento.equilibrium import rows
 from rolamento.equilibrium.columns import spread
 from rolamento.equilibrium.single import groove
@@ -338,3 +339,15 @@ def test_smoothing_converges_to_coulomb_with_second_order(name: str) -> None:
     orders = np.polyfit(np.log(values), np.log(error), 1)[0]
     assert (orders > 1.6).all()
     assert (orders < 2.4).all()
+
+
+@pytest.mark.parametrize("load", ["1 kN", "5 kN", "10.8 kN"])
+def test_pure_radial_load_with_balls_that_face_away(load: str) -> None:
+    """At an unloaded ball the grooves' centres lie on opposite sides: no axis to start rolling."""
+    example = files("rolamento") / "examples" / "6305_film.toml"
+    with as_file(example) as path:
+        settings = [f"duty.load.fz={load}", "model.raceway_control=friction", "model.mesh=coarse"]
+        state = solve(load_case(path, settings))
+    assert state.status.converged
+    assert state.rolling is not None
+    assert state.rolling.power > 0.0

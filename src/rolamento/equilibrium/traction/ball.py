@@ -24,6 +24,7 @@ from rolamento.equilibrium.ball import contact_exact
 from rolamento.equilibrium.single import coefficients
 from rolamento.equilibrium.traction.contact import FORCES, add_friction
 from rolamento.equilibrium.types import Array, Two
+from rolamento.kinematics import LEAST_COSINE
 from rolamento.numerics.compiled import shared
 
 OUTPUTS = 6  # Fx, Fr, Fe on the ball, Mx, Me, Mr about its centre
@@ -234,7 +235,8 @@ def rolling_start(
     inner, outer = rig.p[rows.INNER_SPEED, rig.case], rig.p[rows.OUTER_SPEED, rig.case]
     half, radius = rig.k[HALF], rig.k[RADIUS]
     # with u = (ω_x - ω_outer, ω_r) along the outer contact's t, no spin there: u = τ (c_o, -s_o)
-    cosine = c_i * c_o + s_i * s_o
+    # grooves that face away, where a ball hardly touches, are no axis to roll about
+    cosine = max(c_i * c_o + s_i * s_o, LEAST_COSINE)
     # outer: -τ half + (outer - ω_m) radius = 0; inner: Ω_t half + (inner - ω_m) radius = 0
     # with Ω_t = τ cosine - (inner - outer) c_i
     relative = inner - outer
