@@ -54,6 +54,7 @@ FULL = Effort(
     robust_cases=100_000,
     runs=10,
     sweep_cases=1_000_000,
+    analysed_cases=100_000,
     friction_cases=200,
     friction_sample=2,
 )
@@ -64,6 +65,7 @@ QUICK = Effort(
     robust_cases=3_000,
     runs=2,
     sweep_cases=20_000,
+    analysed_cases=5_000,
     friction_cases=20,
     friction_sample=0,
 )

@@ -176,7 +176,7 @@ def test_turning_load_and_balls_alike_changes_nothing(
     bearing: Bearing, control: str, duty: dict[str, float], angle: float
 ) -> None:
     other = turned(duty, angle)
-    other["first_ball_azimuth"] = duty["first_ball_azimuth"] + angle
+    other["first_ball_azimuth"] = (duty["first_ball_azimuth"] + angle) % (2.0 * np.pi)
     straight, shifted = both(bearing, duty, other, control)
     close_ring(
         bearing,
