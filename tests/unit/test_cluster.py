@@ -52,6 +52,7 @@ least = "38 deg"
 greatest = "42 deg"
 """
 CHUNK = 100
+ROUNDING = 1e-11  # each process may have compiled the kernels for itself
 
 
 @pytest.fixture(scope="module")
@@ -67,21 +68,38 @@ def cluster() -> Iterator[Any]:
 
 
 @pytest.fixture(scope="module")
-def expected(tmp_path_factory: pytest.TempPathFactory) -> Any:
+def local(tmp_path_factory: pytest.TempPathFactory) -> Any:
     file = tmp_path_factory.mktemp("local") / "result.nc"
     studies.run_to_file(studies.parse_study(STUDY), file, chunk=CHUNK, threads=2)
     return studies.load_result(file)
 
 
-def same(one: Any, other: Any) -> None:
+@pytest.fixture(scope="module")
+def undisturbed(cluster: Any, tmp_path_factory: pytest.TempPathFactory) -> Any:
+    """On the cluster, with nobody killed."""
+    file = tmp_path_factory.mktemp("cluster") / "result.nc"
+    executor = dask_cluster(cluster.scheduler_address)
+    for _ in range(2):  # once for every worker to compile or load its kernels from one cache
+        studies.run_to_file(studies.parse_study(STUDY), file, chunk=CHUNK, executor=executor)
+    return studies.load_result(file)
+
+
+def same(one: Any, other: Any, rtol: float = ROUNDING) -> None:
+    """All alike: statuses to the letter, numbers to what two compilations may differ by."""
     assert set(one.variables) == set(other.variables)
+    np.testing.assert_array_equal(one["status"].values, other["status"].values)
     for name in one.variables:
-        np.testing.assert_array_equal(one[name].values, other[name].values)
+        size = np.nanmax(np.abs(other[name].values.astype(np.float64)), initial=0.0)
+        np.testing.assert_allclose(
+            one[name].values, other[name].values, rtol=rtol, atol=rtol * size
+        )
 
 
 @pytest.mark.slow
 @pytest.mark.filterwarnings("ignore::DeprecationWarning", "ignore::ResourceWarning")
-def test_a_killed_worker_changes_nothing(cluster: Any, expected: Any, tmp_path: Path) -> None:
+def test_a_killed_worker_changes_nothing(
+    cluster: Any, undisturbed: Any, local: Any, tmp_path: Path
+) -> None:
     victims = [worker["pid"] for worker in _workers(cluster)]
     seen: list[int] = []
 
@@ -101,13 +119,14 @@ def test_a_killed_worker_changes_nothing(cluster: Any, expected: Any, tmp_path: 
     )
     assert not victims
     assert summary.cases == 3000 == seen[-1]
-    same(studies.load_result(file), expected)
+    same(studies.load_result(file), undisturbed)
+    same(studies.load_result(file), local)
 
 
 @pytest.mark.slow
 @pytest.mark.filterwarnings("ignore::DeprecationWarning", "ignore::ResourceWarning")
 def test_a_run_that_stopped_on_the_cluster_goes_on_here(
-    cluster: Any, expected: Any, tmp_path: Path
+    cluster: Any, local: Any, tmp_path: Path
 ) -> None:
     def stop(done: int, total: int, failed: int) -> None:
         if done >= total // 2:
@@ -119,7 +138,7 @@ def test_a_run_that_stopped_on_the_cluster_goes_on_here(
         studies.run_to_file(study, file, chunk=CHUNK, executor=executor, progress=stop)
     summary = studies.run_to_file(study, file, chunk=CHUNK)
     assert 0 < summary.solved < 3000
-    same(studies.load_result(file), expected)
+    same(studies.load_result(file), local)
 
 
 def _workers(cluster: Any) -> list[dict[str, Any]]:
