@@ -176,3 +176,16 @@ def _film(wanted: ro.Case, batch: ro.BatchState) -> ShearedFilm:
         gap, pressure, np.array([MU]), films.oil.dynamic_viscosity, films.oil.pressure_viscosity,
         True, False,
     )  # fmt: skip
+
+
+def test_a_film_that_does_not_settle_leaves_no_number(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("rolamento.lubrication.film_control.PASSES", 1)
+    batch = ro.solve_batch(case(film_in_contact=True))
+    assert batch.status.tolist() == ["not_converged"]
+    rolling = batch.rows[0].rolling
+    assert rolling is not None
+    for array in (
+        batch.displacement, batch.load, batch.stiffness, batch.rows[0].load, rolling.power,
+        batch.balls().inner.load,
+    ):  # fmt: skip
+        assert np.isnan(array).all()

@@ -14,7 +14,7 @@ from rolamento.equilibrium.jones import S, System, solve_by_jones
 from rolamento.equilibrium.problem import Floats, ring_arms
 from rolamento.equilibrium.rolling import Rolling
 from rolamento.equilibrium.run import OneRow, Solution, ball_azimuths
-from rolamento.equilibrium.sets import SLIDE, RowSet, pressed_in, transform
+from rolamento.equilibrium.sets import SLIDE, RowSet, SetSolution, pressed_in, transform
 
 if TYPE_CHECKING:
     from rolamento.equilibrium.traction.solve import Film
@@ -50,22 +50,10 @@ def solve_columns_of(
     for array in (load, displacement, stiffness, solution.position, solution.displacement):
         array[failed] = np.nan
     azimuth = ball_azimuths(row.p, row.balls)
-    return BatchState(
-        code=solution.code,
-        unsupported=solution.unsupported,
-        residual=solution.residual,
-        iterations=solution.iterations,
-        safe_path=solution.safe,
-        displacement=displacement,
-        load=load,
-        stiffness=stiffness,
-        raceway_control=verdict,
-        rows=(
-            RowBatch(
-                row.p, control, solution.position, azimuth, solution.displacement, load, rolling
-            ),
-        ),
+    balls = RowBatch(
+        row.p, control, solution.position, azimuth, solution.displacement, load, rolling
     )
+    return _batch_state(solution, displacement, load, stiffness, verdict, (balls,))
 
 
 def _rolled(
@@ -111,6 +99,18 @@ def _solve_set(columns: Columns, threads: int | None, fast: bool) -> BatchState:
         parts.append(RowBatch(row.p, own, part.position, azimuth, part.displacement, carried))
     for array in (load, displacement, stiffness):
         array[failed] = np.nan
+    return _batch_state(solution, displacement, load, stiffness, verdict, tuple(parts))
+
+
+def _batch_state(
+    solution: Solution | SetSolution,
+    displacement: Floats,
+    load: Floats,
+    stiffness: Floats,
+    verdict: NDArray[np.int64],
+    parts: tuple[RowBatch, ...],
+) -> BatchState:
+    """Put a solution, its ring in SI units, and its rows together."""
     return BatchState(
         code=solution.code,
         unsupported=solution.unsupported,
@@ -121,7 +121,7 @@ def _solve_set(columns: Columns, threads: int | None, fast: bool) -> BatchState:
         load=load,
         stiffness=stiffness,
         raceway_control=verdict,
-        rows=tuple(parts),
+        rows=parts,
     )
 
 

@@ -19,13 +19,14 @@ from rolamento.state import State
 
 
 def solve(case: Case) -> State:
-    """Find the internal state of the bearing: Jones-Harris equilibrium, five degrees of freedom.
+    """Find the internal state of a bearing whose balance has no film in it.
 
-    A set of rows shares one rigid inner ring. Never raises for a duty that has no solution: the
-    state's status tells, with advice.
+    As `rolamento.solution.solve`, which solves any case.
 
-    Harris, Rolling Bearing Analysis, 3rd ed. (1991), chapter 8; Jones (1960); Radaelli (2013),
-    chapter 4. See docs/theory/equilibrium.md.
+    Raises
+    ------
+    InputError
+        If the case wants a film in the balance.
     """
     refuse_film(case)
     state = state_of(case, solve_columns_of(spread(case, {}), threads=1))
@@ -41,27 +42,14 @@ def solve_batch(
     threads: int | None = None,
     **fields: Unpack[DutyFields],
 ) -> BatchState:
-    """Solve a case for many values of its fields at once.
+    """Solve a case without a film in its balance for many values of its fields at once.
 
-    Parameters
-    ----------
-    case
-        Supplies what is not given otherwise.
-    values
-        Arrays of one length, or scalars, in SI units, by the dotted names of the case's fields,
-        such as ``{"bearing.contact_angle": [0.6, 0.7]}``; `batch_fields` lists them.
-    threads
-        As many as there are processors by default.
-    fields
-        Likewise by the short names of the duty's fields: inner_speed, outer_speed (rad/s),
-        first_ball_azimuth (rad), loads fx, fy, fz (N), my, mz (N·m) and displacements x, y, z
-        (m), ry, rz (rad). A load frees its degree of freedom, a displacement holds it.
+    As `rolamento.solution.solve_batch`, which solves any case.
 
     Raises
     ------
     InputError
-        For an unknown field, arrays of different lengths, or fields that exclude each other. A
-        value that the case would refuse is that case's affair: its status is "invalid_input".
+        As there, and if the case wants a film in the balance.
     """
     refuse_film(case)
     given = {**(values or {}), **cast("dict[str, ArrayLike]", fields)}

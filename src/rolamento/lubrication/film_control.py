@@ -22,7 +22,7 @@ from rolamento.equilibrium.accept import CONVERGED, NOT_CONVERGED
 from rolamento.equilibrium.assemble import solve_columns_of
 from rolamento.equilibrium.columns import Columns
 from rolamento.lubrication.table import FilmTable, film_of_batch
-from rolamento.numerics import FloatArray
+from rolamento.numerics import BoolArray, FloatArray
 from rolamento.oil.piezoviscosity import roelands
 
 PASSES: Final = 25
@@ -76,9 +76,19 @@ def solve_on_film(case: Case, columns: Columns, *, threads: int | None = None) -
         if settled.all():
             break
     batch.code[~settled & (batch.code == CONVERGED)] = NOT_CONVERGED
-    for array in (batch.displacement, batch.load, batch.stiffness):
-        array[batch.code != CONVERGED] = np.nan
+    _forget(batch, batch.code != CONVERGED)
     return batch
+
+
+def _forget(batch: BatchState, failed: BoolArray) -> None:
+    """Leave cases without any number: the ring's, and every row's."""
+    arrays = [batch.displacement, batch.load, batch.stiffness]
+    for row in batch.rows:
+        arrays += [row.displacement, row.load, row.position]
+        if row.rolling is not None:
+            row.rolling.forget(failed)
+    for array in arrays:
+        array[failed] = np.nan
 
 
 def _sheared(case: Case, columns: Columns, batch: BatchState) -> ShearedFilm:
