@@ -1,0 +1,193 @@
+"""A vibration signal: evenly spaced samples of one channel, with rate, unit and shaft speed."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Final, Literal, get_args
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from rolamento.errors import InputError, nearest
+from rolamento.numerics import FloatArray
+
+__all__ = ["SI_UNITS", "Quantity", "Signal", "unit_scale"]
+
+Quantity = Literal["acceleration", "velocity", "displacement", "unknown"]
+
+SI_UNITS: Final[dict[Quantity, str]] = {
+    "acceleration": "m/s^2",
+    "velocity": "m/s",
+    "displacement": "m",
+}
+
+_GRAVITY: Final = 9.80665
+_INCH: Final = 0.0254
+_SCALES: Final[dict[Quantity, dict[str, float]]] = {
+    "acceleration": {"m/s^2": 1.0, "mm/s^2": 1e-3, "g": _GRAVITY, "mg": 1e-3 * _GRAVITY},
+    "velocity": {"m/s": 1.0, "mm/s": 1e-3, "um/s": 1e-6, "in/s": _INCH},
+    "displacement": {"m": 1.0, "mm": 1e-3, "um": 1e-6, "nm": 1e-9, "in": _INCH, "mil": 25.4e-6},
+}
+_LONGEST_TEXT: Final = 300
+_HIGHEST_RATE: Final = 1e9
+_GREATEST_SAMPLE: Final = 1e60
+"""The sum of fourth powers, as the kurtosis takes them, stays finite in double precision."""
+_HIGHEST_SPEED: Final = 1e7
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Signal:
+    """Evenly spaced samples of one vibration channel.
+
+    Attributes
+    ----------
+    samples
+        (samples,), read-only; in `unit`
+    rate
+        sampling rate; Hz
+    quantity
+        what was measured: acceleration, velocity, displacement, or unknown
+    unit
+        of the samples: one of the quantity's units, or any text for an unknown quantity
+    speed
+        of the shaft, rad/s: () if it is steady, (samples,) if it was measured along; None if it
+        is not known
+    title
+        what a person calls it
+
+    Raises
+    ------
+    InputError
+        If there are no samples or one is not a finite number, if the rate is not positive, if
+        the unit is not one of the quantity, or if the speed does not fit the samples.
+    """
+
+    samples: FloatArray
+    rate: float
+    quantity: Quantity = "unknown"
+    unit: str = ""
+    speed: FloatArray | None = None
+    title: str = ""
+
+    def __post_init__(self) -> None:
+        samples = _checked_samples(self.samples)
+        object.__setattr__(self, "samples", samples)
+        object.__setattr__(self, "rate", _checked_rate(self.rate))
+        unit_scale(self.quantity, self.unit)
+        if self.speed is not None:
+            object.__setattr__(self, "speed", _checked_speed(self.speed, len(samples)))
+        _check_text(self.title, "title", "drive end, horizontal")
+
+    @property
+    def duration(self) -> float:
+        """Number of samples over the rate; s."""
+        return len(self.samples) / self.rate
+
+    @property
+    def mean_speed(self) -> float:
+        """Mean of the shaft speed; rad/s, NaN if it is not known."""
+        return float("nan") if self.speed is None else float(np.mean(self.speed))
+
+    @property
+    def in_si(self) -> Signal:
+        """The same signal in m/s², m/s or m; of an unknown quantity, the signal as it is."""
+        scale = unit_scale(self.quantity, self.unit)
+        if self.quantity == "unknown" or self.unit == SI_UNITS[self.quantity]:
+            return self
+        return replace(self, samples=self.samples * scale, unit=SI_UNITS[self.quantity])
+
+
+def unit_scale(quantity: Quantity, unit: str) -> float:
+    """SI value of one unit of a quantity; 1 for an unknown quantity, whose unit is any text.
+
+    Raises
+    ------
+    InputError
+        If there is no such quantity, or the unit is not one of its units.
+    """
+    if quantity not in get_args(Quantity):
+        allowed = ", ".join(get_args(Quantity))
+        example = nearest(str(quantity), get_args(Quantity)) or "acceleration"
+        raise InputError(
+            f"must be one of {allowed}", field="quantity", value=quantity, example=example
+        )
+    _check_text(unit, "unit", "m/s^2")
+    if quantity == "unknown":
+        return 1.0
+    known = _SCALES[quantity]
+    if unit not in known:
+        raise InputError(
+            f"is not a unit of {quantity}: {', '.join(known)}",
+            field="unit",
+            value=unit,
+            example=SI_UNITS[quantity],
+        )
+    return known[unit]
+
+
+def _check_text(text: object, field: str, example: str) -> None:
+    if not isinstance(text, str) or len(text) > _LONGEST_TEXT:
+        rule = f"must be text of at most {_LONGEST_TEXT} characters"
+        raise InputError(rule, field=field, value=text, example=example)
+
+
+def _checked_samples(given: ArrayLike) -> FloatArray:
+    samples = _numbers(given, "samples")
+    if samples.ndim != 1 or len(samples) == 0:
+        raise InputError(
+            f"must be one row of numbers, and have the shape {samples.shape}",
+            field="samples",
+            example="samples = [0.1, -0.2, 0.05]",
+        )
+    _refuse_bad(samples, _GREATEST_SAMPLE, "samples")
+    return samples
+
+
+def _checked_rate(rate: object) -> float:
+    number = float(rate) if isinstance(rate, int | float | np.number) else float("nan")
+    if not 0.0 < number <= _HIGHEST_RATE:
+        raise InputError(
+            f"must be a number of samples per second over 0 and up to {_HIGHEST_RATE:g}",
+            field="rate",
+            value=rate,
+            example="rate = 51200.0",
+        )
+    return number
+
+
+def _checked_speed(given: ArrayLike, count: int) -> FloatArray:
+    speed = _numbers(given, "speed")
+    if speed.shape not in ((), (count,)):
+        raise InputError(
+            f"must be one number or as many as there are samples ({count}), in rad/s",
+            field="speed",
+            example="speed = 188.5",
+        )
+    _refuse_bad(speed, _HIGHEST_SPEED, "speed")
+    return speed
+
+
+def _numbers(given: ArrayLike, field: str) -> FloatArray:
+    """A read-only view of real numbers in double precision; no copy where none is needed."""
+    try:
+        plain = np.asarray(given)
+        numeric = plain.dtype.kind in "iufb"
+        array = plain.astype(np.float64, copy=False).view() if numeric else None
+    except (TypeError, ValueError, OverflowError):
+        array = None
+    if array is None:
+        raise InputError("must be real numbers", field=field)
+    array.flags.writeable = False
+    return array
+
+
+def _refuse_bad(numbers: FloatArray, greatest: float, field: str) -> None:
+    """Refuse what is not finite or beyond a limit; the extremes tell without a copy."""
+    lowest, highest = float(np.min(numbers)), float(np.max(numbers))
+    if not (lowest >= -greatest and highest <= greatest):
+        wrong = np.flatnonzero(~(np.abs(np.atleast_1d(numbers)) <= greatest))[0]
+        raise InputError(
+            f"must be finite numbers of a size up to {greatest:g}; number {wrong} is not",
+            field=field,
+            value=float(np.atleast_1d(numbers)[wrong]),
+        )
