@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, replace
 from math import isfinite, nan
 from typing import Any, Final, Literal
 
@@ -179,6 +180,17 @@ class FaultFrequencies:
     def lines(self) -> dict[LineName, FaultLine]:
         """The lines by their names."""
         return {name: getattr(self, name) for name in LINES}
+
+    def with_lines(self, lines: Mapping[LineName, FaultLine]) -> FaultFrequencies:
+        """Return the same frequencies with other lines."""
+        return replace(
+            self,
+            cage=lines["cage"],
+            ball_pass_outer=lines["ball_pass_outer"],
+            ball_pass_inner=lines["ball_pass_inner"],
+            ball_spin=lines["ball_spin"],
+            ball_spin_twice=lines["ball_spin_twice"],
+        )
 
     def of_fault(self, kind: FaultKind) -> FaultLine:
         """Return the line that tells of damage to a part."""

@@ -1,0 +1,284 @@
+"""What is not known for sure about fault frequencies: bands, and the alternatives of an inside.
+
+The bands are intervals: every line is monotonic in ball diameter, pitch diameter, contact angle,
+slip and each ring's speed as long as the others stay where they are, so the extremes lie at the
+corners, and nothing is lost to a first order.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+from functools import partial
+from itertools import product
+from math import pi
+from typing import Final, NamedTuple
+
+from rolamento.bearing import Bearing
+from rolamento.catalogue import Candidate, built_in_geometry
+from rolamento.errors import InputError
+from rolamento.geometry import ring_geometry
+from rolamento.vibration.fault_lines import LINES, Band, FaultFrequencies, FaultLine, LineName
+from rolamento.vibration.frequencies import (
+    AngleChoice,
+    line_orders,
+    nominal_angle,
+    nominal_frequencies,
+    shaft_of,
+    turns_of,
+)
+
+__all__ = ["Alternative", "Tolerances", "alternatives_of", "banded_frequencies"]
+
+_RIGHT_ANGLE: Final = 0.5 * pi
+_LEAST_GAP: Final = 1e-9
+"""By which a pitch diameter stays above the balls', relatively."""
+
+Interval = tuple[float, float]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Tolerances:
+    """By how much the figures may be off, up and down.
+
+    Attributes
+    ----------
+    ball_diameter, pitch_diameter
+        in m
+    contact_angle
+        in rad; by default, a bearing given by its clearance may have any angle from 0 to its free
+        contact angle
+    speed
+        of both rings, as a part of each
+    slip
+        in addition to the slip given, 0 to 1: the cage may lag by as much more
+    candidates
+        whether the alternatives of an inferred inside are taken in
+    """
+
+    ball_diameter: float = 0.0
+    pitch_diameter: float = 0.0
+    contact_angle: float | None = None
+    speed: float = 0.0
+    slip: float = 0.0
+    candidates: bool = True
+
+    def __post_init__(self) -> None:
+        limits = {
+            "ball_diameter": 1.0,
+            "pitch_diameter": 20.0,
+            "contact_angle": _RIGHT_ANGLE,
+            "speed": 1.0,
+            "slip": 1.0,
+        }
+        for field, most in limits.items():
+            value = getattr(self, field)
+            if value is not None and not 0.0 <= value <= most:
+                raise InputError(
+                    f"must be at least 0 and at most {most:.4g}",
+                    field=field,
+                    value=value,
+                    example=f"{field} = 0.0",
+                )
+
+
+@dataclass(frozen=True, slots=True)
+class Alternative:
+    """One inside that a bearing's ratings allow, and the orders that it would have.
+
+    Attributes
+    ----------
+    rank, share
+        1 for the best; its part of the likelihood
+    ball_count, ball_diameter, pitch_diameter
+        Z, D and d_m (m)
+    reproduces
+        whether it gives every printed rating
+    orders
+        of the shaft, by the names of the lines
+    """
+
+    rank: int
+    share: float
+    ball_count: int
+    ball_diameter: float
+    pitch_diameter: float
+    reproduces: bool
+    orders: Mapping[LineName, float]
+
+
+class _Place(NamedTuple):
+    """Intervals of what the orders depend on, for one count of balls."""
+
+    ball_count: int
+    ball: Interval
+    pitch: Interval
+    angle: Interval
+
+
+def alternatives_of(
+    bearing: Bearing,
+    inner_speed: float | None = None,
+    outer_speed: float = 0.0,
+    *,
+    slip: float = 0.0,
+    contact_angle: float | AngleChoice = "zero",
+) -> tuple[Alternative, ...]:
+    """Orders with every inside that the bearing's ratings allow; empty if its balls are known.
+
+    Parameters as of `nominal_frequencies`.
+    """
+    inner, outer = shaft_of(inner_speed, outer_speed).ratios
+    angle, _ = nominal_angle(bearing, contact_angle)
+    found = []
+    for one in _candidates(bearing):
+        turns = turns_of(one.ball_diameter / one.pitch_diameter, angle, inner, outer, slip)
+        orders = {name: abs(o) for name, o in line_orders(turns, one.ball_count).items()}
+        found.append(
+            Alternative(
+                one.rank,
+                one.weight,
+                one.ball_count,
+                one.ball_diameter,
+                one.pitch_diameter,
+                one.reproduces,
+                orders,
+            )
+        )
+    return tuple(found)
+
+
+def banded_frequencies(
+    bearing: Bearing,
+    inner_speed: float | None = None,
+    outer_speed: float = 0.0,
+    *,
+    slip: float = 0.0,
+    contact_angle: float | AngleChoice = "zero",
+    tolerances: Tolerances | None = None,
+) -> FaultFrequencies:
+    """Fault frequencies by the geometry, each with the band that uncertainty leaves open.
+
+    Parameters
+    ----------
+    bearing, inner_speed, outer_speed, slip, contact_angle
+        As of `nominal_frequencies`.
+    tolerances
+        By how much what may be off. Those of an inferred inside, of an assumed angle, and
+        whatever is given, are taken at their worst together.
+
+    Returns
+    -------
+    FaultFrequencies
+        With a `Band` at every line, of intervals: no first-order estimate.
+    """
+    allowed = tolerances or Tolerances()
+    found = nominal_frequencies(
+        bearing, inner_speed, outer_speed, slip=slip, contact_angle=contact_angle
+    )
+    banded = partial(_with_bands, slip=(slip, min(slip + allowed.slip, 1.0)), speed=allowed.speed)
+    rows = [
+        banded(row, _places(place.bearing, contact_angle, allowed))
+        for row, place in zip(found.rows or (found,), bearing.places, strict=True)
+    ]
+    return rows[0] if not found.rows else replace(rows[0], rows=tuple(rows))
+
+
+def _with_bands(
+    found: FaultFrequencies, places: Iterable[_Place], slip: Interval, speed: float
+) -> FaultFrequencies:
+    """Return frequencies with bands over all corners of all places."""
+    shaft = found.shaft_frequency
+    inner, outer = found.turns.inner, found.turns.outer
+    orders: dict[LineName, list[Interval]] = {name: [] for name in LINES}
+    sizes: dict[LineName, list[Interval]] = {name: [] for name in LINES}
+    for place in places:
+        ratios = product((inner,), _ratios(outer, speed) if inner else (outer,))
+        for name, interval in _extremes(place, ratios, slip).items():
+            orders[name].append(interval)
+        speeds = product(_around(inner, speed), _around(outer, speed))
+        for name, interval in _extremes(place, speeds, slip).items():
+            sizes[name].append(interval)
+    lines = {
+        name: _banded(line, orders[name], sizes[name], shaft) for name, line in found.lines.items()
+    }
+    return found.with_lines(lines)
+
+
+def _banded(
+    line: FaultLine, orders: list[Interval], sizes: list[Interval], shaft: float
+) -> FaultLine:
+    low, high = (f(o[i] for o in orders) for i, f in enumerate((min, max)))
+    least, most = (f(s[i] for s in sizes) for i, f in enumerate((min, max)))
+    return replace(line, band=Band(low, high, least * shaft, most * shaft))
+
+
+def _extremes(
+    place: _Place, speeds: Iterable[tuple[float, float]], slip: Interval
+) -> dict[LineName, Interval]:
+    """Return the least and greatest size of every line over all corners."""
+    corners: dict[LineName, list[float]] = {name: [] for name in LINES}
+    geometry = list(product(place.ball, place.pitch, place.angle, slip))
+    for inner, outer in speeds:
+        for ball, pitch, angle, lag in geometry:
+            turns = turns_of(ball / max(pitch, ball * (1.0 + _LEAST_GAP)), angle, inner, outer, lag)
+            for name, order in line_orders(turns, place.ball_count).items():
+                corners[name].append(order)
+    return {name: _sizes(values) for name, values in corners.items()}
+
+
+def _sizes(values: list[float]) -> Interval:
+    """Return the least and greatest magnitude in an interval: 0 if it holds 0."""
+    low, high = min(values), max(values)
+    least = 0.0 if low <= 0.0 <= high else min(abs(low), abs(high))
+    return least, max(abs(low), abs(high))
+
+
+def _ratios(outer: float, part: float) -> Interval:
+    """Return the outer ring's speed over the shaft's, the inner ring's, where both may be off."""
+    return outer * (1.0 - part) / (1.0 + part), outer * (1.0 + part) / max(1.0 - part, _LEAST_GAP)
+
+
+def _around(value: float, part: float) -> Interval:
+    return value * (1.0 - part), value * (1.0 + part)
+
+
+def _places(
+    bearing: Bearing, contact_angle: float | AngleChoice, allowed: Tolerances
+) -> list[_Place]:
+    """Return the geometry as it is given, and those that the ratings also allow."""
+    angles = _angles(bearing, contact_angle, allowed)
+    own = (bearing.ball_diameter, bearing.pitch_diameter)
+    insides = [(bearing.ball_count, own[0], (own[1], own[1]))]
+    if allowed.candidates:
+        insides += [
+            (one.ball_count, one.ball_diameter, one.pitch_diameter_range)
+            for one in _candidates(bearing)
+            if one.reproduces or one.rank == 1
+        ]
+    return [
+        _Place(
+            count,
+            (max(ball - allowed.ball_diameter, ball * _LEAST_GAP), ball + allowed.ball_diameter),
+            (low - allowed.pitch_diameter, high + allowed.pitch_diameter),
+            angles,
+        )
+        for count, ball, (low, high) in insides
+    ]
+
+
+def _angles(bearing: Bearing, contact_angle: float | AngleChoice, allowed: Tolerances) -> Interval:
+    angle, _ = nominal_angle(bearing, contact_angle)
+    if allowed.contact_angle is not None:
+        spread = allowed.contact_angle
+        return max(angle - spread, 0.0), min(angle + spread, _RIGHT_ANGLE)
+    if bearing.contact_angle is None and isinstance(contact_angle, str):
+        return 0.0, ring_geometry(bearing).free_contact_angle
+    return angle, angle
+
+
+def _candidates(bearing: Bearing) -> tuple[Candidate, ...]:
+    """Return what else could be inside, if the balls are inferred and not the user's own."""
+    if bearing.designation is None or "inferred" not in bearing.origins.values():
+        return ()
+    return built_in_geometry(bearing.designation).candidates
