@@ -17,6 +17,7 @@ from rolamento._record import record_of
 from rolamento.arrangement import PRELOAD_KINDS, Preload
 from rolamento.duty import AXES, LOADS
 from rolamento.errors import InputError, UnknownKeyError, nearest
+from rolamento.life_model import DIRT
 from rolamento.lubricant import Lubricant
 from rolamento.material import Material
 
@@ -50,6 +51,9 @@ _MOUNTING_RIVALS: Final = (
 )
 
 
+_DIRT_PARTNERS: Final = {"cleanliness": "oil_supply", "filter_size": "filter_ratio"}
+
+
 def _rivals() -> dict[Path, tuple[Path, ...]]:
     preload = ("bearing", "preload")
     groups: list[tuple[Path, ...]] = [
@@ -58,6 +62,7 @@ def _rivals() -> dict[Path, tuple[Path, ...]]:
         tuple((*preload, name) for name in PRELOAD_KINDS),
         *(tuple(("lubricant", name) for name in rivals) for rivals in _LUBRICANT_RIVALS),
         *(tuple(("mounting", name) for name in rivals) for rivals in _MOUNTING_RIVALS),
+        tuple(("life", name) for name in DIRT),
     ]
     for axis, load in zip(AXES, LOADS, strict=True):
         groups.append((("duty", "load", load), ("duty", "displacement", axis)))
@@ -67,9 +72,16 @@ def _rivals() -> dict[Path, tuple[Path, ...]]:
     for name in ("force", "offset", "spring"):
         rivals[*preload, name] += ((*preload, "designation"),)
     rivals["bearing", "rows"] += (("bearing", "spacing"),)
-    # another bearing of the catalogue has other balls
-    balls = ("ball_count", "ball_diameter", "pitch_diameter")
-    rivals["bearing", "designation"] = tuple(("bearing", name) for name in balls)
+    for name in DIRT:
+        rivals["life", name] += tuple(
+            ("life", partner) for other, partner in _DIRT_PARTNERS.items() if other != name
+        )
+    # another bearing of the catalogue has other balls, another size and other ratings
+    rivals["bearing", "designation"] = (
+        *(("bearing", name) for name in ("ball_count", "ball_diameter", "pitch_diameter")),
+        *((part, name) for part in ("mounting", "film") for name in ("bore", "outside_diameter")),
+        *(("life", name) for name in ("dynamic_rating", "static_rating")),
+    )
     return rivals
 
 

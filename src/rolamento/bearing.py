@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from functools import lru_cache
-from typing import Annotated, Any, Final, NamedTuple, Self
+from typing import TYPE_CHECKING, Annotated, Any, Final, NamedTuple, Self
 
 from pydantic import (
     BeforeValidator,
@@ -24,6 +24,9 @@ from rolamento.arrangement import ARRANGEMENTS, Arrangement, PreloadField, Row
 from rolamento.errors import InputError
 from rolamento.material import DEFAULT_MATERIAL, Material, MaterialField
 from rolamento.units import Dimension, from_si
+
+if TYPE_CHECKING:
+    from rolamento.catalogue import CatalogueBearing
 
 __all__ = ["Bearing", "RowPlace", "balls_fit", "clearance_fits"]
 
@@ -173,6 +176,24 @@ class Bearing(Record):
             for name in _CATALOGUE_FIELDS
             if getattr(self, name) is not None
         }
+
+    @property
+    def published(self) -> CatalogueBearing | None:
+        """What the catalogue holds of the designation; None without one."""
+        if self.designation is None:
+            return None
+        from rolamento.catalogue import built_in_geometry
+
+        return built_in_geometry(self.designation, False).bearing
+
+    @property
+    def clearance_class(self) -> str | None:
+        """Class of ISO 5753-1 that the clearance is the middle of; None of any other clearance."""
+        if self.origins.get("diametral_clearance") != "assumed" or self.designation is None:
+            return None
+        from rolamento.catalogue import built_in_geometry
+
+        return built_in_geometry(self.designation, False).clearance_class
 
     @property
     def is_set(self) -> bool:

@@ -7,11 +7,12 @@ import os
 from collections.abc import Iterable, Mapping
 from typing import Any, Self
 
-from pydantic import Field, model_validator
+from pydantic import Field, ValidationInfo, model_validator
 
+from rolamento._catalogue_sizes import check_catalogue_sizes, with_catalogue_sizes
 from rolamento._lines import line_of, lines_of_keys
 from rolamento._overrides import OVERRIDE_SOURCE, overridden
-from rolamento._quantity import Line
+from rolamento._quantity import Line, at_the_border
 from rolamento._reading import (
     TextFormat,
     format_of_path,
@@ -25,6 +26,7 @@ from rolamento.bearing import Bearing
 from rolamento.duty import Duty
 from rolamento.errors import FileError, InputError
 from rolamento.film_model import FilmModel
+from rolamento.life_model import LifeModel
 from rolamento.lubricant import LubricantField
 from rolamento.model import Model
 from rolamento.mounting import Mounting
@@ -63,9 +65,12 @@ class Case(Record):
     temperature
         A `Temperature`, for the film and the clearance in operation.
     mounting
-        A `Mounting`; with one the bearing is solved with the clearance that it leaves.
+        A `Mounting`; with one the bearing is solved with the clearance that it leaves. Its bore and
+        outside diameter may be left out of a table where the bearing has a designation.
     film
         A `FilmModel`; its defaults if not given.
+    life
+        A `LifeModel`; ratings, cleanliness and wishes for the life.
 
     Raises
     ------
@@ -82,6 +87,26 @@ class Case(Record):
     temperature: Temperature | None = Field(None, examples=["[temperature] as a table"])
     mounting: Mounting | None = Field(None, examples=["[mounting] as a table"])
     film: FilmModel | None = Field(None, examples=["[film] as a table"])
+    life: LifeModel | None = Field(None, examples=["[life] as a table"])
+
+    @model_validator(mode="before")
+    @classmethod
+    def _with_sizes(cls, given: Any, info: ValidationInfo) -> Any:
+        """Fill in bore and outside diameter that a designation tells."""
+        if not isinstance(given, Mapping):
+            return given
+        return with_catalogue_sizes(given, in_file=at_the_border(info.context))
+
+    @model_validator(mode="after")
+    def _sizes_agree(self) -> Self:
+        if self.mounting is not None:
+            check_catalogue_sizes(self.bearing, self.mounting)
+        return self
+
+    @property
+    def lubricant_temperature(self) -> float | None:
+        """Temperature of the lubricant in K, if it is given."""
+        return None if self.temperature is None else self.temperature.lubricant
 
     @model_validator(mode="after")
     def _displacement_within_reason(self) -> Self:
@@ -131,7 +156,9 @@ class Case(Record):
                 field="lubricant.friction_coefficient",
                 example='[lubricant] with kind = "dry" and friction_coefficient = 0.1',
             )
-        if self.model.needs_film and (self.lubricant.kind == "dry" or self.temperature is None):
+        if self.model.needs_film and (
+            self.lubricant.kind == "dry" or self.lubricant_temperature is None
+        ):
             raise InputError(
                 "needs an oil or a grease in [lubricant], and its temperature in [temperature]",
                 field="model.traction"

@@ -20,7 +20,8 @@ class Temperature(Record):
     Parameters
     ----------
     lubricant
-        Of the lubricant as it enters the contacts, in K; in files in °C.
+        Of the lubricant as it enters the contacts, in K; in files in °C. Film, friction and life
+        need it; the clearance in operation does not.
     inner_ring, outer_ring
         Of the rings, for the clearance of a mounted bearing; as at assembly if not given.
     balls
@@ -34,7 +35,7 @@ class Temperature(Record):
         If a value is missing or out of range.
     """
 
-    lubricant: _Celsius = Field(examples=["70 degC"])
+    lubricant: _Celsius | None = Field(None, examples=["70 degC"])
     inner_ring: _Celsius | None = Field(None, examples=["75 degC"])
     outer_ring: _Celsius | None = Field(None, examples=["68 degC"])
     balls: _Celsius | None = Field(None, examples=["75 degC"])

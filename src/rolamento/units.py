@@ -37,6 +37,7 @@ Dimension = Literal[
     "pressure_viscosity_coefficient",
     "thermal_conductivity",
     "thermal_expansion",
+    "time",
 ]
 
 SI_UNIT: Final[dict[Dimension, str]] = {
@@ -53,6 +54,7 @@ SI_UNIT: Final[dict[Dimension, str]] = {
     "pressure_viscosity_coefficient": "1/Pa",
     "thermal_conductivity": "W/m/K",
     "thermal_expansion": "1/K",
+    "time": "s",
 }
 
 
@@ -114,6 +116,7 @@ _COMMON: Final[dict[Dimension, dict[str, _Unit]]] = {
         "mW/m/K": _Unit(Fraction(1, 10**3)),
     },
     "thermal_expansion": {"1/K": _Unit(Fraction(1))},
+    "time": {"h": _Unit(Fraction(3600)), "s": _Unit(Fraction(1))},
 }
 
 _LONGEST_TEXT: Final = 100

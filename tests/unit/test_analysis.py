@@ -42,6 +42,7 @@ def test_a_plain_case_is_its_state_and_nothing_else(case_218: Case) -> None:
     mapping = analysis.to_mapping()
     assert mapping.pop("film") is None
     assert mapping.pop("friction") is None
+    assert mapping.pop("life") is None
     assert mapping == analysis.state.to_mapping()
 
 
@@ -180,7 +181,7 @@ def test_blocks_are_the_whole(oiled: Case, monkeypatch: pytest.MonkeyPatch) -> N
     fx[2] = -50e3  # no equilibrium
     batch = solve_batch(oiled, fx=fx, inner_speed=np.linspace(0.0, 900.0, 7))
     whole = analyse_batch(oiled, batch)
-    monkeypatch.setattr("rolamento.analysis._BLOCK", 2)
+    monkeypatch.setattr("rolamento.analysis.batch._BLOCK", 2)
     for threads in (1, 2):
         blocks = analyse_batch(oiled, batch, threads=threads)
         assert whole.friction is not None

@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 
 from rolamento.errors import InputError
+from rolamento.iso4406 import cleanliness_numbers
 from rolamento.life.a23 import adjusted_life, adjustment_notes
 from rolamento.life.basic import basic_rating_life, hours, load_notes
 from rolamento.life.contamination import (
     class_of_code,
     class_of_filter,
     class_of_grease,
-    cleanliness_numbers,
     contamination_factor,
 )
 from rolamento.life.equivalent_load import (

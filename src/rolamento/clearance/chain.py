@@ -102,6 +102,8 @@ def _initial(assembly: Assembly) -> tuple[Band, float | None]:
     if mounting.clearance_class is not None:
         return class_clearance(mounting.bore, mounting.clearance_class), None
     reading = mounting.measured_clearance
+    if reading is None and bearing.clearance_class is not None:
+        return class_clearance(mounting.bore, bearing.clearance_class), None
     if reading is not None:
         load = mounting.measuring_load or usual_measuring_load(mounting.bore)
         found = clearance_from_reading(bearing, reading, load)

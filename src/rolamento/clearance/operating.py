@@ -109,7 +109,8 @@ def operating_case(case: Case) -> Case:
     if case.mounting is None:
         return case
     running = clearance_of_case(case).operating_bearing(case.mounting.limit)
-    lubricant_only = case.temperature and Temperature(lubricant=case.temperature.lubricant)
+    warm = case.lubricant_temperature
+    lubricant_only = None if warm is None else Temperature(lubricant=warm)
     return case.replace(bearing=running, mounting=None, temperature=lubricant_only)
 
 
@@ -180,8 +181,9 @@ def _steps(chain: Chain, result: ChainResult) -> tuple[Step, ...]:
 
 
 def _origin(assembly: Assembly) -> str:
-    if assembly.mounting.clearance_class is not None:
-        return f"{CLEARANCE_SOURCE}, class {assembly.mounting.clearance_class}"
+    named = assembly.mounting.clearance_class or assembly.bearing.clearance_class
+    if named is not None:
+        return f"{CLEARANCE_SOURCE}, class {named}"
     return "the bearing's own"
 
 

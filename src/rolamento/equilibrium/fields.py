@@ -27,6 +27,17 @@ GEOMETRY: Final = (
     "inner_conformity",
     "outer_conformity",
 )
+LIFE: Final = (
+    "dynamic_rating",
+    "static_rating",
+    "fatigue_load_limit",
+    "contamination",
+    "viscosity_ratio",
+    "material_factor",
+    "operation_factor",
+    "fatigue_limit",
+    "nsk_cleanliness",
+)
 PRELOADS: Final = ("force", "offset", "spring")
 
 SHORT_NAMES: Final = {
@@ -49,8 +60,9 @@ BATCH_FIELDS: Final = (
     "lubricant.friction_coefficient",
     "model.cage_drag",
     "temperature.lubricant",
+    *(f"life.{name}" for name in LIFE),
 )
-"""The last changes no equilibrium: it is for the film."""
+"""The last ones change no equilibrium: they are for film and life."""
 
 
 def batch_fields() -> tuple[str, ...]:

@@ -13,6 +13,7 @@ from typing import Final
 import numpy as np
 
 from rolamento.bearing import Bearing
+from rolamento.catalogue import built_in_geometry
 from rolamento.duty import AXES
 from rolamento.equilibrium.batch_state import BatchState
 from rolamento.equilibrium.detail import criterion
@@ -53,8 +54,28 @@ def notes_on(state: State, batch: BatchState) -> State:
         *_control(state, batch),
         *_gyroscopic_slip(state),
         *notes_on_rolling(state),
+        *_inferred_balls(state),
     ]
     return dataclasses.replace(state, notes=tuple(notes))
+
+
+def _inferred_balls(state: State) -> Iterator[str]:
+    """Balls that stand in for those that the catalogue does not tell."""
+    bearing = state.case.bearing
+    if bearing.designation is None or "inferred" not in bearing.origins.values():
+        return
+    name = bearing.designation
+    alike = sum(one.reproduces for one in built_in_geometry(name).candidates)
+    if alike > 1:
+        yield (
+            f"The balls of {name} are not published, but inferred from its ratings, which {alike}"
+            " insides reproduce (rolamento catalogue show): the best one is taken."
+        )
+    else:
+        yield (
+            f"The balls of {name} are not published, but inferred from its ratings; no other"
+            " standard balls reproduce them."
+        )
 
 
 def with_preload(state: State, preload: PreloadState | None) -> State:

@@ -4,7 +4,7 @@ Pure functions of arrays first; `life` and `life_of_batch` gather all theories f
 `sensitivity` tells what would help.
 """
 
-from rolamento.life.conditions import LifeConditions, with_lubricant
+from rolamento.life.conditions import LifeConditions, conditions_of, with_lubricant
 from rolamento.life.record import Life, Limit
 from rolamento.life.sensitivity import Change, sensitivity
 from rolamento.life.summary import LifeSummary, life, life_of_batch
@@ -15,6 +15,7 @@ __all__ = [
     "LifeConditions",
     "LifeSummary",
     "Limit",
+    "conditions_of",
     "life",
     "life_of_batch",
     "sensitivity",

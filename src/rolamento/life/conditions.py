@@ -1,9 +1,10 @@
-"""What the theories of life want to know beside the solved balls."""
+"""What the theories of life want to know beside the solved balls, and where a case says it."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
-from typing import Final, Literal
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any, Final, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -11,10 +12,16 @@ from numpy.typing import ArrayLike
 from rolamento.case import Case
 from rolamento.errors import InputError
 from rolamento.life._figures import positive, within
-from rolamento.life.contamination import ContaminationClass
+from rolamento.life.contamination import (
+    ContaminationClass,
+    class_of_code,
+    class_of_filter,
+    class_of_grease,
+)
 from rolamento.life.ioannides_harris import FATIGUE_LIMIT, Depth
 from rolamento.life.l_able import FactorTable
 from rolamento.life.reliability import RATING_RELIABILITY, Edition, reliability_factor
+from rolamento.life_model import LifeModel
 from rolamento.lubrication.oil_state import oil_state
 
 FatigueLoad = Literal["contacts", "estimate"]
@@ -28,6 +35,7 @@ _POSITIVE: Final = (
     "material_factor",
     "operation_factor",
     "nsk_cleanliness",
+    "wanted_life",
 )
 
 
@@ -68,6 +76,10 @@ class LifeConditions:
     inner_turning, outer_turning
         whether a ring turns against the load; by default those with a speed, and the inner where
         none has
+    wanted_life
+        how long the bearing is to run, s: the summary tells with which reliability it does
+    sources
+        where ratings come from that are not the user's own, by name
 
     Raises
     ------
@@ -93,6 +105,8 @@ class LifeConditions:
     nsk_table: FactorTable | None = None
     inner_turning: bool | None = None
     outer_turning: bool | None = None
+    wanted_life: float | None = None
+    sources: Mapping[str, str] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         reliability_factor(self.reliability, self.edition)
@@ -120,18 +134,109 @@ class LifeConditions:
             positive(self.fatigue_load_limit, "fatigue_load_limit")
 
 
-def with_lubricant(conditions: LifeConditions, case: Case) -> LifeConditions:
+def conditions_of(case: Case, values: Mapping[str, ArrayLike] | None = None) -> LifeConditions:
+    """Return what a case says of its life: the [life] table, its designation, its lubricant.
+
+    Parameters
+    ----------
+    case
+        The one that was solved.
+    values
+        What varies over the cases of a batch: arrays (cases,) by the dotted names of fields, such
+        as ``"life.contamination"`` or ``"temperature.lubricant"``; SI.
+
+    Raises
+    ------
+    InputError
+        If the lubricant is dirtier than all classes of the standard.
+    """
+    model, varied = case.life or LifeModel(), values or {}
+
+    def number(name: str) -> Any:
+        given = varied.get(f"life.{name}")
+        return getattr(model, name) if given is None else np.asarray(given, np.float64)
+
+    limit = number("fatigue_load_limit")
+    dirt = number("contamination")
+    conditions = LifeConditions(
+        **{name: number(name) for name in _NUMBERS},
+        reliability=model.reliability,
+        wanted_life=model.wanted_life,
+        edition=model.edition,
+        contamination=_class_of(model) if dirt is None else dirt,
+        additives=model.additives,
+        fatigue_load_limit=model.fatigue_load_method if limit is None else limit,
+        depth=model.depth,
+        inner_turning=False if model.rotating_load else None,
+        outer_turning=True if model.rotating_load else None,
+    )
+    rated = _with_published_ratings(conditions, case)
+    return with_lubricant(rated, case, varied.get("temperature.lubricant"))
+
+
+_NUMBERS: Final = (
+    "dynamic_rating",
+    "static_rating",
+    "viscosity_ratio",
+    "material_factor",
+    "operation_factor",
+    "fatigue_limit",
+    "nsk_cleanliness",
+)
+
+
+def _class_of(model: LifeModel) -> ContaminationClass | None:
+    """Class of cleanliness that the model names, if it does."""
+    try:
+        if model.cleanliness is not None and model.oil_supply is not None:
+            return class_of_code(model.cleanliness, model.oil_supply)
+        if model.filter_size is not None and model.filter_ratio is not None:
+            return class_of_filter(model.filter_size, model.filter_ratio)
+    except InputError as error:
+        raise error.with_details(field=f"life.{error.field}") from None
+    return None if model.grease_cleanliness is None else class_of_grease(model.grease_cleanliness)
+
+
+def _with_published_ratings(conditions: LifeConditions, case: Case) -> LifeConditions:
+    """Take ratings that are not given from the catalogue; the static one holds for steel balls."""
+    bearing = case.bearing
+    published = bearing.published
+    if published is None or bearing.rows is not None:
+        return conditions
+    steel = bearing.ball_material.youngs_modulus == bearing.ring_material.youngs_modulus
+    found: dict[str, float | None] = {"dynamic_rating": published.dynamic_rating}
+    if steel:
+        found["static_rating"] = published.static_rating
+    taken: dict[str, Any] = {
+        name: value
+        for name, value in found.items()
+        if value is not None and getattr(conditions, name) is None
+    }
+    sources = {name: published.sources.get(name, "catalogue") for name in taken}
+    return replace(conditions, **taken, sources=sources)
+
+
+def with_lubricant(
+    conditions: LifeConditions, case: Case, temperature: ArrayLike | None = None
+) -> LifeConditions:
     """Fill in viscosity and temperature from the case's lubricant, where they are not given.
 
     Without a lubricant, or its temperature, or with a dry one, the conditions stay as they are.
+
+    Parameters
+    ----------
+    conditions, case
+        What is to be filled in, and from what.
+    temperature
+        Of the lubricant, in the place of the case's: a number or (cases,), K.
     """
-    if case.lubricant is None or case.lubricant.kind == "dry" or case.temperature is None:
+    warm = case.lubricant_temperature if temperature is None else temperature
+    if case.lubricant is None or case.lubricant.kind == "dry" or warm is None:
         return conditions
-    kelvin = case.temperature.lubricant
+    kelvin = np.asarray(warm, dtype=np.float64)
     filled = conditions
     if conditions.viscosity is None and conditions.viscosity_ratio is None:
-        oil = oil_state(case.lubricant, np.array([kelvin]))
-        filled = replace(filled, viscosity=float(oil.kinematic_viscosity[0]))
+        filled = replace(filled, viscosity=oil_state(case.lubricant, kelvin).kinematic_viscosity)
     if conditions.temperature is None:
         filled = replace(filled, temperature=kelvin)
     return filled

@@ -10,24 +10,21 @@ Sources: ISO 281:2007, annex A; ISO 4406.
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass
-from typing import Any, Final, Literal, get_args
+from typing import Any, Literal, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento.errors import InputError, nearest
+from rolamento.iso4406 import cleanliness_numbers
 from rolamento.life._figures import figures, positive
 from rolamento.numerics import FloatArray
 
 OilSupply = Literal["circulating", "bath"]
 """Circulating: filtered in the line before the bearing; bath: not, or in a circuit of its own."""
 
-_CODE: Final = re.compile(r"(-|\*|\d{1,2})/(\d{1,2})/(\d{1,2})", re.ASCII)
-_LONGEST: Final = 40
-_GREATEST_NUMBER: Final = 28
-_EXAMPLE: Final = 'cleanliness = "-/17/14"'
+_EXAMPLE = 'cleanliness = "-/17/14"'
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,43 +35,6 @@ class ContaminationClass:
     supply: str
     c1: float
     c2: float
-
-
-def cleanliness_numbers(code: str) -> tuple[int | None, int, int]:
-    """Return the three scale numbers of an ISO 4406 code; the first may be left open.
-
-    Raises
-    ------
-    InputError
-        If the code is malformed, a number beyond 28, or the numbers rise.
-    """
-    found = _CODE.fullmatch(str(code)[:_LONGEST].strip())
-    if found is None:
-        raise InputError(
-            "is not an ISO 4406 code: three numbers for particles from 4, 6 and 14 µm, of which"
-            " the first may be -",
-            field="cleanliness",
-            value=code,
-            example=_EXAMPLE,
-        )
-    first = None if found[1] in "-*" else int(found[1])
-    numbers = (first, int(found[2]), int(found[3]))
-    given = [number for number in numbers if number is not None]
-    if max(given) > _GREATEST_NUMBER:
-        raise InputError(
-            f"has a number beyond {_GREATEST_NUMBER}, the last of the scale",
-            field="cleanliness",
-            value=code,
-            example=_EXAMPLE,
-        )
-    if given != sorted(given, reverse=True):
-        raise InputError(
-            "has numbers that rise: there cannot be more large particles than small ones too",
-            field="cleanliness",
-            value=code,
-            example=_EXAMPLE,
-        )
-    return numbers
 
 
 def class_of_code(code: str, supply: OilSupply) -> ContaminationClass:

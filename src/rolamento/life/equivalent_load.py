@@ -25,6 +25,8 @@ from rolamento.numerics import FloatArray
 STEEPEST: Final = float(np.radians(45.0))
 """Beyond it a bearing is a thrust bearing, with tables of its own."""
 _ROUNDING: Final = 1e-9
+_SAME_AS: Final = {"e2": "e"}
+"""e of double rows is that of single ones at most angles."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,7 +76,7 @@ def load_factors(
     angle, load = np.broadcast_arrays(
         _angle(contact_angle), np.asarray(relative_axial_load, dtype=np.float64) * 1e-6
     )
-    names = ("X2", "Y2", "Y1", "e") if double_row else ("X", "Y", "Y1", "e")
+    names = ("X2", "Y2", "Y1", "e2") if double_row else ("X", "Y", "Y1", "e")
     radial, axial, below, limit = (_interpolated(name, angle, load) for name in names)
     if not double_row:
         below = np.zeros_like(axial)
@@ -123,16 +125,14 @@ def static_equivalent_load(
     """Static equivalent load P_0 = X_0 F_r + Y_0 F_a, at least F_r; N.
 
     Parameters: arrays that broadcast, N and rad. Between the angles of the table X_0 and Y_0 are
-    interpolated in proportion. ISO 76:2006, table 2.
+    interpolated in proportion; two rows of radial contact count as one. ISO 76:2006, table 2.
     """
     radial = positive(radial_load, "radial_load", zero=True)
     axial = positive(axial_load, "axial_load", zero=True)
     table = figures()["static_equivalent_load"]
     degrees = np.degrees(_angle(contact_angle))
-    x = np.interp(degrees, table["contact_angle_deg"], table["X0"])
-    y = np.interp(degrees, table["contact_angle_deg"], table["Y0"])
-    if double_row:
-        x, y = np.ones_like(x), 2.0 * y
+    names = ("X02", "Y02") if double_row else ("X0", "Y0")
+    x, y = (np.interp(degrees, table["contact_angle_deg"], table[name]) for name in names)
     return np.asarray(np.maximum(radial, x * radial + y * axial))
 
 
@@ -174,10 +174,12 @@ def _table(name: str) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Contact angles (degrees), a factor (angles, loads) and the relative axial loads (MPa)."""
     data: dict[str, Any] = figures()["equivalent_load"]
     loads = np.array(data["relative_axial_load"])
+    same = _SAME_AS.get(name, name)  # where a line does not tell its own
     rows = [
-        np.broadcast_to(np.asarray(row[name], np.float64), loads.shape) for row in data["angle"]
+        np.broadcast_to(np.asarray(row.get(name, row[same]), np.float64), loads.shape)
+        for row in data["angle"]
     ]
-    rows += [np.full(loads.shape, value) for value in data["steep"][name]]
+    rows += [np.full(loads.shape, value) for value in data["steep"][same]]
     angles = [row["contact_angle_deg"] for row in data["angle"]] + data["steep"][
         "contact_angle_deg"
     ]

@@ -9,10 +9,10 @@ from typing import Any, Final
 import numpy as np
 
 from rolamento.case import Case
-from rolamento.equilibrium import solve
 from rolamento.errors import InputError
-from rolamento.life.conditions import LifeConditions
+from rolamento.life.conditions import LifeConditions, conditions_of
 from rolamento.life.summary import LifeSummary, life
+from rolamento.solution import solve
 from rolamento.state import State
 
 CHANGES: Final[Mapping[str, str]] = {
@@ -60,7 +60,7 @@ def sensitivity(state: State, conditions: LifeConditions | None = None) -> tuple
     conditions
         As `life`.
     """
-    given = conditions or LifeConditions()
+    given = conditions_of(state.case) if conditions is None else conditions
     case = state.case
     before = _life(state, given)
     found = [Change("less_load", _after(_with_less_load(case), given, before))]

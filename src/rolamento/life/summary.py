@@ -4,21 +4,25 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Final
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from rolamento.case import Case
 from rolamento.equilibrium import BatchState
 from rolamento.life import theories as by
-from rolamento.life.conditions import LifeConditions
+from rolamento.life.conditions import LifeConditions, conditions_of
 from rolamento.life.duty_loads import EquivalentLoads, Ratings
 from rolamento.life.limits import limit_of
 from rolamento.life.record import Life, Limit
 from rolamento.life.reference import ReferenceLife
+from rolamento.life.reliability import reliability_factor, reliability_of
 from rolamento.life.solved_balls import SolvedRows, rows_of_batch, rows_of_state
 from rolamento.numerics import FloatArray
 from rolamento.state import State
+
+_HOUR: Final = 3600.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -40,6 +44,8 @@ class LifeSummary:
         what limits the life
     viscosity_ratio, contamination_factor
         κ and e_C, (cases,); None where lubrication is not given
+    conditions
+        what it was reckoned with
     """
 
     theories: Mapping[str, Life]
@@ -49,6 +55,7 @@ class LifeSummary:
     limit: Limit
     viscosity_ratio: FloatArray | None
     contamination_factor: FloatArray | None
+    conditions: LifeConditions
 
     def __getitem__(self, theory: str) -> Life:
         """Return the life by one theory."""
@@ -57,6 +64,36 @@ class LifeSummary:
     def best(self) -> Life:
         """Return the theory that knows most: modified reference, else reference life."""
         return self.theories.get(by.MODIFIED_REFERENCE, self.theories[by.REFERENCE])
+
+    @property
+    def rating_sources(self) -> dict[str, str]:
+        """Where C, C_0 and C_u come from: "given", "geometry", or the source of the catalogue."""
+        given, limit = self.conditions, self.conditions.fatigue_load_limit
+        found = {"fatigue": limit if isinstance(limit, str) else "given"}
+        for name in ("dynamic", "static"):
+            own = getattr(given, f"{name}_rating") is not None
+            found[name] = given.sources.get(f"{name}_rating", "given") if own else "geometry"
+        return found
+
+    def reliability_after(self, time: ArrayLike) -> FloatArray:
+        """Reliability with which the bearing runs for a time, by the theory that knows most.
+
+        Parameters
+        ----------
+        time
+            A number or (cases,), s.
+
+        Returns
+        -------
+        (cases,); NaN where there are no hours, or no life.
+        """
+        best = self.best()
+        edition = self.conditions.edition
+        for_ninety = best.hours / reliability_factor(best.reliability, edition)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            ratio = np.asarray(time, np.float64) / _HOUR / for_ninety
+        known = np.where(np.isnan(ratio), 1.0, ratio)
+        return np.where(np.isnan(ratio), np.nan, reliability_of(known, edition))
 
     def to_mapping(self, case: int = 0) -> dict[str, Any]:
         """Give one case as plain values, SI and millions of revolutions; NaN as None."""
@@ -76,9 +113,11 @@ class LifeSummary:
                 "dynamic": _at(self.ratings.dynamic_of_set, case),
                 "static": _at(self.ratings.static_of_set, case),
                 "fatigue": _at(self.ratings.fatigue_of_set, case),
+                "sources": self.rating_sources,
             },
             "viscosity_ratio": _at(self.viscosity_ratio, case),
             "contamination_factor": _at(self.contamination_factor, case),
+            "wanted_life": self._wanted(case),
             "limit": {
                 "row": int(self.limit.row[case]),
                 "race": str(self.limit.race[case]) or None,
@@ -87,6 +126,13 @@ class LifeSummary:
                 "factor": str(self.limit.factor[case]) or None,
             },
         }
+
+    def _wanted(self, case: int) -> dict[str, float | None] | None:
+        """The life that is wanted (s), and its reliability; None if none is."""
+        wanted = self.conditions.wanted_life
+        if wanted is None:
+            return None
+        return {"life": wanted, "reliability": _at(self.reliability_after(wanted), case)}
 
 
 def life(
@@ -99,7 +145,7 @@ def life(
     state
         Of `rolamento.solve`.
     conditions
-        Ratings, lubrication and wishes; by default everything from the geometry, for 90 %.
+        Ratings, lubrication and wishes; by default those of the case, `conditions_of`.
     stress_volume
         Whether to evaluate the theory of Ioannides and Harris.
 
@@ -108,7 +154,8 @@ def life(
     InputError
         If the bearing is a thrust bearing (above 45°), or no rating is given and none follows.
     """
-    return _summary(rows_of_state(state), conditions or LifeConditions(), stress_volume)
+    given = conditions_of(state.case) if conditions is None else conditions
+    return _summary(rows_of_state(state), given, stress_volume)
 
 
 def life_of_batch(
@@ -129,7 +176,8 @@ def life_of_batch(
     conditions, stress_volume
         As `life`; the numbers of the conditions may be arrays (cases,).
     """
-    return _summary(rows_of_batch(case, batch), conditions or LifeConditions(), stress_volume)
+    given = conditions_of(case) if conditions is None else conditions
+    return _summary(rows_of_batch(case, batch), given, stress_volume)
 
 
 def _summary(balls: SolvedRows, given: LifeConditions, stress_volume: bool) -> LifeSummary:
@@ -159,6 +207,7 @@ def _summary(balls: SolvedRows, given: LifeConditions, stress_volume: bool) -> L
         ),
         viscosity_ratio=basis.viscosity_ratio,
         contamination_factor=basis.contamination_factor,
+        conditions=given,
     )
 
 

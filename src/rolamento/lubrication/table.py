@@ -164,13 +164,13 @@ def lubricant_temperature_of(case: Case) -> float:
     InputError
         If none is given.
     """
-    if case.temperature is None:
+    if case.lubricant_temperature is None:
         raise InputError(
             "is missing: the film needs the lubricant's temperature",
             field="temperature.lubricant",
             example='[temperature] with lubricant = "70 degC"',
         )
-    return case.temperature.lubricant
+    return case.lubricant_temperature
 
 
 def _oil_at(lubricant: Lubricant, temperature: FloatArray) -> OilState:

@@ -42,6 +42,7 @@ _GROUPS: Final = {
     "SIDE": r"(?P<side>[-+]x)",
     "ROWS": r"(?P<rows>\d+(?:, \d+)*)",
     "SENSE": r"(?P<sense>behind|ahead of)",
+    "DESIGNATION": r"(?P<designation>\S(?:.*\S)?)",
     "NUMBER3": r"(?P<number3>[-+.\de]+)",
     "NUMBER2": r"(?P<number2>[-+.\de]+)",
     "NUMBER": r"(?P<number>[-+.\de]+)",
@@ -291,6 +292,18 @@ _SENTENCES: Final = (
         ' {azimuths}); model.raceway_control = "jones" decide esfera por esfera.',
     ),
     (
+        "The balls of DESIGNATION are not published, but inferred from its ratings, which NUMBER"
+        " insides reproduce (rolamento catalogue show): the best one is taken.",
+        "As esferas de {designation} não são publicadas, e sim inferidas das capacidades, que"
+        " {number} interiores reproduzem (rolamento catalogue show): toma-se o melhor.",
+    ),
+    (
+        "The balls of DESIGNATION are not published, but inferred from its ratings; no other"
+        " standard balls reproduce them.",
+        "As esferas de {designation} não são publicadas, e sim inferidas das capacidades;"
+        " nenhuma outra esfera normalizada as reproduz.",
+    ),
+    (
         "To hold the gyroscopic moment as assumed, a coefficient of friction of NUMBER is needed,"
         " more than about NUMBER2: BALLS will slip (azimuth AZIMUTHS).",
         "Para segurar o momento giroscópico como suposto, é preciso um coeficiente de atrito de"
@@ -323,6 +336,8 @@ def _expression(english: str) -> str:
 
 def _said(name: str, text: str) -> str:
     """Return a varying part in Portuguese: terms, counts, numbers with a decimal comma."""
+    if name == "designation":
+        return text
     if name == "balls":
         return text.replace("ball", "esfera")
     if name == "azimuths":

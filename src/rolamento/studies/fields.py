@@ -16,6 +16,7 @@ from rolamento.arrangement import Preload
 from rolamento.case import Case
 from rolamento.duty import AXES, LOADS
 from rolamento.errors import InputError, UnknownKeyError, nearest
+from rolamento.life_model import DIRT
 from rolamento.material import Material
 from rolamento.units import SI_UNIT, Dimension, from_si
 
@@ -32,6 +33,7 @@ _RIVALS: Final = (
     ("bearing.contact_angle", "bearing.diametral_clearance"),
     *((f"duty.load.{b}", f"duty.displacement.{a}") for a, b in zip(AXES, LOADS, strict=True)),
     tuple(f"bearing.preload.{name}" for name in Preload.model_fields),
+    tuple(f"life.{name}" for name in DIRT),
 )
 """Of each group, a case takes one."""
 

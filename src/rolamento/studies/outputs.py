@@ -123,7 +123,9 @@ class Solved:
     @property
     def _has_film(self) -> bool:
         lubricant = self.case.lubricant
-        warm = "temperature.lubricant" in self._values or self.case.temperature is not None
+        warm = (
+            "temperature.lubricant" in self._values or self.case.lubricant_temperature is not None
+        )
         return lubricant is not None and lubricant.kind != "dry" and warm
 
     def _sound(self, values: NDArray[Any] | None) -> Floats | None:
@@ -277,7 +279,7 @@ def _has(case: Case, need: str, varied: set[str]) -> bool:
         mu = None if lubricant is None else lubricant.friction_coefficient
         return mu is not None and mu <= 1.0
     if need == "temperature.lubricant":
-        return case.temperature is not None
+        return case.lubricant_temperature is not None
     if need == "surface":
         return case.surface is not None
     return case.model.raceway_control == "friction" or "model.raceway_control" in varied
