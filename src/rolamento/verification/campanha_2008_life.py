@@ -16,6 +16,8 @@ _ROUNDED_GROOVE: Final = (
     "The author rounds the inner groove's radius to 5.21 mm; the outer conformity is 0.53. The"
     " standard raises no rating for closer grooves: this factor is theory."
 )
+_BALL: Final = 25.4 * 13.0 / 32.0
+"""mm: 13/32 in, which the text rounds to 10.319 mm."""
 _ROUNDING: Final = 0.5
 """Of f_c: what a hundredth of a millimetre of the groove makes."""
 
@@ -27,7 +29,7 @@ def checks() -> Iterator[Check]:
     diameter = bearing["ball_diameter_mm"]
     gamma = diameter / bearing["pitch_diameter_mm"]
     outer = life["outer_conformity"]
-    rounded = life["groove_radius_mm"] / diameter
+    rounded = life["groove_radius_mm"] / _BALL
     yield Check(
         source=life["source"],
         quantity="f_c",
@@ -36,7 +38,9 @@ def checks() -> Iterator[Check]:
         computed=float(dynamic_factor_of_grooves(gamma, life["measured_conformity"], outer)),
         explanation=_ROUNDED_GROOVE,
         deviation=_ROUNDING,
-        evidence=float(dynamic_factor_of_grooves(gamma, rounded, outer)),
+        evidence=float(
+            dynamic_factor_of_grooves(_BALL / bearing["pitch_diameter_mm"], rounded, outer)
+        ),
     )
     basic = basic_rating_life(life["dynamic_rating_N"], life["load_N"])
     yield Check(
