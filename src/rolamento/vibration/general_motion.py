@@ -16,6 +16,7 @@ Source: Braga and Almeida, equations 38, 45 and 48 to 50, with the denominator o
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Final
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -23,6 +24,9 @@ from numpy.typing import ArrayLike
 from rolamento.numerics import FloatArray
 
 __all__ = ["GeneralMotion", "general_motion"]
+
+_LEAST: Final = 1e-12
+"""Of the ball's axis along the tangents: what is less is rounding."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,7 +91,7 @@ def general_motion(
     with np.errstate(divide="ignore", invalid="ignore"):
         ball = -lead / (by_outer + by_inner)
         orbit = np.subtract(outer_speed, ball * by_outer)
-    lost = ~np.isfinite(ball)
+    lost = np.abs(by_outer + by_inner) < _LEAST
     return GeneralMotion(*np.broadcast_arrays(*(np.where(lost, np.nan, v) for v in (orbit, ball))))
 
 
