@@ -1,0 +1,155 @@
+"""Life over one field of a case: every theory at every point, and where it holds."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rolamento.case import Case
+from rolamento.numerics import BoolArray, FloatArray
+from rolamento.studies.life_solving import LifeBlock, array_names, life_blocks
+from rolamento.studies.ranges import Range, read_range, refuse_many_singles
+from rolamento.studies.solving import CONVERGED, INVALID_INPUT
+
+if TYPE_CHECKING:
+    from rolamento.life.l_able import FactorTable
+
+__all__ = ["LifeCurve", "Range", "life_curve", "read_range"]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class LifeCurve:
+    """Lives of a case over the values of one field.
+
+    Attributes
+    ----------
+    case
+        what does not vary
+    label
+        what sets this curve apart from others beside it; empty of the case itself
+    over
+        the range that was chosen: the field and its values
+    status
+        (points,), of each solved case; "invalid_input" where there is no such case
+    revolutions
+        by theory (names as in `rolamento.life`): millions of revolutions, (points,); infinite where
+        fatigue never ends it, NaN without a life
+    lives
+        the same in hours; NaN where nothing turns
+    holds
+        by theory, (points,): whether it is for such a case
+    notes
+        by theory, and by name of the note (`rolamento.life.record.NOTES`), where it is true
+    viscosity_ratio, contamination_factor
+        κ and e_C, (points,); NaN where they are not known
+    """
+
+    case: Case
+    label: str
+    over: Range
+    status: NDArray[np.str_]
+    revolutions: Mapping[str, FloatArray]
+    lives: Mapping[str, FloatArray]
+    holds: Mapping[str, BoolArray]
+    notes: Mapping[str, Mapping[str, BoolArray]]
+    viscosity_ratio: FloatArray
+    contamination_factor: FloatArray
+
+    def __len__(self) -> int:
+        """Count the points."""
+        return len(self.over.values)
+
+    @property
+    def field(self) -> str:
+        """Dotted name of what varies."""
+        return self.over.field.name
+
+    @property
+    def values(self) -> FloatArray:
+        """What it takes, (points,), SI."""
+        return self.over.values
+
+    @property
+    def converged(self) -> bool:
+        """Whether every point has a result."""
+        return bool(np.all(self.status == CONVERGED))
+
+
+def life_curve(
+    case: Case, over: Range, *, label: str = "", nsk_table: FactorTable | None = None
+) -> LifeCurve:
+    """Solve a case over a range, and find its life by every theory.
+
+    Parameters
+    ----------
+    case
+        With its [life] table, designation and lubricant, if it has them.
+    over
+        From `read_range`.
+    label
+        What sets this case apart.
+    nsk_table
+        a_NSK of L_able.
+
+    Raises
+    ------
+    InputError
+        If no point of the range makes a case with a life; of the first point.
+    """
+    name, count = over.field.name, len(over.values)
+    if not array_names(case, [name]):
+        refuse_many_singles(count)
+    blocks = list(life_blocks(case, {name: over.values.tolist()}, nsk_table=nsk_table))
+    if all(block.summary is None for block in blocks):
+        assert blocks[0].refused is not None
+        raise blocks[0].refused
+    status = np.full(count, INVALID_INPUT, dtype="U16")
+    for block in blocks:
+        status[block.index] = block.status
+    theories = list(dict.fromkeys(t for b in blocks if b.summary for t in b.summary.theories))
+    return LifeCurve(
+        case=case,
+        label=label,
+        over=over,
+        status=status,
+        revolutions={t: _gathered(blocks, t, "life", count) for t in theories},
+        lives={t: _gathered(blocks, t, "hours", count) for t in theories},
+        holds={t: _gathered(blocks, t, "holds", count) > 0.0 for t in theories},
+        notes={t: _notes(blocks, t, count) for t in theories},
+        viscosity_ratio=_numbers(blocks, "viscosity_ratio", count),
+        contamination_factor=_numbers(blocks, "contamination_factor", count),
+    )
+
+
+def _gathered(blocks: Sequence[LifeBlock], theory: str, name: str, count: int) -> FloatArray:
+    """An array of a theory's record over all points; NaN where it was not evaluated."""
+    found = np.full(count, np.nan)
+    for block in blocks:
+        if block.summary is not None and theory in block.summary.theories:
+            found[block.index] = getattr(block.summary[theory], name)
+    return found
+
+
+def _numbers(blocks: Sequence[LifeBlock], name: str, count: int) -> FloatArray:
+    found = np.full(count, np.nan)
+    for block in blocks:
+        values = None if block.summary is None else getattr(block.summary, name)
+        if values is not None:
+            found[block.index] = values
+    return found
+
+
+def _notes(blocks: Sequence[LifeBlock], theory: str, count: int) -> dict[str, BoolArray]:
+    """Where each note of a theory is true; those that are nowhere are left out."""
+    found: dict[str, BoolArray] = {}
+    for block in blocks:
+        if block.summary is None or theory not in block.summary.theories:
+            continue
+        for name, where in block.summary[theory].notes.items():
+            if np.any(where):
+                found.setdefault(name, np.zeros(count, dtype=np.bool_))[block.index] = where
+    return found

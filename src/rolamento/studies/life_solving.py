@@ -1,0 +1,116 @@
+"""Lives of a case at many values of its fields: in batches where the fields allow it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rolamento.case import Case
+from rolamento.errors import InputError
+from rolamento.life import LifeSummary, conditions_of, life_of_batch
+from rolamento.studies.fields import Value
+from rolamento.studies.solving import INVALID_INPUT, array_fields, base_case, solve
+
+if TYPE_CHECKING:
+    from rolamento.life.l_able import FactorTable
+
+__all__ = ["LifeBlock", "array_names", "life_blocks"]
+
+_CLEARANCE_FIELDS: Final = ("duty.inner_speed", "duty.outer_speed", "bearing.")
+"""Beginnings of names: what the clearance of a mounted bearing depends on."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class LifeBlock:
+    """Some of the points, and their lives.
+
+    Attributes
+    ----------
+    index
+        of the points, (block,)
+    status
+        of each, (block,)
+    summary
+        their lives, arrays (block,); None where there is no such case
+    refused
+        why there is none
+    """
+
+    index: NDArray[np.int64]
+    status: NDArray[np.str_]
+    summary: LifeSummary | None
+    refused: InputError | None = None
+
+
+def array_names(case: Case, names: Sequence[str]) -> list[str]:
+    """Return those of the fields whose values need no cases of their own."""
+    moving = _CLEARANCE_FIELDS if case.mounting is not None else ()
+    return [name for name in names if name in array_fields() and not name.startswith(moving)]
+
+
+def life_blocks(
+    case: Case,
+    columns: Mapping[str, Sequence[Value]],
+    *,
+    stress_volume: bool = True,
+    nsk_table: FactorTable | None = None,
+) -> Iterator[LifeBlock]:
+    """Solve a case for every row of a table, and find the lives.
+
+    Parameters
+    ----------
+    case
+        Supplies what does not vary. A mounted one is solved with its clearance in operation.
+    columns
+        Values of one length, checked, SI, by the dotted names of the fields.
+    stress_volume
+        Whether to evaluate the theory of Ioannides and Harris.
+    nsk_table
+        a_NSK of L_able.
+
+    Yields
+    ------
+    LifeBlock
+        Rows that differ in arrays only, together; every row in one of them.
+    """
+    arrays = array_names(case, list(columns))
+    single = [name for name in columns if name not in arrays]
+    count = len(next(iter(columns.values())))
+    groups: dict[tuple[Value, ...], list[int]] = {}
+    for row in range(count):
+        groups.setdefault(tuple(columns[name][row] for name in single), []).append(row)
+    for own, members in groups.items():
+        index = np.array(members, dtype=np.int64)
+        varied = {
+            name: np.array([columns[name][i] for i in members], np.float64) for name in arrays
+        }
+        try:
+            changed = base_case(case, dict(zip(single, own, strict=True))) if single else case
+            yield _solved(changed, index, varied, stress_volume, nsk_table)
+        except InputError as error:
+            yield LifeBlock(index, np.full(len(index), INVALID_INPUT), None, error)
+
+
+def _solved(
+    case: Case,
+    index: NDArray[np.int64],
+    varied: dict[str, NDArray[np.float64]],
+    stress_volume: bool,
+    nsk_table: FactorTable | None,
+) -> LifeBlock:
+    """Solve a batch of rows, and find their lives."""
+    running = case
+    if case.mounting is not None:
+        from rolamento.clearance import operating_case
+
+        running = operating_case(case)
+    conditions: Any = conditions_of(running, varied)
+    if nsk_table is not None:
+        conditions = replace(conditions, nsk_table=nsk_table)
+    batch = solve(running, varied, cases=len(index), threads=None)
+    found = life_of_batch(running, batch, conditions, stress_volume=stress_volume)
+    return LifeBlock(index, batch.status, found)
