@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 from rolamento import equilibrium
 from rolamento.case import Case
 from rolamento.equilibrium import BatchState
-from rolamento.equilibrium.columns import DutyFields, spread
+from rolamento.equilibrium.columns import DutyFields, batch_arrays, bounded, spread
 from rolamento.equilibrium.record import state_of
 from rolamento.state import State
 
@@ -74,15 +74,28 @@ def solve_batch(
         first_ball_azimuth (rad), loads fx, fy, fz (N), my, mz (N·m) and displacements x, y, z
         (m), ry, rz (rad). A load frees its degree of freedom, a displacement holds it.
 
+    A mounted bearing runs with the clearance in operation of each case: that of its temperatures,
+    speeds and whatever else varies.
+
     Raises
     ------
     InputError
         For an unknown field, arrays of different lengths, or fields that exclude each other. A
         value that the case would refuse is that case's affair: its status is "invalid_input".
     """
+    given = {**(values or {}), **cast("dict[str, ArrayLike]", fields)}
+    if case.mounting is not None:
+        case, given = _mounted(case, given)
     if not case.model.needs_film:
-        return equilibrium.solve_batch(case, values, threads=threads, **fields)
+        return equilibrium.solve_batch(case, given, threads=threads)
     from rolamento.lubrication.film_control import solve_on_film
 
-    given = {**(values or {}), **cast("dict[str, ArrayLike]", fields)}
     return solve_on_film(case, spread(case, given), threads=threads)
+
+
+def _mounted(case: Case, given: Mapping[str, ArrayLike]) -> tuple[Case, dict[str, ArrayLike]]:
+    """The case without its mounting, and the fields with the clearance in operation."""
+    from rolamento.clearance import operating_batch
+
+    running, fields = operating_batch(case, bounded(batch_arrays(given)))
+    return running, dict(fields)

@@ -14,6 +14,7 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from rolamento import Bearing, Case, Duty, InputError, Load, Model, solve_batch
+from rolamento.clearance import MOUNTED_FIELDS
 from rolamento.equilibrium.batch_state import BatchState
 from rolamento.equilibrium.fields import BATCH_FIELDS, GEOMETRY, PRELOADS, batch_fields
 
@@ -56,6 +57,16 @@ CASES = {
         lubricant="BP 135",
     ),
 }
+CASES["mounted"] = CASES["plain"].replace(
+    temperature={"inner_ring": 340.0, "outer_ring": 330.0},
+    mounting={
+        "bore": 0.09,
+        "outside_diameter": 0.16,
+        "shaft_interference": 1e-5,
+        "housing_interference": -2e-6,
+        "housing_outside_diameter": 0.24,
+    },
+)
 FOR_ROLLING = (
     "lubricant.friction_coefficient", "model.cage_drag", "temperature.lubricant",
     "duty.inner_speed", "bearing.inner_conformity",
@@ -94,7 +105,27 @@ VALUES: dict[str, tuple[float, float, tuple[float, ...]]] = {
     "lubricant.friction_coefficient": (0.02, 0.3, (0.0, 2.1, -0.1)),
     "model.cage_drag": (0.0, 0.02, (-1.0, 2e6)),
     "temperature.lubricant": (250.0, 450.0, (173.1, 673.2, -1.0)),
-}
+    **{f"life.{name}": (1e3, 1e6, (0.0, -1.0, 2e9))
+       for name in ("dynamic_rating", "static_rating", "fatigue_load_limit")},
+    "life.contamination": (0.0, 1.0, (-0.1, 1.1)),
+    "life.viscosity_ratio": (0.1, 4.0, (0.0, -1.0, 2e6)),
+    "life.material_factor": (0.1, 2.0, (0.0, 2e3)),
+    "life.operation_factor": (0.1, 2.0, (0.0, 2e3)),
+    "life.fatigue_limit": (1e8, 1e9, (0.0, -1.0, 2e11)),
+    "life.nsk_cleanliness": (0.05, 1.0, (0.04, 1.1)),
+    **{f"temperature.{part}": (300.0, 360.0, (173.0, 674.0, -1.0))
+       for part in ("inner_ring", "outer_ring", "balls", "shaft", "housing")},
+    "mounting.shaft_interference": (-2e-5, 5e-5, (1.1e-3, -1.1e-3, 9e-4)),
+    "mounting.housing_interference": (-2e-5, 5e-5, (1.1e-3, 9e-4)),
+    "mounting.shaft_bore": (0.0, 0.085, (-0.01, 0.09, 0.1)),
+    "mounting.housing_outside_diameter": (0.17, 1.0, (0.16, 0.1, -1.0)),
+    "mounting.shaft_roughness": (0.0, 2e-5, (-1e-6, 2e-3)),
+    "mounting.housing_roughness": (0.0, 2e-5, (-1e-6, 2e-3)),
+    "mounting.ring_expansion": (5e-6, 2e-5, (-1e-6, 2e-3)),
+    "mounting.ball_expansion": (2e-6, 2e-5, (-1e-6, 2e-3)),
+    "mounting.assembly_temperature": (280.0, 310.0, (100.0, 700.0)),
+    "mounting.wear": (0.0, 5e-5, (-1e-6, 6e-3)),
+}  # fmt: skip
 
 
 @pytest.fixture(scope="module", autouse=True)
@@ -111,8 +142,10 @@ def changed(case: Case, field: str, value: float) -> Case:
         return case.replace(lubricant=case.lubricant.replace(**{path[0]: value}))
     if part == "model":
         return case.replace(model=case.model.replace(**{path[0]: value}))
-    if part == "temperature":
-        return case.replace(temperature={path[0]: value})
+    if part in ("temperature", "mounting", "life"):
+        table = getattr(case, part)
+        own = {} if table is None else table.model_dump(exclude_unset=True)
+        return case.replace(**{part: {**own, path[0]: value}})
     if part == "duty":
         duty: dict[str, Any] = {
             "inner_speed": case.duty.inner_speed,
@@ -152,6 +185,8 @@ def changed(case: Case, field: str, value: float) -> Case:
 def applies(case: Case, field: str) -> bool:
     if case is CASES["rolling"]:
         return field in FOR_ROLLING
+    if field in MOUNTED_FIELDS:
+        return case is CASES["mounted"]
     if field.startswith("lubricant"):
         return False
     if field.startswith("bearing.preload"):

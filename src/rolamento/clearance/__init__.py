@@ -7,7 +7,8 @@ fits, temperature, speed, wear; `operating` puts them in a chain. See docs/theor
 from __future__ import annotations
 
 from rolamento.clearance.assembly import PartTemperatures
-from rolamento.clearance.band import Band
+from rolamento.clearance.band import Band, Limit
+from rolamento.clearance.batch import MOUNTED_FIELDS, operating_batch
 from rolamento.clearance.classes import CLEARANCE_CLASSES, ClearanceClass, class_clearance
 from rolamento.clearance.iso286 import hole_deviations, shaft_deviations, standard_tolerance
 from rolamento.clearance.iso492 import ToleranceClass, bore_deviations, outside_deviations
@@ -24,7 +25,6 @@ from rolamento.clearance.operating import (
 )
 from rolamento.clearance.record import (
     WARNINGS,
-    Limit,
     OperatingClearance,
     Step,
     bearing_with_clearance,
@@ -35,6 +35,7 @@ from rolamento.mounting import Mounting, SeatMaterial
 
 __all__ = [
     "CLEARANCE_CLASSES",
+    "MOUNTED_FIELDS",
     "WARNINGS",
     "Band",
     "ClearanceClass",
@@ -57,6 +58,7 @@ __all__ = [
     "fit_wear",
     "hole_deviations",
     "measuring_load_correction",
+    "operating_batch",
     "operating_case",
     "operating_clearance",
     "outside_deviations",

@@ -10,9 +10,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from math import inf
-from typing import Final, NamedTuple, Protocol
+from typing import Any, Final, NamedTuple, Protocol
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from rolamento.bearing import Bearing
 from rolamento.clearance.fits import (
@@ -26,7 +27,7 @@ from rolamento.clearance.fits import (
 from rolamento.clearance.speed import spin_growth
 from rolamento.clearance.temperature import clearance_change, expansion_of, interference_change
 from rolamento.errors import InputError
-from rolamento.geometry import ring_geometry
+from rolamento.geometry import clearance_of_angle, groove_places
 from rolamento.material import Material
 from rolamento.mounting import Mounting, SeatMaterial
 from rolamento.numerics import FloatArray
@@ -106,14 +107,17 @@ class _Seat:
         if self.finish is not None:
             lost = finish_loss(interference, self.diameter, self.finish)
         else:
-            lost = roughness_loss(interference, self.roughness or 0.0)
+            lost = roughness_loss(interference, 0.0 if self.roughness is None else self.roughness)
         left = interference - lost + self.expansion - self.rotation
         return lost, np.maximum(left, 0.0)
 
 
 @dataclass(frozen=True, slots=True)
 class Assembly:
-    """Bearing, seats, temperatures and speeds, ready to be reckoned with; SI."""
+    """Bearing, seats, temperatures and speeds, ready to be reckoned with; SI.
+
+    Of a batch all numbers may be arrays (cases,).
+    """
 
     bearing: Bearing
     mounting: Mounting
@@ -151,11 +155,12 @@ class Assembly:
         """Fit of the outer ring in the housing for the interferences as mounted (m)."""
         lost, effective = self._housing.state(interference)
         ring, mounting = self.bearing.ring_material, self.mounting
+        outside = mounting.housing_outside_diameter
         pressure = contact_pressure(
             effective,
             mounting.outside_diameter,
             bore=self.outer_raceway,
-            outside=mounting.housing_outside_diameter or inf,
+            outside=inf if outside is None else outside,
             inner=ring,
             outer=mounting.housing_material or ring,
         )
@@ -186,11 +191,22 @@ def assembly_of(
             "is available for single rows: what the fits of a set do to its preload is not",
             field="mounting",
         )
-    ring = ring_geometry(bearing)
-    groove = bearing.inner_conformity * bearing.ball_diameter
-    inner = 2.0 * (ring.inner_groove_radius - groove)
-    outer = inner + 2.0 * bearing.ball_diameter + ring.diametral_clearance
-    _check_place(mounting, inner, outer)
+    assembly = gathered(bearing, mounting, temperatures, inner_speed, outer_speed)
+    _check_place(mounting, assembly.inner_raceway, assembly.outer_raceway)
+    return assembly
+
+
+def gathered(
+    bearing: Any, mounting: Any, temperatures: Any, inner_speed: ArrayLike, outer_speed: ArrayLike
+) -> Assembly:
+    """Gather it from records, or from objects with their attributes as arrays (cases,).
+
+    Raises
+    ------
+    InputError
+        If a temperature or an expansion that is needed is missing.
+    """
+    inner, outer, clearance = raceways(bearing)
     warm = _Rises.of(mounting, temperatures)
     ring_expansion = _expansion(
         mounting.ring_expansion, bearing.ring_material, "ring_expansion", warm
@@ -206,8 +222,8 @@ def assembly_of(
         mounting=mounting,
         inner_raceway=inner,
         outer_raceway=outer,
-        initial_clearance=ring.diametral_clearance,
-        expansion_change=float(
+        initial_clearance=clearance,
+        expansion_change=_plain(
             clearance_change(
                 inner_raceway=inner,
                 outer_raceway=outer,
@@ -249,6 +265,29 @@ def assembly_of(
     )
 
 
+def raceways(bearing: Any) -> tuple[Any, Any, Any]:
+    """Diameters at the bottom of the grooves, and the clearance; m, numbers or arrays."""
+    angle, clearance = bearing.contact_angle, bearing.diametral_clearance
+    places = groove_places(
+        bearing.ball_diameter,
+        bearing.pitch_diameter,
+        bearing.inner_conformity,
+        bearing.outer_conformity,
+        contact_angle=angle,
+        diametral_clearance=clearance,
+    )
+    if angle is not None:
+        clearance = _plain(clearance_of_angle(angle, places.inner_length + places.outer_length))
+    groove = bearing.inner_conformity * bearing.ball_diameter
+    inner = _plain(2.0 * (places.inner_groove_radius - groove))
+    return inner, inner + 2.0 * bearing.ball_diameter + clearance, clearance
+
+
+def _plain(value: FloatArray) -> Any:
+    """A plain number of an array without dimensions."""
+    return value if value.ndim else float(value)
+
+
 class _Rises(NamedTuple):
     """Temperatures above that of assembly; K."""
 
@@ -276,7 +315,7 @@ class _Rises(NamedTuple):
         housing = outer if given.housing is None else given.housing
         values = (inner, outer, balls, shaft, housing)
         for name, value in zip(PartTemperatures.__dataclass_fields__, values, strict=True):
-            if not 0.0 < value <= _WARMEST:
+            if not np.all((value > 0.0) & (value <= _WARMEST) | np.isnan(value)):
                 raise InputError(
                     f"must be above 0 K and at most {_WARMEST:g} K",
                     field=f"temperature.{name}",
@@ -294,25 +333,25 @@ def _missing(field: str, beside: str) -> InputError:
     )
 
 
-def _expansion(given: float | None, material: Material, field: str, warm: _Rises) -> float:
+def _expansion(given: Any, material: Any, field: str, warm: _Rises) -> Any:
     """Coefficient of expansion; without temperatures none is needed."""
     if given is not None:
         return given
-    return expansion_of(material, f"mounting.{field}") if any(warm) else 0.0
+    return expansion_of(material, f"mounting.{field}") if any(map(np.any, warm)) else 0.0
 
 
-def _spins(material: Material, bore: float, outside: float, speed: float) -> tuple[float, float]:
+def _spins(material: Any, bore: Any, outside: Any, speed: ArrayLike) -> tuple[Any, Any]:
     """Growth of bore and outside diameter of a ring."""
     first, second = (
-        float(spin_growth(speed, at, bore=bore, outside=outside, material=material))
+        _plain(spin_growth(speed, at, bore=bore, outside=outside, material=material))
         for at in (bore, outside)
     )
     return first, second
 
 
-def _shaft_spin(bearing: Bearing, mounting: Mounting, speed: float) -> float:
+def _shaft_spin(bearing: Any, mounting: Any, speed: ArrayLike) -> Any:
     material: Material | SeatMaterial = mounting.shaft_material or bearing.ring_material
-    return float(
+    return _plain(
         spin_growth(
             speed,
             mounting.bore,
@@ -323,8 +362,8 @@ def _shaft_spin(bearing: Bearing, mounting: Mounting, speed: float) -> float:
     )
 
 
-def _housing_spin(bearing: Bearing, mounting: Mounting, speed: float) -> float:
-    if speed == 0.0 or not (
+def _housing_spin(bearing: Any, mounting: Any, speed: ArrayLike) -> Any:
+    if not np.any(speed) or not (
         mounting.housing_tolerance or mounting.housing_interference is not None
     ):
         return 0.0
@@ -335,7 +374,7 @@ def _housing_spin(bearing: Bearing, mounting: Mounting, speed: float) -> float:
             example='housing_outside_diameter = "100 mm"',
         )
     material: Material | SeatMaterial = mounting.housing_material or bearing.ring_material
-    return float(
+    return _plain(
         spin_growth(
             speed,
             mounting.outside_diameter,

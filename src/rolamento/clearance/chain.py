@@ -13,7 +13,7 @@ from rolamento.clearance.assembly import (
     Temperatures,
     assembly_of,
 )
-from rolamento.clearance.band import Band
+from rolamento.clearance.band import Band, Limit
 from rolamento.clearance.classes import class_clearance
 from rolamento.clearance.iso286 import hole_deviations, shaft_deviations
 from rolamento.clearance.iso492 import bore_deviations, outside_deviations
@@ -61,10 +61,17 @@ class Chain:
         warm = PartTemperatures() if temperatures is None else temperatures
         assembly = assembly_of(bearing, mounting, warm, inner_speed, outer_speed)
         try:
-            initial, reading = _initial(assembly)
-            return cls(assembly, initial, reading, _shaft(mounting), _housing(mounting))
+            initial, reading = initial_band(assembly, bearing)
+            return cls(assembly, initial, reading, shaft_bands(mounting), housing_bands(mounting))
         except InputError as error:
             raise error.with_details(field=f"mounting.{error.field}") from None
+
+    def at(self, limit: Limit) -> FloatArray:
+        """Clearance in operation at one of the limits: the least goes with the tightest fits."""
+        shaft, housing = self.shaft, self.housing
+        on_shaft = None if shaft is None else shaft.mirrored.at(limit)
+        in_housing = None if housing is None else housing.mirrored.at(limit)
+        return self.run(self.initial.at(limit), on_shaft, in_housing).clearance
 
     @property
     def shaft(self) -> Band | None:
@@ -89,9 +96,9 @@ class Chain:
         return ChainResult(initial, on_shaft, in_housing, clearance)
 
 
-def _initial(assembly: Assembly) -> tuple[Band, float | None]:
+def initial_band(assembly: Assembly, bearing: Bearing) -> tuple[Band, float | None]:
     """Clearance before mounting, without load, and the reading if it was measured."""
-    bearing, mounting = assembly.bearing, assembly.mounting
+    mounting = assembly.mounting
     given = [n for n in ("clearance_class", "measured_clearance") if getattr(mounting, n)]
     if given and bearing.contact_angle:
         raise InputError(
@@ -111,7 +118,7 @@ def _initial(assembly: Assembly) -> tuple[Band, float | None]:
     return Band(assembly.initial_clearance, assembly.initial_clearance), None
 
 
-def _shaft(mounting: Mounting) -> tuple[Band, ...]:
+def shaft_bands(mounting: Mounting) -> tuple[Band, ...]:
     """What adds up to the interference on the shaft."""
     if mounting.shaft_interference is not None:
         return (Band(mounting.shaft_interference, mounting.shaft_interference),)
@@ -121,7 +128,7 @@ def _shaft(mounting: Mounting) -> tuple[Band, ...]:
     return shaft_deviations(mounting.bore, mounting.shaft_tolerance), Band(-bore.high, -bore.low)
 
 
-def _housing(mounting: Mounting) -> tuple[Band, ...]:
+def housing_bands(mounting: Mounting) -> tuple[Band, ...]:
     """What adds up to the interference in the housing."""
     if mounting.housing_interference is not None:
         return (Band(mounting.housing_interference, mounting.housing_interference),)

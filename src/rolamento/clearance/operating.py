@@ -18,7 +18,6 @@ from numpy.typing import NDArray
 from rolamento.bearing import Bearing
 from rolamento.case import Case
 from rolamento.clearance.assembly import Assembly, Temperatures
-from rolamento.clearance.band import Band
 from rolamento.clearance.chain import Chain, ChainResult
 from rolamento.clearance.classes import CLEARANCE_SOURCE
 from rolamento.clearance.fits import FIT_SOURCE
@@ -65,8 +64,8 @@ def operating_clearance(
         If something is missing, contradicts itself or is not in the tables.
     """
     chain = Chain.of(bearing, mounting, temperatures, inner_speed, outer_speed)
-    tight = chain.shaft and Band(chain.shaft.high, chain.shaft.low)
-    held = chain.housing and Band(chain.housing.high, chain.housing.low)
+    tight = chain.shaft and chain.shaft.mirrored
+    held = chain.housing and chain.housing.mirrored
     result = chain.run(_three(chain.initial), _three(tight), _three(held))
     steps = _steps(chain, result)
     low, mean, high = steps[-1].clearance

@@ -5,16 +5,15 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from math import acos
-from typing import Any, Final, Literal
+from typing import Any, Final
 
 from rolamento.bearing import Bearing, clearance_fits
+from rolamento.clearance.band import Limit
 from rolamento.errors import InputError
 from rolamento.geometry import ring_geometry
 from rolamento.units import from_si
 
 __all__ = ["WARNINGS", "Limit", "OperatingClearance", "Step", "bearing_with_clearance"]
-
-Limit = Literal["minimum", "mean", "maximum"]
 
 WARNINGS: Final[Mapping[str, str]] = {
     "interference": "The clearance in operation is negative at its mean: the balls are preloaded.",

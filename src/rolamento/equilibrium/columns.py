@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 
 from rolamento.bearing import Bearing, RowPlace
 from rolamento.case import Case
+from rolamento.clearance.batch import MOUNTED_FIELDS
 from rolamento.duty import AXES, LOADS
 from rolamento.equilibrium import rows
 from rolamento.equilibrium.fields import (
@@ -117,20 +118,25 @@ def spread(case: Case, values: Mapping[str, ArrayLike]) -> Columns:
     """
     if case.mounting is not None:
         raise InputError(
-            "is for single cases; a batch takes rolamento.clearance.operating_case(case), or the"
-            " clearance as a field",
+            "is for rolamento.solve and rolamento.solve_batch, which find the clearance first",
             field="mounting",
-            example="bearing.diametral_clearance",
+            example="rolamento.solve_batch(case, ...)",
         )
-    arrays = _arrays(values)
+    arrays = batch_arrays(values)
+    for name in MOUNTED_FIELDS:
+        if name in arrays:
+            raise InputError(
+                "acts by way of the [mounting], and this case has none",
+                field=name,
+                example='[mounting] with bore = "25 mm" and outside_diameter = "62 mm"',
+            )
     cases = max((array.size for array in arrays.values() if array.ndim), default=1)
     if any(array.ndim and array.size == 0 for array in arrays.values()):
         cases = 0
+    arrays = bounded(arrays)
     valid = np.ones(cases, np.bool_)
-    for name, array in arrays.items():
-        allowed = within_bounds(name, array)
-        valid &= allowed
-        arrays[name] = np.where(allowed, array, np.nan)
+    for array in arrays.values():
+        valid &= ~np.isnan(array)
     free, load, displacement = _duty(case, arrays, cases)
     kind, amount = _preload(case.bearing, arrays, cases)
     held = {axis: displacement[i] for i, axis in enumerate(AXES)}
@@ -155,8 +161,21 @@ def spread(case: Case, values: Mapping[str, ArrayLike]) -> Columns:
     return found
 
 
-def _arrays(values: Mapping[str, ArrayLike]) -> dict[str, Floats]:
-    """The values by full name, checked for names, shapes and rivals."""
+def bounded(arrays: Mapping[str, Floats]) -> dict[str, Floats]:
+    """The arrays with NaN for values that their fields would refuse."""
+    return {
+        name: np.where(within_bounds(name, array), array, np.nan) for name, array in arrays.items()
+    }
+
+
+def batch_arrays(values: Mapping[str, ArrayLike]) -> dict[str, Floats]:
+    """The values by full name, checked for names, shapes and rivals.
+
+    Raises
+    ------
+    InputError
+        As `spread`.
+    """
     arrays: dict[str, Floats] = {}
     for name, value in values.items():
         field = SHORT_NAMES.get(name, name)

@@ -13,6 +13,7 @@ from rolamento._quantity import Quantity, Ratio
 from rolamento._record import record_of
 from rolamento.bearing import balls_fit, clearance_fits
 from rolamento.case import Case
+from rolamento.clearance.batch import MOUNTED_FIELDS
 from rolamento.duty import AXES, LOADS
 
 Floats = NDArray[np.float64]
@@ -61,8 +62,10 @@ BATCH_FIELDS: Final = (
     "model.cage_drag",
     "temperature.lubricant",
     *(f"life.{name}" for name in LIFE),
+    *MOUNTED_FIELDS,
 )
-"""The last ones change no equilibrium: they are for film and life."""
+"""Those of temperature and life change no equilibrium: they are for film and life. The last ones
+are for a mounted bearing, whose clearance they change before it comes here."""
 
 
 def batch_fields() -> tuple[str, ...]:

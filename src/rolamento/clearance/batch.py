@@ -1,0 +1,205 @@
+"""The clearance in operation of many cases at once, for batches and studies.
+
+The same equations as `operating_clearance`, on arrays: what varies is put in the place of the
+case's own numbers.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from types import SimpleNamespace
+from typing import Any, Final
+
+import numpy as np
+
+from rolamento.bearing import Bearing, clearance_fits
+from rolamento.case import Case
+from rolamento.clearance.assembly import PartTemperatures, gathered
+from rolamento.clearance.band import Band
+from rolamento.clearance.chain import Chain, housing_bands, initial_band, shaft_bands
+from rolamento.errors import InputError
+from rolamento.geometry import free_contact_angle
+from rolamento.mounting import Mounting
+from rolamento.numerics import FloatArray
+from rolamento.temperature import Temperature
+
+__all__ = ["MOUNTED_FIELDS", "operating_batch"]
+
+_PARTS: Final = ("inner_ring", "outer_ring", "balls", "shaft", "housing")
+_MOUNTING: Final = (
+    "shaft_interference",
+    "housing_interference",
+    "shaft_bore",
+    "housing_outside_diameter",
+    "shaft_roughness",
+    "housing_roughness",
+    "ring_expansion",
+    "ball_expansion",
+    "assembly_temperature",
+    "wear",
+)
+MOUNTED_FIELDS: Final = (
+    *(f"temperature.{name}" for name in _PARTS),
+    *(f"mounting.{name}" for name in _MOUNTING),
+)
+"""What a batch may vary of a mounted bearing beside its geometry and its duty."""
+
+_GEOMETRY: Final = (
+    "ball_diameter",
+    "pitch_diameter",
+    "inner_conformity",
+    "outer_conformity",
+    "contact_angle",
+    "diametral_clearance",
+)
+_ELASTIC: Final = ("name", "youngs_modulus", "poisson_ratio", "density")
+
+
+def operating_batch(
+    case: Case, values: Mapping[str, FloatArray]
+) -> tuple[Case, dict[str, FloatArray]]:
+    """The case without its mounting, and the fields with the clearance in operation in them.
+
+    Parameters
+    ----------
+    case
+        Single row, with a mounting.
+    values
+        Scalars or arrays (cases,) by the dotted names of fields, SI.
+
+    Returns
+    -------
+    tuple
+        The case, and fields for `solve_batch`: without `MOUNTED_FIELDS`, with the clearance or
+        the contact angle as the bearing runs; NaN where no bearing is left.
+
+    Raises
+    ------
+    InputError
+        If the bearing is a set, something is missing, or what varies does not go together.
+    """
+    assert case.mounting is not None
+    if case.bearing.is_set:
+        raise InputError(
+            "is available for single rows: what the fits of a set do to its preload is not",
+            field="mounting",
+        )
+    arrays = {name: np.asarray(array, np.float64) for name, array in values.items()}
+    bearing = _bearing(case, arrays)
+    with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
+        clearance = _clearance(case, bearing, arrays)
+        field, running = _as_given(bearing, clearance)
+    kept = {
+        name: array
+        for name, array in arrays.items()
+        if name not in (*MOUNTED_FIELDS, "bearing.diametral_clearance", "bearing.contact_angle")
+    }
+    warm = case.lubricant_temperature
+    lubricant_only = None if warm is None else Temperature(lubricant=warm)
+    return case.replace(mounting=None, temperature=lubricant_only), {**kept, field: running}
+
+
+def _clearance(case: Case, bearing: Any, arrays: Mapping[str, FloatArray]) -> FloatArray:
+    """Clearance in operation at the limit that the mounting names, NaN where none is."""
+    mounting = _mounting(case, arrays)
+    assembly = gathered(
+        bearing,
+        mounting,
+        _temperatures(case, arrays),
+        arrays.get("duty.inner_speed", case.duty.inner_speed),
+        arrays.get("duty.outer_speed", case.duty.outer_speed),
+    )
+    try:
+        initial, reading = _initial(assembly, case, arrays)
+        chain = Chain(assembly, initial, reading, shaft_bands(mounting), housing_bands(mounting))
+    except InputError as error:
+        raise error.with_details(field=f"mounting.{error.field}") from None
+    found = np.asarray(chain.at(mounting.limit))
+    inside = (mounting.bore < assembly.inner_raceway) & (
+        mounting.outside_diameter > assembly.outer_raceway
+    )
+    inside &= mounting.shaft_bore < mounting.bore
+    if mounting.housing_outside_diameter is not None:
+        inside &= mounting.outside_diameter < mounting.housing_outside_diameter
+    return np.where(inside, found, np.nan)
+
+
+def _initial(
+    assembly: Any, case: Case, arrays: Mapping[str, FloatArray]
+) -> tuple[Band, float | None]:
+    """Clearance before mounting; the bearing's own if that is what varies."""
+    varied = [name for name in arrays if name.startswith("bearing.")]
+    own = {"bearing.diametral_clearance", "bearing.contact_angle"} & set(varied)
+    mounting = assembly.mounting
+    given = mounting.clearance_class or mounting.measured_clearance
+    if given and own:
+        raise InputError(
+            f"is given, and {min(own)} varies: which is it?",
+            field="clearance_class" if mounting.clearance_class else "measured_clearance",
+            value=given,
+        )
+    if mounting.measured_clearance is not None and varied:
+        raise InputError(
+            f"cannot be read back while {varied[0]} varies; give the clearance itself",
+            field="measured_clearance",
+            example="bearing.diametral_clearance",
+        )
+    if own:
+        return Band(assembly.initial_clearance, assembly.initial_clearance), None
+    return initial_band(assembly, case.bearing)
+
+
+def _as_given(bearing: Any, clearance: FloatArray) -> tuple[str, FloatArray]:
+    """The field that the bearing is given by, and its values as it runs."""
+    reach = bearing.ball_diameter * (bearing.inner_conformity + bearing.outer_conformity - 1.0)
+    sound = clearance_fits(clearance, reach)
+    if bearing.contact_angle is None:
+        return "bearing.diametral_clearance", np.where(sound, clearance, np.nan)
+    one_sided = np.asarray(bearing.contact_angle) > 0.0
+    sound &= (clearance >= 0.0) | ~one_sided
+    if not np.any(one_sided):  # an angle of nought: two-sided, as a clearance
+        return "bearing.diametral_clearance", np.where(sound, clearance, np.nan)
+    angle = free_contact_angle(clearance, reach)
+    return "bearing.contact_angle", np.where(sound, angle, np.nan)
+
+
+def _bearing(case: Case, arrays: Mapping[str, FloatArray]) -> Any:
+    bearing: Bearing = case.bearing
+    given = {name: arrays.get(f"bearing.{name}", getattr(bearing, name)) for name in _GEOMETRY}
+    if "bearing.diametral_clearance" in arrays:
+        given["contact_angle"] = None
+    elif "bearing.contact_angle" in arrays:
+        given["diametral_clearance"] = None
+    rings = _material(bearing.ring_material, "ring_material", arrays)
+    follows = "ball_material" not in bearing.model_fields_set
+    balls = _material(rings if follows else bearing.ball_material, "ball_material", arrays)
+    return SimpleNamespace(**given, ring_material=rings, ball_material=balls)
+
+
+def _material(material: Any, part: str, arrays: Mapping[str, FloatArray]) -> Any:
+    return SimpleNamespace(
+        **{name: arrays.get(f"bearing.{part}.{name}", getattr(material, name)) for name in _ELASTIC}
+    )
+
+
+def _mounting(case: Case, arrays: Mapping[str, FloatArray]) -> Any:
+    mounting = case.mounting
+    given = {
+        name: arrays.get(f"mounting.{name}", getattr(mounting, name))
+        for name in Mounting.model_fields
+    }
+    for seat in ("shaft", "housing"):
+        for name, rivals in (
+            (f"{seat}_interference", (f"{seat}_tolerance",)),
+            (f"{seat}_roughness", (f"{seat}_finish",)),
+        ):
+            if f"mounting.{name}" in arrays:
+                given.update(dict.fromkeys(rivals))
+    return SimpleNamespace(**given)
+
+
+def _temperatures(case: Case, arrays: Mapping[str, FloatArray]) -> Any:
+    own = case.temperature or PartTemperatures()
+    return SimpleNamespace(
+        **{name: arrays.get(f"temperature.{name}", getattr(own, name)) for name in _PARTS}
+    )
