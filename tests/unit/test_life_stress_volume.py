@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from scipy.integrate import simpson
 
 from rolamento.contact.hertz import elliptical_contact
 from rolamento.contact.subsurface import orthogonal_shear, point_stresses
@@ -76,6 +77,41 @@ def test_mesh_converges(threshold: float) -> None:
     assert errors[2] < 1e-4
 
 
+@pytest.mark.parametrize(("threshold", "coarse"), [(0.0, 12), (0.1, 16), (0.17, 24)])
+def test_order_of_the_mesh(threshold: float, coarse: int) -> None:
+    """Twice the points each way: the error falls with their tenth power or so.
+
+    The integrand is analytic but for the edge of the stressed region, where it grows with the power
+    31/3. The higher the threshold, the smaller the region and the later this begins.
+    """
+    shapes = np.array([1.0, 2.0, 8.0, 20.0, 55.0])
+    t = np.full(shapes.shape, threshold)
+
+    def integral(points: int) -> FloatArray:
+        mesh = FieldMesh(points, 3 * points // 2)
+        return shear_integrals(t, shapes, mesh=mesh, **EXPONENTS).local
+
+    exact = integral(64)
+    first, second = (
+        float(np.max(np.abs(integral(points) / exact - 1.0))) for points in (coarse, 2 * coarse)
+    )
+    assert 1e-12 < second < 1e-6
+    assert np.log2(first / second) > 9.0
+
+
+def test_integral_by_another_rule() -> None:
+    """The sum beside Simpson's rule over the exact field, for a shape that is not tabulated."""
+    k, threshold = 7.3, 0.13
+    eta, zeta = np.linspace(0.0, 1.5, 201), np.linspace(0.04, 2.84, 281)
+    shear = passing_shear(eta[:, np.newaxis], zeta, k)
+    edge = (shear[-1].max(), shear[:, 0].max(), shear[:, -1].max())
+    assert max(edge) < threshold  # all that is stressed beyond it lies inside
+    risk = np.maximum(shear - threshold, 0.0) ** (31.0 / 3.0) * zeta ** (-7.0 / 3.0)
+    expected = 2.0 * float(simpson(simpson(risk, x=zeta), x=eta))
+    found = shear_integrals(np.array([threshold]), np.array([k]), **EXPONENTS).local
+    assert found[0] == pytest.approx(expected, rel=1e-5)
+
+
 def test_shapes_are_interpolated() -> None:
     """A shape between the tabulated ones, integrated on a plain grid of its own."""
     k = 5.0
@@ -126,6 +162,51 @@ def test_limit_lengthens_life_without_end() -> None:
     assert np.all(np.diff(lives) > 0.0)
     assert lives[1] == pytest.approx(lives[0], rel=0.01)
     assert _life(2e9)[0] == np.inf
+
+
+def test_limit_that_vanishes() -> None:
+    """As the limit goes to nothing the life goes to the reference life, in proportion."""
+    for depth in ("local", "mean"):
+        basic = float(_life(0.0, depth=depth)[0])
+        gains = [float(_life(limit, depth=depth)[0]) / basic - 1.0 for limit in (2e5, 1e5, 5e4)]
+        assert gains[0] < 0.02
+        assert gains[0] / gains[1] == pytest.approx(2.0, rel=0.01)
+        assert gains[1] / gains[2] == pytest.approx(2.0, rel=0.01)
+
+
+@pytest.mark.parametrize(
+    ("balls", "ball", "pitch", "inner", "outer", "degrees"),
+    [
+        (7, 0.0115, 0.0435, 0.52, 0.53, 0.0),
+        (16, 0.0127, 0.070, 0.52, 0.52, 25.0),
+        (16, 0.02223, 0.12526, 0.5232, 0.5232, 40.0),
+        (24, 0.005, 0.050, 0.515, 0.525, 15.0),
+        (8, 0.030, 0.090, 0.53, 0.53, 0.0),
+    ],
+)
+def test_material_constants_agree_for_other_bearings(
+    balls: int, ball: float, pitch: float, inner: float, outer: float, degrees: float
+) -> None:
+    """One steel in both races, whatever the size, the grooves and the contact angle."""
+    angle = np.radians(degrees)
+    cosine = np.cos(2.0 * np.pi * np.arange(balls) / balls)
+    loads = 7e6 * ball**2 * np.maximum(cosine, 0.0)[np.newaxis] ** 1.5
+    ratings = race_ratings(1e4, balls, ball, pitch, inner, outer, angle)
+    reference = reference_life(loads, loads, ratings)
+    constants = []
+    for race, conformity, life, sign in (
+        ("inner", inner, reference.inner, 1.0),
+        ("outer", outer, reference.outer, -1.0),
+    ):
+        curvature = race_curvature(ball, pitch, conformity, angle, race)  # type: ignore[arg-type]
+        hertz = elliptical_contact(loads, curvature.rolling, curvature.across, MODULUS)
+        contacts = Ellipses(hertz.semi_major, hertz.semi_minor, hertz.max_pressure)
+        risk = race_risk(risk_integral(contacts, 0.0), turning=race == "inner")
+        small = ball * np.cos(angle)
+        cycles = 0.5 * balls * (1.0 + sign * small / pitch)
+        radius = 0.5 * (pitch - sign * small)
+        constants.append(float(material_constant(life[0, 0], risk[0], cycles, radius)))
+    assert constants[0] == pytest.approx(constants[1], rel=0.2)
 
 
 def test_material_constants_of_both_races_agree() -> None:
