@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 
 from rolamento.case import Case
 from rolamento.numerics import BoolArray, FloatArray
-from rolamento.studies.life_solving import LifeBlock, array_names, life_blocks
+from rolamento.studies.life_solving import LifeBlock, life_blocks
 from rolamento.studies.ranges import Range, read_range, refuse_many_singles
-from rolamento.studies.solving import CONVERGED, INVALID_INPUT
+from rolamento.studies.solving import CONVERGED, INVALID_INPUT, array_fields
 
 if TYPE_CHECKING:
     from rolamento.life.l_able import FactorTable
@@ -101,7 +101,7 @@ def life_curve(
         If no point of the range makes a case with a life; of the first point.
     """
     name, count = over.field.name, len(over.values)
-    if not array_names(case, [name]):
+    if name not in array_fields():
         refuse_many_singles(count)
     blocks = list(life_blocks(case, {name: over.values.tolist()}, nsk_table=nsk_table))
     if all(block.summary is None for block in blocks):

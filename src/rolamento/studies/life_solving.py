@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,10 +18,7 @@ from rolamento.studies.solving import INVALID_INPUT, array_fields, base_case, so
 if TYPE_CHECKING:
     from rolamento.life.l_able import FactorTable
 
-__all__ = ["LifeBlock", "array_names", "life_blocks"]
-
-_CLEARANCE_FIELDS: Final = ("duty.inner_speed", "duty.outer_speed", "bearing.")
-"""Beginnings of names: what the clearance of a mounted bearing depends on."""
+__all__ = ["LifeBlock", "life_blocks"]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -44,12 +41,6 @@ class LifeBlock:
     status: NDArray[np.str_]
     summary: LifeSummary | None
     refused: InputError | None = None
-
-
-def array_names(case: Case, names: Sequence[str]) -> list[str]:
-    """Return those of the fields whose values need no cases of their own."""
-    moving = _CLEARANCE_FIELDS if case.mounting is not None else ()
-    return [name for name in names if name in array_fields() and not name.startswith(moving)]
 
 
 def life_blocks(
@@ -77,8 +68,8 @@ def life_blocks(
     LifeBlock
         Rows that differ in arrays only, together; every row in one of them.
     """
-    arrays = array_names(case, list(columns))
-    single = [name for name in columns if name not in arrays]
+    arrays = [name for name in columns if name in array_fields()]
+    single = [name for name in columns if name not in array_fields()]
     count = len(next(iter(columns.values())))
     groups: dict[tuple[Value, ...], list[int]] = {}
     for row in range(count):
@@ -103,14 +94,9 @@ def _solved(
     nsk_table: FactorTable | None,
 ) -> LifeBlock:
     """Solve a batch of rows, and find their lives."""
-    running = case
-    if case.mounting is not None:
-        from rolamento.clearance import operating_case
-
-        running = operating_case(case)
-    conditions: Any = conditions_of(running, varied)
+    conditions = conditions_of(case, varied)
     if nsk_table is not None:
         conditions = replace(conditions, nsk_table=nsk_table)
-    batch = solve(running, varied, cases=len(index), threads=None)
-    found = life_of_batch(running, batch, conditions, stress_volume=stress_volume)
+    batch = solve(case, varied, cases=len(index), threads=None)
+    found = life_of_batch(case, batch, conditions, stress_volume=stress_volume)
     return LifeBlock(index, batch.status, found)
