@@ -18,7 +18,7 @@ from rolamento.arrangement import PRELOAD_KINDS, Preload
 from rolamento.duty import AXES, LOADS
 from rolamento.errors import InputError, UnknownKeyError, nearest
 from rolamento.life_model import DIRT
-from rolamento.lubricant import Lubricant
+from rolamento.lubricant import Lubricant, lubricant_table
 from rolamento.material import Material
 
 __all__ = ["OVERRIDE_SOURCE", "overridden"]
@@ -113,11 +113,13 @@ def overridden(
     for setting in settings:
         path, text = _split(setting)
         value = _value(text, _field(path, model))
+        if path[:-1] == ("bearing", "preload") and path[:-1] not in paths:
+            _remove_text(result, path[:-1])
+        if path[:-1] == ("lubricant",):
+            _open_lubricant(result)
         for rival in _RIVALS.get(path, ()):
             if rival not in paths:
                 _remove(result, rival)
-        if path[:-1] == ("bearing", "preload") and path[:-1] not in paths:
-            _remove_text(result, path[:-1])
         _put(result, path, value)
         paths.add(path)
     return result, frozenset(".".join(path) for path in paths)
@@ -225,6 +227,12 @@ def _put(mapping: dict[str, Any], path: Path, value: object) -> None:
             )
         table[name] = table = dict(inner)
     table[path[-1]] = value
+
+
+def _open_lubricant(mapping: dict[str, Any]) -> None:
+    """Put the table of a lubricant in the place of its name, so that a field can be set in it."""
+    if isinstance(mapping.get("lubricant"), str):
+        mapping["lubricant"] = lubricant_table(mapping["lubricant"])
 
 
 def _remove(mapping: dict[str, Any], path: Path) -> None:

@@ -348,6 +348,19 @@ def lubricant_names(*, with_aliases: bool = False) -> tuple[str, ...]:
     )
 
 
+def lubricant_table(name: str) -> dict[str, Any]:
+    """Return a lubricant of the data file as the table that describes it in a case file.
+
+    Raises
+    ------
+    InputError
+        If none has that name.
+    """
+    Lubricant.named(name)
+    record = _records_by_name()[_folded(name)]
+    return {key: record[key] for key in record if key != "aliases"}
+
+
 def _looked_up(value: object) -> object:
     if isinstance(value, str):
         return Lubricant.named(value)

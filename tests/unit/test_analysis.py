@@ -12,9 +12,19 @@ import numpy as np
 import pytest
 
 import rolamento
-from rolamento import Case, InputError, Lubricant, analyse, analyse_batch, load_case, solve_batch
+from rolamento import (
+    Case,
+    InputError,
+    Lubricant,
+    analyse,
+    analyse_batch,
+    load_case,
+    parse_case,
+    solve_batch,
+)
 from rolamento.analysis import NOTES
 from rolamento.friction import friction
+from rolamento.friction.palmgren import palmgren
 from rolamento.lubrication import film_of, film_of_batch
 
 SURFACE = {"inner_roughness": 1e-7, "outer_roughness": 1e-7, "ball_roughness": 5e-8}
@@ -260,3 +270,68 @@ def test_a_batch_that_remembers_says_the_same(oiled: Case) -> None:
         assert kept.contact(race, batch.balls()) is not one  # type: ignore[arg-type]
         np.testing.assert_array_equal(one.semi_major, other.semi_major)
     np.testing.assert_array_equal(kept.balls().inner.load, batch.balls().inner.load)
+
+
+def test_a_designation_brings_life_and_the_models_of_machine_bearings() -> None:
+    """Sizes, ratings and series come from the catalogue, the viscosity from the film."""
+    case = Case(
+        bearing={"designation": "6305"},
+        duty={"inner_speed": 200.0, "load": {"fz": 2e3}},
+        lubricant=Lubricant.named("ISO VG 68").replace(friction_coefficient=0.08),
+        temperature={"lubricant": 340.0},
+    )
+    found = analyse(case)
+    assert found.life is not None
+    assert found.life.rating_sources["dynamic"].startswith("NSK")
+    assert found.friction is not None
+    assert {"palmgren", "skf"} <= set(found.friction.models)
+    by_hand = palmgren(
+        kind="deep_groove",
+        lubrication="oil_bath",
+        speed=200.0,
+        mean_diameter=0.0435,
+        kinematic_viscosity=found.film.kinematic_viscosity if found.film else 0.0,
+        radial_load=2e3,
+        axial_load=0.0,
+        static_load_ratio=2e3 / 11_200.0,
+    )
+    assert found.friction.models["palmgren"].total[0] == pytest.approx(by_hand.total)
+
+
+def test_an_angular_bearing_has_no_constants_of_skf() -> None:
+    case = Case(
+        bearing={"designation": "EX 70 25deg"},
+        duty={"inner_speed": 200.0, "load": {"fx": 2e3}},
+        lubricant=Lubricant.named("ISO VG 68").replace(friction_coefficient=0.08),
+        temperature={"lubricant": 340.0},
+    )
+    found = analyse(case)
+    assert found.friction is not None
+    assert "palmgren" in found.friction.models
+    assert "skf" not in found.friction.models
+
+
+def test_why_there_is_no_life(case_218: Case) -> None:
+    steep = case_218.replace(
+        bearing=case_218.bearing.replace(contact_angle=np.radians(50.0)), life={}
+    )
+    found = analyse(steep)
+    assert found.life is None
+    assert found.notes == ("life_of_thrust_bearing",)
+
+
+def test_a_setting_opens_a_lubricant_that_is_given_by_name() -> None:
+    text = "\n".join(
+        [
+            'lubricant = "ISO VG 68"',
+            "[bearing]",
+            'designation = "6305"',
+            "[duty]",
+            'load = { fz = "1 kN" }',
+        ]
+    )
+    case = parse_case(text, overrides=["lubricant.friction_coefficient=0.08"])
+    assert case.lubricant == Lubricant.named("ISO VG 68").replace(friction_coefficient=0.08)
+    thicker = parse_case(text, overrides=["lubricant.viscosity_40=80 mm^2/s"])
+    assert thicker.lubricant is not None
+    assert thicker.lubricant.viscosity_40 == pytest.approx(80e-6)

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from math import isfinite
 from typing import TYPE_CHECKING, Any, Final
 
+from rolamento.analysis.machine import machine_of
 from rolamento.analysis.mapping import friction_mapping
 from rolamento.analysis.needs import coefficient, has_film, has_friction, has_life, missing
 from rolamento.case import Case
@@ -94,7 +95,8 @@ def analyse(case: Case, *, hysteresis: float = DEFAULT_HYSTERESIS) -> Analysis:
     The film needs `case.lubricant` (an oil or a grease) and `case.temperature`, and
     `case.surface` for its film parameter; friction needs the friction coefficient of the
     lubricant. With a film, the oil's rolling resistance counts as friction, and the film
-    parameter decides which friction models hold. Life needs a designation or `case.life`.
+    parameter decides which friction models hold; Palmgren's and SKF's need a designation too.
+    Life needs a designation or `case.life`.
 
     Parameters
     ----------
@@ -126,11 +128,13 @@ def analyse_state(state: State, *, hysteresis: float = DEFAULT_HYSTERESIS) -> An
     if state.case.lubricant is None:
         return Analysis(state, None, None, lives, why_not)
     film = _film(state) if has_film(state.case) else None
-    found = _friction(state, film, hysteresis) if has_friction(state.case) else None
+    found = _friction(state, film, lives, hysteresis) if has_friction(state.case) else None
     return Analysis(state, film, found, lives, (*missing(state.case), *why_not))
 
 
-def _friction(state: State, film: Film | None, hysteresis: float) -> Friction:
+def _friction(
+    state: State, film: Film | None, lives: LifeSummary | None, hysteresis: float
+) -> Friction:
     from rolamento.friction import friction
 
     return friction(
@@ -139,6 +143,7 @@ def _friction(state: State, film: Film | None, hysteresis: float) -> Friction:
         hysteresis=hysteresis,
         dynamic_viscosity=None if film is None else film.dynamic_viscosity,
         film_parameter=None if film is None else _least_parameter(film),
+        machine=machine_of(state.case, film, lives),
     )
 
 

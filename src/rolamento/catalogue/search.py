@@ -120,6 +120,8 @@ class Catalogue:
         """
         designation = parse_designation(text)
         own = self._by_key.get(folded(text))
+        if own is not None and folded(designation.number) == folded(text):
+            return Found(own, replace(designation, contact_angle=own.contact_angle))
         if own is not None:  # a maker's letters need not mean what they mean to others
             return Found(own, Designation(text=text.strip(), contact_angle=own.contact_angle))
         for key in _keys(designation):

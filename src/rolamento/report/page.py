@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import zip_longest
 from textwrap import wrap
-from typing import TypeAlias
+from typing import Final, TypeAlias
 
 from rich.text import Text
 
@@ -20,6 +20,9 @@ from rolamento.report.numbers import Digits
 from rolamento.units import Dimension, from_si
 
 __all__ = ["Lines", "Page", "beside"]
+
+_LONGEST_GIVEN: Final = 12
+"""Characters of a number that a person writes; a longer one is computed."""
 
 Lines: TypeAlias = list[Text]
 
@@ -41,8 +44,11 @@ class Page:
         return Text(self.medium.fitted(content), style)
 
     def quantity(self, value: float, dimension: Dimension) -> str:
-        """Write a value of a case with its unit, as in a case file."""
-        return self.digits.localised(from_si(value, dimension)).replace(" deg", "°")
+        """Write a value of a case with its unit, as in a case file; a computed one shorter."""
+        number, _, unit = from_si(value, dimension).partition(" ")
+        if len(number) > _LONGEST_GIVEN:
+            number = f"{float(number):.6g}"
+        return self.digits.localised(f"{number} {unit}").replace(" deg", "°")
 
     def heading(self, content: str) -> Text:
         """Return the heading of a part."""
