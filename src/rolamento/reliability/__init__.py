@@ -1,0 +1,1 @@
+"""Life tests and Weibull's distribution: fits, bounds, comparisons, bearings in series."""

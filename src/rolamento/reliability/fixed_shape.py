@@ -1,0 +1,120 @@
+"""A shape from experience, and only the scale from the test ("Weibayes").
+
+With a known shape the times t^β are exponential: η^β = Σ v t^β / r, and 2 Σ v t^β / η^β has a
+chi-square distribution: with 2r degrees of freedom where the test ended with a failure; where it
+was ended by the clock 2r + 2 are on the safe side for the lower bound. So it bounds the life from
+below even if nothing failed:
+
+    η > (2 Σ v t^β / χ²_{C; 2r+2})^(1/β).
+
+The bounds are as good as the shape is.
+
+Sources: Abernethy (2006), chapter 6; Epstein and Sobel (1953).
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from rolamento.numerics import FloatArray
+from rolamento.numerics.root import increasing_root
+from rolamento.reliability._checks import shape_of
+from rolamento.reliability.fit import WeibullFit
+from rolamento.reliability.life_test import LifeTest
+from rolamento.reliability.likelihood import Likelihood
+from rolamento.reliability.maximum_likelihood import found
+from rolamento.reliability.quantity import Quantity
+
+__all__ = ["fixed_shape", "fixed_shape_limits", "log_scale_at"]
+
+_ENDS_WITH_A_FAILURE = ("complete", "type_ii", "sudden_death")
+
+
+def fixed_shape(test: LifeTest, shape: float) -> WeibullFit:
+    """Fit the scale by maximum likelihood at a known shape.
+
+    Parameters
+    ----------
+    test
+        With any kind of censoring; one failure is enough.
+    shape
+        β, from earlier tests of the same kind.
+
+    Returns
+    -------
+    WeibullFit
+        With the shape but no scale if nothing failed (see `fixed_shape_limits`).
+    """
+    beta = shape_of(shape)
+    if not test.failures:
+        return replace(
+            WeibullFit.without(test, "fixed_shape", "no_failures"), shape=beta, location=0.0
+        )
+    log_scale = log_scale_at(test, beta)
+    if not np.isfinite(log_scale):
+        return WeibullFit.without(test, "fixed_shape", "no_maximum")
+    return found(test, "fixed_shape", beta, float(np.exp(log_scale)))
+
+
+def fixed_shape_limits(
+    test: LifeTest, shape: float, quantity: Quantity, tails: FloatArray
+) -> FloatArray:
+    """Limits of a life or a reliability at a known shape.
+
+    Parameters
+    ----------
+    test
+        With any kind of censoring, and any number of failures.
+    shape
+        β.
+    quantity
+        A life, the scale, or a reliability.
+    tails
+        (limits,) probability of being below the limit: 0.05 for a lower limit at 95 %.
+
+    Returns
+    -------
+    (limits,); infinite, or 1, for an upper limit without failures.
+    """
+    from scipy.stats import chi2
+
+    beta, r = shape_of(shape), test.failures
+    exact = test.scheme in _ENDS_WITH_A_FAILURE
+    limits = []
+    for tail in tails:
+        lower = tail < 0.5
+        freedom = 2 * r + (2 if lower and not exact else 0)
+        # an inspected failure counts from where it was last seen whole, or to where it was found
+        early = lower & ~np.isnan(test.lower)
+        with np.errstate(divide="ignore"):
+            log_time = np.log(np.where(early, test.lower, test.times))
+        longest = log_time.max()
+        total = longest * beta + np.log(np.sum(test.counts * np.exp(beta * (log_time - longest))))
+        point = chi2.ppf(1.0 - tail, freedom) if freedom else 0.0
+        with np.errstate(divide="ignore"):
+            limits.append((np.log(2.0) + total - np.log(point)) / beta)
+    return quantity.at(np.full(len(limits), beta), np.array(limits))
+
+
+def log_scale_at(test: LifeTest, shape: float) -> float:
+    """Logarithm of the scale that fits best at a shape; NaN where there is none."""
+    if not test.inspected:
+        y = np.log(test.times)
+        longest = y.max()
+        total = np.log(np.sum(test.counts * np.exp(shape * (y - longest))))
+        return float(longest + (total - np.log(test.failures)) / shape)
+    likelihood = Likelihood.of(test)
+    a = np.array([shape])
+
+    def falling(level: FloatArray) -> tuple[FloatArray, FloatArray]:
+        here = likelihood.at(a, np.log(level))
+        return -here.b, -here.bb / level
+
+    middle = np.concatenate([likelihood.failed, likelihood.suspended, likelihood.upper])
+    start = np.exp(-shape * np.array([middle.mean()]))
+    found_, converged = increasing_root(falling, start, np.array([0.0]), np.array([np.inf]))
+    if not converged[0]:
+        return float("nan")
+    return float(likelihood.origin - np.log(found_[0]) / shape)
