@@ -11,7 +11,13 @@ from numpy.typing import NDArray
 
 from rolamento.case import Case
 from rolamento.numerics import BoolArray, FloatArray
-from rolamento.studies.life_solving import LifeBlock, life_blocks
+from rolamento.studies.life_solving import (
+    LifeBlock,
+    gathered,
+    gathered_notes,
+    life_blocks,
+    theories_of,
+)
 from rolamento.studies.ranges import Range, read_range, refuse_many_singles
 from rolamento.studies.solving import CONVERGED, INVALID_INPUT, array_fields
 
@@ -110,28 +116,19 @@ def life_curve(
     status = np.full(count, INVALID_INPUT, dtype="U16")
     for block in blocks:
         status[block.index] = block.status
-    theories = list(dict.fromkeys(t for b in blocks if b.summary for t in b.summary.theories))
+    theories = theories_of(blocks)
     return LifeCurve(
         case=case,
         label=label,
         over=over,
         status=status,
-        revolutions={t: _gathered(blocks, t, "life", count) for t in theories},
-        lives={t: _gathered(blocks, t, "hours", count) for t in theories},
-        holds={t: _gathered(blocks, t, "holds", count) > 0.0 for t in theories},
-        notes={t: _notes(blocks, t, count) for t in theories},
+        revolutions={t: gathered(blocks, t, "life", count) for t in theories},
+        lives={t: gathered(blocks, t, "hours", count) for t in theories},
+        holds={t: gathered(blocks, t, "holds", count) > 0.0 for t in theories},
+        notes={t: gathered_notes(blocks, t, count) for t in theories},
         viscosity_ratio=_numbers(blocks, "viscosity_ratio", count),
         contamination_factor=_numbers(blocks, "contamination_factor", count),
     )
-
-
-def _gathered(blocks: Sequence[LifeBlock], theory: str, name: str, count: int) -> FloatArray:
-    """An array of a theory's record over all points; NaN where it was not evaluated."""
-    found = np.full(count, np.nan)
-    for block in blocks:
-        if block.summary is not None and theory in block.summary.theories:
-            found[block.index] = getattr(block.summary[theory], name)
-    return found
 
 
 def _numbers(blocks: Sequence[LifeBlock], name: str, count: int) -> FloatArray:
@@ -140,16 +137,4 @@ def _numbers(blocks: Sequence[LifeBlock], name: str, count: int) -> FloatArray:
         values = None if block.summary is None else getattr(block.summary, name)
         if values is not None:
             found[block.index] = values
-    return found
-
-
-def _notes(blocks: Sequence[LifeBlock], theory: str, count: int) -> dict[str, BoolArray]:
-    """Where each note of a theory is true; those that are nowhere are left out."""
-    found: dict[str, BoolArray] = {}
-    for block in blocks:
-        if block.summary is None or theory not in block.summary.theories:
-            continue
-        for name, where in block.summary[theory].notes.items():
-            if np.any(where):
-                found.setdefault(name, np.zeros(count, dtype=np.bool_))[block.index] = where
     return found

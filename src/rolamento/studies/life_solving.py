@@ -12,13 +12,14 @@ from numpy.typing import NDArray
 from rolamento.case import Case
 from rolamento.errors import InputError
 from rolamento.life import LifeSummary, conditions_of, life_of_batch
+from rolamento.numerics import BoolArray, FloatArray
 from rolamento.studies.fields import Value
 from rolamento.studies.solving import INVALID_INPUT, array_fields, base_case, solve
 
 if TYPE_CHECKING:
     from rolamento.life.l_able import FactorTable
 
-__all__ = ["LifeBlock", "life_blocks"]
+__all__ = ["LifeBlock", "gathered", "gathered_notes", "life_blocks", "theories_of"]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -100,3 +101,30 @@ def _solved(
     batch = solve(case, varied, cases=len(index), threads=None)
     found = life_of_batch(case, batch, conditions, stress_volume=stress_volume)
     return LifeBlock(index, batch.status, found)
+
+
+def theories_of(blocks: Sequence[LifeBlock]) -> tuple[str, ...]:
+    """Name the theories that were evaluated in any of the blocks."""
+    summaries = (block.summary for block in blocks if block.summary is not None)
+    return tuple(dict.fromkeys(theory for summary in summaries for theory in summary.theories))
+
+
+def gathered(blocks: Sequence[LifeBlock], theory: str, name: str, count: int) -> FloatArray:
+    """Return an array of a theory's record over all rows; NaN where it was not evaluated."""
+    found = np.full(count, np.nan)
+    for block in blocks:
+        if block.summary is not None and theory in block.summary.theories:
+            found[block.index] = getattr(block.summary[theory], name)
+    return found
+
+
+def gathered_notes(blocks: Sequence[LifeBlock], theory: str, count: int) -> dict[str, BoolArray]:
+    """Return where each note of a theory is true; those that are nowhere are left out."""
+    found: dict[str, BoolArray] = {}
+    for block in blocks:
+        if block.summary is None or theory not in block.summary.theories:
+            continue
+        for name, where in block.summary[theory].notes.items():
+            if np.any(where):
+                found.setdefault(name, np.zeros(count, dtype=np.bool_))[block.index] = where
+    return found
