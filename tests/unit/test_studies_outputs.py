@@ -19,7 +19,13 @@ FX = np.array([20e3, 5e3, -20e3])
 def solved(case_218: Case) -> Solved:
     oil = Lubricant.named("ISO VG 68").replace(friction_coefficient=0.08)
     roughness = dict.fromkeys(("inner_roughness", "outer_roughness", "ball_roughness"), 1e-7)
-    case = case_218.replace(lubricant=oil, temperature={"lubricant": 343.15}, surface=roughness)
+    life = dict.fromkeys(("contamination", "nsk_cleanliness", "operation_factor"), 0.8)
+    case = case_218.replace(
+        lubricant=oil,
+        temperature={"lubricant": 343.15},
+        surface=roughness,
+        life={**life, "wanted_life": 3.6e7},
+    )
     return Solved(solve_batch(case, {"duty.load.fx": FX}), case)
 
 

@@ -13,7 +13,9 @@ from typing import TYPE_CHECKING, Any, Final, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from rolamento.analysis.needs import has_life
 from rolamento.errors import InputError, UnknownKeyError, nearest
+from rolamento.life_model import DIRT
 
 if TYPE_CHECKING:
     from rolamento.case import Case
@@ -23,6 +25,7 @@ if TYPE_CHECKING:
     from rolamento.friction import Friction, LoadedBalls
     from rolamento.friction.summary import ContactModel
     from rolamento.geometry import Race
+    from rolamento.life import LifeSummary
     from rolamento.lubrication import FilmTable
 
 __all__ = ["DEFAULT_OUTPUTS", "Output", "Solved", "catalogue", "outputs_of", "refuse_missing"]
@@ -51,7 +54,8 @@ class Solved:
     batch
         From `solve_batch`.
     case
-        The one that was solved; film and friction take lubricant, temperature and surface of it.
+        The one that was solved; film, friction and life take lubricant, temperature, surface and
+        ratings of it.
     values
         What varied, by the dotted names of the fields; SI.
     """
@@ -71,28 +75,35 @@ class Solved:
         return self._case
 
     @cached_property
+    def shared(self) -> BatchState:
+        """The batch, whose balls and ellipses are made once for all that follows from it."""
+        from rolamento.analysis import remembering
+
+        return remembering(self.batch)
+
+    @cached_property
     def loaded_balls(self) -> LoadedBalls:
         """The balls as the friction models see them."""
         from rolamento.friction import loaded_balls
 
-        return loaded_balls(self.batch)
+        return loaded_balls(self.shared)
 
     @cached_property
     def film(self) -> FilmTable:
         """The film of every contact."""
         from rolamento.lubrication import film_of_batch
 
-        warm = self._values.get("temperature.lubricant")
-        return film_of_batch(
-            self.case, self.batch, lubricant_temperature=self._sound(warm), threads=1
-        )
+        given = self._values.get("temperature.lubricant")
+        warm = None if given is None else self._sound(given)
+        return film_of_batch(self.case, self.shared, lubricant_temperature=warm, threads=1)
 
     @cached_property
     def friction_coefficient(self) -> Floats:
         """μ of every case."""
-        given = self._sound(self._values.get("lubricant.friction_coefficient"))
+        given = self._values.get("lubricant.friction_coefficient")
         own = None if self.case.lubricant is None else self.case.lubricant.friction_coefficient
-        return np.full(len(self.batch), own if given is None else given, np.float64)
+        mu = own if given is None else self._sound(given)
+        return np.full(len(self.batch), mu, np.float64)
 
     @property
     def has_friction(self) -> NDArray[np.bool_]:
@@ -112,13 +123,37 @@ class Solved:
 
         if model not in self._frictions:
             self._frictions[model] = friction(
-                self.batch,
+                self.shared,
                 friction_coefficient=np.where(self.has_friction, self.friction_coefficient, 0.0),
                 model=model,
                 dynamic_viscosity=self.film.oil.dynamic_viscosity if self._has_film else None,
                 compare=False,
             )
         return self._frictions[model]
+
+    @cached_property
+    def _lives(self) -> dict[bool, LifeSummary | None]:
+        return {}
+
+    def life(self, *, stress_volume: bool = False) -> LifeSummary | None:
+        """Life by every theory that the case allows; None if it allows none.
+
+        stress_volume: with that of Ioannides and Harris, which takes long.
+        """
+        if stress_volume not in self._lives:
+            self._lives[stress_volume] = self._life(stress_volume)
+        return self._lives[stress_volume]
+
+    def _life(self, stress_volume: bool) -> LifeSummary | None:
+        from rolamento.life import conditions_of, life_of_batch
+
+        names = [name for name in self._values if name.startswith(("life.", "temperature."))]
+        values = {name: self._sound(self._values[name]) for name in names}
+        try:
+            conditions = conditions_of(self.case, values)
+            return life_of_batch(self.case, self.shared, conditions, stress_volume=stress_volume)
+        except InputError:  # a thrust bearing or one without a rating, one of many in a study
+            return None
 
     @property
     def _has_film(self) -> bool:
@@ -128,17 +163,15 @@ class Solved:
         )
         return lubricant is not None and lubricant.kind != "dry" and warm
 
-    def _sound(self, values: NDArray[Any] | None) -> Floats | None:
+    def _sound(self, values: NDArray[Any]) -> Floats:
         """Replace what made a case invalid: its results are NaN whatever stands there."""
-        if values is None:
-            return None
         invalid = self.batch.status == "invalid_input"
         return np.where(invalid, 1.0, np.asarray(values, dtype=np.float64))
 
     @cached_property
     def balls(self) -> BallTable:
         """Every ball of every case."""
-        return self.batch.balls()
+        return self.shared.balls()
 
     @cached_property
     def _hertz(self) -> dict[Race, HertzContact]:
@@ -147,7 +180,7 @@ class Solved:
     def hertz(self, race: Race) -> HertzContact:
         """Ellipse and pressure of every contact of a race."""
         if race not in self._hertz:
-            self._hertz[race] = self.batch.contact(race, self.balls)
+            self._hertz[race] = self.shared.contact(race, self.balls)
         return self._hertz[race]
 
     def contacts(self, race: Race) -> ContactTable:
@@ -164,7 +197,8 @@ class Output:
     name
         as a study asks for it
     unit
-        SI; ``"1"`` of a number without one
+        SI, but of lives: ``"h"`` and ``"Mrev"``, millions of revolutions; ``"1"`` of a number
+        without one
     long_name
         in words
     compute
@@ -201,10 +235,11 @@ def catalogue() -> Mapping[str, Output]:
     """Return all outputs by name."""
     from rolamento.studies.ball_outputs import ball_outputs
     from rolamento.studies.friction_outputs import friction_outputs
+    from rolamento.studies.life_outputs import life_outputs
     from rolamento.studies.lubrication_outputs import lubrication_outputs
     from rolamento.studies.ring_outputs import ring_outputs
 
-    providers = (ring_outputs, ball_outputs, lubrication_outputs, friction_outputs)
+    providers = (ring_outputs, ball_outputs, lubrication_outputs, friction_outputs, life_outputs)
     return {output.name: output for provider in providers for output in provider()}
 
 
@@ -245,6 +280,30 @@ _MISSING: Final[Mapping[str, tuple[str, str]]] = {
         "balls that friction controls",
         'model.raceway_control = "friction" in the case',
     ),
+    "life": (
+        "a designation or a [life] table",
+        '[life] with cleanliness = "-/17/14" and oil_supply = "circulating" in the case',
+    ),
+    "viscosity ratio": (
+        "a viscosity ratio, or a lubricant and its temperature,",
+        "[life] with viscosity_ratio = 1.5 in the case",
+    ),
+    "cleanliness": (
+        "the cleanliness of the lubricant",
+        '[life] with cleanliness = "-/17/14" and oil_supply = "circulating" in the case',
+    ),
+    "adjustment": (
+        "a material factor or an operation factor",
+        "[life] with operation_factor = 0.8 in the case",
+    ),
+    "life.nsk_cleanliness": (
+        "the maker's cleanliness factor",
+        "[life] with nsk_cleanliness = 0.8 in the case",
+    ),
+    "life.wanted_life": (
+        "the life that is wanted",
+        '[life] with wanted_life = "20000 h" in the case',
+    ),
 }
 
 
@@ -254,9 +313,9 @@ def refuse_missing(outputs: Iterable[Output], case: Case, varied: Iterable[str])
     Raises
     ------
     InputError
-        Naming the output and what it needs.
+        Naming the output and what it needs, or why the case has no life.
     """
-    given = set(varied)
+    given, needed = frozenset(varied), set()
     for output in outputs:
         for need in output.needs:
             if not _has(case, need, given):
@@ -267,11 +326,18 @@ def refuse_missing(outputs: Iterable[Output], case: Case, varied: Iterable[str])
                     value=output.name,
                     example=example,
                 )
+            needed.add(need)
+    if "life" in needed:
+        from rolamento.studies.life_outputs import refuse_lifeless
+
+        refuse_lifeless(case, given)
 
 
-def _has(case: Case, need: str, varied: set[str]) -> bool:
+def _has(case: Case, need: str, varied: frozenset[str]) -> bool:
     if need in varied or any(name.startswith(f"{need}.") for name in varied):
         return True
+    if need in _LIFE_NEEDS:
+        return _LIFE_NEEDS[need](case, varied)
     lubricant = case.lubricant
     if need == "lubricant":
         return lubricant is not None and lubricant.kind != "dry"
@@ -283,3 +349,27 @@ def _has(case: Case, need: str, varied: set[str]) -> bool:
     if need == "surface":
         return case.surface is not None
     return case.model.raceway_control == "friction" or "model.raceway_control" in varied
+
+
+def _has_of_life(case: Case, names: Iterable[str], varied: frozenset[str]) -> bool:
+    """Whether the [life] table has one of some fields, or one varies."""
+    return any(
+        f"life.{name}" in varied or getattr(case.life, name, None) is not None for name in names
+    )
+
+
+def _has_viscosity_ratio(case: Case, varied: frozenset[str]) -> bool:
+    given = _has_of_life(case, ("viscosity_ratio",), varied)
+    return given or all(_has(case, need, varied) for need in ("lubricant", "temperature.lubricant"))
+
+
+_LIFE_NEEDS: Final[Mapping[str, Callable[[Case, frozenset[str]], bool]]] = {
+    "life": lambda case, varied: has_life(case) or "bearing.designation" in varied,
+    "viscosity ratio": _has_viscosity_ratio,
+    "cleanliness": lambda case, varied: _has_of_life(case, DIRT, varied),
+    "adjustment": lambda case, varied: _has_of_life(
+        case, ("material_factor", "operation_factor"), varied
+    ),
+    "life.nsk_cleanliness": lambda case, varied: _has_of_life(case, ("nsk_cleanliness",), varied),
+    "life.wanted_life": lambda case, varied: _has_of_life(case, ("wanted_life",), varied),
+}

@@ -1,0 +1,228 @@
+"""Outputs of life: by every theory in hours and in revolutions, loads, ratings, what limits."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+
+from rolamento.errors import InputError
+from rolamento.studies.outputs import Floats, Output, Solved
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from rolamento.case import Case
+    from rolamento.life import Life, LifeConditions, LifeSummary
+
+__all__ = ["life_outputs", "refuse_lifeless"]
+
+Get = Callable[["LifeSummary"], "Floats | None"]
+
+_LIFE: Final = ("life",)
+_MODIFIED: Final = (*_LIFE, "viscosity ratio", "cleanliness")
+_STRESS_VOLUME: Final = "ioannides_harris"
+_BEST: Final = ""
+"""In the place of a theory's name: the one that knows most of the case."""
+_THEORIES: Final = (
+    (_BEST, "ISO/TS 16281, modified where it can be", _LIFE),
+    ("iso281", "basic, ISO 281", _LIFE),
+    ("iso281_modified", "modified, ISO 281", _MODIFIED),
+    ("iso281_1990", "adjusted, ISO 281:1990", (*_LIFE, "adjustment")),
+    ("iso16281", "basic reference, ISO/TS 16281", _LIFE),
+    ("iso16281_modified", "modified reference, ISO/TS 16281", _MODIFIED),
+    (_STRESS_VOLUME, "by Ioannides and Harris", _LIFE),
+    ("l_able", "L_able of NSK", (*_LIFE, "life.nsk_cleanliness", "viscosity ratio")),
+)
+_HOURS: Final = "h"
+_REVOLUTIONS: Final = "Mrev"
+"""As the whole field counts lives; the only outputs that are not in SI units."""
+
+
+def life_outputs() -> tuple[Output, ...]:
+    """Return the outputs of life."""
+    return (*_of_theories(), *_of_loads(), *_of_factors(), *_of_limit())
+
+
+def refuse_lifeless(case: Case, varied: frozenset[str]) -> None:
+    """Refuse a case that has no life whatever varies; others are found out one by one.
+
+    Raises
+    ------
+    InputError
+        For a thrust bearing, geometry without a rating, or oil dirtier than all classes.
+    """
+    from rolamento.life import conditions_of
+    from rolamento.life.equivalent_load import STEEPEST
+    from rolamento.ratings import dynamic_factor
+
+    if any(name.startswith(("bearing.", "life.")) for name in varied):
+        return
+    rows = [place.bearing for place in case.bearing.places]
+    angle = np.array([row.contact_angle or 0.0 for row in rows])
+    if np.any(angle > STEEPEST * (1.0 + 1e-9)):
+        raise InputError(
+            "is a thrust bearing's: it has no life by these theories, which go up to 45°",
+            field="case.bearing.contact_angle",
+            value=f"{float(np.degrees(angle.max())):.4g} deg",
+            example='contact_angle = "25 deg"',
+        )
+    if conditions_of(case).dynamic_rating is not None:
+        return
+    diameter = np.array([row.ball_diameter for row in rows])
+    pitch = np.array([row.pitch_diameter for row in rows])
+    if np.any(np.isnan(dynamic_factor(diameter * np.cos(angle) / pitch))):
+        raise InputError(
+            "is missing: the geometry lies outside the standard's table (D cos α/d_m from 0.01 to"
+            " 0.40)",
+            field="case.life.dynamic_rating",
+            example='[life] with dynamic_rating = "20.6 kN"',
+        )
+
+
+def _of_theories() -> Iterator[Output]:
+    for theory, words, needs in _THEORIES:
+        end = f"_{theory}" if theory else ""
+        stress = theory == _STRESS_VOLUME
+        for name, unit, what, attribute in (
+            ("life_hours", _HOURS, "life in hours", "hours"),
+            ("life_revolutions", _REVOLUTIONS, "life in millions of revolutions", "life"),
+        ):
+            get = _life(theory, attribute)
+            yield Output(
+                f"{name}{end}", unit, f"{what}, {words}", _number(get, stress), needs=needs
+            )
+        yield Output(
+            f"life_holds{end}",
+            "1",
+            f"1 where the life holds, else 0, {words}",
+            _holds(theory, stress),
+            kind="whole",
+            needs=needs,
+        )
+
+
+def _of_loads() -> Iterator[Output]:
+    for name, unit, words, get in (
+        ("dynamic_rating", "N", "dynamic rating C", lambda s: s.ratings.dynamic_of_set),
+        ("static_rating", "N", "static rating C_0", lambda s: s.ratings.static_of_set),
+        ("fatigue_load_limit", "N", "fatigue load limit C_u", lambda s: s.ratings.fatigue_of_set),
+        ("equivalent_load", "N", "dynamic equivalent load P, ISO 281", lambda s: s.loads.dynamic),
+        ("reference_load", "N", "equivalent load by ISO/TS 16281", _reference_load),
+        ("static_equivalent_load", "N", "static equivalent load P_0", lambda s: s.loads.static),
+        ("static_safety", "1", "static safety S_0 = C_0/P_0", lambda s: s.loads.safety),
+        ("rating_over_load", "1", "C/P, dynamic rating over equivalent load", _rating_over_load),
+    ):
+        yield Output(name, unit, words, _number(get), needs=_LIFE)
+
+
+def _of_factors() -> Iterator[Output]:
+    for name, words, get, needs in (
+        ("contamination_factor", "contamination factor e_C", _contamination, _MODIFIED),
+        ("modification_factor_iso281", "a_ISO, ISO 281", _factor("iso281_modified"), _MODIFIED),
+        (
+            "modification_factor_iso16281",
+            "a_ISO, ISO/TS 16281",
+            _factor("iso16281_modified"),
+            _MODIFIED,
+        ),
+        (
+            "wanted_reliability",
+            "reliability of the wanted life",
+            _wanted,
+            (*_LIFE, "life.wanted_life"),
+        ),
+    ):
+        yield Output(name, "1", words, _number(get), needs=needs)
+
+
+def _of_limit() -> Iterator[Output]:
+    """What ends the life: numbers, so that they can be drawn over anything."""
+    for name, words, get in (
+        ("inner_risk_share", "part of the inner races in the risk of failure", _inner_share),
+        ("weakest_race_share", "part of the weakest race in the risk", lambda s: s.limit.share),
+        ("weakest_row", "row of the weakest race, counted from 0", _weakest_row),
+        ("weakest_ball", "ball that presses hardest on that race, counted from 0", _weakest_ball),
+    ):
+        yield Output(name, "1", words, _number(get), needs=_LIFE)
+
+
+def _number(get: Get, stress_volume: bool = False) -> Callable[[Solved], Floats]:
+    """Take a number of every case; NaN where there is none."""
+
+    def compute(solved: Solved) -> Floats:
+        summary = solved.life(stress_volume=stress_volume)
+        found = None if summary is None else get(summary)
+        return np.where(solved.batch.converged, np.nan if found is None else found, np.nan)
+
+    return compute
+
+
+def _holds(theory: str, stress_volume: bool) -> Callable[[Solved], NDArray[np.int32]]:
+    def compute(solved: Solved) -> NDArray[np.int32]:
+        summary = solved.life(stress_volume=stress_volume)
+        found = None if summary is None else _record(summary, theory)
+        if found is None:
+            return np.zeros(len(solved.batch), np.int32)
+        return np.asarray(found.holds & solved.batch.converged, np.int32)
+
+    return compute
+
+
+def _record(summary: LifeSummary, theory: str) -> Life | None:
+    return summary.best() if theory == _BEST else summary.theories.get(theory)
+
+
+def _life(theory: str, attribute: str) -> Get:
+    def get(summary: LifeSummary) -> Floats | None:
+        found = _record(summary, theory)
+        return None if found is None else getattr(found, attribute)
+
+    return get
+
+
+def _factor(theory: str) -> Get:
+    def get(summary: LifeSummary) -> Floats | None:
+        found = summary.theories.get(theory)
+        return None if found is None else found.factors["a_iso"]
+
+    return get
+
+
+def _reference_load(summary: LifeSummary) -> Floats:
+    return summary["iso16281"].factors["equivalent_load"]
+
+
+def _rating_over_load(summary: LifeSummary) -> Floats:
+    with np.errstate(divide="ignore"):
+        return np.asarray(summary.ratings.dynamic_of_set / summary.loads.dynamic)
+
+
+def _contamination(summary: LifeSummary) -> Floats | None:
+    return summary.contamination_factor
+
+
+def _wanted(summary: LifeSummary) -> Floats | None:
+    conditions: LifeConditions = summary.conditions
+    wanted = conditions.wanted_life
+    return None if wanted is None else summary.reliability_after(wanted)
+
+
+def _inner_share(summary: LifeSummary) -> Floats:
+    """Part of the inner races in Σ L^-e over all races; NaN without an end."""
+    from rolamento.life.reference import SLOPE, system_life
+
+    inner, whole = system_life(summary.reference.inner), summary.reference.life
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return np.asarray((whole / inner) ** SLOPE)
+
+
+def _weakest_row(summary: LifeSummary) -> Floats:
+    limit = summary.limit
+    return np.where(limit.race == "", np.nan, limit.row)
+
+
+def _weakest_ball(summary: LifeSummary) -> Floats:
+    ball = summary.limit.ball
+    return np.where(ball < 0, np.nan, ball)
