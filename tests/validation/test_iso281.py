@@ -1,9 +1,13 @@
-"""ISO 281: a_1, e, and Campanha's rating and lives of the 6305 (2008, chapters 3.4.1 and 4.1.2)."""
+"""The tables of ISO 281 and ISO 76, and Campanha's lives of the 6305 (2008, 3.4.1 and 4.1.2)."""
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 
+from rolamento import Bearing, Case, Duty
+from rolamento.equilibrium import solve_batch
+from rolamento.life import life_of_batch
 from rolamento.life.basic import basic_rating_life, hours
 from rolamento.life.load_zone import (
     catalogue_stiffness,
@@ -14,12 +18,17 @@ from rolamento.life.load_zone import (
 from rolamento.life.modified import fatigue_load_limit, life_modification_factor
 from rolamento.life.reference import race_ratings
 from rolamento.lubrication.viscosity_ratio import viscosity_ratio
-from rolamento.ratings import dynamic_factor_of_grooves, dynamic_rating
-from rolamento.verification import Check, campanha_2008_life
-from rolamento.verification.iso_281 import checks
-from rolamento.verification.published import RPM
+from rolamento.ratings import (
+    dynamic_factor,
+    dynamic_factor_of_grooves,
+    dynamic_rating,
+    static_factor,
+    static_factor_of_grooves,
+)
+from rolamento.verification import Check, campanha_2008_life, iso_76, iso_281
+from rolamento.verification.published import RPM, published
 
-CHECKS = (*checks(), *campanha_2008_life.checks())
+CHECKS = (*iso_281.checks(), *iso_76.checks(), *campanha_2008_life.checks())
 LOAD, SPEED, BALL, PITCH, BALLS = 10_800.0, 2000.0 * RPM, 0.010319, 0.0445, 8
 RATING, MEASURED_RATING, STATIC_RATING = 20_600.0, 30_756.0, 11_200.0
 OILS = (12.89e-6, 7.03e-6)  # conditions I and II
@@ -31,7 +40,59 @@ def test_printed_number(check: Check) -> None:
 
 
 def test_there_is_something_to_compare() -> None:
-    assert len(CHECKS) == 13 + 5 + 27 + 6 + 2
+    # f_c; a_1 of two editions; e of single rows; e of double rows; f_0; Campanha
+    assert len(CHECKS) == 40 + 13 + 5 + 27 + 6 + 26 + 41 + 2
+
+
+def test_what_is_compared_is_what_the_program_uses() -> None:
+    """The tables of the verification and those that ratings are interpolated in are the same."""
+    gamma = np.arange(1, 41) / 100.0
+    dynamic = published("iso_281")["dynamic_factor"]["factors"]
+    assert dynamic_factor(gamma) == pytest.approx([float(v) for v in dynamic], abs=1e-12)
+    static = published("iso_76")["static_factor"]["factors"]
+    found = static_factor(np.arange(41) / 100.0)
+    assert found == pytest.approx([float(v) for v in static], abs=1e-12)
+
+
+def test_closed_forms_between_the_steps() -> None:
+    """Halfway between the tables' steps: interpolation and closed form, but for the bend of f_0."""
+    gamma = np.arange(3, 80, 2) / 200.0
+    dynamic = dynamic_factor_of_grooves(gamma) / dynamic_factor(gamma) - 1.0
+    assert dynamic[0] < 0.012  # f_c rises with γ^0.3 at first
+    assert np.abs(dynamic[2:]).max() < 3.2e-3
+    static = static_factor_of_grooves(gamma) - static_factor(gamma)
+    away = np.abs(gamma - 0.09) > 0.01  # the outer race decides below, the inner above
+    assert np.abs(static[away]).max() < 0.09
+
+
+@pytest.mark.parametrize("leading", [0.957 * 39.9, 98.0665 * 0.41 * 0.90])
+def test_other_constants_do_not_give_the_table(leading: float) -> None:
+    gamma = np.arange(1, 41) / 100.0
+    scaled = dynamic_factor_of_grooves(gamma) * leading / (98.0665 * 0.41 * 0.95)
+    assert (np.abs(scaled - dynamic_factor(gamma)) > 0.05).sum() >= 8
+
+
+@pytest.mark.parametrize("degrees", [0.0, 5.0, 10.0, 15.0, 20.0, 25.0, 30.0, 35.0, 40.0, 45.0])
+def test_equivalent_load_and_the_theory_behind_it(degrees: float) -> None:
+    """X and Y come from Lundberg and Palmgren's theory: the reference life of a bearing without
+    clearance under a load that is mostly axial, by the equilibrium of its balls.
+
+    The standard's factors have in them Lundberg and Palmgren's 1 - sin α/3: what axially loaded
+    bearings lose by their balls' not sharing the load evenly (from general knowledge).
+    """
+    angle = np.radians(max(degrees, 0.01))
+    bearing = Bearing(
+        ball_count=16, ball_diameter=0.0127, pitch_diameter=0.07, contact_angle=angle,
+        inner_conformity=0.52, outer_conformity=0.52,
+    )  # fmt: skip
+    relative = np.array([0.689, 2.07]) * 1e6
+    axial = relative * 16 * 0.0127**2
+    batch = solve_batch(Case(bearing=bearing, duty=Duty()), fx=axial, fz=0.4 * axial)
+    found = life_of_batch(Case(bearing=bearing, duty=Duty()), batch)
+    assert batch.converged.all()
+    by_balls = found.ratings.dynamic_of_set / np.cbrt(found["iso16281"].life)
+    uneven = 1.0 - np.sin(angle) / 3.0
+    assert by_balls == pytest.approx(uneven * found.loads.dynamic, rel=0.065)
 
 
 def test_stand_in_for_nsks_curves_lands_near() -> None:
@@ -66,12 +127,53 @@ def test_clearance_costs_a_few_per_cent_and_not_twenty() -> None:
     assert mistaken == pytest.approx(0.8, abs=0.015)
 
 
-def test_reference_life_is_the_rating_life_without_clearance() -> None:
-    """(C/P)³ at a load zone of one half, conformity 0.52 and a continuous ring of balls."""
-    for count, gamma in ((7, 0.26), (12, 0.15), (20, 0.08)):
-        pitch = BALL / gamma
+@pytest.mark.parametrize("degrees", [0.0, 15.0, 25.0, 40.0])
+def test_reference_life_is_the_rating_life_without_clearance(degrees: float) -> None:
+    """(C/P)³ at a load zone of one half, conformity 0.52 and a continuous ring of balls.
+
+    P is F_r there at every contact angle: the ball loads grow with 1/cos α, and so do the ratings
+    of the races.
+    """
+    angle = np.radians(degrees)
+    for count, gamma in ((7, 0.26), (12, 0.15), (20, 0.08), (40, 0.03)):
+        pitch = BALL * np.cos(angle) / gamma
         factor = dynamic_factor_of_grooves(gamma, 0.52, 0.52)
-        rating = float(dynamic_rating(count, BALL, pitch, factor=factor))
-        ratings = race_ratings(rating, count, BALL, pitch, 0.52, 0.52, 0.0)
-        life = continuous_life(0.5, ratings, LOAD, count)
+        rating = float(dynamic_rating(count, BALL, pitch, angle, factor=factor))
+        ratings = race_ratings(rating, count, BALL, pitch, 0.52, 0.52, angle)
+        life = continuous_life(0.5, ratings, LOAD / np.cos(angle), count)
         assert life == pytest.approx((rating / LOAD) ** 3, rel=2e-3)
+
+
+@pytest.mark.parametrize("degrees", [0.0, 25.0, 40.0])
+def test_ratings_of_the_races_by_lundberg_and_palmgren(degrees: float) -> None:
+    """Q_c = 98.1 (2f/(2f-1))^0.41 (1∓γ)^1.39/(1±γ)^(1/3) (γ/cos α)^0.3 D^1.8 Z^(-1/3), N and mm.
+
+    With b_m λ = 1.235 the ratings of the races have to come out that the standard takes from C. The
+    standard's 0.407, 0.389 and 1.044 are rounded.
+    """
+    angle, count, gamma, f_i, f_o = np.radians(degrees), 16, 0.18, 0.52, 0.53
+    ball, pitch = 1e3 * BALL, 1e3 * BALL * np.cos(angle) / gamma
+    common = 98.0665 * 1.235 * (gamma / np.cos(angle)) ** 0.3 * ball**1.8 * count ** (-1 / 3)
+    inner = common * (2 * f_i / (2 * f_i - 1)) ** 0.41
+    inner *= (1 - gamma) ** 1.39 / (1 + gamma) ** (1 / 3)
+    outer = common * (2 * f_o / (2 * f_o - 1)) ** 0.41
+    outer *= (1 + gamma) ** 1.39 / (1 - gamma) ** (1 / 3)
+    factor = dynamic_factor_of_grooves(gamma, f_i, f_o)
+    rating = dynamic_rating(count, BALL, pitch * 1e-3, angle, factor=factor)
+    found = race_ratings(rating, count, BALL, pitch * 1e-3, f_i, f_o, angle)
+    assert float(found.inner) == pytest.approx(inner, rel=0.01)
+    assert float(found.outer) == pytest.approx(outer, rel=0.01)
+
+
+def test_reference_life_of_many_balls_in_equilibrium() -> None:
+    """The same identity from the solver: without clearance, averaged over where the balls stand."""
+    bearing = Bearing(
+        ball_count=24, ball_diameter=0.006, pitch_diameter=0.06, diametral_clearance=0.0,
+        inner_conformity=0.52, outer_conformity=0.52,
+    )  # fmt: skip
+    case = Case(bearing=bearing, duty=Duty())
+    places = np.linspace(0.0, 2.0 * np.pi / 24.0, 9)[:-1]
+    batch = solve_batch(case, {"duty.first_ball_azimuth": places}, fz=np.full(8, 900.0))
+    found = life_of_batch(case, batch)
+    assert found["iso281"].life == pytest.approx((found.ratings.dynamic_of_set[0] / 900.0) ** 3)
+    assert found["iso16281"].life.mean() == pytest.approx(found["iso281"].life[0], rel=0.02)

@@ -133,6 +133,25 @@ PORTUGUESE: Final = VerificationWords(
             "(1 - X)/Y com os fatores impressos, cujo arredondamento deixa em aberto o último"
             " algarismo."
         ),
+        "(1 - X_2)/(Y_2 - Y_1) with the printed factors; the tolerance includes what their own"
+        " rounding leaves open.": (
+            "(1 - X_2)/(Y_2 - Y_1) com os fatores impressos; a margem inclui o que o arredondamento"
+            " deles deixa em aberto."
+        ),
+        "The load that makes 4200 MPa, by exact Hertz with 207 GPa and 0.3, grooves of 0.52 and"
+        " 0.53.": (
+            "A carga que faz 4200 MPa, por Hertz exato com 207 GPa e 0,3, pistas de 0,52 e 0,53."
+        ),
+        "By exact Hertz 15.653 with 207 GPa and 0.3: the table's one number that is not the"
+        " rounded one. Tolerance: 0.003 more than half a digit.": (
+            "Por Hertz exato 15,653 com 207 GPa e 0,3: o único número da tabela que não é o"
+            " arredondado. Margem: 0,003 além de meio algarismo."
+        ),
+        "SKF rounds 2^0.7 to 1.62 for the rating of a pair. Tolerance: half of the last digit"
+        " that is not zero.": (
+            "A SKF arredonda 2^0,7 para 1,62 na capacidade de um par. Margem: meio do último"
+            " algarismo que não é zero."
+        ),
         "The author rounds the inner groove's radius to 5.21 mm; the outer conformity is 0.53. The"
         " standard raises no rating for closer grooves: this factor is theory.": (
             "O autor arredonda o raio da pista interna para 5,21 mm; a conformidade externa é 0,53."

@@ -12,9 +12,11 @@ from rolamento.verification import (
     campanha_2008,
     case_western,
     harris_1991,
+    iso_76,
     iso_281,
     iso_16281,
     makers,
+    makers_life,
     radaelli_2013,
 )
 from rolamento.verification.check import VERDICTS, Check, Verdict
@@ -91,7 +93,17 @@ class Verification:
 
 def sources() -> tuple[Source, ...]:
     """Return all sources, the older first, those without a year last."""
-    modules = (harris_1991, iso_281, iso_16281, campanha_2008, radaelli_2013, case_western, makers)
+    modules = (
+        harris_1991,
+        iso_281,
+        iso_16281,
+        iso_76,
+        campanha_2008,
+        radaelli_2013,
+        case_western,
+        makers,
+        makers_life,
+    )
     names = (module.__name__.rpartition(".")[2] for module in modules)
     return tuple(
         Source(name, published(name)["title"], module.checks)
