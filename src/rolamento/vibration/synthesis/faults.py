@@ -1,0 +1,227 @@
+"""Localised damage: when its impacts come, and how strong they are.
+
+Impacts come once a passage of the part that is damaged, at the orders of `FaultFrequencies`, but
+not like clockwork: balls slip a little, differently from one passage to the next. With the
+intervals independent of each other, T_k = T + ε_k, the deviations add up: the k-th impact is off
+by √k standard deviations, and the signal keeps no phase (Antoni and Randall 2003). Older models
+have every impact scatter about its place on a strict clock. Both are offered.
+
+The strength goes with the load of the ball that strikes (McFadden and Smith 1984), and with what
+the path to the sensor leaves of it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final, Literal, NamedTuple
+
+import numpy as np
+
+from rolamento.errors import InputError
+from rolamento.numerics import FloatArray
+from rolamento.vibration.fault_lines import FAULTS, FaultFrequencies, FaultKind
+from rolamento.vibration.synthesis._checks import check_within
+from rolamento.vibration.synthesis.load import LoadDistribution
+from rolamento.vibration.synthesis.transfer import TransferPath
+
+__all__ = ["Fault", "Impacts", "cycles_at", "impacts_of"]
+
+_TURN: Final = 2.0 * np.pi
+_MOST_IMPACTS: Final = 5_000_000
+_LEAST_INTERVAL: Final = 0.05
+"""Of the mean: no impact overtakes the one before."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Fault:
+    """Damage at one place.
+
+    Attributes
+    ----------
+    kind
+        "outer_race", "inner_race", "ball" or "cage"
+    strength
+        of an impact under the greatest load right at the sensor; times the gains of the modes
+    azimuth
+        of the damage when the signal begins (rad, 0 at +z): of the spot on a race or the cage, or
+        of the damaged ball
+    jitter
+        standard deviation of an interval between impacts over its mean, 0 to 0.2
+    slip
+        "cumulative", where the deviations of the intervals add up, or "around", where each impact
+        scatters about its place on a strict clock
+    scatter
+        standard deviation of the strengths over their means, 0 to 1
+    modulation
+        "amplitude": impacts that ring and decay; or "frequency": modes that ring on at a level
+        while their frequency swings with the passages (as Braga and Almeida suppose)
+    index
+        of the modulation of frequency (rad)
+    inner_gain
+        of a damaged ball: what its impacts on the inner race are worth beside those on the outer
+    """
+
+    kind: FaultKind
+    strength: float = 1.0
+    azimuth: float = 0.0
+    jitter: float = 0.01
+    slip: Literal["cumulative", "around"] = "cumulative"
+    scatter: float = 0.0
+    modulation: Literal["amplitude", "frequency"] = "amplitude"
+    index: float = 1.0
+    inner_gain: float = 0.5
+
+    def __post_init__(self) -> None:
+        for field, allowed in (
+            ("kind", tuple(FAULTS)),
+            ("slip", ("cumulative", "around")),
+            ("modulation", ("amplitude", "frequency")),
+        ):
+            value = getattr(self, field)
+            if value not in allowed:
+                raise InputError(
+                    f"must be one of {', '.join(allowed)}",
+                    field=field,
+                    value=value,
+                    example=allowed[0],
+                )
+        check_within("strength", self.strength, 0.0, 1e9, "strength = 1.0")
+        check_within("azimuth", self.azimuth, -1e3, 1e3, "azimuth = 0.0", "rad")
+        check_within("jitter", self.jitter, 0.0, 0.2, "jitter = 0.01")
+        check_within("scatter", self.scatter, 0.0, 1.0, "scatter = 0.1")
+        check_within("index", self.index, 0.0, 1e4, "index = 1.0", "rad")
+        check_within("inner_gain", self.inner_gain, 0.0, 1e3, "inner_gain = 0.5")
+
+
+class Impacts(NamedTuple):
+    """Impacts of one fault; arrays (impacts,).
+
+    times s, rising; cycles passages of the part since the signal began, without the jitter's
+    share; azimuths where they happened, rad; strengths dimensionless.
+    """
+
+    times: FloatArray
+    cycles: FloatArray
+    azimuths: FloatArray
+    strengths: FloatArray
+
+
+class Turning(NamedTuple):
+    """The shaft's angle (rad, away from 0) at every sample, and the samples per second."""
+
+    angle: FloatArray
+    rate: float
+
+    @property
+    def size(self) -> FloatArray:
+        """The angle's size, which rises."""
+        return np.abs(self.angle)
+
+    @property
+    def sign(self) -> float:
+        """Which way the shaft turns."""
+        return -1.0 if self.angle[-1] < 0.0 else 1.0
+
+
+def impacts_of(
+    fault: Fault,
+    frequencies: FaultFrequencies,
+    turning: Turning,
+    load: LoadDistribution,
+    path: TransferPath,
+    random: np.random.Generator,
+    load_turns: float = 0.0,
+) -> Impacts:
+    """Return the impacts of a fault over a signal.
+
+    Parameters
+    ----------
+    fault
+        What is damaged.
+    frequencies
+        Of the bearing: orders and signed speeds over the shaft's.
+    turning
+        Of the shaft.
+    load, path
+        What the strengths go with.
+    random
+        Of jitter and scatter.
+    load_turns
+        Speed of the load's direction over the shaft's: 0 for a load that stands still, 1 for
+        unbalance.
+
+    Raises
+    ------
+    InputError
+        If there would be more than five million impacts.
+    """
+    order = frequencies.of_fault(fault.kind).order
+    size = turning.size
+    if order == 0.0 or size.size < 2:
+        return Impacts(*[np.zeros(0)] * 4)
+    total = order * float(size[-1]) / _TURN
+    if total > _MOST_IMPACTS:
+        raise InputError(
+            f"would give more than {_MOST_IMPACTS} impacts", field="duration", value=total
+        )
+    cycles = _cycles(fault, total, random)
+    angles = cycles * (_TURN / order)
+    times = np.interp(angles, size, np.arange(size.size) / turning.rate)
+    turned = turning.sign * angles
+    azimuths = fault.azimuth + _turn(fault.kind, frequencies) * turned
+    strengths = fault.strength * path.at(azimuths)
+    strengths = strengths * _pressed(fault, azimuths - load_turns * turned, load)
+    if fault.scatter > 0.0:
+        strengths *= np.maximum(1.0 + fault.scatter * random.standard_normal(cycles.size), 0.0)
+    return Impacts(times, np.arange(cycles.size) + cycles[:1], np.mod(azimuths, _TURN), strengths)
+
+
+def cycles_at(impacts: Impacts, turning: Turning, order: float) -> FloatArray:
+    """Passages so far at every sample (samples,): whole at every impact, steady between.
+
+    order: of the fault; beyond the first and last impact passages go on at its pace.
+    """
+    time = np.arange(turning.angle.size) / turning.rate
+    steady = order * turning.size / _TURN
+    if not impacts.times.size:
+        return steady
+    late = np.interp(impacts.times, time, steady) - np.arange(impacts.times.size)
+    return np.asarray(steady - np.interp(time, impacts.times, late))
+
+
+def _cycles(fault: Fault, total: float, random: np.random.Generator) -> FloatArray:
+    """Passages at which impacts come, jitter included, from 0 to the total."""
+    start = float(random.random())
+    count = int(total * (1.0 + fault.jitter)) + int(20.0 * fault.jitter * np.sqrt(total)) + 2
+    deviations = fault.jitter * random.standard_normal(count)
+    if fault.slip == "cumulative":
+        intervals = np.maximum(1.0 + deviations[1:], _LEAST_INTERVAL)
+        cycles = start + np.concatenate(([0.0], np.cumsum(intervals)))
+    else:
+        cycles = np.sort(start + np.arange(count) + deviations)
+    return np.asarray(cycles[(cycles >= 0.0) & (cycles < total)])
+
+
+def _turn(kind: FaultKind, frequencies: FaultFrequencies) -> float:
+    """Speed of the damage around the bearing, over the shaft's."""
+    turns = frequencies.turns
+    return {
+        "outer_race": turns.outer,
+        "inner_race": turns.inner,
+        "ball": turns.cage,
+        "cage": turns.cage,
+    }[kind]
+
+
+def _pressed(fault: Fault, azimuths: FloatArray, load: LoadDistribution) -> FloatArray:
+    """How hard the ball that strikes is pressed, over the most."""
+    if fault.kind == "cage":
+        return np.ones(azimuths.size)
+    if fault.kind == "inner_race":
+        return load.at(azimuths, "inner")
+    outer = load.at(azimuths, "outer")
+    if fault.kind == "outer_race":
+        return outer
+    # a damaged ball strikes the outer and the inner race by turns
+    strikes_inner = np.arange(azimuths.size) % 2 == 1
+    return np.where(strikes_inner, fault.inner_gain * load.at(azimuths, "inner"), outer)
