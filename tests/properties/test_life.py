@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from rolamento import Bearing, Case, Duty, Load
@@ -13,12 +13,13 @@ from rolamento.life import LifeConditions, life_of_batch
 from rolamento.life.basic import basic_rating_life
 from rolamento.life.contamination import class_of_code, class_of_grease, contamination_factor
 from rolamento.life.equivalent_load import equivalent_load, load_factors, static_equivalent_load
-from rolamento.life.load_zone import clearance_function, load_zone
+from rolamento.life.load_zone import clearance_function, continuous_life, load_zone
 from rolamento.life.modified import life_modification_factor
 from rolamento.life.reference import race_ratings, reference_life, system_life
 from rolamento.life.reliability import reliability_factor, reliability_of
 from rolamento.life.shear_field import passing_shear
 from rolamento.life.spectrum import miner_life, shaft_life
+from rolamento.ratings import dynamic_factor_of_grooves, dynamic_rating
 
 angles = st.floats(0.0, 45.0)
 loads = st.floats(1.0, 1e5)
@@ -168,3 +169,83 @@ def test_solved_cases_live_less_under_more_load() -> None:
         assert np.all(np.isfinite(record.life) | np.isinf(record.life)), name
     limited, basic = found["ioannides_harris"].life, found["iso16281"].life
     assert np.all(limited >= basic)
+
+
+bearings = st.builds(
+    lambda balls, ball, slack, degrees, inner, outer: Bearing(
+        ball_count=balls,
+        ball_diameter=ball,
+        pitch_diameter=ball / np.sin(np.pi / balls) * slack,
+        contact_angle=np.radians(degrees),
+        inner_conformity=inner,
+        outer_conformity=outer,
+    ),
+    st.integers(8, 24),
+    st.floats(0.004, 0.03),
+    st.floats(1.08, 1.5),
+    st.floats(12.0, 40.0),
+    st.floats(0.51, 0.54),
+    st.floats(0.51, 0.54),
+)
+
+
+@settings(max_examples=25)
+@given(bearings, st.floats(0.3, 6.0), st.floats(0.0, 0.6), st.floats(1.1, 2.0))
+def test_every_theory_falls_with_the_load(
+    bearing: Bearing, size: float, slope: float, more: float
+) -> None:
+    """Any bearing; the whole load grows, in its direction."""
+    axial = size * 1e6 * bearing.ball_count * bearing.ball_diameter**2 * np.array([1.0, more])
+    case = Case(bearing=bearing, duty=Duty(inner_speed=100.0))
+    batch = solve_batch(case, fx=axial, fz=slope * axial)
+    assert batch.converged.all()
+    conditions = LifeConditions(viscosity_ratio=1.5, contamination=0.5, material_factor=1.0)
+    found = life_of_batch(case, batch, conditions, stress_volume=True)
+    for name, record in found.theories.items():
+        light, heavy = record.life
+        assert heavy <= light, name
+        assert heavy < light or np.isinf(light), name
+
+
+@settings(max_examples=25)
+@given(
+    bearings,
+    st.floats(0.3, 6.0),
+    st.floats(0.1, 3.5),
+    st.floats(1.02, 3.0),
+    st.floats(0.02, 0.95),
+    st.floats(0.01, 0.5),
+)
+def test_modified_lives_rise_with_oil_and_cleanliness(
+    bearing: Bearing, size: float, ratio: float, thicker: float, clean: float, cleaner: float
+) -> None:
+    """Solved cases: more κ or more e_C never shortens a life; the basic ones do not change."""
+    axial = size * 1e6 * bearing.ball_count * bearing.ball_diameter**2
+    case = Case(bearing=bearing, duty=Duty(inner_speed=100.0))
+    batch = solve_batch(case, fx=np.full(3, axial), fz=np.full(3, 0.3 * axial))
+    kappa = np.array([ratio, ratio * thicker, ratio])
+    factor = np.array([clean, clean, min(clean + cleaner, 1.0)])
+    conditions = LifeConditions(viscosity_ratio=kappa, contamination=factor)
+    found = life_of_batch(case, batch, conditions)
+    for name in ("iso281_modified", "iso16281_modified"):
+        here, with_thicker, with_cleaner = found[name].life
+        assert with_thicker >= here * (1.0 - 2e-3), name  # the ranges of κ meet within 0.2 %
+        assert with_cleaner >= here, name
+        if found[name].factors["a_iso"][2] < 50.0:
+            assert with_cleaner > here, name
+    for name in ("iso281", "iso16281"):
+        assert np.ptp(found[name].life) == 0.0, name
+
+
+@given(st.floats(0.02, 0.35), st.floats(0.0, 45.0), st.integers(5, 40))
+def test_rating_life_is_the_reference_life_of_half_a_ring(
+    gamma: float, degrees: float, count: int
+) -> None:
+    """(C/P)³ at ε = ½ and grooves of 0.52, for every γ, contact angle and number of balls."""
+    angle, ball = np.radians(degrees), 0.01
+    pitch = ball * np.cos(angle) / gamma
+    factor = dynamic_factor_of_grooves(gamma, 0.52, 0.52)
+    rating = float(dynamic_rating(count, ball, pitch, angle, factor=factor))
+    ratings = race_ratings(rating, count, ball, pitch, 0.52, 0.52, angle)
+    life = continuous_life(0.5, ratings, 0.1 * rating / np.cos(angle), count)
+    assert life == pytest.approx(1000.0, rel=2e-3)

@@ -13,6 +13,7 @@ import dataclasses
 import statistics
 import time
 from collections import Counter
+from pathlib import Path
 
 import pytest
 
@@ -26,6 +27,7 @@ from rolamento.catalogue import (
     practice_of,
 )
 
+ROOT = Path(__file__).resolve().parents[2]
 ROUNDED = 4e-3
 """Relative: SNFA prints two decimals of a ball in mm, at times cut off (5/32 in as 3.96)."""
 SPINDLES = tuple(bearing for bearing in catalogue().bearings if bearing.maker == "SNFA")
@@ -87,6 +89,27 @@ def test_hit_rate_of_the_angular_contact_list() -> None:
     assert found["listed"] == 340
     assert found["among three"] >= 305
     assert found["first"] >= 228
+
+
+def test_the_hit_rates_of_the_documentation_are_those_measured() -> None:
+    """The table of docs/catalogue.md, number by number."""
+    page = (ROOT / "docs" / "catalogue.md").read_text(encoding="utf-8")
+    rows = {
+        cells[0]: cells[1:]
+        for line in page.splitlines()
+        if line.startswith("|")
+        and len(cells := [c.strip() for c in line.strip("|").split("|")]) == 4
+    }
+    counted = rows["6203, 6205, 6305, whose balls others counted"]
+    best = [inferred_geometry(catalogue().find(name).bearing)[0] for name, *_ in COUNTED]
+    right = sum(one.ball_count == balls for one, (_, balls, *_) in zip(best, COUNTED, strict=True))
+    assert counted[0] == f"{right} of {len(COUNTED)}"
+    found = hits(SPINDLES)
+    assert rows["SNFA's list, balls hidden"] == [
+        f"{found['first']} of {found['all']}", str(found["among three"]), str(found["listed"])
+    ]  # fmt: skip
+    missed = [b.designation for b in DEEP_GROOVE if not inferred_geometry(b)[0].reproduces]
+    assert f"all but two of {len(DEEP_GROOVE)} ({', '.join(missed)})" in " ".join(page.split())
 
 
 def test_a_practice_read_off_one_half_holds_for_the_other() -> None:
