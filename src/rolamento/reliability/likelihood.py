@@ -87,6 +87,10 @@ class Likelihood:
 
     def at(self, a: FloatArray, b: FloatArray) -> Derivatives:
         """Evaluate at a and b, counted from the origin; arrays (lanes,)."""
+        with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
+            return self._sum(a, b)
+
+    def _sum(self, a: FloatArray, b: FloatArray) -> Derivatives:
         parts = [
             part(a[:, np.newaxis], b[:, np.newaxis])
             for part, rows in (
@@ -101,15 +105,14 @@ class Likelihood:
     def value(self, a: FloatArray, b: FloatArray) -> FloatArray:
         """Logarithm of the likelihood alone; a and b as in `at`."""
         a, b = a[:, np.newaxis], b[:, np.newaxis]
-        with np.errstate(over="ignore"):
-            z, risk = a * self.failed + b, np.exp(a * self.suspended + b)
-            total = np.sum(self.failed_counts * (np.log(a) + z - np.exp(z)), axis=-1)
-        total -= np.sum(self.failed_counts * (self.failed + self.origin), axis=-1)
-        total -= np.sum(self.suspended_counts * risk, axis=-1)
         with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
+            z = a * self.failed + b
+            total = np.sum(self.failed_counts * (np.log(a) + z - np.exp(z)), axis=-1)
+            total -= np.sum(self.failed_counts * (self.failed + self.origin), axis=-1)
+            total -= np.sum(self.suspended_counts * np.exp(a * self.suspended + b), axis=-1)
             risk, step = self._risks(a, b)
-            between = -risk + np.log(-np.expm1(-step))
-        return np.asarray(total + np.sum(self.interval_counts * between, axis=-1))
+            between = self.interval_counts * (-risk + np.log(-np.expm1(-step)))
+        return np.asarray(total + np.sum(between, axis=-1))
 
     def _risks(self, a: FloatArray, b: FloatArray) -> tuple[FloatArray, FloatArray]:
         """L, and U - L, of the failures between inspections."""
@@ -122,8 +125,7 @@ class Likelihood:
     def _failed(self, a: FloatArray, b: FloatArray) -> Derivatives:
         y, n = self.failed, self.failed_counts
         z = a * y + b
-        with np.errstate(over="ignore"):
-            risk = n * np.exp(z)
+        risk = n * np.exp(z)
         total = n.sum(axis=-1)
         constant = np.sum(n * (y + self.origin), axis=-1)
         alone, slope = a[:, 0], np.sum(n * y, axis=-1)
@@ -138,8 +140,7 @@ class Likelihood:
 
     def _suspended(self, a: FloatArray, b: FloatArray) -> Derivatives:
         y = self.suspended
-        with np.errstate(over="ignore"):
-            risk = self.suspended_counts * np.exp(a * y + b)
+        risk = self.suspended_counts * np.exp(a * y + b)
         first, second = np.sum(risk * y, axis=1), np.sum(risk * y * y, axis=1)
         none = risk.sum(axis=1)
         return Derivatives(-none, -first, -none, -second, -first, -none)
@@ -148,15 +149,14 @@ class Likelihood:
         """With D = U - L and q = 1/(e^D - 1): ln(e^-L - e^-U) = -L + ln(1 - e^-D)."""
         n, up = self.interval_counts, self.upper
         low = np.where(np.isfinite(self.lower), self.lower, 0.0)
-        with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
-            risk_low, step = self._risks(a, b)
-            risk_up = np.exp(a * up + b)
-            q = 1.0 / np.expm1(step)
-            value = -risk_low + np.log(-np.expm1(-step))
-            bend = q * (1.0 + q)
-            low_1, up_1 = -(1.0 + q) * risk_low, q * risk_up
-            low_2, up_2 = low_1 - bend * risk_low**2, up_1 - bend * risk_up**2
-            mixed = bend * risk_low * risk_up
+        risk_low, step = self._risks(a, b)
+        risk_up = np.exp(a * up + b)
+        q = 1.0 / np.expm1(step)
+        value = -risk_low + np.log(-np.expm1(-step))
+        bend = q * (1.0 + q)
+        low_1, up_1 = -(1.0 + q) * risk_low, q * risk_up
+        low_2, up_2 = low_1 - bend * risk_low**2, up_1 - bend * risk_up**2
+        mixed = bend * risk_low * risk_up
         up_1, up_2, mixed = (np.where(np.isfinite(x), x, 0.0) for x in (up_1, up_2, mixed))
         return Derivatives(
             np.sum(n * value, axis=1),

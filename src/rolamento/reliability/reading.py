@@ -17,8 +17,8 @@ size       size, rig_size, bearings_per_rig, tamanho, ...                  beari
 
 Only a time is needed; without a status all failed. Status words: failed, f, 1, true, yes, falha,
 sim; suspended, censored, s, c, 0, false, no, suspenso, nao. In a column named failed or falha "s"
-means sim; in one named censored or suspenso 1 means suspended. With `size`, a row is a rig of so many
-bearings that stopped at its first failure (sudden death): the others are suspended.
+means sim; in one named censored or suspenso 1 means suspended. With `size`, a row is a rig of so
+many bearings that stopped at its first failure (sudden death): the others are suspended.
 
 Commas, semicolons or tabs part the cells; with the latter two a decimal comma is understood. Lines
 that begin with # are comments; ``# unit: Mrev``, ``# title:`` and ``# source:`` are read. Columns

@@ -1,0 +1,85 @@
+"""The bearings of a test drawn with replacement, and with one of them left out."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rolamento.numerics import FloatArray
+from rolamento.reliability import concave, profile
+from rolamento.reliability.life_test import LifeTest
+from rolamento.reliability.likelihood import Likelihood
+from rolamento.reliability.profile import BatchFit, Rows
+
+__all__ = ["jackknife_fits", "resampled_fits"]
+
+
+def resampled_fits(test: LifeTest, samples: int, random: np.random.Generator) -> BatchFit:
+    """Fits to so many tests of bearings drawn with replacement; rigs are drawn as a whole."""
+    block, row, number = _blocks(test)
+    total = int(number.sum())
+    drawn = random.multinomial(total, number / total, size=samples)
+    return _fits(test, _of_rows(test, block, row, number, drawn.astype(np.float64)))
+
+
+def jackknife_fits(test: LifeTest) -> tuple[BatchFit, FloatArray]:
+    """Fits with one bearing, or one rig, left out; and how many there are of each kind."""
+    block, row, number = _blocks(test)
+    left = number - np.eye(len(number))
+    return _fits(test, _of_rows(test, block, row, number, left)), number
+
+
+def _blocks(test: LifeTest) -> tuple[NDArray[np.int64], FloatArray, FloatArray]:
+    """Return the block of each row, bearings of the row in one block, and blocks of each kind.
+
+    A row without a rig is a kind of block, of one bearing, of which there are so many as its count
+    says; a rig is a block that there is once.
+    """
+    alone = test.rig == ""
+    block = np.zeros(len(test), dtype=np.int64)
+    block[alone] = np.arange(np.count_nonzero(alone))
+    in_row = np.where(alone, 1.0, test.counts)
+    number = test.counts[alone].astype(np.float64)
+    if not np.all(alone):
+        rigs, which = np.unique(test.rig[~alone], return_inverse=True)
+        block[~alone] = len(number) + which
+        number = np.append(number, np.ones(len(rigs)))
+    return block, in_row, number
+
+
+def _of_rows(
+    test: LifeTest,
+    block: NDArray[np.int64],
+    in_row: FloatArray,
+    number: FloatArray,
+    drawn: FloatArray,
+) -> FloatArray:
+    """Bearings of each row, (samples, rows), when the blocks are drawn so often."""
+    return np.asarray(drawn[:, block] * in_row)
+
+
+def _fits(test: LifeTest, counts: FloatArray) -> BatchFit:
+    """Fit the rows of a test with other counts, (samples, rows)."""
+    failures = counts * test.failed
+    if not test.inspected:
+        log_time = np.broadcast_to(np.log(test.times), counts.shape)
+        fits = profile.fit_rows(Rows(log_time, failures, counts))
+    else:
+        plain = Likelihood.of(test)
+        exact = test.failed & np.isnan(test.lower)
+        interval = ~np.isnan(test.lower)
+        found = concave.maximise(
+            Likelihood(
+                plain.origin,
+                plain.failed,
+                counts[:, exact],
+                plain.suspended,
+                counts[:, ~test.failed],
+                plain.lower,
+                plain.upper,
+                counts[:, interval],
+            )
+        )
+        fits = BatchFit(found.a, (-found.b / found.a)[np.newaxis], found.code)
+    few = failures.sum(axis=1) < 2
+    return BatchFit(fits.shape, fits.log_scale, np.where(few, profile.NO_FAILURES, fits.code))
