@@ -1,0 +1,108 @@
+"""Checks of what the analyses of this package are given."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import isfinite
+
+import numpy as np
+
+from rolamento.errors import InputError
+from rolamento.vibration.signal import Signal
+
+__all__ = ["Band", "checked_band", "checked_count", "checked_number", "require_samples"]
+
+Band = tuple[float, float]
+"""Lower and upper edge of a frequency band; Hz."""
+
+
+def checked_number(
+    value: object,
+    field: str,
+    *,
+    above: float | None = None,
+    least: float | None = None,
+    most: float | None = None,
+    example: str,
+) -> float:
+    """Return a finite number within its limits.
+
+    Raises
+    ------
+    InputError
+        If it is not.
+    """
+    plain = isinstance(value, int | float | np.integer | np.floating)
+    number = float(value) if plain and not isinstance(value, bool) else float("nan")  # type: ignore[arg-type]
+    wrong = (
+        not isfinite(number)
+        or (above is not None and number <= above)
+        or (least is not None and number < least)
+        or (most is not None and number > most)
+    )
+    if wrong:
+        raise InputError(_rule(above, least, most), field=field, value=value, example=example)
+    return number
+
+
+def checked_count(value: object, field: str, *, least: int, most: int, example: str) -> int:
+    """Return a whole number within its limits.
+
+    Raises
+    ------
+    InputError
+        If it is not.
+    """
+    whole = isinstance(value, int | np.integer) and not isinstance(value, bool)
+    if not whole or not least <= int(value) <= most:  # type: ignore[call-overload]
+        rule = f"must be a whole number from {least} to {most}"
+        raise InputError(rule, field=field, value=value, example=example)
+    return int(value)  # type: ignore[call-overload, no-any-return]
+
+
+def checked_band(band: object, rate: float, field: str = "band") -> Band:
+    """Return a band that lies within 0 and half the sampling rate; Hz.
+
+    Raises
+    ------
+    InputError
+        If it does not, or has no width.
+    """
+    edges = tuple(band) if isinstance(band, Sequence) else ()
+    good = len(edges) == 2 and all(isinstance(e, int | float | np.floating) for e in edges)
+    if not good or not 0.0 <= edges[0] < edges[1] <= 0.5 * rate:
+        raise InputError(
+            f"must be a lower and a higher frequency from 0 to half the sampling rate, "
+            f"{0.5 * rate:g} Hz",
+            field=field,
+            value=str(band),
+            example=f"{field} = (2000.0, 4000.0)",
+        )
+    return float(edges[0]), float(edges[1])
+
+
+def require_samples(signal: Signal, least: int, purpose: str) -> None:
+    """Refuse a signal that is too short for a purpose.
+
+    Raises
+    ------
+    InputError
+        If it has fewer samples.
+    """
+    if len(signal.samples) < least:
+        raise InputError(
+            f"must be at least {least} for {purpose}",
+            field="number of samples",
+            value=len(signal.samples),
+        )
+
+
+def _rule(above: float | None, least: float | None, most: float | None) -> str:
+    parts = ["must be a number"]
+    if above is not None:
+        parts.append(f"over {above:g}")
+    if least is not None:
+        parts.append(f"of at least {least:g}")
+    if most is not None:
+        parts.append(f"{'and ' if len(parts) > 1 else ''}up to {most:g}")
+    return " ".join(parts)
