@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from typing import Any, Final
 
@@ -23,6 +23,15 @@ from rolamento.numerics import FloatArray
 from rolamento.state import State
 
 _HOUR: Final = 3600.0
+
+
+_KNOWING: Final = (by.MODIFIED_REFERENCE, by.REFERENCE, by.MODIFIED, by.ADJUSTED, by.BASIC)
+"""From the theory that knows most to the one that knows least; upper bounds are none of them."""
+
+
+def knows_most(names: Collection[str]) -> str | None:
+    """Return which of some theories knows most of a bearing; None if there is none to go by."""
+    return next((name for name in _KNOWING if name in names), None)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -64,6 +73,11 @@ class LifeSummary:
     def best(self) -> Life:
         """Return the theory that knows most: modified reference, else reference life."""
         return self.theories.get(by.MODIFIED_REFERENCE, self.theories[by.REFERENCE])
+
+    def best_that_holds(self, case: int = 0) -> Life | None:
+        """Return the theory that knows most of those that hold for a case; None if none does."""
+        name = knows_most([name for name, found in self.theories.items() if found.holds[case]])
+        return None if name is None else self.theories[name]
 
     @property
     def rating_sources(self) -> dict[str, str]:

@@ -23,7 +23,7 @@ from rolamento.units import Dimension
 if TYPE_CHECKING:
     from rolamento.analysis import Analysis
 
-__all__ = ["rendered", "terminal_head", "terminal_report"]
+__all__ = ["notes_part", "rendered", "terminal_head", "terminal_report"]
 
 _GAP: Final = 3
 
@@ -45,7 +45,7 @@ def terminal_report(
     medium
         What the text is shown on; by default plain text of 80 columns in UTF-8.
     analysis
-        What follows from the state; film and friction are shown if it has them.
+        What follows from the state; film, friction and life are shown if it has them.
     """
     page = Page(words, medium or Medium())
     parts = [terminal_head(page, state)]
@@ -57,7 +57,7 @@ def terminal_report(
     if analysis is not None:
         parts += _what_follows(page, analysis, notes)
     if notes:
-        parts.append(_notes(page, notes))
+        parts.append(notes_part(page, notes))
     return rendered(page.medium, parts)
 
 
@@ -204,7 +204,7 @@ def _middle(page: Page, state: State) -> list[Lines]:
 
 
 def _what_follows(page: Page, analysis: Analysis, notes: list[str]) -> list[Lines]:
-    """Show film and friction; what is to be known of them goes to the notes."""
+    """Show film, friction and life; what is to be known of them goes to the notes."""
     parts: list[Lines] = []
     if analysis.film is not None:
         from rolamento.report.film import film_notes, film_parts
@@ -215,14 +215,20 @@ def _what_follows(page: Page, analysis: Analysis, notes: list[str]) -> list[Line
         from rolamento.report.friction import friction_parts
 
         parts += friction_parts(page, analysis.state, analysis.friction)
-    if analysis.notes:
-        from rolamento.report.film_sentences import said_note
+    if analysis.life is not None:
+        from rolamento.report.life_section import life_notes, life_part
 
-        notes += [said_note(sentence, page.words.code) for sentence in analysis.sentences]
+        parts.append(life_part(page, analysis.state, analysis.life))
+        notes += life_notes(page, analysis.life)
+    if analysis.notes:
+        from rolamento.report.life_words import said_analysis_note
+
+        notes += [said_analysis_note(name, page.words.code) for name in analysis.notes]
     return parts
 
 
-def _notes(page: Page, notes: list[str]) -> Lines:
+def notes_part(page: Page, notes: list[str]) -> Lines:
+    """List what the user should know."""
     lines = [page.heading(page.words.notes)]
     for note in notes:
         lines += page.hanging(page.text("  • ", "yellow"), note)
