@@ -18,6 +18,7 @@ _MODULES: Final = {
     "radaelli-2013": "rolamento.reproduction.radaelli_2013",
     "ricci-fleury": "rolamento.reproduction.ricci_fleury",
     "braga-almeida": "rolamento.reproduction.braga_almeida",
+    "campanha-2008": "rolamento.reproduction.campanha_2008",
 }
 NAMES: Final = tuple(_MODULES)
 """What can be reproduced."""

@@ -124,6 +124,9 @@ def _draw_line(figure: Figure, panel: Panel, line: Line, axes: Axes) -> None:
     rows = _rows(figure, line)
     x, y = x[rows], y[rows]
     keywords = _look(line)
+    if line.points:
+        axes.plot(x, y, **keywords, clip_on=False, zorder=3.0)
+        return
     if line.marked is None:
         marker = {} if line.dashed is None else _sparse_marker(line)
         axes.plot(x, y, **keywords, **marker)
@@ -147,8 +150,10 @@ def _rows(figure: Figure, line: Line) -> Any:
 
 
 def _look(line: Line) -> dict[str, Any]:
-    style = series(line.look).keywords()
-    if line.dashed is not None:
+    style = series(line.look).keywords(markers=line.points)
+    if line.points:
+        style["linestyle"] = "none"
+    elif line.dashed is not None:
         style["linestyle"] = "--" if line.dashed else "-"
     return style
 

@@ -98,7 +98,8 @@ def _column(column: TableColumn, language: Language) -> list[list[str]]:
             for cell in column.cells
         )
         return [[title], *([_indexed(text)] for text in texts)]
-    heads = [f"{title} {word.speak(language)}" for word in (PRINTED, COMPUTED)]
+    words = column.heads or (PRINTED, COMPUTED)
+    heads = [f"{title} {word.speak(language)}".strip() for word in words]
     return [heads, *(_pair(c, language) for c in column.cells if isinstance(c, Cell))]
 
 

@@ -58,6 +58,9 @@ td.differs { background: #f8d7c8; }
 @media print { body { max-width: none; padding: 0; font-size: 10pt; }
   figure, section.table, li { break-inside: avoid; } nav { display: none; } }
 """
+_SENTENCES: Final = """
+td.sentence { text-align: left; min-width: 16rem; }
+"""
 
 
 def generator_mark(name: str) -> str:
@@ -82,7 +85,7 @@ def html_page(
         Of the page.
     """
     lines = [
-        *head_of_page(source, source.title, language),
+        *head_of_page(source, source.title, language, style=_more_style(sections)),
         *(f"<p>{marked(text, language)}</p>" for text in source.remarks),
         "<p>" + "<br>\n".join(marked(s, language) for s in summary(tuple(sections))) + "</p>",
         *_contents(sections, language),
@@ -112,6 +115,12 @@ def head_of_page(source: Source, title: Text, language: Language, *, style: str 
         "<body>",
         f"<h1>{marked(title, language)}</h1>",
     ]
+
+
+def _more_style(sections: Sequence[Section]) -> str:
+    """Return what tables with sentences need beside the common style."""
+    tables = [item for s in sections for item in s.items if isinstance(item, Table)]
+    return _SENTENCES if any(c.sentences for table in tables for c in table.columns) else ""
 
 
 def _item(
@@ -218,7 +227,8 @@ def _heads(table: Table, language: Language) -> Iterable[str]:
         title = marked(column.title, language)
         if any(isinstance(cell, Cell) for cell in column.cells):
             above.append(f'<th colspan="2">{title}</th>')
-            below += [f"<th>{escape(word.speak(language))}</th>" for word in (PRINTED, COMPUTED)]
+            heads = column.heads or (PRINTED, COMPUTED)
+            below += [f"<th>{escape(word.speak(language))}</th>" for word in heads]
         else:
             above.append(f'<th rowspan="{rows}">{title}</th>')
     yield "<tr>" + "".join(above) + "</tr>"
@@ -239,7 +249,8 @@ def _cells(column: TableColumn, language: Language) -> list[str]:
             )
         else:
             text = cell.speak(language) if isinstance(cell, Text) else localised(cell, language)
-            cells.append(f"<td>{_indexed(text)}</td>")
+            opening = '<td class="sentence">' if column.sentences else "<td>"
+            cells.append(f"{opening}{_indexed(text)}</td>")
     return cells
 
 

@@ -41,6 +41,17 @@ STATUS: Final = "status"
 Ending = Literal["svg", "png"]
 Verdict = Literal["holds", "partly", "fails"]
 
+_PLAIN_UNITS: Final = {
+    "°": "deg",
+    "°C": "degC",
+    "N·m": "Nm",
+    "N·mm": "Nmm",
+    "m/s": "m_per_s",
+    "mm²/s": "mm2_per_s",
+    "µm": "um",
+}
+"""How a unit stands in the header of a file."""
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Column:
@@ -58,7 +69,7 @@ class Column:
     @property
     def header(self) -> str:
         """The name with its unit, such as ``"axial_load_kN"``."""
-        unit = {"°": "deg", "N·m": "Nm", "N·mm": "Nmm", "m/s": "m_per_s"}.get(self.unit, self.unit)
+        unit = _PLAIN_UNITS.get(self.unit, self.unit)
         return f"{self.name}_{unit}" if unit else self.name
 
     @property
@@ -92,8 +103,8 @@ class Line:
     """One line of a picture: a column over the panel's x, in the rows where `by` has a value.
 
     look: index of colour and marker; dashed: beside a solid line of the same look; marked: the
-    column that is a number in the rows that get a marker; label: None for a line that the
-    legend's other entries explain.
+    column that is a number in the rows that get a marker; points: markers without a line, as for
+    what was measured; label: None for a line that the legend's other entries explain.
     """
 
     y: str
@@ -102,6 +113,7 @@ class Line:
     by: tuple[str, float] | None = None
     dashed: bool | None = None
     marked: str | None = None
+    points: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -196,11 +208,17 @@ class Figure:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class TableColumn:
-    """A column of a table: words and numbers as they stand there, or printed beside computed."""
+    """A column of a table: words and numbers as they stand there, or printed beside computed.
+
+    heads: what printed and computed are called over such a column, where it is not that; sentences:
+    whether the cells are to be read, not compared.
+    """
 
     name: str
     title: Text
     cells: tuple[str, ...] | tuple[Text, ...] | tuple[Cell, ...]
+    heads: tuple[Text, Text] | None = None
+    sentences: bool = False
 
 
 @dataclass(frozen=True, slots=True, eq=False)
