@@ -168,9 +168,10 @@ def impacts_of(
     angles = cycles * (_TURN / order)
     times = np.interp(angles, size, np.arange(size.size) / turning.rate)
     turned = turning.sign * angles
-    azimuths = fault.azimuth + _turn(fault.kind, frequencies) * turned
+    # turning about +x leads from +y to +z, and azimuths count from +z to +y: they run backward
+    azimuths = fault.azimuth - _turn(fault.kind, frequencies) * turned
     strengths = fault.strength * path.at(azimuths)
-    strengths = strengths * _pressed(fault, azimuths - load_turns * turned, load)
+    strengths = strengths * _pressed(fault, azimuths + load_turns * turned, load)
     if fault.scatter > 0.0:
         strengths *= np.maximum(1.0 + fault.scatter * random.standard_normal(cycles.size), 0.0)
     return Impacts(times, np.arange(cycles.size) + cycles[:1], np.mod(azimuths, _TURN), strengths)
