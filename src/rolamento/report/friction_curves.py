@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import csv
-import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from io import StringIO
-from math import isfinite
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
@@ -15,11 +13,13 @@ from numpy.typing import NDArray
 from rich.text import Text
 
 from rolamento.plots.axes_units import readable_unit
+from rolamento.report.across import place_text, read_values, written_values
 from rolamento.report.friction import friction_parts, model_name, unit_of_torque
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium
 from rolamento.report.numbers import decimals_for
 from rolamento.report.page import Lines, Page
+from rolamento.report.plain_data import csv_number, json_text
 from rolamento.report.terminal import rendered, terminal_head
 
 if TYPE_CHECKING:
@@ -31,8 +31,6 @@ __all__ = ["curves_csv", "curves_json", "curves_report", "friction_json", "frict
 SCHEMA: Final = 1
 _CONTROLLED: Final = "friction_control"
 _MARK: Final = "*"
-_ZERO_CELSIUS: Final = 273.15
-_DECADES: Final = 100.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,9 +39,6 @@ class _Words:
     with_all: str
     fails: str
     all_models: str
-    everywhere: str
-    at: str
-    between: str
     reasons: Mapping[str, str]
     spin: str
     spin_legend: str
@@ -61,9 +56,6 @@ _WORDS: Final[Mapping[str, _Words]] = {
         ),
         fails="* the model does not hold there",
         all_models="every model but friction control",
-        everywhere="everywhere",
-        at="at {value}",
-        between="from {least} to {greatest}",
         reasons={
             "inertia": "inertia counts",
             "full_film": "a full film",
@@ -94,9 +86,6 @@ _WORDS: Final[Mapping[str, _Words]] = {
         ),
         fails="* o modelo não vale ali",
         all_models="todos os modelos menos o controle por atrito",
-        everywhere="em todos os pontos",
-        at="em {value}",
-        between="de {least} a {greatest}",
         reasons={
             "inertia": "a inércia conta",
             "full_film": "filme completo",
@@ -138,7 +127,7 @@ def friction_json(analysis: Analysis) -> str:
     """Return the friction of one case as one JSON object in SI units."""
     whole = analysis.to_mapping()
     kept = {key: whole[key] for key in ("schema", "title", "status", "friction", "notes", "case")}
-    return _json({"schema": SCHEMA, "kind": "friction", **kept})
+    return json_text({"schema": SCHEMA, "kind": "friction", **kept})
 
 
 def curves_report(
@@ -169,14 +158,6 @@ def _words(page: Page) -> _Words:
     return _WORDS.get(page.words.code, _WORDS["en"])
 
 
-def _read(curve: FrictionCurve) -> tuple[NDArray[np.float64], str]:
-    """Return the values of the field as a person reads them, and their unit."""
-    if curve.field.dimension == "temperature":
-        return np.round(curve.values - _ZERO_CELSIUS, 9), "°C"
-    unit = readable_unit(curve.field.unit, curve.values)
-    return unit.of(curve.values), unit.symbol
-
-
 def _heading(page: Page, template: str, curve: FrictionCurve) -> Lines:
     said, lines = _words(page), [page.heading(template.format(field=curve.field.name))]
     if curve.label:
@@ -202,8 +183,8 @@ def _torques(page: Page, curve: FrictionCurve) -> Lines:
     columns = _columns(curve)
     greatest = [float(v) for torque, _ in columns.values() for v in torque]
     factor, unit = unit_of_torque(greatest)
-    across, symbol = _read(curve)
-    values = _values(page, across)
+    across, symbol = read_values(curve.field, curve.values)
+    values = written_values(page, across)
     decimals = decimals_for([factor * value for value in greatest], 5)
     cells: list[Lines] = [[Text(), page.text(symbol, "dim"), *map(page.text, values)]]
     for model, (torque, holds) in columns.items():
@@ -215,13 +196,6 @@ def _torques(page: Page, curve: FrictionCurve) -> Lines:
     oil = _OIL[page.words.code] if "rolling_resistance" in curve.friction.heat else ""
     lines += page.hanging(Text("  "), said.with_all.format(unit=unit, oil=oil), "dim")
     return lines + _failures(page, curve)
-
-
-def _values(page: Page, values: NDArray[np.float64]) -> list[str]:
-    """Write the values of the field, each with its own digits where they span decades."""
-    if np.abs(values).max() > _DECADES * np.abs(values).min() > 0.0:
-        return [page.digits.short(float(value), 4) for value in values]
-    return page.digits.column(values.tolist(), 5, 6)
 
 
 def _judged(page: Page, text: str, holds: bool) -> Text:
@@ -236,7 +210,8 @@ def _failures(page: Page, curve: FrictionCurve) -> Lines:
         for name in said.reasons:
             where = verdict.notes.get(name)
             if where is not None and where.any():
-                text = f"{said.reasons[name]} {_where(page, said, curve, where)}"
+                place = place_text(page, curve.field, curve.values, where)
+                text = f"{said.reasons[name]} {place}"
                 why.setdefault(text, []).append(model_name(verdict.model, page.words.code))
     if any(not verdict.holds.all() for verdict in curve.friction.verdicts):
         lines += page.hanging(Text("  "), said.fails, "dim")
@@ -252,25 +227,14 @@ def _failures(page: Page, curve: FrictionCurve) -> Lines:
     return lines
 
 
-def _where(page: Page, said: _Words, curve: FrictionCurve, where: NDArray[np.bool_]) -> str:
-    if where.all():
-        return said.everywhere
-    across, symbol = _read(curve)
-    values = across[where]
-    least, greatest = (page.digits.short(float(v), 4) for v in (values.min(), values.max()))
-    if least == greatest:
-        return f"{said.at.format(value=least)} {symbol}"
-    return f"{said.between.format(least=least, greatest=greatest)} {symbol}"
-
-
 def _ratios(page: Page, curve: FrictionCurve) -> Lines:
     assert curve.controlled is not None
     said, digits = _words(page), page.digits
-    across, symbol = _read(curve)
+    across, symbol = read_values(curve.field, curve.values)
     controlled = curve.controlled
     cage = readable_unit("rad/s", controlled.cage_speed)
     columns = (
-        ("", symbol, _values(page, across)),
+        ("", symbol, written_values(page, across)),
         ("s_i", "–", digits.column(controlled.inner_spin_to_roll.tolist(), 4)),
         ("s_o", "–", digits.column(controlled.outer_spin_to_roll.tolist(), 4)),
         ("n_m", cage.symbol, [digits.short(float(v), 4) for v in cage.of(controlled.cage_speed)]),
@@ -322,13 +286,13 @@ def curves_csv(curves: Sequence[FrictionCurve]) -> str:
             writer.writerow(
                 [
                     curve.label,
-                    _written(curve.values[point]),
+                    csv_number(curve.values[point]),
                     str(curve.status[point]),
-                    *(_written(torque[point]) for torque in torques),
+                    *(csv_number(torque[point]) for torque in torques),
                     *("yes" if holds[model][point] else "no" for model in models),
-                    *(_written(part[point]) for part in parts),
-                    *(_written(column[point]) for column in _controlled_columns(curve)),
-                    _written(curve.film_parameter[point]),
+                    *(csv_number(part[point]) for part in parts),
+                    *(csv_number(column[point]) for column in _controlled_columns(curve)),
+                    csv_number(curve.film_parameter[point]),
                 ]
             )
     return text.getvalue()
@@ -342,14 +306,10 @@ def _controlled_columns(curve: FrictionCurve) -> tuple[NDArray[np.float64], ...]
     return (curve.controlled_torque, found.cage_speed, *ratios)
 
 
-def _written(value: float) -> str:
-    return f"{value:.10g}" if isfinite(value) else ""
-
-
 def curves_json(curves: Sequence[FrictionCurve]) -> str:
     """Return everything as one JSON object in SI units, ``null`` for what does not exist."""
     first = curves[0]
-    return _json(
+    return json_text(
         {
             "schema": SCHEMA,
             "kind": "friction_curve",
@@ -392,18 +352,3 @@ def _curve_mapping(curve: FrictionCurve) -> dict[str, Any]:
             "outer_spin_to_roll": outer,
         },
     }
-
-
-def _json(mapping: dict[str, Any]) -> str:
-    return json.dumps(_plain(mapping), indent=2, ensure_ascii=False, allow_nan=False)
-
-
-def _plain(value: Any) -> Any:
-    """Turn arrays into lists and what is not finite into None, at any depth."""
-    if isinstance(value, np.ndarray):
-        return [_plain(item) for item in value.tolist()]
-    if isinstance(value, dict):
-        return {key: _plain(item) for key, item in value.items()}
-    if isinstance(value, list | tuple):
-        return [_plain(item) for item in value]
-    return None if isinstance(value, float) and not isfinite(value) else value
