@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import json
+import re
 import time
 from dataclasses import replace
 from math import cos, inf, nan, pi, sin, sqrt
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -700,3 +702,16 @@ def test_ten_seconds_take_less_than_half_a_second(found: FaultFrequencies) -> No
     made = synthesise(recipe)
     assert time.process_time() - start < 0.5
     assert made.signal.samples.size == 512_000
+
+
+# --- the guide -------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("number", [0, 1])
+def test_the_examples_of_the_guide_run(number: int, capsys: pytest.CaptureFixture[str]) -> None:
+    guide = (Path(__file__).resolve().parents[2] / "docs" / "frequencies.md").read_text("utf-8")
+    blocks = re.findall(r"```python\n(.*?)```", guide, re.DOTALL)
+    assert len(blocks) == 2
+    exec(compile(blocks[number], "guide", "exec"), {})
+    printed = capsys.readouterr().out
+    assert ("3.5778 107.15 Hz" if number == 0 else "inner_race 5.42") in printed

@@ -125,7 +125,7 @@ RIGS = (
     Rig(
         "XJTU-SY, LDK UER204",
         "Wang, Lei, Li & Li, IEEE Trans. Reliab. 69 (2020) 401-412, table I (mm); the outer race"
-        " at 2100 rpm as given for Bearing1_1",
+        " at 2100 rpm as the literature on these data has it",
         8,
         "7.92",
         "34.55",
