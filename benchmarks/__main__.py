@@ -23,6 +23,7 @@ from benchmarks import (
     against_scipy,
     duty_sets,
     friction_control,
+    life,
     lubrication,
     robustness,
     start,
@@ -45,6 +46,10 @@ class Effort:
     analysed_cases: int
     friction_cases: int
     friction_sample: int
+    life_sample: int
+    stress_cases: int
+    stress_sample: int
+    inferred: int
 
 
 FULL = Effort(
@@ -57,6 +62,10 @@ FULL = Effort(
     analysed_cases=100_000,
     friction_cases=200,
     friction_sample=2,
+    life_sample=2000,
+    stress_cases=1000,
+    stress_sample=2,
+    inferred=40,
 )
 QUICK = Effort(
     cases=8_000,
@@ -68,6 +77,10 @@ QUICK = Effort(
     analysed_cases=5_000,
     friction_cases=20,
     friction_sample=0,
+    life_sample=100,
+    stress_cases=50,
+    stress_sample=0,
+    inferred=4,
 )
 
 
@@ -88,6 +101,12 @@ def steps(effort: Effort) -> list[tuple[str, Callable[[], Findings]]]:
         ("start", partial(start.measure, e.runs)),
         ("sweep", partial(sweep.measure, e.sweep_cases)),
         ("film and friction", partial(lubrication.measure, e.analysed_cases)),
+        ("life", partial(life.measure, e.analysed_cases, e.life_sample, e.repeats)),
+        (
+            "stress volume",
+            partial(life.measure_stress_volume, e.stress_cases, e.stress_sample, e.repeats),
+        ),
+        ("catalogue", partial(life.measure_catalogue, e.inferred)),
         *((n, partial(robustness.measure, n, e.robust_cases)) for n in robustness.KINDS),
     ]
 

@@ -9,6 +9,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from importlib import resources
+from itertools import chain, islice
 from typing import Final
 
 from rolamento._reading import read_text
@@ -47,10 +48,14 @@ class Catalogue:
 
     bearings: tuple[CatalogueBearing, ...]
     _by_key: dict[str, CatalogueBearing] = field(init=False, repr=False, compare=False)
+    _with_maker: tuple[str, ...] = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         by_key = {folded(bearing.designation): bearing for bearing in self.bearings}
+        makers = {bearing.maker: folded(bearing.maker) for bearing in self.bearings}
+        with_maker = tuple(makers[bearing.maker] + key for key, bearing in by_key.items())
         object.__setattr__(self, "_by_key", by_key)
+        object.__setattr__(self, "_with_maker", with_maker)
 
     def beside(self, paths: Iterable[str | os.PathLike[str]]) -> Catalogue:
         """Return a catalogue with a user's files added; what they name again, they replace.
@@ -94,13 +99,13 @@ class Catalogue:
         if _SIZES.fullmatch(compact):
             return self._of_sizes([1e-3 * float(size) for size in re.split("[x×]", compact)])[:most]
         keyed = self._by_key.items()
-        first = [bearing for key, bearing in keyed if key.startswith(wanted)]
-        rest = [
+        first = (bearing for key, bearing in keyed if key.startswith(wanted))
+        rest = (
             bearing
-            for key, bearing in keyed
-            if wanted in folded(bearing.maker) + key and not key.startswith(wanted)
-        ]
-        return tuple((first + rest)[:most])
+            for (key, bearing), name in zip(keyed, self._with_maker, strict=True)
+            if wanted in name and not key.startswith(wanted)
+        )
+        return tuple(islice(chain(first, rest), most))
 
     def find(self, text: str) -> Found:
         """Return the bearing of a designation with prefixes and suffixes.
@@ -133,14 +138,14 @@ class Catalogue:
         raise self._unknown(text)
 
     def _of_sizes(self, sizes: list[float]) -> tuple[CatalogueBearing, ...]:
-        def fits(bearing: CatalogueBearing) -> bool:
-            own = [getattr(bearing, name) for name in _BOUNDARY[: len(sizes)]]
-            return all(
-                value is not None and abs(value - size) < _ROUNDING
-                for value, size in zip(own, sizes, strict=True)
-            )
-
-        return tuple(filter(fits, self._by_key.values()))
+        bore, outside, *width = sizes
+        return tuple(
+            bearing
+            for bearing in self._by_key.values()
+            if abs(bearing.bore - bore) < _ROUNDING
+            and abs(bearing.outside_diameter - outside) < _ROUNDING
+            and all(bearing.width and abs(bearing.width - size) < _ROUNDING for size in width)
+        )
 
     def _of_dimension_series(self, designation: Designation) -> CatalogueBearing | None:
         if not designation.number:
