@@ -89,11 +89,31 @@ def test_equivalent_load_either_side_of_e() -> None:
 
 
 def test_double_row_is_continuous_at_e() -> None:
-    for degrees in (10.0, 15.0, 20.0, 25.0, 30.0, 35.0, 40.0, 45.0):
+    for degrees in (5.0, 10.0, 15.0, 20.0, 25.0, 30.0, 35.0, 40.0, 45.0):
         found = load_factors(np.radians(degrees), 2.0 * MPA, double_row=True)
         below = 1.0 + found.axial_below * found.limit
         beyond = found.radial + found.axial * found.limit
         assert beyond == pytest.approx(float(below), rel=0.02)
+
+
+def test_five_degrees() -> None:
+    """A single row counts as radial contact there, two rows have a line of their own."""
+    angle = np.radians(5.0)
+    single, radial = load_factors(angle, 1.38 * MPA), load_factors(0.0, 1.38 * MPA)
+    assert (single.radial, single.axial, single.limit) == pytest.approx(
+        (float(radial.radial), float(radial.axial), float(radial.limit))
+    )
+    double = load_factors(angle, 1.38 * MPA, double_row=True)
+    assert (double.axial_below, double.radial, double.axial, double.limit) == pytest.approx(
+        (1.75, 0.78, 2.36, 0.36)
+    )
+
+
+def test_static_load_of_two_rows_of_radial_contact() -> None:
+    one = static_equivalent_load(100.0, 1000.0, 0.0)
+    two = static_equivalent_load(100.0, 1000.0, 0.0, double_row=True)
+    assert one == two == pytest.approx(560.0)
+    assert static_equivalent_load(0.0, 1000.0, np.radians(5.0)) == pytest.approx(520.0)
 
 
 def test_thrust_bearing_is_refused() -> None:

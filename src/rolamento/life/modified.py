@@ -7,7 +7,9 @@ The fatigue load limit C_u is the load under which the heaviest contact just rea
 that the steel withstands for ever, 1500 MPa: by Hertz from the geometry, or estimated as a share
 of the static rating.
 
-Source: ISO 281:2007, 9.3 and annex B.
+Sources: ISO 281:2007, 9.3 and annex B. The constants 0.2288, 22, 100 mm and 1500 MPa of annex B
+and the rule on additives (e_C from 0.2, a_ISO up to 3) agree with a public transcription of the
+standard in the source of another bearing program; 0.2288 is J_r(½), the continuous load integral.
 """
 
 from __future__ import annotations
