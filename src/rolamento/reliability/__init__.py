@@ -1,1 +1,80 @@
-"""Life tests and Weibull's distribution: fits, bounds, comparisons, bearings in series."""
+"""Life tests and Weibull's distribution: fits, bounds, comparisons, bearings in series.
+
+A `LifeTest` holds the data. Fits give a `WeibullFit`, `bounds` and `all_bounds` limits by several
+methods, `compare`, `life_ratio` and `against_calculated_life` tests; `series_life` puts bearings
+together. Every record has a status; what does not exist is NaN. See docs/theory/weibull.md.
+"""
+
+from __future__ import annotations
+
+from rolamento.reliability.bounds import METHODS, Bounds, Method, Sides, all_bounds, bounds
+from rolamento.reliability.calculated import CalculatedLife, Verdict, against_calculated_life
+from rolamento.reliability.comparison import Comparison, Hypothesis, compare
+from rolamento.reliability.fit import ADVICE, NOTES, WeibullFit
+from rolamento.reliability.fixed_shape import fixed_shape
+from rolamento.reliability.life_ratio import LifeRatio, life_ratio
+from rolamento.reliability.life_test import LifeTest, Scheme
+from rolamento.reliability.maximum_likelihood import maximum_likelihood
+from rolamento.reliability.posterior import Posterior, ShapePrior, posterior
+from rolamento.reliability.published import PUBLISHED, published_life_test, published_text
+from rolamento.reliability.quantity import Quantity
+from rolamento.reliability.rank_regression import Regression, rank_regression
+from rolamento.reliability.ranks import PlottingPositions, Ranks, median_rank, plotting_positions
+from rolamento.reliability.reading import parse_life_test, read_life_test
+from rolamento.reliability.sampled import Draws, pivotal_draws
+from rolamento.reliability.system import (
+    EXPONENTS,
+    series_life,
+    series_reliability,
+    system_rating_life,
+)
+from rolamento.reliability.three_parameter import three_parameter
+from rolamento.reliability.unbiased import Correction, unbiased
+
+__all__ = [
+    "ADVICE",
+    "EXPONENTS",
+    "METHODS",
+    "NOTES",
+    "PUBLISHED",
+    "Bounds",
+    "CalculatedLife",
+    "Comparison",
+    "Correction",
+    "Draws",
+    "Hypothesis",
+    "LifeRatio",
+    "LifeTest",
+    "Method",
+    "PlottingPositions",
+    "Posterior",
+    "Quantity",
+    "Ranks",
+    "Regression",
+    "Scheme",
+    "ShapePrior",
+    "Sides",
+    "Verdict",
+    "WeibullFit",
+    "against_calculated_life",
+    "all_bounds",
+    "bounds",
+    "compare",
+    "fixed_shape",
+    "life_ratio",
+    "maximum_likelihood",
+    "median_rank",
+    "parse_life_test",
+    "pivotal_draws",
+    "plotting_positions",
+    "posterior",
+    "published_life_test",
+    "published_text",
+    "rank_regression",
+    "read_life_test",
+    "series_life",
+    "series_reliability",
+    "system_rating_life",
+    "three_parameter",
+    "unbiased",
+]

@@ -155,7 +155,7 @@ class _Place:
             here = self._likelihood.at(a, -there - a * c)
             slope = side * here.b
         with np.errstate(over="ignore"):
-            return _bounded(2.0 * (self._top - here.value)), _bounded(2.0 * slope)
+            return np.minimum(2.0 * (self._top - here.value), _MUCH), _bounded(2.0 * slope)
 
     def _best_a(self, w: FloatArray, c: FloatArray) -> FloatArray:
         """Best a on the line b = w - a c."""

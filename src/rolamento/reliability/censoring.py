@@ -13,6 +13,7 @@ of exponential lives, Rényi (1953).
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final, Protocol, Self, TypeVar
 
@@ -24,7 +25,15 @@ from rolamento.reliability.life_test import LifeTest
 from rolamento.reliability.likelihood import Likelihood
 from rolamento.reliability.profile import BatchFit, Rows
 
-__all__ = ["Model", "RightCensored", "draw_fits", "model_of"]
+__all__ = [
+    "Model",
+    "RightCensored",
+    "draw_common_fits",
+    "draw_fits",
+    "model_of",
+    "portions",
+    "right_censored_model",
+]
 
 MOST_BLOCKS: Final = 20_000
 _AT_ONCE: Final = 2_000_000
@@ -81,18 +90,34 @@ def draw_fits(
     model: Model, shape: float, log_scale: float, samples: int, random: np.random.Generator
 ) -> BatchFit:
     """Draw so many tests and fit each; what has fewer than two failures has no fit."""
-    if model.width * samples > _MOST_DRAWN:
-        samples = max(_MOST_DRAWN // model.width, 100)
-    step = max(_AT_ONCE // model.width, 1)
-    parts = [
-        model.fits(shape, log_scale, min(step, samples - first), random)
-        for first in range(0, samples, step)
-    ]
-    return BatchFit(
-        np.concatenate([part.shape for part in parts]),
-        np.concatenate([part.log_scale for part in parts], axis=1),
-        np.concatenate([part.code for part in parts]),
+    return profile.joined(
+        [model.fits(shape, log_scale, count, random) for count in portions(model.width, samples)]
     )
+
+
+def draw_common_fits(
+    models: Sequence[RightCensored],
+    shape: float,
+    log_scales: FloatArray,
+    samples: int,
+    random: np.random.Generator,
+) -> BatchFit:
+    """Draw so many tests of groups with one shape, and fit them at a common one."""
+    parts = []
+    for count in portions(sum(model.width for model in models), samples):
+        groups = [
+            model.rows(shape, float(x), count, random)
+            for model, x in zip(models, log_scales, strict=True)
+        ]
+        parts.append(profile.fit_common_shape(groups))
+    return profile.joined(parts)
+
+
+def portions(width: int, samples: int) -> list[int]:
+    """Part so many drawn tests into portions that fit into memory; fewer of very large tests."""
+    samples = min(samples, max(_MOST_DRAWN // width, 100))
+    step = max(_AT_ONCE // width, 1)
+    return [min(step, samples - first) for first in range(0, samples, step)]
 
 
 @dataclass(frozen=True, slots=True)

@@ -48,6 +48,10 @@ ADVICE: Final[Mapping[str, str]] = {
         "The test has too many bearings to draw it again and again; take the likelihood ratio,"
         " which holds for so many."
     ),
+    "no_mean": (
+        "The mean of the shape does not exist for two failures, nor where the clock could have left"
+        " so few: take the median."
+    ),
     "group_without_fit": (
         "A group has no fit of its own: nothing failed in it, or its failures have no spread. Leave"
         " it out, or compare the lives at a common shape (same_life)."

@@ -27,7 +27,7 @@ from rolamento.reliability.likelihood import Likelihood
 from rolamento.reliability.maximum_likelihood import found
 from rolamento.reliability.quantity import Quantity
 
-__all__ = ["fixed_shape", "fixed_shape_limits", "log_scale_at"]
+__all__ = ["fixed_shape", "fixed_shape_limits", "fixed_shape_tails", "log_scale_at"]
 
 _ENDS_WITH_A_FAILURE = ("complete", "type_ii", "sudden_death")
 
@@ -80,22 +80,50 @@ def fixed_shape_limits(
     """
     from scipy.stats import chi2
 
-    beta, r = shape_of(shape), test.failures
-    exact = test.scheme in _ENDS_WITH_A_FAILURE
+    beta = shape_of(shape)
     limits = []
     for tail in tails:
-        lower = tail < 0.5
-        freedom = 2 * r + (2 if lower and not exact else 0)
-        # an inspected failure counts from where it was last seen whole, or to where it was found
-        early = lower & ~np.isnan(test.lower)
-        with np.errstate(divide="ignore"):
-            log_time = np.log(np.where(early, test.lower, test.times))
-        longest = log_time.max()
-        total = longest * beta + np.log(np.sum(test.counts * np.exp(beta * (log_time - longest))))
+        freedom, log_total = _evidence(test, beta, lower=bool(tail < 0.5))
         point = chi2.ppf(1.0 - tail, freedom) if freedom else 0.0
         with np.errstate(divide="ignore"):
-            limits.append((np.log(2.0) + total - np.log(point)) / beta)
+            limits.append((np.log(2.0) + log_total - np.log(point)) / beta)
     return quantity.at(np.full(len(limits), beta), np.array(limits))
+
+
+def fixed_shape_tails(
+    test: LifeTest, shape: float, quantity: Quantity, life: float
+) -> tuple[float, float]:
+    """Confidence with which a life is less, and more, than a value, at a known shape.
+
+    Both on the safe side; parameters as of `fixed_shape_limits`.
+    """
+    from scipy.stats import chi2
+
+    beta = shape_of(shape)
+    log_risk = quantity.log_risk - beta * np.log(life)
+    tails = []
+    for lower in (True, False):
+        freedom, log_total = _evidence(test, beta, lower=lower)
+        with np.errstate(over="ignore"):
+            point = 2.0 * np.exp(log_total + log_risk)
+        below = float(chi2.cdf(point, freedom)) if freedom else 0.0
+        tails.append(1.0 - below if lower else (below if freedom else 1.0))
+    return tails[0], tails[1]
+
+
+def _evidence(test: LifeTest, shape: float, *, lower: bool) -> tuple[int, float]:
+    """Degrees of freedom, and ln Σ v t^β, for a lower or an upper limit."""
+    exact = test.scheme in _ENDS_WITH_A_FAILURE
+    freedom = 2 * test.failures + (2 if lower and not exact else 0)
+    # an inspected failure counts from where it was last seen whole, or to where it was found
+    early = lower & ~np.isnan(test.lower)
+    with np.errstate(divide="ignore"):
+        log_time = np.log(np.where(early, test.lower, test.times))
+    longest = float(log_time.max())
+    if not np.isfinite(longest):
+        return freedom, -np.inf
+    total = np.sum(test.counts * np.exp(shape * (log_time - longest)))
+    return freedom, shape * longest + float(np.log(total))
 
 
 def log_scale_at(test: LifeTest, shape: float) -> float:

@@ -87,6 +87,11 @@ def fit_common_shape(groups: Sequence[Rows]) -> BatchFit:
         _fit([rows.part(slice(first, first + step)) for rows in groups])
         for first in range(0, samples, step)
     ]
+    return joined(parts)
+
+
+def joined(parts: Sequence[BatchFit]) -> BatchFit:
+    """Put fits of samples one behind the other."""
     return BatchFit(
         np.concatenate([part.shape for part in parts]),
         np.concatenate([part.log_scale for part in parts], axis=1),

@@ -35,7 +35,7 @@ from rolamento.reliability.profile import BatchFit
 from rolamento.reliability.quantity import Quantity
 from rolamento.reliability.resampling import jackknife_fits, resampled_fits
 
-__all__ = ["Draws", "pivotal_draws", "sampled_limits"]
+__all__ = ["Draws", "drawn_fits", "pivotal_draws", "sampled_limits"]
 
 _MANY: Final = 0.1
 _LEAST_FITS: Final = 50
@@ -83,7 +83,7 @@ def pivotal_draws(
     random
         Of NumPy.
     """
-    drawn = _drawn(test, fit, samples, random)
+    drawn = drawn_fits(test, fit, samples, random)
     shape, log_scale = fit.shape, float(np.log(fit.scale))
     ratio = drawn.shape / shape
     shift = drawn.shape * (drawn.log_scale - log_scale)
@@ -109,7 +109,7 @@ def sampled_limits(
     if method == "pivotal":
         draws = pivotal_draws(test, fit, samples, random)
     elif method.startswith("parametric"):
-        draws = _drawn(test, fit, samples, random)
+        draws = drawn_fits(test, fit, samples, random)
     elif int(test.size) > MOST_BLOCKS:
         draws = _nothing("too_large")
     else:
@@ -124,8 +124,8 @@ def sampled_limits(
     return np.array(limits), draws
 
 
-def _drawn(test: LifeTest, fit: WeibullFit, samples: int, random: np.random.Generator) -> Draws:
-    """Draw tests at the fit and fit them."""
+def drawn_fits(test: LifeTest, fit: WeibullFit, samples: int, random: np.random.Generator) -> Draws:
+    """Draw tests at a fit and fit them: the draws of its parametric bootstrap."""
     model = model_of(test)
     if isinstance(model, str):
         return _nothing(model)
