@@ -177,12 +177,14 @@ def _legend_rows(curves: Curves) -> int:
         sum(line.label is not None for line in panel.lines) + 2 * (panel.keys is not None)
         for panel in curves.panels
     )
-    columns = _columns(entries) if len(curves.panels) == 1 else 2
+    columns = _columns(curves.panels[0], entries) if len(curves.panels) == 1 else 2
     return -(-entries // max(columns, 1))
 
 
-def _columns(entries: int) -> int:
+def _columns(panel: Panel, entries: int) -> int:
     """Return in how many columns the legend over a single panel stands."""
+    if panel.legend_columns is not None:
+        return panel.legend_columns
     return entries if entries <= _MOST_COLUMNS else _MOST_COLUMNS - 1
 
 
@@ -192,7 +194,7 @@ def _add_legend(panel: Panel, place: Picture | Axes, language: Language) -> None
     if not handles:
         return
     if isinstance(place, Picture):
-        columns = _columns(len(handles))
+        columns = _columns(panel, len(handles))
         place.legend(handles=handles, loc="outside upper center", ncols=columns, handlelength=2.6)
     else:
         above = (0.0, 1.0)

@@ -122,7 +122,7 @@ class Panel:
 
     tick: distance of the x axis's numbers; keys: what solid and dashed lines stand for; around:
     x is an azimuth, and the lines close round the ring; from_zero: the y axis begins at zero if
-    nothing lies below.
+    nothing lies below; legend_columns: of a legend whose words are long.
     """
 
     x: str
@@ -133,6 +133,7 @@ class Panel:
     keys: tuple[Text, Text] | None = None
     around: bool = False
     from_zero: bool = True
+    legend_columns: int | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -231,7 +231,7 @@ def _by_condition() -> Figure:
         ),
         source=GIVEN.source_of("clearance"),
         columns=tuple(columns),
-        picture=Curves((Panel("time", CLEARANCE, "µm", lines, tick=40.0),)),
+        picture=Curves((Panel("time", CLEARANCE, "µm", lines, tick=40.0, legend_columns=2),)),
         claims=(_alike(), _same_wear()),
     )
 

@@ -30,7 +30,14 @@ from rolamento.verification import Check
 from rolamento.verification.campanha_2008 import STRIBECK
 from rolamento.verification.published import MM
 
-__all__ = ["check_of", "contact_numbers", "contact_table", "curvatures", "evidence"]
+__all__ = [
+    "check_of",
+    "contact_numbers",
+    "contact_table",
+    "curvatures",
+    "evidence",
+    "temperature_of_print",
+]
 
 _MILLI = 1e-3
 
@@ -91,10 +98,12 @@ def _oil() -> tuple[Number, ...]:
             evidence(warm),
             warm.computed,
             said(
-                "The oil's line (ASTM D341) has the printed viscosity at 84.8 °C; the text's mean"
-                " temperature is 83.4 °C.",
-                "A reta do óleo (ASTM D341) tem a viscosidade impressa a 84,8 °C; a temperatura"
-                " média do texto é 83,4 °C.",
+                "The oil's line (ASTM D341) has the printed viscosity at {:.1f} °C; the text's mean"
+                " temperature is {:.1f} °C.",
+                "A reta do óleo (ASTM D341) tem a viscosidade impressa a {:.1f} °C; a temperatura"
+                " média do texto é {:.1f} °C.",
+                temperature_of_print(),
+                temperature("I"),
             ),
         ),
         Number(
@@ -108,6 +117,11 @@ def _oil() -> tuple[Number, ...]:
         *(_dynamic(row) for row in GIVEN.inputs_of("contact")["viscosity"]),
         *(_coefficient(condition) for condition in ("I", "II")),
     )
+
+
+def temperature_of_print() -> float:
+    """Return the temperature at which the oil has the viscosity printed for condition I; °C."""
+    return float(printed("oil_in_operation")[0]["temperature_of_print_degC"])
 
 
 def _dynamic(row: dict[str, Any]) -> Number:
@@ -187,11 +201,14 @@ def _radii() -> tuple[Number, ...]:
         ),
         Number(
             "rolling_radius",
-            said("R_x, along rolling (mm)", "R_x, no rolamento (mm)"),
+            said("R_x, along rolling (mm)", "R_x, na direção de rolagem (mm)"),
             given["rolling_radius_mm"],
             1.0 / (1.0 / of_ball + 1.0 / of_ring),
             1.0 / (rolling * MM),
-            said("Both bodies are convex along rolling.", "No rolamento os dois são convexos."),
+            said(
+                "Both bodies are convex along rolling.",
+                "Na direção de rolagem os dois são convexos.",
+            ),
         ),
         Number(
             "across_radius",
@@ -253,7 +270,7 @@ def _ellipse() -> tuple[Number, ...]:
                 "Eq. 2.4.9 with the convex groove, and x and y exchanged because R_x > R_y then."
                 " But x is the direction of rolling: nothing may be exchanged.",
                 "Eq. 2.4.9 com o canal convexo, e x e y trocados porque então R_x > R_y. Mas x é a"
-                " direção do rolamento: nada se troca.",
+                " direção de rolagem: nada se troca.",
             ),
         ),
         Number(

@@ -20,6 +20,7 @@ from rolamento.reproduction.campanha_2008.contact import (
     contact_table,
     curvatures,
     evidence,
+    temperature_of_print,
 )
 from rolamento.reproduction.campanha_2008.inputs import (
     GIVEN,
@@ -172,7 +173,7 @@ def _speed_doubted() -> Claim:
             "The suspicion is right: the printed speed is {:.3f} times the mean of both surfaces,"
             " which the theory rests on. Rolling without sliding is what it was made for.",
             "A suspeita procede: a velocidade impressa é {:.3f} vezes a média das duas superfícies,"
-            " em que a teoria se baseia. É para rolamento sem deslizamento que ela foi feita.",
+            " em que a teoria se baseia. É para rolagem sem deslizamento que ela foi feita.",
             ratio,
         ),
         holds=abs(ratio - 1.0) > 0.1,
@@ -271,7 +272,7 @@ def _steps() -> list[tuple[Text, list[float]]]:
 
 _RIGHT = said(
     "as it should be: mean speed, R_x of rolling, exact ellipse",
-    "como deve ser: velocidade média, R_x do rolamento, elipse exata",
+    "como deve ser: velocidade média, R_x na rolagem, elipse exata",
 )
 _SUM = said("the same with the sum of the speeds", "idem com a soma das velocidades")
 _RADIUS = said(
@@ -344,13 +345,14 @@ def _choices() -> Table:
         notes=(
             said(
                 "The printed viscosities hide two more choices, which nearly cancel in condition I:"
-                " a temperature 1.4 °C too high makes the oil thinner, the density of 20 °C makes"
-                " it thicker. In condition II only the density is left, and the film {:.0f} % too"
-                " thick for it.",
+                " a temperature {:.1f} °C too high makes the oil thinner, the density of 20 °C"
+                " makes it thicker. In condition II only the density is left, and the film {:.0f} %"
+                " too thick for it.",
                 "As viscosidades impressas escondem outras duas escolhas, que quase se compensam na"
-                " condição I: uma temperatura 1,4 °C alta demais afina o óleo, a densidade de 20 °C"
-                " o engrossa. Na condição II resta só a densidade, e o filme fica {:.0f} % mais"
-                " espesso por ela.",
+                " condição I: uma temperatura {:.1f} °C alta demais afina o óleo, a densidade de"
+                " 20 °C o engrossa. Na condição II resta só a densidade, e o filme fica {:.0f} %"
+                " mais espesso por ela.",
+                temperature_of_print() - temperature("I"),
                 100.0 * (right[1] / steps[6][1][1] - 1.0),
             ),
         ),

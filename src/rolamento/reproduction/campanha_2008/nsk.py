@@ -122,11 +122,13 @@ def _outside() -> Text:
     rating = float(GIVEN.inputs_of("ratings")["dynamic_rating_kN"]) * KILO
     return said(
         "That the stand-in comes near does not make it right: both methods end at P = {:.0f} % of"
-        " C_r, and the tests have {:.1f} %. A life for this load needs the loads of the single"
-        " balls (ISO/TS 16281) and, above all, tests.",
+        " C_r, and the tests have {:.1f} %. Nearest to a calculated life is the reference life of"
+        " ISO/TS 16281, from the loads of the single balls (table D); a life for this load takes"
+        " tests.",
         "Que o substituto chegue perto não o torna certo: os dois métodos terminam em P = {:.0f} %"
-        " de C_r, e os ensaios têm {:.1f} %. Uma vida para esta carga exige as cargas de cada"
-        " esfera (ISO/TS 16281) e, sobretudo, ensaios.",
+        " de C_r, e os ensaios têm {:.1f} %. O mais próximo de uma vida calculada é a de referência"
+        " da ISO/TS 16281, com as cargas de cada esfera (tabela D); uma vida para esta carga exige"
+        " ensaios.",
         100.0 * MOST_LOAD,
         100.0 * load() / rating,
     )

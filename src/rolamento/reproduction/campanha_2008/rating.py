@@ -175,7 +175,9 @@ def _by_measured_grooves(given: dict[str, Any], rated: float) -> tuple[Number, N
         float(given[name]) for name in ("dynamic_rating_of_measured_N", "dynamic_rating_of_table_N")
     )
     gain = 100.0 * (raised / usual - 1.0)
-    factor = _factor_of_rounded_grooves(given)
+    radii = (printed("life")["groove_radius_mm"], given["outer_groove_mm"])
+    rounded = [round(radius * MM / ball_diameter(), given["conformity_digits"]) for radius in radii]
+    factor = float(dynamic_factor_of_grooves(_gamma(), *rounded))
     return (
         Number(
             "measured_factor",
@@ -184,13 +186,15 @@ def _by_measured_grooves(given: dict[str, Any], rated: float) -> tuple[Number, N
             factor,
             float(dynamic_factor(_gamma())),
             said(
-                "The closed form with grooves of 5.21 and 5.47 mm (the outer is not printed) over"
-                " D, rounded to 0.5049 and 0.5301. With 0.505 itself it is {:.1f}. The standard"
-                " lets nobody raise a rating for grooves closer than 0.52: the table's factor"
-                " stays.",
-                "A forma fechada com canais de 5,21 e 5,47 mm (o externo não é impresso) sobre D,"
-                " arredondados a 0,5049 e 0,5301. Com 0,505 exato dá {:.1f}. A norma não permite"
+                "The closed form with grooves of {:.2f} and {:.2f} mm (the outer is not printed)"
+                " over D, rounded to {:.4f} and {:.4f}. With 0.505 itself it is {:.1f}. The"
+                " standard lets nobody raise a rating for grooves closer than 0.52: the table's"
+                " factor stays.",
+                "A forma fechada com canais de {:.2f} e {:.2f} mm (o externo não é impresso) sobre"
+                " D, arredondados a {:.4f} e {:.4f}. Com 0,505 exato dá {:.1f}. A norma não permite"
                 " elevar a capacidade por canais mais fechados que 0,52: fica o fator da tabela.",
+                *radii,
+                *rounded,
                 _factor_of_exact_grooves(),
             ),
         ),
@@ -220,15 +224,6 @@ def _by_measured_grooves(given: dict[str, Any], rated: float) -> tuple[Number, N
             ),
         ),
     )
-
-
-def _factor_of_rounded_grooves(given: dict[str, Any]) -> float:
-    """f_c with both conformities rounded as the printed rating tells."""
-    radii = (printed("life")["groove_radius_mm"], given["outer_groove_mm"])
-    inner, outer = (
-        round(radius * MM / ball_diameter(), given["conformity_digits"]) for radius in radii
-    )
-    return float(dynamic_factor_of_grooves(_gamma(), inner, outer))
 
 
 def _factor_of_exact_grooves() -> float:

@@ -147,8 +147,8 @@ def _worn_alike() -> Claim:
         said(
             "Mean R_a of procedure I {:.3f} and {:.3f} µm; the difference is {:.1f} standard"
             " errors. That is not zero, and not proof of one either.",
-            "R_a médio do procedimento I {:.3f} e {:.3f} µm; a diferença é de {:.1f} erro padrão."
-            " Não é zero, mas também não prova diferença.",
+            "R_a médio do procedimento I {:.3f} e {:.3f} µm; a diferença é de {:.1f} vez o erro"
+            " padrão. Não é zero, mas também não prova diferença.",
             float(first.mean()),
             float(second.mean()),
             difference / error,
@@ -222,7 +222,19 @@ def _temperatures() -> Figure:
         ),
         source=GIVEN.source_of("temperature"),
         columns=columns,
-        picture=Curves((Panel("temperature", title, "mm²/s", lines, tick=10.0),)),
+        picture=Curves(
+            (
+                Panel(
+                    "temperature",
+                    title,
+                    "mm²/s",
+                    lines,
+                    tick=5.0,
+                    from_zero=False,
+                    legend_columns=3,
+                ),
+            )
+        ),
         claims=(_above_reference(), _below_reference(), _enough()),
         notes=(
             said(

@@ -24,7 +24,7 @@ from rolamento.reproduction.campanha_2008.numbers import Number, numbers_table
 from rolamento.reproduction.record import Claim, Section
 from rolamento.reproduction.text import Text, said
 from rolamento.static import RadialSolution, radial_load
-from rolamento.verification import campanha_2008
+from rolamento.verification.campanha_2008 import LINE_CONTACT_DEPTH
 from rolamento.verification.published import MM
 
 __all__ = ["shear_numbers", "shear_section"]
@@ -82,15 +82,15 @@ def _depths(inner_conformity: float) -> list[float]:
 @cache
 def shear_numbers() -> tuple[Number, ...]:
     """Return the printed depth."""
-    check = next(campanha_2008.checks())
+    whole = contact_at(load(), _nominal(), "inner")
     contact = _contacts(_measured())[0]
     share = _depths(_measured())[0] * MM / float(contact.semi_minor)
     return (
         Number(
             "depth",
             said("z of the greatest shear (mm)", "z da máxima tensão de cisalhamento (mm)"),
-            check.printed,
-            np.nan if check.evidence is None else check.evidence,
+            printed("shear_depth")["greatest_shear_depth_mm"],
+            LINE_CONTACT_DEPTH * float(whole.semi_minor) / MM,
             said("{:.3f} to {:.3f}", "{:.3f} a {:.3f}", *_depths(_measured())),
             said(
                 "The whole load on one ball, the catalogue's groove of 0.52, and 0.5 b of a line"

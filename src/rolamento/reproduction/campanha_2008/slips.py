@@ -51,12 +51,12 @@ _EQUATIONS = (
     _Slip(
         same("2.4.6, (2.4.5), (2.4.6)"),
         said("R′ in the groups and as the scale of h", "R′ nos grupos e como escala de h"),
-        said("R_x, of the direction of rolling", "R_x, da direção do rolamento"),
+        said("R_x, of the direction of rolling", "R_x, da direção de rolagem"),
         said(
             "So Hamrock and Dowson have it: the inlet, which makes the film, is bent along rolling."
             " With R′ the film of table J is 35 % thinner.",
             "Assim fazem Hamrock e Dowson: a entrada, que forma o filme, tem a curvatura da direção"
-            " do rolamento. Com R′ o filme da tabela J é 35 % mais fino.",
+            " de rolagem. Com R′ o filme da tabela J é 35 % mais fino.",
         ),
     ),
     _Slip(
@@ -66,7 +66,7 @@ _EQUATIONS = (
         said(
             "x is the direction of rolling; an ellipse that is long along rolling has k < 1, and"
             " another fit. In a bearing R_y is far greater than R_x anyhow.",
-            "x é a direção do rolamento; uma elipse longa nessa direção tem k < 1 e outro ajuste."
+            "x é a direção de rolagem; uma elipse longa nessa direção tem k < 1 e outro ajuste."
             " Em um rolamento R_y é de todo modo muito maior que R_x.",
         ),
     ),

@@ -121,7 +121,9 @@ def _over_time() -> Figure:
         ),
         source=GIVEN.source_of("clearance"),
         columns=tuple(columns),
-        picture=Curves((Panel("time", CLEARANCE, "µm", tuple(lines), tick=100.0),)),
+        picture=Curves(
+            (Panel("time", CLEARANCE, "µm", tuple(lines), tick=100.0, legend_columns=2),)
+        ),
         claims=(_two_phases(),),
         notes=(*(_constants(bearing) for bearing in BEARINGS), _no_steady_wear()),
     )

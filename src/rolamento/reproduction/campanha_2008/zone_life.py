@@ -23,7 +23,7 @@ from rolamento.reproduction.campanha_2008.inputs import (
     printed,
     speed,
 )
-from rolamento.reproduction.campanha_2008.numbers import Number, numbers_table
+from rolamento.reproduction.campanha_2008.numbers import NONE, Number, numbers_table
 from rolamento.reproduction.campanha_2008.zone_load import (
     NO_CLEARANCE,
     distribution_figure,
@@ -153,7 +153,9 @@ def _life_figure() -> Figure:
         ),
         source=GIVEN.source_of("load_zone"),
         columns=columns,
-        picture=Curves((Panel("clearance", life, "", lines, tick=20.0),)),
+        picture=Curves(
+            (Panel("clearance", life, "", lines, tick=20.0, from_zero=False, legend_columns=2),)
+        ),
         claims=(_fifth(), _rare(), _best_zone()),
         notes=(_same_everywhere(), _before_mounting()),
     )
@@ -289,11 +291,13 @@ def load_zone_numbers() -> tuple[Number, ...]:
             said("L_able, corrected for ε (h)", "L_able, corrigido por ε (h)"),
             given["reduced_life_h"],
             life * round(kept, 2),
-            said("{:.0f} to {:.0f}", "{:.0f} a {:.0f}", *(life * v for v in reversed(new))),
+            NONE,
             said(
-                "0.80 of 189 h. Right would be the factor on the right, if 189 h were: see table"
-                " C.",
-                "0,80 de 189 h. Certo seria o fator da direita, se 189 h o fossem: ver a tabela C.",
+                "0.80 of 189 h, which is none either (table C). The right factor would leave {:.0f}"
+                " to {:.0f} h of them.",
+                "0,80 de 189 h, que também não valem (tabela C). O fator correto deixaria {:.0f} a"
+                " {:.0f} h delas.",
+                *(life * value for value in reversed(new)),
             ),
         ),
     )

@@ -104,7 +104,19 @@ def distribution_figure() -> Figure:
         ),
         source=GIVEN.source_of("load_zone"),
         columns=columns,
-        picture=Curves((Panel("azimuth", columns[3].title, "kN", lines, tick=45.0, around=True),)),
+        picture=Curves(
+            (
+                Panel(
+                    "azimuth",
+                    columns[3].title,
+                    "kN",
+                    lines,
+                    tick=45.0,
+                    around=True,
+                    legend_columns=3,
+                ),
+            )
+        ),
         claims=(_half(), _heaviest()),
         notes=(
             said(
