@@ -87,6 +87,63 @@ def test_kinds_of_states(kind: str, run: Run) -> None:
     assert "<svg" in Path(f"{kind}.svg").read_text(encoding="utf-8")
 
 
+LIVING = {"viscosity_ratio": 1.2, "contamination": 0.4}
+
+
+def write_living(name: str, bearing: ro.Bearing, life: dict[str, Any] | None) -> None:
+    """Write the state of a bearing under load, with a life or without."""
+    load = ro.Load(fx=8e3) if bearing.contact_angle else ro.Load(fz=3e3)
+    duty = ro.Duty(inner_speed=200.0, load=load)
+    solved = ro.solve(ro.Case(title="living", bearing=bearing, duty=duty, life=life))
+    mapping = {**solved.to_mapping(), "case": solved.case.to_mapping()}
+    Path(name).write_text(json.dumps(mapping), encoding="utf-8")
+
+
+@pytest.mark.parametrize("kind", ["aiso", "sn", "zone", "helps"])
+def test_kinds_of_lives(kind: str, run: Run) -> None:
+    write_living("living.json", ro.Bearing.named("6305"), LIVING)
+    code, out = run("living.json", "--kind", kind, "--output", f"{kind}.svg")
+    assert (code, out) == (0, f"Wrote {kind}.svg\n")
+    assert "<svg" in Path(f"{kind}.svg").read_text(encoding="utf-8")
+    again = run("living.json", "--kind", kind, "--output", "pt.svg", "--lang", "pt")
+    assert again[0] == 0
+    assert Path("pt.svg").read_bytes() != Path(f"{kind}.svg").read_bytes()
+
+
+@pytest.mark.parametrize("kind", ["aiso", "sn", "zone", "helps"])
+def test_a_failed_state_has_no_life_to_draw(kind: str, run: Run) -> None:
+    code, out = run("failed.json", "--kind", kind)
+    assert code == 1
+    assert "there is no equilibrium" in out
+    assert Path("failed.png").read_bytes().startswith(PNG)
+
+
+@pytest.mark.parametrize(
+    ("file", "kind", "message"),
+    [
+        ("state.json", "sn", "case.life: is missing"),
+        ("steep.json", "sn", "is a thrust bearing's"),
+        ("angular.json", "zone", "needs a single bearing of radial contact"),
+        ("oilless.json", "aiso", '--kind = "aiso": needs a viscosity ratio'),
+        ("bare.json", "helps", "case: is missing: figures of life need the case"),
+        ("sweep.nc", "aiso", "does not go with a study"),
+    ],
+)
+def test_lives_that_cannot_be_drawn(
+    file: str, kind: str, message: str, run: Run, state: ro.State
+) -> None:
+    angular = state.case.bearing
+    write_living("steep.json", angular.replace(contact_angle=1.1), LIVING)
+    write_living("angular.json", angular, LIVING)
+    write_living("oilless.json", ro.Bearing.named("6305"), None)
+    bare = {**state.to_mapping(), "case": None}
+    Path("bare.json").write_text(json.dumps(bare), encoding="utf-8")
+    code, out = run(file, "--kind", kind, "-o", "figure.png")
+    assert code == 2
+    assert message in out
+    assert not Path("figure.png").exists()
+
+
 @pytest.mark.parametrize(
     ("file", "kind"),
     [("sweep.nc", "lines"), ("samples.nc", "histogram"), ("samples.nc", "scatter")],
@@ -98,7 +155,7 @@ def test_kinds_of_studies(file: str, kind: str, run: Run) -> None:
 
 def test_every_kind_has_a_place() -> None:
     assert {kind.value for kind in Kind} == {
-        "rosette", "balls", "angles", "pressures", "ellipses",
+        "rosette", "balls", "angles", "pressures", "ellipses", "aiso", "sn", "zone", "helps",
         "lines", "map", "histogram", "scatter",
     }  # fmt: skip
 

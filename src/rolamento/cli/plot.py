@@ -23,6 +23,7 @@ from rolamento.errors import FileError, InputError
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+    from rolamento.case import Case
     from rolamento.plots.words import PlotWords
 
 __all__ = ["Kind", "plot"]
@@ -32,20 +33,32 @@ _STUDY_ENDINGS: Final = (".nc", ".nc4", ".h5", ".hdf5")
 
 
 class Kind(StrEnum):
-    """What can be drawn: the first five of a state, the others of a study."""
+    """What can be drawn: the first five of a state, then four of its life, then of a study."""
 
     rosette = "rosette"
     balls = "balls"
     angles = "angles"
     pressures = "pressures"
     ellipses = "ellipses"
+    aiso = "aiso"
+    sn = "sn"
+    zone = "zone"
+    helps = "helps"
     lines = "lines"
     map = "map"
     histogram = "histogram"
     scatter = "scatter"
 
 
-_OF_STATES: Final = (Kind.rosette, Kind.balls, Kind.angles, Kind.pressures, Kind.ellipses)
+_OF_LIFE: Final = (Kind.aiso, Kind.sn, Kind.zone, Kind.helps)
+_OF_STATES: Final = (
+    Kind.rosette,
+    Kind.balls,
+    Kind.angles,
+    Kind.pressures,
+    Kind.ellipses,
+    *_OF_LIFE,
+)
 _OF_STUDIES: Final = tuple(kind for kind in Kind if kind not in _OF_STATES)
 
 
@@ -60,8 +73,9 @@ def plot(
     kind: Annotated[
         Kind | None,
         typer.Option(
-            help="Of a state: rosette (default), balls, angles, pressures, ellipses; of a study: "
-            "lines, map, histogram, scatter (default: what suits it)."
+            help="Of a state: rosette (default), balls, angles, pressures, ellipses; of its life: "
+            "aiso (a_ISO), sn (life over load), zone (life over the load zone), helps (what would "
+            "help); of a study: lines, map, histogram, scatter (default: what suits it)."
         ),
     ] = None,
     variable: Annotated[
@@ -82,7 +96,7 @@ def plot(
     ] = None,
     lang: LanguageOption = None,
 ) -> None:
-    """Draw a result: ball loads, contact angles, pressures, ellipses, sweeps, distributions."""
+    """Draw a result: ball loads, angles, pressures, ellipses, life, sweeps, distributions."""
     with plain_endings(lang):
         from rolamento.plots.saving import check_name
 
@@ -131,6 +145,8 @@ def _plot_state(
 ) -> int:
     """Draw a state; return the exit code."""
     from rolamento.plots import balls, ellipses, reading, rosette
+    from rolamento.plots.frame import empty_frame
+    from rolamento.plots.style import new_figure
 
     for name, given in (("--variable", variable), ("--over", over)):
         if given is not None:
@@ -140,6 +156,10 @@ def _plot_state(
     chosen = _checked(kind or Kind.rosette, _OF_STATES, "the JSON of a state")
     if chosen is Kind.ellipses:
         axes: Axes = ellipses.ellipses_of_both_races(state, words=words)[0]
+    elif chosen in _OF_LIFE and state.status.converged:
+        axes = _life(chosen, state.case, words.code)
+    elif chosen in _OF_LIFE:
+        axes = empty_frame(new_figure()[1], words.reason(state.status.code))
     else:
         draw = {
             Kind.rosette: rosette.load_rosette,
@@ -153,6 +173,46 @@ def _plot_state(
         return SOLVED
     complain(words.reason(state.status.code))
     return NO_RESULT
+
+
+def _life(kind: Kind, case: Case | None, language: str) -> Axes:
+    """Draw the life of a state; its case is solved again, for a file does not hold all of it."""
+    from rolamento.analysis.needs import has_life
+    from rolamento.life import life, sensitivity
+    from rolamento.plots import life_charts, life_load
+    from rolamento.solution import solve
+    from rolamento.studies.life_diagram import lives_over_load, lives_over_zone
+
+    if case is None:
+        raise InputError(
+            "is missing: figures of life need the case; solve it with this release to write it "
+            "into the JSON",
+            field="case",
+            example="rolamento solve case.toml --json state.json",
+        )
+    if not has_life(case):
+        raise InputError(
+            "is missing: figures of life need it, or a bearing with a designation",
+            field="case.life",
+            example='[life] with cleanliness = "-/17/14" and oil_supply = "circulating"',
+        )
+    state = solve(case)
+    if kind is Kind.sn:
+        return life_load.load_over_life(lives_over_load(state), language=language)
+    if kind is Kind.zone:
+        return life_charts.life_over_zone(lives_over_zone(state), language=language)
+    if kind is Kind.helps:
+        return life_charts.what_helps(sensitivity(state), language=language)
+    summary = life(state, stress_volume=False)
+    if summary.contamination_factor is None:
+        raise InputError(
+            "needs a viscosity ratio, or a lubricant and its temperature, and the cleanliness of "
+            "the oil",
+            field="--kind",
+            value=kind.value,
+            example="[life] with viscosity_ratio = 1.5 and contamination = 0.5",
+        )
+    return life_charts.aiso_chart(summary, language=language)
 
 
 def _plot_study(

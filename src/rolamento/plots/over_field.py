@@ -1,0 +1,111 @@
+"""What figures over one field of a case share: the axis across, and lines that hold in places."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, Final
+
+import numpy as np
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+from numpy.typing import NDArray
+
+from rolamento.plots.axes_units import NONE, readable_unit
+from rolamento.plots.frame import label_x, log_scale, number
+from rolamento.plots.words import PlotWords
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from rolamento.studies.fields import Field
+
+__all__ = ["across", "decades", "is_geometric", "judged_line", "read_values", "short_label"]
+
+Floats = NDArray[np.float64]
+
+_ZERO_CELSIUS: Final = 273.15
+_FAINT: Final = 0.3
+"""Of a line where its model does not hold."""
+_DECADES: Final = 100.0
+"""Greatest over least value from which on there is room for whole decades only."""
+_NARROW: Final = 10.0
+_WHOLE, _FEW, _MANY = (1.0,), (1.0, 2.0, 5.0), (1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 7.0)
+"""Ticks in a decade of a wide, a middling and a narrow axis."""
+_MOST_TICKS: Final = 9
+_LONG: Final = 1e6
+"""From here on a tick is written as a power of ten."""
+_RAISED: Final = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+def across(
+    axes: Axes, field: Field, values: Floats, names: Mapping[str, str], words: PlotWords
+) -> None:
+    """Label the axis across with a field, its limits those of the values.
+
+    names: what is said of fields, by their dotted names; others by their own words.
+    """
+    x, symbol = read_values(field, values)
+    known = names.get(field.name, field.long_name[:1].upper() + field.long_name[1:])
+    label_x(axes, known if symbol == NONE.symbol else f"{known} ({symbol})", words)
+    if is_geometric(values):
+        log_scale(axes, "x", words)
+        if x.max() > _DECADES * x.min() > 0.0:
+            axes.xaxis.set_major_locator(LogLocator())
+    axes.set_xlim(float(x.min()), float(x.max()))
+
+
+def decades(axes: Axes, axis: str, limits: tuple[float, float], words: PlotWords) -> None:
+    """Make an axis, "x" or "y", logarithmic between two limits, however many decades there are."""
+    getattr(axes, f"set_{axis}scale")("log")
+    getattr(axes, f"set_{axis}lim")(*limits)
+    span = limits[1] / limits[0]
+    scaled = getattr(axes, f"{axis}axis")
+    subs = _WHOLE if span > _DECADES else _FEW if span > _NARROW else _MANY
+    scaled.set_major_locator(LogLocator(subs=subs, numticks=_MOST_TICKS))
+    scaled.set_minor_locator(LogLocator(subs="auto", numticks=_MOST_TICKS))
+    scaled.set_minor_formatter(NullFormatter())
+    scaled.set_major_formatter(FuncFormatter(lambda value, _: _tick(value, words)))
+
+
+def _tick(value: float, words: PlotWords) -> str:
+    power = round(float(np.log10(value)))
+    if value >= _LONG and np.isclose(value, 10.0**power):
+        return "10" + str(power).translate(_RAISED)
+    return number(value, words)
+
+
+def read_values(field: Field, values: Floats) -> tuple[Floats, str]:
+    """Return the values of a field as a person reads them, and their unit."""
+    if field.dimension == "temperature":
+        return values - _ZERO_CELSIUS, "°C"
+    unit = readable_unit(field.unit, values)
+    return unit.of(values), unit.symbol
+
+
+def judged_line(
+    axes: Axes, x: Floats, y: Floats, holds: NDArray[np.bool_], name: str, look: dict[str, Any]
+) -> bool:
+    """Draw a line in full where its model holds and faintly where not; tell if there is such."""
+    axes.plot(x, np.where(_widened(holds), y, np.nan), label=name, **look)
+    fails = np.isfinite(y) & ~holds
+    if fails.any():
+        axes.plot(x, np.where(_widened(fails), y, np.nan), alpha=_FAINT, **look)
+    return bool(fails.any())
+
+
+def short_label(label: str) -> str:
+    """Return a setting with the last part of its key alone."""
+    key, equals, value = label.partition("=")
+    return f"{key.rpartition('.')[2]} = {value}" if equals else label
+
+
+def is_geometric(values: Floats) -> bool:
+    """Whether the points have equal ratios, as after ``--log``."""
+    if len(values) < 3 or not np.all(values * values[0] > 0.0):
+        return False
+    ratios = np.diff(np.log(np.abs(values)))
+    return bool(np.ptp(ratios) < 1e-6 * np.abs(ratios).max())
+
+
+def _widened(where: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Reach from single points to their neighbours before, so that pieces of a line meet."""
+    return np.asarray(where | np.append(where[1:], False)) if where.any() else where
