@@ -20,6 +20,7 @@ from rolamento.cli.common import (
     words_of,
 )
 from rolamento.cli.friction import friction
+from rolamento.cli.life import life
 from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.plot import plot
 from rolamento.cli.reproduce import reproduce
@@ -178,6 +179,11 @@ app.command(
     epilog="Examples: friction case.toml --coefficient 0.1;"
     " friction case.toml --over duty.load.fx=10..200N --plot friction.png.",
 )(friction)
+app.command(
+    cls=JsonCommand,
+    epilog="Examples: life case.toml --reliability 0.95; life left.toml right.toml;"
+    " life case.toml --spectrum steps.csv; life case.toml --over duty.load.fz=1..8kN.",
+)(life)
 app.command(cls=JsonCommand, epilog="Example: clearance case.toml --samples 10000.")(clearance)
 app.command(cls=JsonCommand, epilog="Example: turn case.toml --plot turn.png.")(turn)
 app.command(cls=JsonCommand, epilog="Example: tolerance scatter.nc --plot bands.png.")(tolerance)

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final
 
 from rich.text import Text
 
-from rolamento.life.record import OUTSIDE
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.life_details import changes_part, limit_part, ratings_part
-from rolamento.report.life_numbers import factor_text, given_percent, life_text, said_of
+from rolamento.report.life_numbers import factor_text, given_percent, lives_column, said_of
+from rolamento.report.life_remarks import remarks, verdict
 from rolamento.report.life_statement import statement
 from rolamento.report.medium import Medium
 from rolamento.report.numbers import aligned
@@ -35,7 +35,6 @@ _FACTORS: Final = (
 """Of the table: heading, and name in the engine. The last two are no factors of the life."""
 _CONDITIONS: Final = _FACTORS[-2:]
 _CHOSEN: Final = "▸"
-_BOUND: Final = "ioannides_harris"
 
 
 def life_report(
@@ -115,8 +114,8 @@ def _table(
     said, mark = said_of(page), page.words.decimal_mark
     names = [said.names[life.theory] for life in lives]
     columns: list[tuple[str, list[str]]] = [
-        (said.million, aligned([life_text(page, float(life.life[0])) for life in lives], mark)),
-        (said.hour, aligned([life_text(page, float(life.hours[0])) for life in lives], mark)),
+        (said.million, lives_column(page, [float(life.life[0]) for life in lives])),
+        (said.hour, lives_column(page, [float(life.hours[0]) for life in lives])),
     ]
     for head, name in factors:
         cells = [
@@ -131,7 +130,9 @@ def _table(
         style = "bold" if own else "" if life.holds[0] else "dim"
         cells_ = [page.text(column[index], style) for _, column in columns]
         sign = page.text(_CHOSEN if own else " ", "bold green")
-        rows.append([sign, page.text(name, style), *cells_, _verdict(page, life)])
+        rows.append(
+            [sign, page.text(name, style), *cells_, verdict(page, life.theory, bool(life.holds[0]))]
+        )
     table = page.columns(rows, "ll" + "r" * len(columns) + "l")
     return [_closer(line) for line in table]
 
@@ -139,13 +140,6 @@ def _table(
 def _closer(line: Text) -> Text:
     """Take one space of the gap behind the mark, which is narrow."""
     return Text.assemble(line[1:3], line[4:])
-
-
-def _verdict(page: Page, life: Life) -> Text:
-    said = said_of(page)
-    if not life.holds[0]:
-        return page.text(said.fails, "yellow")
-    return page.text(said.bound if life.theory == _BOUND else said.holds, "green")
 
 
 def validity_part(page: Page, summary: LifeSummary) -> Lines:
@@ -156,27 +150,5 @@ def validity_part(page: Page, summary: LifeSummary) -> Lines:
     for life in lives:
         label = page.text(f"  {said.names[life.theory]:{width}}  ")
         lines += page.hanging(label, said.valid[life.theory], "dim")
-    return lines + remarks(page, {life.theory: life.notes_of() for life in lives})
-
-
-def remarks(page: Page, notes: Mapping[str, Sequence[str]], where: Mapping[str, str] = {}) -> Lines:
-    """Say every note once, with the theories that it is about; what refuses them comes first.
-
-    notes: names by theory; where: what to say of the place of a note, by its name.
-    """
-    said, lines = said_of(page), Lines()
-    about: dict[str, list[str]] = {}
-    for theory, names in notes.items():
-        for name in names:
-            about.setdefault(name, []).append(theory)
-    for name in sorted(about, key=lambda name: name not in OUTSIDE):
-        theories = about[name]
-        every = len(theories) == len(notes) > 1
-        named = said.every_theory if every else "; ".join(said.names[t] for t in theories)
-        named += where.get(name, "")
-        if name in OUTSIDE:
-            text = said.fails_for.format(theories=named, reason=said.notes[name])
-            lines += page.hanging(page.text("  ✗ ", "yellow"), text, "yellow")
-        else:
-            lines += page.hanging(page.text("  • ", "yellow"), f"{named}: {said.notes[name]}")
-    return lines
+    found = [(life.theory, name, "") for life in lives for name in life.notes_of()]
+    return lines + remarks(page, found, len(lives))

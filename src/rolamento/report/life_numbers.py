@@ -53,6 +53,15 @@ def life_text(page: Page, value: float) -> str:
     return page.digits.fixed(rounded, decimals)
 
 
+def lives_column(page: Page, values: Sequence[float]) -> list[str]:
+    """Write lives that stand below each other, their decimal marks in line."""
+    cells, mark = [life_text(page, value) for value in values], page.words.decimal_mark
+    tails = [
+        len(cell) - cell.index(mark) if mark in cell and "e" not in cell else 0 for cell in cells
+    ]
+    return [cell + " " * (max(tails) - tail) for cell, tail in zip(cells, tails, strict=True)]
+
+
 def factor_text(page: Page, value: float) -> str:
     """Write a factor with three digits, trailing zeros left out."""
     return page.digits.short(significant(value), 3)

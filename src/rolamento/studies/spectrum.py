@@ -18,6 +18,7 @@ from rolamento.case import Case
 from rolamento.errors import InputError
 from rolamento.life.basic import hours
 from rolamento.life.reference import SLOPE
+from rolamento.life.reliability import Edition, reliability_factor, reliability_of
 from rolamento.life.spectrum import miner_life, races_under_spectrum, revolution_shares
 from rolamento.life_model import LifeModel
 from rolamento.numerics import BoolArray, FloatArray
@@ -42,6 +43,7 @@ MOST_WITH_STRESS_VOLUME: Final = 1000
 """Steps up to which the theory of Ioannides and Harris, which takes milliseconds, is evaluated."""
 _MOST_SINGLE: Final = 2000
 """Cases of their own that the steps may need."""
+_HOUR: Final = 3600.0
 _REFERENCES: Final = ("iso16281", "iso16281_modified")
 
 
@@ -106,6 +108,15 @@ class SpectrumLife:
     def converged(self) -> bool:
         """Whether every step that takes part has a result."""
         return bool(np.all(self.status[self.taking_part] == CONVERGED))
+
+    def reliability_of_wanted(self, theory: str) -> float | None:
+        """Reliability with which the wanted life is reached, by a theory; None if there is none."""
+        own = "2007" if self.case.life is None else self.case.life.edition
+        edition: Edition = "1990" if theory == "iso281_1990" else own
+        hours_for_ninety = self.hours[theory] / float(reliability_factor(self.reliability, edition))
+        if self.wanted_life is None or not hours_for_ninety > 0.0:
+            return None
+        return float(reliability_of(self.wanted_life / _HOUR / hours_for_ninety, edition))
 
 
 def life_under(

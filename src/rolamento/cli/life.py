@@ -1,0 +1,343 @@
+"""`rolamento life`: rating and fatigue life by every theory, of one bearing or of a shaft."""
+
+from __future__ import annotations
+
+import sys
+from typing import TYPE_CHECKING, Annotated, Final, TypeVar
+
+import typer
+
+import rolamento
+from rolamento.cli.common import (
+    NO_RESULT,
+    SOLVED,
+    Language,
+    LanguageOption,
+    plain_endings,
+    same_file,
+    words_of,
+)
+from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
+from rolamento.errors import FileError, InputError
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from rolamento.life.l_able import FactorTable
+    from rolamento.report.medium import Medium
+    from rolamento.studies.life_curves import LifeCurve
+
+__all__ = ["life"]
+
+T = TypeVar("T")
+
+_POINTS: Final = 40
+_MOST_VARIANTS: Final = 5
+
+
+def life(
+    case: Annotated[
+        list[str],
+        typer.Argument(help="Case file (TOML or JSON); several are the bearings of one shaft."),
+    ],
+    over: Annotated[
+        str | None,
+        typer.Option(
+            "--over",
+            metavar="FIELD=FIRST..LAST",
+            help="Vary a field, such as duty.load.fz=1..8kN or life.contamination=0.1..1.",
+        ),
+    ] = None,
+    points: Annotated[
+        int, typer.Option("--points", metavar="N", help="Values of that field, 2 to 1000.")
+    ] = _POINTS,
+    log: Annotated[bool, typer.Option("--log", help="With equal ratios between them.")] = False,
+    variants: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--variant",
+            metavar="KEY=VALUE",
+            help="Show the case with this field changed beside it; with --over. Repeats.",
+        ),
+    ] = None,
+    spectrum: Annotated[
+        str | None,
+        typer.Option(
+            "--spectrum",
+            metavar="FILE.csv",
+            help="Steps of the duty: a column share (of the time), and fields of the case.",
+        ),
+    ] = None,
+    nsk_table: Annotated[
+        str | None,
+        typer.Option(
+            "--nsk-table",
+            metavar="FILE.csv",
+            help="a_NSK off the maker's chart: rows of kappa, columns of (P-P_u)/(C a_c).",
+        ),
+    ] = None,
+    reliability: Annotated[
+        float | None,
+        typer.Option("--reliability", metavar="S", help="That the life is for, such as 0.95."),
+    ] = None,
+    json: Annotated[
+        str | None,
+        typer.Option(
+            "--json",
+            metavar="[FILE]",
+            help="Write everything as JSON; without FILE, to standard output.",
+        ),
+    ] = None,
+    csv: Annotated[
+        str | None,
+        typer.Option(
+            "--csv",
+            metavar="FILE",
+            help="With --over or --spectrum: write points or steps; - is standard output.",
+        ),
+    ] = None,
+    plot: Annotated[
+        str | None,
+        typer.Option(
+            "--plot", metavar="FILE", help="With --over: draw it, a .png, .svg or .pdf file."
+        ),
+    ] = None,
+    settings: Annotated[
+        list[str] | None,
+        typer.Option("--set", metavar="KEY=VALUE", help="Override a field of the case. Repeats."),
+    ] = None,
+    lang: LanguageOption = None,
+) -> None:
+    """Show the life by every theory, where each holds, what limits it and what would help."""
+    with plain_endings(lang):
+        _check(case, over, spectrum, variants or [])
+        read = [path for path in (*case, spectrum, nsk_table) if path is not None]
+        _check_files(read, {"--json": json, "--csv": csv, "--plot": plot}, over, spectrum)
+        own = list(settings or ())
+        if reliability is not None:
+            own.append(f"life.reliability={reliability!r}")
+        cases = [rolamento.load_case(path, own) for path in case]
+        table = _factor_table(nsk_table, cases)
+        if over is not None:
+            curves = _curves(cases[0], over, points, log, variants or [], table, lang)
+            solved = _show_curves(curves, json, csv, plot, lang)
+        elif spectrum is not None:
+            solved = _spectrum(cases[0], spectrum, table, json, csv, lang)
+        elif len(cases) > 1:
+            solved = _shaft(case, cases, table, json, lang)
+        else:
+            solved = _one(cases[0], table, json, lang)
+    raise typer.Exit(SOLVED if solved else NO_RESULT)
+
+
+def _check(cases: list[str], over: str | None, spectrum: str | None, variants: list[str]) -> None:
+    """Refuse what does not go together, before any work."""
+    if over is not None and spectrum is not None:
+        raise InputError("is given beside --over; give one", field="--spectrum", value=spectrum)
+    for name, given in (("--over", over), ("--spectrum", spectrum)):
+        if given is not None and len(cases) > 1:
+            raise InputError("is for one case, and these are several", field=name, value=given)
+    if variants and over is None:
+        raise InputError(
+            "needs --over",
+            field="--variant",
+            value=variants[0],
+            example="--over duty.load.fz=1..8kN",
+        )
+    if len(variants) > _MOST_VARIANTS:
+        raise InputError(
+            f"may be given at most {_MOST_VARIANTS} times", field="--variant", value=len(variants)
+        )
+
+
+def _check_files(
+    read: list[str], given: dict[str, str | None], over: str | None, spectrum: str | None
+) -> None:
+    """Refuse outputs without what they show, or that run into each other or into what is read."""
+    if read.count(STANDARD_STREAM) > 1:
+        raise InputError("can be read once", source="standard input")
+    outputs = {name: path for name, path in given.items() if path is not None}
+    if "--csv" in outputs and over is None and spectrum is None:
+        raise InputError("needs --over or --spectrum", field="--csv", value=outputs["--csv"])
+    if "--plot" in outputs and over is None:
+        raise InputError(
+            "needs --over",
+            field="--plot",
+            value=outputs["--plot"],
+            example="--over duty.load.fz=1..8kN",
+        )
+    paths = list(outputs.values())
+    for name, path in outputs.items():
+        if paths.count(path) > 1:
+            where = "standard output" if path == STANDARD_STREAM else path
+            raise InputError("only one of --json, --csv and --plot can go there", source=where)
+        if any(same_file(path, other) for other in read):
+            raise FileError("is read by this command; choose another name", source=path)
+        if name == "--json" and path.lower().endswith(".toml"):
+            raise InputError(
+                "is taken for the FILE of --json; put --json last, or a name that ends in .json"
+                " behind it",
+                field="--json",
+                value=path,
+                example="life a.toml b.toml --json",
+            )
+    if "--plot" in outputs:
+        from rolamento.plots.saving import check_name
+
+        check_name(outputs["--plot"])
+
+
+def _factor_table(path: str | None, cases: list[rolamento.Case]) -> FactorTable | None:
+    """Read the user's a_NSK, which means nothing without a_c."""
+    if path is None:
+        return None
+    for case in cases:
+        if case.life is None or case.life.nsk_cleanliness is None:
+            raise InputError(
+                "is missing: the columns of --nsk-table hold it",
+                field="life.nsk_cleanliness",
+                example="--set life.nsk_cleanliness=0.8",
+            )
+    from rolamento.studies.factor_table import read_factor_table
+
+    return read_factor_table(path)
+
+
+def _one(
+    case: rolamento.Case, table: FactorTable | None, json: str | None, lang: Language | None
+) -> bool:
+    """Show the life of a case; tell whether it has a result."""
+    from rolamento.life import sensitivity
+    from rolamento.report.life import life_report
+    from rolamento.report.life_data import life_json
+    from rolamento.studies.shaft import conditions_with, life_of_case
+
+    state, found = _waiting(lang, lambda: life_of_case(case, nsk_table=table))
+    words = words_of(lang)
+    changes = () if found is None else sensitivity(state, conditions_with(state.case, table))
+    if json is not None:
+        put(life_json(state, found, changes) + "\n", json)
+    if json != STANDARD_STREAM:
+        print_text(life_report(state, found, changes, words, _medium()))
+    elif found is None:
+        parts = (words.reason(state.status), words.advice(state.status))
+        complain(": ".join(part for part in parts if part))
+    return found is not None
+
+
+def _shaft(
+    paths: list[str],
+    cases: list[rolamento.Case],
+    table: FactorTable | None,
+    json: str | None,
+    lang: Language | None,
+) -> bool:
+    """Show the lives of several bearings and of all together."""
+    from rolamento.report.shaft import shaft_json, shaft_report
+    from rolamento.studies.shaft import life_of_shaft
+
+    found = _waiting(lang, lambda: life_of_shaft(cases, nsk_table=table))
+    titles = [own.title for own in cases]
+    names = titles if all(titles) and len(set(titles)) == len(titles) else paths
+    if json is not None:
+        put(shaft_json(found, names) + "\n", json)
+    if json != STANDARD_STREAM:
+        print_text(shaft_report(found, names, words_of(lang), _medium()))
+    elif not found.converged:
+        words = words_of(lang)
+        failed = next(state for state in found.states if not state.status.converged)
+        complain(f"{failed.title}: {words.reason(failed.status)}")
+    return found.converged
+
+
+def _spectrum(
+    case: rolamento.Case,
+    path: str,
+    table: FactorTable | None,
+    json: str | None,
+    csv: str | None,
+    lang: Language | None,
+) -> bool:
+    """Show the life under a duty of several steps."""
+    from rolamento.report.life_spectrum import spectrum_csv, spectrum_json, spectrum_report
+    from rolamento.studies.spectrum import life_under, read_spectrum
+
+    steps = read_spectrum(path)
+    found = _waiting(lang, lambda: life_under(case, steps, nsk_table=table))
+    words = words_of(lang)
+    if json is not None:
+        put(spectrum_json(found) + "\n", json)
+    if csv is not None:
+        put(spectrum_csv(found), csv)
+    if STANDARD_STREAM not in (json, csv):
+        print_text(spectrum_report(found, words, _medium()))
+    elif not found.converged:
+        failed = found.status[(found.status != "converged") & found.taking_part]
+        complain(f"{len(failed)} / {len(steps)}: {words.reasons[str(failed[0])]}")
+    return found.converged
+
+
+def _curves(
+    case: rolamento.Case,
+    over: str,
+    points: int,
+    log: bool,
+    variants: list[str],
+    table: FactorTable | None,
+    lang: Language | None,
+) -> list[LifeCurve]:
+    """Solve the case and its variants over a field."""
+    from rolamento.studies.life_curves import life_curve, read_range
+
+    chosen = read_range(over, points, log=log)
+    cases = [("", case), *((text, rolamento.override(case, [text])) for text in variants)]
+    return _waiting(
+        lang,
+        lambda: [life_curve(one, chosen, label=label, nsk_table=table) for label, one in cases],
+    )
+
+
+def _show_curves(
+    curves: list[LifeCurve],
+    json: str | None,
+    csv: str | None,
+    plot: str | None,
+    lang: Language | None,
+) -> bool:
+    """Write what was asked for; tell whether every point has a result."""
+    from rolamento.report.life_curves import curves_csv, curves_json, curves_report
+
+    words = words_of(lang)
+    if json is not None:
+        put(curves_json(curves) + "\n", json)
+    if csv is not None:
+        put(curves_csv(curves), csv)
+    if plot is not None:
+        from rolamento.plots.life import life_figure
+        from rolamento.plots.saving import save_figure
+
+        save_figure(life_figure(curves, words.code), plot)
+    converged = all(curve.converged for curve in curves)
+    if STANDARD_STREAM not in (json, csv):
+        print_text(curves_report(curves, words, _medium()))
+    elif not converged:
+        status = next(curve.status for curve in curves if not curve.converged)
+        failed = status[status != "converged"]
+        complain(f"{len(failed)} / {len(status)}: {words.reasons[str(failed[0])]}")
+    return converged
+
+
+def _waiting(lang: Language | None, work: Callable[[], T]) -> T:
+    """Do the work; whoever waits at a terminal for long is told why."""
+    if sys.stderr is None or not sys.stderr.isatty():
+        return work()
+    from rolamento.cli.waiting import told
+
+    with told(words_of(lang).waiting):
+        return work()
+
+
+def _medium() -> Medium:
+    from rolamento.report.medium import Medium
+
+    return Medium.of(sys.stdout)

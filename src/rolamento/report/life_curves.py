@@ -1,0 +1,290 @@
+"""Life over a field for a reader: every theory at every value, and where each holds."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from io import StringIO
+from math import isinf
+from typing import TYPE_CHECKING, Any, Final
+
+import numpy as np
+from rich.text import Text
+
+from rolamento.life import knows_most
+from rolamento.numerics import FloatArray
+from rolamento.report.across import place_text, read_values, written_values
+from rolamento.report.language import ENGLISH, Words
+from rolamento.report.life_numbers import given_percent, life_text, lives_column, said_of
+from rolamento.report.life_remarks import remarks
+from rolamento.report.medium import Medium
+from rolamento.report.page import Lines, Page
+from rolamento.report.plain_data import csv_number, json_text
+from rolamento.report.terminal import rendered
+
+if TYPE_CHECKING:
+    from rolamento.studies.life_curves import LifeCurve
+
+__all__ = ["curves_csv", "curves_json", "curves_report"]
+
+SCHEMA: Final = 1
+_MARK: Final = "*"
+_FIRST_LEFT_OUT: Final = ("ioannides_harris", "l_able", "iso281_1990")
+_RELIABILITY: Final = 0.9
+
+
+@dataclass(frozen=True, slots=True)
+class _Words:
+    heading: str
+    variant: str
+    legend: str
+    legend_varied: str
+    fails: str
+    left_out: str
+    longest: str
+    failed: str
+
+
+_WORDS: Final[Mapping[str, _Words]] = {
+    "en": _Words(
+        heading="Life over {field}",
+        variant="with {label}",
+        legend="in {unit}, for {reliability} reliability",
+        legend_varied="in {unit}",
+        fails="* the theory does not hold there",
+        left_out="no room here, but in --csv and --json: {names}",
+        longest=(
+            "{theory}: longest at {most_at} {symbol}, {most}; shortest at {least_at} {symbol},"
+            " {least}"
+        ),
+        failed="{failed} of {count} points without a result: {reasons}",
+    ),
+    "pt": _Words(
+        heading="Vida em função de {field}",
+        variant="com {label}",
+        legend="em {unit}, para {reliability} de confiabilidade",
+        legend_varied="em {unit}",
+        fails="* a teoria não vale ali",
+        left_out="sem lugar aqui, mas em --csv e --json: {names}",
+        longest=(
+            "{theory}: a maior em {most_at} {symbol}, {most}; a menor em {least_at} {symbol},"
+            " {least}"
+        ),
+        failed="{failed} de {count} pontos sem resultado: {reasons}",
+    ),
+}
+
+
+def curves_report(
+    curves: Sequence[LifeCurve], words: Words = ENGLISH, medium: Medium | None = None
+) -> str:
+    """Return life over a field as text that ends in a newline.
+
+    Parameters
+    ----------
+    curves
+        The case's own first, then its variants.
+    words
+        The language.
+    medium
+        What the text is shown on; by default plain text of 80 columns in UTF-8.
+    """
+    page = Page(words, medium or Medium())
+    head = page.hanging(Text(), curves[0].case.title or words.untitled, "bold")
+    parts: list[Lines] = [[*head, page.rule(page.medium.width)]]
+    return rendered(page.medium, [*parts, *(_curve(page, curve) for curve in curves)])
+
+
+def _curve(page: Page, curve: LifeCurve) -> Lines:
+    own, said = _WORDS.get(page.words.code, _WORDS["en"]), said_of(page)
+    lines = [page.heading(own.heading.format(field=curve.field))]
+    if curve.label:
+        lines += page.hanging(Text("  "), own.variant.format(label=curve.label))
+    lives, unit = shown_lives(curve)
+    table, left_out = _table(page, curve, lives)
+    lines += table
+    reliability = _RELIABILITY if curve.case.life is None else curve.case.life.reliability
+    varied = curve.field == "life.reliability"
+    legend = (own.legend_varied if varied else own.legend).format(
+        unit=said.hour if unit == "h" else said.million,
+        reliability=given_percent(page, reliability),
+    )
+    lines += page.hanging(Text("  "), legend, "dim")
+    if left_out:
+        lines += page.hanging(Text("  "), own.left_out.format(names="; ".join(left_out)), "dim")
+    if any(not np.all(curve.holds[name]) for name in lives):
+        lines += page.hanging(Text("  "), own.fails, "dim")
+    lines += _extremes(page, own, curve, lives, said.hour if unit == "h" else said.million)
+    return lines + _remarks(page, curve) + _failures(page, own, curve)
+
+
+def shown_lives(curve: LifeCurve) -> tuple[Mapping[str, FloatArray], str]:
+    """Return the lives that a table shows, and "h"; in "Mrev" where nothing ever turns."""
+    turns = any(np.any(~np.isnan(hours)) for hours in curve.lives.values())
+    return (curve.lives, "h") if turns else (curve.revolutions, "Mrev")
+
+
+def _table(
+    page: Page, curve: LifeCurve, lives: Mapping[str, FloatArray]
+) -> tuple[Lines, list[str]]:
+    """Set the lives below each other; theories for which there is no room are named instead."""
+    said = said_of(page)
+    across, symbol = read_values(curve.over.field, curve.values)
+    values = written_values(page, across)
+    names = [name for name in said.names if name in lives]
+    columns: dict[str, Lines] = {
+        "": [Text(), page.text(symbol, "dim"), *map(page.text, values)],
+        **{name: _life_column(page, curve, name, lives[name]) for name in names},
+    }
+    left_out = []
+    for name in _FIRST_LEFT_OUT:
+        if name in columns and page.width_of(list(columns.values())) > page.medium.width:
+            del columns[name]
+            left_out.append(said.names[name])
+    rows = list(zip(*columns.values(), strict=True))
+    return page.columns(rows, "r" * len(columns)), left_out
+
+
+def _life_column(page: Page, curve: LifeCurve, name: str, lives: FloatArray) -> Lines:
+    """A theory's name, and its lives, marked where it does not hold."""
+    return [
+        *(page.text(f"{word} ") for word in said_of(page).short[name]),
+        *(
+            page.text(f"{cell} ") if holds else page.text(f"{cell}{_MARK}", "yellow")
+            for cell, holds in zip(
+                lives_column(page, lives.tolist()), curve.holds[name], strict=True
+            )
+        ),
+    ]
+
+
+def _extremes(
+    page: Page, own: _Words, curve: LifeCurve, lives: Mapping[str, FloatArray], unit: str
+) -> Lines:
+    """Say where the theory that knows most has its longest and shortest life, where it holds."""
+    theory = knows_most([name for name in lives if np.any(curve.holds[name])])
+    if theory is None:
+        return []
+    usable = curve.holds[theory] & np.isfinite(lives[theory])
+    if np.count_nonzero(usable) < 2:
+        return []
+    across, symbol = read_values(curve.over.field, curve.values)
+    most = int(np.argmax(np.where(usable, lives[theory], -np.inf)))
+    least = int(np.argmin(np.where(usable, lives[theory], np.inf)))
+    text = own.longest.format(
+        theory=said_of(page).names[theory],
+        symbol=symbol,
+        most_at=page.digits.short(float(across[most]), 4),
+        most=f"{life_text(page, float(lives[theory][most]))} {unit}",
+        least_at=page.digits.short(float(across[least]), 4),
+        least=f"{life_text(page, float(lives[theory][least]))} {unit}",
+    )
+    return page.hanging(Text("  "), text)
+
+
+def _remarks(page: Page, curve: LifeCurve) -> Lines:
+    solved = curve.status == "converged"
+    found = [
+        (theory, name, place_text(page, curve.over.field, curve.values, where))
+        for theory, notes in curve.notes.items()
+        for name, where in ((name, where & solved) for name, where in notes.items())
+        if where.any()
+    ]
+    return remarks(page, found, len(curve.notes))
+
+
+def _failures(page: Page, own: _Words, curve: LifeCurve) -> Lines:
+    failed = curve.status[curve.status != "converged"]
+    if not failed.size:
+        return []
+    reasons = ", ".join(page.words.reasons.get(code, code) for code in np.unique(failed).tolist())
+    text = own.failed.format(failed=failed.size, count=len(curve), reasons=reasons)
+    return page.hanging(Text("  "), text, "bold red")
+
+
+# --- data -------------------------------------------------------------------------------------
+
+
+def curves_csv(curves: Sequence[LifeCurve]) -> str:
+    """Return the points, one a line below a header that names the units (RFC 4180).
+
+    SI units, hours and millions of revolutions; a decimal point, ten significant digits, an empty
+    field for what does not exist, ``inf`` for a life without an end.
+    """
+    text = StringIO(newline="")
+    writer = csv.writer(text)
+    field = curves[0].over.field
+    theories = list(dict.fromkeys(name for curve in curves for name in curve.lives))
+    writer.writerow(
+        [
+            "variant",
+            f"{field.name}_{field.unit}",
+            "status",
+            *(f"{name}_h" for name in theories),
+            *(f"{name}_Mrev" for name in theories),
+            *(f"{name}_holds" for name in theories),
+            "viscosity_ratio",
+            "contamination_factor",
+        ]
+    )
+    for curve in curves:
+        nothing = np.full(len(curve), np.nan)
+        for point in range(len(curve)):
+            lives = (curve.lives, curve.revolutions)
+            writer.writerow(
+                [
+                    curve.label,
+                    csv_number(curve.values[point]),
+                    str(curve.status[point]),
+                    *(_written(of.get(name, nothing)[point]) for of in lives for name in theories),
+                    *(
+                        "yes" if name in curve.holds and curve.holds[name][point] else "no"
+                        for name in theories
+                    ),
+                    csv_number(curve.viscosity_ratio[point]),
+                    csv_number(curve.contamination_factor[point]),
+                ]
+            )
+    return text.getvalue()
+
+
+def _written(value: float) -> str:
+    return "inf" if isinf(value) else csv_number(value)
+
+
+def curves_json(curves: Sequence[LifeCurve]) -> str:
+    """Return everything as one JSON object in SI units, hours and millions of revolutions."""
+    first = curves[0]
+    return json_text(
+        {
+            "schema": SCHEMA,
+            "kind": "life_curve",
+            "title": first.case.title,
+            "field": first.field,
+            "unit": first.over.field.unit,
+            "values": first.values,
+            "curves": [_curve_mapping(curve) for curve in curves],
+        }
+    )
+
+
+def _curve_mapping(curve: LifeCurve) -> dict[str, Any]:
+    theories = {
+        name: {
+            "hours": curve.lives[name],
+            "life": curve.revolutions[name],
+            "endless": np.isinf(curve.revolutions[name]).tolist(),
+            "holds": curve.holds[name].tolist(),
+            "notes": {note: where.tolist() for note, where in curve.notes[name].items()},
+        }
+        for name in curve.lives
+    }
+    return {
+        "label": curve.label,
+        "status": curve.status.tolist(),
+        "theories": theories,
+        "viscosity_ratio": curve.viscosity_ratio,
+        "contamination_factor": curve.contamination_factor,
+        "case": curve.case.to_mapping(),
+    }

@@ -1,0 +1,232 @@
+"""The life of several bearings on one shaft for a reader; JSON of it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from math import isfinite
+from typing import TYPE_CHECKING, Any, Final
+
+import numpy as np
+from rich.text import Text
+
+from rolamento.life import knows_most
+from rolamento.report.language import ENGLISH, Words
+from rolamento.report.life_numbers import given_percent, life_text, lives_column, percent, said_of
+from rolamento.report.life_remarks import remarks
+from rolamento.report.medium import Medium
+from rolamento.report.page import Lines, Page
+from rolamento.report.plain_data import json_text
+from rolamento.report.terminal import rendered
+
+if TYPE_CHECKING:
+    from rolamento.studies.shaft import ShaftLife
+
+__all__ = ["shaft_json", "shaft_report"]
+
+SCHEMA: Final = 1
+_LONGEST_NAME: Final = 30
+_BOUND: Final = "ioannides_harris"
+"""A theory for single bearings: bounds of parts say little of the whole."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Words:
+    heading: str
+    reaches: str
+    limit: str
+    no_life: str
+    no_hours: str
+    system: str
+    risk: str
+    legend: str
+    failed: str
+    of_bearing: str
+
+
+_WORDS: Final[Mapping[str, _Words]] = {
+    "en": _Words(
+        heading="Life of {count} bearings on one shaft, in hours",
+        reaches=(
+            "With {reliability} reliability all {count} bearings together reach {hours} h"
+            " ({theory})."
+        ),
+        limit="Bearing {number} limits it, with {share} of the risk.",
+        no_life="Without a result of every bearing there is no life of the shaft.",
+        no_hours="Nothing turns at one of them: there are no hours.",
+        system="together",
+        risk="risk",
+        legend=(
+            "for {reliability} reliability, of each bearing and of all together (Weibull slope"
+            " 10/9); risk: share of each, by the {theory}; * the theory does not hold there"
+        ),
+        failed="bearing {number}: {reason}",
+        of_bearing="bearing {number}",
+    ),
+    "pt": _Words(
+        heading="Vida de {count} rolamentos num eixo, em horas",
+        reaches=(
+            "Com {reliability} de confiabilidade os {count} rolamentos juntos atingem {hours} h"
+            " ({theory})."
+        ),
+        limit="O rolamento {number} a limita, com {share} do risco.",
+        no_life="Sem resultado de todos os rolamentos não há vida do eixo.",
+        no_hours="Num deles nada gira: não há horas.",
+        system="juntos",
+        risk="risco",
+        legend=(
+            "para {reliability} de confiabilidade, de cada rolamento e de todos juntos (inclinação"
+            " de Weibull 10/9); risco: parte de cada um, pela {theory}; * a teoria não vale ali"
+        ),
+        failed="rolamento {number}: {reason}",
+        of_bearing="rolamento {number}",
+    ),
+}
+
+
+def shaft_report(
+    found: ShaftLife,
+    names: Sequence[str],
+    words: Words = ENGLISH,
+    medium: Medium | None = None,
+) -> str:
+    """Return the lives of several bearings as text that ends in a newline.
+
+    Parameters
+    ----------
+    found
+        Of `rolamento.studies.shaft.life_of_shaft`.
+    names
+        Of the bearings: their titles, or files.
+    words
+        The language.
+    medium
+        What the text is shown on; by default plain text of 80 columns in UTF-8.
+    """
+    page = Page(words, medium or Medium())
+    own = _WORDS.get(words.code, _WORDS["en"])
+    parts = [_statement(page, own, found)]
+    if found.hours:
+        parts.append([*_table(page, own, found, names), *_remarks(page, own, found)])
+    return rendered(page.medium, parts)
+
+
+def theory_of(found: ShaftLife) -> str:
+    """Return the theory that knows most of those that hold for all, or of all if none does."""
+    holding = [name for name, holds in found.holds.items() if holds]
+    return knows_most(holding) or knows_most(list(found.hours)) or ""
+
+
+def _statement(page: Page, own: _Words, found: ShaftLife) -> Lines:
+    said, theory = said_of(page), theory_of(found)
+    sentences: list[tuple[str, str]] = []
+    if not found.converged:
+        sentences.append((own.no_life, "bold red"))
+        for number, state in enumerate(found.states, start=1):
+            if not state.status.converged:
+                parts = (page.words.reason(state.status), page.words.advice(state.status))
+                reason = ": ".join(part for part in parts if part)
+                sentences.append((own.failed.format(number=number, reason=reason), "red"))
+    elif not found.holds[theory]:
+        sentences += [(said.none_holds, "bold red"), (said.not_to_be_used, "bold")]
+    elif np.isnan(found.hours[theory]):
+        sentences.append((own.no_hours, "yellow"))
+    else:
+        sentences += _reached(page, own, found, theory)
+    lines = [page.heading(own.heading.format(count=len(found)))]
+    for text, style in sentences:
+        lines += page.hanging(Text("  "), text, style)
+    return lines
+
+
+def _reached(page: Page, own: _Words, found: ShaftLife, theory: str) -> list[tuple[str, str]]:
+    text = own.reaches.format(
+        reliability=given_percent(page, found.reliability),
+        count=len(found),
+        hours=life_text(page, found.hours[theory]),
+        theory=said_of(page).long[theory],
+    )
+    risk = found.risk[theory]
+    if not np.all(np.isfinite(risk)):
+        return [(text, "bold")]
+    most = int(np.argmax(risk))
+    limit = own.limit.format(number=most + 1, share=percent(page, float(risk[most])))
+    return [(text, "bold"), (limit, "")]
+
+
+def _table(page: Page, own: _Words, found: ShaftLife, names: Sequence[str]) -> Lines:
+    """Set bearings below each other, theories side by side, all together at the foot."""
+    said, theory = said_of(page), theory_of(found)
+    shown = [name for name in said.names if name in found.hours and name != _BOUND]
+    columns: list[Lines] = []
+    for name in shown:
+        lives = [*found.bearing_hours[name].tolist(), found.hours[name]]
+        cells = lives_column(page, lives)
+        holds = [s is not None and bool(s[name].holds[0]) for s in found.lives]
+        marked = [
+            page.text(f"{cell}{' ' if fine else '*'}", "" if fine else "yellow")
+            for cell, fine in zip(cells, [*holds, found.holds[name]], strict=True)
+        ]
+        marked[-1].stylize("bold")
+        columns.append([page.text(f"{word} ") for word in said.short[name]] + marked)
+    risk = [percent(page, float(share)) for share in found.risk[theory]]
+    columns.append([Text(), page.text(own.risk), *map(page.text, [*risk, ""])])
+    room = page.medium.width - page.width_of(columns) - 8
+    labels = [page.text(_shortened(name, min(room, _LONGEST_NAME))) for name in names]
+    first = [
+        [Text(), Text(), *(page.text(str(n + 1), "dim") for n in range(len(found))), Text()],
+        [Text(), Text(), *labels, page.text(own.system, "bold")],
+    ]
+    table = page.columns(list(zip(*first, *columns, strict=True)), "rl" + "r" * len(columns))
+    legend = own.legend.format(
+        reliability=given_percent(page, found.reliability), theory=said.long[theory]
+    )
+    return [*table, *page.hanging(Text("  "), legend, "dim")]
+
+
+def _shortened(name: str, room: int) -> str:
+    most = max(room, 4)
+    return name if len(name) <= most else f"{name[: most - 1]}…"
+
+
+def _remarks(page: Page, own: _Words, found: ShaftLife) -> Lines:
+    notes = [
+        (life.theory, name, own.of_bearing.format(number=number))
+        for number, summary in enumerate(found.lives, start=1)
+        if summary is not None
+        for life in summary.theories.values()
+        if life.theory != _BOUND
+        for name in life.notes_of()
+    ]
+    return remarks(page, notes, sum(name != _BOUND for name in found.hours))
+
+
+def shaft_json(found: ShaftLife, names: Sequence[str]) -> str:
+    """Return everything as one JSON object, lives in hours and millions of revolutions."""
+    return json_text(
+        {
+            "schema": SCHEMA,
+            "kind": "shaft_life",
+            "reliability": found.reliability,
+            "bearings": [
+                {
+                    "name": name,
+                    "status": state.status.code,
+                    "life": None if summary is None else summary.to_mapping(),
+                    "case": state.case.to_mapping(),
+                }
+                for name, state, summary in zip(names, found.states, found.lives, strict=True)
+            ],
+            "together": {name: _together(found, name) for name in found.hours},
+        }
+    )
+
+
+def _together(found: ShaftLife, name: str) -> dict[str, Any]:
+    hours = found.hours[name]
+    return {
+        "hours": hours if isfinite(hours) else None,
+        "endless": bool(np.isposinf(hours)),
+        "holds": found.holds[name],
+        "risk": found.risk[name],
+    }
