@@ -133,11 +133,15 @@ def test_lives_that_cannot_be_drawn(
     file: str, kind: str, message: str, run: Run, state: ro.State
 ) -> None:
     angular = state.case.bearing
-    write_living("steep.json", angular.replace(contact_angle=1.1), LIVING)
-    write_living("angular.json", angular, LIVING)
-    write_living("oilless.json", ro.Bearing.named("6305"), None)
-    bare = {**state.to_mapping(), "case": None}
-    Path("bare.json").write_text(json.dumps(bare), encoding="utf-8")
+    if file == "steep.json":
+        write_living(file, angular.replace(contact_angle=1.1), LIVING)
+    elif file == "angular.json":
+        write_living(file, angular, LIVING)
+    elif file == "oilless.json":
+        write_living(file, ro.Bearing.named("6305"), None)
+    elif file == "bare.json":
+        mapping = {**state.to_mapping(), "case": None}
+        Path(file).write_text(json.dumps(mapping), encoding="utf-8")
     code, out = run(file, "--kind", kind, "-o", "figure.png")
     assert code == 2
     assert message in out
