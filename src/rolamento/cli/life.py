@@ -115,7 +115,7 @@ def life(
         _check_files(read, {"--json": json, "--csv": csv, "--plot": plot}, over, spectrum)
         own = list(settings or ())
         if reliability is not None:
-            own.append(f"life.reliability={reliability!r}")
+            own.append(_setting_of(reliability))
         cases = [rolamento.load_case(path, own) for path in case]
         table = _factor_table(nsk_table, cases)
         if over is not None:
@@ -128,6 +128,18 @@ def life(
         else:
             solved = _one(cases[0], table, json, lang)
     raise typer.Exit(SOLVED if solved else NO_RESULT)
+
+
+def _setting_of(reliability: float) -> str:
+    """Return the setting that an option stands for."""
+    from rolamento.studies.fields import read_field
+
+    field = read_field("life.reliability")
+    try:
+        field.checked(reliability, in_file=True)
+    except InputError as error:
+        raise error.with_details(field="--reliability", example="--reliability 0.95") from None
+    return f"{field.name}={reliability!r}"
 
 
 def _check(cases: list[str], over: str | None, spectrum: str | None, variants: list[str]) -> None:

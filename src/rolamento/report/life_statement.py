@@ -43,6 +43,8 @@ def statement(
     chosen = summary.best_that_holds()
     if chosen is None:
         sentences = _warning(page, summary)
+    elif _endless_note(chosen) or isinf(chosen.life[0]):
+        sentences = [_endless(page, state, chosen), *_wanted(page, summary)]
     else:
         sentences = [_life(page, state, chosen), *_left_out(page, summary, chosen)]
         sentences += [*_limit(page, state, summary), *_help(page, summary, changes)]
@@ -76,15 +78,28 @@ def wanted_sentence(page: Page, wanted: float, reliability: float) -> str:
 
 
 def _life(page: Page, state: State, chosen: Life) -> Sentence:
-    said = said_of(page)
-    what = said.several if state.case.bearing.is_set else said.one
     life, hours = float(chosen.life[0]), float(chosen.hours[0])
-    if isinf(life):
-        name = next((name for name in _ENDLESS_NOTES if name in chosen.notes_of()), "")
-        reason = said.notes.get(name, "")
-        text = said.endless_life.format(what=what, theory=said.long[chosen.theory], reason=reason)
-        return text.strip(), "bold"
+    what = _what(page, state)
     return reached(page, chosen.theory, life, hours, chosen.reliability, what), "bold"
+
+
+def _endless(page: Page, state: State, chosen: Life) -> Sentence:
+    """Say that fatigue ends no such life, and why."""
+    said = said_of(page)
+    text = said.endless_life.format(
+        what=_what(page, state),
+        theory=said.long[chosen.theory],
+        reason=said.notes.get(_endless_note(chosen), ""),
+    )
+    return text.strip(), "bold"
+
+
+def _endless_note(chosen: Life) -> str:
+    return next((name for name in _ENDLESS_NOTES if name in chosen.notes_of()), "")
+
+
+def _what(page: Page, state: State) -> str:
+    return said_of(page).several if state.case.bearing.is_set else said_of(page).one
 
 
 def _limit(page: Page, state: State, summary: LifeSummary) -> list[Sentence]:

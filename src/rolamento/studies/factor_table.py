@@ -15,6 +15,11 @@ from rolamento.studies.csv_tables import read_csv_table
 __all__ = ["read_factor_table"]
 
 _MOST_ROWS: Final = 1000
+_NAMES: Final = {
+    "viscosity_ratio": "κ of the rows",
+    "load_parameter": "load parameters of the header",
+    "factor": "a_NSK",
+}
 _EXAMPLE: Final = "kappa,0.01,0.05,0.2"
 
 
@@ -51,7 +56,8 @@ def read_factor_table(path: str | os.PathLike[str]) -> FactorTable:
     try:
         return FactorTable(array[:, 0], np.array(loads), array[:, 1:])
     except InputError as error:
-        raise error.with_details(source=table.source) from None
+        field = _NAMES.get(error.field, error.field)
+        raise error.with_details(source=table.source, field=field) from None
 
 
 def _number(text: str, source: str, line: int, column: str) -> float:
