@@ -25,6 +25,7 @@ if TYPE_CHECKING:
         parse_case,
         save_case,
     )
+    from rolamento.catalogue import geometry_of
     from rolamento.duty import Displacement, Duty, Load
     from rolamento.equilibrium import BatchState
     from rolamento.errors import (
@@ -35,6 +36,8 @@ if TYPE_CHECKING:
         UnknownKeyError,
     )
     from rolamento.film_model import FilmModel
+    from rolamento.life import LifeConditions, LifeSummary
+    from rolamento.life_model import LifeModel
     from rolamento.lubricant import Lubricant
     from rolamento.material import Material
     from rolamento.model import Model
@@ -57,6 +60,9 @@ __all__ = [
     "FileError",
     "FilmModel",
     "InputError",
+    "LifeConditions",
+    "LifeModel",
+    "LifeSummary",
     "Load",
     "Lubricant",
     "Material",
@@ -74,6 +80,7 @@ __all__ = [
     "analyse_batch",
     "case_to_json",
     "case_to_toml",
+    "geometry_of",
     "load_case",
     "override",
     "parse_case",
@@ -94,10 +101,13 @@ _NAMES_OF_MODULES: Final = {
         "parse_case",
         "save_case",
     ),
+    "catalogue": ("geometry_of",),
     "duty": ("Displacement", "Duty", "Load"),
     "equilibrium": ("BatchState",),
     "errors": ("FileError", "InputError", "RolamentoError", "UnitError", "UnknownKeyError"),
     "film_model": ("FilmModel",),
+    "life": ("LifeConditions", "LifeSummary"),
+    "life_model": ("LifeModel",),
     "lubricant": ("Lubricant",),
     "material": ("Material",),
     "model": ("Model",),
