@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, Final, Literal, NamedTuple
 
 import numpy as np
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from rolamento.plots.axes_units import MEGAPASCAL
 from rolamento.plots.frame import GREY, add_title, empty_frame, legend_above
@@ -35,13 +35,13 @@ class BearingTests(NamedTuple):
     """Bearings that ran: what they are called, how long and under what they ran, which failed.
 
     revolutions: millions; load: P/C, or Pa on a figure over pressure; failed: else they were
-    taken off whole. Arrays (bearings,).
+    taken off whole. Of each, (bearings,).
     """
 
     label: str
-    revolutions: Floats
-    load: Floats
-    failed: NDArray[np.bool_]
+    revolutions: ArrayLike
+    load: ArrayLike
+    failed: ArrayLike
 
 
 def sn_figure(
@@ -102,8 +102,10 @@ def load_over_life(
             _tests(axes, one, number, by, words)
         if by == "load":
             axes.axhline(lives.fatigue_load, color=GREY, linewidth=0.9, label=words.fatigue_load)
-        ran = [one.revolutions[one.revolutions > 0.0] for one in tests]
-        least = min([limits[0], *(float(r.min()) / _ROOM for r in ran if r.size)])
+        ran = np.array(
+            [limits[0] * _ROOM, *(n for one in tests for n in np.ravel(one.revolutions))]
+        )
+        least = float(ran[ran > 0.0].min()) / _ROOM
         decades(axes, "x", (least, limits[1]), shared)
         decades(axes, "y", _upright_limits(lives, upright, by), shared)
         axes.set_xlabel(words.revolutions, parse_math=False)
@@ -127,17 +129,24 @@ def _line(
 
 def _tests(axes: Axes, tests: BearingTests, number: int, by: By, words: LifeWords) -> None:
     look = SERIES[(number + 1) % len(SERIES)]
-    load = tests.load if by == "load" else MEGAPASCAL.of(tests.load)
+    ran, load = np.asarray(tests.revolutions, np.float64), np.asarray(tests.load, np.float64)
+    upright = load if by == "load" else MEGAPASCAL.of(load)
+    failed = np.asarray(tests.failed, np.bool_)
     for chosen, said, face in (
-        (tests.failed, words.failed, look.color),
-        (~tests.failed, words.standing, "white"),
+        (failed, words.failed, look.color),
+        (~failed, words.standing, "white"),
     ):
         if chosen.any():
             axes.plot(
-                tests.revolutions[chosen], load[chosen], label=f"{tests.label}: {said}",
+                ran[chosen], upright[chosen], label=f"{tests.label}: {said}",
                 color=look.color, marker=look.marker, markerfacecolor=face, markersize=5.0,
                 linestyle="", zorder=2.5,
             )  # fmt: skip
+
+
+def _shortest(tests: BearingTests) -> float:
+    ran = np.asarray(tests.revolutions, np.float64)
+    return float(np.min(ran, initial=np.inf, where=ran > 0.0))
 
 
 def _upright_limits(lives: LoadLives, upright: Floats, by: By) -> tuple[float, float]:
