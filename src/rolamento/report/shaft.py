@@ -48,7 +48,7 @@ _WORDS: Final[Mapping[str, _Words]] = {
     "en": _Words(
         heading="Life of {count} bearings on one shaft, in hours",
         reaches=(
-            "With {reliability} reliability all {count} bearings together reach {hours} h"
+            "With {reliability} reliability the {count} bearings together reach {hours} h"
             " ({theory})."
         ),
         limit="Bearing {number} limits it, with {share} of the risk.",
@@ -61,7 +61,7 @@ _WORDS: Final[Mapping[str, _Words]] = {
             " 10/9); risk: share of each, by the {theory}; * the theory does not hold there"
         ),
         failed="bearing {number}: {reason}",
-        of_bearing="bearing {number}",
+        of_bearing="bearing {numbers}",
     ),
     "pt": _Words(
         heading="Vida de {count} rolamentos num eixo, em horas",
@@ -79,7 +79,7 @@ _WORDS: Final[Mapping[str, _Words]] = {
             " de Weibull 10/9); risco: parte de cada um, pela {theory}; * a teoria não vale ali"
         ),
         failed="rolamento {number}: {reason}",
-        of_bearing="rolamento {number}",
+        of_bearing="rolamento {numbers}",
     ),
 }
 
@@ -190,15 +190,21 @@ def _shortened(name: str, room: int) -> str:
 
 
 def _remarks(page: Page, own: _Words, found: ShaftLife) -> Lines:
+    """Say what stands against the theories, and of which bearings; of all if none is named."""
+    numbers: dict[tuple[str, str], list[str]] = {}
+    for number, summary in enumerate(found.lives, start=1):
+        for life in () if summary is None else summary.theories.values():
+            for name in () if life.theory == _BOUND else life.notes_of():
+                numbers.setdefault((life.theory, name), []).append(str(number))
     notes = [
-        (life.theory, name, own.of_bearing.format(number=number))
-        for number, summary in enumerate(found.lives, start=1)
-        if summary is not None
-        for life in summary.theories.values()
-        if life.theory != _BOUND
-        for name in life.notes_of()
+        (theory, name, "" if len(own_numbers) == len(found) else _place(own, own_numbers))
+        for (theory, name), own_numbers in numbers.items()
     ]
     return remarks(page, notes, sum(name != _BOUND for name in found.hours))
+
+
+def _place(own: _Words, numbers: Sequence[str]) -> str:
+    return own.of_bearing.format(numbers=", ".join(numbers))
 
 
 def shaft_json(found: ShaftLife, names: Sequence[str]) -> str:
