@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -11,8 +12,18 @@ from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import to_hex
 
-from rolamento import Bearing, Case, Duty, InputError, Load, State, override, solve
-from rolamento.life import Change, LifeConditions, life, sensitivity
+from rolamento import (
+    Bearing,
+    Case,
+    Duty,
+    InputError,
+    Load,
+    State,
+    override,
+    solve,
+    solve_batch,
+)
+from rolamento.life import Change, LifeConditions, life, life_of_batch, sensitivity
 from rolamento.plots.frame import figure_of
 from rolamento.plots.life import life_figure, lives_by_theory, theory_look
 from rolamento.plots.life_charts import (
@@ -172,6 +183,12 @@ def test_without_any_life_the_frame_says_so(case: Case) -> None:
     assert texts(axes) == ["No result"]
 
 
+def test_endless_lives_are_told(curve: LifeCurve) -> None:
+    endless = {"iso16281": np.full(len(curve), np.inf)}
+    axes = lives_by_theory([replace(curve, lives=endless)])
+    assert texts(axes) == ["fatigue ends no life here"]
+
+
 def test_decades_are_numbered_however_many_there_are() -> None:
     _, axes = new_figure()
     decades(axes, "y", (0.5, 3e8), ENGLISH)
@@ -233,6 +250,17 @@ def test_a_chart_with_a_case_far_out_holds_it(state: State) -> None:
     thin = LifeConditions(viscosity_ratio=0.05, contamination=0.5)
     axes = aiso_chart(life(state, thin, stress_volume=False))
     assert "there is no a_ISO for this case" in texts(axes)
+
+
+def test_several_cases_lie_on_one_chart(case: Case) -> None:
+    batch = solve_batch(case, fz=[1e3, 4e3, 8e3])
+    summary = life_of_batch(case, batch)
+    axes = aiso_chart(summary)
+    mark = line(axes, "ISO/TS 16281, modified")
+    np.testing.assert_allclose(
+        mark.get_ydata(), summary["iso16281_modified"].factors["a_iso"], rtol=1e-12
+    )
+    assert len(mark.get_xdata()) == 3
 
 
 def test_additives_are_told(state: State) -> None:

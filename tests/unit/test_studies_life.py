@@ -15,6 +15,7 @@ from rolamento.studies import Axis, Distribution, Scatter, Study, parse_study, r
 from rolamento.studies.fields import known_fields
 from rolamento.studies.outputs import catalogue
 from rolamento.studies.solving import array_fields, base_case
+from rolamento.studies.tolerance import tolerance_bands
 
 HOUR = 3600.0
 DUTY = Duty(inner_speed=200.0, load=Load(fx=500.0, fz=3000.0))
@@ -367,3 +368,31 @@ def test_a_study_file_names_them(case: Case) -> None:
     text = study_to_json(study)
     assert parse_study(text, format="json").outputs == study.outputs
     assert "life_hours" in json.loads(text)["outputs"]
+
+
+def test_a_mounted_bearing_lives_with_its_clearance_in_operation(case: Case) -> None:
+    mounted = case.replace(
+        mounting={"shaft_tolerance": "k5", "housing_tolerance": "J7"},
+        temperature={"lubricant": 343.15, "inner_ring": 343.15, "outer_ring": 338.15},
+    )
+    warm = (338.15, 358.15)
+    found = run(over(mounted, "temperature.inner_ring", warm, "life_hours", "life_hours_iso281"))
+    assert (found["status"] == 0).all()
+    for place, value in enumerate(warm):
+        check(found, place, numbers_of(mounted, {"temperature.inner_ring": value}))
+    assert found["life_hours"][0] != found["life_hours"][1]
+    assert found["life_hours_iso281"][0] == found["life_hours_iso281"][1]
+
+
+def test_an_endless_life_is_no_failure_and_in_no_percentile(case: Case) -> None:
+    law = Distribution(distribution="uniform", least=20.0, greatest=2000.0)
+    scatter = Scatter(count=60, fields={"duty.load.fz": law})
+    light = case.replace(duty=Duty(inner_speed=200.0, load=Load(fz=100.0)))
+    name = "life_hours_ioannides_harris"
+    found = run(Study(case=light, outputs=(name, "life_hours"), scatter=scatter))
+    assert (found["status"] == 0).all()
+    endless = np.isinf(found[name].values)
+    assert 0 < endless.sum() < 30
+    bands = tolerance_bands(found, (5.0, 50.0, 95.0))
+    assert bands[name].count == 60 - endless.sum()
+    assert np.isfinite(bands[name].percentile).all()

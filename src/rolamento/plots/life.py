@@ -82,11 +82,12 @@ def lives_by_theory(
     with styled():
         axes = new_figure(height=110.0)[1] if axes is None else axes
         own = curves[0]
-        turns = any(np.isfinite(life).any() for life in own.lives.values())
+        turns = any(not np.isnan(life).all() for life in own.lives.values())
         lines = list(_lines(curves, turns, words))
         limits = life_limits((life, theory) for life, _, theory, _, _ in lines)
         if limits is None:
-            return empty_frame(axes, shared.no_result)
+            endless = any(np.isposinf(life).any() for life, *_ in lines)
+            return empty_frame(axes, words.endless if endless else shared.no_result)
         x, faint = read_values(own.over.field, own.values)[0], False
         for life, holds, _, name, look in lines:
             beyond = not np.any(life < limits[1])

@@ -18,6 +18,7 @@ class LifeWords:
     theories: Mapping[str, str]
     faint: str
     above: str
+    endless: str
     own: str
     wanted: str
     load: str
@@ -54,6 +55,7 @@ _ENGLISH: Final = LifeWords(
     },
     faint="faint: the theory does not hold there",
     above="{name}, above",
+    endless="fatigue ends no life here",
     own="this case",
     wanted="wanted life",
     load="P/C (ISO 281)",
@@ -117,6 +119,7 @@ _PORTUGUESE: Final = LifeWords(
     },
     faint="claro: a teoria não vale ali",
     above="{name}, acima",
+    endless="a fadiga não acaba com nenhuma vida aqui",
     own="este caso",
     wanted="vida desejada",
     load="P/C (ISO 281)",
