@@ -20,13 +20,13 @@ from typing import Final
 import numpy as np
 
 from rolamento.numerics import FloatArray
-from rolamento.numerics.root import ValueAndSlope, increasing_root
 from rolamento.reliability.fit import WeibullFit
 from rolamento.reliability.life_test import LifeTest
 from rolamento.reliability.likelihood import Likelihood
 from rolamento.reliability.quantity import Quantity
+from rolamento.reliability.roots import ValueAndSlope, rising_root
 
-__all__ = ["fisher_limits", "likelihood_ratio_limits", "profile_fall"]
+__all__ = ["Hill", "fisher_limits", "likelihood_ratio_limits", "profile_fall"]
 
 _FARTHEST: Final = {"shape": 15.0, "life": 300.0, "reliability": 300.0}
 _MUCH: Final = 1e200
@@ -38,77 +38,83 @@ def fisher_limits(
     """Limits by the observed information: (quantities, tails); tails: probability below."""
     from scipy.special import ndtri
 
-    place, points = _Place(test, fit), np.asarray(ndtri(tails))
+    hill, points = _hill(test, fit), np.asarray(ndtri(tails))
     return np.array(
-        [
-            place.value_of(quantity, place.coordinate(quantity) + points * place.spread(quantity))
-            for quantity in quantities
-        ]
+        [hill.value_of(q, hill.coordinate(q) + points * hill.spread(q)) for q in quantities]
     )
 
 
 def likelihood_ratio_limits(
-    test: LifeTest, fit: WeibullFit, quantities: list[Quantity], tails: FloatArray
+    test: LifeTest, fit: WeibullFit, quantities: list[Quantity], roots: FloatArray
 ) -> FloatArray:
-    """Limits by the likelihood ratio: (quantities, tails); tails: probability below."""
-    from scipy.special import ndtri
+    """Limits by the likelihood ratio: (quantities, limits).
 
-    place, points = _Place(test, fit), np.asarray(ndtri(tails))
-    limits = []
-    for quantity in quantities:
-        side, farthest = np.sign(points), np.full(len(points), _FARTHEST[quantity.kind])
-        start = np.minimum(np.abs(points) * place.spread(quantity), 0.5 * farthest)
+    roots: (quantities, limits), the roots of twice the fall of the likelihood there, with the sign
+    of the limit less the estimate; quantiles of the normal distribution for many failures.
+    """
+    hill = _hill(test, fit)
+    return np.array([_limits(hill, q, points) for q, points in zip(quantities, roots, strict=True)])
 
-        def excess(
-            distance: FloatArray, quantity: Quantity = quantity, side: FloatArray = side
-        ) -> tuple[FloatArray, FloatArray]:
-            fall, slope = place.fall(quantity, side, distance)
-            return fall - points**2, slope
 
-        moved, found = increasing_root(
-            excess, start, np.zeros_like(start), farthest, tolerance=1e-10
-        )
-        # where the likelihood hardly falls however far one goes, that side is open
-        if not np.all(found):
-            moved = np.where(~found & (excess(farthest)[0] < 0.0), np.inf, moved)
-        moved = np.where(points == 0.0, 0.0, moved)
-        with np.errstate(invalid="ignore"):
-            limits.append(place.value_of(quantity, place.coordinate(quantity) + side * moved))
-    return np.array(limits)
+def _limits(hill: Hill, quantity: Quantity, roots: FloatArray) -> FloatArray:
+    """Limits of one quantity."""
+    side, farthest = np.sign(roots), np.full(len(roots), _FARTHEST[quantity.kind])
+    top = hill.coordinate(quantity)
+
+    def excess(distance: FloatArray) -> tuple[FloatArray, FloatArray]:
+        fall, slope = hill.fall(quantity, top + side * distance)
+        return fall - roots**2, side * slope
+
+    start = np.minimum(np.abs(roots) * hill.spread(quantity), 0.5 * farthest)
+    moved, found = rising_root(excess, start, np.zeros_like(start), farthest, tolerance=1e-10)
+    # where the likelihood hardly falls however far one goes, that side is open
+    if not np.all(found):
+        moved = np.where(~found & (excess(farthest)[0] < 0.0), np.inf, moved)
+    moved = np.where(roots == 0.0, 0.0, moved)
+    with np.errstate(invalid="ignore"):
+        return hill.value_of(quantity, top + side * moved)
 
 
 def profile_fall(
     test: LifeTest, fit: WeibullFit, quantity: Quantity, value: float
 ) -> tuple[float, float]:
     """Twice the fall of the likelihood at a value of a quantity, and its side: -1 or 1."""
-    place = _Place(test, fit)
-    moved = place.coordinate_of(quantity, value) - place.coordinate(quantity)
-    side = np.array([np.sign(moved)])
-    fall = place.fall(quantity, side, np.array([abs(moved)]))[0]
-    return max(float(fall[0]), 0.0), float(side[0])
+    hill = _hill(test, fit)
+    there = np.array([hill.coordinate_of(quantity, value)])
+    side = np.sign(there - hill.coordinate(quantity))
+    return max(float(hill.fall(quantity, there)[0][0]), 0.0), float(side[0])
 
 
-class _Place:
-    """The maximum of a likelihood, and the likelihood around it."""
+def _hill(test: LifeTest, fit: WeibullFit) -> Hill:
+    return Hill(Likelihood.of(test), np.array([fit.shape]), np.log([fit.scale]))
 
-    def __init__(self, test: LifeTest, fit: WeibullFit) -> None:
-        self._likelihood = Likelihood.of(test)
-        self._origin = self._likelihood.origin
-        self._failures = float(test.failures)
-        self._a = fit.shape
-        self._b = fit.shape * (self._origin - float(np.log(fit.scale)))
-        top = self._likelihood.at(np.array([self._a]), np.array([self._b]))
-        self._top = float(top.value[0])
-        aa, ab, bb = float(top.aa[0]), float(top.ab[0]), float(top.bb[0])
-        self._variance = np.array([[-bb, ab], [ab, -aa]]) / (aa * bb - ab * ab)
 
-    def coordinate(self, quantity: Quantity) -> float:
-        """Value of a quantity at the maximum, where it is nearly normal."""
+class Hill:
+    """The maximum of a likelihood, and how it falls around it; one, or one a lane.
+
+    A quantity is measured where it is nearly normal: ln β, ln t_R from the likelihood's origin,
+    -ln(-ln R).
+
+    Parameters
+    ----------
+    likelihood : of one test, or of many with the same times.
+    shape, log_scale : (1,) or (lanes,), of its maximum.
+    """
+
+    def __init__(self, likelihood: Likelihood, shape: FloatArray, log_scale: FloatArray) -> None:
+        self._likelihood = likelihood
+        self._origin = likelihood.origin
+        self._failures = np.atleast_1d(likelihood.failures)
+        self._a, self._b = shape, shape * (self._origin - log_scale)
+        self._top = likelihood.at(self._a, self._b)
+
+    def coordinate(self, quantity: Quantity) -> FloatArray:
+        """Coordinate of a quantity at the maximum."""
         if quantity.kind == "shape":
-            return float(np.log(self._a))
+            return np.asarray(np.log(self._a))
         if quantity.kind == "life":
-            return (quantity.log_risk - self._b) / self._a
-        return -self._a * self._log_time(quantity) - self._b
+            return np.asarray((quantity.log_risk - self._b) / self._a)
+        return np.asarray(-self._a * self._log_time(quantity) - self._b)
 
     def coordinate_of(self, quantity: Quantity, value: float) -> float:
         """The same of another value."""
@@ -124,38 +130,40 @@ class _Place:
             shift = self._origin if quantity.kind == "life" else 0.0
             return np.asarray(np.exp(coordinate + shift))
 
-    def spread(self, quantity: Quantity) -> float:
-        """Standard deviation of the coordinate."""
+    def spread(self, quantity: Quantity) -> FloatArray:
+        """Standard deviation of the coordinate, by the observed information."""
         if quantity.kind == "shape":
-            slope = np.array([1.0 / self._a, 0.0])
+            slope_a, slope_b = 1.0 / self._a, np.zeros_like(self._a)
         elif quantity.kind == "life":
-            slope = np.array([self.coordinate(quantity), 1.0]) / self._a
+            slope_a, slope_b = self.coordinate(quantity) / self._a, 1.0 / self._a
         else:
-            slope = np.array([self._log_time(quantity), 1.0])
-        return float(np.sqrt(max(float(slope @ self._variance @ slope), 0.0)))
+            slope_a, slope_b = (
+                np.full_like(self._a, self._log_time(quantity)),
+                np.ones_like(self._a),
+            )
+        aa, ab, bb = self._top.aa, self._top.ab, self._top.bb
+        form = -bb * slope_a**2 + 2.0 * ab * slope_a * slope_b - aa * slope_b**2
+        return np.asarray(np.sqrt(np.maximum(form / (aa * bb - ab * ab), 0.0)))
 
-    def fall(
-        self, quantity: Quantity, side: FloatArray, distance: FloatArray
-    ) -> tuple[FloatArray, FloatArray]:
-        """Twice the fall of the likelihood so far away, and its slope; arrays (lanes,)."""
-        there = self.coordinate(quantity) + side * distance
+    def fall(self, quantity: Quantity, there: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Twice the fall of the likelihood at coordinates, and its slope; arrays (lanes,)."""
         if quantity.kind == "shape":
             a = np.exp(there)
             b = self._best_b(a)
             here = self._likelihood.at(a, b)
-            slope = -side * a * here.a
+            slope = -a * here.a
         elif quantity.kind == "life":
             w = np.full_like(there, quantity.log_risk)
             a = self._best_a(w, there)
             here = self._likelihood.at(a, w - a * there)
-            slope = side * a * here.b
+            slope = a * here.b
         else:
             c = np.full_like(there, self._log_time(quantity))
             a = self._best_a(-there, c)
             here = self._likelihood.at(a, -there - a * c)
-            slope = side * here.b
+            slope = here.b
         with np.errstate(over="ignore"):
-            return np.minimum(2.0 * (self._top - here.value), _MUCH), _bounded(2.0 * slope)
+            return np.minimum(2.0 * (self._top.value - here.value), _MUCH), _bounded(2.0 * slope)
 
     def _best_a(self, w: FloatArray, c: FloatArray) -> FloatArray:
         """Best a on the line b = w - a c."""
@@ -177,7 +185,7 @@ class _Place:
                 here = self._likelihood.at(a, np.log(level))
                 return self._compressed(-here.b, -here.bb / level)
 
-        return np.asarray(np.log(self._root(falling, float(np.exp(self._b)), a)))
+        return np.asarray(np.log(self._root(falling, np.exp(self._b), a)))
 
     def _compressed(self, value: FloatArray, slope: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Return what has the same root but does not grow like an exponential."""
@@ -186,9 +194,9 @@ class _Place:
         return np.sign(value) * np.log(size / self._failures), slope / size
 
     @staticmethod
-    def _root(function: ValueAndSlope, start: float, like: FloatArray) -> FloatArray:
+    def _root(function: ValueAndSlope, start: FloatArray, like: FloatArray) -> FloatArray:
         zeros = np.zeros_like(like)
-        root, _ = increasing_root(function, zeros + start, zeros, zeros + np.inf, tolerance=1e-12)
+        root, _ = rising_root(function, zeros + start, zeros, zeros + np.inf, tolerance=1e-12)
         return root
 
     def _log_time(self, quantity: Quantity) -> float:

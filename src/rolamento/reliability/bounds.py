@@ -13,6 +13,7 @@ from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.reliability._checks import generator, one_of, sample_count, shape_of, share
 from rolamento.reliability.asymptotic import fisher_limits, likelihood_ratio_limits
+from rolamento.reliability.calibrated import calibrated_limits
 from rolamento.reliability.censoring import model_of
 from rolamento.reliability.fit import ADVICE, NOTES, WeibullFit
 from rolamento.reliability.fixed_shape import fixed_shape, fixed_shape_limits
@@ -25,6 +26,7 @@ __all__ = ["METHODS", "Bounds", "Method", "Sides", "all_bounds", "bounds"]
 
 Method = Literal[
     "pivotal",
+    "calibrated_likelihood_ratio",
     "likelihood_ratio",
     "fisher",
     "parametric_percentile",
@@ -197,9 +199,12 @@ def all_bounds(
     limits = np.full((len(wanted), len(tails)), np.nan)
     code, drawn, notes = fit.code, (0, 0, 0), fit.notes
     if fit.converged and chosen in _ANALYTIC:
-        find = fisher_limits if chosen == "fisher" else likelihood_ratio_limits
-        limits = find(test, fit, wanted, tails)
+        limits = _analytic(test, fit, chosen, wanted, tails)
         notes = (*notes, "large_sample_method")
+    elif fit.converged and chosen == "calibrated_likelihood_ratio":
+        limits, drawing = calibrated_limits(test, fit, wanted, tails, count, random)
+        code, drawn = drawing.code, (drawing.samples, drawing.dropped, int(seed))
+        notes = (*notes, *drawing.notes)
     elif fit.converged:
         limits, draws = sampled_limits(test, fit, chosen, wanted, tails, count, random)
         code, drawn = draws.code, (draws.samples, draws.dropped, int(seed))
@@ -221,6 +226,17 @@ def _method(test: LifeTest, method: str | None, shape: float | None) -> str:
             example="1.5",
         )
     return method
+
+
+def _analytic(
+    test: LifeTest, fit: WeibullFit, method: str, quantities: list[Quantity], tails: FloatArray
+) -> FloatArray:
+    if method == "fisher":
+        return fisher_limits(test, fit, quantities, tails)
+    from scipy.special import ndtri
+
+    roots = np.broadcast_to(ndtri(tails), (len(quantities), len(tails)))
+    return likelihood_ratio_limits(test, fit, quantities, roots)
 
 
 def _at_fixed_shape(

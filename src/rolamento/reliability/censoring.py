@@ -15,55 +15,28 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Final, Protocol, Self, TypeVar
+from typing import Final, Self, TypeVar
 
 import numpy as np
 
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.reliability import concave, profile
+from rolamento.reliability.drawing import Model, RightCensored, portions
 from rolamento.reliability.life_test import LifeTest
 from rolamento.reliability.likelihood import Likelihood
 from rolamento.reliability.profile import BatchFit, Rows
 
 __all__ = [
-    "Model",
-    "RightCensored",
+    "FirstFailures",
+    "Inspected",
     "draw_common_fits",
     "draw_fits",
+    "fits_of",
     "model_of",
-    "portions",
     "right_censored_model",
 ]
 
 MOST_BLOCKS: Final = 20_000
-_AT_ONCE: Final = 2_000_000
-_MOST_DRAWN: Final = 400_000_000
-
-
-class Model(Protocol):
-    """How a test is drawn. width: numbers in one drawn test. exact: only lives are random."""
-
-    @property
-    def width(self) -> int:
-        """Numbers in one drawn test."""
-
-    @property
-    def exact(self) -> bool:
-        """Whether only lives are random."""
-
-    def fits(
-        self, shape: float, log_scale: float, samples: int, random: np.random.Generator
-    ) -> BatchFit:
-        """Draw so many tests and fit each."""
-
-
-class RightCensored(Model, Protocol):
-    """A model whose tests are right-censored, so that groups of them can be fitted together."""
-
-    def rows(
-        self, shape: float, log_scale: float, samples: int, random: np.random.Generator
-    ) -> Rows:
-        """Draw so many tests."""
 
 
 AnyModel = TypeVar("AnyModel", bound=Model)
@@ -113,13 +86,6 @@ def draw_common_fits(
     return profile.joined(parts)
 
 
-def portions(width: int, samples: int) -> list[int]:
-    """Part so many drawn tests into portions that fit into memory; fewer of very large tests."""
-    samples = min(samples, max(_MOST_DRAWN // width, 100))
-    step = max(_AT_ONCE // width, 1)
-    return [min(step, samples - first) for first in range(0, samples, step)]
-
-
 @dataclass(frozen=True, slots=True)
 class FirstFailures:
     """All bearings are stopped at the r-th failure of n; all fail where r = n."""
@@ -127,6 +93,7 @@ class FirstFailures:
     size: int
     failures: int
     exact: bool = True
+    inspected: bool = False
 
     @property
     def width(self) -> int:
@@ -165,6 +132,7 @@ class Blocks:
     known: FloatArray
     cumulated: FloatArray
     skipped: FloatArray
+    inspected: bool = False
 
     @classmethod
     def of(cls, test: LifeTest) -> Self:
@@ -224,6 +192,7 @@ class Inspected:
     schedule: FloatArray
     blocks: Blocks
     exact: bool = False
+    inspected: bool = True
 
     @classmethod
     def of(cls, test: LifeTest) -> Self:
@@ -236,10 +205,10 @@ class Inspected:
         """Numbers in one drawn test."""
         return self.blocks.width
 
-    def fits(
+    def likelihood(
         self, shape: float, log_scale: float, samples: int, random: np.random.Generator
-    ) -> BatchFit:
-        """Draw so many tests and fit each."""
+    ) -> Likelihood:
+        """Draw so many tests: one a lane of a likelihood."""
         rows = self.blocks.rows(shape, log_scale, samples, random)
         cells = len(self.schedule)
         failed = np.broadcast_to(rows.failures, rows.log_time.shape) > 0.0
@@ -251,20 +220,29 @@ class Inspected:
             np.bincount(place[which], minlength=samples * cells).reshape(samples, cells)
             for which in (failed, ~failed)
         )
-        fit = concave.maximise(
-            Likelihood(
-                0.0,
-                np.empty(0),
-                np.empty((samples, 0)),
-                self.schedule,
-                suspended.astype(np.float64),
-                np.append(-np.inf, self.schedule[:-1]),
-                self.schedule,
-                found.astype(np.float64),
-            )
+        return Likelihood(
+            0.0,
+            np.empty(0),
+            np.empty((samples, 0)),
+            self.schedule,
+            suspended.astype(np.float64),
+            np.append(-np.inf, self.schedule[:-1]),
+            self.schedule,
+            found.astype(np.float64),
         )
-        batch = BatchFit(fit.a, (-fit.b / fit.a)[np.newaxis], fit.code)
-        return _with_two_failures(batch, found.sum(axis=1))
+
+    def fits(
+        self, shape: float, log_scale: float, samples: int, random: np.random.Generator
+    ) -> BatchFit:
+        """Draw so many tests and fit each."""
+        return fits_of(self.likelihood(shape, log_scale, samples, random))
+
+
+def fits_of(likelihood: Likelihood) -> BatchFit:
+    """Fit every lane of a likelihood that has two failures at least."""
+    fit = concave.maximise(likelihood)
+    batch = BatchFit(fit.a, (-fit.b / fit.a)[np.newaxis], fit.code)
+    return _with_two_failures(batch, likelihood.failures)
 
 
 def _blocks(test: LifeTest) -> tuple[FloatArray, FloatArray, BoolArray]:

@@ -28,7 +28,8 @@ from rolamento.errors import InputError
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.reliability import profile
 from rolamento.reliability._checks import generator, one_of, sample_count
-from rolamento.reliability.censoring import RightCensored, portions, right_censored_model
+from rolamento.reliability.censoring import right_censored_model
+from rolamento.reliability.drawing import RightCensored, portions
 from rolamento.reliability.fit import ADVICE, NOTES, WeibullFit
 from rolamento.reliability.life_test import LifeTest
 from rolamento.reliability.maximum_likelihood import maximum_likelihood, rows_of

@@ -14,12 +14,12 @@ Sources: Lawless (2003), chapter 5; Burridge (1981) for the concavity.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple, Self
 
 import numpy as np
 
-from rolamento.numerics import FloatArray
+from rolamento.numerics import BoolArray, FloatArray
 from rolamento.reliability.life_test import LifeTest
 
 __all__ = ["Derivatives", "Likelihood"]
@@ -78,6 +78,15 @@ class Likelihood:
             low[interval] - origin,
             y[interval] - origin,
             counts[interval],
+        )
+
+    def lanes(self, which: BoolArray) -> Likelihood:
+        """Return some of the lanes."""
+        return replace(
+            self,
+            failed_counts=self.failed_counts[which],
+            suspended_counts=self.suspended_counts[which],
+            interval_counts=self.interval_counts[which],
         )
 
     @property

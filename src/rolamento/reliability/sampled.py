@@ -22,13 +22,13 @@ Tibshirani (1993), chapters 13 and 14.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Final
 
 import numpy as np
 
 from rolamento.numerics import FloatArray
 from rolamento.reliability import profile
 from rolamento.reliability.censoring import MOST_BLOCKS, draw_fits, model_of
+from rolamento.reliability.drawing import Drawing
 from rolamento.reliability.fit import WeibullFit
 from rolamento.reliability.life_test import LifeTest
 from rolamento.reliability.profile import BatchFit
@@ -36,9 +36,6 @@ from rolamento.reliability.quantity import Quantity
 from rolamento.reliability.resampling import jackknife_fits, resampled_fits
 
 __all__ = ["Draws", "drawn_fits", "pivotal_draws", "sampled_limits"]
-
-_MANY: Final = 0.1
-_LEAST_FITS: Final = 50
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -113,7 +110,8 @@ def sampled_limits(
     elif int(test.size) > MOST_BLOCKS:
         draws = _nothing("too_large")
     else:
-        draws = _settled(resampled_fits(test, samples, random), ("large_sample_method",))
+        fits = resampled_fits(test, samples, random)
+        draws = _kept(fits, Drawing.resampled(len(fits.code), _without_fit(fits)))
     if draws.code != "converged":
         return np.full((len(quantities), len(tails)), np.nan), draws
     levels = _levels(test, fit, method, quantities, tails, draws)
@@ -129,22 +127,27 @@ def drawn_fits(test: LifeTest, fit: WeibullFit, samples: int, random: np.random.
     model = model_of(test)
     if isinstance(model, str):
         return _nothing(model)
-    note = () if model.exact else (
-        ("inspections_shared",) if test.inspected else ("censoring_modelled",)
-    )  # fmt: skip
-    log_scale = float(np.log(fit.scale))
-    return _settled(draw_fits(model, fit.shape, log_scale, samples, random), note)
+    fits = draw_fits(model, fit.shape, float(np.log(fit.scale)), samples, random)
+    return _kept(fits, Drawing.of(model, len(fits.code), _without_fit(fits)))
 
 
-def _settled(fits: BatchFit, notes: tuple[str, ...]) -> Draws:
+def _kept(fits: BatchFit, drawing: Drawing) -> Draws:
+    """Leave out what has no fit."""
+    if drawing.code != "converged":
+        return _nothing(drawing.code)
     good = fits.code == profile.CONVERGED
-    dropped = int(np.count_nonzero(~good))
-    samples = len(good)
-    if samples - dropped < _LEAST_FITS:
-        return _nothing("not_converged")
-    if dropped > _MANY * samples:
-        notes = (*notes, "many_without_fit")
-    return Draws("converged", fits.shape[good], fits.log_scale[0, good], samples, dropped, notes)
+    return Draws(
+        drawing.code,
+        fits.shape[good],
+        fits.log_scale[0, good],
+        drawing.samples,
+        drawing.dropped,
+        drawing.notes,
+    )
+
+
+def _without_fit(fits: BatchFit) -> int:
+    return int(np.count_nonzero(fits.code != profile.CONVERGED))
 
 
 def _nothing(code: str) -> Draws:

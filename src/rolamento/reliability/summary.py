@@ -1,0 +1,453 @@
+"""All that a life test says, group by group: fits, bounds, a calculated life, comparisons."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from math import isfinite
+from typing import Any, Final, Literal, get_args
+
+from rolamento.errors import InputError
+from rolamento.reliability._checks import one_of
+from rolamento.reliability.bounds import Bounds, Method, Sides, all_bounds
+from rolamento.reliability.calculated import CalculatedLife, against_calculated_life
+from rolamento.reliability.comparison import Comparison, Hypothesis, compare
+from rolamento.reliability.fit import WeibullFit
+from rolamento.reliability.fixed_shape import fixed_shape
+from rolamento.reliability.life_ratio import LifeRatio, life_ratio
+from rolamento.reliability.life_test import LifeTest
+from rolamento.reliability.maximum_likelihood import maximum_likelihood
+from rolamento.reliability.posterior import ShapePrior, posterior
+from rolamento.reliability.quantity import Quantity
+from rolamento.reliability.rank_regression import rank_regression
+from rolamento.reliability.ranks import plotting_positions
+from rolamento.reliability.three_parameter import three_parameter
+from rolamento.reliability.unbiased import unbiased
+
+__all__ = [
+    "FIT_METHODS",
+    "AssumedShape",
+    "Credible",
+    "FitMethod",
+    "GroupSummary",
+    "LifeTestSummary",
+    "Wanted",
+    "summarise",
+]
+
+FitMethod = Literal[
+    "maximum_likelihood",
+    "unbiased",
+    "rank_regression_x_on_y",
+    "rank_regression_y_on_x",
+    "three_parameter",
+]
+FIT_METHODS: Final = get_args(FitMethod)
+ASSUMED_SHAPES: Final = (1.0, 1.5, 2.0)
+"""For a test that tells no shape of its own."""
+MOST_GROUPS: Final = 20
+_MOST_RATIOS: Final = 10
+_WITH_VERDICT: Final = ("pivotal", "calibrated_likelihood_ratio", "likelihood_ratio", "fixed_shape")
+_HYPOTHESES: Final[tuple[Hypothesis, ...]] = ("common_shape", "same_life", "homogeneous")
+
+Progress = Callable[[int, int], None]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Wanted:
+    """What is to be found of a life test.
+
+    Attributes
+    ----------
+    methods
+        of fitting, `FIT_METHODS`
+    bounds
+        method of the bounds; that of `rolamento.reliability.bounds` by default
+    confidence, sides
+        of the bounds
+    reliabilities
+        that lives are wanted for; a calculated life is for the first
+    times
+        that reliabilities are wanted for; unit of the test
+    shape
+        β from experience: then only the scale comes from the test
+    prior
+        what was known of the shape, for the posterior; None without
+    calculated
+        calculated lives by their names; unit of the test
+    samples, seed
+        tests to draw, and what they are drawn with
+    """
+
+    methods: tuple[FitMethod, ...] = FIT_METHODS[:4]
+    bounds: Method | None = None
+    confidence: float = 0.9
+    sides: Sides = "two"
+    reliabilities: tuple[float, ...] = (0.9, 0.5)
+    times: tuple[float, ...] = ()
+    shape: float | None = None
+    prior: ShapePrior | None = None
+    calculated: Mapping[str, float] = field(default_factory=dict)
+    samples: int = 10_000
+    seed: int = 0
+
+    def __post_init__(self) -> None:
+        """Refuse unknown methods, and no life at all."""
+        for method in self.methods:
+            one_of(method, "method", FIT_METHODS)
+        if not self.reliabilities:
+            raise InputError("must be one at least", field="reliability", example="0.9")
+        if self.shape is not None and self.bounds not in (None, "fixed_shape"):
+            raise InputError("goes with no other bounds", field="shape", value=self.shape)
+
+    @property
+    def lives(self) -> tuple[Quantity, ...]:
+        """Lives that are wanted."""
+        return tuple(Quantity.life(r) for r in self.reliabilities)
+
+    @property
+    def shares(self) -> tuple[Quantity, ...]:
+        """Reliabilities that are wanted."""
+        return tuple(Quantity.reliability(time) for time in self.times)
+
+    def bounded(self, with_shape: bool) -> tuple[Quantity, ...]:
+        """Quantities that are bounded; the shape only where it is not given."""
+        shape = (Quantity.of("shape"),) if with_shape else ()
+        return (*shape, Quantity.of("scale"), *self.lives, *self.shares)
+
+
+@dataclass(frozen=True, slots=True)
+class Credible:
+    """Median and interval of a quantity after the test, with what was known before.
+
+    Attributes
+    ----------
+    quantity, unit
+        as it is written, and its label; empty for a shape or a reliability
+    median, lower, upper, probability
+        the quantity lies between the limits with the probability
+    """
+
+    quantity: str
+    unit: str
+    median: float
+    lower: float
+    upper: float
+    probability: float
+
+    def to_mapping(self) -> dict[str, Any]:
+        """Give it as plain values; None where there is no number."""
+        names = ("median", "lower", "upper")
+        values = {name: getattr(self, name) for name in names}
+        return {
+            "quantity": self.quantity,
+            "unit": self.unit,
+            **{name: value if isfinite(value) else None for name, value in values.items()},
+            "probability": self.probability,
+        }
+
+
+@dataclass(frozen=True, slots=True)
+class AssumedShape:
+    """What a test that tells no shape would say, were the shape this."""
+
+    shape: float
+    bounds: tuple[Bounds, ...]
+
+    def to_mapping(self) -> dict[str, Any]:
+        """Give it as plain values."""
+        return {"shape": self.shape, "bounds": [bound.to_mapping() for bound in self.bounds]}
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class GroupSummary:
+    """What one group says, or a test without groups.
+
+    Attributes
+    ----------
+    name
+        label of the group; empty without
+    test
+        its part of the data
+    fits
+        by every method that was wanted and can be; the first is what the bounds are about
+    bounds
+        on shape, scale, lives and reliabilities
+    assumed
+        where the test tells no shape: what it would say with shapes that are usual
+    calculated
+        calculated lives set against it, by their names
+    prior_code, credible
+        status of the posterior, empty if none was wanted; and what it says
+    """
+
+    name: str
+    test: LifeTest
+    fits: tuple[WeibullFit, ...]
+    bounds: tuple[Bounds, ...]
+    assumed: tuple[AssumedShape, ...]
+    calculated: Mapping[str, CalculatedLife]
+    prior_code: str
+    credible: tuple[Credible, ...]
+
+    @property
+    def main(self) -> WeibullFit:
+        """Fit that the bounds are about."""
+        return self.fits[0]
+
+    @property
+    def bounded(self) -> bool:
+        """Whether there are bounds on anything."""
+        return any(bound.converged for bound in self.bounds)
+
+    @property
+    def has_result(self) -> bool:
+        """Whether the group says anything in numbers of its own."""
+        return self.main.converged or self.bounded or bool(self.credible)
+
+    def bound(self, quantity: Quantity) -> Bounds | None:
+        """Bounds on a quantity."""
+        return next((one for one in self.bounds if one.quantity == quantity.name), None)
+
+    def to_mapping(self) -> dict[str, Any]:
+        """Give the group as plain values."""
+        test = self.test
+        points = [] if test.inspected else _points(test)
+        return {
+            "name": self.name,
+            "size": test.size,
+            "failures": test.failures,
+            "suspensions": test.suspensions,
+            "scheme": test.scheme,
+            "total_time": test.total_time,
+            "points": points,
+            "fits": [fit.to_mapping() for fit in self.fits],
+            "bounds": [bound.to_mapping() for bound in self.bounds],
+            "assumed_shapes": [one.to_mapping() for one in self.assumed],
+            "calculated": {name: one.to_mapping() for name, one in self.calculated.items()},
+            "posterior": {"code": self.prior_code, "of": [c.to_mapping() for c in self.credible]}
+            if self.prior_code
+            else None,
+        }
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class LifeTestSummary:
+    """What a life test says.
+
+    Attributes
+    ----------
+    test
+        the data, all groups together
+    wanted
+        what was asked for
+    groups
+        in the order of the data; one without a name where they are not parted
+    comparisons
+        whether the groups have shape and life in common
+    ratios
+        life of the first group over that of each other
+    """
+
+    test: LifeTest
+    wanted: Wanted
+    groups: tuple[GroupSummary, ...]
+    comparisons: tuple[Comparison, ...] = ()
+    ratios: tuple[LifeRatio, ...] = ()
+
+    @property
+    def has_result(self) -> bool:
+        """Whether any group says anything in numbers of its own."""
+        return any(group.has_result for group in self.groups)
+
+    def to_mapping(self) -> dict[str, Any]:
+        """Give the summary as plain values; None where there is no number."""
+        test, wanted = self.test, self.wanted
+        return {
+            "title": test.title,
+            "source": test.source,
+            "unit": test.unit,
+            "size": test.size,
+            "failures": test.failures,
+            "suspensions": test.suspensions,
+            "confidence": wanted.confidence,
+            "samples": wanted.samples,
+            "seed": wanted.seed,
+            "groups": [group.to_mapping() for group in self.groups],
+            "comparisons": [one.to_mapping() for one in self.comparisons],
+            "life_ratios": [one.to_mapping() for one in self.ratios],
+        }
+
+
+def summarise(
+    test: LifeTest,
+    wanted: Wanted | None = None,
+    *,
+    by_group: bool = True,
+    progress: Progress | None = None,
+) -> LifeTestSummary:
+    """Find all that a life test says.
+
+    Parameters
+    ----------
+    test
+        With any kind of censoring, with or without groups.
+    wanted
+        What to find; the default of `Wanted` if not given.
+    by_group
+        Whether to take each group by itself and to compare them; all together otherwise.
+    progress
+        Called with steps done and steps in all.
+
+    Raises
+    ------
+    InputError
+        For more than 20 groups to be taken by themselves, or what bounds and fits refuse.
+    """
+    asked = Wanted() if wanted is None else wanted
+    tests = test.by_group() if by_group else {"": test}
+    if len(tests) > MOST_GROUPS:
+        raise InputError(
+            f"must be {MOST_GROUPS} at most to be told by themselves; take another column, or all"
+            " together",
+            field="groups",
+            value=len(tests),
+        )
+    compared = len(tests) > 1 and not test.inspected
+    pairs = list(tests)[1 : _MOST_RATIOS + 1] if compared else []
+    steps = len(tests) + (len(_HYPOTHESES) if compared else 0) + len(pairs)
+    done = 0
+
+    def step() -> None:
+        nonlocal done
+        done += 1
+        if progress is not None:
+            progress(done, steps)
+
+    groups = []
+    for name, part in tests.items():
+        groups.append(_group(name, part, asked))
+        step()
+    comparisons = []
+    for hypothesis in _HYPOTHESES if compared else ():
+        comparisons.append(compare(tests, hypothesis, samples=asked.samples, seed=asked.seed))
+        step()
+    ratios = []
+    for other in pairs:
+        ratios.append(_ratio(tests, other, comparisons, asked))
+        step()
+    return LifeTestSummary(test, asked, tuple(groups), tuple(comparisons), tuple(ratios))
+
+
+def _group(name: str, test: LifeTest, asked: Wanted) -> GroupSummary:
+    fits = _fits(test, asked)
+    # without failures nothing bounds from above: all of the confidence goes to the lower bound
+    sides = asked.sides if test.failures or asked.sides != "two" else "lower"
+    bounds = all_bounds(
+        test,
+        asked.bounded(with_shape=asked.shape is None),
+        method=asked.bounds,
+        confidence=asked.confidence,
+        sides=sides,
+        samples=asked.samples,
+        seed=asked.seed,
+        shape=asked.shape,
+    )
+    alone = not any(bound.converged for bound in bounds)
+    code, credible = _credible(test, asked)
+    return GroupSummary(
+        name,
+        test,
+        fits,
+        bounds,
+        _assumed(test, asked, sides) if alone and not credible else (),
+        {label: _against(test, life, asked) for label, life in asked.calculated.items()},
+        code,
+        credible,
+    )
+
+
+def _fits(test: LifeTest, asked: Wanted) -> tuple[WeibullFit, ...]:
+    """Fits by every method, the one that the bounds are about first."""
+    fits = [] if asked.shape is None else [fixed_shape(test, asked.shape)]
+    wanted = dict.fromkeys(asked.methods)
+    if asked.shape is None:  # the bounds' own
+        wanted = dict.fromkeys(("maximum_likelihood", *wanted))
+    for method in wanted:
+        if method.startswith("rank_regression") and test.inspected:
+            continue
+        if method == "maximum_likelihood":
+            fits.append(maximum_likelihood(test))
+        elif method == "unbiased":
+            fits.append(unbiased(test, samples=asked.samples, seed=asked.seed))
+        elif method == "three_parameter":
+            fits.append(three_parameter(test))
+        else:
+            fits.append(rank_regression(test, "x_on_y" if "x_on_y" in method else "y_on_x"))
+    return tuple(fits)
+
+
+def _assumed(test: LifeTest, asked: Wanted, sides: Sides) -> tuple[AssumedShape, ...]:
+    quantities = (*asked.lives, *asked.shares)
+    return tuple(
+        AssumedShape(
+            shape,
+            all_bounds(test, quantities, confidence=asked.confidence, sides=sides, shape=shape),
+        )
+        for shape in ASSUMED_SHAPES
+    )
+
+
+def _against(test: LifeTest, life: float, asked: Wanted) -> CalculatedLife:
+    return against_calculated_life(
+        test,
+        life,
+        asked.reliabilities[0],
+        method=asked.bounds if asked.bounds in _WITH_VERDICT else None,
+        confidence=asked.confidence,
+        samples=asked.samples,
+        seed=asked.seed,
+        shape=asked.shape,
+    )
+
+
+def _credible(test: LifeTest, asked: Wanted) -> tuple[str, tuple[Credible, ...]]:
+    """Status of the posterior, and what it says."""
+    if asked.prior is None:
+        return "", ()
+    found = posterior(test, asked.prior)
+    if found.advice is not None:
+        return found.code, ()
+    credible = []
+    for quantity in asked.bounded(with_shape=True):
+        lower, upper = found.interval(quantity, asked.confidence)
+        unit = test.unit if quantity.kind == "life" else ""
+        median = found.quantile(quantity, 0.5)
+        credible.append(Credible(quantity.name, unit, median, lower, upper, asked.confidence))
+    return found.code, tuple(credible)
+
+
+def _ratio(
+    tests: Mapping[str, LifeTest], other: str, comparisons: list[Comparison], asked: Wanted
+) -> LifeRatio:
+    """Ratio of the first group's life to another's; at a common shape unless the data deny it."""
+    first = next(iter(tests))
+    common = comparisons[0]
+    return life_ratio(
+        {first: tests[first], other: tests[other]},
+        asked.reliabilities[0],
+        common_shape=not (common.converged and common.rejected(asked.confidence)),
+        confidence=asked.confidence,
+        samples=asked.samples,
+        seed=asked.seed,
+    )
+
+
+def _points(test: LifeTest) -> list[dict[str, float]]:
+    """Points of the Weibull plot."""
+    positions = plotting_positions(test)
+    columns = zip(positions.times, positions.rank, positions.failed_share, strict=True)
+    return [
+        {"time": float(time), "rank": float(rank), "failed_share": float(share)}
+        for time, rank, share in columns
+    ]
