@@ -49,6 +49,7 @@ NONE: Final = ReadableUnit("–", 1.0)
 _READABLE: Final[Mapping[str, tuple[tuple[float, ReadableUnit], ...]]] = {
     "": ((0.0, NONE),),
     "1": ((0.0, NONE),),
+    "Mrev": ((0.0, ReadableUnit("10⁶ rev", 1.0)),),
     "m": ((0.0, ReadableUnit("µm", 1e6)), (1e-3, MILLIMETRE)),
     "rad": ((0.0, ReadableUnit("mrad", 1e3)), (0.5 * pi / 180.0, DEGREE)),
     "rad/s": ((0.0, RPM),),

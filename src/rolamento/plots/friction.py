@@ -8,17 +8,22 @@ from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 from matplotlib.figure import Figure
-from matplotlib.ticker import LogLocator
 from numpy.typing import NDArray
 
 from rolamento.plots.axes_units import NONE, readable_unit
 from rolamento.plots.frame import (
     add_title,
     empty_frame,
-    label_x,
     label_y,
     legend_above,
     log_scale,
+)
+from rolamento.plots.over_field import (
+    across,
+    is_geometric,
+    judged_line,
+    read_values,
+    short_label,
 )
 from rolamento.plots.style import (
     INNER,
@@ -28,7 +33,7 @@ from rolamento.plots.style import (
     series,
     styled,
 )
-from rolamento.plots.words import PlotWords, plot_words
+from rolamento.plots.words import plot_words
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -40,13 +45,8 @@ __all__ = ["friction_figure", "spin_to_roll", "torque_by_model"]
 Floats = NDArray[np.float64]
 
 _CONTROLLED: Final = "friction_control"
-_ZERO_CELSIUS: Final = 273.15
-_FAINT: Final = 0.3
-"""Of a line where its model does not hold."""
 _WIDE: Final = 30.0
 """Greatest over least torque from which on both axes become logarithmic, not only the field's."""
-_DECADES: Final = 100.0
-"""Greatest over least value from which on there is room for whole decades only."""
 _VARIANTS: Final[tuple[Any, ...]] = ("-", "--", ":", "-.", (0, (5, 1, 1, 1)), (0, (7, 2)))
 
 
@@ -169,12 +169,12 @@ def torque_by_model(
         values = np.concatenate([torque for torque, _, _, _ in lines])
         if not np.isfinite(values).any():
             return empty_frame(axes, shared.no_result)
-        unit, x = readable_unit("N*m", values), _read(curves[0])[0]
+        unit, x = readable_unit("N*m", values), _x(curves[0])
         faint = False
         for torque, holds, name, look in lines:
-            faint |= _judged_line(axes, x, unit.of(torque), holds, name, look)
-        _across(axes, curves[0], shared, words)
-        if _is_wide(values) and _is_geometric(curves[0].values):
+            faint |= judged_line(axes, x, unit.of(torque), holds, name, look)
+        across(axes, curves[0].field, curves[0].values, words.fields, shared)
+        if _is_wide(values) and is_geometric(curves[0].values):
             log_scale(axes, "y", shared)
             axes.set_ylabel(unit.label(words.torque), parse_math=False)
         else:
@@ -205,15 +205,15 @@ def spin_to_roll(
             for name, look, values in ratios:
                 drawn |= bool(np.isfinite(values).any())
                 axes.plot(
-                    _read(curve)[0],
+                    _x(curve),
                     np.abs(values),
                     color=look.color,
                     linestyle=_VARIANTS[number % len(_VARIANTS)],
-                    label=", ".join(part for part in (name, _short(curve.label)) if part),
+                    label=", ".join(part for part in (name, short_label(curve.label)) if part),
                 )
         if not drawn:
             return empty_frame(axes, shared.no_result)
-        _across(axes, curves[0], shared, words)
+        across(axes, curves[0].field, curves[0].values, words.fields, shared)
         axes.set_ylim(bottom=0.0)
         label_y(axes, NONE.label(words.ratio), shared)
         legend_above(axes)
@@ -244,58 +244,13 @@ def _torques(
         else:
             torque, holds = curve.torque(model), curve.friction.verdicts[0].holds
         lines.append(
-            (torque, np.asarray(holds), f"{words.models[model]}, {_short(curve.label)}", look)
+            (torque, np.asarray(holds), f"{words.models[model]}, {short_label(curve.label)}", look)
         )
     return lines
 
 
-def _judged_line(
-    axes: Axes, x: Floats, y: Floats, holds: NDArray[np.bool_], name: str, look: dict[str, Any]
-) -> bool:
-    """Draw a line in full where its model holds and faintly where not; tell if there is such."""
-    axes.plot(x, np.where(_widened(holds), y, np.nan), label=name, **look)
-    fails = np.isfinite(y) & ~holds
-    if fails.any():
-        axes.plot(x, np.where(_widened(fails), y, np.nan), alpha=_FAINT, **look)
-    return bool(fails.any())
-
-
-def _widened(where: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Reach from single points to their neighbours before, so that pieces of a line meet."""
-    return np.asarray(where | np.append(where[1:], False)) if where.any() else where
-
-
-def _across(axes: Axes, curve: FrictionCurve, shared: PlotWords, words: _Words) -> None:
-    name = words.fields.get(curve.field.name, curve.field.name)
-    x, symbol = _read(curve)
-    label_x(axes, f"{name} ({symbol})", shared)
-    if _is_geometric(curve.values):
-        log_scale(axes, "x", shared)
-        if x.max() > _DECADES * x.min() > 0.0:
-            axes.xaxis.set_major_locator(LogLocator())
-    axes.set_xlim(float(x.min()), float(x.max()))
-
-
-def _read(curve: FrictionCurve) -> tuple[Floats, str]:
-    """Return the values of the field as a person reads them, and their unit."""
-    if curve.field.dimension == "temperature":
-        return curve.values - _ZERO_CELSIUS, "°C"
-    unit = readable_unit(curve.field.unit, curve.values)
-    return unit.of(curve.values), unit.symbol
-
-
-def _short(label: str) -> str:
-    """Return a setting with the last part of its key alone."""
-    key, equals, value = label.partition("=")
-    return f"{key.rpartition('.')[2]} = {value}" if equals else label
-
-
-def _is_geometric(values: Floats) -> bool:
-    """Whether the points have equal ratios, as after ``--log``."""
-    if len(values) < 3 or not np.all(values * values[0] > 0.0):
-        return False
-    ratios = np.diff(np.log(np.abs(values)))
-    return bool(np.ptp(ratios) < 1e-6 * np.abs(ratios).max())
+def _x(curve: FrictionCurve) -> Floats:
+    return read_values(curve.field, curve.values)[0]
 
 
 def _is_wide(values: Floats) -> bool:

@@ -41,6 +41,7 @@ _CONVERGED: Final = "converged"
 _TELLING: Final = (
     "max_inner_max_pressure",
     "max_outer_max_pressure",
+    "life_hours",
     "max_inner_load",
     "stiffness_zz",
     "stiffness_xx",
