@@ -19,6 +19,7 @@ from rolamento.cli.common import (
     same_file,
     words_of,
 )
+from rolamento.cli.frequencies import frequencies
 from rolamento.cli.friction import friction
 from rolamento.cli.life import life
 from rolamento.cli.optional_value import JsonCommand
@@ -185,6 +186,10 @@ app.command(
     " life case.toml --spectrum steps.csv; life case.toml --over duty.load.fz=1..8kN.",
 )(life)
 app.command(cls=JsonCommand, epilog="Example: clearance case.toml --samples 10000.")(clearance)
+app.command(
+    cls=JsonCommand,
+    epilog="Examples: frequencies 6205 --speed '1797 rpm'; frequencies case.toml --json.",
+)(frequencies)
 app.command(cls=JsonCommand, epilog="Example: turn case.toml --plot turn.png.")(turn)
 app.command(cls=JsonCommand, epilog="Example: tolerance scatter.nc --plot bands.png.")(tolerance)
 app.command(epilog="Example: reproduce radaelli-2013 --output radaelli --lang pt.")(reproduce)
