@@ -25,7 +25,10 @@ if TYPE_CHECKING:
 __all__ = ["shaft_json", "shaft_report"]
 
 SCHEMA: Final = 1
-_LONGEST_NAME: Final = 30
+_SHORTEST_NAME, _LONGEST_NAME = 12, 30
+_NUMBER_WIDTH: Final = 6
+"""Of the first column, with the gaps beside it."""
+_FIRST_LEFT_OUT: Final = ("l_able", "iso281_1990")
 _BOUND: Final = "ioannides_harris"
 """A theory for single bearings: bounds of parts say little of the whole."""
 
@@ -40,6 +43,7 @@ class _Words:
     system: str
     risk: str
     legend: str
+    left_out: str
     failed: str
     of_bearing: str
 
@@ -60,6 +64,7 @@ _WORDS: Final[Mapping[str, _Words]] = {
             "for {reliability} reliability, of each bearing and of all together (Weibull slope"
             " 10/9); risk: share of each, by the {theory}; * the theory does not hold there"
         ),
+        left_out="no room here, but in --json: {names}",
         failed="bearing {number}: {reason}",
         of_bearing="bearing {numbers}",
     ),
@@ -78,6 +83,7 @@ _WORDS: Final[Mapping[str, _Words]] = {
             "para {reliability} de confiabilidade, de cada rolamento e de todos juntos (inclinação"
             " de Weibull 10/9); risco: parte de cada um, pela {theory}; * a teoria não vale ali"
         ),
+        left_out="sem lugar aqui, mas em --json: {names}",
         failed="rolamento {number}: {reason}",
         of_bearing="rolamento {numbers}",
     ),
@@ -157,36 +163,53 @@ def _reached(page: Page, own: _Words, found: ShaftLife, theory: str) -> list[tup
 def _table(page: Page, own: _Words, found: ShaftLife, names: Sequence[str]) -> Lines:
     """Set bearings below each other, theories side by side, all together at the foot."""
     said, theory = said_of(page), theory_of(found)
-    shown = [name for name in said.names if name in found.hours and name != _BOUND]
-    columns: list[Lines] = []
-    for name in shown:
-        lives = [*found.bearing_hours[name].tolist(), found.hours[name]]
-        cells = lives_column(page, lives)
-        holds = [s is not None and bool(s[name].holds[0]) for s in found.lives]
-        marked = [
-            page.text(f"{cell}{' ' if fine else '*'}", "" if fine else "yellow")
-            for cell, fine in zip(cells, [*holds, found.holds[name]], strict=True)
-        ]
-        marked[-1].stylize("bold")
-        columns.append([page.text(f"{word} ") for word in said.short[name]] + marked)
+    columns = {
+        name: _column(page, found, name)
+        for name in said.names
+        if name in found.hours and name != _BOUND
+    }
     risk = [percent(page, float(share)) for share in found.risk[theory]]
-    columns.append([Text(), page.text(own.risk), *map(page.text, [*risk, ""])])
-    room = page.medium.width - page.width_of(columns) - 8
-    labels = [page.text(_shortened(name, min(room, _LONGEST_NAME))) for name in names]
+    last: Lines = [Text(), page.text(own.risk), *map(page.text, [*risk, ""])]
+    left_out = []
+    for name in _FIRST_LEFT_OUT:
+        if name in columns and _room(page, [*columns.values(), last]) < _SHORTEST_NAME:
+            del columns[name]
+            left_out.append(said.names[name])
+    room = min(_room(page, [*columns.values(), last]), _LONGEST_NAME)
+    labels = [page.text(_shortened(name, room)) for name in names]
     first = [
         [Text(), Text(), *(page.text(str(n + 1), "dim") for n in range(len(found))), Text()],
         [Text(), Text(), *labels, page.text(own.system, "bold")],
     ]
-    table = page.columns(list(zip(*first, *columns, strict=True)), "rl" + "r" * len(columns))
+    rows = list(zip(*first, *columns.values(), last, strict=True))
+    lines = page.columns(rows, "rl" + "r" * (len(columns) + 1))
+    if left_out:
+        lines += page.hanging(Text("  "), own.left_out.format(names="; ".join(left_out)), "dim")
     legend = own.legend.format(
         reliability=given_percent(page, found.reliability), theory=said.long[theory]
     )
-    return [*table, *page.hanging(Text("  "), legend, "dim")]
+    return lines + page.hanging(Text("  "), legend, "dim")
+
+
+def _column(page: Page, found: ShaftLife, name: str) -> Lines:
+    """A theory's name, the hours of each bearing by it, and of all together."""
+    cells = lives_column(page, [*found.bearing_hours[name].tolist(), found.hours[name]])
+    holds = [s is not None and bool(s[name].holds[0]) for s in found.lives]
+    marked = [
+        page.text(f"{cell}{' ' if fine else '*'}", "" if fine else "yellow")
+        for cell, fine in zip(cells, [*holds, found.holds[name]], strict=True)
+    ]
+    marked[-1].stylize("bold")
+    return [*(page.text(f"{word} ") for word in said_of(page).short[name]), *marked]
+
+
+def _room(page: Page, columns: Sequence[Lines]) -> int:
+    """Characters that are left for the names of the bearings."""
+    return page.medium.width - page.width_of(columns) - _NUMBER_WIDTH
 
 
 def _shortened(name: str, room: int) -> str:
-    most = max(room, 4)
-    return name if len(name) <= most else f"{name[: most - 1]}…"
+    return name if len(name) <= room else f"{name[: max(room, 2) - 1]}…"
 
 
 def _remarks(page: Page, own: _Words, found: ShaftLife) -> Lines:

@@ -23,7 +23,7 @@ Kind = Literal["share", "revolutions"]
 """Shares of time, or of revolutions."""
 
 _EXAMPLE: Final = "share,duty.load.fz,duty.inner_speed"
-_ROUNDING: Final = 0.01
+_ROUNDING: Final = 0.01 + 1e-9
 """By which the shares may miss 1: 33 % three times."""
 _FIXED: Final = ("life.reliability", "life.edition", "life.wanted_life", "bearing.arrangement")
 """Of the bearing and its life as a whole, not of a step."""
