@@ -1,0 +1,295 @@
+"""What a life test says, for a reader, and as JSON."""
+
+from __future__ import annotations
+
+from math import isfinite
+from typing import Final
+
+import numpy as np
+from rich.text import Text
+
+from rolamento.reliability.bounds import Bounds
+from rolamento.reliability.life_test import LifeTest
+from rolamento.reliability.quantity import Quantity
+from rolamento.reliability.summary import GroupSummary, LifeTestSummary, Wanted
+from rolamento.report.language import ENGLISH, Words
+from rolamento.report.medium import Medium
+from rolamento.report.numbers import ABSENT
+from rolamento.report.page import Lines, Page, beside
+from rolamento.report.plain_data import json_text
+from rolamento.report.terminal import rendered
+from rolamento.report.weibull_numbers import (
+    FIGURES,
+    alike,
+    label_of,
+    life_name,
+    one_line,
+    p_text,
+    percent,
+    scale_of,
+    shortened,
+    table,
+)
+from rolamento.report.weibull_sentences import said_note
+from rolamento.report.weibull_statement import comparison_part, statement_part
+from rolamento.report.weibull_words import WEIBULL_WORDS, WeibullWords, counted
+
+__all__ = ["weibull_json", "weibull_report"]
+
+SCHEMA: Final = 1
+_GAP: Final = 3
+
+
+def weibull_json(found: LifeTestSummary) -> str:
+    """Return everything as one JSON object; times in the unit of the data, which it names."""
+    return json_text({"schema": SCHEMA, "kind": "weibull", **found.to_mapping()})
+
+
+def weibull_report(
+    found: LifeTestSummary, words: Words = ENGLISH, medium: Medium | None = None
+) -> str:
+    """Return the page of a life test as text that ends in a newline.
+
+    Parameters
+    ----------
+    found
+        What to show.
+    words
+        The language.
+    medium
+        What the text is shown on; by default plain text of 80 columns in UTF-8.
+    """
+    page = Page(words, medium or Medium())
+    said = WEIBULL_WORDS[words.code]
+    parts = [_head(page, said, found)]
+    for group in found.groups:
+        parts += _group(page, said, found.wanted, group)
+    parts.append(comparison_part(page, said, found))
+    parts.append(_notes(page, said, found))
+    return rendered(page.medium, [part for part in parts if part])
+
+
+def _head(page: Page, said: WeibullWords, found: LifeTestSummary) -> Lines:
+    test, groups = found.test, found.groups
+    facts = [_sizes(page, said, test)]
+    if len(groups) > 1:
+        facts.insert(1, said.groups.format(count=len(groups)))
+    first, last = (page.digits.short(float(time), 6) for time in _ends(test))
+    facts.append(said.from_to.format(first=first, last=last, unit=test.unit))
+    entries = [
+        (said.data, "; ".join(facts)),
+        ("", "" if len(groups) > 1 else said.schemes.get(test.scheme, test.scheme)),
+        (said.source, one_line(test.source)),
+    ]
+    width = max(len(label) for label, _ in entries)
+    lines = page.hanging(Text(), one_line(test.title) or said.untitled, "bold")
+    lines.append(page.rule(page.medium.width))
+    for label, content in entries:
+        if content:
+            lines += page.hanging(page.text(f"{label:{width}}  ", "dim"), content)
+    return lines
+
+
+def _sizes(page: Page, said: WeibullWords, test: LifeTest) -> str:
+    """Say how many bearings there were, and what became of them."""
+
+    def count(forms: tuple[str, str], number: int) -> str:
+        return counted(forms, number, page.digits.fixed(number, 0))
+
+    facts = [count(said.bearings, test.size)]
+    facts.append(count(said.failed, test.failures) if test.failures else said.none_failed)
+    if test.failures and test.suspensions:
+        facts.append(count(said.suspended, test.suspensions))
+    return ", ".join(facts)
+
+
+def _ends(test: LifeTest) -> tuple[float, float]:
+    return float(np.min(test.times)), float(np.max(test.times))
+
+
+def _group(page: Page, said: WeibullWords, wanted: Wanted, group: GroupSummary) -> list[Lines]:
+    """Say what one group says: in sentences, then in tables."""
+    heading = page.heading(said.fit)
+    parts = [[heading, *statement_part(page, said, group, wanted)]]
+    if group.name:
+        name = page.text(f"{one_line(group.name)}: {_sizes(page, said, group.test)}", "bold")
+        scheme = said.schemes.get(group.test.scheme, group.test.scheme)
+        parts[0][:1] = [
+            name,
+            page.rule(max(len(name), 40)),
+            *page.hanging(Text("  "), scheme, "dim"),
+        ]
+    fits, bounds = _fits(page, said, group), _bounds(page, said, group)
+    legend = page.hanging(Text("  "), _bounded_by(page, said, group), "dim") if bounds else []
+    if fits and bounds and _width(fits) + _GAP + _width(bounds) <= page.medium.width:
+        parts.append([*beside(fits, bounds, _GAP), *legend])
+    else:
+        parts += [fits, [*bounds, *legend]]
+    if group.assumed:
+        parts.append(_assumed(page, said, group, wanted))
+    if group.credible:
+        parts.append(_credible(page, said, group, wanted))
+    if any(one.code == "converged" for one in group.calculated.values()):
+        parts.append(_calculated(page, said, group, wanted))
+    return parts
+
+
+def _width(lines: Lines) -> int:
+    return max(map(len, lines))
+
+
+# --- tables ----------------------------------------------------------------------------------
+
+
+def _fits(page: Page, said: WeibullWords, group: GroupSummary) -> Lines:
+    """One line a method; nothing where no method has a result."""
+    unit, fits = group.test.unit, [fit for fit in group.fits if isfinite(fit.shape)]
+    if not fits:
+        return []
+    heads = [said.fitted_by, said.shape, f"{said.scale} {unit}"]
+    heads += [f"L10 {unit}", f"L50 {unit}", f"{said.mean} {unit}"]
+    columns = [
+        alike(page, [getattr(fit, name) for fit in fits])
+        for name in ("shape", "scale", "l10", "l50", "mean")
+    ]
+    rows = [[page.text(head, "dim") for head in heads]]
+    for index, fit in enumerate(fits):
+        style = "bold" if fit is group.main else ""
+        cells = [said.fits.get(fit.method, fit.method), *(column[index] for column in columns)]
+        rows.append([page.text(cell, style) for cell in cells])
+    lines = [page.heading(said.fit), *page.columns(rows, "l" + "r" * (len(heads) - 1))]
+    for fit in fits:
+        if fit.location > 0.0:
+            location = page.digits.short(fit.location, FIGURES)
+            text = said.location.format(location=location, unit=unit)
+            lines += page.hanging(Text("  "), text, "dim")
+    return lines
+
+
+def _bounds(page: Page, said: WeibullWords, group: GroupSummary) -> Lines:
+    first = group.bounds[0]
+    if not group.bounded:
+        return []
+    heads = ["", said.estimate, *_limit_heads(said, first)]
+    rows = []
+    for bound in group.bounds:
+        quantity = Quantity.of(bound.quantity)
+        scale = scale_of(quantity)
+        cells = alike(page, [scale * number for number in (bound.estimate, *_limits(bound))])
+        if bound.sides == "two":
+            of_share = quantity.kind == "reliability" or bound.lower <= 0.0
+            cells.append("" if of_share else page.digits.short(bound.upper / bound.lower, 3))
+        rows.append([label_of(page, said, quantity, group.test.unit), *cells])
+    confidence = percent(page, first.confidence)
+    return [page.heading(said.bounds.format(confidence=confidence)), *table(page, heads, rows)]
+
+
+def _bounded_by(page: Page, said: WeibullWords, group: GroupSummary) -> str:
+    """Say how the bounds were found."""
+    first = next(bound for bound in group.bounds if bound.converged)
+    drawn = ""
+    if first.samples:
+        drawn = said.drawn.format(samples=page.digits.fixed(first.samples, 0), seed=first.seed)
+        if first.dropped:
+            drawn += said.dropped.format(dropped=page.digits.fixed(first.dropped, 0))
+    method = said.bound_methods.get(first.method, first.method.replace("_", " "))
+    return said.bounds_by.format(
+        confidence=percent(page, first.confidence), method=method, drawn=drawn
+    )
+
+
+def _limit_heads(said: WeibullWords, bound: Bounds) -> list[str]:
+    if bound.sides == "two":
+        return [said.low, said.high, said.apart]
+    return [said.at_least if bound.sides == "lower" else said.at_most]
+
+
+def _limits(bound: Bounds) -> list[float]:
+    if bound.sides == "two":
+        return [bound.lower, bound.upper]
+    return [bound.lower if bound.sides == "lower" else bound.upper]
+
+
+def _assumed(page: Page, said: WeibullWords, group: GroupSummary, wanted: Wanted) -> Lines:
+    """One line a shape: bounds on every life and reliability."""
+    unit = group.test.unit
+    heads = [said.assumed_shape]
+    rows = []
+    for assumed in group.assumed:
+        cells = [page.digits.short(assumed.shape, 3)]
+        for bound in assumed.bounds:
+            cells.append(_range_text(page, said, bound, scale_of(Quantity.of(bound.quantity))))
+        rows.append(cells)
+    for bound in group.assumed[0].bounds:
+        heads.append(label_of(page, said, Quantity.of(bound.quantity), unit))
+    confidence = percent(page, wanted.confidence)
+    return [
+        page.heading(said.assumed.format(confidence=confidence)),
+        *table(page, heads, rows),
+    ]
+
+
+def _range_text(page: Page, said: WeibullWords, bound: Bounds, scale: float) -> str:
+    cells = [page.digits.short(scale * limit, FIGURES) for limit in _limits(bound)]
+    if bound.sides == "two":
+        return f"{said.low} {cells[0]} {said.high} {cells[1]}"
+    return f"{_limit_heads(said, bound)[0]} {cells[0]}"
+
+
+def _credible(page: Page, said: WeibullWords, group: GroupSummary, wanted: Wanted) -> Lines:
+    prior = wanted.prior
+    assert prior is not None
+    probability = 1.0 if prior.kind == "uniform" else prior.probability
+    heading = said.prior.format(
+        low=page.digits.short(prior.low, 3),
+        high=page.digits.short(prior.high, 3),
+        probability=percent(page, probability),
+        kind=said.priors[prior.kind],
+    )
+    rows = []
+    for one in group.credible:
+        quantity = Quantity.of(one.quantity)
+        scale = scale_of(quantity)
+        cells = alike(page, [scale * x for x in (one.median, one.lower, one.upper)])
+        rows.append([label_of(page, said, quantity, group.test.unit), *cells])
+    return [page.heading(heading), *table(page, ["", said.median, said.low, said.high], rows)]
+
+
+def _calculated(page: Page, said: WeibullWords, group: GroupSummary, wanted: Wanted) -> Lines:
+    heads = ["", group.test.unit, said.observed_ratio]
+    heads += [said.low, said.high, said.p_value, said.contradicted]
+    rows = [
+        [
+            shortened(one_line(name)),
+            page.digits.short(one.calculated, FIGURES),
+            *(page.digits.short(x, 3) for x in (one.ratio, one.lower, one.upper)),
+            p_text(page, one.p_value),
+            said.verdicts[one.bearings_live] if one.code == "converged" else ABSENT,
+        ]
+        for name, one in group.calculated.items()
+    ]
+    quantity = life_name(page, wanted.lives[0])
+    confidence = percent(page, wanted.confidence)
+    return [
+        page.heading(said.calculated.format(quantity=quantity, confidence=confidence)),
+        *table(page, heads, rows, "lrrrrrl"),
+        *page.hanging(Text("  "), said.calculated_legend, "dim"),
+    ]
+
+
+def _notes(page: Page, said: WeibullWords, found: LifeTestSummary) -> Lines:
+    names: dict[str, None] = {}
+    for group in found.groups:
+        for noted in (*(fit.notes for fit in group.fits), *(one.notes for one in group.bounds)):
+            names |= dict.fromkeys(noted)
+    for noted in (*(one.notes for one in found.comparisons), *(one.notes for one in found.ratios)):
+        names |= dict.fromkeys(noted)
+    sentences = [said_note(name, page.words.code) for name in names]
+    if found.test.inspected:
+        sentences.append(said.no_ranks)
+        if len(found.groups) > 1:
+            sentences.append(said.not_compared)
+    lines = [page.heading(said.notes)] if sentences else []
+    for sentence in sentences:
+        lines += page.hanging(page.text("  • ", "yellow"), sentence)
+    return lines
