@@ -17,6 +17,7 @@ from rolamento.errors import InputError
 from rolamento.reliability._checks import generator, positive, sample_count, share
 from rolamento.reliability.asymptotic import profile_fall
 from rolamento.reliability.bounds import Bounds, Method, bounds
+from rolamento.reliability.calibrated import calibrated_p_value
 from rolamento.reliability.fixed_shape import fixed_shape_tails
 from rolamento.reliability.life_test import LifeTest
 from rolamento.reliability.maximum_likelihood import maximum_likelihood
@@ -26,7 +27,7 @@ from rolamento.reliability.sampled import pivotal_draws
 __all__ = ["CalculatedLife", "Verdict", "against_calculated_life"]
 
 Verdict = Literal["data contradict calculation", "data do not contradict calculation", "no verdict"]
-_METHODS = ("pivotal", "likelihood_ratio", "fixed_shape")
+_METHODS = ("pivotal", "calibrated_likelihood_ratio", "likelihood_ratio", "fixed_shape")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -103,7 +104,8 @@ def against_calculated_life(
     reliability
         That it is for; 0.9 for L10.
     method
-        "pivotal", "likelihood_ratio" or "fixed_shape"; the default is that of `bounds`.
+        "pivotal", "calibrated_likelihood_ratio", "likelihood_ratio" or "fixed_shape"; the default
+        is that of `bounds`.
     confidence
         Of the interval of two sides, and of the verdict.
     samples, seed, shape
@@ -165,6 +167,9 @@ def _p_value(
         from scipy.special import ndtr
 
         return float(2.0 * ndtr(-np.sqrt(profile_fall(test, fit, quantity, life)[0])))
-    draws = pivotal_draws(test, fit, samples, generator(found.seed)).of(quantity)
+    random = generator(found.seed)
+    if found.method == "calibrated_likelihood_ratio":
+        return calibrated_p_value(test, fit, quantity, life, samples, random)
+    draws = pivotal_draws(test, fit, samples, random).of(quantity)
     less = min(int(np.sum(draws <= life)), int(np.sum(draws >= life)))
     return min(2.0 * (1 + less) / (1 + len(draws)), 1.0)

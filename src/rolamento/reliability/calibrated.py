@@ -98,7 +98,7 @@ def _right_censored(
     rows = model.rows(shape, log_scale, samples, random)
     failures = np.broadcast_to(rows.failures, rows.log_time.shape).sum(axis=1)
     fit = profile.fit_rows(rows)
-    good = (failures >= 2.0) & (fit.code == profile.CONVERGED)
+    good = fit.code == profile.CONVERGED
     lanes = _Lanes(rows.part(good), failures[good], fit.shape[good], fit.log_scale[0, good])
     return np.array([lanes.root(q, shape, log_scale) for q in quantities])
 

@@ -7,6 +7,10 @@ it would have been suspended, and that time is drawn from those seen, beyond its
 Kaplan-Meier distribution, in which failures and suspensions change parts. Inspected bearings are
 all taken to be inspected at all the times of the data.
 
+Of a real test one failure tells too little of a shape to be worth a number. A drawn test with one
+failure has a likelihood with a maximum, if some bearing ran longer, and it counts: without those
+tests the limits would take it for granted that two fail, and be too narrow.
+
 Sources: Davison and Hinkley (1997), section 3.5 (conditional bootstrap); for the order statistics
 of exponential lives, Rényi (1953).
 """
@@ -62,7 +66,7 @@ def right_censored_model(test: LifeTest) -> RightCensored | str:
 def draw_fits(
     model: Model, shape: float, log_scale: float, samples: int, random: np.random.Generator
 ) -> BatchFit:
-    """Draw so many tests and fit each; what has fewer than two failures has no fit."""
+    """Draw so many tests and fit each."""
     return profile.joined(
         [model.fits(shape, log_scale, count, random) for count in portions(model.width, samples)]
     )
@@ -181,8 +185,7 @@ class Blocks:
         self, shape: float, log_scale: float, samples: int, random: np.random.Generator
     ) -> BatchFit:
         """Draw so many tests and fit each."""
-        rows = self.rows(shape, log_scale, samples, random)
-        return _with_two_failures(profile.fit_rows(rows), rows.failures.sum(axis=1))
+        return profile.fit_rows(self.rows(shape, log_scale, samples, random))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -239,10 +242,9 @@ class Inspected:
 
 
 def fits_of(likelihood: Likelihood) -> BatchFit:
-    """Fit every lane of a likelihood that has two failures at least."""
+    """Fit every lane of a likelihood."""
     fit = concave.maximise(likelihood)
-    batch = BatchFit(fit.a, (-fit.b / fit.a)[np.newaxis], fit.code)
-    return _with_two_failures(batch, likelihood.failures)
+    return BatchFit(fit.a, (-fit.b / fit.a)[np.newaxis], fit.code)
 
 
 def _blocks(test: LifeTest) -> tuple[FloatArray, FloatArray, BoolArray]:
@@ -267,13 +269,6 @@ def _suspension_times(time: FloatArray, failed: BoolArray) -> tuple[FloatArray, 
     later = len(time) - np.searchsorted(np.sort(time), known, side="right")
     remaining = np.cumprod(later / (later + stopped))
     return known, np.concatenate([[1.0], remaining[:-1]])[: len(known)] - remaining
-
-
-def _with_two_failures(fit: BatchFit, failures: FloatArray) -> BatchFit:
-    """Take the fit away from drawn tests with a single failure, as from real ones."""
-    few = failures < 2
-    code = np.where(few, profile.NO_FAILURES, fit.code)
-    return BatchFit(np.where(few, np.nan, fit.shape), np.where(few, np.nan, fit.log_scale), code)
 
 
 def _checked(model: AnyModel) -> AnyModel | str:

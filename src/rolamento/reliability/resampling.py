@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from numpy.typing import NDArray
 
 from rolamento.numerics import FloatArray
-from rolamento.reliability import concave, profile
+from rolamento.reliability import profile
+from rolamento.reliability.censoring import fits_of
 from rolamento.reliability.life_test import LifeTest
 from rolamento.reliability.likelihood import Likelihood
 from rolamento.reliability.profile import BatchFit, Rows
@@ -60,26 +63,16 @@ def _of_rows(
 
 def _fits(test: LifeTest, counts: FloatArray) -> BatchFit:
     """Fit the rows of a test with other counts, (samples, rows)."""
-    failures = counts * test.failed
     if not test.inspected:
         log_time = np.broadcast_to(np.log(test.times), counts.shape)
-        fits = profile.fit_rows(Rows(log_time, failures, counts))
-    else:
-        plain = Likelihood.of(test)
-        exact = test.failed & np.isnan(test.lower)
-        interval = ~np.isnan(test.lower)
-        found = concave.maximise(
-            Likelihood(
-                plain.origin,
-                plain.failed,
-                counts[:, exact],
-                plain.suspended,
-                counts[:, ~test.failed],
-                plain.lower,
-                plain.upper,
-                counts[:, interval],
-            )
+        return profile.fit_rows(Rows(log_time, counts * test.failed, counts))
+    plain = Likelihood.of(test)
+    interval = ~np.isnan(test.lower)
+    return fits_of(
+        replace(
+            plain,
+            failed_counts=counts[:, test.failed & ~interval],
+            suspended_counts=counts[:, ~test.failed],
+            interval_counts=counts[:, interval],
         )
-        fits = BatchFit(found.a, (-found.b / found.a)[np.newaxis], found.code)
-    few = failures.sum(axis=1) < 2
-    return BatchFit(fits.shape, fits.log_scale, np.where(few, profile.NO_FAILURES, fits.code))
+    )
