@@ -380,6 +380,17 @@ def test_why_a_case_has_no_life_is_a_note(
         assert said_analysis_note(name, words.code)[:60] in text
 
 
+def test_l_able_without_viscosity_is_a_note_and_no_end() -> None:
+    case = load_case(EXAMPLES / "218_combined.toml", ["life.nsk_cleanliness=0.8"])
+    analysis = analyse(case)
+    assert analysis.notes == ("l_able_without_viscosity",)
+    assert analysis.life is not None
+    assert set(analysis.life.theories) == {"iso281", "iso16281", "ioannides_harris"}
+    for words in LANGUAGES:
+        text = terminal_report(analysis.state, words, Medium(width=120), analysis)
+        assert said_analysis_note("l_able_without_viscosity", words.code)[:60] in text
+
+
 # --- curves, spectra, shafts ------------------------------------------------------------------
 
 

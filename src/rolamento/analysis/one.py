@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import isfinite
 from typing import TYPE_CHECKING, Any, Final
 
@@ -17,7 +17,7 @@ from rolamento.state import State
 
 if TYPE_CHECKING:
     from rolamento.friction import Friction
-    from rolamento.life import LifeSummary
+    from rolamento.life import LifeConditions, LifeSummary
     from rolamento.lubrication import Film
 
 DEFAULT_HYSTERESIS: Final = 0.01
@@ -37,6 +37,10 @@ NOTES: Final[Mapping[str, str]] = {
     "life_without_rating": (
         "No life: the geometry lies outside the standard's table (D cos α/d_m from 0.01 to 0.40),"
         " and no dynamic rating is given (life.dynamic_rating)."
+    ),
+    "l_able_without_viscosity": (
+        "No L_able: the viscosity ratio is not known; it needs a lubricant with its temperature, or"
+        " life.viscosity_ratio."
     ),
 }
 """Why a part is missing, by name."""
@@ -154,14 +158,22 @@ def _life(state: State) -> tuple[LifeSummary | None, tuple[str, ...]]:
     from rolamento.life import conditions_of, life
 
     conditions = conditions_of(state.case)
+    why_not: tuple[str, ...] = ()
+    if conditions.nsk_cleanliness is not None and not _viscosity_known(conditions):
+        conditions = replace(conditions, nsk_cleanliness=None)
+        why_not = ("l_able_without_viscosity",)
     try:
-        return life(state, conditions), ()
+        return life(state, conditions), why_not
     except InputError as error:
         if error.field == "bearing.contact_angle":
             return None, ("life_of_thrust_bearing",)
         if error.field == "dynamic_rating":
             return None, ("life_without_rating",)
         raise
+
+
+def _viscosity_known(conditions: LifeConditions) -> bool:
+    return conditions.viscosity is not None or conditions.viscosity_ratio is not None
 
 
 def _film(state: State) -> Film:

@@ -1,4 +1,4 @@
-"""What the engine notes on film and friction, in Brazilian Portuguese."""
+"""What the engine notes on the film, in Brazilian Portuguese."""
 
 from __future__ import annotations
 
@@ -81,18 +81,6 @@ _SENTENCES: Final[tuple[tuple[str, str], ...]] = (
         "Razão de viscosidade {ratio}: o óleo é mais fino do que o rolamento precisa ({needed}"
         " mm²/s).",
     ),
-    (
-        r"No film: the lubricant's temperature is not given \((?P<field>\S+)\)\.",
-        "Sem filme: a temperatura do lubrificante não foi dada ({field}).",
-    ),
-    (
-        r"No friction: the lubricant's coefficient of friction is not given \((?P<field>\S+)\)\.",
-        "Sem atrito: o coeficiente de atrito do lubrificante não foi dado ({field}).",
-    ),
-    (
-        r"No friction: the friction models take a coefficient of friction of at most 1\.",
-        "Sem atrito: os modelos de atrito aceitam um coeficiente de atrito de no máximo 1.",
-    ),
 )
 
 
@@ -114,7 +102,7 @@ def _patterns() -> tuple[tuple[re.Pattern[str], str], ...]:
 
 def _said(name: str, text: str) -> str:
     """Return a varying part with decimal commas; names stay as they are."""
-    if name in ("name", "field"):
+    if name == "name":
         return text
     written = re.sub(r"(?<=\d)\.(?=\d)", ",", text).replace("degC", "°C").replace(" and ", " e ")
     return re.sub(r", (?=[UWGk])", "; ", written).replace(" to ", " a ")

@@ -460,6 +460,10 @@ ANALYSIS_SENTENCES: Final[Mapping[str, Mapping[str, str]]] = {
             "Sem vida: a geometria está fora da tabela da norma (D cos α/d_m de 0,01 a 0,40), e"
             " nenhuma capacidade dinâmica foi dada (life.dynamic_rating)."
         ),
+        "l_able_without_viscosity": (
+            "Sem L_able: não se conhece a razão de viscosidade; ela precisa de um lubrificante com"
+            " a sua temperatura, ou de life.viscosity_ratio."
+        ),
     },
 }
 """Why a part of an analysis is missing, by language and name."""
