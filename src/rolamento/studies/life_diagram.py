@@ -1,4 +1,4 @@
-"""Life over load, like a diagram of stress over cycles, and over the load zone, of a solved case."""
+"""Life over load, like a diagram of stress over cycles, and over the load zone, of a state."""
 
 from __future__ import annotations
 
