@@ -27,8 +27,9 @@ from rolamento.report.life_numbers import (
     lives_column,
     percent,
 )
+from rolamento.report.life_sentences import ANALYSIS_SENTENCES, said_analysis_note
 from rolamento.report.life_spectrum import spectrum_report
-from rolamento.report.life_words import ANALYSIS_SENTENCES, LIFE_WORDS, said_analysis_note
+from rolamento.report.life_words import LIFE_WORDS
 from rolamento.report.medium import Medium
 from rolamento.report.page import Page
 from rolamento.report.shaft import shaft_report

@@ -1,4 +1,4 @@
-"""What the report says of life, in two languages; the engine's notes by name."""
+"""What the report says of life, in two languages."""
 
 from __future__ import annotations
 
@@ -6,11 +6,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Final
 
-from rolamento.analysis import NOTES as ANALYSIS_NOTES
 from rolamento.life.record import NOTES
 from rolamento.life.sensitivity import CHANGES
+from rolamento.report.life_sentences import PORTUGUESE_CHANGES, PORTUGUESE_NOTES
 
-__all__ = ["ANALYSIS_SENTENCES", "LIFE_WORDS", "LifeWords", "said_analysis_note"]
+__all__ = ["LIFE_WORDS", "LifeWords"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -340,135 +340,10 @@ _PORTUGUESE: Final = LifeWords(
     },
     all_lives="todas as teorias, e o que ajudaria: rolamento life",
     changes_heading="O que ajudaria",
-    changes={
-        "less_load": "todas as forças e momentos um décimo menores",
-        "less_clearance": "folga diametral 5 µm menor",
-        "more_clearance": "folga diametral 5 µm maior",
-        "thicker_oil": "viscosidade metade maior, cerca de um grau ISO VG",
-        "cleaner_oil": "fator de contaminação 0,2 maior, no máximo 1",
-    },
+    changes=PORTUGUESE_CHANGES,
     changes_legend="vida depois de uma mudança sobre a de antes, pela {theory}",
-    notes={
-        "load_above_half_rating": (
-            "A carga equivalente passa da metade da capacidade dinâmica: os contatos se deformam"
-            " plasticamente, e a norma não responde pela vida."
-        ),
-        "load_above_static_rating": (
-            "A carga equivalente passa da capacidade estática: esperam-se marcas permanentes."
-        ),
-        "viscosity_ratio_too_small": (
-            "A razão de viscosidade κ está abaixo de 0,1, onde a norma não dá fator."
-        ),
-        "contamination_severe": (
-            "O fator de contaminação é 0: o desgaste, e não a fadiga, acaba com a vida; o número"
-            " não é um limite."
-        ),
-        "oil_too_hot": (
-            "O lubrificante passa de 120 °C, o que o aço comum para rolamentos aguenta: dureza e"
-            " dimensões mudam, e a capacidade cai. Peça anéis estabilizados."
-        ),
-        "no_equivalent_load": (
-            "A norma não tem carga equivalente para este conjunto: as carreiras diferem, ou são"
-            " mais que um tandem ou um par. A vida de referência vale para ele."
-        ),
-        "thrust_bearing": (
-            "O ângulo de contato passa de 45°: um rolamento axial, para o qual estas teorias não"
-            " são."
-        ),
-        "no_dynamic_rating": (
-            "A geometria está fora da tabela da norma (D cos α/d_m de 0,01 a 0,40), e nenhuma"
-            " capacidade dinâmica foi dada; ou o caso não tem geometria."
-        ),
-        "too_slow": "O rolamento gira a menos de 20 rpm, para o que o fabricante não dá vida.",
-        "too_hot": "O rolamento passa de 130 °C, para o que o fabricante não dá vida.",
-        "outside_the_table": (
-            "A razão de viscosidade ou a carga está fora da tabela de a_NSK do usuário, que não é"
-            " continuada."
-        ),
-        "moment_left_out": (
-            "A carga equivalente não conhece momento; a vida de referência o conta, esfera por"
-            " esfera."
-        ),
-        "preload_left_out": (
-            "A carga equivalente não conhece pré-carga; a vida de referência a conta."
-        ),
-        "centrifugal_left_out": (
-            "As esferas pressionam mais a pista externa que a interna, pela sua força centrífuga;"
-            " a carga equivalente nada sabe disso, a vida de referência o conta."
-        ),
-        "open_grooves": (
-            "As pistas são mais abertas que 0,52 (interna) ou 0,53 (externa). Uma capacidade que"
-            " não é dada é reduzida por isso; uma que é dada tem de ser a do próprio rolamento."
-        ),
-        "close_grooves": (
-            "As pistas são mais fechadas que 0,52 (interna) ou 0,53 (externa). A norma avisa que"
-            " pistas mais fechadas podem não aumentar a capacidade, e nenhuma é aumentada."
-        ),
-        "ceramic_balls": (
-            "As esferas não são de aço. Com nitreto de silício a capacidade dinâmica é a de esferas"
-            " de aço (ISO 20056-1); a estática não é, e tem de ser dada."
-        ),
-        "no_static_rating": (
-            "Sem a capacidade estática do fabricante para estas esferas não há segurança estática."
-        ),
-        "viscosity_ratio_capped": ("A razão de viscosidade κ conta como 4, onde a norma termina."),
-        "reliability_continued": (
-            "A confiabilidade está fora da tabela da norma; a sua fórmula é continuada."
-        ),
-        "material_factor_unsupported": (
-            "a_2 não é 1: a norma quer para isso provas do fabricante."
-        ),
-        "operation_factor_too_great": (
-            "O óleo tem menos de 13 mm²/s, ou n d_m está abaixo de 10 000: a norma pede a_3 < 1."
-        ),
-        "operation_factor_unfounded": (
-            "a_3 acima de 1 precisa de superfícies separadas por um filme; não compensa um aço."
-        ),
-        "stand_in_for_the_chart": (
-            "a_NSK só é publicado em gráficos: a_ISO com e_C = a_c está aqui no seu lugar."
-        ),
-        "no_surface_stress": (
-            "Só tensões abaixo da superfície, com limite de fadiga: sem atrito, marcas e asperezas"
-            " isto é um limite superior, muito otimista a partir de 3 GPa."
-        ),
-        "below_fatigue_limit": (
-            "Nenhum ponto é solicitado além do limite de fadiga: não há fim por fadiga."
-        ),
-        "at_rest": "Nada gira: não há horas.",
-        "unloaded": "Nenhuma esfera leva carga: não há fadiga.",
-    },
+    notes=PORTUGUESE_NOTES,
 )
 
 LIFE_WORDS: Final[Mapping[str, LifeWords]] = {"en": _ENGLISH, "pt": _PORTUGUESE}
 """By language."""
-
-ANALYSIS_SENTENCES: Final[Mapping[str, Mapping[str, str]]] = {
-    "en": ANALYSIS_NOTES,
-    "pt": {
-        "no_temperature": (
-            "Sem filme: a temperatura do lubrificante não foi dada (temperature.lubricant)."
-        ),
-        "no_coefficient": (
-            "Sem atrito: o coeficiente de atrito do lubrificante não foi dado"
-            " (lubricant.friction_coefficient)."
-        ),
-        "life_of_thrust_bearing": (
-            "Sem vida: as teorias daqui são para rolamentos radiais, com ângulo de contato de até"
-            " 45°."
-        ),
-        "life_without_rating": (
-            "Sem vida: a geometria está fora da tabela da norma (D cos α/d_m de 0,01 a 0,40), e"
-            " nenhuma capacidade dinâmica foi dada (life.dynamic_rating)."
-        ),
-        "l_able_without_viscosity": (
-            "Sem L_able: não se conhece a razão de viscosidade; ela precisa de um lubrificante com"
-            " a sua temperatura, ou de life.viscosity_ratio."
-        ),
-    },
-}
-"""Why a part of an analysis is missing, by language and name."""
-
-
-def said_analysis_note(name: str, language: str) -> str:
-    """Say in a language why a part of an analysis is missing."""
-    return ANALYSIS_SENTENCES.get(language, ANALYSIS_NOTES)[name]

@@ -221,7 +221,7 @@ def _what_follows(page: Page, analysis: Analysis, notes: list[str]) -> list[Line
         parts.append(life_part(page, analysis.state, analysis.life))
         notes += life_notes(page, analysis.life)
     if analysis.notes:
-        from rolamento.report.life_words import said_analysis_note
+        from rolamento.report.life_sentences import said_analysis_note
 
         notes += [said_analysis_note(name, page.words.code) for name in analysis.notes]
     return parts
