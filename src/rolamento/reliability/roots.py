@@ -57,7 +57,7 @@ def rising_root(
         moved = np.where(usable, newton, middle)
         moved = np.where(value == 0.0, x, moved)
         last = np.abs(moved - x)
-        settled = ~np.isnan(value) & (last <= tolerance * np.abs(moved))
+        settled = ~np.isnan(value) & np.isfinite(moved) & (last <= tolerance * np.abs(moved))
         x = np.where(converged, x, moved)
         converged = converged | settled
         if np.all(converged | np.isnan(value) | np.isinf(x)):

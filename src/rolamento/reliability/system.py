@@ -51,7 +51,7 @@ def system_rating_life(
     e = EXPONENTS[kind] if exponent is None else shape_of(exponent, "exponent")
     array = _parts(lives, "lives")
     shortest = array.min(axis=-1)
-    with np.errstate(invalid="ignore"):
+    with np.errstate(invalid="ignore", divide="ignore"):
         ratio = np.where(np.isinf(array), 0.0, shortest[..., np.newaxis] / array)
         return np.where(
             np.isinf(shortest), np.inf, shortest * np.sum(ratio**e, axis=-1) ** (-1.0 / e)
