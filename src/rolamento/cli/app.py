@@ -30,6 +30,8 @@ from rolamento.cli.sweep import sweep
 from rolamento.cli.tolerance import tolerance
 from rolamento.cli.turn import turn
 from rolamento.cli.verify import verify
+from rolamento.cli.weibull import weibull
+from rolamento.cli.weibull_plan import app as weibull_plan_app
 from rolamento.errors import FileError, InputError
 
 if TYPE_CHECKING:
@@ -190,6 +192,12 @@ app.command(
     cls=JsonCommand,
     epilog="Examples: frequencies 6205 --speed '1797 rpm'; frequencies case.toml --json.",
 )(frequencies)
+app.command(
+    cls=JsonCommand,
+    epilog="Examples: weibull tests.csv --plot paper.png; weibull tests.csv --shape 1.5;"
+    " weibull --example campanha-2008 --calculated-life 'ISO 281=58 h'.",
+)(weibull)
+app.add_typer(weibull_plan_app, name="weibull-plan")
 app.command(cls=JsonCommand, epilog="Example: turn case.toml --plot turn.png.")(turn)
 app.command(cls=JsonCommand, epilog="Example: tolerance scatter.nc --plot bands.png.")(tolerance)
 app.command(epilog="Example: reproduce radaelli-2013 --output radaelli --lang pt.")(reproduce)

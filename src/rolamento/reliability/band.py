@@ -8,7 +8,7 @@ from typing import Final
 import numpy as np
 
 from rolamento.numerics import FloatArray
-from rolamento.reliability.bounds import Method, all_bounds
+from rolamento.reliability.bounds import Method, Sides, all_bounds
 from rolamento.reliability.life_test import LifeTest
 from rolamento.reliability.quantity import Quantity
 
@@ -27,8 +27,8 @@ class Band:
     ----------
     code
         "converged", or why there is none, a key of `fit.ADVICE`
-    method, confidence
-        of the bounds, two-sided
+    method, confidence, sides
+        of the bounds: two-sided, or lower ones where nothing failed
     reliability
         (points,), falling
     estimate, lower, upper
@@ -40,6 +40,7 @@ class Band:
     code: str
     method: str
     confidence: float
+    sides: Sides
     reliability: FloatArray
     estimate: FloatArray
     lower: FloatArray
@@ -78,15 +79,19 @@ def confidence_band(
     first, last = (float(np.log(-np.log1p(-failed))) for failed in (_LEAST, _MOST))
     ordinate = np.linspace(first, last, _POINTS)
     reliability = np.exp(-np.exp(ordinate))
+    sides: Sides = "two" if test.failures else "lower"
     found = all_bounds(
         test,
         [Quantity.life(float(r)) for r in reliability],
         method=method,
         confidence=confidence,
+        sides=sides,
         samples=min(samples, MOST_SAMPLES),
         seed=seed,
         shape=shape,
     )
     estimate, lower, upper = np.array([[one.estimate, one.lower, one.upper] for one in found]).T
     code = next((one.code for one in found if one.converged), found[0].code)
-    return Band(code, found[0].method, confidence, reliability, estimate, lower, upper, test.unit)
+    return Band(
+        code, found[0].method, confidence, sides, reliability, estimate, lower, upper, test.unit
+    )

@@ -15,7 +15,7 @@ Sources: Nelson (1985); Abernethy (2006), chapter 6; Lipson and Sheth (1973) for
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 from math import isfinite
 from typing import Any, Final
@@ -29,7 +29,7 @@ from rolamento.reliability._checks import positive, share
 from rolamento.reliability._columns import MOST_TIME
 from rolamento.reliability.order_statistics import MOST, planned_shape, whole_number
 
-__all__ = ["PLAN_ADVICE", "Demonstration", "demonstrate"]
+__all__ = ["PLAN_ADVICE", "Demonstration", "alternatives", "demonstrate"]
 
 PLAN_ADVICE: Final[Mapping[str, str]] = {
     "not_shown": (
@@ -227,6 +227,35 @@ def demonstrate(
     if time is None:
         return _for_bearings(*given, bearings)
     return _judged(*given, bearings, time)
+
+
+def alternatives(
+    plan: Demonstration,
+    bearings: Sequence[int] = (1, 2, 3, 4, 5, 6, 8, 10, 12, 15, 20, 30),
+    failures_allowed: Sequence[int] = (0, 1, 2),
+) -> tuple[Demonstration, ...]:
+    """Plan tests that show the same life as surely with other numbers of bearings and failures.
+
+    Parameters
+    ----------
+    plan
+        What is to be shown.
+    bearings, failures_allowed
+        Of the tests; those with no more bearings than failures allowed are left out.
+    """
+    return tuple(
+        demonstrate(
+            plan.life,
+            shape=plan.shape,
+            bearings=count,
+            reliability=plan.reliability,
+            confidence=plan.confidence,
+            failures_allowed=allowed,
+        )
+        for count in bearings
+        for allowed in failures_allowed
+        if count > allowed
+    )
 
 
 def _for_bearings(

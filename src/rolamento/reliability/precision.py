@@ -20,7 +20,7 @@ Sources: Johnson (1964) for sudden death; McCool (1970, 1974).
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from math import ceil, exp, inf, isfinite, log, nan
@@ -42,7 +42,7 @@ from rolamento.reliability.order_statistics import (
 )
 from rolamento.reliability.planning import PLAN_ADVICE
 
-__all__ = ["LifeTestPlan", "plan_for_ratio", "plan_of"]
+__all__ = ["LifeTestPlan", "plan_for_ratio", "plan_of", "plans_for_ratio"]
 
 MOST_FAILURES: Final = 1000
 MOST_GROUPS: Final = 20_000
@@ -53,6 +53,7 @@ _GUESSES: Final = 12
 _FIRST_GUESS: Final = 10
 
 Evaluate = Callable[[int], float]
+Progress = Callable[[int, int], None]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -241,6 +242,55 @@ def plan_for_ratio(
         code = "too_many_failures" if groups is None else "not_reached"
         return expected.without(code, 0 if groups is None else groups)
     return expected.plan(groups_for(found), found)
+
+
+def plans_for_ratio(
+    ratio: float,
+    *,
+    failed_shares: Sequence[float] = (1.0, 0.5, 0.25),
+    group_sizes: Sequence[int] = (2, 3, 4, 6, 8, 12),
+    shape: float,
+    life: float = 1.0,
+    reliability: float = 0.9,
+    confidence: float = 0.9,
+    samples: int = 10_000,
+    seed: int = 0,
+    progress: Progress | None = None,
+) -> tuple[LifeTestPlan, ...]:
+    """Plan tests that are as precise: plain ones, stopped earlier and later, and sudden death.
+
+    Parameters
+    ----------
+    ratio
+        Upper over lower bound of the life, as of `plan_for_ratio`.
+    failed_shares
+        Parts of the bearings that fail before a plain test is stopped.
+    group_sizes
+        Bearings in a group of sudden death; all groups fail.
+    shape, life, reliability, confidence, samples, seed
+        As of `plan_of`.
+    progress
+        Called with plans made and plans in all.
+    """
+    kinds = [(1, part) for part in failed_shares] + [(size, 1.0) for size in group_sizes]
+    plans = []
+    for size, part in kinds:
+        plans.append(
+            plan_for_ratio(
+                ratio,
+                group_size=size,
+                failed_share=part,
+                shape=shape,
+                life=life,
+                reliability=reliability,
+                confidence=confidence,
+                samples=samples,
+                seed=seed,
+            )
+        )
+        if progress is not None:
+            progress(len(plans), len(kinds))
+    return tuple(plans)
 
 
 @dataclass(frozen=True, slots=True)

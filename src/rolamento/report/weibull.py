@@ -63,7 +63,7 @@ def weibull_report(
     said = WEIBULL_WORDS[words.code]
     parts = [_head(page, said, found)]
     for group in found.groups:
-        parts += _group(page, said, found.wanted, group)
+        parts += _group(page, said, found.wanted, group, alone=len(found.groups) == 1)
     parts.append(comparison_part(page, said, found))
     parts.append(_notes(page, said, found))
     return rendered(page.medium, [part for part in parts if part])
@@ -74,6 +74,8 @@ def _head(page: Page, said: WeibullWords, found: LifeTestSummary) -> Lines:
     facts = [_sizes(page, said, test)]
     if len(groups) > 1:
         facts.insert(1, said.groups.format(count=len(groups)))
+    elif groups[0].name:
+        facts[0] = f"{one_line(groups[0].name)}: {facts[0]}"
     first, last = (page.digits.short(float(time), 6) for time in _ends(test))
     facts.append(said.from_to.format(first=first, last=last, unit=test.unit))
     entries = [
@@ -107,14 +109,15 @@ def _ends(test: LifeTest) -> tuple[float, float]:
     return float(np.min(test.times)), float(np.max(test.times))
 
 
-def _group(page: Page, said: WeibullWords, wanted: Wanted, group: GroupSummary) -> list[Lines]:
+def _group(
+    page: Page, said: WeibullWords, wanted: Wanted, group: GroupSummary, *, alone: bool
+) -> list[Lines]:
     """Say what one group says: in sentences, then in tables."""
-    heading = page.heading(said.fit)
-    parts = [[heading, *statement_part(page, said, group, wanted)]]
-    if group.name:
+    parts = [statement_part(page, said, group, wanted)]
+    if not alone:
         name = page.text(f"{one_line(group.name)}: {_sizes(page, said, group.test)}", "bold")
         scheme = said.schemes.get(group.test.scheme, group.test.scheme)
-        parts[0][:1] = [
+        parts[0][:0] = [
             name,
             page.rule(max(len(name), 40)),
             *page.hanging(Text("  "), scheme, "dim"),

@@ -1,0 +1,292 @@
+"""`rolamento weibull`: what a life test says, with bounds, pictures and JSON."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from contextlib import AbstractContextManager
+from typing import TYPE_CHECKING, Annotated, Final
+
+import typer
+
+from rolamento.cli.common import (
+    NO_RESULT,
+    SOLVED,
+    Language,
+    LanguageOption,
+    plain_endings,
+    words_of,
+)
+from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
+from rolamento.cli.weibull_options import (
+    EXAMPLES,
+    check_outputs,
+    known_example,
+    life_test,
+    only_groups,
+    wanted,
+)
+from rolamento.errors import FileError, InputError
+
+if TYPE_CHECKING:
+    from rolamento.reliability.summary import LifeTestSummary
+    from rolamento.report.language import Words
+
+__all__ = ["weibull"]
+
+_CONFIDENCE: Final = 0.9
+_SAMPLES: Final = 10_000
+
+
+def weibull(
+    data: Annotated[
+        str | None,
+        typer.Argument(
+            metavar="DATA.csv",
+            help="Life test: columns time, status, and group, rig, count and more if there are;"
+            " - is standard input.",
+        ),
+    ] = None,
+    example: Annotated[
+        str | None,
+        typer.Option(
+            "--example", metavar="NAME", help=f"A shipped life test: {' or '.join(EXAMPLES)}."
+        ),
+    ] = None,
+    write: Annotated[
+        str | None,
+        typer.Option("--write", metavar="FILE", help="Write the example as CSV instead."),
+    ] = None,
+    method: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--method",
+            metavar="METHOD",
+            help="Of fitting: ml, unbiased, rrx, rry, three-parameter. Repeats; by default the"
+            " first four.",
+        ),
+    ] = None,
+    three_parameter: Annotated[
+        bool, typer.Option("--three-parameter", help="Fit a time free of failures as well.")
+    ] = False,
+    shape: Annotated[
+        float | None,
+        typer.Option(
+            "--shape", metavar="BETA", help="From experience: only the scale is fitted (Weibayes)."
+        ),
+    ] = None,
+    bayes: Annotated[
+        str | None,
+        typer.Option(
+            "--bayes",
+            metavar="LOW..HIGH",
+            help="What the shape lies between with 90 %: gives a posterior as well.",
+        ),
+    ] = None,
+    bounds: Annotated[
+        str | None,
+        typer.Option(
+            "--bounds",
+            metavar="METHOD",
+            help="pivotal, calibrated-likelihood-ratio, likelihood-ratio, fisher, bootstrap-bca,"
+            " …; by default what keeps its promise with few failures.",
+        ),
+    ] = None,
+    confidence: Annotated[
+        float, typer.Option("--confidence", metavar="C", help="Of the bounds, such as 0.9.")
+    ] = _CONFIDENCE,
+    sides: Annotated[
+        str, typer.Option("--sides", metavar="SIDES", help="Of the bounds: two, lower or upper.")
+    ] = "two",
+    reliability: Annotated[
+        list[float] | None,
+        typer.Option(
+            "--reliability",
+            metavar="R",
+            help="That lives are wanted for, 0.9 for L10. Repeats; by default 0.9 and 0.5.",
+        ),
+    ] = None,
+    time: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--time", metavar="TIME", help="That reliabilities are wanted for: '100 h'. Repeats."
+        ),
+    ] = None,
+    calculated_life: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--calculated-life",
+            metavar="[NAME=]LIFE",
+            help="Set it against the data: 'ISO 281=58 h', for the first reliability. Repeats.",
+        ),
+    ] = None,
+    group: Annotated[
+        str | None,
+        typer.Option("--group", metavar="COLUMN", help="Column of the groups, if another."),
+    ] = None,
+    by_group: Annotated[
+        bool,
+        typer.Option(
+            "--by-group/--pooled", help="Each group by itself, and compared; or all together."
+        ),
+    ] = True,
+    only: Annotated[
+        list[str] | None,
+        typer.Option("--only", metavar="GROUP", help="Leave the other groups out. Repeats."),
+    ] = None,
+    unit: Annotated[
+        str | None,
+        typer.Option("--unit", metavar="UNIT", help="Of the times, if the file says another."),
+    ] = None,
+    samples: Annotated[
+        int, typer.Option("--samples", metavar="N", help="Tests to draw, 100 to a million.")
+    ] = _SAMPLES,
+    seed: Annotated[
+        int, typer.Option("--seed", metavar="N", min=0, help="Of the random numbers.")
+    ] = 0,
+    plot: Annotated[
+        str | None,
+        typer.Option(
+            "--plot", metavar="FILE", help="Draw probability paper: a .png, .svg or .pdf file."
+        ),
+    ] = None,
+    contour: Annotated[
+        str | None,
+        typer.Option(
+            "--contour", metavar="FILE", help="Draw the regions of equal likelihood, likewise."
+        ),
+    ] = None,
+    contour_of: Annotated[
+        str,
+        typer.Option("--contour-of", metavar="LIFE", help="Over the shape: L10, L1, scale …"),
+    ] = "L10",
+    json: Annotated[
+        str | None,
+        typer.Option(
+            "--json",
+            metavar="[FILE]",
+            help="Write everything as JSON, in the unit of the data; without FILE, to standard"
+            " output.",
+        ),
+    ] = None,
+    lang: LanguageOption = None,
+) -> None:
+    """Fit a life test by Weibull's distribution, and say what it tells and what not."""
+    with plain_endings(lang):
+        if example is not None and json == STANDARD_STREAM and data is not None:
+            data, json = None, data  # the word after --json is its file: nothing else is wanted
+        outputs = {"--json": json, "--plot": plot, "--contour": contour}
+        check_outputs(data, outputs)
+        if write is not None:
+            print_text(_written(data, example, write, words_of(lang)))
+            return
+        test = only_groups(life_test(data, example, group, unit), only or ())
+        asked = wanted(
+            test.unit,
+            methods=method or (),
+            three_parameter=three_parameter,
+            bounds=bounds,
+            shape=shape,
+            bayes=bayes,
+            confidence=confidence,
+            sides=sides,
+            reliabilities=reliability or (),
+            times=time or (),
+            calculated=calculated_life or (),
+            samples=samples,
+            seed=seed,
+        )
+        from rolamento.reliability.summary import summarise
+
+        words = words_of(lang)
+        with _told(words) as progress:
+            found = summarise(test, asked, by_group=by_group, progress=progress)
+            if plot is not None:
+                _draw_paper(found, plot, words.code)
+            if contour is not None:
+                _draw_contour(found, contour, contour_of, words.code)
+        _show(found, json, lang)
+    raise typer.Exit(SOLVED if found.has_result else NO_RESULT)
+
+
+def _told(words: Words) -> AbstractContextManager[Callable[[int, int], None]]:
+    """Show how far it is, in the language of the page."""
+    from rolamento.cli.weibull_progress import told
+    from rolamento.report.weibull_words import WEIBULL_WORDS
+
+    return told(WEIBULL_WORDS[words.code].working)
+
+
+def _written(data: str | None, example: str | None, path: str, words: Words) -> str:
+    """Write an example's CSV under a new name, and return what to say about it."""
+    from rolamento.reliability import published_text
+    from rolamento.report.weibull_words import WEIBULL_WORDS
+
+    if example is None or data is not None:
+        raise InputError("goes with --example alone", source="--write", value=path)
+    text = published_text(known_example(example).replace("-", "_"))
+    try:
+        with open(path, "x", encoding="utf-8", newline="\n") as file:
+            file.write(text)
+    except FileExistsError:
+        raise FileError("exists already; choose another name", source=path) from None
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        raise FileError(f"cannot be written: {reason.lower()}", source=path) from None
+    return WEIBULL_WORDS[words.code].written.format(path=path) + "\n"
+
+
+def _draw_paper(found: LifeTestSummary, path: str, language: str) -> None:
+    from rolamento.plots.saving import save_figure
+    from rolamento.plots.weibull import weibull_figure
+    from rolamento.reliability.band import confidence_band
+
+    asked = found.wanted
+    bands = {
+        group.name: confidence_band(
+            group.test,
+            method=asked.bounds,
+            confidence=asked.confidence,
+            samples=asked.samples,
+            seed=asked.seed,
+            shape=asked.shape,
+        )
+        for group in found.groups
+        if group.bounded
+    }
+    save_figure(weibull_figure(found, bands, language), path)
+
+
+def _draw_contour(found: LifeTestSummary, path: str, quantity: str, language: str) -> None:
+    from rolamento.plots.saving import save_figure
+    from rolamento.plots.weibull_contour import contour_figure
+    from rolamento.reliability.likelihood_region import likelihood_region
+
+    asked = found.wanted
+    try:
+        regions = {
+            group.name: likelihood_region(
+                group.test, quantity, samples=asked.samples, seed=asked.seed
+            )
+            for group in found.groups
+        }
+    except InputError as error:
+        raise error.with_details(source="--contour-of") from None
+    save_figure(contour_figure(found, regions, language), path)
+
+
+def _show(found: LifeTestSummary, json: str | None, lang: Language | None) -> None:
+    """Write what was asked for; standard output takes data or the report, not both."""
+    from rolamento.report.weibull import weibull_json, weibull_report
+
+    words = words_of(lang)
+    if json is not None:
+        put(weibull_json(found) + "\n", json)
+    if json != STANDARD_STREAM:
+        from rolamento.report.medium import Medium
+
+        print_text(weibull_report(found, words, Medium.of(sys.stdout)))
+    elif not found.has_result:
+        from rolamento.report.weibull_sentences import said_advice
+
+        complain(said_advice(found.groups[0].main.code, words.code))

@@ -1,0 +1,209 @@
+"""`rolamento weibull-plan`: how many bearings, how long, how many failures."""
+
+from __future__ import annotations
+
+import sys
+from typing import TYPE_CHECKING, Annotated, Any, Final
+
+import typer
+
+from rolamento.cli.common import (
+    NO_RESULT,
+    SOLVED,
+    LanguageOption,
+    plain_endings,
+    words_of,
+)
+from rolamento.cli.life_units import given_life, life_in
+from rolamento.cli.optional_value import JsonCommand
+from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
+from rolamento.errors import InputError
+
+if TYPE_CHECKING:
+    from rolamento.reliability.precision import LifeTestPlan
+
+__all__ = ["app"]
+
+_SHAPE: Final = 1.5
+_MOST_SIZES: Final = 20
+
+app = typer.Typer(
+    help="Plan life tests: bearings and time to show a life, failures to know it.",
+    no_args_is_help=True,
+    rich_markup_mode=None,
+)
+
+LifeOption = Annotated[
+    str | None,
+    typer.Option("--life", metavar="LIFE", help="That is expected, such as '1000 h'."),
+]
+ShapeOption = Annotated[
+    float, typer.Option("--shape", metavar="BETA", help="Of Weibull's distribution, expected.")
+]
+ReliabilityOption = Annotated[
+    float, typer.Option("--reliability", metavar="R", help="Of the life: 0.9 for L10.")
+]
+ConfidenceOption = Annotated[
+    float, typer.Option("--confidence", metavar="C", help="With which, such as 0.9.")
+]
+JsonOption = Annotated[
+    str | None,
+    typer.Option(
+        "--json",
+        metavar="[FILE]",
+        help="Write everything as JSON, in the unit of the life; without FILE, to standard output.",
+    ),
+]
+
+
+@app.command(
+    cls=JsonCommand,
+    epilog="Examples: weibull-plan demonstration --life '1000 h' --bearings 10;"
+    " weibull-plan demonstration --life '1000 h' --time '500 h' --failures-allowed 1.",
+)
+def demonstration(
+    life: Annotated[
+        str, typer.Option("--life", metavar="LIFE", help="That is to be shown, such as '1000 h'.")
+    ],
+    bearings: Annotated[
+        int | None, typer.Option("--bearings", metavar="N", help="There are: the time is found.")
+    ] = None,
+    time: Annotated[
+        str | None,
+        typer.Option("--time", metavar="TIME", help="For each bearing: how many are found."),
+    ] = None,
+    failures_allowed: Annotated[
+        int, typer.Option("--failures-allowed", metavar="K", help="With which the test is passed.")
+    ] = 0,
+    shape: ShapeOption = _SHAPE,
+    reliability: ReliabilityOption = 0.9,
+    confidence: ConfidenceOption = 0.9,
+    json: JsonOption = None,
+    lang: LanguageOption = None,
+) -> None:
+    """Show a life by a test with few failures or none: bearings against time."""
+    with plain_endings(lang):
+        wanted, unit = given_life(life, "--life")
+        each = None if time is None else life_in(time, unit, "--time")
+        if bearings is None and each is None:
+            each = wanted  # as long as the life: there the shape does not matter
+        from rolamento.reliability.planning import alternatives, demonstrate
+        from rolamento.report.medium import Medium
+        from rolamento.report.weibull_plan import demonstration_json, demonstration_report
+
+        plan = demonstrate(
+            wanted,
+            shape=shape,
+            bearings=bearings,
+            time=each,
+            reliability=reliability,
+            confidence=confidence,
+            failures_allowed=failures_allowed,
+        )
+        others = alternatives(plan)
+        words = words_of(lang)
+        if json is not None:
+            put(demonstration_json(plan, others, unit) + "\n", json)
+        if json != STANDARD_STREAM:
+            medium = Medium.of(sys.stdout)
+            print_text(demonstration_report(plan, others, unit, words, medium))
+        elif not plan.planned:
+            _complain(plan.code, words.code)
+    raise typer.Exit(SOLVED if plan.planned else NO_RESULT)
+
+
+@app.command(
+    cls=JsonCommand,
+    epilog="Examples: weibull-plan precision --ratio 5 --life '1000 h';"
+    " weibull-plan precision --failures 6 --groups 6 --group-size 4.",
+)
+def precision(
+    ratio: Annotated[
+        float | None,
+        typer.Option("--ratio", metavar="RATIO", help="Wanted, of upper to lower bound: 5, say."),
+    ] = None,
+    failures: Annotated[
+        int | None,
+        typer.Option("--failures", metavar="R", help="Of one test, instead: what it will tell."),
+    ] = None,
+    groups: Annotated[
+        int | None,
+        typer.Option("--groups", metavar="G", help="Bearings, or rigs of several, of that test."),
+    ] = None,
+    group_size: Annotated[
+        list[int] | None,
+        typer.Option(
+            "--group-size", metavar="M", help="Bearings in a rig of sudden death. Repeats."
+        ),
+    ] = None,
+    life: LifeOption = None,
+    shape: ShapeOption = _SHAPE,
+    reliability: ReliabilityOption = 0.9,
+    confidence: ConfidenceOption = 0.9,
+    samples: Annotated[
+        int, typer.Option("--samples", metavar="N", help="Tests to draw, 100 to a million.")
+    ] = 10_000,
+    seed: Annotated[
+        int, typer.Option("--seed", metavar="N", min=0, help="Of the random numbers.")
+    ] = 0,
+    json: JsonOption = None,
+    lang: LanguageOption = None,
+) -> None:
+    """Show how many failures bring the bounds of a life near each other, and how long it takes."""
+    with plain_endings(lang):
+        if (ratio is None) == (failures is None):
+            raise InputError("give --ratio or --failures", source="precision", example="--ratio 5")
+        if ratio is not None and groups is not None and len(group_size or ()) > 1:
+            raise InputError("goes with one --group-size", source="--groups", value=groups)
+        if len(group_size or ()) > _MOST_SIZES:
+            raise InputError(f"may be given {_MOST_SIZES} times at most", source="--group-size")
+        # without a life, times are multiples of it
+        expected, unit = (1.0, "") if life is None else given_life(life, "--life")
+        keywords: dict[str, Any] = {
+            "shape": shape, "life": expected, "reliability": reliability,
+            "confidence": confidence, "samples": samples, "seed": seed,
+        }  # fmt: skip
+        words = words_of(lang)
+        from rolamento.cli.weibull_progress import told
+        from rolamento.report.medium import Medium
+        from rolamento.report.weibull_plan import precision_json, precision_report
+        from rolamento.report.weibull_plan_words import PLAN_WORDS
+
+        with told(PLAN_WORDS[words.code].working) as progress:
+            plans = _plans(ratio, failures, groups, group_size or [], keywords, progress)
+        if json is not None:
+            put(precision_json(plans, ratio, unit) + "\n", json)
+        planned = any(plan.planned for plan in plans)
+        if json != STANDARD_STREAM:
+            print_text(precision_report(plans, ratio, unit, words, Medium.of(sys.stdout)))
+        elif not planned:
+            _complain(plans[0].code, words.code)
+    raise typer.Exit(SOLVED if planned else NO_RESULT)
+
+
+def _plans(
+    ratio: float | None,
+    failures: int | None,
+    groups: int | None,
+    sizes: list[int],
+    keywords: dict[str, Any],
+    progress: Any,
+) -> tuple[LifeTestPlan, ...]:
+    """Plan one test, or many that are as precise."""
+    from rolamento.reliability.precision import plan_for_ratio, plan_of, plans_for_ratio
+
+    if failures is not None:
+        return tuple(plan_of(failures, groups, size, **keywords) for size in sizes or [1])
+    assert ratio is not None
+    if groups is not None:
+        size = sizes[0] if sizes else 1
+        return (plan_for_ratio(ratio, groups=groups, group_size=size, **keywords),)
+    if sizes:
+        keywords = {**keywords, "group_sizes": [size for size in sizes if size > 1]}
+    return plans_for_ratio(ratio, progress=progress, **keywords)
+
+
+def _complain(code: str, language: str) -> None:
+    from rolamento.report.weibull_sentences import said_advice
+
+    complain(said_advice(code, language))

@@ -1,0 +1,395 @@
+"""Planned life tests, for a reader, and as JSON."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import isclose, isfinite, nan
+from typing import Final
+
+from rich.text import Text
+
+from rolamento.reliability.planning import Demonstration
+from rolamento.reliability.precision import LifeTestPlan
+from rolamento.reliability.quantity import Quantity
+from rolamento.report.language import ENGLISH, Words
+from rolamento.report.medium import Medium
+from rolamento.report.numbers import ABSENT
+from rolamento.report.page import Lines, Page
+from rolamento.report.plain_data import json_text
+from rolamento.report.terminal import rendered
+from rolamento.report.weibull_numbers import FIGURES, life_name, one_line, percent, table
+from rolamento.report.weibull_plan_words import PLAN_WORDS, PlanWords
+from rolamento.report.weibull_sentences import said_advice
+from rolamento.report.weibull_words import counted
+
+__all__ = ["demonstration_json", "demonstration_report", "precision_json", "precision_report"]
+
+SCHEMA: Final = 1
+RATIOS: Final = (0.5, 1.0, 1.5, 2.0, 3.0, 5.0, 10.0)
+"""True life over the one to be shown, of which the chances are told."""
+SHAPES: Final = (0.8, 1.0, 1.2, 1.5, 2.0, 2.5, 3.0)
+"""Shapes of which it is told what the same test would show."""
+MULTIPLES: Final = ""
+"""Unit of times that are multiples of the expected life."""
+_FAIR: Final = 0.9
+_FEW: Final = 3
+
+
+# --- demonstration ---------------------------------------------------------------------------
+
+
+def demonstration_json(plan: Demonstration, others: Sequence[Demonstration], unit: str) -> str:
+    """Return a planned demonstration as one JSON object; times in the unit that it names."""
+    chances, confidences = plan.chance_of_passing(RATIOS), plan.confidence_at(SHAPES)
+    return json_text(
+        {
+            "schema": SCHEMA,
+            "kind": "weibull_plan_demonstration",
+            "unit": unit,
+            **plan.to_mapping(),
+            "chance_of_passing": [
+                {"life_ratio": ratio, "chance": chance, "expected_time": plan.expected_time(ratio)}
+                for ratio, chance in zip(RATIOS, chances.tolist(), strict=True)
+            ],
+            "confidence_at_shape": [
+                {"shape": shape, "confidence": confidence}
+                for shape, confidence in zip(SHAPES, confidences.tolist(), strict=True)
+            ],
+            "alternatives": [other.to_mapping() for other in others],
+        }
+    )
+
+
+def demonstration_report(
+    plan: Demonstration,
+    others: Sequence[Demonstration],
+    unit: str,
+    words: Words = ENGLISH,
+    medium: Medium | None = None,
+) -> str:
+    """Return the page of a planned demonstration as text that ends in a newline.
+
+    Parameters
+    ----------
+    plan
+        Of `rolamento.reliability.planning.demonstrate`.
+    others
+        That show as much, of `alternatives`.
+    unit
+        Of the life and all times.
+    words, medium
+        The language, and what the text is shown on; by default plain text of 80 columns.
+    """
+    page, said = Page(words, medium or Medium()), PLAN_WORDS[words.code]
+    unit = one_line(unit)
+    quantity = life_name(page, Quantity.life(plan.reliability))
+    title = said.showing.format(
+        quantity=quantity,
+        life=page.digits.short(plan.life, FIGURES),
+        unit=unit,
+        confidence=percent(page, plan.confidence),
+    )
+    head = [
+        *page.hanging(Text(), title, "bold"),
+        page.rule(page.medium.width),
+        *page.hanging(
+            Text("  "), said.shape.format(shape=page.digits.short(plan.shape, FIGURES)), "dim"
+        ),
+    ]
+    parts = [head, _test(page, said, plan, quantity, unit)]
+    if plan.planned:
+        parts.append(_chances(page, said, plan, unit))
+        parts.append([] if _as_long(plan) else _shapes(page, said, plan))
+    if others:
+        parts.append(_trade(page, said, others, unit))
+    return rendered(page.medium, [part for part in parts if part])
+
+
+def _test(page: Page, said: PlanWords, plan: Demonstration, quantity: str, unit: str) -> Lines:
+    """Say in sentences what the test is, and what may be expected of it."""
+    if not plan.planned:
+        return page.hanging(page.text("  ✗ ", "red"), said_advice(plan.code, page.words.code))
+    allowed = plan.failures_allowed
+    failures = said.without_failure
+    if allowed:
+        failures = counted(said.with_failures, allowed, page.digits.fixed(allowed, 0))
+    ratio = plan.life_ratio_for(_FAIR)
+    life = page.digits.short(ratio * plan.life, FIGURES)
+    sentences = [
+        said.run.format(
+            bearings=page.digits.fixed(plan.bearings, 0),
+            time=page.digits.short(plan.time, FIGURES),
+            unit=unit,
+            total=page.digits.short(plan.total_time, FIGURES),
+            failures=failures,
+        ),
+        said.shown.format(shown=_share(page, plan.shown)),
+        said.just_as_wanted.format(chance=_share(page, float(plan.chance_of_passing(1.0)))),
+        said.to_pass.format(
+            quantity=quantity, life=life, unit=unit, ratio=page.digits.short(ratio, _FEW)
+        ),
+        said.expected_end.format(time=page.digits.short(plan.expected_time(), _FEW), unit=unit),
+    ]
+    if _as_long(plan):
+        sentences.append(said.any_shape)
+    return _bullets(page, sentences)
+
+
+def _as_long(plan: Demonstration) -> bool:
+    """Whether the test is as long as the life, so that the shape does not matter."""
+    return isclose(plan.time, plan.life, rel_tol=1e-9)
+
+
+def _bullets(page: Page, sentences: Sequence[str]) -> Lines:
+    lines: Lines = []
+    for sentence in sentences:
+        lines += page.hanging(page.text("  • ", "green"), sentence)
+    return lines
+
+
+def _chances(page: Page, said: PlanWords, plan: Demonstration, unit: str) -> Lines:
+    rows = [
+        [said.passes, *(_share(page, float(x)) for x in plan.chance_of_passing(RATIOS))],
+        [
+            said.ends_after.format(unit=unit),
+            *(page.digits.short(plan.expected_time(ratio), _FEW) for ratio in RATIOS),
+        ],
+    ]
+    heads = [said.true_ratio, *(page.digits.short(ratio, 2) for ratio in RATIOS)]
+    return [page.heading(said.chance), *table(page, heads, rows)]
+
+
+def _shapes(page: Page, said: PlanWords, plan: Demonstration) -> Lines:
+    heads = [said.shape_head, *(page.digits.short(shape, 2) for shape in SHAPES)]
+    row = [said.shown_with, *(_share(page, float(x)) for x in plan.confidence_at(SHAPES))]
+    return [page.heading(said.other_shape), *table(page, heads, [row])]
+
+
+def _trade(page: Page, said: PlanWords, others: Sequence[Demonstration], unit: str) -> Lines:
+    """One line a number of bearings: the time of each, by the failures allowed."""
+    allowed = sorted({other.failures_allowed for other in others})
+    by_place = {(other.bearings, other.failures_allowed): other.time for other in others}
+    heads = [said.bearings]
+    for count in allowed:
+        shown = page.digits.fixed(count, 0)
+        heads.append(counted(said.allowed, count, shown) if count else said.no_failure)
+    heads.append(said.total)
+    rows = []
+    for bearings in sorted({other.bearings for other in others}):
+        times = [by_place.get((bearings, count), nan) for count in allowed]
+        cells = [*times, bearings * times[0]]
+        rows.append([page.digits.fixed(bearings, 0), *(_time(page, time) for time in cells)])
+    return [
+        page.heading(said.trade.format(unit=unit)),
+        *table(page, heads, rows, "r" * len(heads)),
+    ]
+
+
+# --- precision -------------------------------------------------------------------------------
+
+
+def precision_json(plans: Sequence[LifeTestPlan], ratio: float | None, unit: str) -> str:
+    """Return planned tests as one JSON object; times in the unit that it names."""
+    return json_text(
+        {
+            "schema": SCHEMA,
+            "kind": "weibull_plan_precision",
+            "unit": unit,
+            "wanted_ratio": ratio,
+            "plans": [plan.to_mapping() for plan in plans],
+        }
+    )
+
+
+def precision_report(
+    plans: Sequence[LifeTestPlan],
+    ratio: float | None,
+    unit: str,
+    words: Words = ENGLISH,
+    medium: Medium | None = None,
+) -> str:
+    """Return the page of planned tests as text that ends in a newline.
+
+    Parameters
+    ----------
+    plans
+        Of `rolamento.reliability.precision`, all of one life, shape and confidence.
+    ratio
+        Of the bounds that was wanted; None where the tests were given.
+    unit
+        Of the life and all times.
+    words, medium
+        The language, and what the text is shown on; by default plain text of 80 columns.
+    """
+    page, said = Page(words, medium or Medium()), PLAN_WORDS[words.code]
+    unit, first = one_line(unit), plans[0]
+    quantity = life_name(page, Quantity.life(first.reliability))
+    expected = said.expected_multiples if unit == MULTIPLES else said.expected
+    unit = quantity if unit == MULTIPLES else unit
+    entries = [
+        expected.format(
+            shape=page.digits.short(first.shape, FIGURES),
+            quantity=quantity,
+            life=page.digits.short(first.life, FIGURES),
+            unit=unit,
+        )
+    ]
+    if ratio is not None:
+        confidence = percent(page, first.confidence)
+        entries.append(
+            said.known_to.format(confidence=confidence, ratio=page.digits.short(ratio, _FEW))
+        )
+    head = [
+        *page.hanging(Text(), said.precision.format(quantity=quantity), "bold"),
+        page.rule(page.medium.width),
+        *(line for entry in entries for line in page.hanging(Text("  "), entry, "dim")),
+    ]
+    parts = [head, _statement(page, said, plans, quantity, unit)]
+    if any(plan.planned for plan in plans):
+        heading = said.tests if ratio is None else said.table
+        parts += _plans(page, said, plans, unit, heading)
+    return rendered(page.medium, [part for part in parts if part])
+
+
+def _statement(
+    page: Page, said: PlanWords, plans: Sequence[LifeTestPlan], quantity: str, unit: str
+) -> Lines:
+    planned = [plan for plan in plans if plan.planned]
+    if not planned:
+        return page.hanging(page.text("  ✗ ", "red"), said_advice(plans[0].code, page.words.code))
+    first = planned[0]
+    sentences = [
+        said.one.format(
+            bearings=page.digits.fixed(first.bearings, 0),
+            failures=page.digits.fixed(first.failures, 0),
+            confidence=percent(page, first.confidence),
+            quantity=quantity,
+            ratio=page.digits.short(first.ratio, _FEW),
+            rarely=page.digits.short(first.ratio_rarely_exceeded, _FEW),
+        )
+    ]
+    sudden = [plan for plan in planned if plan.group_size > 1]
+    if first.scheme == "complete" and sudden:
+        fastest = min(sudden, key=_mean_end)
+        sentences.append(
+            said.several.format(
+                bearings=page.digits.fixed(first.bearings, 0),
+                time=page.digits.short(_mean_end(first), _FEW),
+                unit=unit,
+            )
+        )
+        sentences.append(
+            said.sudden_saves.format(
+                groups=page.digits.fixed(fastest.groups, 0),
+                size=page.digits.fixed(fastest.group_size, 0),
+                failures=page.digits.fixed(fastest.failures, 0),
+                time=page.digits.short(_mean_end(fastest), _FEW),
+                unit=unit,
+                bearings=page.digits.fixed(fastest.bearings, 0),
+            )
+        )
+    return _bullets(page, sentences)
+
+
+def _mean_end(plan: LifeTestPlan) -> float:
+    return float("inf") if plan.duration is None else plan.duration.mean
+
+
+def _plans(
+    page: Page, said: PlanWords, plans: Sequence[LifeTestPlan], unit: str, heading: str
+) -> list[Lines]:
+    """One line a test: in one table where it is wide enough, else in two."""
+    kinds = ["", *(_kind(page, said, plan) for plan in plans)]
+    precision = _precision_columns(page, said, plans)
+    times = _time_columns(page, said, plans, unit)
+    first = next(plan for plan in plans if plan.planned)
+    legend = page.hanging(
+        Text("  "),
+        said.legend.format(
+            samples=page.digits.fixed(first.samples, 0), seed=page.digits.fixed(first.seed, 0)
+        ),
+        "dim",
+    )
+    whole = _set_columns(page, [kinds, *precision, *times])
+    if max(map(len, whole)) <= page.medium.width:
+        return [[page.heading(heading), *whole], legend]
+    return [
+        [page.heading(heading), *_set_columns(page, [kinds, *precision])],
+        _set_columns(page, [kinds, *times]),
+        legend,
+    ]
+
+
+def _set_columns(page: Page, columns: Sequence[Sequence[str]]) -> Lines:
+    heads, *rows = list(zip(*columns, strict=True))
+    return table(page, heads, rows)
+
+
+def _precision_columns(
+    page: Page, said: PlanWords, plans: Sequence[LifeTestPlan]
+) -> list[list[str]]:
+    columns = []
+    for head, name in (
+        (said.bearings, "bearings"),
+        (said.groups, "groups"),
+        (said.failures, "failures"),
+    ):
+        numbers = [getattr(plan, name) if plan.planned else nan for plan in plans]
+        columns.append([head, *(page.digits.fixed(number, 0) for number in numbers)])
+    for head, name in (
+        (said.ratio, "ratio"),
+        (said.rarely, "ratio_rarely_exceeded"),
+        (said.shape_ratio, "shape_ratio"),
+    ):
+        numbers = [getattr(plan, name) for plan in plans]
+        columns.append([head, *page.digits.column(numbers, digits=3, most=2)])
+    return columns
+
+
+def _time_columns(
+    page: Page, said: PlanWords, plans: Sequence[LifeTestPlan], unit: str
+) -> list[list[str]]:
+    ends = [plan.duration for plan in plans]
+    means = page.digits.column([nan if end is None else end.mean for end in ends], FIGURES)
+    limits = page.digits.column(
+        [limit for end in ends if end is not None for limit in (end.lower, end.upper)], FIGURES
+    )
+    pairs = iter(zip(limits[::2], limits[1::2], strict=True))
+    ranges = [ABSENT if end is None else "–".join(next(pairs)) for end in ends]
+    return [
+        [said.ends.format(unit=unit), *means],
+        [said.from_to, *ranges],
+        [
+            said.bearing_time.format(unit=unit),
+            *page.digits.column([plan.bearing_time for plan in plans], FIGURES),
+        ],
+        [
+            said.rig_time.format(unit=unit),
+            *page.digits.column([plan.rig_time for plan in plans], FIGURES),
+        ],
+    ]
+
+
+def _kind(page: Page, said: PlanWords, plan: LifeTestPlan) -> str:
+    """Say how the test ends."""
+    if plan.group_size > 1:
+        return said.sudden.format(size=page.digits.fixed(plan.group_size, 0))
+    if plan.scheme == "complete":
+        return said.all_fail
+    share = plan.failures / plan.groups if plan.groups else float("nan")
+    return said.part_fails.format(percent=page.digits.short(100.0 * share, 2))
+
+
+def _share(page: Page, share: float) -> str:
+    """Write a probability in per cent; what is nearly sure, or nearly not, as more or less."""
+    if not isfinite(share):
+        return ABSENT
+    if share < 0.001:
+        return "< " + page.digits.short(0.1, 1)
+    if share > 0.999:
+        return "> " + page.digits.short(99.9, 3)
+    return page.digits.fixed(100.0 * share, 1)
+
+
+def _time(page: Page, time: float) -> str:
+    return page.digits.short(time, FIGURES)
