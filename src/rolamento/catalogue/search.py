@@ -178,9 +178,14 @@ class Catalogue:
         )
 
     def nearest(self, text: str) -> tuple[str, ...]:
-        """Return up to three designations that are most like a text."""
-        keys = difflib.get_close_matches(folded(text), self._by_key, n=_NEAREST, cutoff=0.6)
-        return tuple(self._by_key[key].designation for key in keys)
+        """Return up to three designations that are most like a text, two swapped signs first."""
+        wanted = folded(text)
+        swapped = [
+            wanted[:i] + wanted[i + 1] + wanted[i] + wanted[i + 2 :] for i in range(len(wanted) - 1)
+        ]
+        alike = difflib.get_close_matches(wanted, self._by_key, n=_NEAREST, cutoff=0.6)
+        keys = dict.fromkeys([*(key for key in swapped if key in self._by_key), *alike])
+        return tuple(self._by_key[key].designation for key in list(keys)[:_NEAREST])
 
 
 @lru_cache(maxsize=1)

@@ -131,6 +131,7 @@ def bearing_with_clearance(bearing: Bearing, clearance: float) -> Bearing:
             f"{way} the bearing: a clearance of {shown} in operation"
             + (" leaves no contact angle" if angular and clearance < 0.0 else " is out of reach"),
             field="mounting",
+            example='a looser shaft_tolerance, or clearance_class = "C3"',
         )
     if angular:
         return bearing.replace(contact_angle=acos(1.0 - clearance / (2.0 * distance)))
