@@ -28,6 +28,7 @@ from rolamento.cli.reproduce import reproduce
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
 from rolamento.cli.sweep import sweep
 from rolamento.cli.tolerance import tolerance
+from rolamento.cli.trend import trend
 from rolamento.cli.turn import turn
 from rolamento.cli.verify import verify
 from rolamento.cli.weibull import weibull
@@ -198,6 +199,10 @@ app.command(
     " weibull --example campanha-2008 --calculated-life 'ISO 281=58 h'.",
 )(weibull)
 app.add_typer(weibull_plan_app, name="weibull-plan")
+app.command(
+    cls=JsonCommand,
+    epilog="Example: trend --example campanha-2008-clearance --plot clearance.png.",
+)(trend)
 app.command(cls=JsonCommand, epilog="Example: turn case.toml --plot turn.png.")(turn)
 app.command(cls=JsonCommand, epilog="Example: tolerance scatter.nc --plot bands.png.")(tolerance)
 app.command(epilog="Example: reproduce radaelli-2013 --output radaelli --lang pt.")(reproduce)

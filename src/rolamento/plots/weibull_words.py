@@ -29,15 +29,6 @@ class WeibullPlotWords:
     drawn: str
     chi_square: str
     rating_shape: str
-    running_time: str
-    clearance: str
-    growth: str
-    measured: str
-    law: str
-    anderon: str
-    bands: Mapping[str, str]
-    bearing: str
-    rejected: str
 
 
 _ENGLISH: Final = WeibullPlotWords(
@@ -64,15 +55,6 @@ _ENGLISH: Final = WeibullPlotWords(
     drawn="regions of equal likelihood, with drawn levels",
     chi_square="regions of equal likelihood, for many failures",
     rating_shape="10/9 of the rating standards",
-    running_time="Running time (h)",
-    clearance="Radial clearance (µm)",
-    growth="growth of clearance",
-    measured="measured",
-    law="{law}",
-    anderon="Anderon",
-    bands={"L": "low (50–300 Hz)", "M": "medium (300–1800 Hz)", "H": "high (1800–10 000 Hz)"},
-    bearing="bearing {name}",
-    rejected="rejected",
 )
 
 _PORTUGUESE: Final = WeibullPlotWords(
@@ -99,15 +81,6 @@ _PORTUGUESE: Final = WeibullPlotWords(
     drawn="regiões de igual verossimilhança, com níveis sorteados",
     chi_square="regiões de igual verossimilhança, para muitas falhas",
     rating_shape="10/9 das normas",
-    running_time="Tempo de ensaio (h)",
-    clearance="Folga radial (µm)",
-    growth="aumento da folga",
-    measured="medida",
-    law="{law}",
-    anderon="Anderon",
-    bands={"L": "baixa (50–300 Hz)", "M": "média (300–1800 Hz)", "H": "alta (1800–10 000 Hz)"},
-    bearing="rolamento {name}",
-    rejected="reprovado",
 )
 
 

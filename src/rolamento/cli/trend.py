@@ -1,0 +1,120 @@
+"""`rolamento trend`: what grew while bearings ran: clearance with a law of wear, noise."""
+
+from __future__ import annotations
+
+import sys
+from typing import TYPE_CHECKING, Annotated, Final
+
+import typer
+
+from rolamento.cli.common import SOLVED, LanguageOption, plain_endings, words_of
+from rolamento.cli.streams import STANDARD_STREAM, print_text, put
+from rolamento.cli.weibull_options import check_outputs
+from rolamento.errors import InputError
+
+if TYPE_CHECKING:
+    from rolamento.clearance import WearFit, WearLaw
+    from rolamento.reliability.trend import Trend
+
+__all__ = ["trend"]
+
+EXAMPLES: Final = ("campanha-2008-clearance", "campanha-2008-anderon")
+LAWS: Final[dict[str, WearLaw]] = {
+    "running-in": "running_in",
+    "running-in-and-steady": "running_in_and_steady",
+    "power": "power",
+}
+
+
+def trend(
+    data: Annotated[
+        str | None,
+        typer.Argument(
+            metavar="DATA.csv",
+            help="Columns of time, bearing and quantities, units in brackets; - is standard input.",
+        ),
+    ] = None,
+    example: Annotated[
+        str | None,
+        typer.Option("--example", metavar="NAME", help=f"Shipped: {' or '.join(EXAMPLES)}."),
+    ] = None,
+    law: Annotated[
+        str | None,
+        typer.Option(
+            "--law",
+            metavar="LAW",
+            help=f"Of wear, fitted to the clearance: {', '.join(LAWS)}; running-in by default where"
+            " the first quantity is a length.",
+        ),
+    ] = None,
+    plot: Annotated[
+        str | None,
+        typer.Option("--plot", metavar="FILE", help="Draw it: a .png, .svg or .pdf file."),
+    ] = None,
+    json: Annotated[
+        str | None,
+        typer.Option(
+            "--json",
+            metavar="[FILE]",
+            help="Write everything as JSON; without FILE, to standard output.",
+        ),
+    ] = None,
+    lang: LanguageOption = None,
+) -> None:
+    """Show what grew while bearings ran, and fit a law of wear to a clearance."""
+    with plain_endings(lang):
+        if example is not None and json == STANDARD_STREAM and data is not None:
+            data, json = None, data  # the word after --json is its file: nothing else is wanted
+        check_outputs(data, {"--json": json, "--plot": plot})
+        record = _record(data, example)
+        fits = _fits(record, law)
+        words = words_of(lang)
+        if plot is not None:
+            from rolamento.plots.saving import save_figure
+            from rolamento.plots.trend import trend_figure
+
+            save_figure(trend_figure(record, fits, words.code), plot)
+        from rolamento.report.medium import Medium
+        from rolamento.report.trend import trend_json, trend_report
+
+        if json is not None:
+            put(trend_json(record, fits) + "\n", json)
+        if json != STANDARD_STREAM:
+            print_text(trend_report(record, fits, words, Medium.of(sys.stdout)))
+    raise typer.Exit(SOLVED)
+
+
+def _record(data: str | None, example: str | None) -> Trend:
+    from rolamento.reliability.trend import published_trend, read_trend
+
+    if (data is None) == (example is None):
+        rule = "give a CSV file or --example, not both" if data else "give a CSV file or --example"
+        raise InputError(rule, field="DATA.csv", example=f"trend --example {EXAMPLES[0]}")
+    if example is None:
+        assert data is not None
+        return read_trend(data)
+    name = example.casefold().replace("_", "-")
+    if name not in EXAMPLES:
+        raise InputError(
+            f"must be one of {', '.join(EXAMPLES)}",
+            source="--example",
+            value=example,
+            example=EXAMPLES[0],
+        )
+    return published_trend(name.replace("-", "_"))
+
+
+def _fits(record: Trend, law: str | None) -> dict[str, WearFit]:
+    """Fit the law that was asked for, or running-in to what is a length; else none."""
+    from rolamento.reliability.trend import wear_of_each
+
+    if law is not None and law not in LAWS:
+        raise InputError(
+            f"must be one of {', '.join(LAWS)}", source="--law", value=law, example="running-in"
+        )
+    try:
+        return wear_of_each(record, LAWS[law or "running-in"])
+    except InputError as error:
+        if law is None:  # noise, say, or too few measurements
+            return {}
+        raise error.with_details(source="--law") from None
