@@ -137,7 +137,8 @@ def test_longer_suspensions_are_longer_lives(test: LifeTest, factor: float) -> N
     longer = changed(test, times=np.where(test.failed, test.times, factor * test.times))
     at = 1.5
     assert fixed_shape(longer, at).scale > fixed_shape(test, at).scale
-    assert bounds(longer, "L10", shape=at).lower >= bounds(test, "L10", shape=at).lower
+    if longer.scheme == test.scheme:  # no longer ended by a failure: on the safe side instead
+        assert bounds(longer, "L10", shape=at).lower >= bounds(test, "L10", shape=at).lower
 
 
 @SETTINGS

@@ -309,7 +309,7 @@ def test_quantities_are_one_at_least_and_not_too_many() -> None:
     with pytest.raises(InputError, match="quantities"):
         all_bounds(COMPLETE, [])
     with pytest.raises(InputError, match="quantities"):
-        all_bounds(COMPLETE, ["L10"] * 10_001)
+        all_bounds(COMPLETE, ["L10"] * 1001)
 
 
 def test_clock_times_are_drawn_beyond_the_failure() -> None:

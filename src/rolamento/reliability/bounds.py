@@ -38,7 +38,7 @@ Method = Literal[
 Sides = Literal["two", "lower", "upper"]
 METHODS: Final = get_args(Method)
 _ANALYTIC: Final = ("likelihood_ratio", "fisher")
-_MOST_QUANTITIES: Final = 10_000
+_MOST_QUANTITIES: Final = 1000
 
 
 @dataclass(frozen=True, slots=True, eq=False)
