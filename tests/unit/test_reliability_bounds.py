@@ -264,6 +264,8 @@ def test_what_cannot_be_drawn() -> None:
     assert bounds(large, method="pivotal").code == "too_large"
     assert bounds(large, method="bootstrap_bca", samples=200).code == "too_large"
     assert bounds(large).method == "likelihood_ratio"
+    many = LifeTest(np.linspace(1.0, 9.0, 2001))
+    assert bounds(many, method="bootstrap_percentile", samples=100).code == "too_large"
 
 
 def test_notes_say_what_was_assumed() -> None:

@@ -376,7 +376,7 @@ def test_posterior_against_a_plain_sum() -> None:
             assert found.quantile(name, p) == pytest.approx(expected, rel=2e-3), (name, p)
             assert found.probability_below(name, expected) == pytest.approx(p, abs=2e-3)
     low, high = found.interval("L10", 0.9)
-    assert (low, high) == (found.quantile("L10", 0.05), found.quantile("L10", 0.95))
+    assert (low, high) == pytest.approx((found.quantile("L10", 0.05), found.quantile("L10", 0.95)))
 
 
 def test_posterior_of_a_sure_shape_is_that_of_a_fixed_one() -> None:

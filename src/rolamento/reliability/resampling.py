@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,26 +11,32 @@ from numpy.typing import NDArray
 from rolamento.numerics import FloatArray
 from rolamento.reliability import profile
 from rolamento.reliability.censoring import fits_of
+from rolamento.reliability.drawing import portions
 from rolamento.reliability.life_test import LifeTest
 from rolamento.reliability.likelihood import Likelihood
 from rolamento.reliability.profile import BatchFit, Rows
 
-__all__ = ["jackknife_fits", "resampled_fits"]
+__all__ = ["MOST_ROWS", "jackknife_fits", "resampled_fits"]
+
+MOST_ROWS: Final = 2000
 
 
 def resampled_fits(test: LifeTest, samples: int, random: np.random.Generator) -> BatchFit:
     """Fits to so many tests of bearings drawn with replacement; rigs are drawn as a whole."""
     block, row, number = _blocks(test)
     total = int(number.sum())
-    drawn = random.multinomial(total, number / total, size=samples)
-    return _fits(test, _of_rows(test, block, row, number, drawn.astype(np.float64)))
+    parts = []
+    for count in portions(len(test), samples):
+        drawn = random.multinomial(total, number / total, size=count).astype(np.float64)
+        parts.append(_fits(test, drawn[:, block] * row))
+    return profile.joined(parts)
 
 
 def jackknife_fits(test: LifeTest) -> tuple[BatchFit, FloatArray]:
     """Fits with one bearing, or one rig, left out; and how many there are of each kind."""
     block, row, number = _blocks(test)
     left = number - np.eye(len(number))
-    return _fits(test, _of_rows(test, block, row, number, left)), number
+    return _fits(test, left[:, block] * row), number
 
 
 def _blocks(test: LifeTest) -> tuple[NDArray[np.int64], FloatArray, FloatArray]:
@@ -48,17 +55,6 @@ def _blocks(test: LifeTest) -> tuple[NDArray[np.int64], FloatArray, FloatArray]:
         block[~alone] = len(number) + which
         number = np.append(number, np.ones(len(rigs)))
     return block, in_row, number
-
-
-def _of_rows(
-    test: LifeTest,
-    block: NDArray[np.int64],
-    in_row: FloatArray,
-    number: FloatArray,
-    drawn: FloatArray,
-) -> FloatArray:
-    """Bearings of each row, (samples, rows), when the blocks are drawn so often."""
-    return np.asarray(drawn[:, block] * in_row)
 
 
 def _fits(test: LifeTest, counts: FloatArray) -> BatchFit:

@@ -33,7 +33,7 @@ from rolamento.reliability.fit import WeibullFit
 from rolamento.reliability.life_test import LifeTest
 from rolamento.reliability.profile import BatchFit
 from rolamento.reliability.quantity import Quantity
-from rolamento.reliability.resampling import jackknife_fits, resampled_fits
+from rolamento.reliability.resampling import MOST_ROWS, jackknife_fits, resampled_fits
 
 __all__ = ["Draws", "drawn_fits", "pivotal_draws", "sampled_limits"]
 
@@ -107,7 +107,7 @@ def sampled_limits(
         draws = pivotal_draws(test, fit, samples, random)
     elif method.startswith("parametric"):
         draws = drawn_fits(test, fit, samples, random)
-    elif int(test.size) > MOST_BLOCKS:
+    elif test.size > MOST_BLOCKS or len(test) > MOST_ROWS:
         draws = _nothing("too_large")
     else:
         fits = resampled_fits(test, samples, random)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final, Self
 
 import numpy as np
@@ -23,8 +23,8 @@ _NEXT_TO_NOTHING: Final = 40.0
 class GivenByGamma:
     """Of a right-censored test: given β, η^(-β) has a gamma distribution.
 
-    z: logarithms of the times, from the longest, which is at `middle`. search: points of ln β that
-    are looked at to find where the density lies.
+    z: logarithms of the times, from the longest, which is at `middle`. log_total: ln Σ v t^β of the
+    shapes that count. search: points of ln β that are looked at to find where the density lies.
     """
 
     z: FloatArray
@@ -32,7 +32,8 @@ class GivenByGamma:
     sum_failed: float
     failures: float
     middle: float
-    search: int = 2001
+    log_total: FloatArray
+    search: int = 201
 
     @classmethod
     def of(cls, test: LifeTest) -> Self:
@@ -41,7 +42,8 @@ class GivenByGamma:
         longest = float(y.max())
         z = y - longest
         units = test.counts.astype(np.float64)
-        return cls(z, units, float(units @ (z * test.failed)), float(test.failures), longest)
+        sum_failed = float(units @ (z * test.failed))
+        return cls(z, units, sum_failed, float(test.failures), longest, np.empty(0))
 
     def log_marginal(self, shape: FloatArray) -> FloatArray:
         """Logarithm of the likelihood of each shape, with the scale integrated away."""
@@ -52,14 +54,14 @@ class GivenByGamma:
 
     def settled(self, shape: FloatArray) -> Self:
         """Prepare for the shapes that count."""
-        return self
+        return replace(self, log_total=self._log_total(shape))
 
     def below(self, shape: FloatArray, log_scale: FloatArray) -> FloatArray:
         """Probability, for each shape, that the logarithm of the scale is less."""
         from scipy.special import gammaincc
 
         with np.errstate(over="ignore"):
-            x = np.exp(self._log_total(shape) - shape * (log_scale - self.middle))
+            x = np.exp(self.log_total - shape * (log_scale - self.middle))
         return np.asarray(gammaincc(self.failures, x))
 
     def _log_total(self, shape: FloatArray) -> FloatArray:

@@ -29,6 +29,7 @@ _POINTS: Final = 241
 _POINTS_INSPECTED: Final = 61
 _NEAREST: Final = 1e-8
 _ROUNDS: Final = 60
+_AT_ONCE: Final = 1_000_000
 _GOLDEN: Final = 0.5 * (5.0**0.5 - 1.0)
 
 
@@ -96,6 +97,10 @@ def _profile(test: LifeTest, locations: FloatArray) -> FloatArray:
     """Logarithm of the likelihood at each location, at the best shape and scale."""
     if test.inspected:
         return np.array([concave.maximise(Likelihood.of(test, g)).value[0] for g in locations])
+    step = max(_AT_ONCE // len(test), 1)
+    if len(locations) > step:
+        parts = [locations[i : i + step] for i in range(0, len(locations), step)]
+        return np.concatenate([_profile(test, part) for part in parts])
     with np.errstate(divide="ignore", invalid="ignore"):
         y = np.log(test.times - locations[:, np.newaxis])
     present = np.isfinite(y)
