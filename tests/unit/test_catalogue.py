@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import dataclasses
 import re
-import time
 from math import degrees
 from pathlib import Path
 
@@ -141,14 +140,6 @@ def test_search_as_one_types() -> None:
     }
     assert search("") == search("no such thing") == ()
     assert len(search("6", most=7)) == 7
-
-
-def test_search_is_fast() -> None:
-    catalogue()
-    start = time.perf_counter()
-    for length in range(1, 5):
-        catalogue().search("6305"[:length])
-    assert time.perf_counter() - start < 0.1
 
 
 def test_csv_of_a_user(tmp_path: Path) -> None:

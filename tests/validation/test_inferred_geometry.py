@@ -10,8 +10,6 @@ division into halves below bounds, and inference by ISO's rules alone is held ag
 from __future__ import annotations
 
 import dataclasses
-import statistics
-import time
 from collections import Counter
 from pathlib import Path
 
@@ -147,14 +145,3 @@ def test_without_the_makers_practice_the_standards_do_not_find_them() -> None:
     """Why the practice is data with a source: SNFA's C0 is 27 % above ISO 76."""
     found = hits(SPINDLES[::4], practice_of("iso"))
     assert found["listed"] < 0.1 * found["all"]
-
-
-def test_time_of_an_inference() -> None:
-    for bearing in DEEP_GROOVE[:3]:
-        inferred_geometry(bearing)
-    times = []
-    for bearing in DEEP_GROOVE:
-        start = time.perf_counter()
-        inferred_geometry(bearing)
-        times.append(time.perf_counter() - start)
-    assert statistics.median(times) < 0.05
