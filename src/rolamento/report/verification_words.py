@@ -118,7 +118,8 @@ PORTUGUESE: Final = VerificationWords(
         ", bearing": ", rolamento",
         ", condition": ", condição",
         ", convex": ", convexa",
-        "3.4.2 and 4.4.3": "3.4.2 e 4.4.3",
+        "without test": "sem o ensaio",
+        "L_10h, all": "L_10h, todos",
     },
     sentences={
         "The tolerance includes what the rounding of the printed F(ρ) leaves open.": (
@@ -249,6 +250,35 @@ PORTUGUESE: Final = VerificationWords(
             "A tabela não nomeia os rolamentos: para cada faixa de furos toma-se um usual que"
             " confere, com uma esfera sob a carga; C2 nos dois extremos da sua faixa, as outras"
             " classes no meio das suas. Outros rolamentos da mesma faixa ficam a até 2 µm."
+        ),
+        "The text does not say it: exact median ranks, ln ln 1/(1 - F) regressed on ln t, of the"
+        " four failures of procedure II alone.": (
+            "O texto não o diz: postos medianos exatos, ln ln 1/(1 - F) em regressão sobre ln t,"
+            " das quatro falhas só do procedimento II."
+        ),
+        "Printed as the life without test 5, and yet test 5 is in it: the same regression of"
+        " procedure II and test 5 as failures, with tests 2 to 4 as suspensions, once each.": (
+            "Impressa como a vida sem o ensaio 5, e no entanto o ensaio 5 está nela: a mesma"
+            " regressão do procedimento II e do ensaio 5 como falhas, com os ensaios 2 a 4 como"
+            " suspensões, uma vez cada."
+        ),
+        "The same regression, had each of the five tests of condition II ended with a failure."
+        " Nothing failed in them.": (
+            "A mesma regressão, como se cada um dos cinco ensaios da condição II tivesse terminado"
+            " com falha. Neles nada falhou."
+        ),
+        "Maximum likelihood of all the bearings that the text names, those that did not fail with"
+        " the time that they ran. The proof: the text's likelihood equations, put right and written"
+        " for tests that did not all fail. Up to 40 % of the printed life is too much.": (
+            "Máxima verossimilhança de todos os rolamentos que o texto cita, os que não falharam"
+            " com o tempo que giraram. A prova: as equações de verossimilhança do texto, corrigidas"
+            " e escritas para ensaios em que nem todos falharam. Até 40 % da vida impressa é demais."
+        ),
+        "Nothing failed: the ten bearings say no more than that L_10 is not below 78 h, at a"
+        " confidence of 95 % and with the shape 1.5. The proof:"
+        " (Σt^1.5 ln 0.9/ln 0.05)^(1/1.5).": (
+            "Nada falhou: os dez rolamentos só dizem que L_10 não é menor que 78 h, com confiança"
+            " de 95 % e forma 1,5. A prova: (Σt^1,5 ln 0,9/ln 0,05)^(1/1,5)."
         ),
         "The table takes the continuous load integral J_r. The equilibrium counts the balls where"
         " they stand.": (

@@ -1,4 +1,4 @@
-"""The greatest shear stress under a ball of a 6305 bearing, its oil film, measured clearances."""
+"""A 6305 bearing: greatest shear under a ball, oil film, measured clearances, tested lives."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ from rolamento.verification import (
     campanha_2008_clearance,
     campanha_2008_film,
     campanha_2008_life,
+    campanha_2008_weibull,
 )
 from rolamento.verification.check import Check
 from rolamento.verification.published import MM, published, steel
@@ -49,11 +50,12 @@ def inner_contact(load: float) -> HertzContact:
 
 
 def checks() -> Iterator[Check]:
-    """Compare the depth of the greatest shear, oil, film, clearances, rating and life."""
+    """Compare depth of the greatest shear, oil, film, clearances, rating, life and life tests."""
     yield _shear_depth()
     yield from campanha_2008_film.checks()
     yield from campanha_2008_clearance.checks()
     yield from campanha_2008_life.checks()
+    yield from campanha_2008_weibull.checks()
 
 
 def _shear_depth() -> Check:
