@@ -10,6 +10,7 @@ division into halves below bounds, and inference by ISO's rules alone is held ag
 from __future__ import annotations
 
 import dataclasses
+import statistics
 from collections import Counter
 from pathlib import Path
 
