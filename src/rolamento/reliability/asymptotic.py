@@ -15,7 +15,8 @@ Sources: Lawless (2003), section 5.3; Venzon and Moolgavkar (1988) for the profi
 
 from __future__ import annotations
 
-from typing import Final
+from collections.abc import Callable
+from typing import Final, Literal
 
 import numpy as np
 
@@ -28,6 +29,9 @@ from rolamento.reliability.roots import ValueAndSlope, rising_root
 
 __all__ = ["Hill", "fisher_limits", "likelihood_ratio_limits", "profile_fall"]
 
+Kind = Literal["shape", "life", "reliability"]
+Limits = Callable[["Hill", Kind, FloatArray, list[int]], FloatArray]
+
 _FARTHEST: Final = {"shape": 15.0, "life": 300.0, "reliability": 300.0}
 _MUCH: Final = 1e200
 
@@ -38,10 +42,14 @@ def fisher_limits(
     """Limits by the observed information: (quantities, tails); tails: probability below."""
     from scipy.special import ndtri
 
-    hill, points = _hill(test, fit), np.asarray(ndtri(tails))
-    return np.array(
-        [hill.value_of(q, hill.coordinate(q) + points * hill.spread(q)) for q in quantities]
-    )
+    points = np.asarray(ndtri(tails))
+
+    def limits(hill: Hill, kind: Kind, level: FloatArray, places: list[int]) -> FloatArray:
+        top, spread = hill.coordinate(kind, level), hill.spread(kind, level)
+        found = top[:, np.newaxis] + points * spread[:, np.newaxis]
+        return hill.value_of(kind, found)
+
+    return _by_kind(test, fit, quantities, len(tails), limits)
 
 
 def likelihood_ratio_limits(
@@ -52,37 +60,54 @@ def likelihood_ratio_limits(
     roots: (quantities, limits), the roots of twice the fall of the likelihood there, with the sign
     of the limit less the estimate; quantiles of the normal distribution for many failures.
     """
-    hill = _hill(test, fit)
-    return np.array([_limits(hill, q, points) for q, points in zip(quantities, roots, strict=True)])
+    count = roots.shape[1]
 
+    def limits(hill: Hill, kind: Kind, level: FloatArray, places: list[int]) -> FloatArray:
+        lanes = _limits(hill, kind, np.repeat(level, count), roots[places].ravel())
+        return lanes.reshape(len(places), count)
 
-def _limits(hill: Hill, quantity: Quantity, roots: FloatArray) -> FloatArray:
-    """Limits of one quantity."""
-    side, farthest = np.sign(roots), np.full(len(roots), _FARTHEST[quantity.kind])
-    top = hill.coordinate(quantity)
-
-    def excess(distance: FloatArray) -> tuple[FloatArray, FloatArray]:
-        fall, slope = hill.fall(quantity, top + side * distance)
-        return fall - roots**2, side * slope
-
-    start = np.minimum(np.abs(roots) * hill.spread(quantity), 0.5 * farthest)
-    moved, found = rising_root(excess, start, np.zeros_like(start), farthest, tolerance=1e-10)
-    # where the likelihood hardly falls however far one goes, that side is open
-    if not np.all(found):
-        moved = np.where(~found & (excess(farthest)[0] < 0.0), np.inf, moved)
-    moved = np.where(roots == 0.0, 0.0, moved)
-    with np.errstate(invalid="ignore"):
-        return hill.value_of(quantity, top + side * moved)
+    return _by_kind(test, fit, quantities, count, limits)
 
 
 def profile_fall(
     test: LifeTest, fit: WeibullFit, quantity: Quantity, value: float
 ) -> tuple[float, float]:
     """Twice the fall of the likelihood at a value of a quantity, and its side: -1 or 1."""
-    hill = _hill(test, fit)
-    there = np.array([hill.coordinate_of(quantity, value)])
-    side = np.sign(there - hill.coordinate(quantity))
-    return max(float(hill.fall(quantity, there)[0][0]), 0.0), float(side[0])
+    hill, level = _hill(test, fit), np.array([quantity.level])
+    there = np.array([hill.coordinate_of(quantity.kind, value)])
+    side = np.sign(there - hill.coordinate(quantity.kind, level))
+    return max(float(hill.fall(quantity.kind, level, there)[0][0]), 0.0), float(side[0])
+
+
+def _by_kind(
+    test: LifeTest, fit: WeibullFit, quantities: list[Quantity], count: int, limits: Limits
+) -> FloatArray:
+    """Find the limits of all quantities of one kind at once."""
+    found = np.empty((len(quantities), count))
+    for kind in {quantity.kind for quantity in quantities}:
+        places = [i for i, quantity in enumerate(quantities) if quantity.kind == kind]
+        level = np.array([quantities[i].level for i in places])
+        found[places] = limits(_hill(test, fit), kind, level, places)
+    return found
+
+
+def _limits(hill: Hill, kind: Kind, level: FloatArray, roots: FloatArray) -> FloatArray:
+    """Limits of quantities of one kind, one a lane."""
+    side, farthest = np.sign(roots), np.full(len(roots), _FARTHEST[kind])
+    top = hill.coordinate(kind, level)
+
+    def excess(distance: FloatArray) -> tuple[FloatArray, FloatArray]:
+        fall, slope = hill.fall(kind, level, top + side * distance)
+        return fall - roots**2, side * slope
+
+    start = np.minimum(np.abs(roots) * hill.spread(kind, level), 0.5 * farthest)
+    moved, found = rising_root(excess, start, np.zeros_like(start), farthest, tolerance=1e-10)
+    # where the likelihood hardly falls however far one goes, that side is open
+    if not np.all(found):
+        moved = np.where(~found & (excess(farthest)[0] < 0.0), np.inf, moved)
+    moved = np.where(roots == 0.0, 0.0, moved)
+    with np.errstate(invalid="ignore"):
+        return hill.value_of(kind, top + side * moved)
 
 
 def _hill(test: LifeTest, fit: WeibullFit) -> Hill:
@@ -93,7 +118,7 @@ class Hill:
     """The maximum of a likelihood, and how it falls around it; one, or one a lane.
 
     A quantity is measured where it is nearly normal: ln β, ln t_R from the likelihood's origin,
-    -ln(-ln R).
+    -ln(-ln R). What it is for, its level, is that of `Quantity`; arrays (lanes,).
 
     Parameters
     ----------
@@ -107,58 +132,55 @@ class Hill:
         self._failures = np.atleast_1d(likelihood.failures)
         self._a, self._b = shape, shape * (self._origin - log_scale)
         self._top = likelihood.at(self._a, self._b)
+        self._near = self._a
 
-    def coordinate(self, quantity: Quantity) -> FloatArray:
-        """Coordinate of a quantity at the maximum."""
-        if quantity.kind == "shape":
-            return np.asarray(np.log(self._a))
-        if quantity.kind == "life":
-            return np.asarray((quantity.log_risk - self._b) / self._a)
-        return np.asarray(-self._a * self._log_time(quantity) - self._b)
+    def coordinate(self, kind: Kind, level: FloatArray) -> FloatArray:
+        """Coordinates of quantities at the maximum."""
+        if kind == "shape":
+            return np.asarray(np.log(self._a) + 0.0 * level)
+        if kind == "life":
+            return np.asarray((level - self._b) / self._a)
+        return np.asarray(-self._a * (level - self._origin) - self._b)
 
-    def coordinate_of(self, quantity: Quantity, value: float) -> float:
-        """The same of another value."""
-        if quantity.kind == "reliability":
+    def coordinate_of(self, kind: Kind, value: float) -> float:
+        """Coordinate of another value."""
+        if kind == "reliability":
             return -float(np.log(-np.log(value)))
-        return float(np.log(value)) - (self._origin if quantity.kind == "life" else 0.0)
+        return float(np.log(value)) - (self._origin if kind == "life" else 0.0)
 
-    def value_of(self, quantity: Quantity, coordinate: FloatArray) -> FloatArray:
+    def value_of(self, kind: Kind, coordinate: FloatArray) -> FloatArray:
         """Turn coordinates back."""
         with np.errstate(over="ignore"):
-            if quantity.kind == "reliability":
+            if kind == "reliability":
                 return np.asarray(np.exp(-np.exp(-coordinate)))
-            shift = self._origin if quantity.kind == "life" else 0.0
+            shift = self._origin if kind == "life" else 0.0
             return np.asarray(np.exp(coordinate + shift))
 
-    def spread(self, quantity: Quantity) -> FloatArray:
-        """Standard deviation of the coordinate, by the observed information."""
-        if quantity.kind == "shape":
-            slope_a, slope_b = 1.0 / self._a, np.zeros_like(self._a)
-        elif quantity.kind == "life":
-            slope_a, slope_b = self.coordinate(quantity) / self._a, 1.0 / self._a
-        else:
-            slope_a, slope_b = (
-                np.full_like(self._a, self._log_time(quantity)),
-                np.ones_like(self._a),
-            )
+    def spread(self, kind: Kind, level: FloatArray) -> FloatArray:
+        """Standard deviation of the coordinates, by the observed information."""
+        slope_a, slope_b = level - self._origin, np.ones_like(self._a)
+        if kind == "shape":
+            slope_a, slope_b = 1.0 / self._a + 0.0 * level, 0.0 * self._a
+        elif kind == "life":
+            slope_a, slope_b = self.coordinate(kind, level) / self._a, 1.0 / self._a
         aa, ab, bb = self._top.aa, self._top.ab, self._top.bb
         form = -bb * slope_a**2 + 2.0 * ab * slope_a * slope_b - aa * slope_b**2
         return np.asarray(np.sqrt(np.maximum(form / (aa * bb - ab * ab), 0.0)))
 
-    def fall(self, quantity: Quantity, there: FloatArray) -> tuple[FloatArray, FloatArray]:
+    def fall(
+        self, kind: Kind, level: FloatArray, there: FloatArray
+    ) -> tuple[FloatArray, FloatArray]:
         """Twice the fall of the likelihood at coordinates, and its slope; arrays (lanes,)."""
-        if quantity.kind == "shape":
+        if kind == "shape":
             a = np.exp(there)
-            b = self._best_b(a)
-            here = self._likelihood.at(a, b)
+            here = self._likelihood.at(a, self._best_b(a))
             slope = -a * here.a
-        elif quantity.kind == "life":
-            w = np.full_like(there, quantity.log_risk)
-            a = self._best_a(w, there)
-            here = self._likelihood.at(a, w - a * there)
+        elif kind == "life":
+            a = self._best_a(level, there)
+            here = self._likelihood.at(a, level - a * there)
             slope = a * here.b
         else:
-            c = np.full_like(there, self._log_time(quantity))
+            c = level - self._origin
             a = self._best_a(-there, c)
             here = self._likelihood.at(a, -there - a * c)
             slope = here.b
@@ -175,7 +197,11 @@ class Hill:
                 slope = -(here.aa - 2.0 * c * here.ab + c * c * here.bb)
                 return self._compressed(a * value, value + a * slope)
 
-        return self._root(falling, self._a, w)
+        # the last line was near this one
+        start = self._near if self._near.shape == w.shape else self._a
+        best = self._root(falling, start, w)
+        self._near = np.where(np.isfinite(best) & (best > 0.0), best, self._a)
+        return best
 
     def _best_b(self, a: FloatArray) -> FloatArray:
         """Best b at given a."""
@@ -196,12 +222,8 @@ class Hill:
     @staticmethod
     def _root(function: ValueAndSlope, start: FloatArray, like: FloatArray) -> FloatArray:
         zeros = np.zeros_like(like)
-        root, _ = rising_root(function, zeros + start, zeros, zeros + np.inf, tolerance=1e-12)
+        root, _ = rising_root(function, zeros + start, zeros, zeros + np.inf, tolerance=1e-10)
         return root
-
-    def _log_time(self, quantity: Quantity) -> float:
-        """Logarithm of the time of a reliability, from the origin."""
-        return float(np.log(quantity.value)) - self._origin
 
 
 def _bounded(values: FloatArray) -> FloatArray:

@@ -118,9 +118,11 @@ def _inspected(
     roots = []
     for quantity in quantities:
         true = float(quantity.at(np.array([shape]), np.array([log_scale]))[0])
-        there = np.full(np.count_nonzero(good), hill.coordinate_of(quantity, true))
-        side = np.sign(hill.coordinate(quantity) - there)
-        roots.append(side * np.sqrt(np.maximum(hill.fall(quantity, there)[0], 0.0)))
+        there = np.full(np.count_nonzero(good), hill.coordinate_of(quantity.kind, true))
+        level = np.full_like(there, quantity.level)
+        side = np.sign(hill.coordinate(quantity.kind, level) - there)
+        fall = hill.fall(quantity.kind, level, there)[0]
+        roots.append(side * np.sqrt(np.maximum(fall, 0.0)))
     return np.array(roots)
 
 

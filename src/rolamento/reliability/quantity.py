@@ -88,6 +88,13 @@ class Quantity:
         return float(np.log(-np.log(self.value)))
 
     @property
+    def level(self) -> float:
+        """What it is for: ln(-ln R) of a life, ln t of a reliability, 0 of the shape."""
+        if self.kind == "shape":
+            return 0.0
+        return self.log_risk if self.kind == "life" else float(np.log(self.value))
+
+    @property
     def ends(self) -> tuple[float, float]:
         """The least and the greatest that it can be."""
         return (0.0, 1.0) if self.kind == "reliability" else (0.0, np.inf)
