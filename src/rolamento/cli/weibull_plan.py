@@ -199,7 +199,7 @@ def _plans(
         size = sizes[0] if sizes else 1
         return (plan_for_ratio(ratio, groups=groups, group_size=size, **keywords),)
     if sizes:
-        keywords = {**keywords, "group_sizes": [size for size in sizes if size > 1]}
+        keywords = {**keywords, "group_sizes": [size for size in sizes if size != 1]}
     return plans_for_ratio(ratio, progress=progress, **keywords)
 
 

@@ -134,7 +134,7 @@ def _group(
     if group.main.converged:
         axes.plot(*_line(group.main, limits[1]), label=label, zorder=2.5, **look.keywords())
         label = None
-    if test.failures and not test.inspected:
+    if test.failures and group.ranked:
         points = plotting_positions(test)
         axes.plot(
             points.times, _ordinate(points.failed_share), color=look.color, marker=look.marker,
@@ -284,7 +284,7 @@ def _limits(
     times: list[float] = [float(summary.test.times.min()), float(summary.test.times.max())]
     low, high = times[0] / _FARTHEST, times[1] * _FARTHEST
     for group in summary.groups:
-        if group.test.failures and not group.test.inspected:
+        if group.test.failures and group.ranked:
             positions = plotting_positions(group.test)
             shares += [float(positions.failed_share.min()), float(positions.failed_share.max())]
         lives = [summary.wanted.lives[0].name]

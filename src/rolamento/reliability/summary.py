@@ -46,6 +46,8 @@ FIT_METHODS: Final = get_args(FitMethod)
 ASSUMED_SHAPES: Final = (1.0, 1.5, 2.0)
 """For a test that tells no shape of its own."""
 MOST_GROUPS: Final = 20
+MOST_RANKED: Final = 20_000
+"""Failures up to which each gets its rank, and is drawn."""
 _MOST_RATIOS: Final = 10
 _WITH_VERDICT: Final = ("pivotal", "calibrated_likelihood_ratio", "likelihood_ratio", "fixed_shape")
 _HYPOTHESES: Final[tuple[Hypothesis, ...]] = ("common_shape", "same_life", "homogeneous")
@@ -191,6 +193,11 @@ class GroupSummary:
     credible: tuple[Credible, ...]
 
     @property
+    def ranked(self) -> bool:
+        """Whether the failures have ranks: their times are known, and they are not too many."""
+        return has_ranks(self.test)
+
+    @property
     def main(self) -> WeibullFit:
         """Fit that the bounds are about."""
         return self.fits[0]
@@ -212,7 +219,7 @@ class GroupSummary:
     def to_mapping(self) -> dict[str, Any]:
         """Give the group as plain values."""
         test = self.test
-        points = [] if test.inspected else _points(test)
+        points = _points(test) if self.ranked else []
         return {
             "name": self.name,
             "size": test.size,
@@ -339,6 +346,11 @@ def summarise(
     return LifeTestSummary(test, asked, tuple(groups), tuple(comparisons), tuple(ratios))
 
 
+def has_ranks(test: LifeTest) -> bool:
+    """Whether the failures of a test have ranks: their times are known, and they are not many."""
+    return not test.inspected and test.failures <= MOST_RANKED
+
+
 def _group(name: str, test: LifeTest, asked: Wanted) -> GroupSummary:
     fits = _fits(test, asked)
     # without failures nothing bounds from above: all of the confidence goes to the lower bound
@@ -374,7 +386,7 @@ def _fits(test: LifeTest, asked: Wanted) -> tuple[WeibullFit, ...]:
     if asked.shape is None:  # the bounds' own
         wanted = dict.fromkeys(("maximum_likelihood", *wanted))
     for method in wanted:
-        if method.startswith("rank_regression") and test.inspected:
+        if method.startswith("rank_regression") and not has_ranks(test):
             continue
         if method == "maximum_likelihood":
             fits.append(maximum_likelihood(test))

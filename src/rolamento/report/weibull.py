@@ -28,6 +28,7 @@ from rolamento.report.weibull_numbers import (
     percent,
     scale_of,
     shortened,
+    spelt,
     table,
 )
 from rolamento.report.weibull_sentences import said_note
@@ -38,6 +39,10 @@ __all__ = ["weibull_json", "weibull_report"]
 
 SCHEMA: Final = 1
 _GAP: Final = 3
+_LONGEST_UNIT: Final = 6
+_WIDE: Final = 100
+_LONGEST_NAME: Final = (16, 36)
+"""Of a calculated life, on a narrow page and on a wide one."""
 
 
 def weibull_json(found: LifeTestSummary) -> str:
@@ -146,11 +151,12 @@ def _width(lines: Lines) -> int:
 
 def _fits(page: Page, said: WeibullWords, group: GroupSummary) -> Lines:
     """One line a method; nothing where no method has a result."""
-    unit, fits = group.test.unit, [fit for fit in group.fits if isfinite(fit.shape)]
+    unit = one_line(group.test.unit)
+    fits = [fit for fit in group.fits if isfinite(fit.shape)]
     if not fits:
         return []
-    heads = [said.fitted_by, said.shape, f"{said.scale} {unit}"]
-    heads += [f"L10 {unit}", f"L50 {unit}", f"{said.mean} {unit}"]
+    heads = [said.fitted_by, *(spelt(page, head) for head in (said.shape, said.scale))]
+    heads += ["L10", "L50", said.mean]
     columns = [
         alike(page, [getattr(fit, name) for fit in fits])
         for name in ("shape", "scale", "l10", "l50", "mean")
@@ -160,7 +166,10 @@ def _fits(page: Page, said: WeibullWords, group: GroupSummary) -> Lines:
         style = "bold" if fit is group.main else ""
         cells = [said.fits.get(fit.method, fit.method), *(column[index] for column in columns)]
         rows.append([page.text(cell, style) for cell in cells])
-    lines = [page.heading(said.fit), *page.columns(rows, "l" + "r" * (len(heads) - 1))]
+    lines = [
+        page.heading(said.fit.format(unit=unit)),
+        *page.columns(rows, "l" + "r" * (len(heads) - 1)),
+    ]
     for fit in fits:
         if fit.location > 0.0:
             location = page.digits.short(fit.location, FIGURES)
@@ -216,7 +225,7 @@ def _limits(bound: Bounds) -> list[float]:
 def _assumed(page: Page, said: WeibullWords, group: GroupSummary, wanted: Wanted) -> Lines:
     """One line a shape: bounds on every life and reliability."""
     unit = group.test.unit
-    heads = [said.assumed_shape]
+    heads = [spelt(page, said.assumed_shape)]
     rows = []
     for assumed in group.assumed:
         cells = [page.digits.short(assumed.shape, 3)]
@@ -259,11 +268,11 @@ def _credible(page: Page, said: WeibullWords, group: GroupSummary, wanted: Wante
 
 
 def _calculated(page: Page, said: WeibullWords, group: GroupSummary, wanted: Wanted) -> Lines:
-    heads = ["", group.test.unit, said.observed_ratio]
+    heads = ["", shortened(one_line(group.test.unit), _LONGEST_UNIT), said.observed_ratio]
     heads += [said.low, said.high, said.p_value, said.contradicted]
     rows = [
         [
-            shortened(one_line(name)),
+            shortened(one_line(name), _LONGEST_NAME[page.medium.width >= _WIDE]),
             page.digits.short(one.calculated, FIGURES),
             *(page.digits.short(x, 3) for x in (one.ratio, one.lower, one.upper)),
             p_text(page, one.p_value),
@@ -292,6 +301,8 @@ def _notes(page: Page, said: WeibullWords, found: LifeTestSummary) -> Lines:
         sentences.append(said.no_ranks)
         if len(found.groups) > 1:
             sentences.append(said.not_compared)
+    elif not all(group.ranked for group in found.groups):
+        sentences.append(said.too_many_for_ranks)
     lines = [page.heading(said.notes)] if sentences else []
     for sentence in sentences:
         lines += page.hanging(page.text("  • ", "yellow"), sentence)

@@ -14,6 +14,7 @@ from rolamento.report.weibull_words import WeibullWords
 __all__ = [
     "FIGURES",
     "alike",
+    "endless",
     "label_of",
     "life_name",
     "one_line",
@@ -21,6 +22,7 @@ __all__ = [
     "percent",
     "scale_of",
     "shortened",
+    "spelt",
     "table",
 ]
 
@@ -28,7 +30,9 @@ FIGURES: Final = 4
 """Significant figures of a life; its bounds are seldom known to two."""
 _LONGEST: Final = 200
 _LEAST_P: Final = 0.001
+_LONGEST_UNIT: Final = 12
 _ENDLESS: Final = "∞"
+_LETTERS: Final = {"β": "beta", "η": "eta"}
 
 
 def alike(page: Page, values: Sequence[float], figures: int = FIGURES) -> list[str]:
@@ -41,8 +45,13 @@ def alike(page: Page, values: Sequence[float], figures: int = FIGURES) -> list[s
 
 def _written(page: Page, value: float, decimals: int) -> str:
     if value == float("inf"):
-        return _ENDLESS if page.medium.shows(_ENDLESS) else "inf"
+        return endless(page)
     return page.digits.fixed(value, decimals)
+
+
+def endless(page: Page) -> str:
+    """Write what is beyond any number."""
+    return _ENDLESS if page.medium.shows(_ENDLESS) else "inf"
 
 
 def percent(page: Page, share: float) -> str:
@@ -65,11 +74,19 @@ def scale_of(quantity: Quantity) -> float:
 def label_of(page: Page, said: WeibullWords, quantity: Quantity, unit: str) -> str:
     """Write what a quantity is, with its unit."""
     if quantity.kind == "shape":
-        return said.shape
+        return spelt(page, said.shape)
+    unit = shortened(one_line(unit), _LONGEST_UNIT)
     if quantity.kind == "reliability":
         return said.reliability_at.format(time=page.digits.short(quantity.value, 6), unit=unit)
-    name = said.scale if quantity.name == "scale" else life_name(page, quantity)
+    name = spelt(page, said.scale) if quantity.name == "scale" else life_name(page, quantity)
     return f"{name} {unit}"
+
+
+def spelt(page: Page, text: str) -> str:
+    """Spell out the letters of shape and scale where they cannot be shown."""
+    for letter, name in _LETTERS.items():
+        text = text if page.medium.shows(letter) else text.replace(letter, name)
+    return text
 
 
 def life_name(page: Page, quantity: Quantity) -> str:

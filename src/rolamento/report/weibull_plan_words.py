@@ -108,7 +108,7 @@ PLAN_WORDS: Final[Mapping[str, PlanWords]] = {
         ratio="factor",
         rarely="1 in 10",
         shape_ratio="of shape",
-        ends="ends after {unit}",
+        ends="lasts {unit}",
         from_to="(90 %)",
         bearing_time="bearing·{unit}",
         rig_time="rig·{unit}",
@@ -116,7 +116,7 @@ PLAN_WORDS: Final[Mapping[str, PlanWords]] = {
         part_fails="{percent} % fail",
         sudden="sudden death, {size} each",
         legend="Factor: between the bounds, in half of the tests; 1 in 10: exceeded by one test of"
-        " ten; of shape: between the bounds of the shape. Ends after: mean, and between which"
+        " ten; of shape: between the bounds of the shape. Lasts: mean, and between which"
         " 90 % end, all rigs running at once. {samples} tests drawn, seed {seed}.",
         working="Drawing tests …",
     ),
@@ -145,9 +145,9 @@ PLAN_WORDS: Final[Mapping[str, PlanWords]] = {
         " demonstra.",
         trade="Equivalentes: rolamentos contra tempo de cada um ({unit})",
         bearings="rolamentos",
-        total="todos, sem falhas",
-        allowed=("{count} pode falhar", "{count} podem falhar"),
-        no_failure="nenhum pode falhar",
+        total="todos, sem falha",
+        allowed=("até {count} falha", "até {count} falhas"),
+        no_failure="sem falha",
         precision="Com que precisão um ensaio diz {quantity}",
         known_to="desejado: limites de {confidence} % a um fator de {ratio} em metade dos ensaios",
         expected="esperado: forma {shape}, {quantity} de {life} {unit}",
@@ -164,7 +164,7 @@ PLAN_WORDS: Final[Mapping[str, PlanWords]] = {
         ratio="fator",
         rarely="1 em 10",
         shape_ratio="da forma",
-        ends="termina após {unit}",
+        ends="dura {unit}",
         from_to="(90 %)",
         bearing_time="rolamento·{unit}",
         rig_time="bancada·{unit}",
@@ -172,7 +172,7 @@ PLAN_WORDS: Final[Mapping[str, PlanWords]] = {
         part_fails="{percent} % falham",
         sudden="morte súbita, {size} cada",
         legend="Fator: entre os limites, em metade dos ensaios; 1 em 10: superado por um ensaio de"
-        " dez; da forma: entre os limites da forma. Termina após: média, e entre o que 90 %"
+        " dez; da forma: entre os limites da forma. Dura: média, e entre o que 90 %"
         " terminam, todas as bancadas ao mesmo tempo. {samples} ensaios sorteados, semente {seed}.",
         working="Sorteando ensaios …",
     ),

@@ -14,6 +14,7 @@ from rolamento.report.page import Lines, Page
 from rolamento.report.weibull_numbers import (
     FIGURES,
     alike,
+    endless,
     life_name,
     one_line,
     p_text,
@@ -138,7 +139,7 @@ def _ratio(page: Page, said: WeibullWords, ratio: LifeRatio) -> str:
         second=second,
         ratio=numbers[0],
         lower=numbers[1],
-        upper=numbers[2] if isfinite(ratio.upper) else "∞",
+        upper=numbers[2] if isfinite(ratio.upper) else endless(page),
         confidence=percent(page, ratio.confidence),
         shape=page.digits.short(ratio.shape, 3),
         p=p_text(page, ratio.p_value),

@@ -93,6 +93,7 @@ class WeibullWords:
 
     notes: str
     no_ranks: str
+    too_many_for_ranks: str
     working: str
     written: str
 
@@ -120,7 +121,7 @@ WEIBULL_WORDS: Final[Mapping[str, WeibullWords]] = {
         scale="scale η",
         mean="mean",
         reliability_at="R({time} {unit}) %",
-        fit="Fit",
+        fit="Fit (lives in {unit})",
         fitted_by="fitted by",
         fits={
             "maximum_likelihood": "maximum likelihood",
@@ -200,6 +201,8 @@ WEIBULL_WORDS: Final[Mapping[str, WeibullWords]] = {
         notes="Notes",
         no_ranks="Failures were found at inspections: there is no rank regression and there are no"
         " points.",
+        too_many_for_ranks="So many failures get no ranks: there is no rank regression and there"
+        " are no points.",
         working="Drawing tests and fitting them …",
         written="Wrote {path}",
     ),
@@ -225,13 +228,13 @@ WEIBULL_WORDS: Final[Mapping[str, WeibullWords]] = {
         scale="escala η",
         mean="média",
         reliability_at="R({time} {unit}) %",
-        fit="Ajuste",
+        fit="Ajuste (vidas em {unit})",
         fitted_by="ajustado por",
         fits={
             "maximum_likelihood": "máxima verossimilhança",
             "unbiased": "  com a forma sem viés",
-            "rank_regression_x_on_y": "regressão de postos, X em Y",
-            "rank_regression_y_on_x": "regressão de postos, Y em X",
+            "rank_regression_x_on_y": "reg. de postos, X em Y",
+            "rank_regression_y_on_x": "reg. de postos, Y em X",
             "three_parameter": "três parâmetros",
             "fixed_shape": "forma conhecida",
         },
@@ -305,6 +308,8 @@ WEIBULL_WORDS: Final[Mapping[str, WeibullWords]] = {
         not_compared="As falhas foram encontradas em inspeções: os grupos não são comparados.",
         notes="Observações",
         no_ranks="As falhas foram encontradas em inspeções: não há regressão de postos nem pontos.",
+        too_many_for_ranks="Tantas falhas não recebem postos: não há regressão de postos nem"
+        " pontos.",
         working="Sorteando ensaios e ajustando-os …",
         written="{path} gravado",
     ),
