@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import unicodedata
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from typing import Final
 
 from rolamento.errors import FileError, InputError, UnknownKeyError, nearest
@@ -68,16 +69,26 @@ _SUSPENDED: Final = _words(
 )
 _YES: Final = _words("1 true yes y x sim s v verdadeiro")
 _NO: Final = _words("0 false no n nao f falso") | {""}
+_SAYINGS: Final = {
+    "status": (_FAILED, _SUSPENDED, "failed, suspended"),
+    "failed": (_YES | _FAILED - {"f"}, _NO | _SUSPENDED - {"s"}, "yes, no"),
+    "suspended": (_NO | {"failed"}, _YES | _SUSPENDED - _NO, "yes, no"),
+}
+"""Words for failed and for suspended in a column of each kind, and examples."""
 _NUMBER: Final = re.compile(r"[+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d{1,3})?")
 _LONGEST_NUMBER: Final = 40
 
 
 @dataclass(frozen=True, slots=True)
 class Header:
-    """Which cell holds what, by column; and the unit that the header tells, or an empty text."""
+    """Which cell holds what, by column.
+
+    titles: of all cells. names: titles by column. unit: that the header tells, or an empty text.
+    """
 
     places: dict[str, int]
     titles: tuple[str, ...]
+    names: dict[str, str]
     unit: str
 
     @property
@@ -130,7 +141,8 @@ def header_of(cells: list[str], group: str | None) -> Header:
             raise InputError("is there twice, perhaps by another name", field=title)
         places[column] = place
     _check(places, wanted, group)
-    return Header(places, tuple(cells), unit)
+    names = {column: cells[place] for column, place in places.items()}
+    return Header(places, tuple(cells), names, unit)
 
 
 def row_of(cells: list[str], header: Header, decimal_comma: bool) -> Row:
@@ -139,7 +151,7 @@ def row_of(cells: list[str], header: Header, decimal_comma: bool) -> Row:
         advice = "" if decimal_comma else "; with decimal commas part the cells by semicolons"
         raise FileError(f"has {len(cells)} cells where the header has {len(header.titles)}{advice}")
     given = {column: cells[place] for column, place in header.places.items()}
-    titles = {column: header.titles[place] for column, place in header.places.items()}
+    titles = header.names
     time = _number(given["time"], titles["time"], decimal_comma)
     if not LEAST_TIME <= time <= MOST_TIME:
         raise InputError(
@@ -198,22 +210,17 @@ def _word_and_unit(title: str) -> tuple[str, str]:
 
 
 def _failed(given: dict[str, str], titles: dict[str, str]) -> bool:
-    for column, yes, no in (
-        ("status", _FAILED, _SUSPENDED),
-        ("failed", _YES | _FAILED - {"f"}, _NO | _SUSPENDED - {"s"}),
-        ("suspended", _YES | _SUSPENDED - {"0", "false", "no", "n", "nao"}, _NO | {"failed"}),
-    ):
+    for column, (failed, not_failed, examples) in _SAYINGS.items():
         if column not in given:
             continue
         word = _folded(given[column])
-        if word in yes or word in no:
-            return (word in yes) == (column != "suspended")
-        examples = {"status": "failed, suspended", "failed": "yes, no", "suspended": "yes, no"}
+        if word in failed or word in not_failed:
+            return word in failed
         raise InputError(
-            f"must say whether the bearing failed: {examples[column]}, 1 or 0",
+            f"must say whether the bearing failed: {examples}, 1 or 0",
             field=titles[column],
             value=given[column],
-            example=examples[column].split(",")[0],
+            example=examples.split(",")[0],
         )
     return True
 
@@ -277,6 +284,7 @@ def _text(given: dict[str, str], titles: dict[str, str], column: str) -> str:
     return cell
 
 
+@lru_cache(maxsize=4096)
 def _folded(word: str) -> str:
     """Return a name without accents and case, its words joined by underscores."""
     plain = unicodedata.normalize("NFKD", word[:200])
