@@ -13,10 +13,13 @@ from matplotlib.lines import Line2D
 from rolamento.plots.saving import save_figure
 from rolamento.plots.weibull import weibull_figure, weibull_paper
 from rolamento.plots.weibull_contour import contour_figure, likelihood_contour
+from rolamento.plots.weibull_plan import chance_of_passing, cost_of_precision
 from rolamento.plots.weibull_words import weibull_plot_words
 from rolamento.reliability import LifeTest, plotting_positions, published_life_test
 from rolamento.reliability.band import Band, confidence_band
 from rolamento.reliability.likelihood_region import LikelihoodRegion, likelihood_region
+from rolamento.reliability.planning import alternatives, demonstrate
+from rolamento.reliability.precision import plan_for_ratio, plans_for_ratio
 from rolamento.reliability.summary import FIT_METHODS, LifeTestSummary, Wanted, summarise
 
 SAMPLES = 300
@@ -182,6 +185,34 @@ def test_titles_and_units_of_others_are_only_text(tmp_path: Path) -> None:
     found = summary(test, calculated={"$a_": 1.0})
     save_figure(weibull_figure(found, bands(found)), tmp_path / "paper.png")
     save_figure(contour_figure(found, regions(found)), tmp_path / "contour.png")
+
+
+# --- plans -----------------------------------------------------------------------------------
+
+
+def test_chances_of_passing_are_those_of_the_plans() -> None:
+    plan = demonstrate(1000.0, shape=1.5, bearings=10)
+    plans = [plan, *alternatives(plan, [10], [1, 2])]
+    axes = chance_of_passing(plans, "h")
+    for line, one in zip(axes.get_lines(), plans, strict=False):
+        x, y = np.asarray(line.get_xdata()), np.asarray(line.get_ydata())
+        np.testing.assert_allclose(y, 100.0 * one.chance_of_passing(x))
+    assert labels(axes)[0] == "10 × 1684 h, 0 may fail"
+    assert chance_of_passing([demonstrate(1.0, shape=1.5, bearings=1, time=0.1)], "h").texts
+
+
+def test_costs_are_those_of_the_plans() -> None:
+    plans = plans_for_ratio(5.0, shape=1.5, life=1000.0, samples=SAMPLES)
+    axes = cost_of_precision(plans, "h", language="pt")
+    shown = [
+        float(y) for container in axes.containers for y in np.asarray(container[0].get_ydata())
+    ]
+    means = [plan.duration.mean for plan in plans if plan.duration is not None]
+    assert sorted(shown) == pytest.approx(sorted(means))
+    assert {text.get_text() for text in axes.texts} == {str(plan.failures) for plan in plans}
+    assert axes.get_ylabel() == "Duração (h)"
+    nothing = plan_for_ratio(1.5, shape=1.5, groups=3, samples=SAMPLES)
+    assert cost_of_precision([nothing], "h").texts
 
 
 # --- regions of likelihood -------------------------------------------------------------------

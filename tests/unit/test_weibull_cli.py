@@ -384,6 +384,16 @@ def test_precision_is_planned(run: Run) -> None:
     assert [plan["group_size"] for plan in plans] == [1, 1, 1, 5]
 
 
+def test_plans_are_drawn(run: Run, tmp_path: Path) -> None:
+    demonstration = ("weibull-plan", "demonstration", "--life", "1000 h", "--bearings", "2")
+    precision = ("weibull-plan", "precision", "--ratio", "9", *FEW)
+    for name, arguments in (("chance", demonstration), ("cost", precision)):
+        code, _, err = run(*arguments, "--plot", f"{name}.png", "--lang", "pt")
+        assert (code, err) == (0, "")
+        assert (tmp_path / f"{name}.png").read_bytes().startswith(b"\x89PNG")
+        assert "must end in .png" in wrong(run(*arguments, "--plot", "x.gif"))
+
+
 def test_precision_out_of_reach(run: Run) -> None:
     code, out, _ = run("weibull-plan", "precision", "--ratio", "1.5", "--groups", "8", *FEW)
     assert code == 1

@@ -17,6 +17,7 @@ from rolamento.cli.common import (
 from rolamento.cli.life_units import given_life, life_in
 from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
+from rolamento.cli.weibull_options import check_outputs
 from rolamento.errors import InputError
 
 if TYPE_CHECKING:
@@ -26,6 +27,8 @@ __all__ = ["app"]
 
 _SHAPE: Final = 1.5
 _MOST_SIZES: Final = 20
+_OTHERS: Final = (0, 1, 2)
+"""Failures allowed in the tests that are drawn beside the one that is planned."""
 
 app = typer.Typer(
     help="Plan life tests: bearings and time to show a life, failures to know it.",
@@ -45,6 +48,9 @@ ReliabilityOption = Annotated[
 ]
 ConfidenceOption = Annotated[
     float, typer.Option("--confidence", metavar="C", help="With which, such as 0.9.")
+]
+PlotOption = Annotated[
+    str | None, typer.Option("--plot", metavar="FILE", help="Draw it: .png, .svg or .pdf.")
 ]
 JsonOption = Annotated[
     str | None,
@@ -78,11 +84,13 @@ def demonstration(
     shape: ShapeOption = _SHAPE,
     reliability: ReliabilityOption = 0.9,
     confidence: ConfidenceOption = 0.9,
+    plot: PlotOption = None,
     json: JsonOption = None,
     lang: LanguageOption = None,
 ) -> None:
     """Show a life by a test with few failures or none: bearings against time."""
     with plain_endings(lang):
+        check_outputs(None, {"--json": json, "--plot": plot})
         wanted, unit = given_life(life, "--life")
         each = None if time is None else life_in(time, unit, "--time")
         if bearings is None and each is None:
@@ -102,6 +110,13 @@ def demonstration(
         )
         others = alternatives(plan)
         words = words_of(lang)
+        if plot is not None:
+            from rolamento.plots.saving import save_figure
+            from rolamento.plots.weibull_plan import chance_figure
+
+            beside = [k for k in _OTHERS if k != failures_allowed]
+            more = alternatives(plan, [plan.bearings], beside) if plan.planned else ()
+            save_figure(chance_figure([plan, *more], unit, words.code), plot)
         if json is not None:
             put(demonstration_json(plan, others, unit) + "\n", json)
         if json != STANDARD_STREAM:
@@ -146,11 +161,13 @@ def precision(
     seed: Annotated[
         int, typer.Option("--seed", metavar="N", min=0, help="Of the random numbers.")
     ] = 0,
+    plot: PlotOption = None,
     json: JsonOption = None,
     lang: LanguageOption = None,
 ) -> None:
     """Show how many failures bring the bounds of a life near each other, and how long it takes."""
     with plain_endings(lang):
+        check_outputs(None, {"--json": json, "--plot": plot})
         if (ratio is None) == (failures is None):
             raise InputError("give --ratio or --failures", source="precision", example="--ratio 5")
         if ratio is not None and groups is not None and len(group_size or ()) > 1:
@@ -173,6 +190,12 @@ def precision(
             plans = _plans(ratio, failures, groups, group_size or [], keywords, progress)
         if json is not None:
             put(precision_json(plans, ratio, unit) + "\n", json)
+        if plot is not None:
+            from rolamento.plots.saving import save_figure
+            from rolamento.plots.weibull_plan import cost_figure
+
+            label = unit or f"L{100.0 * (1.0 - reliability):.6g}"
+            save_figure(cost_figure(plans, label, words.code), plot)
         planned = any(plan.planned for plan in plans)
         if json != STANDARD_STREAM:
             print_text(precision_report(plans, ratio, unit, words, Medium.of(sys.stdout)))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from math import isfinite
 from typing import Final
 
 import numpy as np
@@ -26,6 +25,7 @@ from rolamento.report.weibull_numbers import (
     one_line,
     p_text,
     percent,
+    ratio_text,
     scale_of,
     shortened,
     spelt,
@@ -152,7 +152,7 @@ def _width(lines: Lines) -> int:
 def _fits(page: Page, said: WeibullWords, group: GroupSummary) -> Lines:
     """One line a method; nothing where no method has a result."""
     unit = one_line(group.test.unit)
-    fits = [fit for fit in group.fits if isfinite(fit.shape)]
+    fits = [fit for fit in group.fits if fit.converged]
     if not fits:
         return []
     heads = [said.fitted_by, *(spelt(page, head) for head in (said.shape, said.scale))]
@@ -274,7 +274,7 @@ def _calculated(page: Page, said: WeibullWords, group: GroupSummary, wanted: Wan
         [
             shortened(one_line(name), _LONGEST_NAME[page.medium.width >= _WIDE]),
             page.digits.short(one.calculated, FIGURES),
-            *(page.digits.short(x, 3) for x in (one.ratio, one.lower, one.upper)),
+            *(ratio_text(page, x) for x in (one.ratio, one.lower, one.upper)),
             p_text(page, one.p_value),
             said.verdicts[one.bearings_live] if one.code == "converged" else ABSENT,
         ]

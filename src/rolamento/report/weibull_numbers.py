@@ -20,6 +20,7 @@ __all__ = [
     "one_line",
     "p_text",
     "percent",
+    "ratio_text",
     "scale_of",
     "shortened",
     "spelt",
@@ -52,6 +53,11 @@ def _written(page: Page, value: float, decimals: int) -> str:
 def endless(page: Page) -> str:
     """Write what is beyond any number."""
     return _ENDLESS if page.medium.shows(_ENDLESS) else "inf"
+
+
+def ratio_text(page: Page, ratio: float) -> str:
+    """Write a ratio of lives."""
+    return endless(page) if ratio == float("inf") else page.digits.short(ratio, 3)
 
 
 def percent(page: Page, share: float) -> str:

@@ -88,11 +88,13 @@ def _of_shape(said: WeibullWords, group: GroupSummary) -> list[str]:
 
 
 def _of_calculation(said: WeibullWords, group: GroupSummary) -> list[str]:
-    judged = [one for one in group.calculated.values() if one.code == "converged"]
-    contradicted = sum(bool(one.bearings_live) for one in judged)
-    if not judged or 0 < contradicted < len(judged):
-        return []
-    return [said.all_contradict if contradicted else said.none_contradict]
+    judged = {name: one for name, one in group.calculated.items() if one.code == "converged"}
+    sentences = []
+    for live, sentence in said.contradict.items():
+        names = [one_line(name) for name, one in judged.items() if one.bearings_live == live]
+        if names:
+            sentences.append(sentence.format(names="; ".join(names)))
+    return [said.none_contradict] if judged and not sentences else sentences
 
 
 def comparison_part(page: Page, said: WeibullWords, found: LifeTestSummary) -> Lines:

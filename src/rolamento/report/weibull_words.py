@@ -77,7 +77,7 @@ class WeibullWords:
     shape_given: str
     rating_inside: str
     rating_outside: str
-    all_contradict: str
+    contradict: Mapping[str, str]
     none_contradict: str
     nothing: str
 
@@ -180,7 +180,10 @@ WEIBULL_WORDS: Final[Mapping[str, WeibullWords]] = {
         shape_given="All of this is as good as the shape of {shape} that was given.",
         rating_inside="10/9, the shape of the rating standards, lies within the bounds.",
         rating_outside="10/9, the shape of the rating standards, lies outside the bounds.",
-        all_contradict="The data contradict every calculated life given.",
+        contradict={
+            "longer": "The data contradict {names}: the bearings live longer.",
+            "shorter": "The data contradict {names}: the bearings live shorter.",
+        },
         none_contradict="The data contradict none of the calculated lives given. That is no proof"
         " of any: few failures contradict little.",
         nothing="No result: {advice}",
@@ -288,7 +291,10 @@ WEIBULL_WORDS: Final[Mapping[str, WeibullWords]] = {
         shape_given="Tudo isto vale tanto quanto a forma de {shape} que foi dada.",
         rating_inside="10/9, a forma das normas de capacidade de carga, está entre os limites.",
         rating_outside="10/9, a forma das normas de capacidade de carga, está fora dos limites.",
-        all_contradict="Os dados contradizem todas as vidas calculadas que foram dadas.",
+        contradict={
+            "longer": "Os dados contradizem {names}: os rolamentos vivem mais.",
+            "shorter": "Os dados contradizem {names}: os rolamentos vivem menos.",
+        },
         none_contradict="Os dados não contradizem nenhuma das vidas calculadas que foram dadas."
         " Isso não prova nenhuma delas: poucas falhas contradizem pouco.",
         nothing="Sem resultado: {advice}",
