@@ -1,21 +1,21 @@
 """How far lines of a spectrum stand out of the noise about them, as probabilities.
 
 A line of the spectrum of stationary noise, averaged over K independent spectra, is distributed as
-a gamma variable of shape K about the local level: exponential for K = 1. The level is estimated by
-the median of M lines about the one in question. Under noise, the probability that the line
-reaches T times that median is
+a gamma variable of shape K about the local level: exponential for K = 1; the mean of c neighbouring
+lines has the shape cK. The level is estimated by the median of the 2r + 1 lines about the place in
+question. If the c lines lie above it, it is of rank r + 1 among the M = 2r + 1 - c others, and
+noise lifts the mean of the c lines to T times the median with the probability
 
-    p(T) = ∫ Q(K, T x(u)) f(u) du,   x(u) = P⁻¹(K, u),   f = beta density of the median's rank,
+    p(T) = ∫ Q(cK, cT x(u)) f(u) du,   x(u) = P⁻¹(K, u),   f = beta density of that rank,
 
-with P and Q the incomplete gamma functions; it takes the scatter of the median into account and is
-the same for any level (constant false-alarm rate by ordered statistics; Rohling, IEEE Transactions
-on Aerospace and Electronic Systems 19 (1983), 608-621). For K = 1 it is the product
+with P and Q the incomplete gamma functions. The scatter of the median is in it, and it is the same
+for any level (constant false-alarm rate by ordered statistics; Rohling, IEEE Transactions on
+Aerospace and Electronic Systems 19 (1983), 608-621). For one line and K = 1 it is the product
 
-    p(T) = Π (M - i)/(M - i + T),   i = 0 … rank - 1.
+    p(T) = Π (M - i)/(M - i + T),   i = 0 … r.
 
-The *score* of a line is -ln p: in noise an exponential variable of mean 1, whatever the spectrum's
-shape, units, averages and the number of neighbours. The sum of n independent scores has the tail
-Q(n, sum).
+The *score* is -ln p: in noise an exponential variable of mean 1, whatever the spectrum's shape,
+units, averages and the numbers of lines. The sum of n independent scores has the tail Q(n, sum).
 """
 
 from __future__ import annotations
@@ -24,24 +24,38 @@ from functools import cache
 from typing import Final
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy import ndimage, special
 
 from rolamento.numerics import FloatArray
 
-__all__ = ["HALF_WIDTH", "LOWEST_LINE", "line_scores", "log_gamma_tail", "median_tail"]
+__all__ = [
+    "HALF_WIDTH",
+    "LOWEST_LINE",
+    "line_scores",
+    "log_gamma_tail",
+    "mean_over_median",
+    "mean_scores",
+    "reaches",
+    "running_medians",
+]
 
-HALF_WIDTH: Final = 50
+Table = tuple[FloatArray, FloatArray]
+
+HALF_WIDTH: Final = 250
 """Lines on either side whose median is the level."""
 LOWEST_LINE: Final = 8
 """Below, there are too few lines between a line and zero to tell the level."""
-Table = tuple[FloatArray, FloatArray]
-
-_REACHES: Final = (4, 5, 6, 8, 10, 12, 15, 20, 25, 30, 40, HALF_WIDTH)
+_REACHES: Final = np.array(
+    [4, 5, 6, 8, 10, 12, 15, 20, 25, 30, 40, 50, 65, 80, 100, 130, 160, 200, HALF_WIDTH]
+)
 """Half widths near zero frequency; few, as each has its tables."""
 _HIGHEST_RATIO: Final = 1e9
-_NEAR: Final = 200
-_FAR: Final = 300
-_NODES: Final = 60
+_NEAR: Final = 150
+_FAR: Final = 200
+_NODES: Final = 50
+_ENDS: Final = 1e-13
+"""Of the distribution of the median, left out at either side."""
 
 
 def line_scores(power: FloatArray, *, averages: int) -> FloatArray:
@@ -56,66 +70,118 @@ def line_scores(power: FloatArray, *, averages: int) -> FloatArray:
 
     Returns
     -------
-    (spectra, lines); NaN below `LOWEST_LINE`, within the last `HALF_WIDTH`, and where all about is
-    zero.
+    (spectra, lines); NaN where there is no level, and where that is zero.
+    """
+    reach = np.broadcast_to(reaches(np.arange(power.shape[1])), power.shape)
+    count = np.ones(power.shape, dtype=np.int64)
+    return mean_scores(power, running_medians(power), count, reach, averages)
+
+
+def running_medians(power: FloatArray) -> FloatArray:
+    """Median of each line and its neighbours: `HALF_WIDTH` on either side, fewer near zero.
+
+    power: (spectra, lines). Returns the same shape; NaN below `LOWEST_LINE` and in the last
+    `HALF_WIDTH`.
     """
     lines = power.shape[1]
-    scores = np.full(power.shape, np.nan)
-    for line in range(LOWEST_LINE, min(2 * HALF_WIDTH, lines)):
-        reach = max(width for width in _REACHES if width <= line // 2)
-        if line + reach < lines:
-            about = power[:, line - reach : line + reach + 1]
-            scores[:, line] = _scores(power[:, line], np.median(about, axis=1), reach, averages)
-    inside = slice(2 * HALF_WIDTH, lines - HALF_WIDTH)
-    if lines > 3 * HALF_WIDTH:
-        # one long row is much faster; where its parts meet, the result is not used
-        level = ndimage.median_filter(power.ravel(), size=2 * HALF_WIDTH + 1, mode="nearest")
-        level = level.reshape(power.shape)[:, inside]
-        scores[:, inside] = _scores(power[:, inside], level, HALF_WIDTH, averages)
-    return scores
+    medians = np.full(power.shape, np.nan)
+    reach_of = reaches(np.arange(lines))
+    for reach in _REACHES:
+        served = np.flatnonzero(reach_of == reach)
+        served = served[(served >= LOWEST_LINE) & (served + reach < lines)]
+        if len(served) > 0:
+            part = power[:, : served[-1] + reach + 1]
+            # one long row is much faster; where bands meet in it, nothing is used
+            size = 2 * int(reach) + 1
+            found = ndimage.median_filter(part.ravel(), size=size, mode="nearest")
+            medians[:, served] = found.reshape(part.shape)[:, served]
+    return medians
 
 
-def _scores(power: FloatArray, level: FloatArray, reach: int, averages: int) -> FloatArray:
-    """The median counts the line itself: the level is then of rank M/2 + 1 among the others.
+def reaches(lines: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Lines on either side of which `running_medians` takes the median; as `lines`."""
+    places = np.searchsorted(_REACHES, np.asarray(lines) // 2, side="right") - 1
+    return np.asarray(_REACHES[np.maximum(places, 0)])
 
-    If the line lies below the median, of rank M/2.
+
+def mean_scores(
+    mean: FloatArray,
+    median: FloatArray,
+    count: NDArray[np.int64],
+    reach: NDArray[np.int64],
+    averages: int,
+) -> FloatArray:
+    """Scores of means over some neighbouring lines, given the median about each.
+
+    Parameters
+    ----------
+    mean, median
+        Arrays of one shape.
+    count
+        How many lines are in each mean; same shape.
+    reach
+        Of the medians; same shape.
+    averages
+        K.
+
+    Returns
+    -------
+    The same shape; NaN where there are no lines, no level, or it is zero.
     """
+    good = (median > 0.0) & (count > 0)
     with np.errstate(divide="ignore", invalid="ignore"):
-        ratio = np.minimum(power / level, _HIGHEST_RATIO)
-    above, below = median_tail(reach, averages)
-    place = np.log1p(ratio)
-    found = np.where(ratio < 1.0, np.interp(place, *below), np.interp(place, *above))
-    return np.asarray(np.where(np.isnan(ratio), np.nan, found))
+        place = np.log1p(np.minimum(mean / median, _HIGHEST_RATIO))
+    kinds = np.where(good, np.searchsorted(_REACHES, reach) + len(_REACHES) * count, 0)
+    alike = int(kinds.flat[0]) if kinds.size else 0
+    if alike > 0 and np.all(kinds == alike):  # by far the most frequent case
+        return np.asarray(np.interp(place, *_table_of(alike, averages)))
+    found = np.full(mean.shape, np.nan)
+    for kind in np.flatnonzero(np.bincount(kinds.ravel())):
+        if kind > 0:
+            here = kinds == kind
+            found[here] = np.interp(place[here], *_table_of(int(kind), averages))
+    return found
+
+
+def _table_of(kind: int, averages: int) -> Table:
+    lines, place = divmod(kind, len(_REACHES))
+    return _table(int(_REACHES[place]), lines, averages)
+
+
+def mean_over_median(averages: int) -> float:
+    """Mean of the power of noise lines over its median."""
+    return float(averages / special.gammaincinv(averages, 0.5))
 
 
 @cache
-def median_tail(reach: int, averages: int) -> tuple[Table, Table]:
-    """Tables of -ln p over ln(1 + T), for T from 1 and up to 1; M = 2·reach."""
-    width = 12.0 / np.sqrt(averages)
+def _table(reach: int, count: int, averages: int) -> Table:
+    """Table of -ln p over ln(1 + T); densest about T = 1, where p falls fastest.
+
+    Lines that lie below the median are among those that make its rank.
+    """
+    width = 12.0 / np.sqrt(averages * count)
     near = np.linspace(1.0, 1.0 + width, _NEAR)
     far = np.geomspace(1.0 + width, _HIGHEST_RATIO, _FAR)[1:]
     above = np.concatenate([near, far])
     low = max(0.0, 1.0 - width)
-    below = np.concatenate([np.linspace(0.0, low, 20)[:-1], np.linspace(low, 1.0, _NEAR)])
-    return (
-        (np.log1p(above), _log_tail(above, 2 * reach, reach + 1, averages)),
-        (np.log1p(below), _log_tail(below, 2 * reach, reach, averages)),
+    below = np.concatenate([np.linspace(0.0, low, 20)[:-1], np.linspace(low, 1.0, _NEAR)[:-1]])
+    others = max(2 * reach + 1 - count, reach + 1)
+    lower = max(reach + 1 - count, 1)
+    scores = (
+        _score(below, others, lower, count, averages),
+        _score(above, others, reach + 1, count, averages),
     )
+    return np.log1p(np.concatenate([below, above])), np.concatenate(scores)
 
 
-def _log_tail(ratio: FloatArray, others: int, rank: int, averages: int) -> FloatArray:
+def _score(ratio: FloatArray, others: int, rank: int, count: int, averages: int) -> FloatArray:
     """-ln p(T), the level being the value of a rank among others."""
-    if averages == 1:
+    if averages == 1 and count == 1:
         left = others - np.arange(rank)
         return np.asarray(np.sum(np.log1p(ratio[:, None] / left), axis=1))
-    return -_log_mean_tail(ratio, others, rank, averages)
-
-
-def _log_mean_tail(ratio: FloatArray, others: int, rank: int, averages: int) -> FloatArray:
-    """Logarithm of the integral of the module's head, by Gauss-Legendre."""
     nodes, weights = np.polynomial.legendre.leggauss(_NODES)
     above = others - rank
-    ends = special.betaincinv(rank, above + 1, np.array([1e-14, 1.0 - 1e-14]))
+    ends = special.betaincinv(rank, above + 1, np.array([_ENDS, 1.0 - _ENDS]))
     low, high = special.gammaincinv(averages, ends)
     x = low + 0.5 * (high - low) * (nodes + 1.0)
     u = special.gammainc(averages, x)
@@ -128,8 +194,8 @@ def _log_mean_tail(ratio: FloatArray, others: int, rank: int, averages: int) -> 
         - special.gammaln(averages)
     )
     log_weight = np.log(weights * 0.5 * (high - low)) + log_density
-    tails = log_gamma_tail(averages, ratio[:, None] * x[None]) + log_weight
-    return np.asarray(special.logsumexp(tails, axis=1))
+    tails = log_gamma_tail(averages * count, count * ratio[:, None] * x[None]) + log_weight
+    return -np.asarray(special.logsumexp(tails, axis=1))
 
 
 def log_gamma_tail(shape: float, x: FloatArray) -> FloatArray:

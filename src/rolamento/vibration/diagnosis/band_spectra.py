@@ -1,0 +1,165 @@
+"""Squared-envelope spectra of a block in many bands at once, over orders of the shaft.
+
+All lines of a block's spectrum have been given one size (cepstrum pre-whitening; see `whitening`):
+the phases alone decide, no carrier weighs more than another, and what few carriers of a tone too
+weak to be found can add is bounded. Half the sampling rate is divided in 1, 2, 3, 4, 6, 8 equal
+bands, as in the fast kurtogram; the inverse transform of a band's lines is its analytic signal, at
+no more samples than its squared envelope needs.
+
+In noise the lines of a squared envelope's spectrum are sums of many products of independent
+phases: complex Gaussian, their powers exponential about a level that falls slowly with frequency.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from math import ceil
+from typing import Final
+
+import numpy as np
+from scipy import fft
+
+from rolamento.errors import InputError
+from rolamento.numerics import FloatArray
+from rolamento.vibration._checks import Band
+from rolamento.vibration.diagnosis.blocks import Block
+from rolamento.vibration.diagnosis.masks import shaft_places
+from rolamento.vibration.diagnosis.modulation import modulation_powers, over_angle
+from rolamento.vibration.diagnosis.tones import Comb
+from rolamento.vibration.diagnosis.whitening import whitened
+from rolamento.vibration.noise_floor import HALF_WIDTH
+
+__all__ = ["BandSpectra", "Plan", "band_spectra"]
+
+_DIVISIONS: Final = (1, 2, 3, 4, 6, 8)
+_BANDWIDTH: Final = 2.5
+"""Of the narrowest band, over the highest modulation frequency that is looked at in it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Plan:
+    """How blocks are analysed.
+
+    Attributes
+    ----------
+    highest_order
+        of the spectra
+    slow_order
+        up to which a modulation counts as slow
+    regular
+        orders of what turns
+    remove_tones
+        whether to take out discrete lines
+    combs
+        of faults whose discrete lines stay: lowest and highest order of each
+    speed_uncertainty
+        part by which a steady speed may be off
+    """
+
+    highest_order: float
+    slow_order: float
+    regular: tuple[float, ...]
+    remove_tones: bool
+    combs: tuple[tuple[float, float], ...]
+    speed_uncertainty: float
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class BandSpectra:
+    """Powers of the squared envelopes' lines, averaged over blocks.
+
+    Attributes
+    ----------
+    plain
+        (bands, lines), of the squared envelopes as they are, in arbitrary units
+    power
+        (bands, lines), of the squared envelopes with their regular part divided out
+    bands
+        Hz
+    turns
+        revolutions in a block: the lines are one over this apart, from order 0
+    blocks
+        how many were averaged
+    samples
+        how many were used
+    rate
+        Hz
+    steady
+        whether the speed was given as one number
+    """
+
+    plain: FloatArray
+    power: FloatArray
+    bands: tuple[Band, ...]
+    turns: float
+    blocks: int
+    samples: int
+    rate: float
+    steady: bool
+
+    @property
+    def shaft_frequency(self) -> float:
+        """Mean over the record; Hz."""
+        return self.turns * self.blocks * self.rate / self.samples
+
+
+def band_spectra(blocks: Iterable[Block], plan: Plan) -> BandSpectra:
+    """Squared-envelope spectra of many bands, averaged over blocks.
+
+    Raises
+    ------
+    InputError
+        If there are no blocks.
+    """
+    sums: FloatArray | None = None
+    bands: tuple[Band, ...] = ()
+    number = samples = 0
+    turns = rate = 0.0
+    steady = True
+    for block in blocks:
+        if sums is None:
+            turns, rate, steady = block.turns, block.rate, block.places is None
+            bands = _bands(rate, plan.highest_order * turns * rate / len(block.samples))
+            lines = ceil(plan.highest_order * turns) + 1 + HALF_WIDTH
+            sums = np.zeros((2, len(bands), lines))
+        _add_block(sums, block, bands, plan)
+        number += 1
+        samples += len(block.samples)
+    if sums is None:
+        raise InputError("holds no samples", field="signal")
+    sums /= number
+    return BandSpectra(sums[0], sums[1], bands, turns, number, samples, rate, steady)
+
+
+def _bands(rate: float, highest: float) -> tuple[Band, ...]:
+    """Equal divisions of half the rate, none narrower than the modulations to be seen need."""
+    half = 0.5 * rate
+    divisions = [d for d in _DIVISIONS if d == 1 or half / d >= _BANDWIDTH * highest]
+    return tuple((half * i / d, half * (i + 1) / d) for d in divisions for i in range(d))
+
+
+def _add_block(sums: FloatArray, block: Block, bands: tuple[Band, ...], plan: Plan) -> None:
+    """Add a block's powers, plain and with the regular part divided out, in place."""
+    uncertainty = plan.speed_uncertainty if block.places is None else 0.0
+    combs = [
+        Comb(low * block.turns, high * block.turns, block.turns, uncertainty)
+        for low, high in plan.combs
+    ]
+    white = whitened(block, remove_tones=plan.remove_tones, combs=combs)
+    lines = sums.shape[2]
+    regular = shaft_places(plan.regular, block.turns, lines, uncertainty)
+    slow = max(1, int(plan.slow_order * block.turns))
+    per_hertz = len(white) / (0.5 * block.rate)
+    for number, (low, high) in enumerate(bands):
+        carriers = white[max(1, round(low * per_hertz)) : round(high * per_hertz)]
+        # twice the lines: the squared envelope is twice as wide as the band
+        size = fft.next_fast_len(2 * len(carriers))
+        analytic = np.asarray(fft.ifft(carriers, size))
+        squared = np.square(analytic.real) + np.square(analytic.imag)
+        envelope = over_angle(squared, block.places, lines)
+        # the sum over products of carriers, however many steps it was taken in
+        scale = float(size) ** 4 / float(len(envelope)) ** 2
+        plain, power = modulation_powers(envelope, slow, regular, lines)
+        sums[0, number] += plain * scale
+        sums[1, number] += power * scale

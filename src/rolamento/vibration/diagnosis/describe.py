@@ -1,0 +1,158 @@
+"""What is said of a component: its order to a fraction of a line, its lines, and the reasons."""
+
+from __future__ import annotations
+
+from math import nan
+from typing import Final
+
+import numpy as np
+
+from rolamento.vibration.diagnosis import wording
+from rolamento.vibration.diagnosis.field import SEEN, Field
+from rolamento.vibration.diagnosis.hypotheses import SearchedLine
+from rolamento.vibration.diagnosis.orders import Component
+from rolamento.vibration.diagnosis.record import ComponentVerdict, MatchedLine
+from rolamento.vibration.diagnosis.search import Finding, chance
+from rolamento.vibration.noise_floor import LOWEST_LINE
+
+__all__ = ["fault", "no_fault"]
+
+_CLEAR_SIDEBAND: Final = 9.0
+"""dB above the noise from which a sideband is worth telling of; noise alone is above it once in
+three thousand lines."""
+
+
+def fault(component: Component, finding: Finding, field: Field, trials: int) -> ComponentVerdict:
+    """Return the verdict of a fault that was found."""
+    probability, evidence = chance(finding.evidence, trials)
+    nominal = field.orders.fundamental(component) or nan
+    fundamental = _refined(finding, field)
+    order = fundamental / field.turns
+    frequency = order * field.spectra.shaft_frequency
+    lines = tuple(_matched(line, fundamental, finding, field) for line in finding.hypothesis.lines)
+    sidebands = _sidebands(component, fundamental, finding, field)
+    band = field.spectra.bands[finding.band]
+    reasons = [wording.above_noise(order, frequency, lines)]
+    if sidebands:
+        reasons.append(
+            wording.of_sidebands(component, _spacing(component, finding, field), sidebands)
+        )
+    reasons += [
+        wording.at_band(band),
+        wording.chance_of_noise(probability, evidence, trials),
+        wording.off_nominal(order / nominal - 1.0),
+    ]
+    return ComponentVerdict(
+        component=component,
+        verdict="fault",
+        probability=probability,
+        evidence=evidence,
+        nominal_order=nominal,
+        order=order,
+        deviation=order / nominal - 1.0,
+        frequency=frequency,
+        band=band,
+        lines=tuple(line for line in lines if line.sideband == 0),
+        sidebands=sidebands,
+        reasons=tuple(reasons),
+    )
+
+
+def no_fault(
+    component: Component, finding: Finding | None, field: Field, trials: int
+) -> ComponentVerdict:
+    """Return the verdict that nothing was found, or that nothing can be told."""
+    nominal = field.orders.fundamental(component)
+    probability, evidence = (nan, nan) if finding is None else chance(finding.evidence, trials)
+    if finding is None:
+        reason = wording.untested(_why_untested(nominal, field))
+    else:
+        reason = wording.nothing_above_noise(probability, trials)
+    return ComponentVerdict(
+        component=component,
+        verdict="not_tested" if finding is None else "nothing_found",
+        probability=probability,
+        evidence=evidence,
+        nominal_order=nan if nominal is None else nominal,
+        order=nan,
+        deviation=nan,
+        frequency=nan,
+        band=None,
+        lines=(),
+        sidebands=(),
+        reasons=(reason,),
+    )
+
+
+def _why_untested(nominal: float | None, field: Field) -> str:
+    if nominal is None:
+        return "no_order"
+    if nominal * field.turns < LOWEST_LINE + 1:
+        return "record_too_short"
+    widest = max(high - low for low, high in field.spectra.bands)
+    too_high = nominal * field.spectra.shaft_frequency > SEEN * widest
+    return "rate_too_low" if too_high else "hidden"
+
+
+def _refined(finding: Finding, field: Field) -> float:
+    """Fundamental as the middle of the power above noise of the lines that were matched."""
+    power, level = field.spectra.power[finding.band], field.level[finding.band]
+    weighted = weights = 0.0
+    for line in finding.hypothesis.lines:
+        centre = line.multiple * finding.fundamental + line.sideband * finding.spacing
+        places = np.arange(max(1, round(centre) - line.width), round(centre) + line.width + 1)
+        places = places[places < len(power)]
+        with np.errstate(invalid="ignore", divide="ignore"):
+            above = np.clip(power[places] / level[places] - 1.0, 0.0, None)
+        total = float(np.sum(above))
+        if np.isfinite(total) and total > 0.0:
+            middle = float(np.sum(above * places)) / total
+            # a line tells of the order by its multiple, and the less the wider it is
+            weight = line.multiple**2 * total / (1.0 + line.width**2)
+            weighted += weight * (middle - line.sideband * finding.spacing) / line.multiple
+            weights += weight
+    return weighted / weights if weights > 0.0 else finding.fundamental
+
+
+def _matched(line: SearchedLine, fundamental: float, finding: Finding, field: Field) -> MatchedLine:
+    """A line in the spectrum without its regular part, in which it was searched."""
+    place = line.multiple * fundamental + line.sideband * finding.spacing
+    near = _near(place, line.width)
+    usable = ~field.left_out[finding.band, near] & (field.medians[finding.band, near] > 0.0)
+    above = nan
+    if np.any(usable):
+        ratio = field.spectra.power[finding.band, near] / field.level[finding.band, near]
+        above = 10.0 * float(np.log10(np.max(ratio[usable])))
+    return _line(line.multiple, line.sideband, place, above, field)
+
+
+def _sidebands(
+    component: Component, fundamental: float, finding: Finding, field: Field
+) -> tuple[MatchedLine, ...]:
+    """Sidebands of the matched multiples that are clear in the squared envelope as it is."""
+    spacing = _spacing(component, finding, field) * field.turns
+    if spacing == 0.0:
+        return ()
+    found = []
+    for line in finding.hypothesis.lines:
+        for side in (-1, 1) if line.sideband == 0 else ():
+            place = line.multiple * fundamental + side * spacing
+            near = _near(place, max(1, line.width // 2))
+            level = field.level[finding.band, near]
+            if near.start >= len(field.left_out[0]) or not np.all(level > 0.0):
+                continue
+            ratio = float(np.max(field.spectra.plain[finding.band, near] / level))
+            above = 10.0 * float(np.log10(ratio)) if ratio > 0.0 else -np.inf
+            if above > _CLEAR_SIDEBAND:
+                found.append(_line(line.multiple, side, place, above, field))
+    return tuple(found)
+
+
+def _line(multiple: float, sideband: int, place: float, above: float, field: Field) -> MatchedLine:
+    order = place / field.turns
+    return MatchedLine(multiple, sideband, order, order * field.spectra.shaft_frequency, above)
+
+
+def _near(place: float, width: int) -> slice:
+    reach = max(1, width // 2)
+    return slice(max(0, round(place) - reach), max(0, round(place) + reach + 1))

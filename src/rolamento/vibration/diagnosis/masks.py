@@ -1,0 +1,131 @@
+"""Lines left out of the search, each with as many neighbours as it spreads to.
+
+They are those of the shaft, of what else is known to turn, and of faults that were found already.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from math import ceil, sqrt
+from typing import Final, NamedTuple
+
+import numpy as np
+
+from rolamento.numerics import BoolArray, FloatArray
+from rolamento.vibration.diagnosis.leakage import envelope_leakage, reach
+from rolamento.vibration.diagnosis.orders import Component, FaultOrders
+from rolamento.vibration.diagnosis.search import Finding
+
+__all__ = ["Place", "fault_places", "filled", "lines_about", "shaft_places"]
+
+_SIDEBANDS: Final = 3
+_SPREAD_TO: Final = 0.3
+"""Of the noise: what a line may add to its neighbours before they are left out."""
+
+
+class Place(NamedTuple):
+    """A line to leave out.
+
+    line: where; within: how far it may be from there; width: of a hump that slip makes of it, 0 for
+    a discrete line. In lines of the spectrum.
+    """
+
+    line: float
+    within: float
+    width: float = 0.0
+
+
+def shaft_places(
+    regular: Sequence[float], turns: float, lines: int, uncertainty: float
+) -> list[Place]:
+    """Multiples of what turns, given by its orders."""
+    return [
+        Place(number * order * turns, 1.0 + uncertainty * number * order * turns)
+        for order in regular
+        for number in range(1, int(lines / (order * turns)) + 1)
+    ]
+
+
+def fault_places(
+    component: Component, finding: Finding, orders: FaultOrders, turns: float, lines: int
+) -> list[Place]:
+    """All lines that a fault which was found may make: multiples, and sidebands of each and of 0.
+
+    A line too far from where the last multiple was matched is as uncertain as the match.
+    """
+    fundamental, hypothesis = finding.fundamental, finding.hypothesis
+    step = 0.5 * fundamental if component == "ball" else fundamental
+    spacing = finding.spacing or orders.spacing(component) * turns
+    offsets = {side * spacing for side in range(-_SIDEBANDS, _SIDEBANDS + 1)}
+    # noise that the shaft modulates does so to the blows as well
+    offsets |= {side * turns for side in range(-_SIDEBANDS, _SIDEBANDS + 1)}
+    doubt = max(1.0, 0.5 * hypothesis.width) / hypothesis.highest / fundamental
+    places = []
+    for number in range(int(lines / step) + 1):
+        width = hypothesis.width * number * step / (fundamental * hypothesis.highest)
+        for offset in offsets:
+            line = number * step + offset
+            if 0.0 < line < lines:
+                within = 1.0 + doubt * number * step + 0.5 * width
+                places.append(Place(line, within, width))
+    return places
+
+
+def lines_about(
+    power: FloatArray, level: FloatArray, places: Iterable[Place], least: float = 0.0
+) -> BoolArray:
+    """Lines at some places, in each band as far about them as the strongest there spreads.
+
+    Parameters
+    ----------
+    power, level
+        (bands, lines); mean of the noise about each line.
+    places
+        To leave out.
+    least
+        Power over noise that a line needs to be left out.
+
+    Returns
+    -------
+    (bands, lines).
+    """
+    found = np.zeros(power.shape, dtype=np.bool_)
+    leakage = envelope_leakage()
+    lines = power.shape[1]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        ratio = np.nan_to_num(power / level, nan=0.0, posinf=0.0)
+    for place in places:
+        first = max(0, ceil(place.line - place.within))
+        last = min(lines, int(place.line + place.within) + 1)
+        if first >= last:
+            continue
+        for band, strongest in enumerate(np.max(ratio[:, first:last], axis=1)):
+            if strongest >= least:
+                spread = reach(leakage, float(strongest) / _SPREAD_TO)
+                # a hump falls off with the square of the distance
+                hump = 0.5 * place.width * sqrt(float(strongest) / _SPREAD_TO)
+                spread = max(spread, min(int(hump), int(0.1 * place.line)))
+                found[band, max(0, first - spread) : last + spread] = True
+    return found
+
+
+def filled(power: FloatArray, left_out: BoolArray) -> FloatArray:
+    """Powers with those of lines left out replaced by as many of their neighbours.
+
+    A level that is a median over lines is then one of those that are left in.
+    """
+    found = power.copy()
+    lines = power.shape[1]
+    for band, out in enumerate(left_out):
+        edges = np.flatnonzero(np.diff(np.concatenate([[0], out.astype(np.int8), [0]])))
+        for start, end in zip(edges[::2], edges[1::2], strict=True):
+            after = np.arange(end, min(lines, end + end - start))
+            before = np.arange(max(0, start - (end - start)), start)
+            neighbours = np.concatenate([before[~out[before]], after[~out[after]]])
+            if len(neighbours) > 0:
+                # every other one of both sides
+                chosen = np.resize(
+                    neighbours[:: max(1, len(neighbours) // (end - start))], end - start
+                )
+                found[band, start:end] = power[band, chosen]
+    return found

@@ -1,0 +1,144 @@
+"""Discrete lines of a spectrum, which gears, shafts and electric fields make, taken out.
+
+A line counts as discrete if noise of the level about it would hardly ever reach it, and if it is
+as narrow as the taper makes a steady tone. Blows that slip make broad humps, which stay.
+
+One kind of discrete lines stays too: a full comb of the frequency of a fault, where most of all
+lines that do not belong to the shaft are its teeth and at least every other tooth is there. A
+bearing that hardly slips makes it, and no gear.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import log
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rolamento.numerics import BoolArray, FloatArray
+from rolamento.vibration.diagnosis.leakage import reach, tone_leakage
+
+__all__ = ["Comb", "discrete_lines", "local_level"]
+
+_CHANCE: Final = 0.01
+"""That noise has any line which is taken for a tone."""
+_LEVEL_WIDTH: Final = 25.0
+"""Hz over which a level is taken: narrower than resonances."""
+_LEVEL_LINES: Final = 64
+_TEETH: Final = 6
+_MOST_CANDIDATES: Final = 20_000
+_MOST_TONES: Final = 500
+
+
+@dataclass(frozen=True, slots=True)
+class Comb:
+    """Where the comb of a fault may lie: its fundamental from low to high, in lines of a spectrum.
+
+    `shaft` is the shaft's frequency in lines, and `uncertainty` the part by which it may be off.
+    """
+
+    low: float
+    high: float
+    shaft: float
+    uncertainty: float
+
+
+def local_level(power: FloatArray, resolution: float) -> FloatArray:
+    """Mean power of the noise about each line, from medians, unmoved by tones; as `power`.
+
+    resolution: Hz.
+    """
+    width = min(max(_LEVEL_LINES, int(_LEVEL_WIDTH / resolution)), max(1, len(power) // 2))
+    stretches = len(power) // width
+    medians = np.median(power[: stretches * width].reshape(stretches, width), axis=1) / log(2.0)
+    least = float(np.max(medians)) * 1e-14
+    middles = (np.arange(stretches) + 0.5) * width
+    logs = np.log(np.maximum(medians, least if least > 0.0 else 1.0))
+    return np.asarray(np.exp(np.interp(np.arange(len(power)), middles, logs)))
+
+
+def discrete_lines(
+    spectrum: NDArray[np.complex128], resolution: float, combs: Sequence[Comb] = ()
+) -> BoolArray:
+    """Which lines of a tapered block's spectrum belong to discrete tones.
+
+    Parameters
+    ----------
+    spectrum
+        (lines,), of real samples.
+    resolution
+        Distance of the lines; Hz.
+    combs
+        Of faults, that stay.
+
+    Returns
+    -------
+    (lines,), each tone with all lines over which it rises from the noise.
+    """
+    power = np.square(np.abs(spectrum))
+    ratio = power / local_level(power, resolution)
+    limit = log(len(ratio) / _CHANCE)
+    starts, ends = _runs(ratio > limit)
+    peaks = np.array(
+        [start + int(np.argmax(ratio[start:end])) for start, end in zip(starts, ends, strict=True)],
+        dtype=np.int64,
+    )
+    leakage = tone_leakage()
+    widths = np.array([2 * reach(leakage, ratio[peak] / limit) + 1 for peak in peaks])
+    narrow = ends - starts <= widths + 2 if len(peaks) else np.zeros(0, dtype=np.bool_)
+    tones = peaks[narrow]
+    for comb in combs:
+        tones = tones[~_teeth(tones, comb)]
+    found = np.zeros(len(ratio), dtype=np.bool_)
+    for tone in tones:
+        width = reach(leakage, ratio[tone])
+        found[max(0, tone - width) : tone + width + 1] = True
+    return found
+
+
+def _runs(above: BoolArray) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """First places of runs of true values, and the places after their last."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[0], above.astype(np.int8), [0]])))
+    return edges[::2], edges[1::2]
+
+
+def _teeth(tones: NDArray[np.int64], comb: Comb) -> BoolArray:
+    """Which tones are teeth of a full comb; none if there is no full comb."""
+    of_shaft = _are_multiples(tones, comb.shaft, comb.uncertainty)
+    others = tones[~of_shaft]
+    none = np.zeros(len(tones), dtype=np.bool_)
+    if len(others) < _TEETH:
+        return none
+    best = _best_fundamental(others[:_MOST_TONES], comb)
+    teeth = _are_multiples(tones, best) & ~of_shaft
+    present = np.unique(np.rint(tones[teeth] / best))
+    if len(present) < _TEETH or 2 * np.count_nonzero(teeth) <= len(others):
+        return none
+    return teeth if 2.0 * len(present) >= np.ptp(present) + 1.0 else none
+
+
+def _best_fundamental(tones: NDArray[np.int64], comb: Comb) -> float:
+    """Of which most tones are multiples; tried in steps of a line at the last tone."""
+    steps = int((comb.high - comb.low) * float(tones[-1]) / comb.low) + 2
+    candidates = np.linspace(comb.low, comb.high, min(steps, _MOST_CANDIDATES))
+    hits = [
+        np.count_nonzero(_are_multiples(tones, part[:, None]), axis=1)
+        for part in np.array_split(candidates, len(candidates) // 500 + 1)
+    ]
+    return float(candidates[np.argmax(np.concatenate(hits))])
+
+
+def _are_multiples(
+    tones: NDArray[np.int64], fundamental: float | FloatArray, uncertainty: float = 0.0
+) -> BoolArray:
+    """Which tones lie within a line of a multiple, or within a part of themselves.
+
+    That part counts up to a tenth of the fundamental; beyond, nothing can be told.
+    """
+    number = np.rint(tones / fundamental)
+    off = np.abs(tones - number * fundamental)
+    allowed = np.maximum(1.0, np.minimum(uncertainty * tones, 0.1 * fundamental))
+    return np.asarray((number >= 1) & (off <= allowed))

@@ -1,0 +1,125 @@
+"""From spectra to verdicts: the clearest fault first, its lines put aside, then the next."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import nan
+from typing import Final
+
+import numpy as np
+
+from rolamento.numerics import FloatArray
+from rolamento.vibration.diagnosis import describe, wording
+from rolamento.vibration.diagnosis.band_spectra import BandSpectra
+from rolamento.vibration.diagnosis.field import Field, field_of
+from rolamento.vibration.diagnosis.orders import COMPONENTS, Component, FaultOrders
+from rolamento.vibration.diagnosis.record import (
+    ComponentVerdict,
+    Diagnosis,
+    EnvelopeSpectra,
+    Note,
+)
+from rolamento.vibration.diagnosis.search import chance
+from rolamento.vibration.diagnosis.settings import DiagnosisSettings
+
+__all__ = ["judge"]
+
+_FEW_REVOLUTIONS: Final = 100.0
+_DOUBT: Final = 0.003
+"""Of the cage's speed by a single fault: slip on two races need not be the same to the last."""
+
+
+def judge(spectra: BandSpectra, orders: FaultOrders, settings: DiagnosisSettings) -> Diagnosis:
+    """Judge a bearing by its squared-envelope spectra."""
+    field = whole = field_of(spectra, orders, settings)
+    findings = field.findings(COMPONENTS)
+    trials = sum(finding.trials for finding in findings.values() if finding)
+    per_band = {part: np.array(f.per_band) for part, f in findings.items() if f}
+    verdicts: dict[Component, ComponentVerdict] = {}
+    left = list(COMPONENTS)
+    while left:
+        clearest = max(left, key=lambda part: f.evidence if (f := findings[part]) else -1.0)
+        best = findings[clearest]
+        if best is None or chance(best.evidence, trials)[0] > settings.false_alarm:
+            break
+        verdicts[clearest] = describe.fault(clearest, best, whole, trials)
+        left.remove(clearest)
+        field = field.without(clearest, best)
+        findings = field.findings(left)
+    for part in left:
+        verdicts[part] = describe.no_fault(part, findings[part], field, trials)
+    verdicts = _with_cage_agreement(verdicts, orders)
+    return Diagnosis(
+        components=tuple(verdicts[part] for part in COMPONENTS),
+        false_alarm=settings.false_alarm,
+        tolerance=settings.tolerance,
+        trials=trials,
+        shaft_frequency=spectra.shaft_frequency,
+        revolutions=spectra.turns * spectra.blocks,
+        blocks=spectra.blocks,
+        resolution=1.0 / spectra.turns,
+        spectra=_pictured(whole, per_band),
+        notes=_notes(spectra),
+    )
+
+
+def _with_cage_agreement(
+    verdicts: dict[Component, ComponentVerdict], orders: FaultOrders
+) -> dict[Component, ComponentVerdict]:
+    """Add whether faults that were found together tell of one cage speed."""
+    slips = {
+        part: slip
+        for part, verdict in verdicts.items()
+        if verdict.verdict == "fault" and not np.isnan(slip := _cage_slip(verdict, orders))
+    }
+    described = dict(verdicts)
+    for part, slip in slips.items():
+        others = [other for other in COMPONENTS if other in slips and other != part]
+        if others:
+            agrees = all(abs(slip - slips[other]) <= _DOUBT for other in others)
+            reasons = (*verdicts[part].reasons, wording.cage_agreement(agrees, others))
+            described[part] = replace(verdicts[part], reasons=reasons)
+    return described
+
+
+def _cage_slip(verdict: ComponentVerdict, orders: FaultOrders) -> float:
+    """Part by which the cage is faster than nominal, by one fault; NaN if it does not tell."""
+    if verdict.component in ("outer_race", "cage"):
+        return verdict.deviation
+    if verdict.component == "inner_race" and orders.outer_race and orders.inner_race:
+        return -verdict.deviation * orders.inner_race / orders.outer_race
+    return nan
+
+
+def _pictured(field: Field, per_band: dict[Component, FloatArray]) -> EnvelopeSpectra:
+    power, level = field.spectra.power, field.level
+    above = np.full(power.shape, nan)
+    np.divide(power, level, out=above, where=level > 0.0)
+    return EnvelopeSpectra(
+        order=np.arange(power.shape[1], dtype=np.float64) / field.turns,
+        bands=field.spectra.bands,
+        above_noise=above,
+        evidence=per_band,
+    )
+
+
+def _notes(spectra: BandSpectra) -> tuple[Note, ...]:
+    notes = []
+    turns = spectra.turns * spectra.blocks
+    if turns < _FEW_REVOLUTIONS:
+        notes.append(
+            Note(
+                "few_revolutions",
+                f"The record holds {turns:.3g} revolutions of the shaft; with more, weaker faults "
+                "can be told.",
+            )
+        )
+    if len(spectra.bands) == 1:
+        notes.append(
+            Note(
+                "one_band",
+                "The sampling rate leaves one band for the modulations that are looked for; a "
+                "higher one tells where a fault rings.",
+            )
+        )
+    return tuple(notes)

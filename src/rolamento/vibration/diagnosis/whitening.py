@@ -1,0 +1,70 @@
+"""A block's spectrum, tapered, without discrete tones, and with all lines of one size.
+
+Tones are discrete where what makes them turns steadily: over time if the shaft does, else over its
+angle. In the latter case the block is interpolated at even steps of the angle to find them, and
+what they add up to is taken back to time and subtracted.
+"""
+
+from __future__ import annotations
+
+from math import ceil
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import fft
+
+from rolamento.numerics import FloatArray
+from rolamento.vibration.diagnosis.blocks import Block
+from rolamento.vibration.diagnosis.leakage import taper
+from rolamento.vibration.diagnosis.tones import Comb, discrete_lines
+from rolamento.vibration.order_tracking import interpolated
+
+__all__ = ["even_places", "whitened"]
+
+ComplexArray = NDArray[np.complex128]
+
+_NOTHING = 1e-14
+"""Of the greatest line: rounding."""
+
+
+def whitened(block: Block, *, remove_tones: bool, combs: list[Comb]) -> ComplexArray:
+    """Spectrum of the tapered block with lines of size 1, and 0 where there were tones.
+
+    combs: of faults, whose discrete lines stay.
+    """
+    samples = block.samples - np.mean(block.samples)
+    if block.places is None:
+        spectrum = np.asarray(fft.rfft(samples * taper(even_places(len(samples)))))
+        if remove_tones:
+            resolution = block.rate / len(samples)
+            spectrum[discrete_lines(spectrum, resolution, combs)] = 0.0
+    else:
+        tapered = samples * taper(block.places)
+        if remove_tones:
+            tapered -= _turning_tones(samples, block.places, block.rate, combs)
+        spectrum = np.asarray(fft.rfft(tapered))
+    size = np.abs(spectrum)
+    white = np.zeros_like(spectrum)
+    np.divide(spectrum, size, out=white, where=size > _NOTHING * float(np.max(size)))
+    white[0] = 0.0
+    return white
+
+
+def even_places(count: int) -> FloatArray:
+    """Middles of so many equal parts of a block, from 0 to 1."""
+    return (np.arange(count, dtype=np.float64) + 0.5) / count
+
+
+def _turning_tones(
+    samples: FloatArray, places: FloatArray, rate: float, combs: list[Comb]
+) -> FloatArray:
+    """The sum of all that turns with the shaft, tapered; (samples,)."""
+    count = len(samples)
+    slowest = float(np.min(np.diff(places)))
+    steps = fft.next_fast_len(min(ceil(1.0 / slowest), 4 * count), real=True)
+    even = even_places(steps)
+    at = np.interp(even, places, np.arange(count, dtype=np.float64))
+    spectrum = np.asarray(fft.rfft(interpolated(samples, at) * taper(even)))
+    # over time or over angle, lines are one over the block apart
+    spectrum[~discrete_lines(spectrum, rate / count, combs)] = 0.0
+    return interpolated(np.asarray(fft.irfft(spectrum, steps)), places * steps - 0.5)

@@ -1,0 +1,115 @@
+"""The sentences of a diagnosis."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import isfinite
+from typing import Final
+
+from rolamento.vibration._checks import Band
+from rolamento.vibration.diagnosis.orders import Component
+from rolamento.vibration.diagnosis.record import MatchedLine, Reason
+
+__all__ = [
+    "PART",
+    "above_noise",
+    "at_band",
+    "cage_agreement",
+    "chance_of_noise",
+    "nothing_above_noise",
+    "of_sidebands",
+    "off_nominal",
+    "untested",
+]
+
+PART: Final[dict[Component, str]] = {
+    "outer_race": "outer race",
+    "inner_race": "inner race",
+    "ball": "ball",
+    "cage": "cage",
+}
+
+_UNTESTED: Final = {
+    "no_order": "Its order is not given.",
+    "hidden": (
+        "All its lines coincide with multiples of the shaft or of what else is known to turn, or "
+        "with those of a fault that was found."
+    ),
+    "record_too_short": "The record is too short to tell its lines from the shaft's.",
+    "rate_too_low": "The sampling rate is too low for its frequency.",
+}
+
+
+def above_noise(order: float, frequency: float, lines: Sequence[MatchedLine]) -> Reason:
+    """Return by how much the multiples of a fault stand out."""
+    plain = [line for line in lines if line.sideband == 0 and isfinite(line.above_noise)]
+    levels = _listed(f"{line.above_noise:.0f}" for line in plain)
+    multiples = _listed(f"{line.multiple:g}" for line in plain)
+    return Reason(
+        "harmonics_above_noise",
+        f"At {multiples} times order {order:.4g} ({frequency:.4g} Hz) the squared envelope rises "
+        f"{levels} dB above the noise about it.",
+    )
+
+
+def of_sidebands(component: Component, spacing: float, lines: Sequence[MatchedLine]) -> Reason:
+    """Return that sidebands were matched, and what modulates."""
+    levels = [line.above_noise for line in lines if line.sideband and isfinite(line.above_noise)]
+    cause = "the cage carries the ball" if component == "ball" else "the ring turns"
+    strongest = f", up to {max(levels):.0f} dB above the noise" if levels else ""
+    return Reason(
+        "sidebands",
+        f"Sidebands at a spacing of {spacing:.4g} orders{strongest}: the damage goes through the "
+        f"load as {cause}.",
+    )
+
+
+def at_band(band: Band) -> Reason:
+    """Return where a fault is clearest."""
+    return Reason("band", f"Clearest between {band[0]:.0f} and {band[1]:.0f} Hz.")
+
+
+def chance_of_noise(probability: float, evidence: float, trials: int) -> Reason:
+    """Return how improbable a finding is without damage."""
+    text = f"{probability:.1g}" if evidence < 15.0 else f"10^-{evidence:.0f}"
+    return Reason(
+        "improbable_in_noise",
+        f"Without damage anything as clear has a probability of at most {text}, all {trials} "
+        "trials counted.",
+    )
+
+
+def off_nominal(deviation: float) -> Reason:
+    """Return how far an order is off the nominal one."""
+    side = "above" if deviation > 0.0 else "below"
+    return Reason("off_nominal", f"{abs(deviation):.2%} {side} the nominal order.")
+
+
+def cage_agreement(agrees: bool, others: Sequence[Component]) -> Reason:
+    """Return whether faults tell of the same cage speed."""
+    names = _listed(f"the {PART[other]}" for other in others)
+    if agrees:
+        return Reason("cage_agrees", f"It tells of the same cage speed as {names}.")
+    return Reason(
+        "cage_disagrees",
+        f"It tells of another cage speed than {names}: one of the two may have another cause.",
+    )
+
+
+def nothing_above_noise(probability: float, trials: int) -> Reason:
+    """Return that the best match is one of noise."""
+    return Reason(
+        "nothing_above_noise",
+        f"The best of {trials} trials is what noise gives with a probability of "
+        f"{'1' if probability >= 1.0 else f'{probability:.2g}'}.",
+    )
+
+
+def untested(name: str) -> Reason:
+    """Return why a component could not be told of."""
+    return Reason(name, _UNTESTED[name])
+
+
+def _listed(words: object) -> str:
+    items = list(words)  # type: ignore[call-overload]
+    return items[0] if len(items) == 1 else f"{', '.join(items[:-1])} and {items[-1]}"
