@@ -17,13 +17,16 @@ from rolamento.plots.frame import (
     GREY,
     add_title,
     empty_frame,
-    legend_above,
     number,
     shown_text,
 )
 from rolamento.plots.over_field import decades
 from rolamento.plots.style import Series, new_figure, series, styled
-from rolamento.plots.weibull_words import WeibullPlotWords, weibull_plot_words
+from rolamento.plots.weibull_words import (
+    WeibullPlotWords,
+    legend_in_columns,
+    weibull_plot_words,
+)
 from rolamento.plots.words import PlotWords, plot_words
 from rolamento.reliability.ranks import plotting_positions
 
@@ -54,8 +57,6 @@ _RUG: Final = 0.03
 """Height of the first row of ticks over the axis, and of each row over the one before."""
 _OTHERS: Final = (":", "-.", "--", (0, (5, 1, 1, 1, 1, 1)), (0, (1, 3)))
 _MARKS: Final = ("*", "P", "X", "D", "v")
-_HALF_LINE: Final = 40
-"""Characters of a label of which two stand side by side."""
 _MOST_MARKED: Final = 2000
 _FARTHEST: Final = 30.0
 """Beyond the data by this factor nothing is shown, however far bounds reach."""
@@ -116,7 +117,7 @@ def weibull_paper(
         decades(axes, "x", limits[0], shared)
         _percent_axis(axes, limits[1], shared, words)
         axes.set_xlabel(words.time.format(unit=shown_text(summary.test.unit)), parse_math=False)
-        _legend(axes)
+        legend_in_columns(axes)
     return axes
 
 
@@ -261,19 +262,6 @@ def _calculated(
             color="black", markerfacecolor="white", markeredgewidth=1.1, zorder=4.0,
             label=words.calculated.format(life=name_of_life, name=shown),
         )  # fmt: skip
-
-
-def _legend(axes: Axes) -> None:
-    """Put the legend over the frame, in two columns where its labels are short enough."""
-    legend_above(axes)  # where labels are long
-    handles, labels = axes.get_legend_handles_labels()
-    if handles and max(map(len, labels)) <= _HALF_LINE:
-        legend = axes.legend(
-            handles, labels, loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=2,
-            borderaxespad=0.2, borderpad=0.2, columnspacing=1.4, handlelength=2.6,
-        )  # fmt: skip
-        for text in legend.get_texts():
-            text.set_parse_math(False)
 
 
 def _limits(

@@ -14,13 +14,16 @@ from rolamento.plots.frame import (
     GREY,
     add_title,
     empty_frame,
-    legend_above,
     number,
     shown_text,
 )
 from rolamento.plots.over_field import decades
 from rolamento.plots.style import new_figure, series, styled
-from rolamento.plots.weibull_words import WeibullPlotWords, weibull_plot_words
+from rolamento.plots.weibull_words import (
+    WeibullPlotWords,
+    legend_in_columns,
+    weibull_plot_words,
+)
 from rolamento.plots.words import PlotWords, plot_words
 
 if TYPE_CHECKING:
@@ -106,7 +109,8 @@ def likelihood_contour(
         handles += _calculated(axes, summary, drawn[0][2], shared, words)
         _axes(axes, [region for *_, region in drawn], shared, words, handles)
         all_drawn = all(region.drawn for *_, region in drawn)
-        legend_above(axes, handles=handles, title=words.drawn if all_drawn else words.chi_square)
+        title = words.drawn if all_drawn else words.chi_square
+        legend_in_columns(axes, handles, title)
     return axes
 
 

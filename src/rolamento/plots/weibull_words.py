@@ -1,12 +1,21 @@
-"""What stands on figures of life tests, in English and in Brazilian Portuguese."""
+"""What stands on figures of life tests, in English and in Brazilian Portuguese; their legends."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
-__all__ = ["WeibullPlotWords", "weibull_plot_words"]
+from rolamento.plots.frame import legend_above, shown_text
+
+if TYPE_CHECKING:
+    from matplotlib.artist import Artist
+    from matplotlib.axes import Axes
+
+__all__ = ["WeibullPlotWords", "legend_in_columns", "weibull_plot_words"]
+
+_HALF_LINE: Final = 42
+"""Characters of a label of which two stand side by side."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -87,3 +96,22 @@ _PORTUGUESE: Final = WeibullPlotWords(
 def weibull_plot_words(code: str) -> WeibullPlotWords:
     """Return a language by its code, ``"en"`` or ``"pt"``; English for any other."""
     return _PORTUGUESE if code == "pt" else _ENGLISH
+
+
+def legend_in_columns(axes: Axes, handles: Sequence[Artist] = (), title: str = "") -> None:
+    """Put the legend over the frame, in two columns where its labels are short enough.
+
+    handles: what to show, with labels of their own; all that is drawn if not given.
+    """
+    shown = handles or axes.get_legend_handles_labels()[0]
+    labels = [shown_text(str(handle.get_label()), 60) for handle in shown]
+    if not labels or max(map(len, labels)) > _HALF_LINE:
+        legend_above(axes, handles=handles, title=title)
+        return
+    legend = axes.legend(
+        shown, labels, loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=2, borderaxespad=0.2,
+        borderpad=0.2, columnspacing=1.4, handlelength=2.6, title=title or None, alignment="left",
+    )  # fmt: skip
+    for text in (*legend.get_texts(), legend.get_title()):
+        text.set_parse_math(False)
+    legend.get_title().set_fontsize(8.0)
