@@ -24,7 +24,7 @@ test: dev
 	$(BIN)/lint-imports --no-cache
 	$(BIN)/pytest -n auto
 
-bench: runtime
+bench: dev
 	@$(BIN)/python -m benchmarks
 
 runtime:
