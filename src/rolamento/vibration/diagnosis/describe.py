@@ -148,6 +148,11 @@ def _sidebands(
     return tuple(found)
 
 
+def _spacing(component: Component, finding: Finding, field: Field) -> float:
+    """Of the sidebands that were matched, or else that are expected; orders."""
+    return finding.spacing / field.turns or field.orders.spacing(component)
+
+
 def _line(multiple: float, sideband: int, place: float, above: float, field: Field) -> MatchedLine:
     order = place / field.turns
     return MatchedLine(multiple, sideband, order, order * field.spectra.shaft_frequency, above)
