@@ -272,7 +272,8 @@ PORTUGUESE: Final = VerificationWords(
         " for tests that did not all fail. Up to 40 % of the printed life is too much.": (
             "Máxima verossimilhança de todos os rolamentos que o texto cita, os que não falharam"
             " com o tempo que giraram. A prova: as equações de verossimilhança do texto, corrigidas"
-            " e escritas para ensaios em que nem todos falharam. Até 40 % da vida impressa é demais."
+            " e escritas para ensaios em que nem todos falharam. Até 40 % da vida impressa é"
+            " demais."
         ),
         "Nothing failed: the ten bearings say no more than that L_10 is not below 78 h, at a"
         " confidence of 95 % and with the shape 1.5. The proof:"

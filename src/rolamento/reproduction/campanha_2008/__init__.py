@@ -25,9 +25,9 @@ SOURCE: Final = Source(
     title=GIVEN.title,
     reference=said(
         "Campanha (2008), master's dissertation: every number that can be computed, as printed,"
-        " with its choices, and right; figures 4.1.3, 4.1.4, 4.3.1 to 4.3.3, 4.4.1",
+        " with its choices, and right; figures 4.1.1 to 4.1.4, 4.3.1 to 4.3.3, 4.4.1",
         "Campanha (2008), dissertação de mestrado: cada número calculável, como impresso, com suas"
-        " escolhas, e correto; figuras 4.1.3, 4.1.4, 4.3.1 a 4.3.3, 4.4.1",
+        " escolhas, e correto; figuras 4.1.1 a 4.1.4, 4.3.1 a 4.3.3, 4.4.1",
     ),
     remarks=(
         said(
@@ -65,7 +65,18 @@ SOURCE: Final = Source(
             ("figure-4.1.03", "figure-4.1.04", "table-D"),
             load_zone_section,
         ),
-        Part(said("Life tests", "Ensaios de vida"), ("table-4.1.1", "table-E"), life_tests_section),
+        Part(
+            said("Life tests", "Ensaios de vida"),
+            (
+                "table-4.1.1",
+                "figure-4.1.01",
+                "figure-4.1.02",
+                "table-E",
+                "table-E.1",
+                "table-E.2",
+            ),
+            life_tests_section,
+        ),
         Part(said("Noise", "Ruído"), ("table-4.1.3", "table-4.1.4"), noise_section),
         Part(
             said("How the bearings failed", "Como os rolamentos falharam"),

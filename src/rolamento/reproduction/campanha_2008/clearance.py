@@ -13,6 +13,7 @@ from rolamento.reproduction.campanha_2008.inputs import (
     clearances_of_class,
     printed,
 )
+from rolamento.reproduction.campanha_2008.life_tests import life_tests
 from rolamento.reproduction.campanha_2008.numbers import Number, numbers_table
 from rolamento.reproduction.campanha_2008.wear import (
     BEARINGS,
@@ -182,10 +183,10 @@ def hours_of_samples(condition: str) -> Floats:
     """Return how long each sample of a condition of procedure I had run when it was measured; h."""
     return np.array(
         [
-            _LATE if set(bearings) == set(BEARINGS) else hours
-            for _, procedure, of, hours, bearings, _ in GIVEN.inputs_of("life_tests")["rows"]
-            if procedure == "I" and of == condition
-            for _ in bearings
+            _LATE if set(test.bearings) == set(BEARINGS) else test.hours
+            for test in life_tests()
+            if test.procedure == "I" and test.condition == condition
+            for _ in test.bearings
         ]
     )
 

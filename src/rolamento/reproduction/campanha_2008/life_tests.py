@@ -1,18 +1,19 @@
-"""The life tests, and how the dissertation compares them with calculated lives.
-
-The section takes what Weibull's distribution makes of the same tests (figures 4.1.1 and 4.1.2,
-L_10h of 246.7, 242.3 and 117.4 h) between its two tables.
-"""
+"""The life tests, the lives drawn from them, and how these compare with calculated lives."""
 
 from __future__ import annotations
 
+import csv
 from dataclasses import dataclass
 from functools import cache
+from itertools import groupby
 from typing import Any
 
 import numpy as np
 
 from rolamento.life.basic import MILLION
+from rolamento.reliability import published_text
+from rolamento.reproduction.campanha_2008.against_calculated import against_table
+from rolamento.reproduction.campanha_2008.fits import fits_table
 from rolamento.reproduction.campanha_2008.inputs import (
     GIVEN,
     HOUR,
@@ -22,6 +23,11 @@ from rolamento.reproduction.campanha_2008.inputs import (
 )
 from rolamento.reproduction.campanha_2008.nsk import nsk_numbers
 from rolamento.reproduction.campanha_2008.numbers import NONE, Number, numbers_table
+from rolamento.reproduction.campanha_2008.weibull import lives_of_tests
+from rolamento.reproduction.campanha_2008.weibull_figures import (
+    figure_of_condition_one,
+    figure_without_test_5,
+)
 from rolamento.reproduction.record import Claim, Section, Table, TableColumn
 from rolamento.reproduction.text import Text, said
 
@@ -46,17 +52,37 @@ class LifeTest:
 @cache
 def life_tests() -> tuple[LifeTest, ...]:
     """Return the tests of tables 4.1.1 and 4.1.2."""
-    return tuple(
-        LifeTest(number, procedure, condition, hours, tuple(bearings), tuple(failed))
-        for number, procedure, condition, hours, bearings, failed in GIVEN.inputs_of("life_tests")[
-            "rows"
-        ]
+    lines = published_text("campanha_2008").splitlines()
+    rows = csv.DictReader(line for line in lines if not line.startswith("#"))
+    return tuple(_test(list(own)) for _, own in groupby(rows, key=lambda row: row["test"]))
+
+
+def _test(rows: list[dict[str, str]]) -> LifeTest:
+    """Put the bearings of a test together."""
+    first = rows[0]
+    return LifeTest(
+        number=int(first["test"]),
+        procedure=first["procedure"],
+        condition=first["condition"],
+        hours=float(first["time"]),
+        bearings=tuple(int(row["bearing"]) for row in rows),
+        failed=tuple(int(row["bearing"]) for row in rows if row["status"] == "failed"),
     )
 
 
 def life_tests_section(title: Text) -> Section:
-    """Show the tests, and compute the comparisons."""
-    return Section(title, (_record(), _comparison()))
+    """Show the tests, the lives drawn from them, and compute the comparisons."""
+    return Section(
+        title,
+        (
+            _record(),
+            figure_of_condition_one(),
+            figure_without_test_5(),
+            _comparison(),
+            fits_table(),
+            against_table(),
+        ),
+    )
 
 
 # --- tables 4.1.1 and 4.1.2 -------------------------------------------------
@@ -169,7 +195,8 @@ def comparison_numbers() -> tuple[Number, ...]:
     given = GIVEN.inputs_of("comparison")
     calculated = {number.key: float(number.printed) for number in nsk_numbers()}
     reduced = float(GIVEN.inputs_of("load_zone")["reduced_life_h"])
-    without, hot = given["life_without_test_5_h"], given["life_of_condition_II_h"]
+    lives = {number.key: float(number.printed) for number in lives_of_tests()}
+    without, hot = lives["life_without_5"], lives["life_II"]
     measured = calculated["measured_I"]
     return (
         Number(
@@ -180,10 +207,10 @@ def comparison_numbers() -> tuple[Number, ...]:
             NONE,
             said(
                 "Of the tested over the calculated life, less one. The text does not say that it is"
-                " the life without test 5; with it, {:.0f} %.",
-                "Da vida ensaiada sobre a calculada, menos um. O texto não diz que é a vida sem o"
-                " ensaio 5; com ele, {:.0f} %.",
-                _above(given["life_with_test_5_h"], measured),
+                " the life printed as that without test 5; with the other it is {:.0f} %.",
+                "Da vida ensaiada sobre a calculada, menos um. O texto não diz que é a impressa"
+                " como sem o ensaio 5; com a outra são {:.0f} %.",
+                _above(lives["life_I"], measured),
             ),
         ),
         Number(
@@ -234,19 +261,22 @@ def _comparison() -> Table:
     return numbers_table(
         "E",
         said(
-            "How far the tested L_10h is above the calculated one, from the printed lives.",
-            "Quanto a L_10h dos ensaios supera a calculada, a partir das vidas impressas.",
+            "The lives L_10h drawn from the tests, with limits of 90 %, and how far the printed"
+            " ones are above the calculated.",
+            "As vidas L_10h tiradas dos ensaios, com limites de 90 %, e quanto as impressas superam"
+            " as calculadas.",
         ),
         GIVEN.source_of("comparison"),
-        comparison_numbers(),
+        (*lives_of_tests(), *comparison_numbers()),
         claims=(_more_than_double(),),
         notes=(
             said(
-                "There is no right number beside these, because none of the calculated lives holds"
-                " (tables C and D). What can be compared is (C/P)³ = {:.1f} h with the tests.",
-                "Não há número correto ao lado destes, pois nenhuma das vidas calculadas vale"
-                " (tabelas C e D). O que se pode comparar é (C/P)³ = {:.1f} h com os ensaios.",
-                basic_life_hours(printed("life")["dynamic_rating_N"]),
+                "There is no right number beside the percentages, because none of the calculated"
+                " lives holds (tables C and D), and with limits so wide they say nothing. Table"
+                " E.2 sets all calculated lives against the tests.",
+                "Não há número correto ao lado das porcentagens, pois nenhuma das vidas calculadas"
+                " vale (tabelas C e D) e, com limites tão largos, elas nada dizem. A tabela E.2"
+                " põe todas as vidas calculadas contra os ensaios.",
             ),
         ),
     )
@@ -254,6 +284,7 @@ def _comparison() -> Table:
 
 def _more_than_double() -> Claim:
     calculated = {number.key: float(number.printed) for number in nsk_numbers()}["measured_II"]
+    tested = next(float(n.printed) for n in lives_of_tests() if n.key == "life_II")
     times = [test.hours for test in life_tests() if test.condition == "II"]
     above = [_above(time, calculated) for time in times]
     most = sum(value > _DOUBLE for value in above)
@@ -271,7 +302,7 @@ def _more_than_double() -> Claim:
             most,
             len(times),
             min(above),
-            _above(GIVEN.inputs_of("comparison")["life_of_condition_II_h"], calculated),
+            _above(tested, calculated),
         ),
         holds=most == len(times),
         partly=most > 0,

@@ -9,6 +9,7 @@ from rolamento.reproduction.campanha_2008.nsk import nsk_numbers
 from rolamento.reproduction.campanha_2008.numbers import Number, by_key, said_like
 from rolamento.reproduction.campanha_2008.rating import rating_numbers
 from rolamento.reproduction.campanha_2008.shear import shear_numbers
+from rolamento.reproduction.campanha_2008.weibull import lives_of_tests
 from rolamento.reproduction.campanha_2008.zone_life import load_zone_numbers
 from rolamento.reproduction.record import Section, Table, TableColumn
 from rolamento.reproduction.text import Text, said
@@ -23,6 +24,7 @@ def overview_section(title: Text) -> Section:
             *rating_numbers(),
             *nsk_numbers(),
             *load_zone_numbers(),
+            *lives_of_tests(),
             *shear_numbers(),
             *contact_numbers(),
             *film_numbers(),
@@ -48,6 +50,14 @@ _MEANING = {
     "reduction": said(
         "The elastic approach is no clearance; a C3 bearing loses 5 to 10 %.",
         "A aproximação elástica não é folga; um rolamento C3 perde de 5 a 10 %.",
+    ),
+    "life_I": said(
+        "The early failure is left out. With all bearings the tests do not contradict (C/P)³.",
+        "A falha precoce fica de fora. Com todos os rolamentos os ensaios não contradizem (C/P)³.",
+    ),
+    "life_II": said(
+        "Nothing failed; the tests give a lower limit only.",
+        "Nada falhou; os ensaios só dão um limite inferior.",
     ),
     "depth": said(
         "Right by chance: three choices cancel.", "Certo por acaso: três escolhas se compensam."

@@ -7,8 +7,10 @@ from dataclasses import dataclass
 from rolamento.life.ioannides_harris import fatigue_limit_of_pressure
 from rolamento.life.modified import FATIGUE_PRESSURE
 from rolamento.reproduction.campanha_2008.inputs import GIVEN, contact_at, printed
+from rolamento.reproduction.campanha_2008.weibull import Tested, life_by_all, six_failures
 from rolamento.reproduction.record import Section, Table, TableColumn
 from rolamento.reproduction.text import Text, formula, said, same
+from rolamento.verification.campanha_2008_weibull import as_plotted, four_failures
 
 __all__ = ["slips_section"]
 
@@ -25,7 +27,7 @@ class _Slip:
 
 def slips_section(title: Text) -> Section:
     """List the slips."""
-    slips = (*_EQUATIONS, _fatigue_limit(), *_WORDS)
+    slips = (*_EQUATIONS, _fatigue_limit(), *_of_weibull(), *_WORDS)
 
     def column(name: str, head: Text, cells: tuple[Text, ...]) -> TableColumn:
         return TableColumn(name, head, cells, sentences=name != "place")
@@ -112,6 +114,64 @@ def _fatigue_limit() -> _Slip:
             " shear under it is a quarter.",
             "1500 MPa é a pressão de contato abaixo da qual o aço não sofre fadiga; o cisalhamento"
             " ortogonal sob ela é um quarto.",
+        ),
+    )
+
+
+def _of_weibull() -> tuple[_Slip, ...]:
+    """Likelihood equations, and the name of η."""
+    four, six, whole = Tested.of(four_failures()).fit, Tested.of(six_failures()), life_by_all()
+    printed = as_plotted(four_failures())
+    return (
+        _Slip(
+            same("2.7, (2.7.5)"),
+            formula("1/β + (Σ ln t/Σ t^β ln t)/n − Σ ln t/Σ t^β = 0"),
+            formula("1/β + (Σ ln t)/n − Σ t^β ln t/Σ t^β = 0"),
+            said(
+                "As printed it has no solution: Σ t^β > β Σ ln t for lives above 1, so that the"
+                " left side is above zero. Put right it gives the four failures of procedure II"
+                " β = {:.2f} and L_10h = {:.0f} h, so that the printed lives do not come from it.",
+                "Como impressa não tem solução: Σ t^β > β Σ ln t para vidas acima de 1, e o lado"
+                " esquerdo fica acima de zero. Corrigida, dá às quatro falhas do procedimento II"
+                " β = {:.2f} e L_10h = {:.0f} h, de modo que as vidas impressas não vêm dela.",
+                four.shape,
+                four.l10,
+            ),
+        ),
+        _Slip(
+            same("2.7, (2.7.5), (2.7.6)"),
+            said("n bearings, all failed", "n componentes, todos em falha"),
+            said(
+                "Σ ln t over the r that failed, over r; Σ t^β over all, over r",
+                "Σ ln t das r falhas, sobre r; Σ t^β de todos, sobre r",
+            ),
+            said(
+                "The text itself says that all have to fail for them; {} of {} did. For tests in"
+                " which some did not, a bearing that still ran counts with its time: L_10h ="
+                " {:.0f} h, against {:.0f} h of the failures by themselves.",
+                "O próprio texto diz que para elas todos devem falhar; falharam {} de {}. Em"
+                " ensaios em que alguns não falham, um rolamento que ainda girava conta com seu"
+                " tempo: L_10h = {:.0f} h, contra {:.0f} h das falhas por si sós.",
+                whole.test.failures,
+                whole.test.size,
+                whole.fit.l10,
+                six.fit.l10,
+            ),
+        ),
+        _Slip(
+            same("2.7"),
+            said("η is called mean life", "η é chamado de vida média"),
+            said("the 63.2 % life; mean η Γ(1 + 1/β)", "a vida de 63,2 %; média η Γ(1 + 1/β)"),
+            said(
+                "The text gives the 63.2 % itself. All of condition I: η = {:.0f} h, mean {:.0f} h;"
+                " the printed line: {:.0f} and {:.0f} h.",
+                "O próprio texto dá os 63,2 %. Toda a condição I: η = {:.0f} h, média {:.0f} h; a"
+                " reta impressa: {:.0f} e {:.0f} h.",
+                whole.fit.scale,
+                whole.fit.mean,
+                printed.scale,
+                printed.mean,
+            ),
         ),
     )
 

@@ -89,16 +89,16 @@ def _ball_by_ball(clearance: float) -> float:
     The balls stand everywhere in turn: a point of the outer race sees the ball that passes it, and
     a point of the inner race all of them.
     """
-    given = GIVEN.inputs_of("load_zone")
-    spacing = 2.0 * np.pi / ball_count()
-    starts = spacing * np.arange(given["positions"]) / given["positions"]
+    count = GIVEN.inputs_of("load_zone")["positions"]
+    step = 2.0 * np.pi / ball_count() / count
+    at = bearing(clearance)
     solved = [
-        radial_load(
-            bearing(clearance), load(), distribution="discrete", first_ball_azimuth=float(start)
-        )
-        for start in starts
+        radial_load(at, load(), distribution="discrete", first_ball_azimuth=step * place)
+        for place in range(count // 2 + 1)
     ]
-    loads = np.concatenate([state.ball_loads for state in solved])[np.newaxis]
+    # beyond half the spacing the balls stand as before it, mirrored
+    states = [solved[min(place, count - place)] for place in range(count)]
+    loads = np.concatenate([state.ball_loads for state in states])[np.newaxis]
     return float(reference_life(loads, loads, _ratings()).life[0])
 
 
