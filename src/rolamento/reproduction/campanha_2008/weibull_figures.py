@@ -166,7 +166,7 @@ def _lines(printed: str, line: WeibullFit, whole: Tested) -> tuple[Line, ...]:
         Line(
             "not_failed",
             3,
-            said("still running when stopped", "giravam ainda ao parar"),
+            said("still running when stopped", "ainda giravam ao fim"),
             points=True,
         ),
         Line("ten_percent", 6, said("10 % failed", "10 % falharam")),
