@@ -108,6 +108,13 @@ def test_the_seed_decides(run: Run) -> None:
     assert first != run(*CAMPANHA, "--only", "I", "--json", "--seed", "4")[1]
 
 
+def test_large_tests_are_drawn_less_often(run: Run) -> None:
+    data = "time,count\n5,600\n6,400\n"
+    assert strict(run("weibull", "-", "--method", "ml", "--json", given=data)[1])["samples"] == 5000
+    asked = run("weibull", "-", "--method", "ml", "--json", *FEW, given=data)
+    assert strict(asked[1])["samples"] == 200
+
+
 def test_no_failures_is_no_result_unless_the_shape_is_known(run: Run) -> None:
     code, out, err = run(*CAMPANHA, "--only", "II")
     assert (code, err) == (1, "")

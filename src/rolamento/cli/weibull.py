@@ -35,7 +35,9 @@ if TYPE_CHECKING:
 __all__ = ["weibull"]
 
 _CONFIDENCE: Final = 0.9
-_SAMPLES: Final = 10_000
+_SAMPLES, _FEWEST_SAMPLES = 10_000, 1000
+_MOST_DRAWN: Final = 5_000_000
+"""Bearings in all drawn tests together, if it is left to the program."""
 
 
 def weibull(
@@ -139,8 +141,13 @@ def weibull(
         typer.Option("--unit", metavar="UNIT", help="Of the times, if the file says another."),
     ] = None,
     samples: Annotated[
-        int, typer.Option("--samples", metavar="N", help="Tests to draw, 100 to a million.")
-    ] = _SAMPLES,
+        int | None,
+        typer.Option(
+            "--samples",
+            metavar="N",
+            help="Tests to draw, 100 to a million; 10 000 by default, fewer of large tests.",
+        ),
+    ] = None,
     seed: Annotated[
         int, typer.Option("--seed", metavar="N", min=0, help="Of the random numbers.")
     ] = 0,
@@ -193,7 +200,7 @@ def weibull(
             reliabilities=reliability or (),
             times=time or (),
             calculated=calculated_life or (),
-            samples=samples,
+            samples=_enough(test.size) if samples is None else samples,
             seed=seed,
         )
         from rolamento.reliability.summary import summarise
@@ -207,6 +214,11 @@ def weibull(
                 _draw_contour(found, contour, contour_of, words.code)
         _show(found, json, lang)
     raise typer.Exit(SOLVED if found.has_result else NO_RESULT)
+
+
+def _enough(size: int) -> int:
+    """How many tests to draw: those of many bearings take long, and few of them do."""
+    return max(min(_SAMPLES, _MOST_DRAWN // size), _FEWEST_SAMPLES)
 
 
 def _told(words: Words) -> AbstractContextManager[Callable[[int, int], None]]:
