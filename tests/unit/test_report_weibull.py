@@ -167,6 +167,14 @@ def test_the_shape_is_judged_by_its_bounds() -> None:
     assert "Fewer than five failures" in text
 
 
+def test_numbers_far_out_stay_short() -> None:
+    for scale in (1e-25, 1e25):
+        test = LifeTest(scale * np.array([1.0, 2.0, 5.0, 9.0]))
+        text = weibull_report(summarise(test, Wanted(samples=SAMPLES, calculated={"it": scale})))
+        assert max(map(len, text.splitlines())) <= 80
+        assert ("e+25" if scale > 1.0 else "e-25") in text
+
+
 def test_groups_that_differ_are_told_apart() -> None:
     random = np.random.default_rng(10)
     test = LifeTest(

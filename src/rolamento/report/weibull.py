@@ -18,15 +18,14 @@ from rolamento.report.page import Lines, Page, beside
 from rolamento.report.plain_data import json_text
 from rolamento.report.terminal import rendered
 from rolamento.report.weibull_numbers import (
-    FIGURES,
     alike,
     label_of,
     life_name,
     one_line,
     p_text,
     percent,
-    ratio_text,
     scale_of,
+    short_number,
     shortened,
     spelt,
     table,
@@ -81,7 +80,7 @@ def _head(page: Page, said: WeibullWords, found: LifeTestSummary) -> Lines:
         facts.insert(1, said.groups.format(count=len(groups)))
     elif groups[0].name:
         facts[0] = f"{one_line(groups[0].name)}: {facts[0]}"
-    first, last = (page.digits.short(float(time), 6) for time in _ends(test))
+    first, last = (short_number(page, float(time), 6) for time in _ends(test))
     facts.append(said.from_to.format(first=first, last=last, unit=test.unit))
     entries = [
         (said.data, "; ".join(facts)),
@@ -172,7 +171,7 @@ def _fits(page: Page, said: WeibullWords, group: GroupSummary) -> Lines:
     ]
     for fit in fits:
         if fit.location > 0.0:
-            location = page.digits.short(fit.location, FIGURES)
+            location = short_number(page, fit.location)
             text = said.location.format(location=location, unit=unit)
             lines += page.hanging(Text("  "), text, "dim")
     return lines
@@ -190,7 +189,7 @@ def _bounds(page: Page, said: WeibullWords, group: GroupSummary) -> Lines:
         cells = alike(page, [scale * number for number in (bound.estimate, *_limits(bound))])
         if bound.sides == "two":
             of_share = quantity.kind == "reliability" or bound.lower <= 0.0
-            cells.append("" if of_share else page.digits.short(bound.upper / bound.lower, 3))
+            cells.append("" if of_share else short_number(page, bound.upper / bound.lower, 3))
         rows.append([label_of(page, said, quantity, group.test.unit), *cells])
     confidence = percent(page, first.confidence)
     return [page.heading(said.bounds.format(confidence=confidence)), *table(page, heads, rows)]
@@ -242,7 +241,7 @@ def _assumed(page: Page, said: WeibullWords, group: GroupSummary, wanted: Wanted
 
 
 def _range_text(page: Page, said: WeibullWords, bound: Bounds, scale: float) -> str:
-    cells = [page.digits.short(scale * limit, FIGURES) for limit in _limits(bound)]
+    cells = [short_number(page, scale * limit) for limit in _limits(bound)]
     if bound.sides == "two":
         return f"{said.low} {cells[0]} {said.high} {cells[1]}"
     return f"{_limit_heads(said, bound)[0]} {cells[0]}"
@@ -273,8 +272,8 @@ def _calculated(page: Page, said: WeibullWords, group: GroupSummary, wanted: Wan
     rows = [
         [
             shortened(one_line(name), _LONGEST_NAME[page.medium.width >= _WIDE]),
-            page.digits.short(one.calculated, FIGURES),
-            *(ratio_text(page, x) for x in (one.ratio, one.lower, one.upper)),
+            short_number(page, one.calculated),
+            *(short_number(page, x, 3) for x in (one.ratio, one.lower, one.upper)),
             p_text(page, one.p_value),
             said.verdicts[one.bearings_live] if one.code == "converged" else ABSENT,
         ]

@@ -20,8 +20,8 @@ __all__ = [
     "one_line",
     "p_text",
     "percent",
-    "ratio_text",
     "scale_of",
+    "short_number",
     "shortened",
     "spelt",
     "table",
@@ -32,6 +32,8 @@ FIGURES: Final = 4
 _LONGEST: Final = 200
 _LEAST_P: Final = 0.001
 _LONGEST_UNIT: Final = 12
+_SMALLEST, _GREATEST = 1e-6, 1e9
+"""Beyond these a number is written by its order of magnitude."""
 _ENDLESS: Final = "∞"
 _LETTERS: Final = {"β": "beta", "η": "eta"}
 
@@ -47,17 +49,27 @@ def alike(page: Page, values: Sequence[float], figures: int = FIGURES) -> list[s
 def _written(page: Page, value: float, decimals: int) -> str:
     if value == float("inf"):
         return endless(page)
+    if _beyond_reading(value, 0.5 * 10.0**-decimals):
+        return page.digits.exponent(value)
     return page.digits.fixed(value, decimals)
+
+
+def short_number(page: Page, value: float, figures: int = FIGURES) -> str:
+    """Write one number without trailing zeros; by its order of magnitude if it is far out."""
+    if value == float("inf"):
+        return endless(page)
+    if _beyond_reading(value, _SMALLEST):
+        return page.digits.exponent(value)
+    return page.digits.short(value, figures)
+
+
+def _beyond_reading(value: float, smallest: float) -> bool:
+    return isfinite(value) and value != 0.0 and not smallest <= abs(value) < _GREATEST
 
 
 def endless(page: Page) -> str:
     """Write what is beyond any number."""
     return _ENDLESS if page.medium.shows(_ENDLESS) else "inf"
-
-
-def ratio_text(page: Page, ratio: float) -> str:
-    """Write a ratio of lives."""
-    return endless(page) if ratio == float("inf") else page.digits.short(ratio, 3)
 
 
 def percent(page: Page, share: float) -> str:

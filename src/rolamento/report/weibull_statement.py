@@ -14,11 +14,11 @@ from rolamento.report.page import Lines, Page
 from rolamento.report.weibull_numbers import (
     FIGURES,
     alike,
-    endless,
     life_name,
     one_line,
     p_text,
     percent,
+    short_number,
     table,
 )
 from rolamento.report.weibull_sentences import said_advice
@@ -69,7 +69,7 @@ def _of_life(page: Page, said: WeibullWords, group: GroupSummary, wanted: Wanted
     if bound.lower <= 0.0:
         return []
     if two and isfinite(bound.upper):
-        apart = page.digits.short(bound.upper / bound.lower, 2)
+        apart = short_number(page, bound.upper / bound.lower, 2)
         return [said.life_two_sided.format(**shown, apart=apart)]
     return [said.life_at_least.format(**shown)]
 
@@ -134,14 +134,14 @@ def _ratio(page: Page, said: WeibullWords, ratio: LifeRatio) -> str:
         advice = advice[:1].upper() + advice[1:]
         return said.no_ratio.format(quantity=quantity, first=first, second=second, advice=advice)
     sentence = said.ratio if ratio.common_shape else said.ratio_own_shapes
-    numbers = [page.digits.short(x, 3) for x in (ratio.ratio, ratio.lower, ratio.upper)]
+    numbers = [short_number(page, x, 3) for x in (ratio.ratio, ratio.lower, ratio.upper)]
     return sentence.format(
         quantity=quantity,
         first=first,
         second=second,
         ratio=numbers[0],
         lower=numbers[1],
-        upper=numbers[2] if isfinite(ratio.upper) else endless(page),
+        upper=numbers[2],
         confidence=percent(page, ratio.confidence),
         shape=page.digits.short(ratio.shape, 3),
         p=p_text(page, ratio.p_value),
