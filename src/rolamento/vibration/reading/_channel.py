@@ -1,0 +1,89 @@
+"""A channel of a signal file, and what a reader of one format has to offer."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Self
+
+from rolamento.errors import FileError
+from rolamento.numerics import FloatArray
+from rolamento.vibration.reading._limits import MOST_CHANNELS
+from rolamento.vibration.signal import Quantity
+
+__all__ = ["Channel", "Source", "checked_channels"]
+
+
+@dataclass(frozen=True, slots=True)
+class Channel:
+    """What a file says of one of its channels.
+
+    Attributes
+    ----------
+    name
+        as the file gives it, without the unit; may be empty
+    length
+        number of samples
+    rate
+        sampling rate, Hz; None if the file does not say
+    unit
+        of the samples in the file; "" if the file does not say
+    quantity
+        that the unit belongs to, or that the file names; unknown otherwise
+    speed
+        of the shaft, rad/s; None if the file does not say
+    """
+
+    name: str
+    length: int
+    rate: float | None = None
+    unit: str = ""
+    quantity: Quantity = "unknown"
+    speed: float | None = None
+
+
+class Source(ABC):
+    """An open file of one format.
+
+    Attributes
+    ----------
+    channels
+        that the file holds, in its order
+    notes
+        what a person should know of how the samples were taken from the file
+    """
+
+    channels: tuple[Channel, ...]
+    notes: tuple[str, ...] = ()
+
+    @abstractmethod
+    def read(self, channel: int, start: int, count: int) -> FloatArray:
+        """Return `count` samples of a channel from `start` on, which lie within its length."""
+
+    def close(self) -> None:
+        """Let go of the file."""
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+
+def checked_channels(channels: Iterable[Channel], source: str, kind: str) -> tuple[Channel, ...]:
+    """Return the channels as a tuple, if there are some and not too many.
+
+    Raises
+    ------
+    FileError
+        If there are none, or more than 1000.
+    """
+    found = []
+    for channel in channels:
+        if len(found) == MOST_CHANNELS:
+            raise FileError(f"holds more than {MOST_CHANNELS} channels", source=source)
+        found.append(channel)
+    if not found:
+        raise FileError(f"is a {kind} without a channel of real numbers", source=source)
+    return tuple(found)

@@ -1,0 +1,156 @@
+"""What files call sampling rates, speeds, time and units."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from math import isfinite, pi
+from typing import Final
+
+from rolamento.vibration.reading._limits import LONGEST_NAME, LONGEST_UNIT
+from rolamento.vibration.signal import Quantity, unit_scale
+
+__all__ = [
+    "label_parts",
+    "plain_unit",
+    "positive",
+    "quantity_of_unit",
+    "rate_among",
+    "short_name",
+    "speed_among",
+    "time_scale",
+    "unit_among",
+]
+
+_RATE: Final = frozenset(
+    "fs sr rate samplingrate samplerate samplingfrequency samplefrequency samplingfreq samplefreq "
+    "fsamp fsample sps taxaamostragem frequenciaamostragem abtastrate".split()
+)
+_STEP: Final = frozenset(
+    "dt dx deltat tdelta timestep timeincrement samplingperiod sampleperiod samplinginterval "
+    "sampleinterval wfincrement xincrement".split()
+)
+_SPEED: Final = frozenset("rpm shaftrpm speedrpm rotationspeedrpm rotationalspeedrpm".split())
+_UNIT: Final = frozenset("unit units unitstring yunit yunits engunits unityunits".split())
+_TIME: Final = frozenset("t time times zeit tempo temps seconds timestamp elapsed xtime".split())
+_TIME_UNITS: Final = {
+    "s": 1.0,
+    "sec": 1.0,
+    "second": 1.0,
+    "seconds": 1.0,
+    "ms": 1e-3,
+    "us": 1e-6,
+    "ns": 1e-9,
+    "min": 60.0,
+}
+_OTHER_UNITS: Final = frozenset("1 V mV uV A mA N kN Pa kPa bar dB Hz rpm rad/s degC °C K %".split())
+
+_ALIASES: Final = {
+    "m/s/s": "m/s^2",
+    "m/s2": "m/s^2",
+    "ms-2": "m/s^2",
+    "ms^-2": "m/s^2",
+    "m*s^-2": "m/s^2",
+    "mm/s2": "mm/s^2",
+    "mm/s/s": "mm/s^2",
+    "gn": "g",
+    "g_n": "g",
+    "g0": "g",
+    "gs": "g",
+    "g's": "g",
+    "G": "g",
+    "Gs": "g",
+    "micron": "um",
+    "microns": "um",
+    "mils": "mil",
+    "ips": "in/s",
+    "inch": "in",
+    "inch/s": "in/s",
+}
+_SPELLINGS: Final = str.maketrans({"µ": "u", "μ": "u", "²": "^2", "⁻": "-", "·": "*", "⋅": "*"})
+_KNOWN: Final[dict[str, Quantity]] = {
+    **dict.fromkeys(("m/s^2", "mm/s^2", "g", "mg"), "acceleration"),
+    **dict.fromkeys(("m/s", "mm/s", "um/s", "in/s"), "velocity"),
+    **dict.fromkeys(("m", "mm", "um", "nm", "in", "mil"), "displacement"),
+}
+for _unit, _quantity in _KNOWN.items():
+    unit_scale(_quantity, _unit)  # each is a unit that a signal can have
+
+_BRACKETED: Final = re.compile(r"([^()\[\]{}]*)(?:\[([^\[\]]*)\]|\(([^()]*)\))\s*")
+
+
+def plain_unit(text: str) -> str:
+    """Return a unit as signals write it: ``"m/s²"`` as ``"m/s^2"``, ``"µm"`` as ``"um"``."""
+    plain = text.strip().replace("**", "^").translate(_SPELLINGS).replace(" ", "")
+    for candidate in (plain, plain.lower() if plain.isupper() else plain):
+        unit = _ALIASES.get(candidate, candidate)
+        if unit in _KNOWN:
+            return unit
+    return text.strip()[:LONGEST_UNIT]
+
+
+def quantity_of_unit(unit: str) -> Quantity:
+    """Return the quantity that a unit belongs to."""
+    return _KNOWN.get(unit, "unknown")
+
+
+def label_parts(label: str) -> tuple[str, str]:
+    """Split a heading such as ``"acc (g)"`` into name and unit.
+
+    In square brackets everything is a unit; in round ones only what is known to be one.
+    """
+    match = _BRACKETED.fullmatch(label[: 2 * LONGEST_NAME])
+    if match:
+        unit = plain_unit(match[2] if match[2] is not None else match[3])
+        if match[2] is not None or unit in _KNOWN or unit in _OTHER_UNITS or unit in _TIME_UNITS:
+            return short_name(match[1]), unit
+    return short_name(label), ""
+
+
+def short_name(name: str) -> str:
+    """Return a name in one line, cut where it is too long."""
+    line = " ".join(name[: 4 * LONGEST_NAME].split())
+    return line if len(line) <= LONGEST_NAME else line[: LONGEST_NAME - 1] + "…"
+
+
+def time_scale(name: str, unit: str) -> float | None:
+    """Seconds in one unit of a column, if it is one of times; None if it is not."""
+    spelled = unit.translate(_SPELLINGS).lower()
+    if _folded(name) in _TIME and (not unit or spelled in _TIME_UNITS):
+        return _TIME_UNITS.get(spelled, 1.0)
+    return None
+
+
+def rate_among(numbers: Mapping[str, float]) -> float | None:
+    """Sampling rate by the name of one of the numbers that a file gives; Hz."""
+    for name, value in numbers.items():
+        if _folded(name) in _RATE and positive(value):
+            return value
+    for name, value in numbers.items():
+        if _folded(name) in _STEP and positive(value) and positive(1.0 / value):
+            return 1.0 / value
+    return None
+
+
+def speed_among(numbers: Mapping[str, float]) -> float | None:
+    """Speed of the shaft by the name of one of the numbers that a file gives; rad/s."""
+    for name, value in numbers.items():
+        if _folded(name) in _SPEED and isfinite(value):
+            return value * pi / 30.0
+    return None
+
+
+def unit_among(texts: Mapping[str, str]) -> str:
+    """Unit by the name of one of the texts that a file gives; "" if there is none."""
+    return next((plain_unit(text) for name, text in texts.items() if _folded(name) in _UNIT), "")
+
+
+def positive(value: float) -> bool:
+    """Tell whether a number can be a rate or a step."""
+    return 0.0 < value < 1e12
+
+
+def _folded(name: str) -> str:
+    """Letters and digits only, in lower case: Sampling_Rate and "sampling rate" are one."""
+    plain = re.sub(r"[\[(]\s*(?:hz|s|rpm|1/min)\s*[\])]", "", name[:LONGEST_NAME].lower())
+    return re.sub(r"[^a-z0-9]", "", plain)  # of "fs (kHz)" the kHz is left: not a rate in Hz

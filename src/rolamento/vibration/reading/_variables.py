@@ -1,0 +1,157 @@
+"""Files that hold named arrays: which of them are channels, and which are numbers about them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from math import pi, prod
+from typing import Final
+
+from rolamento.errors import FileError
+from rolamento.vibration.reading._channel import Channel
+from rolamento.vibration.reading._metadata import (
+    positive,
+    quantity_of_unit,
+    rate_among,
+    short_name,
+    speed_among,
+    unit_among,
+)
+
+__all__ = ["MOST_VARIABLES", "Column", "Variable", "check_shape", "columns_of"]
+
+MOST_VARIABLES: Final = 10_000
+_MOST_COLUMNS: Final = 64
+"""Of a matrix whose columns, or rows, are channels."""
+
+
+@dataclass(frozen=True, slots=True)
+class Variable:
+    """An array of real numbers in a file.
+
+    Attributes
+    ----------
+    name
+        with dots or strokes before it where the file has structures or groups
+    shape
+        of the array
+    value
+        of an array of one number; None of others
+    numbers, texts
+        what the file says of it
+    """
+
+    name: str
+    shape: tuple[int, ...]
+    value: float | None = None
+    numbers: Mapping[str, float] = field(default_factory=dict)
+    texts: Mapping[str, str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class Column:
+    """Where the samples of a channel lie.
+
+    Attributes
+    ----------
+    channel
+        what is known of it
+    variable
+        number of the variable
+    place
+        number of the row or column of a matrix
+    axis
+        along which the samples run
+    """
+
+    channel: Channel
+    variable: int
+    place: int
+    axis: int
+
+
+def columns_of(variables: Sequence[Variable]) -> Iterator[Column]:
+    """Channels among the variables: rows, columns, and matrices much longer than wide.
+
+    Single numbers are read by their name: a sampling rate of all channels in the same group or
+    structure, or a speed such as `X097RPM` of the channels that begin with `X097`.
+    """
+    singles = {v.name: v.value for v in variables if v.value is not None}
+    # what stands at the top, and the number of a group, are looked up for each channel
+    groups = {_group(name) for name in singles} | {_group(v.name) for v in variables}
+    rates = {group: rate_among(_within(singles, group)) for group in groups}
+    speeds = _Speeds(singles)
+    for number, variable in enumerate(variables):
+        layout = _layout(variable.shape)
+        if layout is None:
+            continue
+        axis, columns = layout
+        group = _group(variable.name)
+        unit = unit_among(variable.texts)
+        for place in range(columns):
+            name = short_name(variable.name) + (f"[{place + 1}]" if columns > 1 else "")
+            channel = Channel(
+                name,
+                variable.shape[axis],
+                rate_among(variable.numbers) or rates[group] or rates.get(""),
+                unit,
+                quantity_of_unit(unit),
+                _first(speed_among(variable.numbers), speeds.of(variable.name)),
+            )
+            yield Column(channel, number, place, axis)
+
+
+def check_shape(shape: Sequence[int], item_size: int, size: int, source: str) -> None:
+    """Refuse an array that declares more, or fewer, bytes than there are.
+
+    Raises
+    ------
+    FileError
+        If it does.
+    """
+    if any(length < 0 for length in shape) or prod(shape) * item_size > size:
+        raise FileError(
+            f"is cut off or damaged: an array of the shape {tuple(shape)} does not fit into it",
+            source=source,
+        )
+
+
+class _Speeds:
+    """Speeds of the shaft among the single numbers, by what stands before RPM in their names."""
+
+    def __init__(self, singles: Mapping[str, float]) -> None:
+        self._by_prefix = {
+            name[:-3].rstrip("_ ."): value * pi / 30.0
+            for name, value in singles.items()
+            if name.lower().endswith("rpm") and positive(abs(value))
+        }
+
+    def of(self, name: str) -> float | None:
+        """Return the speed with the longest prefix that a channel's name begins with."""
+        fitting = [prefix for prefix in self._by_prefix if name.startswith(prefix)]
+        return self._by_prefix[max(fitting, key=len)] if fitting else None
+
+
+def _layout(shape: Sequence[int]) -> tuple[int, int] | None:
+    """Axis of the samples and number of channels; None of what is no channel."""
+    if len(shape) == 1:
+        return (0, 1) if shape[0] != 1 else None
+    if len(shape) != 2 or max(shape) <= 1:
+        return None
+    axis = 0 if shape[0] >= shape[1] else 1
+    columns = shape[1 - axis]
+    return (axis, columns) if 1 <= columns <= _MOST_COLUMNS else None
+
+
+def _group(name: str) -> str:
+    """What stands before the last dot or stroke of a name."""
+    return name[: max(name.rfind("."), name.rfind("/"), 0)]
+
+
+def _within(singles: Mapping[str, float], group: str) -> dict[str, float]:
+    cut = len(group) + 1 if group else 0
+    return {name[cut:]: value for name, value in singles.items() if _group(name) == group}
+
+
+def _first(one: float | None, other: float | None) -> float | None:
+    return other if one is None else one
