@@ -10,7 +10,10 @@ import numpy as np
 from rolamento.errors import FileError
 from rolamento.numerics import FloatArray
 
-__all__ = ["Timeline"]
+__all__ = ["SAME_RATE", "Timeline", "agreed_rate"]
+
+SAME_RATE: Final = 1e-3
+"""Part by which two statements of a sampling rate may differ: files round the step of time."""
 
 _STEP_OFF: Final = 0.3
 """Of a step: what rounding to the file's digits may do to one. A sample left out does more."""
@@ -83,3 +86,23 @@ class Timeline:
                 value=float(times[number]),
                 source=source,
             )
+
+
+def agreed_rate(of_file: float | None, given: float | None, source: str) -> float | None:
+    """Sampling rate on which two sources agree; the second holds where both are the same.
+
+    Raises
+    ------
+    FileError
+        If they differ by more than a thousandth.
+    """
+    if of_file is None or given is None:
+        return of_file if given is None else given
+    if not abs(of_file - given) <= SAME_RATE * of_file:
+        raise FileError(
+            f"contradicts the file, which says {of_file:.9g} Hz; leave one of them out",
+            field="rate",
+            value=given,
+            source=source,
+        )
+    return given

@@ -1,0 +1,200 @@
+"""Parquet files, read by batches of rows."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+import pyarrow as pa
+import pyarrow.parquet as pq
+
+from rolamento.errors import FileError
+from rolamento.numerics import FloatArray
+from rolamento.vibration.reading._channel import Channel, Source, checked_channels
+from rolamento.vibration.reading._limits import MOST_CHANNELS, file_size, guarded
+from rolamento.vibration.reading._metadata import (
+    label_parts,
+    quantity_of_unit,
+    rate_among,
+    speed_among,
+    time_scale,
+    unit_among,
+)
+from rolamento.vibration.reading._timeline import Timeline, agreed_rate
+
+__all__ = ["ParquetSource"]
+
+_BATCH: Final = 65_536
+_LARGEST_COLUMN: Final = 2 * 2**30
+"""Bytes of a column in one group of rows, inflated, as the file declares them."""
+_MOST_GROUPS: Final = 100_000
+_MOST_TEXT: Final = 2**20
+
+
+class ParquetSource(Source):
+    """An open Parquet file; columns of times or of texts are no channels."""
+
+    def __init__(self, path: Path) -> None:
+        self._source = str(path)
+        file_size(path)
+        self._position = (-1, 0)
+        self._batches: Iterator[FloatArray] = iter(())
+        self._rest = np.empty((0, 1))
+        with guarded(self._source, "Parquet file"):
+            self._file = pq.ParquetFile(
+                path,
+                memory_map=False,
+                pre_buffer=False,
+                thrift_string_size_limit=16 * _MOST_TEXT,
+                thrift_container_size_limit=_MOST_TEXT,
+            )
+        try:
+            with guarded(self._source, "Parquet file"):
+                self._look()
+                channels = [self._channel(field) for field in self._fields]
+            self.channels = checked_channels(channels, self._source, "Parquet file")
+        except BaseException:
+            self.close()
+            raise
+
+    def read(self, channel: int, start: int, count: int) -> FloatArray:
+        """Return samples of a channel; the times beside them are checked."""
+        samples = np.empty(count)
+        filled = 0
+        with guarded(self._source, "Parquet file"):
+            if self._position != (channel, start):
+                self._seek(channel, start)
+            while filled < count:
+                rows = self._next(count - filled)
+                if self._timeline is not None:
+                    self._timeline.check(rows[:, 1], start + filled, self._source)
+                samples[filled : filled + len(rows)] = rows[:, 0]
+                filled += len(rows)
+        self._position = (channel, start + count)
+        return samples
+
+    def close(self) -> None:
+        """Let go of the file."""
+        self._batches = iter(())
+        self._file.close()
+
+    def _look(self) -> None:
+        """Take the columns of numbers, the column of times, and what the file says of them."""
+        schema, about = self._file.schema_arrow, self._file.metadata
+        if len(schema) > MOST_CHANNELS or about.num_row_groups > _MOST_GROUPS:
+            rule = f"holds more than {MOST_CHANNELS} columns or {_MOST_GROUPS} groups of rows"
+            raise FileError(rule, source=self._source)
+        self._groups = [about.row_group(n).num_rows for n in range(about.num_row_groups)]
+        if sum(self._groups) != about.num_rows or min(self._groups, default=0) < 0:
+            raise FileError("is damaged: its rows do not add up", source=self._source)
+        fields = [field for field in schema if _is_real(field.type)]
+        names = [field.name for field in fields]
+        if len(set(names)) < len(names):
+            raise FileError("has two columns of the same name", source=self._source)
+        self._texts = _texts(schema.metadata)
+        self._timeline: Timeline | None = None
+        self._time_name = ""
+        self._fields = fields
+        for field in fields:
+            scale = time_scale(*label_parts(field.name))
+            if scale is not None:
+                self._fields = [other for other in fields if other is not field]
+                self._take_time(field.name, scale)
+                break
+
+    def _take_time(self, name: str, scale: float) -> None:
+        count = sum(self._groups)
+        ends = []
+        for row in (0, count - 1):
+            self._batches = self._rows([name], max(row, 0))
+            ends.append(float(next(self._batches, np.full((1, 1), np.nan))[0, 0]))
+        self._timeline = Timeline.between(ends[0], ends[1], count, scale, self._source)
+        self._time_name = name
+
+    def _channel(self, field: Any) -> Channel:
+        texts = {**self._texts, **_texts(field.metadata)}
+        numbers = {name: value for name, text in texts.items() if (value := _number(text))}
+        rate = rate_among(numbers)
+        if self._timeline is not None:
+            rate = agreed_rate(self._timeline.rate, rate, self._source)
+        name, unit = label_parts(field.name)
+        unit = unit_among(_texts(field.metadata)) or unit
+        count = sum(self._groups)
+        return Channel(name, count, rate, unit, quantity_of_unit(unit), speed_among(numbers))
+
+    def _seek(self, channel: int, start: int) -> None:
+        names = [self._fields[channel].name]
+        if self._timeline is not None:
+            names.append(self._time_name)
+        self._batches = self._rows(names, start)
+        self._rest = np.empty((0, len(names)))
+
+    def _next(self, count: int) -> FloatArray:
+        """Up to so many rows that follow; (rows, columns)."""
+        if len(self._rest) == 0:
+            self._rest = next(self._batches, self._rest)
+            if len(self._rest) == 0:
+                raise FileError("ends before its last row", source=self._source)
+        rows, self._rest = self._rest[:count], self._rest[count:]
+        return rows
+
+    def _rows(self, names: list[str], start: int) -> Iterator[FloatArray]:
+        """Batches of rows of some columns from a row on; (rows, columns) each."""
+        first = 0
+        group = 0
+        while group < len(self._groups) - 1 and first + self._groups[group] <= start:
+            first += self._groups[group]
+            group += 1
+        skip = start - first
+        wanted = range(group, len(self._groups))
+        self._check_groups(wanted, names)
+        for batch in self._file.iter_batches(
+            batch_size=_BATCH, row_groups=list(wanted), columns=names, use_threads=False
+        ):
+            if skip < batch.num_rows:
+                table = np.column_stack([_numbers(batch.column(name)) for name in names])
+                yield table[skip:]
+            skip = max(0, skip - batch.num_rows)
+
+    def _check_groups(self, groups: range, names: list[str]) -> None:
+        """Refuse columns that declare too many bytes in one group of rows."""
+        for group in groups:
+            about = self._file.metadata.row_group(group)
+            for number in range(about.num_columns):
+                column = about.column(number)
+                if column.path_in_schema in names and (
+                    not 0 <= column.total_uncompressed_size <= _LARGEST_COLUMN
+                ):
+                    raise FileError(
+                        f"must be at most {_LARGEST_COLUMN}; write smaller groups of rows",
+                        field="bytes of a column in a group of rows",
+                        value=column.total_uncompressed_size,
+                        source=self._source,
+                    )
+
+
+def _is_real(kind: Any) -> bool:
+    return bool(pa.types.is_integer(kind) or pa.types.is_floating(kind))
+
+
+def _numbers(column: Any) -> FloatArray:
+    """Numbers of a column; those that are missing become NaN."""
+    return np.asarray(column.cast(pa.float64(), safe=False).to_numpy(zero_copy_only=False))
+
+
+def _texts(metadata: dict[bytes, bytes] | None) -> dict[str, str]:
+    """Short entries of the metadata."""
+    return {
+        name.decode("utf-8", "replace"): text.decode("utf-8", "replace")
+        for name, text in (metadata or {}).items()
+        if len(name) < 100 and len(text) < 100
+    }
+
+
+def _number(text: str) -> float | None:
+    try:
+        return float(text)
+    except ValueError:
+        return None
