@@ -117,6 +117,10 @@ def _draw_panel(
         axes.axhline(0.0, color=_INK, linewidth=0.8, zorder=1.5)
     for axis in (axes.xaxis, axes.yaxis):
         axis.set_major_formatter(Numbers(axis, language))
+    for axis, ticks in ((axes.xaxis, panel.x_ticks), (axes.yaxis, panel.y_ticks)):
+        if ticks:
+            words = [localised(word, language) for _, word in ticks]
+            axis.set_ticks([place for place, _ in ticks], words)
 
 
 def _draw_line(figure: Figure, panel: Panel, line: Line, axes: Axes) -> None:

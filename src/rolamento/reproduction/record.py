@@ -120,9 +120,10 @@ class Line:
 class Panel:
     """One pair of axes.
 
-    tick: distance of the x axis's numbers; keys: what solid and dashed lines stand for; around:
-    x is an azimuth, and the lines close round the ring; from_zero: the y axis begins at zero if
-    nothing lies below; legend_columns: of a legend whose words are long.
+    tick: distance of the x axis's numbers; x_ticks, y_ticks: places with what stands there instead,
+    where an axis is not numbered by its own values; keys: what solid and dashed lines stand for;
+    around: x is an azimuth, and the lines close round the ring; from_zero: the y axis begins at
+    zero if nothing lies below; legend_columns: of a legend whose words are long.
     """
 
     x: str
@@ -134,6 +135,8 @@ class Panel:
     around: bool = False
     from_zero: bool = True
     legend_columns: int | None = None
+    x_ticks: tuple[tuple[float, str], ...] = ()
+    y_ticks: tuple[tuple[float, str], ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -33,6 +33,8 @@ from rolamento.verification.campanha_2008_weibull import (
 __all__ = ["figure_of_condition_one", "figure_without_test_5"]
 
 _TEN_PERCENT: Final = 0.1
+_HOURS: Final = (10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0)
+_PERCENT: Final = (1.0, 2.0, 5.0, 10.0, 20.0, 30.0, 50.0, 63.2, 80.0, 90.0, 99.0)
 _ORDINATE: Final = "ln ln 1/(1 − F)"
 
 
@@ -54,7 +56,7 @@ def figure_of_condition_one() -> Figure:
         four_failures(),
         life_by_all(),
         (_of_all_failures(),),
-        (_left_out(), _axes()),
+        (_left_out(),),
     )
 
 
@@ -110,7 +112,7 @@ def _paper(
     title = said(_ORDINATE, _ORDINATE)
     columns = (
         Column("time", "h", said("Time t", "Tempo t"), time),
-        Column("log_time", "", said("log₁₀ of t in h", "log₁₀ de t em h"), np.log10(time)),
+        Column("log_time", "", said("Time t (h)", "Tempo t (h)"), np.log10(time)),
         *(Column(name, "", title, _within(values)) for name, values in upright.items()),
     )
     return Figure(
@@ -122,12 +124,13 @@ def _paper(
             (
                 Panel(
                     "log_time",
-                    title,
-                    "",
+                    said("Failed", "Falharam"),
+                    "%",
                     _lines(printed, line, whole),
-                    tick=0.5,
                     from_zero=False,
                     legend_columns=2,
+                    x_ticks=tuple((float(np.log10(t)), f"{t:.0f}") for t in _HOURS),
+                    y_ticks=tuple((float(_ordinate(p / 100.0)), f"{p:.3g}") for p in _PERCENT),
                 ),
             )
         ),
@@ -258,15 +261,6 @@ def _left_out() -> Text:
         first,
         count,
         100.0 * early,
-    )
-
-
-def _axes() -> Text:
-    return said(
-        "Across, 1, 2 and 3 are 10, 100 and 1000 h; upright, {:.2f} is 10 %, 0 is 63.2 % failed.",
-        "Na horizontal, 1, 2 e 3 são 10, 100 e 1000 h; na vertical, {:.2f} são 10 % e 0 são 63,2 %"
-        " de falhas.",
-        float(_ordinate(_TEN_PERCENT)),
     )
 
 
