@@ -20,7 +20,7 @@ _PLAINER: Final = {
     "α": "alpha", "ψ": "psi", "ω": "omega", "ν": "nu", "γ": "gamma", "δ": "delta", "τ": "tau",
     "Σ": "Sum ", "ρ": "rho", "ε": "epsilon", "θ": "theta", "σ": "sigma", "λ": "lambda", "Δ": "D",
     "κ": "kappa", "◂": "<", "▸": ">", "✓": "+", "✗": "x", "→": "->", "∥": "|", "’": "'", "“": '"',
-    "”": '"',
+    "”": '"', "β": "beta", "η": "eta", "∞": "inf",
 }  # fmt: skip
 _GRAPHICS: Final = "⣿█▏"
 
