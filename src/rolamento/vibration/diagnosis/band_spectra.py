@@ -52,7 +52,7 @@ class Plan:
     remove_tones
         whether to take out discrete lines
     combs
-        of faults whose discrete lines stay: lowest and highest order of each
+        of faults whose discrete lines stay: lowest and highest order of each, and its spacing
     speed_uncertainty
         part by which a steady speed may be off
     """
@@ -61,7 +61,7 @@ class Plan:
     slow_order: float
     regular: tuple[float, ...]
     remove_tones: bool
-    combs: tuple[tuple[float, float], ...]
+    combs: tuple[tuple[float, float, float], ...]
     speed_uncertainty: float
 
 
@@ -141,15 +141,16 @@ def _bands(rate: float, highest: float) -> tuple[Band, ...]:
 
 def _add_block(sums: FloatArray, block: Block, bands: tuple[Band, ...], plan: Plan) -> None:
     """Add a block's powers, plain and with the regular part divided out, in place."""
+    turns = block.turns
     uncertainty = plan.speed_uncertainty if block.places is None else 0.0
     combs = [
-        Comb(low * block.turns, high * block.turns, block.turns, uncertainty)
-        for low, high in plan.combs
+        Comb(low * turns, high * turns, spacing * turns, turns, uncertainty)
+        for low, high, spacing in plan.combs
     ]
     white = whitened(block, remove_tones=plan.remove_tones, combs=combs)
     lines = sums.shape[2]
-    regular = shaft_places(plan.regular, block.turns, lines, uncertainty)
-    slow = max(1, int(plan.slow_order * block.turns))
+    regular = shaft_places(plan.regular, turns, lines, uncertainty)
+    slow = max(1, int(plan.slow_order * turns))
     per_hertz = len(white) / (0.5 * block.rate)
     for number, (low, high) in enumerate(bands):
         carriers = white[max(1, round(low * per_hertz)) : round(high * per_hertz)]

@@ -68,11 +68,12 @@ def diagnose(
     return judge(band_spectra(blocks_of(signal, chosen.block_revolutions), plan), orders, chosen)
 
 
-def _combs(orders: FaultOrders, tolerance: float) -> tuple[tuple[float, float], ...]:
+def _combs(orders: FaultOrders, tolerance: float) -> tuple[tuple[float, float, float], ...]:
     combs = []
     for part in COMPONENTS:
         nominal = orders.fundamental(part)
         if nominal is not None and part != "cage":
             allowed = orders.tolerance(part, tolerance)
-            combs.append((nominal * (1.0 - allowed), nominal * (1.0 + allowed)))
+            low, high = nominal * (1.0 - allowed), nominal * (1.0 + allowed)
+            combs.append((low, high, orders.spacing(part)))
     return tuple(combs)

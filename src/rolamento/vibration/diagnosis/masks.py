@@ -18,7 +18,9 @@ from rolamento.vibration.diagnosis.search import Finding
 
 __all__ = ["Place", "fault_places", "filled", "lines_about", "shaft_places"]
 
-_SIDEBANDS: Final = 3
+_SIDEBANDS: Final = 6
+_OF_SHAFT: Final = 3
+"""Sidebands that a fault may have: at its own spacing, and about each at the shaft's."""
 _SPREAD_TO: Final = 0.3
 """Of the noise: what a line may add to its neighbours before they are left out."""
 
@@ -56,12 +58,15 @@ def fault_places(
     fundamental, hypothesis = finding.fundamental, finding.hypothesis
     step = 0.5 * fundamental if component == "ball" else fundamental
     spacing = finding.spacing or orders.spacing(component) * turns
-    offsets = {side * spacing for side in range(-_SIDEBANDS, _SIDEBANDS + 1)}
-    # noise that the shaft modulates does so to the blows as well
-    offsets |= {side * turns for side in range(-_SIDEBANDS, _SIDEBANDS + 1)}
+    # what the shaft does to the noise of a machine it does to the blows as well
+    offsets = {
+        side * spacing + of_shaft * turns
+        for side in range(-_SIDEBANDS, _SIDEBANDS + 1)
+        for of_shaft in range(-_OF_SHAFT, _OF_SHAFT + 1)
+    }
     doubt = max(1.0, 0.5 * hypothesis.width) / hypothesis.highest / fundamental
     places = []
-    for number in range(int(lines / step) + 1):
+    for number in range(int((lines + max(offsets)) / step) + 1):
         width = hypothesis.width * number * step / (fundamental * hypothesis.highest)
         for offset in offsets:
             line = number * step + offset
@@ -99,13 +104,13 @@ def lines_about(
         last = min(lines, int(place.line + place.within) + 1)
         if first >= last:
             continue
-        for band, strongest in enumerate(np.max(ratio[:, first:last], axis=1)):
-            if strongest >= least:
-                spread = reach(leakage, float(strongest) / _SPREAD_TO)
-                # a hump falls off with the square of the distance
-                hump = 0.5 * place.width * sqrt(float(strongest) / _SPREAD_TO)
-                spread = max(spread, min(int(hump), int(0.1 * place.line)))
-                found[band, max(0, first - spread) : last + spread] = True
+        peaks = np.max(ratio[:, first:last], axis=1)
+        for band in np.flatnonzero(peaks >= least):
+            over = float(peaks[band]) / _SPREAD_TO
+            # a hump falls off with the square of the distance
+            hump = min(0.5 * place.width * sqrt(over), 0.1 * place.line)
+            spread = max(reach(leakage, over), int(hump))
+            found[band, max(0, first - spread) : last + spread] = True
     return found
 
 

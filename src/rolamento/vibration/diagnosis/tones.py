@@ -4,8 +4,8 @@ A line counts as discrete if noise of the level about it would hardly ever reach
 as narrow as the taper makes a steady tone. Blows that slip make broad humps, which stay.
 
 One kind of discrete lines stays too: a full comb of the frequency of a fault, where most of all
-lines that do not belong to the shaft are its teeth and at least every other tooth is there. A
-bearing that hardly slips makes it, and no gear.
+lines that do not belong to the shaft are its teeth or their sidebands and at least every other
+tooth is there. A bearing that hardly slips makes it, and no gear.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from math import log
-from typing import Final
+from typing import Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.vibration.diagnosis.leakage import reach, tone_leakage
 
-__all__ = ["Comb", "discrete_lines", "local_level"]
+__all__ = ["Comb", "Discrete", "discrete_lines", "local_level"]
 
 _CHANCE: Final = 0.01
 """That noise has any line which is taken for a tone."""
@@ -29,6 +29,7 @@ _LEVEL_WIDTH: Final = 25.0
 """Hz over which a level is taken: narrower than resonances."""
 _LEVEL_LINES: Final = 64
 _TEETH: Final = 6
+_SIDEBANDS: Final = 2
 _MOST_CANDIDATES: Final = 20_000
 _MOST_TONES: Final = 500
 
@@ -37,13 +38,22 @@ _MOST_TONES: Final = 500
 class Comb:
     """Where the comb of a fault may lie: its fundamental from low to high, in lines of a spectrum.
 
-    `shaft` is the shaft's frequency in lines, and `uncertainty` the part by which it may be off.
+    `spacing` is that of its sidebands, 0 for none, and `shaft` the shaft's frequency, in lines;
+    `uncertainty` the part by which the latter may be off.
     """
 
     low: float
     high: float
+    spacing: float
     shaft: float
     uncertainty: float
+
+
+class Discrete(NamedTuple):
+    """Lines of tones, and lines of combs of faults; (lines,) each."""
+
+    tones: BoolArray
+    teeth: BoolArray
 
 
 def local_level(power: FloatArray, resolution: float) -> FloatArray:
@@ -61,25 +71,22 @@ def local_level(power: FloatArray, resolution: float) -> FloatArray:
 
 
 def discrete_lines(
-    spectrum: NDArray[np.complex128], resolution: float, combs: Sequence[Comb] = ()
-) -> BoolArray:
-    """Which lines of a tapered block's spectrum belong to discrete tones.
+    spectrum: NDArray[np.complex128], level: FloatArray, combs: Sequence[Comb] = ()
+) -> Discrete:
+    """Which lines of a tapered block's spectrum belong to discrete tones, and which to a comb.
+
+    Each tone has all lines over which it rises from the noise.
 
     Parameters
     ----------
     spectrum
         (lines,), of real samples.
-    resolution
-        Distance of the lines; Hz.
+    level
+        (lines,), of the noise's power.
     combs
-        Of faults, that stay.
-
-    Returns
-    -------
-    (lines,), each tone with all lines over which it rises from the noise.
+        Of faults.
     """
-    power = np.square(np.abs(spectrum))
-    ratio = power / local_level(power, resolution)
+    ratio = np.square(np.abs(spectrum)) / level
     limit = log(len(ratio) / _CHANCE)
     starts, ends = _runs(ratio > limit)
     peaks = np.array(
@@ -88,14 +95,14 @@ def discrete_lines(
     )
     leakage = tone_leakage()
     widths = np.array([2 * reach(leakage, ratio[peak] / limit) + 1 for peak in peaks])
-    narrow = ends - starts <= widths + 2 if len(peaks) else np.zeros(0, dtype=np.bool_)
-    tones = peaks[narrow]
+    tones = peaks[ends - starts <= widths + 2] if len(peaks) else peaks
+    teeth = np.zeros(len(tones), dtype=np.bool_)
     for comb in combs:
-        tones = tones[~_teeth(tones, comb)]
-    found = np.zeros(len(ratio), dtype=np.bool_)
-    for tone in tones:
+        teeth |= _teeth(tones, comb)
+    found = Discrete(*(np.zeros(len(ratio), dtype=np.bool_) for _ in range(2)))
+    for tone, of_comb in zip(tones, teeth, strict=True):
         width = reach(leakage, ratio[tone])
-        found[max(0, tone - width) : tone + width + 1] = True
+        found[1 if of_comb else 0][max(0, tone - width) : tone + width + 1] = True
     return found
 
 
@@ -106,18 +113,25 @@ def _runs(above: BoolArray) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
 
 
 def _teeth(tones: NDArray[np.int64], comb: Comb) -> BoolArray:
-    """Which tones are teeth of a full comb; none if there is no full comb."""
+    """Which tones are teeth of a full comb or their sidebands; none if there is no full comb."""
     of_shaft = _are_multiples(tones, comb.shaft, comb.uncertainty)
     others = tones[~of_shaft]
     none = np.zeros(len(tones), dtype=np.bool_)
     if len(others) < _TEETH:
         return none
     best = _best_fundamental(others[:_MOST_TONES], comb)
-    teeth = _are_multiples(tones, best) & ~of_shaft
-    present = np.unique(np.rint(tones[teeth] / best))
-    if len(present) < _TEETH or 2 * np.count_nonzero(teeth) <= len(others):
-        return none
-    return teeth if 2.0 * len(present) >= np.ptp(present) + 1.0 else none
+    present = np.unique(np.rint(others[_are_multiples(others, best)] / best))
+    full = len(present) >= _TEETH and 2.0 * len(present) >= np.ptp(present) + 1.0
+    teeth = _near_comb(tones, best, comb.spacing) & ~of_shaft
+    return teeth if full and 2 * np.count_nonzero(teeth) > len(others) else none
+
+
+def _near_comb(tones: NDArray[np.int64], fundamental: float, spacing: float) -> BoolArray:
+    """Which tones are multiples of a fundamental, or up to two spacings away from one."""
+    sides = range(-_SIDEBANDS, _SIDEBANDS + 1) if spacing > 0.0 else range(1)
+    places = tones.astype(np.float64)
+    near = [_are_multiples(places - side * spacing, fundamental) for side in sides]
+    return np.asarray(np.any(near, axis=0))
 
 
 def _best_fundamental(tones: NDArray[np.int64], comb: Comb) -> float:
@@ -132,7 +146,7 @@ def _best_fundamental(tones: NDArray[np.int64], comb: Comb) -> float:
 
 
 def _are_multiples(
-    tones: NDArray[np.int64], fundamental: float | FloatArray, uncertainty: float = 0.0
+    tones: NDArray[np.int64] | FloatArray, fundamental: float | FloatArray, uncertainty: float = 0.0
 ) -> BoolArray:
     """Which tones lie within a line of a multiple, or within a part of themselves.
 

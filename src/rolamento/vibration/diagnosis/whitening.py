@@ -16,7 +16,7 @@ from scipy import fft
 from rolamento.numerics import FloatArray
 from rolamento.vibration.diagnosis.blocks import Block
 from rolamento.vibration.diagnosis.leakage import taper
-from rolamento.vibration.diagnosis.tones import Comb, discrete_lines
+from rolamento.vibration.diagnosis.tones import Comb, discrete_lines, local_level
 from rolamento.vibration.order_tracking import interpolated
 
 __all__ = ["even_places", "whitened"]
@@ -30,22 +30,25 @@ _NOTHING = 1e-14
 def whitened(block: Block, *, remove_tones: bool, combs: list[Comb]) -> ComplexArray:
     """Spectrum of the tapered block with lines of size 1, and 0 where there were tones.
 
-    combs: of faults, whose discrete lines stay.
+    combs: of faults, whose discrete lines stay and keep their size over the noise.
     """
     samples = block.samples - np.mean(block.samples)
+    resolution = block.rate / len(samples)
     if block.places is None:
         spectrum = np.asarray(fft.rfft(samples * taper(even_places(len(samples)))))
-        if remove_tones:
-            resolution = block.rate / len(samples)
-            spectrum[discrete_lines(spectrum, resolution, combs)] = 0.0
     else:
         tapered = samples * taper(block.places)
         if remove_tones:
-            tapered -= _turning_tones(samples, block.places, block.rate, combs)
+            tapered -= _turning_tones(samples, block.places, resolution, combs)
         spectrum = np.asarray(fft.rfft(tapered))
     size = np.abs(spectrum)
     white = np.zeros_like(spectrum)
     np.divide(spectrum, size, out=white, where=size > _NOTHING * float(np.max(size)))
+    if remove_tones and block.places is None:
+        level = local_level(np.square(size), resolution)
+        found = discrete_lines(spectrum, level, combs)
+        white[found.tones] = 0.0
+        white[found.teeth] = spectrum[found.teeth] / np.sqrt(level[found.teeth])
     white[0] = 0.0
     return white
 
@@ -56,7 +59,7 @@ def even_places(count: int) -> FloatArray:
 
 
 def _turning_tones(
-    samples: FloatArray, places: FloatArray, rate: float, combs: list[Comb]
+    samples: FloatArray, places: FloatArray, resolution: float, combs: list[Comb]
 ) -> FloatArray:
     """The sum of all that turns with the shaft, tapered; (samples,)."""
     count = len(samples)
@@ -66,5 +69,6 @@ def _turning_tones(
     at = np.interp(even, places, np.arange(count, dtype=np.float64))
     spectrum = np.asarray(fft.rfft(interpolated(samples, at) * taper(even)))
     # over time or over angle, lines are one over the block apart
-    spectrum[~discrete_lines(spectrum, rate / count, combs)] = 0.0
+    level = local_level(np.square(np.abs(spectrum)), resolution)
+    spectrum[~discrete_lines(spectrum, level, combs).tones] = 0.0
     return interpolated(np.asarray(fft.irfft(spectrum, steps)), places * steps - 0.5)
