@@ -26,6 +26,7 @@ from rolamento.analysis import NOTES
 from rolamento.friction import friction
 from rolamento.friction.palmgren import palmgren
 from rolamento.lubrication import film_of, film_of_batch
+from rolamento.vibration.frequencies import frequencies_of
 
 SURFACE = {"inner_roughness": 1e-7, "outer_roughness": 1e-7, "ball_roughness": 5e-8}
 WARM = {"lubricant": 343.15}
@@ -53,6 +54,8 @@ def test_a_plain_case_is_its_state_and_nothing_else(case_218: Case) -> None:
     assert mapping.pop("film") is None
     assert mapping.pop("friction") is None
     assert mapping.pop("life") is None
+    frequencies = mapping.pop("frequencies")
+    assert frequencies == frequencies_of(analysis.state).to_mapping()
     assert mapping == analysis.state.to_mapping()
 
 

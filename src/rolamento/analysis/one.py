@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from rolamento.friction import Friction
     from rolamento.life import LifeConditions, LifeSummary
     from rolamento.lubrication import Film
+    from rolamento.vibration.fault_lines import FaultFrequencies
 
 DEFAULT_HYSTERESIS: Final = 0.01
 """Part α_h of the elastic work that the material loses."""
@@ -73,19 +74,30 @@ class Analysis:
     notes: tuple[str, ...] = ()
 
     @property
+    def frequencies(self) -> FaultFrequencies | None:
+        """Fault frequencies under load; None without a result, or where nothing turns."""
+        duty = self.state.case.duty
+        if not self.state.status.converged or duty.inner_speed == duty.outer_speed:
+            return None
+        from rolamento.vibration.frequencies import frequencies_of
+
+        return frequencies_of(self.state)
+
+    @property
     def sentences(self) -> tuple[str, ...]:
         """The notes in words."""
         return tuple(NOTES[name] for name in self.notes)
 
     def to_mapping(self) -> dict[str, Any]:
-        """Give the state's mapping with "film", "friction" and "life", None where there is none."""
+        """Give the state's mapping with "film", "friction", "life", "frequencies"; None without."""
         mapping = self.state.to_mapping()
         film = None if self.film is None else self.film.to_mapping()
         friction = None if self.friction is None else friction_mapping(self.state, self.friction)
         notes = [*mapping.pop("notes"), *self.sentences]
         case = mapping.pop("case")
         life = None if self.life is None else self.life.to_mapping()
-        parts = {"film": film, "friction": friction, "life": life}
+        turns = None if self.frequencies is None else self.frequencies.to_mapping()
+        parts = {"film": film, "friction": friction, "life": life, "frequencies": turns}
         return {**mapping, **parts, "notes": notes, "case": case}
 
     def to_json(self, *, indent: int | None = 2) -> str:
