@@ -61,7 +61,7 @@ class Source(ABC):
     def read(self, channel: int, start: int, count: int) -> FloatArray:
         """Return `count` samples of a channel from `start` on, which lie within its length."""
 
-    def close(self) -> None:
+    def close(self) -> None:  # noqa: B027 - what is held whole has nothing to close
         """Let go of the file."""
 
     def __enter__(self) -> Self:
@@ -79,7 +79,7 @@ def checked_channels(channels: Iterable[Channel], source: str, kind: str) -> tup
     FileError
         If there are none, or more than 1000.
     """
-    found = []
+    found: list[Channel] = []
     for channel in channels:
         if len(found) == MOST_CHANNELS:
             raise FileError(f"holds more than {MOST_CHANNELS} channels", source=source)

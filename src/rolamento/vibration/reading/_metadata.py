@@ -22,17 +22,19 @@ __all__ = [
     "unit_among",
 ]
 
-_RATE: Final = frozenset(
-    "fs sr rate samplingrate samplerate samplingfrequency samplefrequency samplingfreq samplefreq "
-    "fsamp fsample sps taxaamostragem frequenciaamostragem abtastrate".split()
+_RATE: Final = (
+    *("fs", "sr", "rate", "sps", "fsamp", "fsample", "abtastrate", "taxadeamostragem"),
+    *("samplingrate", "samplerate", "samplingfrequency", "samplefrequency", "samplingfreq"),
 )
-_STEP: Final = frozenset(
-    "dt dx deltat tdelta timestep timeincrement samplingperiod sampleperiod samplinginterval "
-    "sampleinterval wfincrement xincrement".split()
+_STEP: Final = (
+    *("dt", "dx", "deltat", "tdelta", "timestep", "timeincrement", "wfincrement", "xincrement"),
+    *("samplingperiod", "sampleperiod", "samplinginterval", "sampleinterval"),
 )
-_SPEED: Final = frozenset("rpm shaftrpm speedrpm rotationspeedrpm rotationalspeedrpm".split())
-_UNIT: Final = frozenset("unit units unitstring yunit yunits engunits unityunits".split())
-_TIME: Final = frozenset("t time times zeit tempo temps seconds timestamp elapsed xtime".split())
+_SPEED: Final = ("rpm", "shaftrpm", "speedrpm", "rotationspeedrpm", "rotationalspeedrpm")
+_UNIT: Final = ("unit", "units", "unitstring", "yunit", "yunits", "engunits")
+_TIME: Final = (
+    *("t", "time", "times", "timestamp", "seconds", "elapsed", "xtime", "zeit", "tempo", "temps"),
+)
 _TIME_UNITS: Final = {
     "s": 1.0,
     "sec": 1.0,
@@ -43,7 +45,10 @@ _TIME_UNITS: Final = {
     "ns": 1e-9,
     "min": 60.0,
 }
-_OTHER_UNITS: Final = frozenset("1 V mV uV A mA N kN Pa kPa bar dB Hz rpm rad/s degC °C K %".split())
+_OTHER_UNITS: Final = (
+    *("1", "V", "mV", "uV", "A", "mA", "N", "kN", "Pa", "kPa", "bar", "dB", "Hz", "rpm", "rad/s"),
+    *("degC", "°C", "K", "%"),
+)
 
 _ALIASES: Final = {
     "m/s/s": "m/s^2",

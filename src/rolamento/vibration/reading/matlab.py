@@ -190,7 +190,9 @@ class _Reader:
         step = struct.unpack(f"{self._order}i", width.content)[0]
         count = len(labels.content) // step if step > 0 else 0
         if count > _MOST_FIELDS:
-            raise FileError(f"has more than {_MOST_FIELDS} fields in a structure", source=self._source)
+            raise FileError(
+                f"has more than {_MOST_FIELDS} fields in a structure", source=self._source
+            )
         place = labels.after
         for number in range(count):
             field = bytes(labels.content[number * step : (number + 1) * step])

@@ -182,8 +182,10 @@ class NpzSource(Source):
             array = _Array(file, self._source)
             count = int(np.prod(array.shape, dtype=np.int64))
             content = exactly(file, count * array.dtype.itemsize, self._source)
-        order = "F" if array.fortran else "C"
-        return np.frombuffer(content, array.dtype).reshape(array.shape, order=order)
+        numbers = np.frombuffer(content, array.dtype)
+        if array.fortran:
+            return numbers.reshape(array.shape[::-1]).T
+        return numbers.reshape(array.shape)
 
 
 def _shape(text: str, source: str) -> tuple[int, ...]:

@@ -40,6 +40,7 @@ class ParquetSource(Source):
         self._source = str(path)
         file_size(path)
         self._position = (-1, 0)
+        self._place: dict[str, int] = {}
         self._batches: Iterator[FloatArray] = iter(())
         self._rest = np.empty((0, 1))
         with guarded(self._source, "Parquet file"):
@@ -162,17 +163,22 @@ class ParquetSource(Source):
         """Refuse columns that declare too many bytes in one group of rows."""
         for group in groups:
             about = self._file.metadata.row_group(group)
-            for number in range(about.num_columns):
-                column = about.column(number)
-                if column.path_in_schema in names and (
-                    not 0 <= column.total_uncompressed_size <= _LARGEST_COLUMN
-                ):
+            for number in self._places(about, names):
+                size = about.column(number).total_uncompressed_size
+                if not 0 <= size <= _LARGEST_COLUMN:
                     raise FileError(
                         f"must be at most {_LARGEST_COLUMN}; write smaller groups of rows",
                         field="bytes of a column in a group of rows",
-                        value=column.total_uncompressed_size,
+                        value=size,
                         source=self._source,
                     )
+
+    def _places(self, about: Any, names: list[str]) -> list[int]:
+        """Numbers of columns in a group of rows; they are the same in all."""
+        if not self._place:
+            paths = (about.column(number).path_in_schema for number in range(about.num_columns))
+            self._place = {path: number for number, path in enumerate(paths)}
+        return [self._place[name] for name in names]
 
 
 def _is_real(kind: Any) -> bool:

@@ -1,0 +1,153 @@
+"""Which format a file has: what it begins with tells, and for text its ending."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Callable
+from pathlib import Path
+from typing import BinaryIO, Final
+
+from rolamento.errors import FileError
+from rolamento.vibration.reading._channel import Source
+from rolamento.vibration.reading._limits import file_size, guarded, opened
+
+__all__ = ["ENDINGS", "open_source"]
+
+ENDINGS: Final = {
+    "WAV": (".wav", ".wave", ".rf64"),
+    "CSV": (".csv", ".txt", ".tsv", ".dat", ".asc"),
+    "NumPy": (".npy", ".npz"),
+    "MATLAB": (".mat",),
+    "HDF5": (".h5", ".hdf5", ".hdf", ".he5", ".nc"),
+    "Parquet": (".parquet", ".pq"),
+    "universal file": (".uff", ".unv", ".uf", ".bunv"),
+}
+"""Endings by format."""
+
+_HDF5: Final = b"\x89HDF\r\n\x1a\n"
+_HDF5_PLACES: Final = (0, 512, 1024, 2048, 4096)
+_UFF: Final = re.compile(rb"\s{0,200}-1[ \r]*\n *\d{1,5}[bB]?[ \d]*\r?\n")
+
+
+def open_source(path: str | os.PathLike[str]) -> Source:
+    """Open a file with the reader of its format.
+
+    Raises
+    ------
+    FileError
+        If it cannot be opened, is of no known format, or is damaged.
+    """
+    file = _path(path)
+    source = str(file)
+    size = file_size(file)
+    with opened(file) as stream, guarded(source, "signal file"):
+        head = stream.read(512)
+        kind = _kind(head, stream, size, file.suffix.lower())
+    if not kind:
+        raise _unknown(file.suffix.lower(), source)
+    return _READERS[kind](file)
+
+
+def _path(path: str | os.PathLike[str]) -> Path:
+    given: object = os.fspath(path) if isinstance(path, os.PathLike) else path
+    if not isinstance(given, str) or "\0" in given or not given:
+        raise FileError(
+            "must be the name of a file", field="path", value=given, example='"bearing.wav"'
+        )
+    return Path(given)
+
+
+def _kind(head: bytes, stream: BinaryIO, size: int, ending: str) -> str:
+    """Format of a file, or "" if it is none that is read."""
+    if head[:4] in (b"RIFF", b"RIFX", b"RF64") and head[8:12] == b"WAVE":
+        return "wav"
+    if head[:6] == b"\x93NUMPY":
+        return "npy"
+    if head[:4] == b"PK\x03\x04" or head[:4] == b"PK\x05\x06":
+        return "npz"
+    if head[:4] == b"PAR1":
+        return "parquet"
+    for place in _HDF5_PLACES:
+        if place < size:
+            stream.seek(place)
+            if stream.read(8) == _HDF5:
+                return "hdf5"
+    if head[126:128] in (b"IM", b"MI") and head[124:126] in (b"\x00\x01", b"\x01\x00"):
+        return "matlab"
+    if _UFF.match(head):
+        return "uff"
+    return "csv" if ending in ENDINGS["CSV"] else ""
+
+
+def _unknown(ending: str, source: str) -> FileError:
+    named = next((kind for kind, endings in ENDINGS.items() if ending in endings), "")
+    if ending == ".mat":
+        rule = "is not a MATLAB file of version 5 to 7.3; in MATLAB, save it with -v7"
+    elif named:
+        rule = f"is not the {named} file that its name says it is"
+    else:
+        known = "; ".join(f"{kind} ({', '.join(ends)})" for kind, ends in ENDINGS.items())
+        rule = f"is of no format that is read: {known}"
+    return FileError(rule, source=source)
+
+
+# Each reader is imported when a file asks for it: Parquet and HDF5 take a while.
+def _wav(path: Path) -> Source:
+    from rolamento.vibration.reading.wav import WavSource
+
+    return WavSource(path)
+
+
+def _npy(path: Path) -> Source:
+    from rolamento.vibration.reading.npy import NpySource
+
+    return NpySource(path)
+
+
+def _npz(path: Path) -> Source:
+    from rolamento.vibration.reading.npy import NpzSource
+
+    return NpzSource(path)
+
+
+def _parquet(path: Path) -> Source:
+    from rolamento.vibration.reading.parquet import ParquetSource
+
+    return ParquetSource(path)
+
+
+def _hdf5(path: Path) -> Source:
+    from rolamento.vibration.reading.hdf5 import Hdf5Source
+
+    return Hdf5Source(path)
+
+
+def _matlab(path: Path) -> Source:
+    from rolamento.vibration.reading.matlab import MatlabSource
+
+    return MatlabSource(path)
+
+
+def _uff(path: Path) -> Source:
+    from rolamento.vibration.reading.uff import UffSource
+
+    return UffSource(path)
+
+
+def _csv(path: Path) -> Source:
+    from rolamento.vibration.reading.csv_file import CsvSource
+
+    return CsvSource(path)
+
+
+_READERS: Final[dict[str, Callable[[Path], Source]]] = {
+    "wav": _wav,
+    "npy": _npy,
+    "npz": _npz,
+    "parquet": _parquet,
+    "hdf5": _hdf5,
+    "matlab": _matlab,
+    "uff": _uff,
+    "csv": _csv,
+}

@@ -1,0 +1,302 @@
+"""A signal file with a channel chosen, from which signals are taken whole or in blocks."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Self
+
+import numpy as np
+
+from rolamento.errors import FileError, InputError
+from rolamento.numerics import FloatArray
+from rolamento.vibration._checks import checked_count, checked_number
+from rolamento.vibration.reading._channel import Channel, Source
+from rolamento.vibration.reading._choice import Meaning, chosen_channel
+from rolamento.vibration.reading._limits import MOST_SAMPLES, guarded
+from rolamento.vibration.reading.formats import open_source
+from rolamento.vibration.signal import Quantity, Signal
+
+__all__ = ["SignalFile", "channels_of", "open_signal", "read_signal"]
+
+
+class SignalFile:
+    """An open signal file and one of its channels, or a part of it; `open_signal` makes it.
+
+    It is a context manager: leaving it closes the file.
+
+    Attributes
+    ----------
+    path
+        of the file
+    channels
+        all that the file holds
+    channel
+        the one that was chosen
+    rate
+        sampling rate; Hz
+    length
+        number of samples of the part that was asked for, by default the whole channel
+    quantity, unit
+        of the signals that are read: SI, unless the quantity is unknown
+    speed
+        of the shaft, rad/s; None if the file does not say
+    notes
+        how the samples were taken from the file
+    """
+
+    def __init__(
+        self, path: Path, source: Source, number: int, meaning: Meaning, part: tuple[int, int]
+    ) -> None:
+        self.path = path
+        self.channels = source.channels
+        self.channel = source.channels[number]
+        self.rate = meaning.rate
+        self._first, self.length = part
+        self.quantity: Quantity = meaning.quantity
+        self.unit = meaning.unit
+        self.speed = self.channel.speed
+        self.notes = source.notes
+        self._source = source
+        self._number = number
+        self._scale = meaning.scale
+
+    @property
+    def duration(self) -> float:
+        """Number of samples over the rate; s."""
+        return self.length / self.rate
+
+    def read(self, start: int = 0, count: int | None = None) -> Signal:
+        """Return `count` samples from sample `start` on, all that follow by default.
+
+        Raises
+        ------
+        InputError
+            If they do not lie within the part or are more than 100 million.
+        FileError
+            If the file is damaged there, or a sample is not a finite number.
+        """
+        name = str(self.path)
+        with guarded(name, "signal file"):
+            start = checked_count(
+                start, "start", least=0, most=self.length - 1, example="start = 0"
+            )
+            rest = self.length - start
+            if count is None:
+                count = rest
+            count = checked_count(count, "count", least=1, most=rest, example="count = 1000")
+            if count > MOST_SAMPLES:
+                raise InputError(
+                    f"must be at most {MOST_SAMPLES} at once; read a shorter duration, or blocks",
+                    field="number of samples",
+                    value=count,
+                    example="start=0.0, duration=60.0",
+                )
+            start += self._first
+            samples = self._source.read(self._number, start, count)
+            _refuse_not_finite(samples, start, self.rate)
+            with np.errstate(over="ignore"):
+                samples = samples * self._scale if self._scale != 1.0 else samples
+            title = self.path.name + (f", {self.channel.name}" if self.channel.name else "")
+            speed = None if self.speed is None else np.array(self.speed)
+            return Signal(
+                samples,
+                self.rate,
+                self.quantity,
+                self.unit,
+                speed,
+                title[:300],
+            )
+
+    def blocks(self, size: int, overlap: int = 0) -> Iterator[Signal]:
+        """Return the channel in blocks.
+
+        Parameters
+        ----------
+        size
+            samples of a block; the last one may be shorter
+        overlap
+            samples of the block before with which a block begins; fewer than `size`
+
+        Raises
+        ------
+        InputError
+            If the numbers are not such.
+        FileError
+            As `read`.
+        """
+        most = min(MOST_SAMPLES, max(self.length, 1))
+        size = min(checked_count(size, "size", least=1, most=2**62, example="size = 65536"), most)
+        overlap = checked_count(overlap, "overlap", least=0, most=size - 1, example="overlap = 0")
+        return self._blocks(size, overlap)
+
+    def close(self) -> None:
+        """Let go of the file."""
+        self._source.close()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def _blocks(self, size: int, overlap: int) -> Iterator[Signal]:
+        block = self.read(0, min(size, self.length))
+        yield block
+        place = len(block.samples)
+        while place < self.length:
+            fresh = self.read(place, min(size - overlap, self.length - place))
+            place += len(fresh.samples)
+            kept = block.samples[len(block.samples) - overlap :]
+            samples = np.concatenate([kept, fresh.samples]) if overlap else fresh.samples
+            block = Signal(samples, self.rate, self.quantity, self.unit, fresh.speed, fresh.title)
+            yield block
+
+
+def open_signal(
+    path: str | os.PathLike[str],
+    *,
+    channel: str | int | None = None,
+    rate: float | None = None,
+    unit: str | None = None,
+    quantity: Quantity | None = None,
+    start: float = 0.0,
+    duration: float | None = None,
+) -> SignalFile:
+    """Open a signal file of any format, for reading in blocks.
+
+    Parameters
+    ----------
+    path
+        WAV, CSV, .npy, .npz, MATLAB 5 to 7.3, HDF5, Parquet or universal file
+    channel
+        its name, or its number counted from 1; not needed if there is only one
+    rate
+        sampling rate, Hz; needed if the file does not say
+    unit
+        of the samples in the file, such as "g", "m/s^2", "mm/s" or "um"
+    quantity
+        acceleration, velocity, displacement or unknown; by default that of the unit
+    start
+        of the part that is wanted, from the beginning of the file; s
+    duration
+        of the part, s; all that follows by default
+
+    Raises
+    ------
+    FileError
+        If the file cannot be read.
+    InputError
+        If there is no such channel or several to choose from, the rate is not known, or what is
+        given contradicts the file, or the part does not lie within it.
+    """
+    source = open_source(path)
+    name = os.fspath(path)
+    try:
+        with guarded(str(name), "signal file"):
+            number = chosen_channel(source.channels, channel)
+            chosen = source.channels[number]
+            if chosen.length == 0:
+                raise FileError("holds no samples in this channel", field=chosen.name)
+            meaning = Meaning(chosen, rate, unit, quantity, str(name))
+            part = _part(chosen.length, meaning.rate, start, duration)
+            return SignalFile(Path(name), source, number, meaning, part)
+    except BaseException:
+        source.close()
+        raise
+
+
+def read_signal(
+    path: str | os.PathLike[str],
+    *,
+    channel: str | int | None = None,
+    rate: float | None = None,
+    unit: str | None = None,
+    quantity: Quantity | None = None,
+    start: float = 0.0,
+    duration: float | None = None,
+) -> Signal:
+    """Read a signal, or a part of it, into memory.
+
+    Parameters
+    ----------
+    path, channel, rate, unit, quantity, start, duration
+        As `open_signal`.
+
+    Raises
+    ------
+    FileError
+        If the file cannot be read, or a sample is not a finite number.
+    InputError
+        As `open_signal`; also if the part has more than 100 million samples, or does not change:
+        there is no signal in it.
+    """
+    with open_signal(
+        path,
+        channel=channel,
+        rate=rate,
+        unit=unit,
+        quantity=quantity,
+        start=start,
+        duration=duration,
+    ) as file:
+        signal = file.read()
+    samples = signal.samples
+    if np.min(samples) == np.max(samples):
+        raise FileError(
+            f"does not change over {len(samples)} samples: no sensor was there, or it is the "
+            "wrong channel",
+            field=file.channel.name or "channel",
+            value=float(samples[0]),
+            source=str(file.path),
+        )
+    return signal
+
+
+def channels_of(path: str | os.PathLike[str]) -> tuple[Channel, ...]:
+    """Return the channels of a signal file: names, lengths, and what it says of rates and units.
+
+    Raises
+    ------
+    FileError
+        If the file cannot be read.
+    """
+    with open_source(path) as source:
+        return source.channels
+
+
+def _part(length: int, rate: float, start: float, duration: float | None) -> tuple[int, int]:
+    """First sample and number of samples of a part of a channel."""
+    example = "start=0.0, duration=10.0"
+    begin = checked_number(start, "start", least=0.0, example=example)
+    if begin * rate >= length:
+        rule = f"must lie before the end of the file, {length / rate:.6g} s"
+        raise InputError(rule, field="start", value=start, example=example)
+    first = min(round(begin * rate), length - 1)
+    rest = length - first
+    if duration is None:
+        return first, rest
+    wanted = checked_number(duration, "duration", above=0.0, example=example)
+    count = round(min(wanted * rate, rest + 2.0))
+    if not 1 <= count <= rest + 1:
+        raise InputError(
+            f"must lie between one sample and the {rest / rate:.6g} s that follow the start",
+            field="duration",
+            value=duration,
+            example=example,
+        )
+    return first, min(count, rest)
+
+
+def _refuse_not_finite(samples: FloatArray, start: int, rate: float) -> None:
+    """Refuse samples that are no numbers, and tell how many there are and where the first is."""
+    wrong = ~np.isfinite(samples)
+    count = int(np.count_nonzero(wrong))
+    if count:
+        first = int(np.argmax(wrong))
+        raise FileError(
+            f"{count} of {len(samples)} samples are not finite numbers; the first is sample "
+            f"{start + first} (counted from 0), at {(start + first) / rate:.6g} s",
+            value=float(samples[first]),
+        )
