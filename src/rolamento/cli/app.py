@@ -13,8 +13,10 @@ from rolamento.cli.clearance import clearance
 from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
+    CaseArgument,
     Language,
     LanguageOption,
+    SettingsOption,
     plain_endings,
     same_file,
     words_of,
@@ -77,7 +79,7 @@ def rolamento_command(
     epilog="Examples: solve case.toml --json; solve case.toml --set duty.load.fz='10 kN'.",
 )
 def solve(
-    case: Annotated[str, typer.Argument(help="Case file (TOML or JSON); - is standard input.")],
+    case: CaseArgument,
     json: Annotated[
         str | None,
         typer.Option(
@@ -92,10 +94,7 @@ def solve(
             "--csv", metavar="FILE", help="Write the table of balls; - is standard output."
         ),
     ] = None,
-    settings: Annotated[
-        list[str] | None,
-        typer.Option("--set", metavar="KEY=VALUE", help="Override a field of the case. Repeats."),
-    ] = None,
+    settings: SettingsOption = None,
     lang: LanguageOption = None,
 ) -> None:
     """Show the internal state of a bearing under its duty."""

@@ -8,7 +8,15 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 import rolamento
-from rolamento.cli.common import SOLVED, LanguageOption, plain_endings, same_file, words_of
+from rolamento.cli.common import (
+    SOLVED,
+    JsonOption,
+    LanguageOption,
+    SettingsOption,
+    plain_endings,
+    same_file,
+    words_of,
+)
 from rolamento.cli.streams import STANDARD_STREAM, print_text, put
 from rolamento.errors import FileError
 
@@ -31,18 +39,8 @@ def clearance(
     seed: Annotated[
         int, typer.Option("--seed", metavar="N", min=0, help="Of the random numbers.")
     ] = 0,
-    json: Annotated[
-        str | None,
-        typer.Option(
-            "--json",
-            metavar="[FILE]",
-            help="Write everything as JSON, in SI units; without FILE, to standard output.",
-        ),
-    ] = None,
-    settings: Annotated[
-        list[str] | None,
-        typer.Option("--set", metavar="KEY=VALUE", help="Override a field of the case. Repeats."),
-    ] = None,
+    json: JsonOption = None,
+    settings: SettingsOption = None,
     lang: LanguageOption = None,
 ) -> None:
     """Show what fits, temperatures, speed and wear leave of a bearing's clearance."""

@@ -12,7 +12,9 @@ import rolamento
 from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
+    JsonOption,
     LanguageOption,
+    SettingsOption,
     plain_endings,
     same_file,
     words_of,
@@ -86,22 +88,12 @@ def frequencies(
     sidebands: Annotated[
         int, typer.Option("--sidebands", metavar="N", help="On either side of each, 0 to 10.")
     ] = 1,
-    json: Annotated[
-        str | None,
-        typer.Option(
-            "--json",
-            metavar="[FILE]",
-            help="Write everything as JSON, in SI units; without FILE, to standard output.",
-        ),
-    ] = None,
+    json: JsonOption = None,
     csv: Annotated[
         str | None,
         typer.Option("--csv", metavar="FILE", help="Write the lines; - is standard output."),
     ] = None,
-    settings: Annotated[
-        list[str] | None,
-        typer.Option("--set", metavar="KEY=VALUE", help="Override a field of the case. Repeats."),
-    ] = None,
+    settings: SettingsOption = None,
     lang: LanguageOption = None,
 ) -> None:
     """Show the fault frequencies of a bearing, by its geometry and under load."""

@@ -11,8 +11,11 @@ import rolamento
 from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
+    CaseArgument,
+    JsonOption,
     Language,
     LanguageOption,
+    SettingsOption,
     plain_endings,
     same_file,
     words_of,
@@ -31,7 +34,7 @@ _MOST_VARIANTS: Final = 5
 
 
 def friction(
-    case: Annotated[str, typer.Argument(help="Case file (TOML or JSON); - is standard input.")],
+    case: CaseArgument,
     over: Annotated[
         str | None,
         typer.Option(
@@ -62,14 +65,7 @@ def friction(
             "--hysteresis", metavar="LOSS", help="Part of the elastic work that is lost, 0 to 1."
         ),
     ] = _HYSTERESIS,
-    json: Annotated[
-        str | None,
-        typer.Option(
-            "--json",
-            metavar="[FILE]",
-            help="Write everything as JSON, in SI units; without FILE, to standard output.",
-        ),
-    ] = None,
+    json: JsonOption = None,
     csv: Annotated[
         str | None,
         typer.Option(
@@ -82,10 +78,7 @@ def friction(
             "--plot", metavar="FILE", help="With --over: draw it, a .png, .svg or .pdf file."
         ),
     ] = None,
-    settings: Annotated[
-        list[str] | None,
-        typer.Option("--set", metavar="KEY=VALUE", help="Override a field of the case. Repeats."),
-    ] = None,
+    settings: SettingsOption = None,
     lang: LanguageOption = None,
 ) -> None:
     """Show the friction torque by every model, and which of them hold."""

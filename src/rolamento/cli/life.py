@@ -13,6 +13,7 @@ from rolamento.cli.common import (
     SOLVED,
     Language,
     LanguageOption,
+    SettingsOption,
     plain_endings,
     same_file,
     words_of,
@@ -102,10 +103,7 @@ def life(
             "--plot", metavar="FILE", help="With --over: draw it, a .png, .svg or .pdf file."
         ),
     ] = None,
-    settings: Annotated[
-        list[str] | None,
-        typer.Option("--set", metavar="KEY=VALUE", help="Override a field of the case. Repeats."),
-    ] = None,
+    settings: SettingsOption = None,
     lang: LanguageOption = None,
 ) -> None:
     """Show the life by every theory, where each holds, what limits it and what would help."""

@@ -15,6 +15,7 @@ from rolamento.cli.common import (
     SOLVED,
     Language,
     LanguageOption,
+    SettingsOption,
     plain_endings,
     same_file,
     words_of,
@@ -50,10 +51,7 @@ def sweep(
             help="Result: a .nc (NetCDF), .csv or .parquet file; by default named after the study.",
         ),
     ] = None,
-    settings: Annotated[
-        list[str] | None,
-        typer.Option("--set", metavar="KEY=VALUE", help="Override a field of the case. Repeats."),
-    ] = None,
+    settings: SettingsOption = None,
     threads: Annotated[
         int | None,
         typer.Option("--threads", metavar="N", min=1, max=1024, help="By default all processors."),

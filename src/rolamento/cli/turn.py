@@ -11,8 +11,11 @@ import rolamento
 from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
+    CaseArgument,
+    JsonOption,
     Language,
     LanguageOption,
+    SettingsOption,
     plain_endings,
     same_file,
     words_of,
@@ -29,19 +32,12 @@ _POINTS: Final = 256
 
 
 def turn(
-    case: Annotated[str, typer.Argument(help="Case file (TOML or JSON); - is standard input.")],
+    case: CaseArgument,
     points: Annotated[
         int,
         typer.Option("--points", metavar="N", help="Instants in one period, 4 to 4096."),
     ] = _POINTS,
-    json: Annotated[
-        str | None,
-        typer.Option(
-            "--json",
-            metavar="[FILE]",
-            help="Write everything as JSON, in SI units; without FILE, to standard output.",
-        ),
-    ] = None,
+    json: JsonOption = None,
     csv: Annotated[
         str | None,
         typer.Option(
@@ -52,10 +48,7 @@ def turn(
         str | None,
         typer.Option("--plot", metavar="FILE", help="Draw it: a .png, .svg or .pdf file."),
     ] = None,
-    settings: Annotated[
-        list[str] | None,
-        typer.Option("--set", metavar="KEY=VALUE", help="Override a field of the case. Repeats."),
-    ] = None,
+    settings: SettingsOption = None,
     lang: LanguageOption = None,
 ) -> None:
     """Show how displacement, stiffness and ball loads vary while the cage turns by one pitch."""
