@@ -1,0 +1,150 @@
+"""Sentences of a diagnosis in a person's language, made of its numbers.
+
+The engine gives a name and an English sentence for every reason; what has a name that is not known
+here is said in the engine's own words.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from math import floor, isfinite
+from typing import TYPE_CHECKING, Final
+
+from rolamento.report.diagnosis_words import DIAGNOSIS_WORDS, DiagnosisWords
+from rolamento.report.language import words_for
+from rolamento.report.numbers import Digits
+from rolamento.vibration.diagnosis.orders import COMPONENTS
+
+if TYPE_CHECKING:
+    from rolamento.vibration.diagnosis import Component, ComponentVerdict, Diagnosis, Reason
+
+__all__ = ["listed", "said_chance", "said_note", "said_reasons", "said_statements"]
+
+_DIGITS: Final = 15.0
+"""Evidence beyond which a probability is no more than small: no noise is known so well."""
+_TELL_CAGE: Final = ("outer_race", "inner_race", "cage")
+
+
+def said_statements(diagnosis: Diagnosis, language: str, *, still: bool = False) -> list[str]:
+    """Return what the diagnosis comes to: a sentence for each fault, or that there is none.
+
+    still: whether the signal does not change at all, of which the spectra tell nothing.
+    """
+    said, digits = _of(language)
+    if still:
+        return [said.no_change]
+    parts = diagnosis.components
+    faults = sorted((p for p in parts if p.verdict == "fault"), key=lambda p: -p.evidence)
+    tested = [said.parts[p.component] for p in parts if p.verdict == "nothing_found"]
+    untested = [said.parts[p.component] for p in parts if p.verdict == "not_tested"]
+    if not faults and not tested:
+        return [said.no_verdict]
+    sentences = [_damaged(part, said, digits) for part in faults]
+    if not faults:
+        sentences.append(said.nothing_found.format(parts=listed(tested, said)))
+    if untested:
+        sentences.append(said.untested.format(parts=listed(untested, said)))
+    return sentences
+
+
+def said_chance(evidence: float, said: DiagnosisWords) -> str:
+    """Return a probability of ten to the minus evidence, at most; a very small one as a limit."""
+    if evidence > _DIGITS:
+        return said.chance_below.format(number=f"1e-{_DIGITS:.0f}")
+    if evidence < 2.0:
+        digits = Digits(words_for("pt" if said is DIAGNOSIS_WORDS["pt"] else "en").decimal_mark)
+        return said.chance.format(number=digits.short(10.0**-evidence, 2))
+    power = floor(-evidence)
+    mantissa = int(10.0 ** (-evidence - power) * 0.9999999) + 1  # rounded up: it is a bound
+    if mantissa == 10:
+        mantissa, power = 1, power + 1
+    return said.chance.format(number=f"{mantissa}e-{-power}")
+
+
+def said_reasons(part: ComponentVerdict, diagnosis: Diagnosis, language: str) -> list[str]:
+    """Return why a verdict is what it is, sentence by sentence."""
+    return [_reason(reason, part, diagnosis, language) for reason in part.reasons]
+
+
+def said_note(note: Reason, diagnosis: Diagnosis, language: str) -> str:
+    """Return what a user should know about a diagnosis."""
+    said, digits = _of(language)
+    if note.name not in said.note:
+        return note.text
+    return said.note[note.name].format(turns=digits.short(diagnosis.revolutions, 3))
+
+
+def listed(items: Iterable[str], said: DiagnosisWords) -> str:
+    """Return words one after the other, the last two with "and"."""
+    words = list(items)
+    if len(words) < 2:
+        return "".join(words)
+    return said.all_of.format(list=", ".join(words[:-1]), last=words[-1])
+
+
+def _of(language: str) -> tuple[DiagnosisWords, Digits]:
+    words = words_for(language)
+    return DIAGNOSIS_WORDS[words.code], Digits(words.decimal_mark)
+
+
+def _damaged(part: ComponentVerdict, said: DiagnosisWords, digits: Digits) -> str:
+    seen = sum(line.multiple != 1.0 and isfinite(line.above_noise) for line in part.lines)
+    template = {0: said.one_line, 1: said.line_and_multiple}.get(seen, said.line_and_multiples)
+    return said.damaged.format(
+        subject=said.subjects[part.component],
+        lines=template.format(frequency=_hertz(part.frequency, digits), count=seen),
+        chance=said_chance(part.evidence, said),
+    )
+
+
+def _hertz(frequency: float, digits: Digits) -> str:
+    return digits.fixed(frequency, 1 if frequency >= 100.0 else 2)
+
+
+def _reason(reason: Reason, part: ComponentVerdict, diagnosis: Diagnosis, language: str) -> str:
+    said, digits = _of(language)
+    template = said.reason.get(reason.name)
+    if template is None:
+        return reason.text
+    if part.verdict != "fault":
+        chance = digits.short(min(part.probability, 1.0), 2)
+        return template.format(trials=diagnosis.trials, probability=chance)
+    low, high = part.band or (0.0, 0.0)
+    plain = [line for line in part.lines if isfinite(line.above_noise)]
+    return template.format(
+        multiples=listed((digits.short(line.multiple) for line in plain), said),
+        levels=listed((digits.fixed(line.above_noise, 0) for line in plain), said),
+        order=digits.short(part.order),
+        frequency=_hertz(part.frequency, digits),
+        spacing=digits.short(_spacing(part), 4) if part.sidebands else "",
+        strongest=_strongest(part, said, digits),
+        carries=said.carries["ball" if part.component == "ball" else "ring"],
+        low=digits.fixed(low, 0),
+        high=digits.fixed(high, 0),
+        chance=said_chance(part.evidence, said),
+        trials=diagnosis.trials,
+        deviation=digits.fixed(100.0 * abs(part.deviation), 2),
+        side=said.sides[0 if part.deviation > 0.0 else 1],
+        others=listed((said.the_parts[other] for other in _others(part, diagnosis)), said),
+    )
+
+
+def _spacing(part: ComponentVerdict) -> float:
+    """Of the sidebands; orders."""
+    side = part.sidebands[0]
+    return abs(side.order - side.multiple * part.order) / max(abs(side.sideband), 1)
+
+
+def _strongest(part: ComponentVerdict, said: DiagnosisWords, digits: Digits) -> str:
+    levels = [line.above_noise for line in part.sidebands if isfinite(line.above_noise)]
+    return said.strongest.format(level=digits.fixed(max(levels), 0)) if levels else ""
+
+
+def _others(part: ComponentVerdict, diagnosis: Diagnosis) -> list[Component]:
+    """Return the other faults that tell of the cage's speed."""
+    faults = diagnosis.faults
+    return [
+        other
+        for other in COMPONENTS
+        if other in faults and other in _TELL_CAGE and other != part.component
+    ]
