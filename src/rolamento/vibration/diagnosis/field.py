@@ -7,7 +7,6 @@ from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
-from scipy import special
 
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.vibration.diagnosis.band_spectra import BandSpectra
@@ -65,11 +64,15 @@ class Field:
 
     def without(self, component: Component, finding: Finding) -> Field:
         """Return the field without the lines of a fault that stand out."""
-        blocks = self.spectra.blocks
-        least = float(special.gammaincinv(blocks, _STANDS_OUT)) / blocks
         lines = self.left_out.shape[1]
         places = fault_places(component, finding, self.orders, self.turns, lines)
-        about = lines_about(self.spectra.power, self.level, places, least)
+        about = lines_about(
+            self.spectra.power,
+            self.level,
+            places,
+            stands_out=_STANDS_OUT,
+            averages=self.spectra.blocks,
+        )
         return replace(self, left_out=self.left_out | about)
 
     def _finding(self, scores: Scores, component: Component) -> Finding | None:

@@ -10,6 +10,7 @@ from math import ceil, sqrt
 from typing import Final, NamedTuple
 
 import numpy as np
+from scipy import special
 
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.vibration.diagnosis.leakage import envelope_leakage, reach
@@ -23,6 +24,9 @@ _OF_SHAFT: Final = 3
 """Sidebands that a fault may have: at its own spacing, and about each at the shaft's."""
 _SPREAD_TO: Final = 0.3
 """Of the noise: what a line may add to its neighbours before they are left out."""
+
+
+_MULTIPLES: Final = 6
 
 
 class Place(NamedTuple):
@@ -51,9 +55,10 @@ def shaft_places(
 def fault_places(
     component: Component, finding: Finding, orders: FaultOrders, turns: float, lines: int
 ) -> list[Place]:
-    """All lines that a fault which was found may make: multiples, and sidebands of each and of 0.
+    """Lines that a fault which was found may make: multiples, and sidebands of each and of 0.
 
-    A line too far from where the last multiple was matched is as uncertain as the match.
+    The order is known to a line, or half of its width, of the highest multiple that was matched:
+    far beyond it, nothing is known of where its multiples lie.
     """
     fundamental, hypothesis = finding.fundamental, finding.hypothesis
     step = 0.5 * fundamental if component == "ball" else fundamental
@@ -66,7 +71,8 @@ def fault_places(
     }
     doubt = max(1.0, 0.5 * hypothesis.width) / hypothesis.highest / fundamental
     places = []
-    for number in range(int((lines + max(offsets)) / step) + 1):
+    highest = max(_MULTIPLES, 4.0 * hypothesis.highest) * fundamental
+    for number in range(int(min(lines + max(offsets), highest) / step) + 1):
         width = hypothesis.width * number * step / (fundamental * hypothesis.highest)
         for offset in offsets:
             line = number * step + offset
@@ -77,7 +83,12 @@ def fault_places(
 
 
 def lines_about(
-    power: FloatArray, level: FloatArray, places: Iterable[Place], least: float = 0.0
+    power: FloatArray,
+    level: FloatArray,
+    places: Iterable[Place],
+    *,
+    stands_out: float = 0.0,
+    averages: int = 1,
 ) -> BoolArray:
     """Lines at some places, in each band as far about them as the strongest there spreads.
 
@@ -87,8 +98,11 @@ def lines_about(
         (bands, lines); mean of the noise about each line.
     places
         To leave out.
-    least
-        Power over noise that a line needs to be left out.
+    stands_out
+        Quantile of the strongest line of noise at a place, from which on lines are left out; 0 for
+        all.
+    averages
+        Of how many independent spectra the powers are means.
 
     Returns
     -------
@@ -105,6 +119,8 @@ def lines_about(
         if first >= last:
             continue
         peaks = np.max(ratio[:, first:last], axis=1)
+        quantile = stands_out ** (1.0 / (last - first)) if stands_out > 0.0 else 0.0
+        least = float(special.gammaincinv(averages, quantile)) / averages
         for band in np.flatnonzero(peaks >= least):
             over = float(peaks[band]) / _SPREAD_TO
             # a hump falls off with the square of the distance
