@@ -208,7 +208,7 @@ def _found(
     asked: _Asked, given: GivenBearing, settings: DiagnosisSettings, progress: Progress
 ) -> DiagnosisResult:
     """Read the signal block by block, and diagnose it."""
-    from rolamento.cli.diagnose_signal import PIECE, part_of, streamed
+    from rolamento.cli.diagnose_signal import part_of, streamed
     from rolamento.report.diagnosis import DiagnosisResult
     from rolamento.vibration.diagnosis import FaultOrders, diagnose
     from rolamento.vibration.frequencies import nominal_frequencies
@@ -216,11 +216,11 @@ def _found(
 
     with open_signal(asked.path, channel=asked.channel, rate=asked.rate, unit=asked.unit) as source:
         part = part_of(source, asked.start, asked.duration)
-        pieces = (source.read(place, min(PIECE, part.stop - place)) for place in part)
+        pieces = (source.read(place, min(part.step, part.stop - place)) for place in part)
         inner, outer = _speeds(asked, given, source.speed)
 
         def read(samples: int) -> None:
-            progress(-(-samples // PIECE), len(part))
+            progress(-(-samples // part.step), len(part))
 
         held = streamed(pieces, inner or outer, read)
         frequencies = nominal_frequencies(given.bearing, inner, outer)

@@ -181,7 +181,9 @@ def _signal(page: Page, said: DiagnosisWords, found: DiagnosisResult) -> str:
     samples = said.samples.format(
         duration=digits.short(found.duration, 4),
         rate=digits.short(signal.rate, 6),
-        turns=digits.fixed(found.diagnosis.revolutions, 0),
+        turns=digits.short(found.diagnosis.revolutions, 3)
+        if found.diagnosis.revolutions < 100.0
+        else digits.fixed(found.diagnosis.revolutions, 0),
     )
     unit = _UNITS.get(signal.unit, signal.unit)
     part = signal.duration < found.duration * (1.0 - 1e-9)
