@@ -226,6 +226,17 @@ class TestPage:
             page(damaged(), "pt")
         )
 
+    def test_lines_that_hardly_stand_out_are_warned_of(self) -> None:
+        found = damaged()
+        assert "weak_lines" not in found.own_notes
+        parts = tuple(
+            replace(part, lines=tuple(replace(line, above_noise=4.0) for line in part.lines))
+            for part in found.diagnosis.components
+        )
+        weak = replace(found, diagnosis=replace(found.diagnosis, components=parts))
+        assert "weak_lines" in weak.own_notes
+        assert "Check the speed, the bearing, and the picture." in squeezed(page(weak, "en"))
+
     def test_english_reasons_agree_with_the_engine(self) -> None:
         found = damaged().diagnosis
         part = found.of("outer_race")

@@ -21,6 +21,7 @@ from rolamento.cli.common import (
     same_file,
     words_of,
 )
+from rolamento.cli.diagnose import diagnose
 from rolamento.cli.frequencies import frequencies
 from rolamento.cli.friction import friction
 from rolamento.cli.life import life
@@ -192,6 +193,10 @@ app.command(
     cls=JsonCommand,
     epilog="Examples: frequencies 6205 --speed '1797 rpm'; frequencies case.toml --json.",
 )(frequencies)
+app.command(
+    cls=JsonCommand,
+    epilog="Example: diagnose signal.wav --bearing 6205 --speed '1797 rpm' --plot signal.png.",
+)(diagnose)
 app.command(
     cls=JsonCommand,
     epilog="Examples: weibull tests.csv --plot paper.png; weibull tests.csv --shape 1.5;"

@@ -6,7 +6,7 @@ import csv
 from dataclasses import asdict, dataclass
 from functools import cached_property
 from io import StringIO
-from math import degrees, log10, nan, pi
+from math import degrees, inf, isfinite, log10, nan, pi
 from typing import Final, Literal
 
 import numpy as np
@@ -42,6 +42,8 @@ CSV_COLUMNS: Final = ("band_low_Hz", "band_high_Hz", "order", "frequency_Hz", "o
 
 _RPM: Final = 30.0 / pi
 _MM: Final = 1e3
+_CLEAR: Final = 9.0
+"""dB above the noise that a line of noise alone reaches once in three thousand."""
 _KILO: Final = 1e-3
 _UNITS: Final = {"m/s^2": "m/s²", "mm/s^2": "mm/s²", "1": ""}
 _STYLES: Final = {"fault": "bold red", "nothing_found": "green", "not_tested": "dim"}
@@ -103,9 +105,18 @@ class DiagnosisResult:
     def own_notes(self) -> tuple[str, ...]:
         """Names of what is to be known beside the engine's notes."""
         names = ["not_a_certificate"] if self.verdict == "nothing_found" else []
+        faults = [part for part in self.diagnosis.components if part.verdict == "fault"]
+        if any(_highest_line(part) < _CLEAR for part in faults):
+            names.append("weak_lines")
         if "inferred" in self.bearing.origins.values():
             names.append("inferred_inside")
         return tuple(names)
+
+
+def _highest_line(part: ComponentVerdict) -> float:
+    """Return by how much the highest multiple of a fault stands out; dB, -inf if none is seen."""
+    levels = [line.above_noise for line in part.lines if isfinite(line.above_noise)]
+    return max(levels, default=-inf)
 
 
 def diagnosis_report(

@@ -145,6 +145,8 @@ _ENGLISH: Final = DiagnosisWords(
         " higher one tells where a fault rings.",
         "not_a_certificate": "Nothing found is a verdict about this record: damage too weak for"
         " its noise stays unseen.",
+        "weak_lines": "None of the multiples of a part said to be damaged stands out by itself:"
+        " lines of another cause may lie nearby. Check the speed, the bearing, and the picture.",
         "inferred_inside": "The inside of this bearing is inferred from its ratings: other insides"
         " have other frequencies (see rolamento frequencies).",
     },
@@ -233,6 +235,8 @@ _PORTUGUESE: Final = DiagnosisWords(
         " maior diz onde a falha soa.",
         "not_a_certificate": "Nada encontrado é um veredito sobre este registro: um dano fraco"
         " demais para o seu ruído não se vê.",
+        "weak_lines": "Nenhum dos múltiplos de uma parte dita danificada se destaca por si: pode"
+        " haver por perto linhas de outra causa. Confira a rotação, o rolamento e a figura.",
         "inferred_inside": "O interior deste rolamento é inferido das suas capacidades: outros"
         " interiores têm outras frequências (veja rolamento frequencies).",
     },
