@@ -21,6 +21,7 @@ units, averages and the numbers of lines. The sum of n independent scores has th
 from __future__ import annotations
 
 from functools import cache
+from math import nan
 from typing import Final
 
 import numpy as np
@@ -128,19 +129,22 @@ def mean_scores(
     -------
     The same shape; NaN where there are no lines, no level, or it is zero.
     """
-    good = (median > 0.0) & (count > 0)
     with np.errstate(divide="ignore", invalid="ignore"):
         place = np.log1p(np.minimum(mean / median, _HIGHEST_RATIO))
+    good = (median > 0.0) & (count > 0)
     kinds = np.where(good, np.searchsorted(_REACHES, reach) + len(_REACHES) * count, 0)
-    alike = int(kinds.flat[0]) if kinds.size else 0
-    if alike > 0 and np.all(kinds == alike):  # by far the most frequent case
-        return np.asarray(np.interp(place, *_table_of(alike, averages)))
-    found = np.full(mean.shape, np.nan)
-    for kind in np.flatnonzero(np.bincount(kinds.ravel())):
-        if kind > 0:
-            here = kinds == kind
-            found[here] = np.interp(place[here], *_table_of(int(kind), averages))
-    return found
+    flat, at = kinds.ravel(), place.ravel()
+    frequent = int(np.argmax(np.bincount(flat, minlength=1)))
+    found = np.full(at.shape, nan)
+    if frequent:
+        found = np.asarray(np.interp(at, *_table_of(frequent, averages)))
+    others = np.flatnonzero(flat != frequent)
+    others = others[np.argsort(flat[others], kind="stable")]
+    ends = np.flatnonzero(np.diff(flat[others], append=-1)) + 1
+    for alike in np.split(others, ends[:-1]):
+        kind = int(flat[alike[0]]) if len(alike) else 0
+        found[alike] = np.interp(at[alike], *_table_of(kind, averages)) if kind else nan
+    return found.reshape(mean.shape)
 
 
 def _table_of(kind: int, averages: int) -> Table:

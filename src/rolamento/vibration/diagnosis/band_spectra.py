@@ -25,7 +25,7 @@ from rolamento.numerics import FloatArray
 from rolamento.vibration._checks import Band
 from rolamento.vibration.diagnosis.blocks import Block
 from rolamento.vibration.diagnosis.masks import shaft_places
-from rolamento.vibration.diagnosis.modulation import modulation_powers, over_angle
+from rolamento.vibration.diagnosis.modulation import fastest_line, modulation_powers, over_angle
 from rolamento.vibration.diagnosis.tones import Comb
 from rolamento.vibration.diagnosis.whitening import whitened
 from rolamento.vibration.noise_floor import HALF_WIDTH
@@ -152,10 +152,11 @@ def _add_block(sums: FloatArray, block: Block, bands: tuple[Band, ...], plan: Pl
     regular = shaft_places(plan.regular, turns, lines, uncertainty)
     slow = max(1, int(plan.slow_order * turns))
     per_hertz = len(white) / (0.5 * block.rate)
+    fastest = fastest_line(block.places, lines) + 1
     for number, (low, high) in enumerate(bands):
         carriers = white[max(1, round(low * per_hertz)) : round(high * per_hertz)]
-        # twice the lines: the squared envelope is twice as wide as the band
-        size = fft.next_fast_len(2 * len(carriers))
+        # a squared envelope is twice as wide as its band; only what is looked at must not fold
+        size = fft.next_fast_len(min(2 * len(carriers), len(carriers) + fastest))
         analytic = np.asarray(fft.ifft(carriers, size))
         squared = np.square(analytic.real) + np.square(analytic.imag)
         envelope = over_angle(squared, block.places, lines)

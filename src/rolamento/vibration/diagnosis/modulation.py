@@ -28,7 +28,7 @@ from rolamento.vibration.diagnosis.masks import Place
 from rolamento.vibration.diagnosis.whitening import even_places
 from rolamento.vibration.order_tracking import interpolated
 
-__all__ = ["modulation_powers", "over_angle"]
+__all__ = ["fastest_line", "modulation_powers", "over_angle"]
 
 ComplexArray = NDArray[np.complex128]
 
@@ -43,6 +43,13 @@ _CHANCE: Final = 0.01
 """That noise has any line which is taken for regular."""
 _SPREAD_TO: Final = 0.3
 """Of the noise: down to there the lines about a regular one are taken with it."""
+
+
+def fastest_line(places: FloatArray | None, lines: int) -> int:
+    """Highest line over time that lines over the angle are made of, where the shaft is fastest."""
+    if places is None:
+        return int(_MARGIN * lines)
+    return int(_MARGIN * lines * float(np.max(np.diff(places))) * len(places))
 
 
 def over_angle(squared: FloatArray, places: FloatArray | None, lines: int) -> FloatArray:
@@ -60,11 +67,10 @@ def over_angle(squared: FloatArray, places: FloatArray | None, lines: int) -> Fl
     size = len(squared)
     steps = fft.next_fast_len(_STEPS * lines, real=True)
     spectrum = np.asarray(fft.rfft(squared))
+    highest = min(fastest_line(places, lines), size // 2)
     if places is None:
-        return _at_steps(spectrum[: int(_MARGIN * lines)], size, steps)
+        return _at_steps(spectrum[: highest + 1], size, steps)
     samples = len(places)
-    fastest = float(np.max(np.diff(places)))
-    highest = int(min(_MARGIN * lines * fastest * samples, size // 2))
     narrow = fft.next_fast_len(max(6 * highest, 16), real=True)
     smooth = _at_steps(spectrum[: highest + 1], size, narrow)
     at = np.interp(even_places(steps), places, np.arange(samples, dtype=np.float64))

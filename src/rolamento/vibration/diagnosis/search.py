@@ -53,22 +53,29 @@ class Scores:
         self._counts = _from_zero(usable.astype(np.int64))
         self._medians = medians
         self._averages = averages
-        self._reach = reaches(np.arange(self.lines))
+        self._reach = np.broadcast_to(reaches(np.arange(self.lines)), power.shape)
+        self._rows: dict[int, tuple[FloatArray, FloatArray]] = {}
 
     def about(self, places: PlaceArray, width: int) -> tuple[FloatArray, FloatArray]:
         """Score of what lies within so many lines about each place, and whether any does.
 
         (bands, places) each; 0 and 0 where all lines are left out.
         """
-        first = np.clip(places - (width - 1) // 2, 1, self.lines)
-        last = np.clip(places + width // 2 + 1, 1, self.lines)
+        if width not in self._rows:
+            self._rows[width] = self._row(width)
+        # the lowest line is never scored: places outside count as it
+        inside = np.where((places > 0) & (places < self.lines), places, 0)
+        scores, there = self._rows[width]
+        return scores[:, inside], there[:, inside]
+
+    def _row(self, width: int) -> tuple[FloatArray, FloatArray]:
+        """Scores of so many lines about every line."""
+        lines = np.arange(self.lines)
+        first = np.clip(lines - (width - 1) // 2, 1, None)
+        last = np.clip(lines + width // 2 + 1, None, self.lines)
         counts = self._counts[:, last] - self._counts[:, first]
-        sums = self._sums[:, last] - self._sums[:, first]
-        centres = np.clip(places, 0, self.lines - 1)
-        medians = self._medians[:, centres]
-        reach = np.broadcast_to(self._reach[centres], counts.shape)
-        means = sums / np.maximum(counts, 1)
-        scores = mean_scores(means, medians, counts, reach, self._averages)
+        means = (self._sums[:, last] - self._sums[:, first]) / np.maximum(counts, 1)
+        scores = mean_scores(means, self._medians, counts, self._reach, self._averages)
         there = ~np.isnan(scores)
         scores[~there] = 0.0
         return scores, there.astype(np.float64)
