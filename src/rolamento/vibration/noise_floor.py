@@ -3,16 +3,18 @@
 A line of the spectrum of stationary noise, averaged over K independent spectra, is distributed as
 a gamma variable of shape K about the local level: exponential for K = 1; the mean of c neighbouring
 lines has the shape cK. The level is estimated by the median of the 2r + 1 lines about the place in
-question. If the c lines lie above it, it is of rank r + 1 among the M = 2r + 1 - c others, and
-noise lifts the mean of the c lines to T times the median with the probability
+question. Among the M = 2r + 1 - c others it is then of rank k, and noise lifts the mean of the c
+lines to T times the median with the probability
 
-    p(T) = ∫ Q(cK, cT x(u)) f(u) du,   x(u) = P⁻¹(K, u),   f = beta density of that rank,
+    p(T) = ∫ Q(cK, cT x(u)) f(u) du,   x(u) = P⁻¹(K, u),   f = beta density of the rank k of M,
 
 with P and Q the incomplete gamma functions. The scatter of the median is in it, and it is the same
 for any level (constant false-alarm rate by ordered statistics; Rohling, IEEE Transactions on
-Aerospace and Electronic Systems 19 (1983), 608-621). For one line and K = 1 it is the product
+Aerospace and Electronic Systems 19 (1983), 608-621). One line that lies above the median leaves it
+the rank k = r + 1 among the others, one below it k = r; of c lines half are counted as below, which
+errs toward noise where more lie above. For one line and K = 1 it is the product
 
-    p(T) = Π (M - i)/(M - i + T),   i = 0 … r.
+    p(T) = Π (M - i)/(M - i + T),   i = 0 … k - 1.
 
 The *score* is -ln p: in noise an exponential variable of mean 1, whatever the spectrum's shape,
 units, averages and the numbers of lines. The sum of n independent scores has the tail Q(n, sum).
@@ -53,7 +55,7 @@ _REACHES: Final = np.array(
 """Half widths near zero frequency; few, as each has its tables."""
 _HIGHEST_RATIO: Final = 1e9
 _NEAR: Final = 150
-_FAR: Final = 200
+_FAR: Final = 400
 _NODES: Final = 50
 _ENDS: Final = 1e-13
 """Of the distribution of the median, left out at either side."""
@@ -127,11 +129,12 @@ def mean_scores(
 
     Returns
     -------
-    The same shape; NaN where there are no lines, no level, or it is zero.
+    The same shape; NaN where there are no lines, more than the median's reach, no level, or it is
+    zero.
     """
     with np.errstate(divide="ignore", invalid="ignore"):
         place = np.log1p(np.minimum(mean / median, _HIGHEST_RATIO))
-    good = (median > 0.0) & (count > 0)
+    good = (median > 0.0) & (count > 0) & (count <= reach)
     kinds = np.where(good, np.searchsorted(_REACHES, reach) + len(_REACHES) * count, 0)
     flat, at = kinds.ravel(), place.ravel()
     frequent = int(np.argmax(np.bincount(flat, minlength=1)))
@@ -159,21 +162,18 @@ def mean_over_median(averages: int) -> float:
 
 @cache
 def _table(reach: int, count: int, averages: int) -> Table:
-    """Table of -ln p over ln(1 + T); densest about T = 1, where p falls fastest.
-
-    Lines that lie below the median are among those that make its rank.
-    """
+    """Table of -ln p over ln(1 + T); densest about T = 1, where p falls fastest."""
     width = 12.0 / np.sqrt(averages * count)
     near = np.linspace(1.0, 1.0 + width, _NEAR)
     far = np.geomspace(1.0 + width, _HIGHEST_RATIO, _FAR)[1:]
     above = np.concatenate([near, far])
     low = max(0.0, 1.0 - width)
     below = np.concatenate([np.linspace(0.0, low, 20)[:-1], np.linspace(low, 1.0, _NEAR)[:-1]])
-    others = max(2 * reach + 1 - count, reach + 1)
-    lower = max(reach + 1 - count, 1)
+    others = 2 * reach + 1 - count
+    middle = reach + 1 - count // 2
     scores = (
-        _score(below, others, lower, count, averages),
-        _score(above, others, reach + 1, count, averages),
+        _score(below, others, middle - 1 if count == 1 else middle, count, averages),
+        _score(above, others, middle, count, averages),
     )
     return np.log1p(np.concatenate([below, above])), np.concatenate(scores)
 
