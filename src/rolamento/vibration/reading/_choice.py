@@ -96,7 +96,7 @@ def _unit(
     unit = channel.unit if given is None else _given_unit(channel, given)
     of_unit = quantity_of_unit(unit)
     if quantity is None:
-        quantity = of_unit
+        quantity = of_unit if channel.quantity == "unknown" else channel.quantity
     if quantity == "unknown":
         unit_scale(quantity, unit)
         return "unknown", unit, 1.0

@@ -195,12 +195,14 @@ def _cell_error(error: ValueError, layout: CsvLayout, line: int, source: str) ->
     column = re.search(r"column (?:index )?(\d+)", text)
     given = re.search(r"string '([^']{0,40})", text)
     rule = "is not a number" if given else "has fewer columns than the first row"
-    number = int(column[1]) if column else 1
+    # NumPy counts columns from 1 and rows from 0 in the one complaint, and the reverse in the other
+    number = (int(column[1]) if column else 0) + (0 if given else 1)
+    below = (int(row[1]) if row else 0) - (0 if given or not row else 1)
     name = layout.names[number - 1] if 0 < number <= len(layout.names) else ""
     failure = FileError(
         rule,
         field=f'column {number} "{name}"' if name else f"column {number}",
-        line=line + int(row[1]) if row else line,
+        line=line + below,
         source=source,
     )
     return failure.with_details(value=given[1]) if given else failure

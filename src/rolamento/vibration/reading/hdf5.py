@@ -25,7 +25,7 @@ _SCRIPT: Final = Path(__file__).with_name("_hdf5_worker.py")
 _PIECE: Final = 1_000_000
 """Samples asked for at once."""
 _LONGEST_ANSWER: Final = 64 * 2**20
-_PATIENCE: Final = 60.0
+_PATIENCE: Final = 30.0
 """Seconds that an answer may take."""
 
 

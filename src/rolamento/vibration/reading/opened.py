@@ -126,8 +126,7 @@ class SignalFile:
         FileError
             As `read`.
         """
-        most = min(MOST_SAMPLES, max(self.length, 1))
-        size = min(checked_count(size, "size", least=1, most=2**62, example="size = 65536"), most)
+        size = checked_count(size, "size", least=1, most=MOST_SAMPLES, example="size = 65536")
         overlap = checked_count(overlap, "overlap", least=0, most=size - 1, example="overlap = 0")
         return self._blocks(size, overlap)
 

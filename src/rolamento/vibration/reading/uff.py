@@ -279,6 +279,6 @@ def _real(line: str, place: int, width: int) -> float:
 
 
 def _node(line: str) -> str:
-    """Name of the point of response: its number and direction."""
-    entity = line[31:41].strip() if len(line) > 31 else ""
-    return short_name(f"{entity} {_whole(line, 41, 10)}".strip())
+    """Name of the point of response: its entity and number."""
+    entity = line[31:41].strip()
+    return short_name(f"{entity if entity not in ('', 'NONE') else 'point'} {_whole(line, 41, 10)}")
