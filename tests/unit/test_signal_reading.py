@@ -163,11 +163,10 @@ def test_csv_without_headings_and_with_dates(tmp_path: Path) -> None:
 )
 def test_csv_that_is_wrong(tmp_path: Path, text: str, message: str) -> None:
     (tmp_path / "a.csv").write_text(text, "utf-8")
+    channel = None if "time" in text else 2
+    rate = 10.0 if channel or "fs" in text else None
     with pytest.raises(FileError, match=message):
-        channel = None if "time" in text else 2
-        read_signal(
-            tmp_path / "a.csv", channel=channel, rate=10.0 if "fs" in text or channel else None
-        )
+        read_signal(tmp_path / "a.csv", channel=channel, rate=rate)
 
 
 @pytest.mark.parametrize("order", ["C", "F"])
