@@ -1,0 +1,154 @@
+"""Signals of machines whose bearing is in order: noise, resonances, shafts, gears, modulation.
+
+Each is drawn anew from its seed: speed, resonances, tooth numbers and levels too.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from math import pi
+from typing import Any, Final
+
+import numpy as np
+
+from rolamento import Bearing
+from rolamento.vibration.diagnosis import FaultOrders
+from rolamento.vibration.frequencies import nominal_frequencies
+from rolamento.vibration.signal import Signal
+
+RATE: Final = 51_200.0
+DESIGNATIONS: Final = ("6205", "6305", "6208", "6012")
+Array = np.ndarray[Any, np.dtype[np.float64]]
+
+
+@dataclass(frozen=True, slots=True)
+class Machine:
+    """A shaft that turns, and a bearing's orders.
+
+    speed: rad/s, () or (samples,); turns: (samples,), revolutions.
+    """
+
+    orders: FaultOrders
+    speed: Array
+    turns: Array
+
+    @property
+    def frequency(self) -> float:
+        """Of the shaft; Hz."""
+        return float(np.mean(self.speed)) / (2.0 * pi)
+
+
+def machine(duration: float, random: np.random.Generator, wander: float = 0.0) -> Machine:
+    """A bearing of the catalogue at 15 to 60 revolutions a second, by chance."""
+    count = int(duration * RATE)
+    frequency = float(random.uniform(15.0, 60.0))
+    designation = DESIGNATIONS[random.integers(len(DESIGNATIONS))]
+    orders = FaultOrders.of(nominal_frequencies(Bearing.named(designation), 2 * pi * frequency))
+    if wander == 0.0:
+        speed = np.asarray(2 * pi * frequency)
+        return Machine(orders, speed, np.arange(count) * (frequency / RATE))
+    time = np.arange(count) / RATE
+    swing = sum(
+        random.uniform(-wander, wander) * np.sin(2 * pi * time / period + random.uniform(0, 7))
+        for period in (3.0, 7.0, 19.0)
+    )
+    speeds = 2 * pi * frequency * (1.0 + swing)
+    steps = 0.5 * (speeds[1:] + speeds[:-1]) / (2 * pi * RATE)
+    return Machine(orders, speeds, np.concatenate([[0.0], np.cumsum(steps)]))
+
+
+def white(shaft: Machine, random: np.random.Generator) -> Array:
+    """Noise without colour."""
+    return random.normal(size=len(shaft.turns))
+
+
+def resonances(shaft: Machine, random: np.random.Generator) -> Array:
+    """Noise that three resonances colour."""
+    count = len(shaft.turns)
+    frequency = np.fft.rfftfreq(count, 1.0 / RATE)
+    transfer = np.full(len(frequency), 0.3, dtype=np.complex128)
+    for low, high in ((800, 3000), (3000, 9000), (9000, 18_000)):
+        own, damping = random.uniform(low, high), random.uniform(0.01, 0.05)
+        gain = random.uniform(0.15, 0.9) * own**2
+        transfer += gain / (own**2 - frequency**2 + 2j * damping * own * frequency)
+    noise = np.fft.irfft(np.fft.rfft(white(shaft, random)) * transfer, count)
+    return np.asarray(noise / noise.std())
+
+
+def harmonics(shaft: Machine, random: np.random.Generator) -> Array:
+    """Of the shaft, in coloured noise."""
+    total = resonances(shaft, random)
+    for order in range(1, 8):
+        total += _tone(shaft.turns, order, 10 ** random.uniform(-1, 1) / order, random)
+    return total
+
+
+def own_gear(shaft: Machine, random: np.random.Generator) -> Array:
+    """A gear on the shaft, in coloured noise."""
+    return resonances(shaft, random) + _gear(shaft.turns, int(random.integers(17, 60)), random)
+
+
+def other_gear(shaft: Machine, random: np.random.Generator) -> Array:
+    """A gear of another shaft, which turns at a ratio of tooth numbers."""
+    teeth, own = int(random.integers(17, 60)), int(random.integers(17, 60))
+    return resonances(shaft, random) + _gear(shaft.turns * (own / teeth), teeth, random)
+
+
+def modulated(shaft: Machine, random: np.random.Generator) -> Array:
+    """Coloured noise that rises and falls with the shaft's angle, and slowly."""
+    angle = 2 * pi * shaft.turns
+    slow = 2 * pi * np.arange(len(angle)) / RATE / random.uniform(2.0, 10.0)
+    level = (
+        1.0
+        + random.uniform(0.1, 0.5) * np.cos(angle)
+        + random.uniform(0.0, 0.3) * np.cos(2 * angle + 1.0)
+        + random.uniform(0.0, 0.3) * np.cos(slow)
+    )
+    return level * resonances(shaft, random)
+
+
+def everything(shaft: Machine, random: np.random.Generator) -> Array:
+    """Modulated noise, harmonics and both gears."""
+    total = modulated(shaft, random)
+    for part in (harmonics, own_gear, other_gear):
+        total += part(shaft, random) - resonances(shaft, random)
+    return total
+
+
+KINDS: Final[dict[str, tuple[Callable[[Machine, np.random.Generator], Array], float]]] = {
+    "white noise": (white, 0.0),
+    "noise with resonances": (resonances, 0.0),
+    "shaft harmonics": (harmonics, 0.0),
+    "gear on the shaft": (own_gear, 0.0),
+    "gear on another shaft": (other_gear, 0.0),
+    "noise modulated by the shaft": (modulated, 0.0),
+    "all of these": (everything, 0.0),
+    "all of these, speed wandering": (everything, 0.03),
+}
+"""What makes them, and by which part the speed wanders."""
+
+
+def healthy(kind: str, duration: float, seed: int) -> tuple[Signal, FaultOrders]:
+    """A signal of a machine in order, and the orders of its bearing."""
+    make, wander = KINDS[kind]
+    random = np.random.default_rng([seed, list(KINDS).index(kind), round(1000 * duration)])
+    shaft = machine(duration, random, wander)
+    samples = make(shaft, random)
+    return Signal(samples, RATE, "acceleration", "m/s^2", shaft.speed, kind), shaft.orders
+
+
+def _tone(turns: Array, order: float, amplitude: float, random: np.random.Generator) -> Array:
+    return amplitude * np.sin(2 * pi * order * turns + random.uniform(0, 2 * pi))
+
+
+def _gear(turns: Array, teeth: int, random: np.random.Generator) -> Array:
+    """Meshing tones, modulated in size and phase once and twice per revolution."""
+    angle = 2 * pi * turns
+    size = 1.0 + 0.5 * np.cos(angle) + 0.3 * np.cos(2 * angle + 1.0)
+    total = np.zeros(len(turns))
+    for number in range(1, 8):
+        amplitude = 10 ** random.uniform(-0.5, 1) / number
+        phase = random.uniform(0, 2 * pi) + 0.3 * np.sin(angle)
+        total += amplitude * size * np.sin(number * teeth * angle + phase)
+    return total
