@@ -25,7 +25,12 @@ from rolamento.numerics import FloatArray
 from rolamento.vibration._checks import Band
 from rolamento.vibration.diagnosis.blocks import Block
 from rolamento.vibration.diagnosis.masks import shaft_places
-from rolamento.vibration.diagnosis.modulation import fastest_line, modulation_powers, over_angle
+from rolamento.vibration.diagnosis.modulation import (
+    fastest_line,
+    limited,
+    modulation_powers,
+    over_angle,
+)
 from rolamento.vibration.diagnosis.tones import Comb
 from rolamento.vibration.diagnosis.whitening import whitened
 from rolamento.vibration.noise_floor import HALF_WIDTH
@@ -159,7 +164,7 @@ def _add_block(sums: FloatArray, block: Block, bands: tuple[Band, ...], plan: Pl
         size = fft.next_fast_len(min(2 * len(carriers), len(carriers) + fastest))
         analytic = np.asarray(fft.ifft(carriers, size))
         squared = np.square(analytic.real) + np.square(analytic.imag)
-        envelope = over_angle(squared, block.places, lines)
+        envelope = over_angle(limited(squared), block.places, lines)
         # the sum over products of carriers, however many steps it was taken in
         scale = float(size) ** 4 / float(len(envelope)) ** 2
         plain, power = modulation_powers(envelope, slow, regular, lines)

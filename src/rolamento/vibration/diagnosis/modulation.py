@@ -28,7 +28,7 @@ from rolamento.vibration.diagnosis.masks import Place
 from rolamento.vibration.diagnosis.whitening import even_places
 from rolamento.vibration.order_tracking import interpolated
 
-__all__ = ["fastest_line", "modulation_powers", "over_angle"]
+__all__ = ["fastest_line", "limited", "modulation_powers", "over_angle"]
 
 ComplexArray = NDArray[np.complex128]
 
@@ -43,6 +43,16 @@ _CHANCE: Final = 0.01
 """That noise has any line which is taken for regular."""
 _SPREAD_TO: Final = 0.3
 """Of the noise: down to there the lines about a regular one are taken with it."""
+
+
+def limited(squared: FloatArray) -> FloatArray:
+    """A squared envelope, nowhere above what noise of its level would hardly reach.
+
+    A few great shocks would otherwise weigh more than all the rest, and a few instants always have
+    some period in common.
+    """
+    level = float(np.median(squared)) / log(2.0)
+    return np.minimum(squared, level * log(len(squared) / _CHANCE)) if level > 0.0 else squared
 
 
 def fastest_line(places: FloatArray | None, lines: int) -> int:

@@ -1,4 +1,4 @@
-"""A block's spectrum, tapered, without discrete tones, and with all lines of one size.
+"""A block's spectrum, tapered, without discrete tones, and whitened.
 
 Tones are discrete where what makes them turns steadily: over time if the shaft does, else over its
 angle. In the latter case the block is interpolated at even steps of the angle to find them, and
@@ -7,7 +7,8 @@ what they add up to is taken back to time and subtracted.
 
 from __future__ import annotations
 
-from math import ceil
+from math import ceil, log
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,12 +24,16 @@ __all__ = ["even_places", "whitened"]
 
 ComplexArray = NDArray[np.complex128]
 
-_NOTHING = 1e-14
-"""Of the greatest line: rounding."""
+_NOTHING: Final = 1e-20
+"""Of the greatest level: rounding."""
+_LARGEST: Final = log(50.0)
+"""Power of a line over the noise's, which one of fifty lines of noise exceeds."""
 
 
 def whitened(block: Block, *, remove_tones: bool, combs: list[Comb]) -> ComplexArray:
-    """Spectrum of the tapered block with lines of size 1, and 0 where there were tones.
+    """Spectrum of the tapered block over the level of its noise, and 0 where there were tones.
+
+    No line is larger than one of noise hardly ever is, so that what is left of tones weighs little.
 
     combs: of faults, whose discrete lines stay and keep their size over the noise.
     """
@@ -41,16 +46,19 @@ def whitened(block: Block, *, remove_tones: bool, combs: list[Comb]) -> ComplexA
         if remove_tones:
             tapered -= _turning_tones(samples, block.places, resolution, combs)
         spectrum = np.asarray(fft.rfft(tapered))
-    size = np.abs(spectrum)
-    white = np.zeros_like(spectrum)
-    np.divide(spectrum, size, out=white, where=size > _NOTHING * float(np.max(size)))
+    power = np.square(np.abs(spectrum))
+    level = local_level(power, resolution)
+    found = None
     if remove_tones and block.places is None:
-        level = local_level(np.square(size), resolution)
         found = discrete_lines(spectrum, level, combs)
+    # of a line without power the phase is rounding
+    level = np.maximum(level, _NOTHING * float(np.max(level)))
+    white = spectrum / np.sqrt(np.maximum(level, power / _LARGEST))
+    if found is not None:
         white[found.tones] = 0.0
         white[found.teeth] = spectrum[found.teeth] / np.sqrt(level[found.teeth])
     white[0] = 0.0
-    return white
+    return np.asarray(white)
 
 
 def even_places(count: int) -> FloatArray:
