@@ -29,6 +29,7 @@ from benchmarks import (
     start,
     sweep,
     throughput,
+    weibull,
 )
 from benchmarks.figures import Figure, Findings, has_avx512
 
@@ -50,6 +51,8 @@ class Effort:
     stress_cases: int
     stress_sample: int
     inferred: int
+    weibull_fits: int
+    weibull_sample: int
 
 
 FULL = Effort(
@@ -66,6 +69,8 @@ FULL = Effort(
     stress_cases=1000,
     stress_sample=2,
     inferred=40,
+    weibull_fits=10_000,
+    weibull_sample=20,
 )
 QUICK = Effort(
     cases=8_000,
@@ -81,6 +86,8 @@ QUICK = Effort(
     stress_cases=50,
     stress_sample=0,
     inferred=4,
+    weibull_fits=500,
+    weibull_sample=2,
 )
 
 
@@ -107,6 +114,7 @@ def steps(effort: Effort) -> list[tuple[str, Callable[[], Findings]]]:
             partial(life.measure_stress_volume, e.stress_cases, e.stress_sample, e.repeats),
         ),
         ("catalogue", partial(life.measure_catalogue, e.inferred)),
+        ("Weibull fits", partial(weibull.measure, e.weibull_fits, e.weibull_sample, e.repeats)),
         *((n, partial(robustness.measure, n, e.robust_cases)) for n in robustness.KINDS),
     ]
 
