@@ -115,7 +115,8 @@ class TestVerdicts:
 
     def test_slip_widens_the_search(self, run: Run) -> None:
         off = ("--bearing", "6205", "--speed", "1740 rpm", *KNOWN[4:], "--json")
-        assert "outer_race" not in json.loads(run("outer.npy", *off)[1])["faults"]
+        narrow = json.loads(run("outer.npy", *off)[1])["components"][0]
+        assert narrow["deviation"] is None or abs(narrow["deviation"]) <= 0.02 + 1e-9
         found = json.loads(run("outer.npy", *off, "--slip", "0.05")[1])
         assert "outer_race" in found["faults"]
         assert found["components"][0]["deviation"] == pytest.approx(1797 / 1740 - 1, abs=2e-3)
