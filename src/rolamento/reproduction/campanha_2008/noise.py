@@ -13,11 +13,11 @@ from rolamento.reproduction.campanha_2008.wear import BEARINGS, measured_of
 from rolamento.reproduction.given import RPM
 from rolamento.reproduction.record import Claim, Floats, Section, Table, TableColumn
 from rolamento.reproduction.text import Text, said, same
+from rolamento.vibration.anderon import velocity_of_anderons
 
 __all__ = ["anderon_speed", "noise_section"]
 
-_MICROINCH: Final = 0.0254
-"""µm."""
+_MICRO: Final = 1e6
 _BANDS: Final = ("L", "M", "H")
 _CLOSE: Final = 0.9
 """Correlation from which two quantities are said to rise together."""
@@ -30,14 +30,10 @@ def noise_section(title: Text) -> Section:
 
 
 def anderon_speed(band: str) -> float:
-    """Return the vibration of one anderon in a band; rms, µm/s.
-
-    An anderon is a micro-inch of radial motion for each radian of rotation, rms in the band, over
-    the root of the band's octaves.
-    """
+    """Return the vibration of one anderon in a band; rms, µm/s."""
     given = GIVEN.inputs_of("noise")
     low, high = given["bands_Hz"][band]
-    return float(_MICROINCH * given["speed_rpm"] * RPM * np.sqrt(np.log2(high / low)))
+    return _MICRO * velocity_of_anderons(1.0, (low, high), given["speed_rpm"] * RPM)
 
 
 # --- table 4.1.3 ------------------------------------------------------------
