@@ -5,6 +5,7 @@ what a file holds. `formats` finds the reader of a file; there is one module for
 """
 
 from rolamento.vibration.reading._channel import Channel
+from rolamento.vibration.reading._units import checked_unit
 from rolamento.vibration.reading.opened import SignalFile, channels_of, open_signal, read_signal
 
-__all__ = ["Channel", "SignalFile", "channels_of", "open_signal", "read_signal"]
+__all__ = ["Channel", "SignalFile", "channels_of", "checked_unit", "open_signal", "read_signal"]

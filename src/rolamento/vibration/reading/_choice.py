@@ -9,8 +9,9 @@ import numpy as np
 from rolamento.errors import InputError, nearest
 from rolamento.vibration._checks import checked_number
 from rolamento.vibration.reading._channel import Channel
-from rolamento.vibration.reading._metadata import plain_unit, quantity_of_unit
+from rolamento.vibration.reading._scale import checked_scale
 from rolamento.vibration.reading._timeline import agreed_rate
+from rolamento.vibration.reading._units import checked_unit, is_raw, is_unit, quantity_of_unit
 from rolamento.vibration.signal import SI_UNITS, Quantity, unit_scale
 
 __all__ = ["Meaning", "chosen_channel"]
@@ -20,7 +21,19 @@ _MOST_LISTED: Final = 12
 
 
 class Meaning:
-    """Rate, quantity and unit of the signals of a channel, and the scale of its samples."""
+    """Rate, quantity and unit of the signals of a channel, and the scale of its samples.
+
+    Attributes
+    ----------
+    rate
+        Hz
+    quantity, unit
+        of the signals: SI, unless the quantity is unknown
+    scale
+        by which samples of the file are multiplied
+    notes
+        that say so, or that the samples are not calibrated
+    """
 
     def __init__(
         self,
@@ -28,10 +41,19 @@ class Meaning:
         rate: float | None,
         unit: str | None,
         quantity: Quantity | None,
+        scale: float | str | None,
         source: str,
     ) -> None:
         self.rate = _rate(channel, rate, source)
-        self.quantity, self.unit, self.scale = _unit(channel, unit, quantity)
+        before = channel.unit if unit is None else _given_unit(channel, unit)
+        if scale is None:
+            self.quantity, self.unit, self.scale = _unit(channel, before, quantity)
+        else:
+            if quantity is None and channel.quantity != "unknown":
+                quantity = channel.quantity
+            self.scale, self.quantity = checked_scale(scale, before, quantity)
+            self.unit = SI_UNITS[self.quantity]
+        self.notes = _notes(before, None if scale is None else self.scale, self.unit)
 
 
 def chosen_channel(channels: tuple[Channel, ...], wanted: Any) -> int:
@@ -89,14 +111,12 @@ def _rate(channel: Channel, given: float | None, source: str) -> float:
     )
 
 
-def _unit(
-    channel: Channel, given: str | None, quantity: Quantity | None
-) -> tuple[Quantity, str, float]:
-    """Quantity, unit and scale of the signal, by the file and by the user."""
-    unit = channel.unit if given is None else _given_unit(channel, given)
+def _unit(channel: Channel, unit: str, quantity: Quantity | None) -> tuple[Quantity, str, float]:
+    """Quantity, unit and scale of the signal, by the unit of its samples."""
     of_unit = quantity_of_unit(unit)
     if quantity is None:
-        quantity = of_unit if channel.quantity == "unknown" else channel.quantity
+        of_file = "unknown" if is_raw(unit) else channel.quantity
+        quantity = of_unit if of_file == "unknown" else of_file
     if quantity == "unknown":
         unit_scale(quantity, unit)
         return "unknown", unit, 1.0
@@ -109,13 +129,24 @@ def _unit(
     return quantity, SI_UNITS.get(quantity, unit), unit_scale(quantity, unit)
 
 
+def _notes(before: str, scale: float | None, unit: str) -> tuple[str, ...]:
+    """What was done to the samples that is not plain from their unit."""
+    if scale is not None:
+        return (f"samples{f' in {before}' if before else ''} are multiplied by {scale:.6g} {unit}",)
+    if is_raw(before):
+        return (f"samples in {before} are not calibrated: no sensitivity was given",)
+    return ()
+
+
 def _given_unit(channel: Channel, given: Any) -> str:
-    if not isinstance(given, str):
-        raise InputError("must be text", field="unit", value=given, example='unit="g"')
-    unit = plain_unit(given)
-    if channel.unit not in ("", "1", unit):
+    """Unit by the user; a unit that the file gives holds against it if it is known to be one."""
+    unit = checked_unit(given)
+    if channel.unit not in ("1", unit) and is_unit(channel.unit):
+        instead = (
+            'leave it out, and give scale="100 mV/g"' if is_raw(channel.unit) else "leave it out"
+        )
         raise InputError(
-            f'contradicts the file, which says "{channel.unit}"; leave it out',
+            f'contradicts the file, which says "{channel.unit}"; {instead}',
             field="unit",
             value=given,
         )

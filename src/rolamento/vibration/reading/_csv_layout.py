@@ -10,7 +10,8 @@ from typing import Final
 
 from rolamento.errors import FileError
 from rolamento.vibration.reading._limits import MOST_CHANNELS
-from rolamento.vibration.reading._metadata import label_parts, plain_unit, short_name, time_scale
+from rolamento.vibration.reading._metadata import label_parts, short_name, time_scale
+from rolamento.vibration.reading._units import plain_unit
 
 __all__ = ["CsvLayout", "layout_of"]
 
@@ -82,6 +83,8 @@ def layout_of(head: bytes, source: str) -> CsvLayout:
     if separator == "," and above and all(len(_cells(line, ",")) == 1 for line in above[-1:]):
         separator = ";"  # one heading over "0,25": a decimal comma
         cells = _cells(lines[number], separator)
+    if len(cells) == 1:
+        separator = ";"  # blanks in the heading of one column separate nothing
     if len(cells) > MOST_CHANNELS:
         rule = f"must be at most {MOST_CHANNELS}"
         raise FileError(rule, field="number of columns", value=len(cells), source=source)

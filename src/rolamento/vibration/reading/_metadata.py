@@ -1,4 +1,4 @@
-"""What files call sampling rates, speeds, time and units."""
+"""What files call sampling rates, speeds and time, and where they write units."""
 
 from __future__ import annotations
 
@@ -7,14 +7,12 @@ from collections.abc import Mapping
 from math import isfinite, pi
 from typing import Final
 
-from rolamento.vibration.reading._limits import LONGEST_NAME, LONGEST_UNIT
-from rolamento.vibration.signal import Quantity, unit_scale
+from rolamento.vibration.reading._limits import LONGEST_NAME
+from rolamento.vibration.reading._units import is_unit, plain_unit, spelled
 
 __all__ = [
     "label_parts",
-    "plain_unit",
     "positive",
-    "quantity_of_unit",
     "rate_among",
     "short_name",
     "speed_among",
@@ -45,58 +43,7 @@ _TIME_UNITS: Final = {
     "ns": 1e-9,
     "min": 60.0,
 }
-_OTHER_UNITS: Final = (
-    *("1", "V", "mV", "uV", "A", "mA", "N", "kN", "Pa", "kPa", "bar", "dB", "Hz", "rpm", "rad/s"),
-    *("degC", "°C", "K", "%"),
-)
-
-_ALIASES: Final = {
-    "m/s/s": "m/s^2",
-    "m/s2": "m/s^2",
-    "ms-2": "m/s^2",
-    "ms^-2": "m/s^2",
-    "m*s^-2": "m/s^2",
-    "mm/s2": "mm/s^2",
-    "mm/s/s": "mm/s^2",
-    "gn": "g",
-    "g_n": "g",
-    "g0": "g",
-    "gs": "g",
-    "g's": "g",
-    "G": "g",
-    "Gs": "g",
-    "micron": "um",
-    "microns": "um",
-    "mils": "mil",
-    "ips": "in/s",
-    "inch": "in",
-    "inch/s": "in/s",
-}
-_SPELLINGS: Final = str.maketrans({"µ": "u", "μ": "u", "²": "^2", "⁻": "-", "·": "*", "⋅": "*"})
-_KNOWN: Final[dict[str, Quantity]] = {
-    **dict.fromkeys(("m/s^2", "mm/s^2", "g", "mg"), "acceleration"),
-    **dict.fromkeys(("m/s", "mm/s", "um/s", "in/s"), "velocity"),
-    **dict.fromkeys(("m", "mm", "um", "nm", "in", "mil"), "displacement"),
-}
-for _unit, _quantity in _KNOWN.items():
-    unit_scale(_quantity, _unit)  # each is a unit that a signal can have
-
 _BRACKETED: Final = re.compile(r"([^()\[\]{}]*)(?:\[([^\[\]]*)\]|\(([^()]*)\))\s*")
-
-
-def plain_unit(text: str) -> str:
-    """Return a unit as signals write it: ``"m/s²"`` as ``"m/s^2"``, ``"µm"`` as ``"um"``."""
-    plain = text.strip().replace("**", "^").translate(_SPELLINGS).replace(" ", "")
-    for candidate in (plain, plain.lower() if plain.isupper() else plain):
-        unit = _ALIASES.get(candidate, candidate)
-        if unit in _KNOWN:
-            return unit
-    return text.strip()[:LONGEST_UNIT]
-
-
-def quantity_of_unit(unit: str) -> Quantity:
-    """Return the quantity that a unit belongs to."""
-    return _KNOWN.get(unit, "unknown")
 
 
 def label_parts(label: str) -> tuple[str, str]:
@@ -107,7 +54,7 @@ def label_parts(label: str) -> tuple[str, str]:
     match = _BRACKETED.fullmatch(label[: 2 * LONGEST_NAME])
     if match:
         unit = plain_unit(match[2] if match[2] is not None else match[3])
-        if match[2] is not None or unit in _KNOWN or unit in _OTHER_UNITS or unit in _TIME_UNITS:
+        if match[2] is not None or is_unit(unit) or unit in _TIME_UNITS:
             return short_name(match[1]), unit
     return short_name(label), ""
 
@@ -120,9 +67,9 @@ def short_name(name: str) -> str:
 
 def time_scale(name: str, unit: str) -> float | None:
     """Seconds in one unit of a column, if it is one of times; None if it is not."""
-    spelled = unit.translate(_SPELLINGS).lower()
-    if _folded(name) in _TIME and (not unit or spelled in _TIME_UNITS):
-        return _TIME_UNITS.get(spelled, 1.0)
+    plain = spelled(unit).lower()
+    if _folded(name) in _TIME and (not unit or plain in _TIME_UNITS):
+        return _TIME_UNITS.get(plain, 1.0)
     return None
 
 

@@ -11,12 +11,12 @@ from rolamento.errors import FileError
 from rolamento.vibration.reading._channel import Channel
 from rolamento.vibration.reading._metadata import (
     positive,
-    quantity_of_unit,
     rate_among,
     short_name,
     speed_among,
     unit_among,
 )
+from rolamento.vibration.reading._units import quantity_of_unit
 
 __all__ = ["MOST_VARIABLES", "Column", "Variable", "check_shape", "columns_of"]
 

@@ -16,8 +16,9 @@ from rolamento.numerics import FloatArray
 from rolamento.vibration.reading._channel import Channel, Source, checked_channels
 from rolamento.vibration.reading._csv_layout import CsvLayout, layout_of
 from rolamento.vibration.reading._limits import file_size, guarded, opened
-from rolamento.vibration.reading._metadata import quantity_of_unit, rate_among, speed_among
+from rolamento.vibration.reading._metadata import rate_among, speed_among
 from rolamento.vibration.reading._timeline import Timeline, agreed_rate
+from rolamento.vibration.reading._units import quantity_of_unit
 
 __all__ = ["CsvSource"]
 

@@ -57,10 +57,15 @@ class SignalFile:
         self.quantity: Quantity = meaning.quantity
         self.unit = meaning.unit
         self.speed = self.channel.speed
-        self.notes = source.notes
+        self.notes = (*source.notes, *meaning.notes)
         self._source = source
         self._number = number
         self._scale = meaning.scale
+
+    @property
+    def calibrated(self) -> bool:
+        """Whether the size of the samples means something: they are in m/s², m/s or m."""
+        return self.quantity != "unknown"
 
     @property
     def duration(self) -> float:
@@ -160,6 +165,7 @@ def open_signal(
     rate: float | None = None,
     unit: str | None = None,
     quantity: Quantity | None = None,
+    scale: float | str | None = None,
     start: float = 0.0,
     duration: float | None = None,
 ) -> SignalFile:
@@ -174,9 +180,14 @@ def open_signal(
     rate
         sampling rate, Hz; needed if the file does not say
     unit
-        of the samples in the file, such as "g", "m/s^2", "mm/s" or "um"
+        of the samples in the file, such as "g", "m/s^2", "mm/s" or "um"; or "V", "mV", "uV",
+        "counts" and "1" before calibration
     quantity
         acceleration, velocity, displacement or unknown; by default that of the unit
+    scale
+        sensitivity of the sensor, such as "100 mV/g", "3276.8 counts/g" or "0.5 g/V"; or what one
+        unit of the samples is worth, as text, "10 g", or as a number of SI units: m/s², unless the
+        quantity is another
     start
         of the part that is wanted, from the beginning of the file; s
     duration
@@ -187,8 +198,8 @@ def open_signal(
     FileError
         If the file cannot be read.
     InputError
-        If there is no such channel or several to choose from, the rate is not known, or what is
-        given contradicts the file, or the part does not lie within it.
+        If there is no such channel or several to choose from, the rate is not known, unit or scale
+        is none, or what is given contradicts the file, or the part does not lie within it.
     """
     source = open_source(path)
     name = os.fspath(path)
@@ -198,7 +209,7 @@ def open_signal(
             chosen = source.channels[number]
             if chosen.length == 0:
                 raise FileError("holds no samples in this channel", field=chosen.name)
-            meaning = Meaning(chosen, rate, unit, quantity, str(name))
+            meaning = Meaning(chosen, rate, unit, quantity, scale, str(name))
             part = _part(chosen.length, meaning.rate, start, duration)
             return SignalFile(Path(name), source, number, meaning, part)
     except BaseException:
@@ -213,6 +224,7 @@ def read_signal(
     rate: float | None = None,
     unit: str | None = None,
     quantity: Quantity | None = None,
+    scale: float | str | None = None,
     start: float = 0.0,
     duration: float | None = None,
 ) -> Signal:
@@ -220,7 +232,7 @@ def read_signal(
 
     Parameters
     ----------
-    path, channel, rate, unit, quantity, start, duration
+    path, channel, rate, unit, quantity, scale, start, duration
         As `open_signal`.
 
     Raises
@@ -237,6 +249,7 @@ def read_signal(
         rate=rate,
         unit=unit,
         quantity=quantity,
+        scale=scale,
         start=start,
         duration=duration,
     ) as file:

@@ -16,13 +16,13 @@ from rolamento.vibration.reading._channel import Channel, Source, checked_channe
 from rolamento.vibration.reading._limits import MOST_CHANNELS, file_size, guarded
 from rolamento.vibration.reading._metadata import (
     label_parts,
-    quantity_of_unit,
     rate_among,
     speed_among,
     time_scale,
     unit_among,
 )
 from rolamento.vibration.reading._timeline import Timeline, agreed_rate
+from rolamento.vibration.reading._units import quantity_of_unit
 
 __all__ = ["ParquetSource"]
 

@@ -18,13 +18,9 @@ from rolamento.errors import FileError
 from rolamento.numerics import FloatArray
 from rolamento.vibration.reading._channel import Channel, Source, checked_channels
 from rolamento.vibration.reading._limits import check_size, file_size, guarded
-from rolamento.vibration.reading._metadata import (
-    plain_unit,
-    positive,
-    quantity_of_unit,
-    short_name,
-)
+from rolamento.vibration.reading._metadata import positive, short_name
 from rolamento.vibration.reading._timeline import Timeline
+from rolamento.vibration.reading._units import plain_unit, quantity_of_unit
 from rolamento.vibration.signal import SI_UNITS, Quantity
 
 __all__ = ["UffSource"]
