@@ -18,6 +18,7 @@ from rolamento.verification import (
     makers,
     makers_life,
     radaelli_2013,
+    rigs,
 )
 from rolamento.verification.check import VERDICTS, Check, Verdict
 from rolamento.verification.published import published
@@ -101,6 +102,7 @@ def sources() -> tuple[Source, ...]:
         campanha_2008,
         radaelli_2013,
         case_western,
+        rigs,
         makers,
         makers_life,
     )
