@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from types import MappingProxyType
 from typing import Self
 
 from rolamento.errors import FileError
@@ -52,14 +53,30 @@ class Source(ABC):
         that the file holds, in its order
     notes
         what a person should know of how the samples were taken from the file
+    numbers
+        single ones that the file gives by name
     """
 
     channels: tuple[Channel, ...]
     notes: tuple[str, ...] = ()
+    numbers: Mapping[str, float] = MappingProxyType({})
 
     @abstractmethod
-    def read(self, channel: int, start: int, count: int) -> FloatArray:
-        """Return `count` samples of a channel from `start` on, which lie within its length."""
+    def read(self, channels: Sequence[int], start: int, count: int) -> FloatArray:
+        """Return samples of some channels, which are of one length and differ.
+
+        Parameters
+        ----------
+        channels
+            their numbers, counted from 0
+        start, count
+            first sample and number of samples, which lie within the length
+
+        Returns
+        -------
+        FloatArray
+            (channels, samples)
+        """
 
     def close(self) -> None:  # noqa: B027 - what is held whole has nothing to close
         """Let go of the file."""

@@ -25,6 +25,8 @@ import numpy as np
 _MOST_OBJECTS: Final = 10_000
 _DEEPEST: Final = 10
 _LARGEST_CHUNK: Final = 256 * 2**20
+_MOST_HELD: Final = 3
+"""Chunks kept, one a data set: of samples, speed and time."""
 _MOST_MEMORY: Final = 3 * 2**30
 _LONGEST_TEXT: Final = 200
 _MOST_ATTRIBUTES: Final = 100
@@ -40,7 +42,7 @@ class _Worker:
     def __init__(self, path: str) -> None:
         self._file = h5py.File(path, "r")
         self._sets: list[Any] = []
-        self._held: tuple[int, tuple[int, ...], Any] = (-1, (), None)
+        self._held: dict[int, tuple[tuple[int, ...], Any]] = {}
 
     def variables(self) -> dict[str, Any]:
         """All arrays of real numbers."""
@@ -105,8 +107,8 @@ class _Worker:
         return np.concatenate(parts)
 
     def _chunk(self, variable: int, corner: tuple[int, ...]) -> Any:
-        if self._held[:2] == (variable, corner):
-            return self._held[2]
+        if variable in self._held and self._held[variable][0] == corner:
+            return self._held[variable][1]
         data = self._sets[variable]
         size = math.prod(data.chunks) * data.dtype.itemsize
         stored = data.id.get_chunk_info_by_coord(corner)
@@ -118,7 +120,10 @@ class _Worker:
             mask, content = data.id.read_direct_chunk(corner)
             content = _unfiltered(data, bytes(content), mask, size)
             chunk = np.frombuffer(content, data.dtype).reshape(data.chunks)
-        self._held = (variable, corner, chunk)
+        self._held.pop(variable, None)
+        if len(self._held) == _MOST_HELD:
+            del self._held[next(iter(self._held))]
+        self._held[variable] = (corner, chunk)
         return chunk
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, BinaryIO, Final
 
@@ -45,14 +45,19 @@ class RawSamples:
     decode: Callable[[bytes], NDArray[Any]]
     source: str
 
-    def read(self, column: int, start: int, count: int) -> FloatArray:
-        """Return samples of one channel, in pieces: memory is taken for that channel only."""
+    def read(self, columns: Sequence[int], start: int, count: int) -> FloatArray:
+        """Return samples of some channels, in pieces: memory is taken for those channels only.
+
+        The shape is (columns, samples).
+        """
         frame = self.item_size * self.width
         at_once = max(1, _PIECE // frame)
-        samples = np.empty(count)
+        samples = np.empty((len(columns), count))
         for first in range(0, count, at_once):
             number = min(at_once, count - first)
             self.file.seek(self.offset + (start + first) * frame)
             content = exactly(self.file, number * frame, self.source)
-            samples[first : first + number] = self.decode(content)[column :: self.width]
+            frames = self.decode(content)
+            for row, column in zip(samples, columns, strict=True):
+                row[first : first + number] = frames[column :: self.width]
         return samples

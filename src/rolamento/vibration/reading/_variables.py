@@ -5,20 +5,22 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from math import pi, prod
-from typing import Final
+from typing import Final, NamedTuple
 
 from rolamento.errors import FileError
 from rolamento.vibration.reading._channel import Channel
 from rolamento.vibration.reading._metadata import (
+    label_parts,
     positive,
     rate_among,
     short_name,
     speed_among,
+    time_scale,
     unit_among,
 )
 from rolamento.vibration.reading._units import quantity_of_unit
 
-__all__ = ["MOST_VARIABLES", "Column", "Variable", "check_shape", "columns_of"]
+__all__ = ["MOST_VARIABLES", "Column", "Place", "Times", "Variable", "check_shape", "columns_of"]
 
 MOST_VARIABLES: Final = 10_000
 _MOST_COLUMNS: Final = 64
@@ -48,48 +50,71 @@ class Variable:
     texts: Mapping[str, str] = field(default_factory=dict)
 
 
-@dataclass(frozen=True, slots=True)
-class Column:
-    """Where the samples of a channel lie.
+class Place(NamedTuple):
+    """A row or column of a variable.
 
     Attributes
     ----------
-    channel
-        what is known of it
     variable
-        number of the variable
-    place
+        its number
+    row
         number of the row or column of a matrix
     axis
         along which the samples run
     """
 
-    channel: Channel
     variable: int
-    place: int
+    row: int
     axis: int
+
+
+class Times(NamedTuple):
+    """An array of times.
+
+    Attributes
+    ----------
+    place
+        where it lies
+    scale
+        seconds in its unit
+    """
+
+    place: Place
+    scale: float
+
+
+@dataclass(frozen=True, slots=True)
+class Column:
+    """A channel and where its samples lie, and their times if the file has them."""
+
+    channel: Channel
+    place: Place
+    times: Times | None
 
 
 def columns_of(variables: Sequence[Variable]) -> Iterator[Column]:
     """Channels among the variables: rows, columns, and matrices much longer than wide.
 
     Single numbers are read by their name: a sampling rate of all channels in the same group or
-    structure, or a speed such as `X097RPM` of the channels that begin with `X097`.
+    structure, or a speed such as `X097RPM` of the channels that begin with `X097`. An array of
+    times beside channels of its length is none itself.
     """
     singles = {v.name: v.value for v in variables if v.value is not None}
     # what stands at the top, and the number of a group, are looked up for each channel
     groups = {_group(name) for name in singles} | {_group(v.name) for v in variables}
     rates = {group: rate_among(_within(singles, group)) for group in groups}
     speeds = _Speeds(singles)
-    for number, variable in enumerate(variables):
-        layout = _layout(variable.shape)
-        if layout is None:
+    layouts = [_layout(variable.shape) for variable in variables]
+    times = _times_of(variables, layouts)
+    stamps = {found.place.variable for found in times.values()}
+    for number, (variable, layout) in enumerate(zip(variables, layouts, strict=True)):
+        if layout is None or number in stamps:
             continue
         axis, columns = layout
         group = _group(variable.name)
         unit = unit_among(variable.texts)
-        for place in range(columns):
-            name = short_name(variable.name) + (f"[{place + 1}]" if columns > 1 else "")
+        for row in range(columns):
+            name = short_name(variable.name) + (f"[{row + 1}]" if columns > 1 else "")
             channel = Channel(
                 name,
                 variable.shape[axis],
@@ -98,7 +123,7 @@ def columns_of(variables: Sequence[Variable]) -> Iterator[Column]:
                 quantity_of_unit(unit),
                 _first(speed_among(variable.numbers), speeds.of(variable.name)),
             )
-            yield Column(channel, number, place, axis)
+            yield Column(channel, Place(number, row, axis), times.get(number))
 
 
 def check_shape(shape: Sequence[int], item_size: int, size: int, source: str) -> None:
@@ -114,6 +139,38 @@ def check_shape(shape: Sequence[int], item_size: int, size: int, source: str) ->
             f"is cut off or damaged: an array of the shape {tuple(shape)} does not fit into it",
             source=source,
         )
+
+
+def _times_of(
+    variables: Sequence[Variable], layouts: Sequence[tuple[int, int] | None]
+) -> dict[int, Times]:
+    """Times of the variables that have them, by number: of the same group, or from the top."""
+    lengths = [
+        0 if layout is None else variables[n].shape[layout[0]] for n, layout in enumerate(layouts)
+    ]
+    stamps: dict[tuple[str, int], Times] = {}
+    named: set[int] = set()
+    for number, (variable, layout) in enumerate(zip(variables, layouts, strict=True)):
+        scale = _scale_of_times(variable)
+        if scale is not None and layout is not None and layout[1] == 1:
+            named.add(number)
+            place = Place(number, 0, layout[0])
+            stamps.setdefault((_group(variable.name), lengths[number]), Times(place, scale))
+    found = {}
+    for number, variable in enumerate(variables):
+        if number not in named and lengths[number]:
+            keys = [(group, lengths[number]) for group in (_group(variable.name), "")]
+            times = next((stamps[key] for key in keys if key in stamps), None)
+            if times is not None:
+                found[number] = times
+    return found
+
+
+def _scale_of_times(variable: Variable) -> float | None:
+    """Seconds in the unit of a variable, if its name is that of times."""
+    cut = len(_group(variable.name))
+    name, unit = label_parts(variable.name[cut:].lstrip("./"))
+    return time_scale(name, unit_among(variable.texts) or unit)
 
 
 class _Speeds:

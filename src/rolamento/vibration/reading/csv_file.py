@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import re
 from bisect import bisect_right
+from collections.abc import Sequence
 from itertools import islice
 from pathlib import Path
 from typing import BinaryIO, Final
@@ -48,27 +49,28 @@ class CsvSource(Source):
                 self._layout = layout_of(_head(self._file, size, self._source), self._source)
                 self._rows = _Rows(self._file, self._layout.offset, self._source)
                 self._timeline = self._times()
-                self._numbers = self._numbers_of_channels()
-                channels = [self._channel(number) for number in self._numbers]
+                self._columns = self._columns_of_channels()
+                self.numbers = self._layout.numbers
+                channels = [self._channel(number) for number in self._columns]
             self.channels = checked_channels(channels, self._source, "table")
         except BaseException:
             self._file.close()
             raise
 
-    def read(self, channel: int, start: int, count: int) -> FloatArray:
-        """Return samples of a channel; the times beside them are checked."""
-        columns = [self._numbers[channel]]
+    def read(self, channels: Sequence[int], start: int, count: int) -> FloatArray:
+        """Return samples of some channels; the times beside them are checked."""
+        columns = [self._columns[channel] for channel in channels]
         if self._timeline is not None:
             columns.append(self._timeline[0])
-        samples = np.empty(count)
+        samples = np.empty((len(channels), count))
         step = min(_MOST_AT_ONCE, max(1, _PIECE // self._rows.longest))
         for first in range(0, count, step):
             number = min(step, count - first)
             with guarded(self._source, "table"):
                 block = self._block(start + first, number, columns)
             if self._timeline is not None:
-                self._timeline[1].check(block[:, 1], start + first, self._source)
-            samples[first : first + number] = block[:, 0]
+                self._timeline[1].check(block[:, -1], start + first, self._source)
+            samples[:, first : first + number] = block.T[: len(channels)]
         return samples
 
     def close(self) -> None:
@@ -84,7 +86,7 @@ class CsvSource(Source):
         first, last = (self._block(row, 1, [column])[0, 0] for row in (0, count - 1))
         return column, Timeline.between(float(first), float(last), count, scale, self._source)
 
-    def _numbers_of_channels(self) -> list[int]:
+    def _columns_of_channels(self) -> list[int]:
         time = None if self._timeline is None else self._timeline[0]
         columns = range(len(self._layout.names))
         return [n for n in columns if n != time and not self._layout.dates[n]]

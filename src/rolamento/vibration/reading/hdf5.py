@@ -15,9 +15,9 @@ import numpy as np
 
 from rolamento.errors import FileError
 from rolamento.numerics import FloatArray
-from rolamento.vibration.reading._channel import Source, checked_channels
+from rolamento.vibration.reading._arrays import ArraysSource
 from rolamento.vibration.reading._limits import exactly, file_size, guarded, opened
-from rolamento.vibration.reading._variables import Variable, columns_of
+from rolamento.vibration.reading._variables import Place, Variable
 
 __all__ = ["Hdf5Source"]
 
@@ -29,7 +29,7 @@ _PATIENCE: Final = 30.0
 """Seconds that an answer may take."""
 
 
-class Hdf5Source(Source):
+class Hdf5Source(ArraysSource):
     """An open HDF5 file.
 
     Data sets of one dimension, and of two much unequal ones, are channels. Attributes of a data
@@ -45,23 +45,19 @@ class Hdf5Source(Source):
             with guarded(self._source, "HDF5 file"):
                 answer = self._child.ask({})
                 variables = [_variable(found) for found in answer["variables"]]
-                self._columns = list(columns_of(variables))
-            channels = [column.channel for column in self._columns]
-            self.channels = checked_channels(channels, self._source, "HDF5 file")
+                self._take(variables, self._source, "HDF5 file")
         except BaseException:
             self.close()
             raise
 
-    def read(self, channel: int, start: int, count: int) -> FloatArray:
-        """Return samples of a channel."""
-        column = self._columns[channel]
+    def _samples(self, place: Place, start: int, count: int) -> FloatArray:
         samples = np.empty(count)
         for first in range(0, count, _PIECE):
             number = min(_PIECE, count - first)
             question = {
-                "variable": column.variable,
-                "axis": column.axis,
-                "place": column.place,
+                "variable": place.variable,
+                "axis": place.axis,
+                "place": place.row,
                 "start": start + first,
                 "count": number,
             }

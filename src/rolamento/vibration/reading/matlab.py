@@ -20,7 +20,7 @@ import numpy as np
 
 from rolamento.errors import FileError
 from rolamento.numerics import FloatArray
-from rolamento.vibration.reading._channel import Source, checked_channels
+from rolamento.vibration.reading._arrays import ArraysSource
 from rolamento.vibration.reading._limits import (
     LARGEST_WHOLE_FILE,
     check_size,
@@ -29,9 +29,9 @@ from rolamento.vibration.reading._limits import (
 )
 from rolamento.vibration.reading._variables import (
     MOST_VARIABLES,
+    Place,
     Variable,
     check_shape,
-    columns_of,
 )
 
 __all__ = ["MatlabSource"]
@@ -63,7 +63,7 @@ class _Numbers:
     content: memoryview
 
 
-class MatlabSource(Source):
+class MatlabSource(ArraysSource):
     """A MATLAB file of version 5 to 7, held whole."""
 
     def __init__(self, path: Path) -> None:
@@ -72,16 +72,12 @@ class MatlabSource(Source):
         with guarded(source, "MATLAB file"):
             content = path.read_bytes()
             self._arrays = list(_Reader(content, source).variables())
-        self._columns = list(columns_of([_variable(array) for array in self._arrays]))
-        channels = [column.channel for column in self._columns]
-        self.channels = checked_channels(channels, source, "MATLAB file")
+        self._take([_variable(array) for array in self._arrays], source, "MATLAB file")
 
-    def read(self, channel: int, start: int, count: int) -> FloatArray:
-        """Return samples of a channel."""
-        column = self._columns[channel]
-        array = self._arrays[column.variable]
+    def _samples(self, place: Place, start: int, count: int) -> FloatArray:
+        array = self._arrays[place.variable]
         numbers = np.frombuffer(array.content, array.dtype).reshape(array.shape, order="F")
-        row = np.moveaxis(numbers, column.axis, 0)[:, column.place]
+        row = np.moveaxis(numbers, place.axis, 0)[:, place.row]
         return row[start : start + count].astype(np.float64)
 
     def close(self) -> None:

@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 import struct
 import zipfile
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, BinaryIO, Final, cast
 
@@ -16,6 +17,7 @@ import numpy as np
 
 from rolamento.errors import FileError
 from rolamento.numerics import FloatArray
+from rolamento.vibration.reading._arrays import ArraysSource
 from rolamento.vibration.reading._channel import Source, checked_channels
 from rolamento.vibration.reading._limits import (
     LARGEST_WHOLE_FILE,
@@ -28,6 +30,7 @@ from rolamento.vibration.reading._limits import (
 from rolamento.vibration.reading._raw import RawSamples
 from rolamento.vibration.reading._variables import (
     MOST_VARIABLES,
+    Place,
     Variable,
     check_shape,
     columns_of,
@@ -90,31 +93,38 @@ class NpySource(Source):
             self._file.close()
             raise
 
-    def read(self, channel: int, start: int, count: int) -> FloatArray:
-        """Return samples of a channel."""
-        column, array = self._columns[channel], self._array
-        width = array.shape[1 - column.axis] if len(array.shape) == 2 else 1
-        side_by_side = (column.axis == 0) != array.fortran
-        offset, place = array.offset, column.place
-        if not side_by_side:  # one channel after the other
-            offset += place * column.channel.length * array.dtype.itemsize
-            width, place = 1, 0
-        raw = RawSamples(
+    def read(self, channels: Sequence[int], start: int, count: int) -> FloatArray:
+        """Return samples of some channels."""
+        array = self._array
+        axis = self._columns[0].place.axis
+        rows = [self._columns[channel].place.row for channel in channels]
+        if (axis == 0) != array.fortran:  # side by side
+            width = array.shape[1 - axis] if len(array.shape) == 2 else 1
+            return self._raw(0, width).read(rows, start, count)
+        # one channel after the other
+        return np.concatenate(
+            [self._raw(row * array.shape[axis], 1).read([0], start, count) for row in rows]
+        )
+
+    def _raw(self, first: int, width: int) -> RawSamples:
+        """Samples of so many channels side by side, from a number of the array on."""
+        dtype = self._array.dtype
+        offset = self._array.offset + first * dtype.itemsize
+        return RawSamples(
             self._file,
             offset,
-            array.dtype.itemsize,
+            dtype.itemsize,
             width,
-            lambda content: np.frombuffer(content, array.dtype),
+            lambda content: np.frombuffer(content, dtype),
             self._source,
         )
-        return raw.read(place, start, count)
 
     def close(self) -> None:
         """Let go of the file."""
         self._file.close()
 
 
-class NpzSource(Source):
+class NpzSource(ArraysSource):
     """An open .npz file; what it inflates to is bounded as a file read whole is."""
 
     def __init__(self, path: Path) -> None:
@@ -127,21 +137,18 @@ class NpzSource(Source):
             with guarded(self._source, "NumPy archive"):
                 self._members = [m for m in self._listed() if m.filename.endswith(".npy")]
                 variables = [self._variable(member) for member in self._members]
-            self._columns = list(columns_of(variables))
-            channels = [column.channel for column in self._columns]
-            self.channels = checked_channels(channels, self._source, "NumPy archive")
+                self._take(variables, self._source, "NumPy archive")
         except BaseException:
             self._zip.close()
             raise
 
-    def read(self, channel: int, start: int, count: int) -> FloatArray:
-        """Return samples of a channel."""
-        column = self._columns[channel]
-        if column.variable not in self._held:
+    def _samples(self, place: Place, start: int, count: int) -> FloatArray:
+        # all members together inflate to no more than a file that is read whole
+        if place.variable not in self._held:
             with guarded(self._source, "NumPy archive"):
-                self._held = {column.variable: self._inflated(self._members[column.variable])}
-        array = self._held[column.variable]
-        row = array if array.ndim == 1 else np.moveaxis(array, column.axis, 0)[:, column.place]
+                self._held[place.variable] = self._inflated(self._members[place.variable])
+        array = self._held[place.variable]
+        row = array if array.ndim == 1 else np.moveaxis(array, place.axis, 0)[:, place.row]
         return row[start : start + count].astype(np.float64)
 
     def close(self) -> None:

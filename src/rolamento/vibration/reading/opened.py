@@ -15,6 +15,7 @@ from rolamento.vibration._checks import checked_count, checked_number
 from rolamento.vibration.reading._channel import Channel, Source
 from rolamento.vibration.reading._choice import Meaning, chosen_channel
 from rolamento.vibration.reading._limits import MOST_SAMPLES, guarded
+from rolamento.vibration.reading._speed import ShaftSpeed, channel_beside, chosen_speed
 from rolamento.vibration.reading.formats import open_source
 from rolamento.vibration.signal import Quantity, Signal
 
@@ -41,13 +42,21 @@ class SignalFile:
     quantity, unit
         of the signals that are read: SI, unless the quantity is unknown
     speed
-        of the shaft, rad/s; None if the file does not say
+        of the shaft, rad/s, if it is one number; None if the file does not say, or it is a channel
+    speed_channel
+        channel of the file that tells the speed sample by sample; None if there is none
     notes
         how the samples were taken from the file
     """
 
     def __init__(
-        self, path: Path, source: Source, number: int, meaning: Meaning, part: tuple[int, int]
+        self,
+        path: Path,
+        source: Source,
+        number: int,
+        meaning: Meaning,
+        speed: ShaftSpeed,
+        part: tuple[int, int],
     ) -> None:
         self.path = path
         self.channels = source.channels
@@ -56,11 +65,12 @@ class SignalFile:
         self._first, self.length = part
         self.quantity: Quantity = meaning.quantity
         self.unit = meaning.unit
-        self.speed = self.channel.speed
+        self.speed = speed.value
+        self.speed_channel = None if speed.channel is None else source.channels[speed.channel]
         self.notes = (*source.notes, *meaning.notes)
         self._source = source
-        self._number = number
-        self._scale = meaning.scale
+        self._wanted = (number,) if speed.channel is None else (number, speed.channel)
+        self._scales = (meaning.scale, speed.scale)
 
     @property
     def calibrated(self) -> bool:
@@ -99,20 +109,13 @@ class SignalFile:
                     example="start=0.0, duration=60.0",
                 )
             start += self._first
-            samples = self._source.read(self._number, start, count)
-            _refuse_not_finite(samples, start, self.rate)
-            with np.errstate(over="ignore"):
-                samples = samples * self._scale if self._scale != 1.0 else samples
-            title = self.path.name + (f", {self.channel.name}" if self.channel.name else "")
-            speed = None if self.speed is None else np.array(self.speed)
-            return Signal(
-                samples,
-                self.rate,
-                self.quantity,
-                self.unit,
-                speed,
-                title[:300],
-            )
+            rows = self._source.read(self._wanted, start, count)
+            for row, scale, field in zip(rows, self._scales, ("", "speed"), strict=False):
+                _refuse_not_finite(row, start, self.rate, field)
+                if scale != 1.0:
+                    with np.errstate(over="ignore"):
+                        row *= scale
+            return self._signal(rows[0], rows[1] if len(rows) > 1 else None)
 
     def blocks(self, size: int, overlap: int = 0) -> Iterator[Signal]:
         """Return the channel in blocks.
@@ -154,8 +157,17 @@ class SignalFile:
             place += len(fresh.samples)
             kept = block.samples[len(block.samples) - overlap :]
             samples = np.concatenate([kept, fresh.samples]) if overlap else fresh.samples
-            block = Signal(samples, self.rate, self.quantity, self.unit, fresh.speed, fresh.title)
+            speed = fresh.speed
+            if overlap and speed is not None and block.speed is not None and speed.ndim:
+                speed = np.concatenate([block.speed[len(block.speed) - overlap :], speed])
+            block = self._signal(samples, speed)
             yield block
+
+    def _signal(self, samples: FloatArray, speed: FloatArray | None) -> Signal:
+        title = self.path.name + (f", {self.channel.name}" if self.channel.name else "")
+        if speed is None and self.speed is not None:
+            speed = np.array(self.speed)
+        return Signal(samples, self.rate, self.quantity, self.unit, speed, title[:300])
 
 
 def open_signal(
@@ -166,6 +178,8 @@ def open_signal(
     unit: str | None = None,
     quantity: Quantity | None = None,
     scale: float | str | None = None,
+    speed_channel: str | int | None = None,
+    speed_unit: str | None = None,
     start: float = 0.0,
     duration: float | None = None,
 ) -> SignalFile:
@@ -188,6 +202,11 @@ def open_signal(
         sensitivity of the sensor, such as "100 mV/g", "3276.8 counts/g" or "0.5 g/V"; or what one
         unit of the samples is worth, as text, "10 g", or as a number of SI units: m/s², unless the
         quantity is another
+    speed_channel
+        channel of the shaft's speed at each sample, by name or number; or name of a single number
+        that is the speed. By default what the file says by itself
+    speed_unit
+        rpm, rad/s, deg/s or Hz; not needed if the file says so, or the name ends in rpm or Hz
     start
         of the part that is wanted, from the beginning of the file; s
     duration
@@ -198,20 +217,23 @@ def open_signal(
     FileError
         If the file cannot be read.
     InputError
-        If there is no such channel or several to choose from, the rate is not known, unit or scale
-        is none, or what is given contradicts the file, or the part does not lie within it.
+        If there is no such channel or several to choose from, the rate or the unit of the speed is
+        not known, unit or scale is none, what is given contradicts the file, or the part does not
+        lie within it.
     """
     source = open_source(path)
     name = os.fspath(path)
     try:
         with guarded(str(name), "signal file"):
-            number = chosen_channel(source.channels, channel)
+            beside = channel_beside(source, speed_channel) if channel is None else None
+            number = chosen_channel(source.channels, channel) if beside is None else beside
             chosen = source.channels[number]
             if chosen.length == 0:
                 raise FileError("holds no samples in this channel", field=chosen.name)
             meaning = Meaning(chosen, rate, unit, quantity, scale, str(name))
             part = _part(chosen.length, meaning.rate, start, duration)
-            return SignalFile(Path(name), source, number, meaning, part)
+            speed = chosen_speed(source, number, speed_channel, speed_unit)
+            return SignalFile(Path(name), source, number, meaning, speed, part)
     except BaseException:
         source.close()
         raise
@@ -225,6 +247,8 @@ def read_signal(
     unit: str | None = None,
     quantity: Quantity | None = None,
     scale: float | str | None = None,
+    speed_channel: str | int | None = None,
+    speed_unit: str | None = None,
     start: float = 0.0,
     duration: float | None = None,
 ) -> Signal:
@@ -232,7 +256,7 @@ def read_signal(
 
     Parameters
     ----------
-    path, channel, rate, unit, quantity, scale, start, duration
+    path, channel, rate, unit, quantity, scale, speed_channel, speed_unit, start, duration
         As `open_signal`.
 
     Raises
@@ -250,6 +274,8 @@ def read_signal(
         unit=unit,
         quantity=quantity,
         scale=scale,
+        speed_channel=speed_channel,
+        speed_unit=speed_unit,
         start=start,
         duration=duration,
     ) as file:
@@ -301,7 +327,7 @@ def _part(length: int, rate: float, start: float, duration: float | None) -> tup
     return first, min(count, rest)
 
 
-def _refuse_not_finite(samples: FloatArray, start: int, rate: float) -> None:
+def _refuse_not_finite(samples: FloatArray, start: int, rate: float, field: str) -> None:
     """Refuse samples that are no numbers, and tell how many there are and where the first is."""
     wrong = ~np.isfinite(samples)
     count = int(np.count_nonzero(wrong))
@@ -310,5 +336,6 @@ def _refuse_not_finite(samples: FloatArray, start: int, rate: float) -> None:
         raise FileError(
             f"{count} of {len(samples)} samples are not finite numbers; the first is sample "
             f"{start + first} (counted from 0), at {(start + first) / rate:.6g} s",
+            field=field,
             value=float(samples[first]),
         )

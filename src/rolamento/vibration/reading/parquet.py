@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any, Final
 
@@ -39,7 +39,7 @@ class ParquetSource(Source):
     def __init__(self, path: Path) -> None:
         self._source = str(path)
         file_size(path)
-        self._position = (-1, 0)
+        self._position: tuple[tuple[int, ...], int] = ((), 0)
         self._place: dict[str, int] = {}
         self._batches: Iterator[FloatArray] = iter(())
         self._rest = np.empty((0, 1))
@@ -54,26 +54,28 @@ class ParquetSource(Source):
         try:
             with guarded(self._source, "Parquet file"):
                 self._look()
+                self.numbers = _numbers_among(self._texts)
                 channels = [self._channel(field) for field in self._fields]
             self.channels = checked_channels(channels, self._source, "Parquet file")
         except BaseException:
             self.close()
             raise
 
-    def read(self, channel: int, start: int, count: int) -> FloatArray:
-        """Return samples of a channel; the times beside them are checked."""
-        samples = np.empty(count)
+    def read(self, channels: Sequence[int], start: int, count: int) -> FloatArray:
+        """Return samples of some channels; the times beside them are checked."""
+        samples = np.empty((len(channels), count))
         filled = 0
         with guarded(self._source, "Parquet file"):
-            if self._position != (channel, start):
-                self._seek(channel, start)
+            if self._position != (tuple(channels), start):
+                self._seek(channels, start)
+            self._position = ((), 0)  # until all of it is read
             while filled < count:
                 rows = self._next(count - filled)
                 if self._timeline is not None:
-                    self._timeline.check(rows[:, 1], start + filled, self._source)
-                samples[filled : filled + len(rows)] = rows[:, 0]
+                    self._timeline.check(rows[:, -1], start + filled, self._source)
+                samples[:, filled : filled + len(rows)] = rows.T[: len(channels)]
                 filled += len(rows)
-        self._position = (channel, start + count)
+        self._position = (tuple(channels), start + count)
         return samples
 
     def close(self) -> None:
@@ -116,7 +118,7 @@ class ParquetSource(Source):
 
     def _channel(self, field: Any) -> Channel:
         texts = {**self._texts, **_texts(field.metadata)}
-        numbers = {name: value for name, text in texts.items() if (value := _number(text))}
+        numbers = _numbers_among(texts)
         rate = rate_among(numbers)
         if self._timeline is not None:
             rate = agreed_rate(self._timeline.rate, rate, self._source)
@@ -125,8 +127,8 @@ class ParquetSource(Source):
         count = sum(self._groups)
         return Channel(name, count, rate, unit, quantity_of_unit(unit), speed_among(numbers))
 
-    def _seek(self, channel: int, start: int) -> None:
-        names = [self._fields[channel].name]
+    def _seek(self, channels: Sequence[int], start: int) -> None:
+        names = [self._fields[channel].name for channel in channels]
         if self._timeline is not None:
             names.append(self._time_name)
         self._batches = self._rows(names, start)
@@ -197,6 +199,11 @@ def _texts(metadata: dict[bytes, bytes] | None) -> dict[str, str]:
         for name, text in (metadata or {}).items()
         if len(name) < 100 and len(text) < 100
     }
+
+
+def _numbers_among(texts: dict[str, str]) -> dict[str, float]:
+    """Entries of the metadata that are numbers, and not 0."""
+    return {name: value for name, text in texts.items() if (value := _number(text))}
 
 
 def _number(text: str) -> float | None:

@@ -92,23 +92,25 @@ class UffSource(Source):
     def __init__(self, path: Path) -> None:
         self._source = str(path)
         check_size(file_size(path), self._source)
-        self._held: tuple[int, FloatArray] = (-1, np.empty(0))
+        self._held: dict[int, FloatArray] = {}
         with guarded(self._source, "universal file"):
             self._sets = list(_Reader(path.read_bytes(), self._source).records())
         channels = [record.channel for record in self._sets]
         self.channels = checked_channels(channels, self._source, "universal file")
 
-    def read(self, channel: int, start: int, count: int) -> FloatArray:
-        """Return samples of a channel."""
-        if self._held[0] != channel:
-            with guarded(self._source, "universal file"):
-                self._held = (channel, self._sets[channel].numbers.samples(self._source))
-        return self._held[1][start : start + count].copy()
+    def read(self, channels: Sequence[int], start: int, count: int) -> FloatArray:
+        """Return samples of some channels."""
+        self._held = {n: samples for n, samples in self._held.items() if n in channels}
+        for channel in channels:
+            if channel not in self._held:
+                with guarded(self._source, "universal file"):
+                    self._held[channel] = self._sets[channel].numbers.samples(self._source)
+        return np.stack([self._held[channel][start : start + count] for channel in channels])
 
     def close(self) -> None:
         """Let go of what was read."""
         self._sets = []
-        self._held = (-1, np.empty(0))
+        self._held = {}
 
 
 class _Reader:

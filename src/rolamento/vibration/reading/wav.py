@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import struct
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, BinaryIO, Final, Literal
@@ -64,9 +64,9 @@ class WavSource(Source):
         each = Channel("", length // form.frame, float(form.rate), unit)
         self.channels = checked_channels([each] * form.channels, source, "WAV file")
 
-    def read(self, channel: int, start: int, count: int) -> FloatArray:
-        """Return samples of a channel."""
-        return self._raw.read(channel, start, count)
+    def read(self, channels: Sequence[int], start: int, count: int) -> FloatArray:
+        """Return samples of some channels."""
+        return self._raw.read(channels, start, count)
 
     def close(self) -> None:
         """Let go of the file."""
