@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 import rolamento
+from rolamento.cli.anderon import anderon
 from rolamento.cli.catalogue import app as catalogue_app
 from rolamento.cli.clearance import clearance
 from rolamento.cli.common import (
@@ -197,6 +198,11 @@ app.command(
     cls=JsonCommand,
     epilog="Example: diagnose signal.wav --bearing 6205 --speed '1797 rpm' --plot signal.png.",
 )(diagnose)
+app.command(
+    cls=JsonCommand,
+    epilog="Examples: anderon noise.wav --unit um/s --full-scale low=30,medium=60,high=60;"
+    " anderon t060.csv t120.csv --hours 60,120 --plot trend.png.",
+)(anderon)
 app.command(
     cls=JsonCommand,
     epilog="Examples: weibull tests.csv --plot paper.png; weibull tests.csv --shape 1.5;"

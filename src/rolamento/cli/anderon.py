@@ -1,0 +1,270 @@
+"""`rolamento anderon`: noise of a bearing in the bands of an anderometer, and whether it passes."""
+
+from __future__ import annotations
+
+import sys
+from typing import TYPE_CHECKING, Annotated, Final
+
+import typer
+
+from rolamento.cli.common import (
+    NO_RESULT,
+    SOLVED,
+    JsonOption,
+    LanguageOption,
+    plain_endings,
+    same_file,
+    words_of,
+)
+from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
+from rolamento.errors import FileError, InputError
+
+if TYPE_CHECKING:
+    from rolamento.report.anderon_result import NoiseResult
+    from rolamento.report.language import Words
+
+__all__ = ["anderon"]
+
+_ACCEPTED: Final = 0.4
+_MOST_SIGNALS: Final = 500
+_LONGEST_NAME: Final = 60
+_RATES: Final = {"": 1.0, "Hz": 1.0, "kHz": 1e3, "MHz": 1e6}
+_TIMES: Final = {"": 1.0, "s": 1.0, "ms": 1e-3, "min": 60.0, "h": 3600.0}
+
+
+def anderon(
+    signals: Annotated[
+        list[str],
+        typer.Argument(
+            metavar="SIGNAL...",
+            help="Files of signals: WAV, CSV, NPY, MATLAB and others. Several are of one bearing.",
+        ),
+    ],
+    speed: Annotated[
+        str | None,
+        typer.Option(
+            "--speed",
+            metavar="SPEED",
+            help="Of the inner ring; by default as the file tells it, or else 1800 rpm.",
+        ),
+    ] = None,
+    full_scale: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--full-scale",
+            metavar="BAND=VALUE",
+            help="Of a band, low, medium or high, in anderons or as a velocity such as '120 um/s'."
+            " Repeats.",
+        ),
+    ] = None,
+    accepted: Annotated[
+        float,
+        typer.Option(
+            "--accepted", metavar="PART", help="Of the full scale that is accepted, up to 1."
+        ),
+    ] = _ACCEPTED,
+    unit: Annotated[
+        str | None,
+        typer.Option(
+            "--unit",
+            metavar="UNIT",
+            help="Of the samples: um/s, m/s^2, g …, if the file is silent.",
+        ),
+    ] = None,
+    channel: Annotated[
+        str | None,
+        typer.Option("--channel", metavar="CHANNEL", help="Name, or number from 1 on."),
+    ] = None,
+    rate: Annotated[
+        str | None,
+        typer.Option(
+            "--rate", metavar="RATE", help="Of sampling, such as '50 kHz', if the file is silent."
+        ),
+    ] = None,
+    start: Annotated[
+        str | None,
+        typer.Option("--start", metavar="TIME", help="To begin at, such as '2 s'."),
+    ] = None,
+    duration: Annotated[
+        str | None,
+        typer.Option("--duration", metavar="TIME", help="To look at from there; by default all."),
+    ] = None,
+    hours: Annotated[
+        str | None,
+        typer.Option(
+            "--hours",
+            metavar="H,H,…",
+            help="Of the test after which each signal was recorded, such as 60,120,180.",
+        ),
+    ] = None,
+    bearing: Annotated[
+        str, typer.Option("--bearing", metavar="NAME", help="What the record calls the bearing.")
+    ] = "1",
+    record: Annotated[
+        str | None,
+        typer.Option(
+            "--record",
+            metavar="FILE",
+            help="Write the levels over the hours as rolamento trend reads them.",
+        ),
+    ] = None,
+    plot: Annotated[
+        str | None,
+        typer.Option(
+            "--plot",
+            metavar="FILE",
+            help="Draw noise over frequency, or over the hours: a .png, .svg or .pdf file.",
+        ),
+    ] = None,
+    json: JsonOption = None,
+    csv: Annotated[
+        str | None,
+        typer.Option(
+            "--csv", metavar="FILE", help="Write the table of bands; - is standard output."
+        ),
+    ] = None,
+    lang: LanguageOption = None,
+) -> None:
+    """Show the noise of a bearing in anderons and µm/s, and whether it passes."""
+    with plain_endings(lang):
+        outputs = {"--json": json, "--csv": csv, "--record": record, "--plot": plot}
+        _check(signals, outputs, hours, bearing)
+        words = words_of(lang)
+        found = _found(
+            signals,
+            {"speed": speed, "unit": unit, "channel": channel, "rate": rate, "start": start,
+             "duration": duration, "hours": hours},
+            full_scale or [],
+            accepted,
+            bearing,
+            words,
+        )  # fmt: skip
+        if plot is not None:
+            _draw(found, plot, words.code)
+        _show(found, json, csv, record, words)
+    failed = found.measures_nothing or "rejected" in found.verdicts
+    raise typer.Exit(NO_RESULT if failed else SOLVED)
+
+
+def _check(
+    signals: list[str], outputs: dict[str, str | None], hours: str | None, bearing: str
+) -> None:
+    """Refuse outputs that would run into each other or over a signal, and lists without end."""
+    if len(signals) > _MOST_SIGNALS:
+        raise InputError(f"at most {_MOST_SIGNALS} at once", field="SIGNAL", value=len(signals))
+    given = {option: path for option, path in outputs.items() if path is not None}
+    for option, path in given.items():
+        if list(given.values()).count(path) > 1:
+            where = "standard output" if path == STANDARD_STREAM else path
+            raise InputError(f"only one of {', '.join(outputs)} can go there", source=where)
+        if any(same_file(path, signal) for signal in signals):
+            raise FileError("is the file of a signal itself; choose another name", source=path)
+        if option == "--plot":
+            from rolamento.plots.saving import check_name
+
+            check_name(path)
+    if not bearing.strip() or len(bearing) > _LONGEST_NAME or not bearing.isprintable():
+        rule = f"must be one line of {_LONGEST_NAME} characters at most"
+        raise InputError(rule, source="--bearing", value=bearing, example="--bearing 9")
+    for option in ("--record", "--plot"):
+        several = option == "--record" or len(signals) > 1
+        if outputs[option] is not None and several and hours is None:
+            raise InputError(
+                "needs the hours of each signal", source=option, example="--hours 60,120,180"
+            )
+
+
+def _found(
+    signals: list[str],
+    said: dict[str, str | None],
+    full_scale: list[str],
+    accepted: float,
+    bearing: str,
+    words: Words,
+) -> NoiseResult:
+    """Measure every signal, after all that the options say was understood."""
+    from rolamento.cli.anderon_files import Wanted, full_scales_of, hours_of, measured_noise
+    from rolamento.cli.diagnose_signal import speed_given, to_number
+    from rolamento.cli.weibull_progress import told
+    from rolamento.report.anderon_result import NoiseResult
+    from rolamento.report.anderon_words import NOISE_WORDS
+
+    if not 0.0 < accepted <= 1.0:
+        rule = "must be a part over 0 and up to 1"
+        raise InputError(rule, source="--accepted", value=accepted, example="--accepted 0.4")
+    scales = full_scales_of(full_scale)
+    hours = hours_of(said["hours"], len(signals))
+    speed = speed_given(said["speed"], "--speed")
+    if speed == 0.0:
+        rule = "must not be 0: a bearing that stands still makes no noise"
+        raise InputError(rule, source="--speed", example="--speed '1800 rpm'")
+    wanted = Wanted(
+        said["channel"],
+        to_number(said["rate"], "--rate", _RATES, "--rate '50 kHz'"),
+        said["unit"],
+        to_number(said["start"], "--start", _TIMES, "--start '2 s'") or 0.0,
+        to_number(said["duration"], "--duration", _TIMES, "--duration '10 s'"),
+        speed,
+    )
+    with told(NOISE_WORDS[words.code].reading) as progress:
+        measured = tuple(
+            measured_noise(path, wanted, hour, progress)
+            for path, hour in zip(signals, hours, strict=True)
+        )
+    found = NoiseResult(measured, scales, accepted, bearing)
+    _check_speeds(found)
+    return found
+
+
+def _check_speeds(found: NoiseResult) -> None:
+    """Refuse a trend against velocities where the speeds differ: limits in anderons would too."""
+    speeds = [one.noise.speed for one in found.measured]
+    in_velocity = any(scale.is_velocity for scale in found.full_scales.values())
+    if found.trend is not None and in_velocity and max(speeds) > 1.001 * min(speeds):
+        raise InputError(
+            "must be in anderons, as the speeds of the signals differ",
+            source="--full-scale",
+            example="--full-scale low=30",
+        )
+
+
+def _draw(found: NoiseResult, plot: str, language: str) -> None:
+    from rolamento.plots.anderon import noise_figure, noise_trend_figure
+    from rolamento.plots.saving import save_figure
+
+    one = found.measured[0]
+    limits = found.limits_of(one)
+    if len(found.measured) == 1:
+        figure = noise_figure(
+            one.first, one.noise, limits=limits, title=one.title, language=language
+        )
+    else:
+        from rolamento.reliability.trend import parse_trend
+        from rolamento.report.anderon_result import noise_record
+
+        record = parse_trend(noise_record(found, language))
+        figure = noise_trend_figure(record, limits=limits, language=language)
+    save_figure(figure, plot)
+
+
+def _show(
+    found: NoiseResult, json: str | None, csv: str | None, record: str | None, words: Words
+) -> None:
+    """Write what was asked for; standard output takes data or the report, not both."""
+    from rolamento.report.anderon_result import noise_csv, noise_json, noise_record
+
+    if json is not None:
+        put(noise_json(found) + "\n", json)
+    if csv is not None:
+        put(noise_csv(found), csv)
+    if record is not None:
+        put(noise_record(found, words.code), record)
+    if STANDARD_STREAM not in (json, csv, record):
+        from rolamento.report.anderon import noise_report
+        from rolamento.report.medium import Medium
+
+        print_text(noise_report(found, words, Medium.of(sys.stdout)))
+    elif "rejected" in found.verdicts:
+        from rolamento.report.anderon import noise_statement
+
+        complain(noise_statement(found, words))

@@ -1,0 +1,248 @@
+"""The noise of a bearing over frequency, in anderons: thirds of octaves, and the bands' levels.
+
+The anderons of a band are the root mean square of those of its equally wide parts: a step that
+stands out tells which frequencies make the level, on the scale on which it is judged.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from math import isfinite, sqrt
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from rolamento.plots.frame import (
+    GREY,
+    add_title,
+    empty_frame,
+    label_x,
+    label_y,
+    legend_above,
+    log_scale,
+)
+from rolamento.plots.style import INNER, OUTER, new_figure, styled
+from rolamento.plots.words import plot_words
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from rolamento.reliability.trend import Trend
+    from rolamento.vibration.anderon import BandName, Noise
+    from rolamento.vibration.signal import Signal
+
+__all__ = ["noise_bands", "noise_figure", "noise_steps", "noise_trend_figure"]
+
+Floats = NDArray[np.float64]
+
+_RESOLUTION: Final = 2.0
+"""Of the spectrum, as of the levels; Hz."""
+_PARTS: Final = 8
+"""Of a band: each a third of an octave."""
+_ROOM: Final = 1.6
+
+
+@dataclass(frozen=True, slots=True)
+class _Words:
+    frequency: str
+    anderons: str
+    steps: str
+    level: str
+    limit: str
+    nothing: str
+    bands: Mapping[BandName, str]
+
+
+_WORDS: Final[Mapping[str, _Words]] = {
+    "en": _Words(
+        frequency="Frequency (Hz)",
+        anderons="Noise (anderon)",
+        steps="thirds of octaves",
+        level="level of the band",
+        limit="accepted up to here",
+        nothing="The sampling rate holds none of the bands.",
+        bands={"low": "low", "medium": "medium", "high": "high"},
+    ),
+    "pt": _Words(
+        frequency="Frequência (Hz)",
+        anderons="Ruído (anderon)",
+        steps="terços de oitava",
+        level="nível da faixa",
+        limit="aceito até aqui",
+        nothing="A taxa de amostragem não contém nenhuma das faixas.",
+        bands={"low": "baixa", "medium": "média", "high": "alta"},
+    ),
+}
+
+
+def noise_figure(
+    signal: Signal,
+    noise: Noise,
+    *,
+    limits: Mapping[BandName, float] | None = None,
+    title: str = "",
+    language: str = "en",
+) -> Figure:
+    """Draw noise over frequency, as `noise_bands`, with a title."""
+    with styled():
+        figure, axes = new_figure(height=90.0)
+        noise_bands(signal, noise, axes, limits=limits, language=language)
+        if title:
+            add_title(figure, title)
+    return figure
+
+
+def noise_bands(
+    signal: Signal,
+    noise: Noise,
+    axes: Axes | None = None,
+    *,
+    limits: Mapping[BandName, float] | None = None,
+    language: str = "en",
+) -> Axes:
+    """Draw the anderons of thirds of octaves, with the level and the limit of each band.
+
+    Parameters
+    ----------
+    signal
+        That was measured, or its first part.
+    noise
+        Of `measure_noise`.
+    axes
+        To draw on; of a new figure if not given.
+    limits
+        Anderons by band up to which noise is accepted.
+    language
+        ``"en"`` or ``"pt"``.
+    """
+    shared, words = plot_words(language), _WORDS["pt" if language == "pt" else "en"]
+    with styled():
+        axes = new_figure(height=90.0)[1] if axes is None else axes
+        levels = [band.anderons for band in noise.bands if isfinite(band.anderons)]
+        steps = noise_steps(signal, noise)
+        drawn = np.concatenate([values for _, values in steps.values()] or [np.zeros(0)])
+        sizes = [value for value in (*levels, *drawn.tolist()) if value > 0.0]
+        if not sizes:
+            return empty_frame(axes, words.nothing)
+        _draw(axes, noise, steps, limits or {}, words)
+        label_x(axes, words.frequency, shared)
+        label_y(axes, words.anderons, shared)
+        _frame(axes, noise, [*sizes, *(limits or {}).values()], words)
+        log_scale(axes, "x", shared)
+        log_scale(axes, "y", shared)
+        legend_above(axes)
+    return axes
+
+
+def noise_trend_figure(
+    trend: Trend, *, limits: Mapping[BandName, float] | None = None, language: str = "en"
+) -> Figure:
+    """Draw the levels of the three bands over running time, with the limit of each.
+
+    Parameters
+    ----------
+    trend
+        With the bands, from low to high, as its quantities.
+    limits
+        Anderons by band up to which noise is accepted.
+    language
+        ``"en"`` or ``"pt"``.
+    """
+    from rolamento.plots.trend import trend_figure
+
+    words = _WORDS["pt" if language == "pt" else "en"]
+    translated = replace(trend, quantities=tuple(words.bands.values()))
+    figure = trend_figure(translated, language=language)
+    with styled():
+        named = False
+        for axes, name in zip(figure.axes, words.bands, strict=True):
+            limit = (limits or {}).get(name)
+            if limit is not None:
+                axes.axhline(
+                    limit, color=OUTER.color, linestyle="--", label="" if named else words.limit
+                )
+                axes.set_ylim(top=max(axes.get_ylim()[1], 1.1 * limit))
+                if not named:
+                    legend_above(axes)
+                named = True
+    return figure
+
+
+def noise_steps(signal: Signal, noise: Noise) -> dict[BandName, tuple[Floats, Floats]]:
+    """Anderons of equal parts of every band that the signal holds.
+
+    Returns
+    -------
+    By band, edges (9,) in Hz and anderons (8,); the root mean square of these is the band's level
+    if the signal is all that was measured.
+    """
+    from rolamento.vibration.anderon import anderons_of_velocity
+
+    frequency, power = _velocity_power(signal)
+    found: dict[BandName, tuple[Floats, Floats]] = {}
+    for band in noise.bands:
+        if not isfinite(band.anderons):
+            continue
+        edges = np.geomspace(*band.band, _PARTS + 1)
+        below = np.interp(edges, frequency, power)
+        velocities = np.sqrt(np.maximum(np.diff(below), 0.0))
+        values = [
+            anderons_of_velocity(float(velocity), (float(low), float(high)), noise.speed)
+            for velocity, low, high in zip(velocities, edges[:-1], edges[1:], strict=True)
+        ]
+        found[band.name] = edges, np.array(values)
+    return found
+
+
+def _velocity_power(signal: Signal) -> tuple[Floats, Floats]:
+    """Mean square of the velocity up to each frequency; Hz and (m/s)², at the lines' edges."""
+    from rolamento.vibration.spectrum import averaged_density
+
+    spectrum = averaged_density(signal.in_si, _RESOLUTION)
+    turns = 2.0 * np.pi * spectrum.axis[1:]
+    power = {"acceleration": -2.0, "displacement": 2.0}.get(signal.quantity, 0.0)
+    density = spectrum.values[1:] * turns**power
+    edges = np.append(spectrum.axis[1:] - 0.5 * spectrum.resolution,
+                      spectrum.axis[-1] + 0.5 * spectrum.resolution)  # fmt: skip
+    return edges, np.concatenate(([0.0], np.cumsum(density * spectrum.resolution)))
+
+
+def _draw(
+    axes: Axes,
+    noise: Noise,
+    steps: Mapping[BandName, tuple[Floats, Floats]],
+    limits: Mapping[BandName, float],
+    words: _Words,
+) -> None:
+    """Draw steps, levels and limits, each kind named once in the legend."""
+    named: set[str] = set()
+
+    def label(text: str) -> str:
+        known = text in named
+        named.add(text)
+        return "" if known else text
+
+    for band in noise.bands:
+        if band.name in steps:
+            edges, values = steps[band.name]
+            axes.stairs(values, edges, baseline=None, color=INNER.color, linewidth=1.0,
+                        label=label(words.steps))  # fmt: skip
+            axes.hlines(band.anderons, *band.band, color="black", linewidth=2.0,
+                        label=label(words.level))  # fmt: skip
+        if band.name in limits:
+            axes.hlines(limits[band.name], *band.band, color=OUTER.color, linestyle="--",
+                        label=label(words.limit))  # fmt: skip
+
+
+def _frame(axes: Axes, noise: Noise, sizes: Sequence[float], words: _Words) -> None:
+    """Set the limits of the axes, and name the bands along the top."""
+    axes.set_xlim(noise.bands[0].band[0], noise.bands[-1].band[1])
+    axes.set_ylim(min(sizes) / _ROOM, max(sizes) * _ROOM**2)
+    for band in noise.bands:
+        low, high = band.band
+        axes.axvline(low, color=GREY, linewidth=0.7, zorder=1.5)
+        axes.text(sqrt(low * high), 0.985, words.bands[band.name], va="top", ha="center",
+                  fontsize=8.0, color=GREY, transform=axes.get_xaxis_transform())  # fmt: skip

@@ -1,0 +1,440 @@
+"""`rolamento anderon`: levels and verdicts, several signals over a test, outputs, hostile input."""
+
+from __future__ import annotations
+
+import csv
+import json
+from collections.abc import Callable
+from dataclasses import replace
+from math import inf, nan, pi, sqrt
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+from rolamento.cli import anderon_files
+from rolamento.cli.anderon_files import Wanted, full_scales_of, hours_of, measured_noise
+from rolamento.cli.app import app
+from rolamento.errors import InputError
+from rolamento.plots.anderon import noise_bands, noise_figure, noise_steps
+from rolamento.reliability.trend import parse_trend
+from rolamento.report.anderon import noise_report, noise_statement
+from rolamento.report.anderon_result import (
+    CSV_COLUMNS,
+    FullScale,
+    MeasuredNoise,
+    NoiseResult,
+    noise_json,
+)
+from rolamento.report.language import PORTUGUESE
+from rolamento.vibration.anderon import BANDS, SPEED, BandNoise, Noise, measure_noise
+from rolamento.vibration.reading import read_signal
+from rolamento.vibration.signal import Signal
+
+Run = Callable[..., tuple[int, str, str]]
+RATE = 51_200.0
+SECONDS = 4
+TONES = {"low": 150.0, "medium": 900.0, "high": 5000.0}
+FULL = ("--full-scale", "low=30,medium=60,high=60")
+
+
+def tones(**sizes: float) -> np.ndarray:
+    """RMS velocities (m/s) of one tone a band."""
+    time = np.arange(int(RATE * SECONDS)) / RATE
+    parts = [
+        sqrt(2.0) * size * np.sin(2.0 * pi * TONES[name] * time) for name, size in sizes.items()
+    ]
+    return np.asarray(sum(parts))
+
+
+def anderons(velocity: float, name: str) -> float:
+    """By the definition: microinch RMS per radian and per root of the octaves."""
+    low, high = BANDS[name]  # type: ignore[index]
+    microinch = velocity / SPEED / 25.4e-9
+    return microinch / sqrt(np.log2(high / low))
+
+
+@pytest.fixture
+def run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Run:
+    """Run the command in a directory that holds a few signals."""
+    monkeypatch.chdir(tmp_path)
+    for hours, factor in ((60, 1.0), (120, 1.5), (180, 2.5)):
+        samples = 1e6 * factor * tones(low=50e-6, medium=100e-6, high=80e-6)
+        np.savez(f"t{hours}.npz", velocity=samples, fs=RATE, rpm=1800.0)
+    np.save("bare.npy", 1e6 * tones(low=50e-6, medium=100e-6, high=80e-6))
+    np.save("still.npy", np.ones(60_000))
+    np.save("slow.npy", np.random.default_rng(1).normal(size=5000))
+
+    def runner(*arguments: str) -> tuple[int, str, str]:
+        result = CliRunner().invoke(app, ("anderon", *arguments), env={"LC_ALL": "C.UTF-8"})
+        if result.exception and not isinstance(result.exception, SystemExit):
+            raise result.exception
+        return result.exit_code, result.stdout, result.stderr
+
+    return runner
+
+
+def squeezed(text: str) -> str:
+    return " ".join(text.split())
+
+
+class TestLevels:
+    def test_levels_are_those_of_the_definition(self, run: Run) -> None:
+        code, out, err = run("t60.npz", "--unit", "um/s", "--json")
+        assert (code, err) == (0, "")
+        bands = json.loads(out)["signals"][0]["bands"]
+        assert [band["name"] for band in bands] == list(BANDS)
+        for band, size in zip(bands, (50e-6, 100e-6, 80e-6), strict=True):
+            assert band["velocity"] == pytest.approx(size, rel=1e-3)
+            assert band["anderons"] == pytest.approx(anderons(size, band["name"]), rel=1e-3)
+
+    @pytest.mark.parametrize(
+        ("quantity", "unit", "factor"),
+        [("acceleration", "m/s^2", 1.0), ("displacement", "um", 1e6)],
+    )
+    def test_other_quantities_become_velocity(
+        self, run: Run, quantity: str, unit: str, factor: float
+    ) -> None:
+        turns = 2.0 * pi * TONES["medium"]
+        size = 100e-6 * (turns if quantity == "acceleration" else 1.0 / turns)
+        np.savez("other.npz", x=factor * tones(medium=size), fs=RATE)
+        out = run("other.npz", "--unit", unit, "--json")[1]
+        signal = json.loads(out)["signals"][0]
+        assert signal["bands"][1]["velocity"] == pytest.approx(100e-6, rel=2e-3)
+        assert quantity in [note["name"] for note in signal["notes"]]
+
+    def test_speed_of_the_option_goes_before_that_of_the_file(self, run: Run) -> None:
+        at_1800 = json.loads(run("t60.npz", "--unit", "um/s", "--json")[1])["signals"][0]
+        at_900 = json.loads(run("t60.npz", "--unit", "um/s", "--speed", "900 rpm", "--json")[1])
+        slow = at_900["signals"][0]
+        assert slow["speed"] == pytest.approx(30.0 * pi)
+        for one, other in zip(at_1800["bands"], slow["bands"], strict=True):
+            assert other["anderons"] == pytest.approx(2.0 * one["anderons"])
+            assert other["velocity"] == pytest.approx(one["velocity"])
+        assert [note["name"] for note in slow["notes"]] == ["speed_differs"]
+
+    @pytest.mark.parametrize(
+        ("speed", "names"),
+        [("1800 rpm", []), ("1770 rpm", []), ("1825 rpm", ["speed_tolerance"])],
+    )
+    def test_tolerance_of_the_standard(self, run: Run, speed: str, names: list[str]) -> None:
+        out = run("bare.npy", "--unit", "um/s", "--rate", "51.2 kHz", "--speed", speed, "--json")[1]
+        notes = json.loads(out)["signals"][0]["notes"]
+        assert [note["name"] for note in notes] == names
+
+    def test_unknown_speed_is_said(self, run: Run) -> None:
+        out = squeezed(run("bare.npy", "--unit", "um/s", "--rate", "51200", "--lang", "en")[1])
+        assert "speed not told; 1800 rpm, as the test has, is assumed" in out
+        assert "The signal does not tell the speed" in out
+
+    def test_part_of_a_signal(self, run: Run) -> None:
+        both = np.concatenate([tones(low=10e-6), tones(low=30e-6)])
+        np.savez("both.npz", velocity=1e6 * both, fs=RATE)
+        late = json.loads(
+            run("both.npz", "--unit", "um/s", "--start", "4 s", "--duration", "2 s", "--json")[1]
+        )["signals"][0]
+        assert late["duration"] == pytest.approx(2.0)
+        assert late["bands"][0]["velocity"] == pytest.approx(30e-6, rel=1e-3)
+
+    @pytest.mark.parametrize(("rate", "count"), [(RATE, 777_777), (51_201.0, 400_001)])
+    def test_blocks_have_the_spectrum_of_the_whole(
+        self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, rate: float, count: int
+    ) -> None:
+        monkeypatch.setattr(anderon_files, "_BLOCK", 100_000)
+        path = tmp_path / "long.npy"
+        np.save(path, np.random.default_rng(4).normal(size=count))
+        told: list[tuple[int, int]] = []
+        wanted = Wanted(unit="um/s", rate=rate)
+        found = measured_noise(str(path), wanted, nan, lambda *x: told.append(x))
+        whole = measure_noise(read_signal(path, unit="um/s", rate=rate))
+        assert len(told) > 3
+        assert told[-1][0] <= told[-1][1]
+        for one, other in zip(found.noise.bands, whole.bands, strict=True):
+            assert one.velocity == pytest.approx(other.velocity, rel=1e-12)
+        assert found.noise.notes == whole.notes
+        assert found.duration == pytest.approx(count / rate)
+
+    def test_low_rate_holds_fewer_bands(self, run: Run) -> None:
+        code, out, _ = run("slow.npy", "--unit", "um/s", "--rate", "500", "--lang", "en")
+        assert code == 1
+        assert "The sampling rate of 500 Hz does not hold: low, medium, high." in squeezed(out)
+
+    def test_rate_just_above_is_noted(self, run: Run) -> None:
+        out = run("bare.npy", "--unit", "um/s", "--rate", "22050", "--json")[1]
+        names = [note["name"] for note in json.loads(out)["signals"][0]["notes"]]
+        assert names == ["speed_unknown", "near_half_rate"]
+
+
+class TestVerdicts:
+    def test_without_full_scales_there_is_none(self, run: Run) -> None:
+        code, out, _ = run("t60.npz", "--unit", "um/s", "--lang", "en")
+        assert code == 0
+        assert out.startswith("No verdict: no full scale is given (--full-scale).")
+
+    def test_accepted(self, run: Run) -> None:
+        code, out, _ = run("t60.npz", "--unit", "um/s", *FULL, "--lang", "en")
+        assert code == 0
+        assert out.startswith("Accepted: no band is above 40 % of its full scale.")
+        assert squeezed(out).count("accepted") == 3
+
+    def test_rejected_in_the_band_that_is_above(self, run: Run) -> None:
+        code, out, _ = run("t180.npz", "--unit", "um/s", *FULL, "--lang", "en")
+        assert code == 1
+        assert squeezed(out).startswith(
+            "Rejected: low band with 16.2 anderon, where 12 are accepted; medium band with 32.5"
+            " anderon, where 24 are accepted; high band with 26.6 anderon"
+        )
+
+    def test_portuguese(self, run: Run) -> None:
+        out = run("t180.npz", "--unit", "um/s", "--full-scale", "high=60", "--lang", "pt")[1]
+        assert squeezed(out).startswith(
+            "Reprovado: faixa alta com 26,6 anderon, onde se aceitam 24."
+        )
+
+    def test_part_of_the_full_scale_is_an_option(self, run: Run) -> None:
+        assert run("t180.npz", "--unit", "um/s", *FULL, "--accepted", "0.6")[0] == 0
+        assert run("t60.npz", "--unit", "um/s", *FULL, "--accepted", "0.1")[0] == 1
+
+    @pytest.mark.parametrize("speed", ["1800 rpm", "1200 rpm"])
+    def test_velocity_as_full_scale(self, run: Run, speed: str) -> None:
+        at = ("t60.npz", "--unit", "um/s", "--speed", speed, "--accepted", "1", "--json")
+        over = json.loads(run(*at, "--full-scale", "medium=101 µm/s")[1])["signals"][0]
+        under = json.loads(run(*at, "--full-scale", "medium=0.099 mm/s")[1])["signals"][0]
+        assert (over["verdict"], under["verdict"]) == ("accepted", "rejected")
+        part = over["bands"][1]["of_full_scale"]
+        assert part == pytest.approx(100.0 / 101.0, rel=1e-3)
+        assert over["bands"][0]["verdict"] == "none"
+
+    def test_what_is_not_measured_does_not_pass(self, run: Run) -> None:
+        code, out, _ = run("slow.npy", "--unit", "um/s", "--rate", "4000", *FULL, "--lang", "en")
+        assert code == 1
+        found = json.loads(run("slow.npy", "--unit", "um/s", "--rate", "4000", *FULL, "--json")[1])
+        verdicts = [band["verdict"] for band in found["signals"][0]["bands"]]
+        assert verdicts == ["accepted", "accepted", "not_measured"]
+        assert out.startswith("Not accepted: high band not measured.")
+
+    def test_a_dead_sensor_does_not_pass(self, run: Run) -> None:
+        code, _, err = run("still.npy", "--unit", "um/s", "--rate", "51200", *FULL)
+        assert code == 2
+        assert "still.npy: does not change" in err
+
+    def test_rejection_beside_data_is_said_to_the_person(self, run: Run) -> None:
+        code, out, err = run("t180.npz", "--unit", "um/s", *FULL, "--csv", "-", "--lang", "en")
+        assert code == 1
+        assert out.startswith("signal,hours,band")
+        assert err.startswith("rolamento: Rejected: low band")
+
+
+class TestSeveral:
+    FILES = ("t180.npz", "t60.npz", "t120.npz", "--unit", "um/s")
+
+    def test_over_the_test(self, run: Run) -> None:
+        code, out, _ = run(*self.FILES, "--hours", "180,60,120", *FULL, "--json")
+        assert code == 1
+        trend = {band["name"]: band for band in json.loads(out)["trend"]}
+        assert trend["low"]["hours"] == [60.0, 120.0, 180.0]
+        for name, band in trend.items():
+            assert band["ratio"] == pytest.approx(2.5, rel=1e-6), name
+            assert (band["rejected_after"], band["rejected_by"]) == (120.0, 180.0), name
+            # slope of the logarithm through 1, 1.5 and 2.5 at even times: half the ends' apart
+            assert band["growth"] == pytest.approx(np.log(2.5) / 120.0, rel=1e-6), name
+
+    def test_page(self, run: Run) -> None:
+        code, out, _ = run(*self.FILES, "--hours", "180,60,120", *FULL, "--lang", "en")
+        assert code == 1
+        assert out.startswith("Rejected: 1 of 3 signals.\n")
+        assert "120–180" in out
+        assert max(len(line) for line in out.splitlines()) <= 80
+        out = run(*self.FILES, "--hours", "180,60,120", *FULL, "--lang", "pt")[1]
+        assert max(len(line) for line in out.splitlines()) <= 80
+
+    def test_without_hours_there_is_a_table_alone(self, run: Run) -> None:
+        code, out, _ = run(*self.FILES, "--lang", "en")
+        assert code == 0
+        assert "Signals" in out
+        assert "Over the test" not in out
+
+    def test_all_accepted(self, run: Run) -> None:
+        code, out, _ = run("t60.npz", "t120.npz", "--unit", "um/s", *FULL, "--lang", "en")
+        assert code == 0
+        assert squeezed(out).startswith("Accepted: all 2 signals; no band is above 40 %")
+
+    def test_note_names_the_signals_that_it_is_about(self, run: Run) -> None:
+        np.savez("fast.npz", velocity=1e6 * tones(low=1e-6), fs=RATE, rpm=3600.0)
+        out = squeezed(run("t60.npz", "fast.npz", "--unit", "um/s", "--lang", "en")[1])
+        assert "those of 1800 rpm. (fast.npz)" in out
+
+    def test_record_is_what_trend_reads(self, run: Run, tmp_path: Path) -> None:
+        hours = ("--hours", "180,60,120", "--bearing", "A, left", "--record", "noise.csv")
+        assert run(*self.FILES, *hours)[0] == 0
+        record = parse_trend((tmp_path / "noise.csv").read_text("utf-8"))
+        assert record.title == "Noise of bearing A, left"
+        assert record.names == ("A, left",)
+        assert record.units == ("anderon",) * 3
+        times, values = record.of_bearing("A, left", 1)
+        assert times.tolist() == [60.0, 120.0, 180.0]
+        assert values[0] == pytest.approx(anderons(100e-6, "medium"), rel=1e-3)
+
+    def test_velocities_as_full_scales_need_one_speed(self, run: Run) -> None:
+        np.savez("fast.npz", velocity=1e6 * tones(low=1e-6), fs=RATE, rpm=3600.0)
+        both = ("t60.npz", "fast.npz", "--unit", "um/s", "--full-scale", "low=200 um/s")
+        assert run(*both)[0] == 0
+        code, _, err = run(*both, "--hours", "1,2")
+        assert code == 2
+        assert "must be in anderons, as the speeds of the signals differ" in err
+
+
+class TestOutputs:
+    def test_csv_has_a_band_in_a_row(self, run: Run, tmp_path: Path) -> None:
+        assert run("t60.npz", "t180.npz", "--unit", "um/s", *FULL, "--csv", "a.csv")[0] == 1
+        rows = list(csv.DictReader((tmp_path / "a.csv").read_text("utf-8").splitlines()))
+        assert tuple(rows[0]) == CSV_COLUMNS
+        assert [row["band"] for row in rows] == [*BANDS, *BANDS]
+        assert [row["verdict"] for row in rows] == ["accepted"] * 3 + ["rejected"] * 3
+        assert float(rows[0]["accepted_to_anderons"]) == pytest.approx(12.0)
+        assert rows[0]["hours"] == ""
+
+    def test_pictures(self, run: Run, tmp_path: Path) -> None:
+        assert run("t60.npz", "--unit", "um/s", *FULL, "--plot", "one.png")[0] == 0
+        assert (tmp_path / "one.png").read_bytes().startswith(b"\x89PNG")
+        many = ("t60.npz", "t120.npz", "--unit", "um/s", "--hours", "60,120")
+        assert run(*many, *FULL, "--plot", "trend.svg", "--lang", "pt")[0] == 0
+        drawing = (tmp_path / "trend.svg").read_text("utf-8")
+        assert "<svg" in drawing
+
+    def test_json_has_no_numbers_that_do_not_exist(self, run: Run) -> None:
+        out = run("slow.npy", "--unit", "um/s", "--rate", "4000", "--json")[1]
+        assert "NaN" not in out
+        assert json.loads(out)["signals"][0]["bands"][2]["anderons"] is None
+
+    def test_whole_numbers_of_a_recorder_are_noted(self, run: Run) -> None:
+        from scipy.io import wavfile
+
+        noise = np.random.default_rng(2).normal(size=60_000)
+        wavfile.write("int.wav", 48_000, (3000.0 * noise).astype(np.int16))
+        code, _, err = run("int.wav")
+        assert code == 2
+        assert "--unit" in err
+        out = squeezed(run("int.wav", "--unit", "m/s^2", "--lang", "en")[1])
+        assert "full scale is taken as 1 m/s^2" in out
+
+
+REFUSED: list[tuple[tuple[str, ...], str]] = [
+    (("none.npz",), "none.npz: cannot be read"),
+    (("bare.npy", "--unit", "um/s"), "rate: is not in the file"),
+    (("t60.npz",), "unit: is not in the file"),
+    (("t60.npz", "--unit", "V"), 'is "V", and must be'),
+    (("t60.npz", "--unit", "um/s", "--speed", "0 rpm"), "--speed: must not be 0"),
+    (("t60.npz", "--unit", "um/s", "--speed", "1800"), "--speed: "),
+    (("t60.npz", "--unit", "um/s", "--accepted", "0"), "--accepted: 0.0: must be"),
+    (("t60.npz", "--unit", "um/s", "--accepted", "nan"), "--accepted: nan: must be"),
+    (("t60.npz", "--unit", "um/s", "--full-scale", "mid=3"), "with a BAND of low, medium, high"),
+    (("t60.npz", "--unit", "um/s", "--full-scale", "low"), "with a BAND of low, medium, high"),
+    (("t60.npz", "--unit", "um/s", "--full-scale", "low=-3"), "must be a number of anderons"),
+    (("t60.npz", "--unit", "um/s", "--full-scale", "low=3 m"), "must be a number of anderons"),
+    (("t60.npz", "--unit", "um/s", "--full-scale", "low=1,low=2"), "is given twice"),
+    (("t60.npz", "t120.npz", "--unit", "um/s", "--hours", "1"), "for each signal, here 2"),
+    (("t60.npz", "--unit", "um/s", "--hours", "-1"), "from 0 on"),
+    (("t60.npz", "t120.npz", "--unit", "um/s", "--plot", "a.png"), "--plot: needs the hours"),
+    (("t60.npz", "--unit", "um/s", "--record", "a.csv"), "--record: needs the hours"),
+    (("t60.npz", "--unit", "um/s", "--plot", "a.gif"), "must end in .png"),
+    (("t60.npz", "--unit", "um/s", "--csv", "t60.npz"), "is the file of a signal itself"),
+    (("t60.npz", "--unit", "um/s", "--csv", "a", "--json", "a"), "only one of"),
+    (("t60.npz", "--unit", "um/s", "--bearing", "a\nb"), "--bearing: "),
+    (("t60.npz", "--unit", "um/s", "--duration", "0.2"), "must be at least 0.5 s"),
+    (("t60.npz", "--unit", "um/s", "--start", "9"), "must lie before the end"),
+    (("still.npy", "--unit", "um/s", "--rate", "1e9"), "the bands end at 10 kHz"),
+    (("t60.npz",) * 501, "at most 500 at once"),
+]
+
+
+@pytest.mark.parametrize(("arguments", "message"), REFUSED, ids=[m for _, m in REFUSED])
+def test_wrong_input_is_one_line(run: Run, arguments: tuple[str, ...], message: str) -> None:
+    code, out, err = run(*arguments)
+    assert (code, out) == (2, "")
+    assert err.startswith("rolamento: ")
+    assert err.count("\n") == 1
+    assert message in err
+
+
+def test_full_scales() -> None:
+    found = full_scales_of(["low=30, HIGH = 50 anderon", "medium=0.1 mm/s"])
+    assert found["low"] == FullScale(30.0)
+    assert found["high"] == FullScale(50.0)
+    assert found["medium"].is_velocity
+    assert found["medium"].anderons("medium", SPEED) == pytest.approx(anderons(1e-4, "medium"))
+
+
+def test_hours() -> None:
+    assert hours_of("60, 120.5", 2) == [60.0, 120.5]
+    assert all(np.isnan(hours_of(None, 3)))
+    for text in ("1,inf", "1,nan", "", "a,b", "1,2,3"):
+        with pytest.raises(InputError, match="number of hours"):
+            hours_of(text, 2)
+
+
+# --- page and picture of a record ------------------------------------------------------------
+
+
+def result(levels: tuple[float, float, float] = (10.0, 20.0, 30.0), **scales: Any) -> NoiseResult:
+    bands = tuple(
+        BandNoise(name, edges, level * 7e-6, level)
+        for (name, edges), level in zip(BANDS.items(), levels, strict=True)
+    )
+    signal = Signal(np.random.default_rng(1).normal(size=60_000), RATE, "velocity", "um/s")
+    measured = MeasuredNoise("x.wav", Noise(SPEED, bands, ()), signal, 2.0)
+    full = {name: FullScale(value) for name, value in scales.items()}
+    return NoiseResult((measured,), full)  # type: ignore[arg-type]
+
+
+def test_limit_itself_is_accepted() -> None:
+    assert result(low=25.0).verdicts == ("accepted",)
+    assert result(low=24.99).verdicts == ("rejected",)
+
+
+def test_huge_and_missing_levels_are_shown() -> None:
+    found = result((nan, 1e12, 1e-9), low=3.0, medium=4.0)
+    assert noise_statement(found, PORTUGUESE).startswith("Reprovado: faixa baixa não medida; ")
+    page = noise_report(found)
+    assert "not measured" in page
+    assert json.loads(noise_json(found))["signals"][0]["bands"][0]["anderons"] is None
+
+
+def test_growth_beyond_all_bounds_is_shown() -> None:
+    first = result((1e-300, 1.0, 1.0)).measured[0]
+    last = result((1e300, 1.0, 1.0)).measured[0]
+    found = NoiseResult((replace(first, hours=0.0), replace(last, hours=0.1)), {})
+    assert found.trend is not None
+    assert found.trend.of("low").ratio == inf
+    assert "Over the test" in noise_report(found)
+
+
+def test_steps_add_up_to_the_level() -> None:
+    signal = Signal(np.random.default_rng(5).normal(size=100_000), RATE, "acceleration", "m/s^2")
+    noise = measure_noise(signal)
+    for name, (edges, values) in noise_steps(signal, noise).items():
+        assert (edges[0], edges[-1]) == pytest.approx(BANDS[name])
+        assert sqrt(float(np.mean(values**2))) == pytest.approx(noise.of(name).anderons, rel=1e-9)
+
+
+def test_picture_shows_levels_limits_and_the_tone() -> None:
+    signal = Signal(tones(low=1e-5, medium=1e-4, high=1e-5), RATE, "velocity", "m/s")
+    noise = measure_noise(signal)
+    axes = noise_bands(signal, noise, limits={"medium": 5.0})
+    drawn = [path for one in axes.collections for path in one.get_paths()]
+    heights = sorted(float(path.vertices[0, 1]) for path in drawn)
+    expected = sorted([*(band.anderons for band in noise.bands), 5.0])
+    assert heights == pytest.approx(expected)
+    edges, values = noise_steps(signal, noise)["medium"]
+    place = int(np.argmax(values))
+    assert edges[place] < TONES["medium"] < edges[place + 1]
+
+
+@pytest.mark.parametrize("language", ["en", "pt"])
+def test_picture_without_bands_says_so(language: str) -> None:
+    signal = Signal(np.random.default_rng(1).normal(size=5000), 500.0, "velocity", "m/s")
+    figure = noise_figure(signal, measure_noise(signal), title="slow", language=language)
+    texts = " ".join(text.get_text() for text in figure.axes[0].texts)
+    assert ("sampling" if language == "en" else "amostragem") in texts
