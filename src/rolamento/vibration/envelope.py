@@ -58,12 +58,12 @@ def analytic_signal(signal: Signal, band: Band | None = None) -> ComplexArray:
     count = len(signal.samples)
     edges = (0.0, 0.5 * signal.rate) if band is None else checked_band(band, signal.rate)
     first, last = _lines(edges, signal.rate, count)
-    spectrum = np.asarray(fft.fft(signal.samples))
+    spectrum = np.asarray(fft.rfft(signal.samples))
     one_sided = np.zeros(count, dtype=np.complex128)
     one_sided[first:last] = 2.0 * spectrum[first:last]
     if count % 2 == 0 and last > count // 2:
         one_sided[count // 2] *= 0.5
-    return np.asarray(fft.ifft(one_sided))
+    return np.asarray(fft.ifft(one_sided, overwrite_x=True))
 
 
 def envelope(signal: Signal, band: Band | None = None) -> Signal:
