@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import csv
 import json
+import re
 from dataclasses import fields, replace
 from functools import cache
 from io import StringIO
@@ -123,8 +124,11 @@ class TestWords:
                 assert set(one) == set(other), field.name
                 for key in one:
                     assert holes(one[key]) == holes(other[key]), (field.name, key)
-            else:
+            elif isinstance(one, tuple):
                 assert len(one) == len(other), field.name
+                assert list(map(holes, one)) == list(map(holes, other)), field.name
+            else:
+                assert field.name == "one_below"
 
     def test_unknown_reason_is_said_in_the_engine_s_words(self) -> None:
         found = damaged().diagnosis
@@ -218,9 +222,7 @@ class TestPage:
 
     def test_reasons_of_faults(self) -> None:
         text = squeezed(page(damaged(), "en"))
-        assert "Sidebands at a spacing of 1 orders" in text or "Sidebands at a spacing of 0.99" in (
-            text
-        ) or "Sidebands at a spacing of 1.0" in text  # fmt: skip
+        assert re.search(r"Sidebands at a spacing of (1 order|0\.99\d* orders|1\.\d+ orders),", text)
         assert "It tells of the same cage speed as the inner race." in text
         assert "Indica a mesma rotação da gaiola que a pista externa." in squeezed(
             page(damaged(), "pt")
@@ -244,8 +246,8 @@ class TestPage:
             zip((r.name for r in part.reasons), said_reasons(part, found, "en"), strict=True)
         )
         engine_s = {reason.name: reason.text for reason in part.reasons}
-        for name in ("band", "off_nominal", "cage_agrees"):
-            assert squeezed(ours[name]).replace(" %", "%") == engine_s[name]
+        for name in ("band", "cage_agrees"):
+            assert ours[name] == engine_s[name]
 
 
 class TestData:

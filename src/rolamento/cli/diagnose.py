@@ -5,27 +5,56 @@ from __future__ import annotations
 import sys
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Annotated, Final
+from typing import TYPE_CHECKING, Final
 
 import typer
 
 from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
+    JsonOption,
     LanguageOption,
+    SettingsOption,
     plain_endings,
     same_file,
     words_of,
+)
+from rolamento.cli.diagnose_options import (
+    AngleOption,
+    BearingOption,
+    ChannelOption,
+    CsvOption,
+    DurationOption,
+    FalseAlarmOption,
+    KurtogramOption,
+    NominalOption,
+    OuterSpeedOption,
+    PlotOption,
+    PulsesOption,
+    RateOption,
+    ScaleOption,
+    SignalArgument,
+    SlipOption,
+    SpeedChannelOption,
+    SpeedOption,
+    SpeedUnitOption,
+    StartOption,
+    TachoOption,
+    TrackOption,
+    UnitOption,
+    WithinOption,
 )
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
 from rolamento.errors import FileError, InputError
 
 if TYPE_CHECKING:
-    from rolamento.cli.diagnose_signal import GivenBearing
+    from rolamento.cli.diagnose_bearing import GivenBearing
+    from rolamento.cli.diagnose_speed import AskedSpeed
     from rolamento.cli.weibull_progress import Progress
     from rolamento.report.diagnosis import DiagnosisResult
     from rolamento.report.language import Words
     from rolamento.vibration.diagnosis import DiagnosisSettings
+    from rolamento.vibration.reading import SignalFile
 
 __all__ = ["diagnose"]
 
@@ -37,135 +66,88 @@ _TIMES: Final = {"": 1.0, "s": 1.0, "ms": 1e-3, "min": 60.0, "h": 3600.0}
 
 @dataclass(frozen=True, slots=True)
 class _Asked:
-    """What the options say of the signal's file."""
+    """What the options say of the signal's file, the speed, the bearing and the search."""
 
     path: str
     channel: str | None
     rate: float | None
     unit: str | None
+    scale: str | None
     start: float
     duration: float | None
-    inner_speed: float | None
-    outer_speed: float | None
+    speed: AskedSpeed
+    bearing: GivenBearing
+    nominal: bool
+    angle: str | None
+    settings: DiagnosisSettings
 
 
 def diagnose(
-    signal: Annotated[
-        str,
-        typer.Argument(
-            metavar="SIGNAL", help="File of a signal: WAV, CSV, NPY, MATLAB and others."
-        ),
-    ],
-    bearing: Annotated[
-        str,
-        typer.Option(
-            "--bearing", metavar="BEARING", help="Designation such as 6205, or a case file."
-        ),
-    ],
-    speed: Annotated[
-        str | None,
-        typer.Option(
-            "--speed",
-            metavar="SPEED",
-            help="Of the inner ring, such as '1797 rpm'; by default as the file tells it, or else"
-            " the case.",
-        ),
-    ] = None,
-    outer_speed: Annotated[
-        str | None,
-        typer.Option("--outer-speed", metavar="SPEED", help="Of the outer ring; signed as well."),
-    ] = None,
-    channel: Annotated[
-        str | None,
-        typer.Option("--channel", metavar="CHANNEL", help="Name, or number from 1 on."),
-    ] = None,
-    rate: Annotated[
-        str | None,
-        typer.Option(
-            "--rate", metavar="RATE", help="Of sampling, such as '12 kHz', if the file is silent."
-        ),
-    ] = None,
-    unit: Annotated[
-        str | None,
-        typer.Option("--unit", metavar="UNIT", help="Of the samples: m/s^2, g, mm/s, um …"),
-    ] = None,
-    slip: Annotated[
-        float,
-        typer.Option(
-            "--slip",
-            metavar="PART",
-            help="By which the cage may be off its nominal speed, 0 to 0.1.",
-        ),
-    ] = _SLIP,
-    false_alarm: Annotated[
-        float,
-        typer.Option(
-            "--false-alarm",
-            metavar="P",
-            help="Probability that a sound bearing gets any fault, up to 0.5.",
-        ),
-    ] = _FALSE_ALARM,
-    start: Annotated[
-        str | None,
-        typer.Option("--start", metavar="TIME", help="To begin at, such as '2 s'."),
-    ] = None,
-    duration: Annotated[
-        str | None,
-        typer.Option("--duration", metavar="TIME", help="To look at from there; by default all."),
-    ] = None,
-    plot: Annotated[
-        str | None,
-        typer.Option(
-            "--plot",
-            metavar="FILE",
-            help="Draw waveform, kurtogram and envelope spectrum: a .png, .svg or .pdf file.",
-        ),
-    ] = None,
-    kurtogram: Annotated[
-        str | None,
-        typer.Option("--kurtogram", metavar="FILE", help="Draw the kurtogram alone, likewise."),
-    ] = None,
-    json: Annotated[
-        str | None,
-        typer.Option(
-            "--json",
-            metavar="[FILE]",
-            help="Write everything as JSON, in SI units; without FILE, to standard output.",
-        ),
-    ] = None,
-    csv: Annotated[
-        str | None,
-        typer.Option(
-            "--csv",
-            metavar="FILE",
-            help="Write the spectrum of the squared envelope; - is standard output.",
-        ),
-    ] = None,
+    signal: SignalArgument,
+    bearing: BearingOption,
+    settings: SettingsOption = None,
+    nominal: NominalOption = False,
+    angle: AngleOption = None,
+    speed: SpeedOption = None,
+    outer_speed: OuterSpeedOption = None,
+    speed_channel: SpeedChannelOption = None,
+    speed_unit: SpeedUnitOption = None,
+    tacho: TachoOption = None,
+    pulses: PulsesOption = None,
+    track: TrackOption = False,
+    within: WithinOption = None,
+    channel: ChannelOption = None,
+    rate: RateOption = None,
+    unit: UnitOption = None,
+    scale: ScaleOption = None,
+    start: StartOption = None,
+    duration: DurationOption = None,
+    slip: SlipOption = _SLIP,
+    false_alarm: FalseAlarmOption = _FALSE_ALARM,
+    plot: PlotOption = None,
+    kurtogram: KurtogramOption = None,
+    json: JsonOption = None,
+    csv: CsvOption = None,
     lang: LanguageOption = None,
 ) -> None:
-    """Say which parts of a bearing a vibration signal shows to be damaged, and how sure that is."""
+    """Say which parts of a bearing a vibration signal shows to be damaged, and how sure that is.
+
+    A long signal is read block by block, in bounded memory.
+    """
     with plain_endings(lang):
         _check_outputs(
             signal, {"--json": json, "--csv": csv, "--plot": plot, "--kurtogram": kurtogram}
         )
-        from rolamento.cli.diagnose_signal import bearing_of, speed_given, to_number
+        from rolamento.cli.diagnose_bearing import bearing_of
+        from rolamento.cli.diagnose_signal import speed_given, to_number
+        from rolamento.cli.diagnose_speed import AskedSpeed
 
-        settings = _settings(slip, false_alarm)
-        given = bearing_of(bearing)
         asked = _Asked(
-            signal,
-            channel,
-            to_number(rate, "--rate", _RATES, "--rate '12 kHz'"),
-            unit,
-            to_number(start, "--start", _TIMES, "--start '2 s'") or 0.0,
-            to_number(duration, "--duration", _TIMES, "--duration '10 s'"),
-            speed_given(speed, "--speed"),
-            speed_given(outer_speed, "--outer-speed"),
+            path=signal,
+            channel=channel,
+            rate=to_number(rate, "--rate", _RATES, "--rate '12 kHz'"),
+            unit=unit,
+            scale=scale,
+            start=to_number(start, "--start", _TIMES, "--start '2 s'") or 0.0,
+            duration=to_number(duration, "--duration", _TIMES, "--duration '10 s'"),
+            speed=AskedSpeed(
+                inner=speed_given(speed, "--speed"),
+                outer=speed_given(outer_speed, "--outer-speed"),
+                channel=speed_channel,
+                unit=speed_unit,
+                tacho=tacho,
+                pulses=pulses,
+                track=track,
+                within=within,
+            ),
+            bearing=bearing_of(bearing, settings or []),
+            nominal=nominal,
+            angle=angle,
+            settings=_settings(slip, false_alarm),
         )
         words = words_of(lang)
-        with _told(words) as progress:
-            found = _found(asked, given, settings, progress)
-            _draw(found, plot, kurtogram, words.code)
+        found = _found(asked, words)
+        _draw(found, plot, kurtogram, words.code)
         _show(found, json, csv, words)
     raise typer.Exit(NO_RESULT if found.verdict == "no_verdict" else SOLVED)
 
@@ -193,72 +175,75 @@ def _settings(slip: float, false_alarm: float) -> DiagnosisSettings:
         return DiagnosisSettings(false_alarm=false_alarm, tolerance=slip)
     except InputError as error:
         option = options.get(error.field or "", "")
-        raise InputError(error.rule, source=option, value=error.value) from None
+        example = f"{option} {_SLIP if option == '--slip' else _FALSE_ALARM}"
+        raise InputError(error.rule, source=option, value=error.value, example=example) from None
 
 
-def _told(words: Words) -> AbstractContextManager[Progress]:
-    """Show how much of the signal was read, for whoever waits longer than a second."""
+def _told(text: str) -> AbstractContextManager[Progress]:
+    """Show how much is done, for whoever waits longer than a second."""
     from rolamento.cli.weibull_progress import told
-    from rolamento.report.diagnosis_words import DIAGNOSIS_WORDS
 
-    return told(DIAGNOSIS_WORDS[words.code].reading)
+    return told(text)
 
 
-def _found(
-    asked: _Asked, given: GivenBearing, settings: DiagnosisSettings, progress: Progress
-) -> DiagnosisResult:
-    """Read the signal block by block, and diagnose it."""
+def _found(asked: _Asked, words: Words) -> DiagnosisResult:
+    """Read the signal block by block, and diagnose it at its speed."""
+    from rolamento.cli.diagnose_bearing import searched, sought
     from rolamento.cli.diagnose_signal import part_of, streamed
+    from rolamento.cli.diagnose_speed import known_speed
     from rolamento.report.diagnosis import DiagnosisResult
+    from rolamento.report.diagnosis_words import DIAGNOSIS_WORDS
     from rolamento.vibration.diagnosis import FaultOrders, diagnose
-    from rolamento.vibration.frequencies import nominal_frequencies
-    from rolamento.vibration.reading import open_signal
 
-    with open_signal(asked.path, channel=asked.channel, rate=asked.rate, unit=asked.unit) as source:
+    said, given = DIAGNOSIS_WORDS[words.code], asked.bearing
+    with _opened(asked) as source:
         part = part_of(source, asked.start, asked.duration)
-        pieces = (source.read(place, min(part.step, part.stop - place)) for place in part)
-        inner, outer = _speeds(asked, given, source.speed)
-
-        def read(samples: int) -> None:
-            progress(-(-samples // part.step), len(part))
-
-        held = streamed(pieces, inner or outer, read)
-        frequencies = nominal_frequencies(given.bearing, inner, outer)
-        diagnosis = diagnose(held.pieces, FaultOrders.of(frequencies), settings)
+        with _told(said.tracking) as progress:
+            speed = known_speed(asked.speed, given.speeds, source, part, progress)
+        looked = sought(given, speed.inner, speed.outer, nominal=asked.nominal, angle=asked.angle)
+        search = searched(looked.frequencies, asked.settings)
+        with _told(said.reading) as progress:
+            pieces = (source.read(place, min(part.step, part.stop - place)) for place in part)
+            held = streamed(
+                pieces, speed.at, lambda done: progress(-(-done // part.step), len(part))
+            )
+            orders = FaultOrders.of(looked.frequencies)
+            diagnosis = diagnose(held.pieces, orders, search.settings)
         return DiagnosisResult(
             title=held.first.title or asked.path,
             bearing_name=given.name,
-            bearing=given.bearing,
-            frequencies=frequencies,
+            bearing=given.case.bearing,
+            frequencies=looked.frequencies,
             diagnosis=diagnosis,
-            settings=settings,
+            settings=search.settings,
             signal=held.first,
             duration=held.duration,
             reading_notes=source.notes,
+            speed=speed.shaft,
+            state=looked.state,
+            slip=search.slip,
+            covers_balls=search.covers_balls,
+            other_rows=search.other_rows,
         )
 
 
-def _speeds(asked: _Asked, given: GivenBearing, of_file: float | None) -> tuple[float, float]:
-    """Return the rings' speeds, rad/s: of the options, of the signal's file, of the case.
+def _opened(asked: _Asked) -> SignalFile:
+    """Open the signal's file; what is wrong is told in the words of the options."""
+    from rolamento.cli.diagnose_signal import in_options
+    from rolamento.vibration.reading import open_signal
 
-    What the file tells is the shaft's: the inner ring's, unless the outer one alone is given.
-    """
-    if asked.inner_speed is None and asked.outer_speed is None and of_file is not None:
-        outer_turns = not given.inner_speed and bool(given.outer_speed)
-        return (0.0, of_file) if outer_turns else (of_file, given.outer_speed or 0.0)
-    outer = given.outer_speed if asked.outer_speed is None else asked.outer_speed
-    inner = asked.inner_speed
-    if inner is None:
-        inner = given.inner_speed
-    if not inner and not outer:
-        raise InputError(
-            "is missing, and neither the file nor the case tells it"
-            if inner is None and outer is None
-            else "must not be 0: a bearing that does not turn tells nothing",
-            source="--speed",
-            example="--speed '1797 rpm'",
+    try:
+        return open_signal(
+            asked.path,
+            channel=asked.channel,
+            rate=asked.rate,
+            unit=asked.unit,
+            scale=asked.scale,
+            speed_channel=asked.speed.channel,
+            speed_unit=asked.speed.unit,
         )
-    return inner or 0.0, outer or 0.0
+    except InputError as error:
+        raise in_options(error) from None
 
 
 def _draw(found: DiagnosisResult, plot: str | None, kurtogram: str | None, language: str) -> None:
@@ -292,6 +277,6 @@ def _show(found: DiagnosisResult, json: str | None, csv: str | None, words: Word
 
         print_text(diagnosis_report(found, words, Medium.of(sys.stdout)))
     elif found.verdict == "no_verdict":
-        from rolamento.report.diagnosis_sentences import said_statements
+        from rolamento.report.diagnosis_sentences import said_result
 
-        complain(" ".join(said_statements(found.diagnosis, words.code, still=found.still)))
+        complain(" ".join(said_result(found, words.code)))

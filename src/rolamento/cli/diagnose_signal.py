@@ -1,9 +1,9 @@
-"""The signal and the bearing of `rolamento diagnose`, from what its options say."""
+"""The signal of `rolamento diagnose`, from what its options say."""
 
 from __future__ import annotations
 
-import os
-from collections.abc import Callable, Iterable, Iterator
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from itertools import chain, islice
 from math import isfinite
@@ -12,15 +12,16 @@ from typing import TYPE_CHECKING, Final
 from rolamento.errors import InputError
 
 if TYPE_CHECKING:
-    from rolamento.bearing import Bearing
     from rolamento.vibration.reading import SignalFile
     from rolamento.vibration.signal import Signal
 
+    AtSpeed = Callable[[Signal, int], Signal]
+    """Gives a piece of a signal its speed, from the number of its first sample on."""
+
 __all__ = [
     "PIECE",
-    "GivenBearing",
     "Streamed",
-    "bearing_of",
+    "in_options",
     "part_of",
     "speed_given",
     "streamed",
@@ -33,16 +34,11 @@ _WHOLE: Final = 8
 """Pieces up to which a signal is taken as one."""
 _RPM_EXAMPLE: Final = "--speed '1797 rpm'"
 _MOST: Final = 1e12
-
-
-@dataclass(frozen=True, slots=True)
-class GivenBearing:
-    """A bearing by its designation or of a case file; speeds in rad/s, None if not given."""
-
-    name: str
-    bearing: Bearing
-    inner_speed: float | None
-    outer_speed: float | None
+_OPTIONS: Final = {
+    name: f"--{name.replace('_', '-')}"
+    for name in ("channel", "rate", "unit", "scale", "speed_channel", "speed_unit")
+}
+_ARGUMENT: Final = re.compile(rf'\b({"|".join(_OPTIONS)})=("[^"]*"|[\d.]+)')
 
 
 @dataclass(slots=True)
@@ -67,26 +63,6 @@ class Streamed:
     def duration(self) -> float:
         """Of what was read so far; s."""
         return self.samples / self.first.rate
-
-
-def bearing_of(text: str) -> GivenBearing:
-    """Return the bearing of a designation or a case file.
-
-    Raises
-    ------
-    InputError, FileError
-        If there is no such bearing, or the file is no case.
-    """
-    import rolamento
-
-    if not text.lower().endswith((".toml", ".json")) and not _is_file(text):
-        try:
-            return GivenBearing(text, rolamento.Bearing.named(text), None, None)
-        except InputError as error:
-            raise error.with_details(source="--bearing") from None
-    case = rolamento.load_case(text)
-    speeds = (case.duty.inner_speed or None, case.duty.outer_speed or None)
-    return GivenBearing(case.title or text, case.bearing, *speeds)
 
 
 def speed_given(text: str | None, option: str) -> float | None:
@@ -133,6 +109,26 @@ def to_number(text: str | None, option: str, units: dict[str, float], example: s
     return value
 
 
+def in_options(error: InputError, names: Mapping[str, str] | None = None) -> InputError:
+    """Return an error about a signal's file in words of the command.
+
+    names: options of fields that are called otherwise than the field.
+    """
+    options = {**_OPTIONS, **(names or {})}
+
+    def option(match: re.Match[str]) -> str:
+        return f"{options[match[1]]} {match[2]}"
+
+    return type(error)(
+        _ARGUMENT.sub(option, error.rule),
+        field=options.get(error.field, error.field),
+        value=error.value,
+        example=_ARGUMENT.sub(option, error.example),
+        source=error.source,
+        line=error.line,
+    )
+
+
 def part_of(file: SignalFile, start: float, duration: float | None) -> range:
     """Return the samples of a part of a file, as a range in steps of `PIECE`; start, duration in s.
 
@@ -157,19 +153,19 @@ def part_of(file: SignalFile, start: float, duration: float | None) -> range:
     return range(first, first + count, PIECE)
 
 
-def streamed(pieces: Iterable[Signal], speed: float, read: Callable[[int], None]) -> Streamed:
+def streamed(pieces: Iterable[Signal], at: AtSpeed, read: Callable[[int], None]) -> Streamed:
     """Take a signal as one if it is short, and piece by piece if it is long.
 
     Parameters
     ----------
     pieces
         Consecutive parts, each read when it is asked for; at least one.
-    speed
-        Of the shaft; rad/s.
+    at
+        Gives each its speed.
     read
         Is told how many samples were read, as they are read.
     """
-    source = (_at_speed(piece, speed) for piece in pieces)
+    source = _with_speed(pieces, at)
     held = list(islice(source, _WHOLE + 1))
     found = Streamed(held[0], (), sum(len(piece.samples) for piece in held))
     read(found.samples)
@@ -188,10 +184,11 @@ def streamed(pieces: Iterable[Signal], speed: float, read: Callable[[int], None]
     return found
 
 
-def _at_speed(piece: Signal, speed: float) -> Signal:
-    import numpy as np
-
-    return replace(piece, speed=np.asarray(speed))
+def _with_speed(pieces: Iterable[Signal], at: AtSpeed) -> Iterator[Signal]:
+    first = 0
+    for piece in pieces:
+        yield at(piece, first)
+        first += len(piece.samples)
 
 
 def _joined(pieces: list[Signal]) -> Signal:
@@ -199,11 +196,8 @@ def _joined(pieces: list[Signal]) -> Signal:
 
     if len(pieces) == 1:
         return pieces[0]
-    return replace(pieces[0], samples=np.concatenate([piece.samples for piece in pieces]))
-
-
-def _is_file(text: str) -> bool:
-    try:
-        return os.path.isfile(text)
-    except ValueError:
-        return False
+    speed = pieces[0].speed
+    if speed is not None and speed.ndim:
+        speed = np.concatenate([piece.speed for piece in pieces if piece.speed is not None])
+    samples = np.concatenate([piece.samples for piece in pieces])
+    return replace(pieces[0], samples=samples, speed=speed)

@@ -7,22 +7,43 @@ here is said in the engine's own words.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from math import floor, isfinite
+from math import floor, isfinite, pi
 from typing import TYPE_CHECKING, Final
 
+from rolamento.report.diagnosis_result import unexplained_lines
 from rolamento.report.diagnosis_words import DIAGNOSIS_WORDS, DiagnosisWords
+from rolamento.report.frequencies_words import FREQUENCY_WORDS
 from rolamento.report.language import words_for
 from rolamento.report.numbers import Digits
 from rolamento.vibration.diagnosis.orders import COMPONENTS
 
 if TYPE_CHECKING:
+    from rolamento.report.diagnosis_result import DiagnosisResult
     from rolamento.vibration.diagnosis import Component, ComponentVerdict, Diagnosis, Reason
 
-__all__ = ["listed", "said_chance", "said_note", "said_reasons", "said_statements"]
+__all__ = [
+    "listed",
+    "said_chance",
+    "said_note",
+    "said_own_note",
+    "said_reasons",
+    "said_result",
+    "said_statements",
+]
 
 _DIGITS: Final = 15.0
 """Evidence beyond which a probability is no more than small: no noise is known so well."""
 _TELL_CAGE: Final = ("outer_race", "inner_race", "cage")
+_MOST_LINES: Final = 5
+"""Unexplained lines that are said one by one."""
+_RPM: Final = 30.0 / pi
+
+
+def said_result(found: DiagnosisResult, language: str) -> list[str]:
+    """Return what all comes to, sentence by sentence."""
+    if found.speed_lost and not found.still and not found.diagnosis.faults:
+        return [_of(language)[0].no_speed]
+    return said_statements(found.diagnosis, language, still=found.still)
 
 
 def said_statements(diagnosis: Diagnosis, language: str, *, still: bool = False) -> list[str]:
@@ -31,9 +52,9 @@ def said_statements(diagnosis: Diagnosis, language: str, *, still: bool = False)
     still: whether the signal does not change at all, of which the spectra tell nothing.
     """
     said, digits = _of(language)
-    if still:
-        return [said.no_change]
     parts = diagnosis.components
+    if still and not diagnosis.faults:
+        return [said.no_change]
     faults = sorted((p for p in parts if p.verdict == "fault"), key=lambda p: -p.evidence)
     tested = [said.parts[p.component] for p in parts if p.verdict == "nothing_found"]
     untested = [said.parts[p.component] for p in parts if p.verdict == "not_tested"]
@@ -69,9 +90,28 @@ def said_reasons(part: ComponentVerdict, diagnosis: Diagnosis, language: str) ->
 def said_note(note: Reason, diagnosis: Diagnosis, language: str) -> str:
     """Return what a user should know about a diagnosis."""
     said, digits = _of(language)
+    if note.name == "unexplained_lines" and unexplained_lines(diagnosis):
+        return _unexplained(diagnosis, said, digits)
     if note.name not in said.note:
         return note.text
     return said.note[note.name].format(turns=digits.short(diagnosis.revolutions, 3))
+
+
+def said_own_note(name: str, found: DiagnosisResult, language: str) -> str:
+    """Return one of the result's own notes."""
+    said, digits = _of(language)
+    numbers = {
+        "tolerance": digits.short(100.0 * found.settings.tolerance, 3),
+        "rows": listed((said.row.format(row=row) for row in found.other_rows), said),
+    }
+    if name == "no_loaded_frequencies":
+        numbers["reason"] = _why_not_loaded(found, language)
+    tracking = None if found.speed is None else found.speed.tracking
+    if name == "speed_not_found" and tracking is not None and tracking.lost is not None:
+        numbers["start"], numbers["end"] = (digits.short(end, 4) for end in tracking.lost)
+        numbers["within"] = digits.short(100.0 * tracking.within, 3)
+        numbers["nominal"] = digits.short(_RPM * abs(tracking.nominal), 6)
+    return said.note[name].format(**numbers)
 
 
 def listed(items: Iterable[str], said: DiagnosisWords) -> str:
@@ -97,6 +137,36 @@ def _damaged(part: ComponentVerdict, said: DiagnosisWords, digits: Digits) -> st
     )
 
 
+def _unexplained(diagnosis: Diagnosis, said: DiagnosisWords, digits: Digits) -> str:
+    """Say the clearest of the lines that nothing explains."""
+    lines = sorted(unexplained_lines(diagnosis), key=lambda line: -float(line.above_noise))
+    entries = [
+        said.unexplained_line.format(
+            frequency=_hertz(line.frequency, digits),
+            order=digits.short(line.order, 4),
+            level=digits.fixed(line.above_noise, 0),
+            low=digits.fixed(line.band[0], 0),
+            high=digits.fixed(line.band[1], 0),
+        )
+        for line in lines[:_MOST_LINES]
+    ]
+    more = len(lines) - len(entries)
+    if more:
+        entries.append(said.more_lines.format(count=more))
+    text = "; ".join(entries)
+    return said.unexplained[len(lines) > 1].format(lines=text)
+
+
+def _why_not_loaded(found: DiagnosisResult, language: str) -> str:
+    """Say why a load gives no frequencies."""
+    words, said = words_for(language), FREQUENCY_WORDS[words_for(language).code]
+    status = None if found.state is None else found.state.status
+    if status is None or status.converged:
+        return said.note["no_loaded_ball"]
+    told = (words.reason(status), words.advice(status))
+    return said.failed.format(reason=": ".join(part for part in told if part))
+
+
 def _hertz(frequency: float, digits: Digits) -> str:
     return digits.fixed(frequency, 1 if frequency >= 100.0 else 2)
 
@@ -111,19 +181,26 @@ def _reason(reason: Reason, part: ComponentVerdict, diagnosis: Diagnosis, langua
         return template.format(trials=diagnosis.trials, probability=chance)
     low, high = part.band or (0.0, 0.0)
     plain = [line for line in part.lines if isfinite(line.above_noise)]
+    deviation = digits.fixed(100.0 * abs(part.deviation), 2)
+    if reason.name == "harmonics_above_noise" and [line.multiple for line in plain] == [1.0]:
+        template = said.one_harmonic
+    if reason.name == "off_nominal" and not any(digit in "123456789" for digit in deviation):
+        template = said.at_expected
+    spacing = _spacing(part) if part.sidebands else 0.0
     return template.format(
         multiples=listed((digits.short(line.multiple) for line in plain), said),
         levels=listed((digits.fixed(line.above_noise, 0) for line in plain), said),
         order=digits.short(part.order),
         frequency=_hertz(part.frequency, digits),
-        spacing=digits.short(_spacing(part), 4) if part.sidebands else "",
+        spacing=digits.short(spacing, 4),
+        orders=_orders(spacing, said, digits),
         strongest=_strongest(part, said, digits),
         carries=said.carries["ball" if part.component == "ball" else "ring"],
         low=digits.fixed(low, 0),
         high=digits.fixed(high, 0),
         chance=said_chance(part.evidence, said),
         trials=diagnosis.trials,
-        deviation=digits.fixed(100.0 * abs(part.deviation), 2),
+        deviation=deviation,
         side=said.sides[0 if part.deviation > 0.0 else 1],
         others=listed((said.the_parts[other] for other in _others(part, diagnosis)), said),
     )
@@ -133,6 +210,12 @@ def _spacing(part: ComponentVerdict) -> float:
     """Of the sidebands; orders."""
     side = part.sidebands[0]
     return abs(side.order - side.multiple * part.order) / max(abs(side.sideband), 1)
+
+
+def _orders(number: float, said: DiagnosisWords, digits: Digits) -> str:
+    """Return the word for so many orders."""
+    one = digits.short(number, 4) == "1" or number < said.one_below
+    return said.order_words[0 if one else 1]
 
 
 def _strongest(part: ComponentVerdict, said: DiagnosisWords, digits: Digits) -> str:

@@ -17,7 +17,8 @@ __all__ = ["DIAGNOSIS_WORDS", "DiagnosisWords"]
 class DiagnosisWords:
     """The words of one language; `{…}` are filled in by the one who says it.
 
-    subjects begin a sentence, parts stand in tables, the_parts within a sentence.
+    subjects begin a sentence, parts stand in tables, the_parts within a sentence. Of two words, one
+    is for one of a kind, the other for more; one_below: the number below which it counts as one.
     """
 
     subjects: Mapping[Component, str]
@@ -34,11 +35,19 @@ class DiagnosisWords:
     untested: str
     no_verdict: str
     no_change: str
+    no_speed: str
 
     bearing: str
     inside: str
+    frequencies: str
+    nominal: str
+    loaded: str
+    angles: tuple[str, str]
+    over_balls: str
     shaft: str
     speed: str
+    speed_range: str
+    speed_source: Mapping[str, str]
     outer_speed: str
     signal: str
     samples: str
@@ -46,6 +55,8 @@ class DiagnosisWords:
     indicators: str
     search: str
     searched: str
+    expected: tuple[str, str]
+    wider: str
 
     table: str
     heads: tuple[str, ...]
@@ -54,13 +65,22 @@ class DiagnosisWords:
 
     why: str
     reason: Mapping[str, str]
+    one_harmonic: str
+    at_expected: str
+    order_words: tuple[str, str]
+    one_below: float
     strongest: str
     carries: Mapping[str, str]
     sides: tuple[str, str]
     notes: str
     note: Mapping[str, str]
+    unexplained: tuple[str, str]
+    unexplained_line: str
+    more_lines: str
+    row: str
 
     reading: str
+    tracking: str
 
 
 _ENGLISH: Final = DiagnosisWords(
@@ -95,20 +115,39 @@ _ENGLISH: Final = DiagnosisWords(
     untested="Not tested: {parts}.",
     no_verdict="No verdict: this signal does not tell of any part of the bearing.",
     no_change="No verdict: the signal does not change.",
+    no_speed="No verdict: the speed was not found in the vibration, and at a steady one nothing"
+    " stands out of the noise.",
     bearing="bearing",
-    inside="{name}: {count} balls of {ball} mm on {pitch} mm, contact angle {angle}°",
+    inside="{name}: {count} balls of {ball} mm on {pitch} mm",
+    frequencies="frequencies",
+    nominal="of the geometry, contact angle {angle}",
+    loaded="of the loaded bearing, mean contact angle {angle}; cage order {cage}{range}",
+    angles=("{inner}°", "{inner}° (inner), {outer}° (outer)"),
+    over_balls=", {least} to {most} over the balls",
     shaft="shaft",
     speed="{speed} rpm ({frequency} Hz)",
+    speed_range="mean {speed} rpm ({frequency} Hz), from {least} to {most} rpm",
+    speed_source={
+        "given": "as given",
+        "file": "by the signal's file",
+        "case": "of the case",
+        "channel": "of the channel {channel}",
+        "pulses": "by the pulses of the channel {channel}, {pulses} a revolution",
+        "vibration": "found in the vibration within {within} % of {nominal} rpm",
+        "lost": "taken as steady: it was not found in the vibration",
+    },
     outer_speed="outer ring {speed} rpm",
     signal="signal",
     samples="{duration} s at {rate} Hz, {turns} revolutions",
     of_part="first {duration} s: ",
     indicators="RMS {rms}{unit}, crest factor {crest}, kurtosis {kurtosis} (3 for noise)",
     search="search",
-    searched="cage within {tolerance} % of its nominal speed; false alarms in at most {alarm} %"
+    searched="cage within {tolerance} % of {expected}{wider}; false alarms in at most {alarm} %"
     " of sound bearings",
+    expected=("its nominal speed", "its speed under load"),
+    wider=", wider than --slip to cover the range over the balls",
     table="Parts",
-    heads=("", "nominal Hz", "found", "off %", "evidence", "verdict", "band kHz"),
+    heads=("", "expected Hz", "found", "off %", "evidence", "verdict", "band kHz"),
     verdicts={"fault": "damaged", "nothing_found": "nothing", "not_tested": "untested"},
     legend="Evidence: -log10 of the probability that a sound bearing gives as clear a finding, all"
     " {trials} trials counted; from {least} on a part counts as damaged. Band: where it rings most"
@@ -117,12 +156,12 @@ _ENGLISH: Final = DiagnosisWords(
     reason={
         "harmonics_above_noise": "At {multiples} times order {order} ({frequency} Hz) the squared"
         " envelope rises {levels} dB above the noise about it.",
-        "sidebands": "Sidebands at a spacing of {spacing} orders{strongest}: the damage goes"
+        "sidebands": "Sidebands at a spacing of {spacing} {orders}{strongest}: the damage goes"
         " through the load as {carries}.",
         "band": "Clearest between {low} and {high} Hz.",
         "improbable_in_noise": "Without damage anything as clear has a probability {chance}, all"
         " {trials} trials counted.",
-        "off_nominal": "{deviation} % {side} the nominal order.",
+        "off_nominal": "{deviation} % {side} the expected order.",
         "cage_agrees": "It tells of the same cage speed as {others}.",
         "cage_disagrees": "It tells of another cage speed than {others}: one of the two may have"
         " another cause.",
@@ -133,7 +172,13 @@ _ENGLISH: Final = DiagnosisWords(
         " turn, or with those of a fault that was found.",
         "record_too_short": "The record is too short to tell its lines from the shaft's.",
         "rate_too_low": "The sampling rate is too low for its frequency.",
+        "no_change": "The signal does not change: nothing can be told.",
     },
+    one_harmonic="At order {order} ({frequency} Hz) the squared envelope rises {levels} dB above"
+    " the noise about it.",
+    at_expected="At the expected order.",
+    order_words=("order", "orders"),
+    one_below=0.0,
     strongest=", up to {level} dB above the noise",
     carries={"ball": "the cage carries the ball", "ring": "the ring turns"},
     sides=("above", "below"),
@@ -149,8 +194,30 @@ _ENGLISH: Final = DiagnosisWords(
         " lines of another cause may lie nearby. Check the speed, the bearing, and the picture.",
         "inferred_inside": "The inside of this bearing is inferred from its ratings: other insides"
         " have other frequencies (see rolamento frequencies).",
+        "speed_not_found": "From {start} to {end} s the shaft does not stand out of the"
+        " vibration's noise, within {within} % of {nominal} rpm: the speed was taken as steady. If"
+        " it was not, damage stays unseen. Give a measured speed, or a part of the record.",
+        "no_loaded_frequencies": "The frequencies that were looked for are those of the geometry."
+        " {reason}",
+        "range_not_covered": "Under this load the orders of some balls are more than"
+        " {tolerance} % off: those were not looked for.",
+        "other_rows": "The orders of {rows} are others, and were not looked for: allow more slip,"
+        " or give that row as a bearing of its own.",
+        "unexplained_lines": "The envelope's spectrum has lines that no part of this bearing and no"
+        " multiple of the shaft explains.",
     },
+    unexplained=(
+        "No part of this bearing and no multiple of the shaft explains a line that stands out of"
+        " the envelope's spectrum: {lines}. Check the speed and the bearing.",
+        "No part of this bearing and no multiple of the shaft explains lines that stand out of the"
+        " envelope's spectrum: {lines}. Check the speed and the bearing.",
+    ),
+    unexplained_line="{frequency} Hz (order {order}), {level} dB above the noise between {low} and"
+    " {high} Hz",
+    more_lines="{count} more",
+    row="row {row}",
     reading="blocks of the signal",
+    tracking="blocks of the signal, for the speed",
 )
 
 _PORTUGUESE: Final = DiagnosisWords(
@@ -185,20 +252,39 @@ _PORTUGUESE: Final = DiagnosisWords(
     untested="Não foi possível testar: {parts}.",
     no_verdict="Sem veredito: este sinal nada diz de nenhuma parte do rolamento.",
     no_change="Sem veredito: o sinal não varia.",
+    no_speed="Sem veredito: a rotação não foi encontrada na vibração, e a uma constante nada"
+    " se destaca do ruído.",
     bearing="rolamento",
-    inside="{name}: {count} esferas de {ball} mm em {pitch} mm, ângulo de contato {angle}°",
+    inside="{name}: {count} esferas de {ball} mm em {pitch} mm",
+    frequencies="frequências",
+    nominal="da geometria, ângulo de contato {angle}",
+    loaded="do rolamento sob carga, ângulo de contato médio {angle}; ordem da gaiola {cage}{range}",
+    angles=("{inner}°", "{inner}° (interno), {outer}° (externo)"),
+    over_balls=", de {least} a {most} entre as esferas",
     shaft="eixo",
     speed="{speed} rpm ({frequency} Hz)",
+    speed_range="em média {speed} rpm ({frequency} Hz), de {least} a {most} rpm",
+    speed_source={
+        "given": "como dada",
+        "file": "pelo arquivo do sinal",
+        "case": "do caso",
+        "channel": "do canal {channel}",
+        "pulses": "pelos pulsos do canal {channel}, {pulses} por volta",
+        "vibration": "encontrada na vibração a até {within} % de {nominal} rpm",
+        "lost": "tomada como constante: não foi encontrada na vibração",
+    },
     outer_speed="anel externo {speed} rpm",
     signal="sinal",
     samples="{duration} s a {rate} Hz, {turns} voltas",
     of_part="primeiros {duration} s: ",
     indicators="RMS {rms}{unit}, fator de crista {crest}, curtose {kurtosis} (3 no ruído)",
     search="busca",
-    searched="gaiola a até {tolerance} % da rotação nominal; alarmes falsos em no máximo {alarm} %"
-    " dos rolamentos sãos",
+    searched="gaiola a até {tolerance} % {expected}{wider}; alarmes falsos em no máximo"
+    " {alarm} % dos rolamentos sãos",
+    expected=("da rotação nominal", "da sua rotação sob carga"),
+    wider=", mais do que --slip, para cobrir a variação entre as esferas",
     table="Partes",
-    heads=("", "nominal Hz", "achada", "desvio %", "evidência", "veredito", "faixa kHz"),
+    heads=("", "esperada Hz", "achada", "desvio %", "evidência", "veredito", "faixa kHz"),
     verdicts={"fault": "danificada", "nothing_found": "nada", "not_tested": "sem teste"},
     legend="Evidência: -log10 da probabilidade de que um rolamento são dê um achado tão claro,"
     " contadas todas as {trials} tentativas; a partir de {least} a parte conta como danificada."
@@ -207,12 +293,12 @@ _PORTUGUESE: Final = DiagnosisWords(
     reason={
         "harmonics_above_noise": "Em {multiples} vezes a ordem {order} ({frequency} Hz) o envelope"
         " ao quadrado sobe {levels} dB acima do ruído em volta.",
-        "sidebands": "Bandas laterais a um espaçamento de {spacing} ordens{strongest}: o dano"
+        "sidebands": "Bandas laterais a um espaçamento de {spacing} {orders}{strongest}: o dano"
         " atravessa a carga enquanto {carries}.",
         "band": "Mais clara entre {low} e {high} Hz.",
         "improbable_in_noise": "Sem dano, algo tão claro tem probabilidade {chance}, contadas"
         " todas as {trials} tentativas.",
-        "off_nominal": "{deviation} % {side} da ordem nominal.",
+        "off_nominal": "{deviation} % {side} da ordem esperada.",
         "cage_agrees": "Indica a mesma rotação da gaiola que {others}.",
         "cage_disagrees": "Indica outra rotação da gaiola que {others}: uma das duas pode ter"
         " outra causa.",
@@ -223,7 +309,13 @@ _PORTUGUESE: Final = DiagnosisWords(
         " que gira, ou com as de uma falha encontrada.",
         "record_too_short": "O registro é curto demais para separar suas linhas das do eixo.",
         "rate_too_low": "A taxa de amostragem é baixa demais para sua frequência.",
+        "no_change": "O sinal não varia: nada se pode dizer.",
     },
+    one_harmonic="Na ordem {order} ({frequency} Hz) o envelope ao quadrado sobe {levels} dB acima"
+    " do ruído em volta.",
+    at_expected="Na ordem esperada.",
+    order_words=("ordem", "ordens"),
+    one_below=2.0,
     strongest=", até {level} dB acima do ruído",
     carries={"ball": "a gaiola leva a esfera", "ring": "o anel gira"},
     sides=("acima", "abaixo"),
@@ -239,8 +331,29 @@ _PORTUGUESE: Final = DiagnosisWords(
         " haver por perto linhas de outra causa. Confira a rotação, o rolamento e a figura.",
         "inferred_inside": "O interior deste rolamento é inferido das suas capacidades: outros"
         " interiores têm outras frequências (veja rolamento frequencies).",
+        "speed_not_found": "De {start} a {end} s o eixo não se destaca do ruído da vibração, a até"
+        " {within} % de {nominal} rpm: a rotação foi tomada como constante. Se não era, um dano não"
+        " se vê. Dê uma rotação medida, ou uma parte do registro.",
+        "no_loaded_frequencies": "As frequências procuradas são as da geometria. {reason}",
+        "range_not_covered": "Sob esta carga as ordens de algumas esferas se afastam mais de"
+        " {tolerance} %: essas não foram procuradas.",
+        "other_rows": "As ordens de {rows} são outras e não foram procuradas: permita mais"
+        " escorregamento, ou dê essa fileira como um rolamento próprio.",
+        "unexplained_lines": "O espectro do envelope tem linhas que nenhuma parte deste rolamento e"
+        " nenhum múltiplo do eixo explicam.",
     },
+    unexplained=(
+        "Nenhuma parte deste rolamento e nenhum múltiplo do eixo explicam uma linha que se destaca"
+        " no espectro do envelope: {lines}. Confira a rotação e o rolamento.",
+        "Nenhuma parte deste rolamento e nenhum múltiplo do eixo explicam linhas que se destacam no"
+        " espectro do envelope: {lines}. Confira a rotação e o rolamento.",
+    ),
+    unexplained_line="{frequency} Hz (ordem {order}), {level} dB acima do ruído entre {low} e"
+    " {high} Hz",
+    more_lines="mais {count}",
+    row="fileira {row}",
     reading="blocos do sinal",
+    tracking="blocos do sinal, para a rotação",
 )
 
 DIAGNOSIS_WORDS: Final[Mapping[str, DiagnosisWords]] = {"en": _ENGLISH, "pt": _PORTUGUESE}

@@ -1,0 +1,243 @@
+"""The bearing of `rolamento diagnose`, and the frequencies at which it would tell of damage."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass, replace
+from math import isfinite, pi
+from typing import TYPE_CHECKING, Final
+
+import rolamento
+from rolamento.cli.streams import STANDARD_STREAM
+from rolamento.errors import InputError
+
+if TYPE_CHECKING:
+    from rolamento.state import State
+    from rolamento.vibration.diagnosis import DiagnosisSettings, FaultOrders
+    from rolamento.vibration.fault_lines import FaultFrequencies
+    from rolamento.vibration.frequencies import AngleChoice
+
+__all__ = ["GivenBearing", "Search", "Sought", "bearing_of", "searched", "sought"]
+
+_WIDEST: Final = 0.1
+"""Part by which a cage may be off in a search."""
+_ANGLE_EXAMPLE: Final = "--angle zero, --angle free or --angle '15 deg'"
+
+
+@dataclass(frozen=True, slots=True)
+class GivenBearing:
+    """A bearing by its designation or of a case file, with its duty."""
+
+    name: str
+    case: rolamento.Case
+
+    @property
+    def speeds(self) -> tuple[float | None, float | None]:
+        """Of the inner and the outer ring; rad/s, None if not given."""
+        return self.case.duty.inner_speed or None, self.case.duty.outer_speed or None
+
+    @property
+    def has_load(self) -> bool:
+        """Whether anything presses the balls: a load, a displacement or a preload."""
+        from rolamento.duty import AXES, LOADS
+
+        duty = self.case.duty
+        given = [getattr(duty.load, name) for name in LOADS]
+        given += [getattr(duty.displacement, name) for name in AXES]
+        return any(given) or self.case.bearing.preload is not None
+
+
+@dataclass(frozen=True, slots=True)
+class Sought:
+    """The frequencies to look for, and the loaded bearing's state, if one was asked for."""
+
+    frequencies: FaultFrequencies
+    state: State | None
+
+
+@dataclass(frozen=True, slots=True)
+class Search:
+    """How widely to look.
+
+    Attributes
+    ----------
+    settings
+        with a tolerance that covers the range over the balls
+    slip
+        the tolerance before that, if the range is wider; else None
+    covers_balls
+        whether all loaded balls are covered: a search has its widest
+    other_rows
+        rows of a set, counted from 0, that are not
+    """
+
+    settings: DiagnosisSettings
+    slip: float | None
+    covers_balls: bool
+    other_rows: tuple[int, ...]
+
+
+def bearing_of(text: str, settings: list[str]) -> GivenBearing:
+    """Return the bearing of a designation or a case file.
+
+    Parameters
+    ----------
+    text
+        A designation is a case with that bearing and no load.
+    settings
+        ``KEY=VALUE``, over the case.
+
+    Raises
+    ------
+    InputError, FileError
+        If there is no such bearing, or the file is no case.
+    """
+    if not _is_designation(text):
+        case = rolamento.load_case(text, settings)
+        return GivenBearing(case.title or text, case)
+    import json
+
+    from rolamento.case import parse_case
+
+    named = {"bearing": {"designation": text}, "duty": {}}
+    try:
+        case = parse_case(json.dumps(named), format="json", overrides=settings)
+    except InputError as error:
+        if error.source:
+            raise
+        # the case behind a designation is none of the user's: its fields are not worth telling
+        wanted = error.field == "bearing.designation"
+        raise InputError(
+            error.rule,
+            field="" if wanted else error.field,
+            value=error.value,
+            example="--bearing 6205" if wanted else error.example,
+            source="--bearing",
+        ) from None
+    return GivenBearing(text, case)
+
+
+def sought(
+    given: GivenBearing, inner: float, outer: float, *, nominal: bool, angle: str | None
+) -> Sought:
+    """Return the frequencies to look for at some speeds of the rings (rad/s).
+
+    Those of the loaded bearing, where its case has a load and a solution; else those of the
+    geometry, with the contact angle that is wanted.
+
+    Raises
+    ------
+    InputError
+        If an angle is given beside a load, or is none, or no ball rolls.
+    """
+    from rolamento.vibration.frequencies import frequencies_of, nominal_frequencies
+
+    loaded = given.has_load and not nominal
+    if loaded and angle is not None:
+        raise InputError(
+            "goes with the geometry's frequencies; here a load makes the angle",
+            source="--angle",
+            value=angle,
+            example="--nominal --angle free",
+        )
+    if inner == outer:
+        raise InputError(
+            "is that of the inner ring as well: no ball rolls",
+            source="--outer-speed",
+            value=_rpm(outer),
+            example="--outer-speed '0 rpm'",
+        )
+    case = _at_speeds(given.case, inner, outer)
+    state = rolamento.solve(case) if loaded else None
+    if state is not None and state.status.converged:
+        found = frequencies_of(state)
+        if isfinite(found.cage.order):
+            return Sought(found, state)
+    choice = _angle("zero" if angle is None else angle)
+    try:
+        found = nominal_frequencies(case.bearing, inner, outer, contact_angle=choice)
+    except InputError as error:
+        if error.field != "contact_angle":
+            raise
+        rule = "must be at least 0 deg and less than 90 deg"
+        raise InputError(rule, source="--angle", value=angle, example=_ANGLE_EXAMPLE) from None
+    return Sought(found, state)
+
+
+def searched(frequencies: FaultFrequencies, settings: DiagnosisSettings) -> Search:
+    """Widen a search, as far as it may be, to the orders of all loaded balls."""
+    from rolamento.vibration.diagnosis import FaultOrders
+
+    orders = FaultOrders.of(frequencies)
+    own, slip = _range(frequencies, frequencies, orders), settings.tolerance
+    tolerance = max(slip, min(own, _WIDEST))
+    others = [row for row in frequencies.rows if row.row != frequencies.row]
+    return Search(
+        settings=replace(settings, tolerance=tolerance),
+        slip=slip if tolerance > slip else None,
+        covers_balls=own <= tolerance,
+        other_rows=tuple(
+            row.row for row in others if _range(frequencies, row, orders) > tolerance * (1.0 + 1e-9)
+        ),
+    )
+
+
+def _range(own: FaultFrequencies, row: FaultFrequencies, orders: FaultOrders) -> float:
+    """Part by which the cage has to be allowed off for a search to cover the balls of a row."""
+    from rolamento.vibration.diagnosis import COMPONENTS
+
+    widest = 0.0
+    for part in COMPONENTS:
+        line, sought_for = row.of_fault(part), own.of_fault(part).order
+        for order in (line.minimum, line.maximum):
+            if isfinite(order) and sought_for > 0.0:
+                widest = max(widest, abs(order / sought_for - 1.0) / orders.tolerance(part, 1.0))
+    return widest
+
+
+def _is_designation(text: str) -> bool:
+    """Tell a designation from a file: by its ending, or by its being there."""
+    if text == STANDARD_STREAM or text.lower().endswith((".toml", ".json")):
+        return False
+    try:
+        return not os.path.isfile(text)
+    except ValueError:
+        return True
+
+
+def _at_speeds(case: rolamento.Case, inner: float, outer: float) -> rolamento.Case:
+    """Return the case with the rings' speeds (rad/s) as they are in the record."""
+    from rolamento.case import override
+    from rolamento.units import from_si
+
+    duty = case.duty
+    changed = {
+        f"duty.{ring}_speed": speed
+        for ring, speed, own in (
+            ("inner", inner, duty.inner_speed),
+            ("outer", outer, duty.outer_speed),
+        )
+        if speed != own
+    }
+    settings = [f"{field}={from_si(speed, 'angular_speed')}" for field, speed in changed.items()]
+    try:
+        return override(case, settings) if settings else case
+    except InputError as error:
+        raise error.with_details(source="--speed", example="--speed '1797 rpm'") from None
+
+
+def _angle(text: str) -> float | AngleChoice:
+    if text == "zero":
+        return "zero"
+    if text == "free":
+        return "free"
+    from rolamento.units import to_si
+
+    try:
+        return to_si(text, "angle")
+    except InputError as error:
+        raise error.with_details(source="--angle", example=_ANGLE_EXAMPLE) from None
+
+
+def _rpm(speed: float) -> str:
+    return f"{30.0 * speed / pi:.6g} rpm"

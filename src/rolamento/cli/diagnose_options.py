@@ -1,0 +1,240 @@
+"""The options of `rolamento diagnose`, in the groups in which its help shows them."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Final
+
+import typer
+
+from rolamento.cli.optional_value import JsonCommand
+
+__all__ = [
+    "GROUPS",
+    "AngleOption",
+    "BearingOption",
+    "ChannelOption",
+    "CsvOption",
+    "DiagnoseCommand",
+    "DurationOption",
+    "FalseAlarmOption",
+    "KurtogramOption",
+    "NominalOption",
+    "OuterSpeedOption",
+    "PlotOption",
+    "PulsesOption",
+    "RateOption",
+    "ScaleOption",
+    "SignalArgument",
+    "SlipOption",
+    "SpeedChannelOption",
+    "SpeedOption",
+    "SpeedUnitOption",
+    "StartOption",
+    "TachoOption",
+    "TrackOption",
+    "UnitOption",
+    "WithinOption",
+]
+
+GROUPS: Final[dict[str, tuple[str, ...]]] = {
+    "Bearing": ("bearing", "settings", "nominal", "angle"),
+    "Speed": (
+        *("speed", "outer_speed", "speed_channel", "speed_unit"),
+        *("tacho", "pulses", "track", "within"),
+    ),
+    "Signal": ("channel", "rate", "unit", "scale", "start", "duration"),
+    "Search": ("slip", "false_alarm"),
+    "Output": ("plot", "kurtogram", "json", "csv", "lang", "help"),
+}
+"""Headings of the help, and the parameters below each."""
+
+
+class DiagnoseCommand(JsonCommand):
+    """A command whose help shows the options in groups."""
+
+    def format_options(self, ctx: Any, formatter: Any) -> None:
+        """Write the argument, and the options below their headings."""
+        records: dict[str, list[tuple[str, str]]] = {"Arguments": []}
+        records |= {heading: [] for heading in GROUPS}
+        headings = {name: heading for heading, names in GROUPS.items() for name in names}
+        for parameter in self.get_params(ctx):
+            record = parameter.get_help_record(ctx)
+            if record is not None:
+                is_argument = parameter.param_type_name == "argument"
+                heading = "Arguments" if is_argument else headings[str(parameter.name)]
+                records[heading].append(record)
+        width = max(len(record[0]) for group in records.values() for record in group)
+        for heading, group in records.items():
+            with formatter.section(heading):
+                # one column for all groups: each as wide as the widest of all
+                formatter.write_dl([(name.ljust(width), text) for name, text in group])
+
+
+SignalArgument = Annotated[
+    str,
+    typer.Argument(
+        metavar="SIGNAL",
+        help="File of a signal: WAV, CSV, NumPy, MATLAB, HDF5, Parquet or UFF 58.",
+    ),
+]
+
+# --- bearing ---------------------------------------------------------------------------------
+
+BearingOption = Annotated[
+    str,
+    typer.Option(
+        "--bearing",
+        metavar="BEARING",
+        help="Designation such as 6205, or a case file: with a load, the loaded bearing's"
+        " frequencies are looked for.",
+    ),
+]
+NominalOption = Annotated[
+    bool,
+    typer.Option("--nominal", help="Look for the geometry's frequencies, whatever the load."),
+]
+AngleOption = Annotated[
+    str | None,
+    typer.Option(
+        "--angle",
+        metavar="ANGLE",
+        help="Of contact, without a load: zero (radial load, the default) or free (axial load) of a"
+        " bearing given by its clearance; or any angle, such as '15 deg'.",
+    ),
+]
+
+# --- speed -----------------------------------------------------------------------------------
+
+SpeedOption = Annotated[
+    str | None,
+    typer.Option(
+        "--speed",
+        metavar="SPEED",
+        help="Of the inner ring, steady, such as '1797 rpm'; by default as the file tells it, or"
+        " else the case.",
+    ),
+]
+OuterSpeedOption = Annotated[
+    str | None,
+    typer.Option("--outer-speed", metavar="SPEED", help="Of the outer ring; signed as well."),
+]
+SpeedChannelOption = Annotated[
+    str | None,
+    typer.Option(
+        "--speed-channel",
+        metavar="CHANNEL",
+        help="Of the same file: the shaft's speed at each sample, by name or number.",
+    ),
+]
+SpeedUnitOption = Annotated[
+    str | None,
+    typer.Option(
+        "--speed-unit",
+        metavar="UNIT",
+        help="Of that: rpm, rad/s, deg/s or Hz, if the file is silent.",
+    ),
+]
+TachoOption = Annotated[
+    str | None,
+    typer.Option(
+        "--tacho",
+        metavar="CHANNEL",
+        help="Of the same file: pulses of the shaft, held in memory, up to 20 million samples.",
+    ),
+]
+PulsesOption = Annotated[
+    int | None,
+    typer.Option("--pulses", metavar="N", help="Of that per revolution; by default 1."),
+]
+TrackOption = Annotated[
+    bool,
+    typer.Option(
+        "--track",
+        help="Find the speed along the record in the vibration itself, about --speed; at least 96"
+        " revolutions.",
+    ),
+]
+WithinOption = Annotated[
+    float | None,
+    typer.Option(
+        "--within",
+        metavar="PART",
+        help="By which the speed may be off --speed anywhere, for --track: up to 0.3, by default"
+        " 0.1.",
+    ),
+]
+
+# --- signal ----------------------------------------------------------------------------------
+
+ChannelOption = Annotated[
+    str | None,
+    typer.Option("--channel", metavar="CHANNEL", help="Name, or number from 1 on."),
+]
+RateOption = Annotated[
+    str | None,
+    typer.Option(
+        "--rate", metavar="RATE", help="Of sampling, such as '12 kHz', if the file is silent."
+    ),
+]
+UnitOption = Annotated[
+    str | None,
+    typer.Option(
+        "--unit",
+        metavar="UNIT",
+        help="Of the samples: m/s^2, g, mm/s, um …; V or counts if they are not calibrated.",
+    ),
+]
+ScaleOption = Annotated[
+    str | None,
+    typer.Option("--scale", metavar="SCALE", help="Sensitivity of the sensor, such as '100 mV/g'."),
+]
+StartOption = Annotated[
+    str | None,
+    typer.Option("--start", metavar="TIME", help="To begin at, such as '2 s'."),
+]
+DurationOption = Annotated[
+    str | None,
+    typer.Option("--duration", metavar="TIME", help="To look at from there; by default all."),
+]
+
+# --- search ----------------------------------------------------------------------------------
+
+SlipOption = Annotated[
+    float,
+    typer.Option(
+        "--slip",
+        metavar="PART",
+        help="By which the cage may be off the expected speed, 0 to 0.1.",
+    ),
+]
+FalseAlarmOption = Annotated[
+    float,
+    typer.Option(
+        "--false-alarm",
+        metavar="P",
+        help="Probability that a sound bearing gets any fault, up to 0.5.",
+    ),
+]
+
+# --- output ----------------------------------------------------------------------------------
+
+PlotOption = Annotated[
+    str | None,
+    typer.Option(
+        "--plot",
+        metavar="FILE",
+        help="Draw waveform, kurtogram and envelope spectrum: a .png, .svg or .pdf file.",
+    ),
+]
+KurtogramOption = Annotated[
+    str | None,
+    typer.Option("--kurtogram", metavar="FILE", help="Draw the kurtogram alone, likewise."),
+]
+CsvOption = Annotated[
+    str | None,
+    typer.Option(
+        "--csv",
+        metavar="FILE",
+        help="Write the spectrum of the squared envelope; - is standard output.",
+    ),
+]
