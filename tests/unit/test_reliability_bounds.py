@@ -22,7 +22,6 @@ from rolamento.reliability import (
     pivotal_draws,
 )
 from rolamento.reliability.censoring import Blocks, FirstFailures, draw_fits, model_of
-from rolamento.reliability.roots import rising_root
 
 TIMES = [54.0, 187, 216, 240, 244, 335, 361, 373, 375, 386, 500]
 CLOCKED = LifeTest(TIMES, [True] * 10 + [False], counts=[1] * 10 + [10])
@@ -381,18 +380,10 @@ def test_likelihood_ratio_with_few_failures_does_not_hold_and_its_calibration_do
     assert hits["calibrated_likelihood_ratio"] == pytest.approx(90, abs=9)
 
 
-def test_a_root_that_newton_runs_past() -> None:
-    """A curve on which Newton's steps alone lead to and fro."""
-
-    def curve(x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        return np.arctan(x - 3.0), 1.0 / (1.0 + (x - 3.0) ** 2)
-
-    start = np.array([0.5, 4.39174520, 1.60825480, 500.0])
-    x, found = rising_root(curve, start, np.full(4, -10.0), np.full(4, np.inf))
-    assert found.all()
-    assert x == pytest.approx(3.0, rel=1e-12)
-
-    def nothing(x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        return np.full_like(x, -1.0), np.zeros_like(x)
-
-    assert np.isnan(rising_root(nothing, start, np.zeros(4), np.full(4, np.inf))[0]).all()
+def test_a_side_on_which_the_likelihood_hardly_falls_is_open() -> None:
+    """It falls by so much nowhere within what is searched; the end of the search is no limit."""
+    test = LifeTest(np.array([1.0, 2.0]), np.array([True, True]))
+    found = bounds(test, "L10", method="likelihood_ratio", confidence=1.0 - 1e-13)
+    assert found.converged
+    assert found.lower == 0.0
+    assert found.upper == np.inf

@@ -21,11 +21,11 @@ from typing import Final, Literal
 import numpy as np
 
 from rolamento.numerics import FloatArray
+from rolamento.numerics.root import ValueAndSlope, increasing_root
 from rolamento.reliability.fit import WeibullFit
 from rolamento.reliability.life_test import LifeTest
 from rolamento.reliability.likelihood import Likelihood
 from rolamento.reliability.quantity import Quantity
-from rolamento.reliability.roots import ValueAndSlope, rising_root
 
 __all__ = ["Hill", "fisher_limits", "likelihood_ratio_limits", "profile_fall"]
 
@@ -101,7 +101,7 @@ def _limits(hill: Hill, kind: Kind, level: FloatArray, roots: FloatArray) -> Flo
         return fall - roots**2, side * slope
 
     start = np.minimum(np.abs(roots) * hill.spread(kind, level), 0.5 * farthest)
-    moved, found = rising_root(excess, start, np.zeros_like(start), farthest, tolerance=1e-10)
+    moved, found = increasing_root(excess, start, np.zeros_like(start), farthest, tolerance=1e-10)
     # where the likelihood hardly falls however far one goes, that side is open
     if not np.all(found):
         moved = np.where(~found & (excess(farthest)[0] < 0.0), np.inf, moved)
@@ -222,7 +222,7 @@ class Hill:
     @staticmethod
     def _root(function: ValueAndSlope, start: FloatArray, like: FloatArray) -> FloatArray:
         zeros = np.zeros_like(like)
-        root, _ = rising_root(function, zeros + start, zeros, zeros + np.inf, tolerance=1e-10)
+        root, _ = increasing_root(function, zeros + start, zeros, zeros + np.inf, tolerance=1e-10)
         return root
 
 

@@ -16,6 +16,7 @@ from typing import Any, Final
 import numpy as np
 
 from rolamento.numerics import FloatArray
+from rolamento.numerics.root import increasing_root
 from rolamento.reliability import profile
 from rolamento.reliability.asymptotic import Hill, likelihood_ratio_limits, profile_fall
 from rolamento.reliability.censoring import fits_of, model_of
@@ -24,7 +25,6 @@ from rolamento.reliability.fit import WeibullFit
 from rolamento.reliability.life_test import LifeTest
 from rolamento.reliability.profile import Rows
 from rolamento.reliability.quantity import Quantity
-from rolamento.reliability.roots import rising_root
 
 __all__ = ["calibrated_limits", "calibrated_p_value", "signed_roots"]
 
@@ -183,6 +183,6 @@ class _Lanes:
             return np.sign(value) * np.log(size / self.r), bounded / size
 
         zeros = np.zeros_like(self.shape)
-        a, _ = rising_root(falling, self.shape, zeros, zeros + np.inf, tolerance=1e-10)
+        a, _ = increasing_root(falling, self.shape, zeros, zeros + np.inf, tolerance=1e-10)
         risk = np.sum(np.exp(a[:, np.newaxis] * x) * self.units, axis=1) * level
         return self._value(a, risk, w - a * c)

@@ -19,13 +19,13 @@ from dataclasses import replace
 import numpy as np
 
 from rolamento.numerics import FloatArray
+from rolamento.numerics.root import increasing_root
 from rolamento.reliability._checks import shape_of
 from rolamento.reliability.fit import WeibullFit
 from rolamento.reliability.life_test import LifeTest
 from rolamento.reliability.likelihood import Likelihood
 from rolamento.reliability.maximum_likelihood import found
 from rolamento.reliability.quantity import Quantity
-from rolamento.reliability.roots import rising_root
 
 __all__ = ["fixed_shape", "fixed_shape_limits", "fixed_shape_tails", "log_scale_at"]
 
@@ -142,7 +142,7 @@ def log_scale_at(test: LifeTest, shape: float) -> float:
 
     middle = np.concatenate([likelihood.failed, likelihood.suspended, likelihood.upper])
     start = np.exp(-shape * np.array([middle.mean()]))
-    found_, converged = rising_root(falling, start, np.array([0.0]), np.array([np.inf]))
+    found_, converged = increasing_root(falling, start, np.array([0.0]), np.array([np.inf]))
     if not converged[0]:
         return float("nan")
     return float(likelihood.origin - np.log(found_[0]) / shape)

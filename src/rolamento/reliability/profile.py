@@ -28,7 +28,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rolamento.numerics import FloatArray
-from rolamento.reliability.roots import rising_root
+from rolamento.numerics.root import increasing_root
 
 CONVERGED: Final = 0
 NO_FAILURES: Final = 1
@@ -162,7 +162,7 @@ def _root(
         return shape * value - total, value + shape * slope
 
     lower = total / reach
-    return rising_root(
+    return increasing_root(
         function, 1.3 * lower, lower, np.full_like(lower, np.inf), tolerance=_TOLERANCE
     )
 

@@ -19,8 +19,8 @@ from numpy.typing import ArrayLike
 
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
+from rolamento.numerics.root import increasing_root
 from rolamento.reliability._checks import one_of, shape_of, shares
-from rolamento.reliability.roots import rising_root
 
 __all__ = ["EXPONENTS", "series_life", "series_reliability", "system_rating_life"]
 
@@ -107,7 +107,7 @@ def series_life(
             return np.log(total / risk), slope.sum(axis=-1) / total
 
     start = 0.5 * (least + most)
-    return rising_root(excess, start, least, np.maximum(most, least))[0]
+    return increasing_root(excess, start, least, np.maximum(most, least))[0]
 
 
 def _risk(t: FloatArray, beta: FloatArray, eta: FloatArray, gamma: FloatArray) -> FloatArray:

@@ -184,13 +184,13 @@ def _continuous(row: _Row, load: FloatArray) -> tuple[FloatArray, BoolArray]:
         slope = 1.5 * scale * np.sqrt(deepest) * half_power_means(epsilon)[2]
         return value, slope
 
-    start = (5.0 * load / scale) ** (2.0 / 3.0)
-    zero = np.zeros_like(start)
     idle = load == 0.0
+    load = np.where(idle, 1.0, load)  # any load that has a root
+    start = (5.0 * load / scale) ** (2.0 / 3.0)
     root, converged = increasing_root(
-        balance, np.where(idle, 1e-9, start), zero, np.full_like(start, np.inf)
+        balance, start, np.zeros_like(start), np.full_like(start, np.inf)
     )
-    return np.where(idle, 0.0, root), converged | idle
+    return np.where(idle, 0.0, root), converged
 
 
 def _discrete(
