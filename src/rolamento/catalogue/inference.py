@@ -158,29 +158,29 @@ def inferred_geometry(
     rates = practice or practice_of(bearing.maker)
     grid = _grid(bearing, rates)
     parts = _misfits(bearing, rates, grid)
-    errors = [np.concatenate(group) for group in zip(*(part.errors for part in parts), strict=True)]
     chi = np.concatenate([part.chi for part in parts])
     if not chi.size:
         return ()
-    repeated = [np.tile(column, len(parts)) for column in grid]
-    groove_index = np.repeat(np.arange(len(parts)), grid.balls.size)
-    chosen, ranges = _best_of_each(chi, repeated[0], repeated[1], repeated[2])
+    chosen, ranges = _best_of_each(chi, grid)
     chosen = chosen[: max(1, most)]
     weights = np.exp(-0.5 * (chi[chosen] - chi[chosen[0]]))
-    return tuple(
-        _candidate(
-            rank,
-            bearing,
-            rates,
-            [float(column[index]) for column in repeated],
-            _grooves()[groove_index[index]],
-            [float(group[index]) for group in errors],
-            float(chi[index]),
-            float(weight / weights.sum()),
-            ranges[index],
+    candidates = []
+    for rank, (index, weight) in enumerate(zip(chosen.tolist(), weights, strict=True), start=1):
+        groove, place = divmod(index, grid.balls.size)
+        candidates.append(
+            _candidate(
+                rank,
+                bearing,
+                rates,
+                [float(column[place]) for column in grid],
+                _grooves()[groove],
+                [float(error[place]) for error in parts[groove].errors],
+                float(chi[index]),
+                float(weight / weights.sum()),
+                ranges[index],
+            )
         )
-        for rank, (index, weight) in enumerate(zip(chosen.tolist(), weights, strict=True), start=1)
-    )
+    return tuple(candidates)
 
 
 class _Grid(NamedTuple):
@@ -301,19 +301,24 @@ def _implausible(bearing: CatalogueBearing, grid: _Grid) -> FloatArray:
 
 
 def _best_of_each(
-    chi: FloatArray, count: FloatArray, ball: FloatArray, pitch: FloatArray
+    chi: FloatArray, grid: _Grid
 ) -> tuple[NDArray[np.intp], dict[int, tuple[float, float]]]:
-    """Return the best pitch and grooves of each Z and D, in order, and the pitches that do."""
-    order = np.argsort(chi, kind="stable")
-    order = order[chi[order] <= chi[order[0]] + _FARTHEST]
-    keys = count[order] + 1j * ball[order]
+    """Return the best pitch and grooves of each Z and D, in order, and the pitches that do.
+
+    The misfits are those of the whole grid with one groove after the other.
+    """
+    order = np.flatnonzero(chi <= chi.min() + _FARTHEST)
+    order = order[np.argsort(chi[order], kind="stable")]
+    place = order % grid.balls.size
+    keys = grid.balls[place] + 1j * grid.ball[place]
     _, group, member = np.unique(keys, return_index=True, return_inverse=True)
     ranges = {}
     for number, first in enumerate(group.tolist()):
         index = int(order[first])
         own = order[member == number]
         well = own[chi[own] <= chi[index] + 1.0]
-        ranges[index] = (float(pitch[well].min()), float(pitch[well].max()))
+        pitches = grid.pitch[well % grid.balls.size]
+        ranges[index] = (float(pitches.min()), float(pitches.max()))
     return order[np.sort(group)], ranges
 
 
