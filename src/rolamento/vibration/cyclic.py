@@ -40,6 +40,8 @@ ComplexArray = NDArray[np.complex128]
 
 _MOST_VALUES: Final = 2**26
 """Of the map, carriers times modulations: half a gigabyte."""
+_AT_ONCE: Final = 2**16
+"""Values that are transformed together: a megabyte, which stays in the processor's cache."""
 _STEPS_PER_WINDOW: Final = 8
 _REACHED: Final = 0.1
 """Of R_w(0): with less, a scan says more of leakage than of the signal."""
@@ -146,7 +148,7 @@ def _short_time(samples: FloatArray, taper: FloatArray, step: int, blocks: int) 
     """Transforms of consecutive windows, each counting time from its middle; (lines, blocks)."""
     window = len(taper)
     views = np.lib.stride_tricks.sliding_window_view(samples, window)[::step][:blocks]
-    transform = np.asarray(fft.rfft(views * taper, axis=1)).T
+    transform = np.ascontiguousarray(np.asarray(fft.rfft(views * taper, axis=1)).T)
     transform[1::2] *= -1.0
     return transform
 
@@ -163,24 +165,39 @@ def _cyclic_spectrum(
     carriers, blocks = transform.shape
     pairs = min(int(np.ceil(modulation[-1] * window / rate)) + 1, carriers - 1)
     total = np.zeros((carriers, lines), dtype=np.complex128)
-    weight = np.zeros(lines)
-    weights = np.empty((carriers, lines))
-    for apart in range(pairs + 1):
-        product = transform[apart:] * np.conj(transform[: carriers - apart])
-        total[apart:] += fft.fft(product, size, axis=1)[:, :lines]
-        weight += _window_correlation(taper, modulation / rate - apart / window)
-        weights[apart:] = weight
-    scale = float(np.sum(np.square(taper)))
-    reached = weights > _REACHED * scale
+    product = np.zeros((max(1, _AT_ONCE // size), size), dtype=np.complex128)
+    for first in range(0, carriers, len(product)):
+        last = min(first + len(product), carriers)
+        for apart in range(min(pairs, last - 1) + 1):
+            upper = slice(max(first, apart), last)
+            lower = slice(upper.start - apart, last - apart)
+            some = product[: last - upper.start]
+            np.multiply(transform[upper], np.conj(transform[lower]), out=some[:, :blocks])
+            total[upper] += fft.fft(some, axis=1)[:, :lines]
+    reach = np.cumsum(_window_correlations(taper, modulation / rate, pairs), axis=0)
+    weights = reach[np.minimum(np.arange(carriers), pairs)]
+    reached = weights > _REACHED * float(np.sum(np.square(taper)))
     np.divide(total, weights * (blocks * rate), out=total, where=reached)
     total[~reached] = 0.0
     return total
 
 
-def _window_correlation(taper: FloatArray, alpha: FloatArray) -> FloatArray:
-    """Σ w² e^(2πjnα) with n from the window's middle: real; α in cycles per sample."""
-    places = np.arange(len(taper)) - len(taper) // 2
-    return np.asarray(np.cos(2.0 * np.pi * alpha[:, None] * places) @ np.square(taper))
+def _window_correlations(taper: FloatArray, alpha: FloatArray, pairs: int) -> FloatArray:
+    """R_w(α - p/N_w) of a window that is even about its middle, for all p; (pairs + 1, alphas).
+
+    R_w(α) = Σ w² cos(2παn) with n from the middle; α in cycles per sample. The cosine of a
+    difference takes two tables for all p.
+    """
+    middle = len(taper) // 2
+    places = np.arange(middle + 1)
+    square = np.square(taper[middle::-1])
+    square[1:middle] *= 2.0
+    table = 2.0 * np.pi * alpha[:, np.newaxis] * places
+    turned = 2.0 * np.pi / len(taper) * np.outer(places, np.arange(pairs + 1))
+    weight = square[:, np.newaxis]
+    return np.asarray(
+        np.cos(table) @ (weight * np.cos(turned)) + np.sin(table) @ (weight * np.sin(turned))
+    ).T
 
 
 def _coherence(
