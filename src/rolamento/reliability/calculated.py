@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from math import isfinite
-from typing import Any, Literal
+from typing import Any, Final, Literal
 
 import numpy as np
 
@@ -24,10 +24,16 @@ from rolamento.reliability.maximum_likelihood import maximum_likelihood
 from rolamento.reliability.quantity import Quantity
 from rolamento.reliability.sampled import pivotal_draws
 
-__all__ = ["CalculatedLife", "Verdict", "against_calculated_life"]
+__all__ = ["VERDICT_METHODS", "CalculatedLife", "Verdict", "against_calculated_life"]
 
 Verdict = Literal["data contradict calculation", "data do not contradict calculation", "no verdict"]
-_METHODS = ("pivotal", "calibrated_likelihood_ratio", "likelihood_ratio", "fixed_shape")
+VERDICT_METHODS: Final[tuple[Method, ...]] = (
+    "pivotal",
+    "calibrated_likelihood_ratio",
+    "likelihood_ratio",
+    "fixed_shape",
+)
+"""Methods of bounds that also give a p-value."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -104,8 +110,7 @@ def against_calculated_life(
     reliability
         That it is for; 0.9 for L10.
     method
-        "pivotal", "calibrated_likelihood_ratio", "likelihood_ratio" or "fixed_shape"; the default
-        is that of `bounds`.
+        One of `VERDICT_METHODS`; the default is that of `bounds`.
     confidence
         Of the interval of two sides, and of the verdict.
     samples, seed, shape
@@ -118,9 +123,9 @@ def against_calculated_life(
     """
     life = positive(calculated, "calculated", "1000.0")
     quantity = Quantity.life(share(reliability, "reliability"))
-    if method is not None and method not in _METHODS:
+    if method is not None and method not in VERDICT_METHODS:
         raise InputError(
-            f"must be one of {', '.join(_METHODS)} for a verdict",
+            f"must be one of {', '.join(VERDICT_METHODS)} for a verdict",
             field="method",
             value=method,
             example="pivotal",

@@ -7,7 +7,11 @@ from typing import Final
 
 from rolamento.errors import InputError
 from rolamento.reliability.bounds import Sides, all_bounds
-from rolamento.reliability.calculated import CalculatedLife, against_calculated_life
+from rolamento.reliability.calculated import (
+    VERDICT_METHODS,
+    CalculatedLife,
+    against_calculated_life,
+)
 from rolamento.reliability.comparison import Comparison, Hypothesis, compare
 from rolamento.reliability.fit import WeibullFit
 from rolamento.reliability.fixed_shape import fixed_shape
@@ -44,7 +48,6 @@ ASSUMED_SHAPES: Final = (1.0, 1.5, 2.0)
 """For a test that tells no shape of its own."""
 MOST_GROUPS: Final = 20
 _MOST_RATIOS: Final = 10
-_WITH_VERDICT: Final = ("pivotal", "calibrated_likelihood_ratio", "likelihood_ratio", "fixed_shape")
 _HYPOTHESES: Final[tuple[Hypothesis, ...]] = ("common_shape", "same_life", "homogeneous")
 
 Progress = Callable[[int, int], None]
@@ -174,7 +177,7 @@ def _against(test: LifeTest, life: float, asked: Wanted) -> CalculatedLife:
         test,
         life,
         asked.reliabilities[0],
-        method=asked.bounds if asked.bounds in _WITH_VERDICT else None,
+        method=asked.bounds if asked.bounds in VERDICT_METHODS else None,
         confidence=asked.confidence,
         samples=asked.samples,
         seed=asked.seed,
