@@ -15,7 +15,7 @@ from rolamento.reliability._checks import generator, one_of, sample_count, shape
 from rolamento.reliability.asymptotic import fisher_limits, likelihood_ratio_limits
 from rolamento.reliability.calibrated import calibrated_limits
 from rolamento.reliability.censoring import model_of
-from rolamento.reliability.fit import ADVICE, NOTES, WeibullFit
+from rolamento.reliability.fit import Outcome, WeibullFit
 from rolamento.reliability.fixed_shape import fixed_shape, fixed_shape_limits
 from rolamento.reliability.life_test import LifeTest
 from rolamento.reliability.maximum_likelihood import maximum_likelihood
@@ -42,7 +42,7 @@ _MOST_QUANTITIES: Final = 1000
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Bounds:
+class Bounds(Outcome):
     """Limits that a quantity lies between, in so many of a hundred tests; NaN where there are none.
 
     Attributes
@@ -83,20 +83,6 @@ class Bounds:
     dropped: int = 0
     seed: int = 0
     notes: tuple[str, ...] = ()
-
-    @property
-    def converged(self) -> bool:
-        """Whether there are limits."""
-        return self.code == "converged"
-
-    @property
-    def advice(self) -> str | None:
-        """What a person can do, where there are none."""
-        return ADVICE.get(self.code)
-
-    def sentences(self) -> tuple[str, ...]:
-        """Say the notes."""
-        return tuple(NOTES[name] for name in self.notes)
 
     def to_mapping(self) -> dict[str, Any]:
         """Give the bounds as plain values; None where there is no number, or the end is open."""

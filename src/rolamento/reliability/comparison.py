@@ -30,7 +30,7 @@ from rolamento.reliability import profile
 from rolamento.reliability._checks import generator, one_of, sample_count
 from rolamento.reliability.censoring import right_censored_model
 from rolamento.reliability.drawing import RightCensored, portions
-from rolamento.reliability.fit import ADVICE, NOTES, WeibullFit
+from rolamento.reliability.fit import Outcome, WeibullFit
 from rolamento.reliability.life_test import LifeTest
 from rolamento.reliability.maximum_likelihood import maximum_likelihood, rows_of
 from rolamento.reliability.profile import BatchFit, Rows
@@ -45,7 +45,7 @@ _LEAST_FITS: Final = 50
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Comparison:
+class Comparison(Outcome):
     """Result of a comparison; NaN where there is none.
 
     Attributes
@@ -87,23 +87,9 @@ class Comparison:
     seed: int = 0
     notes: tuple[str, ...] = ()
 
-    @property
-    def converged(self) -> bool:
-        """Whether there is a result."""
-        return self.code == "converged"
-
-    @property
-    def advice(self) -> str | None:
-        """What a person can do, where there is none."""
-        return ADVICE.get(self.code)
-
     def rejected(self, confidence: float = 0.9) -> bool:
         """Whether the data contradict the hypothesis at a confidence."""
         return self.p_value < 1.0 - confidence
-
-    def sentences(self) -> tuple[str, ...]:
-        """Say the notes."""
-        return tuple(NOTES[name] for name in self.notes)
 
     def to_mapping(self) -> dict[str, Any]:
         """Give the comparison as plain values; None where there is no number."""

@@ -19,7 +19,7 @@ from rolamento.numerics import FloatArray
 from rolamento.reliability._checks import shares
 from rolamento.reliability.life_test import LifeTest
 
-__all__ = ["ADVICE", "NOTES", "WeibullFit"]
+__all__ = ["ADVICE", "NOTES", "Outcome", "WeibullFit"]
 
 ADVICE: Final[Mapping[str, str]] = {
     "no_failures": (
@@ -96,8 +96,38 @@ NOTES: Final[Mapping[str, str]] = {
 """What each note says."""
 
 
+class Outcome:
+    """What a result says of itself: whether there is one, what to do if not, and its notes.
+
+    Attributes
+    ----------
+    code
+        "converged", or a key of `ADVICE`
+    notes
+        names in `NOTES`
+    """
+
+    __slots__ = ()
+    code: str
+    notes: tuple[str, ...]
+
+    @property
+    def converged(self) -> bool:
+        """Whether there is a result."""
+        return self.code == "converged"
+
+    @property
+    def advice(self) -> str | None:
+        """What a person can do, where there is no result."""
+        return ADVICE.get(self.code)
+
+    def sentences(self) -> tuple[str, ...]:
+        """Say the notes."""
+        return tuple(NOTES[name] for name in self.notes)
+
+
 @dataclass(frozen=True, slots=True, eq=False)
-class WeibullFit:
+class WeibullFit(Outcome):
     """A Weibull distribution fitted to a life test; NaN where there is none.
 
     Attributes
@@ -141,16 +171,6 @@ class WeibullFit:
         )
 
     @property
-    def converged(self) -> bool:
-        """Whether there is a result."""
-        return self.code == "converged"
-
-    @property
-    def advice(self) -> str | None:
-        """What a person can do, where there is no result."""
-        return ADVICE.get(self.code)
-
-    @property
     def l10(self) -> float:
         """Life that 90 % reach; unit of the test."""
         return float(self.life_at(0.9))
@@ -191,10 +211,6 @@ class WeibullFit:
     def with_notes(self, *notes: str) -> Self:
         """Return the same fit with more notes."""
         return replace(self, notes=tuple(dict.fromkeys((*self.notes, *notes))))
-
-    def sentences(self) -> tuple[str, ...]:
-        """Say the notes."""
-        return tuple(NOTES[name] for name in self.notes)
 
     def to_mapping(self) -> dict[str, Any]:
         """Give the fit as plain values; None where there is no number."""

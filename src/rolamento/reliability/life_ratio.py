@@ -27,7 +27,7 @@ from rolamento.reliability import profile
 from rolamento.reliability._checks import generator, sample_count, share
 from rolamento.reliability.censoring import draw_common_fits, right_censored_model
 from rolamento.reliability.comparison import groups_of
-from rolamento.reliability.fit import ADVICE, NOTES
+from rolamento.reliability.fit import Outcome
 from rolamento.reliability.life_test import LifeTest
 from rolamento.reliability.maximum_likelihood import maximum_likelihood, rows_of
 from rolamento.reliability.quantity import Quantity
@@ -40,7 +40,7 @@ _LEAST_FITS = 50
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class LifeRatio:
+class LifeRatio(Outcome):
     """Life of the first group over that of the second; NaN where there is none.
 
     Attributes
@@ -81,20 +81,6 @@ class LifeRatio:
     dropped: int = 0
     seed: int = 0
     notes: tuple[str, ...] = ()
-
-    @property
-    def converged(self) -> bool:
-        """Whether there is a result."""
-        return self.code == "converged"
-
-    @property
-    def advice(self) -> str | None:
-        """What a person can do, where there is none."""
-        return ADVICE.get(self.code)
-
-    def sentences(self) -> tuple[str, ...]:
-        """Say the notes."""
-        return tuple(NOTES[name] for name in self.notes)
 
     def to_mapping(self) -> dict[str, Any]:
         """Give the ratio as plain values; None where there is no number."""
