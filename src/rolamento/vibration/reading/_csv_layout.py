@@ -102,7 +102,7 @@ def layout_of(head: bytes, source: str) -> CsvLayout:
 
 def _text(line: bytes) -> str:
     try:
-        return line.decode("utf-8-sig").rstrip("\r")
+        return line.decode("utf-8").removeprefix("\ufeff").rstrip("\r")
     except UnicodeDecodeError:
         return line.decode("cp1252", "replace").rstrip("\r")
 

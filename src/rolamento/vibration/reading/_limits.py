@@ -13,6 +13,8 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import BinaryIO, Final
 
+import numpy as np
+
 from rolamento.errors import FileError, InputError, shown
 
 __all__ = [
@@ -103,9 +105,13 @@ def exactly(file: BinaryIO, count: int, source: str) -> bytes:
 
 @contextmanager
 def guarded(source: str, kind: str) -> Iterator[None]:
-    """Turn whatever goes wrong over a file's contents into a `FileError` that names the file."""
+    """Turn whatever goes wrong over a file's contents into a `FileError` that names the file.
+
+    Numbers that are none are not warned of here: signals refuse them.
+    """
     try:
-        yield
+        with np.errstate(all="ignore"):
+            yield
     except InputError as error:
         raise error if error.source else error.with_details(source=source) from None
     except OSError as error:

@@ -46,7 +46,8 @@ def open_source(path: str | os.PathLike[str]) -> Source:
         kind = _kind(head, stream, size, file.suffix.lower())
     if not kind:
         raise _unknown(file.suffix.lower(), source)
-    return _READERS[kind](file)
+    with guarded(source, "signal file"):
+        return _READERS[kind](file)
 
 
 def _path(path: str | os.PathLike[str]) -> Path:

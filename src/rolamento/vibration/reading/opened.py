@@ -113,8 +113,7 @@ class SignalFile:
             for row, scale, field in zip(rows, self._scales, ("", "speed"), strict=False):
                 _refuse_not_finite(row, start, self.rate, field)
                 if scale != 1.0:
-                    with np.errstate(over="ignore"):
-                        row *= scale
+                    row *= scale
             return self._signal(rows[0], rows[1] if len(rows) > 1 else None)
 
     def blocks(self, size: int, overlap: int = 0) -> Iterator[Signal]:

@@ -13,7 +13,13 @@ import pyarrow.parquet as pq
 from rolamento.errors import FileError
 from rolamento.numerics import FloatArray
 from rolamento.vibration.reading._channel import Channel, Source, checked_channels
-from rolamento.vibration.reading._limits import MOST_CHANNELS, file_size, guarded
+from rolamento.vibration.reading._limits import (
+    LARGEST_WHOLE_FILE,
+    MOST_CHANNELS,
+    MOST_SAMPLES,
+    file_size,
+    guarded,
+)
 from rolamento.vibration.reading._metadata import (
     label_parts,
     rate_among,
@@ -27,8 +33,11 @@ from rolamento.vibration.reading._units import quantity_of_unit
 __all__ = ["ParquetSource"]
 
 _BATCH: Final = 65_536
-_LARGEST_COLUMN: Final = 2 * 2**30
-"""Bytes of a column in one group of rows, inflated, as the file declares them."""
+_BUFFER: Final = 2**20
+"""Bytes read at once of a large file; of others, all of a column in a group of rows.
+
+The buffer grows to what a page says that it takes, which a damaged one may overdo.
+"""
 _MOST_GROUPS: Final = 100_000
 _MOST_TEXT: Final = 2**20
 
@@ -38,9 +47,8 @@ class ParquetSource(Source):
 
     def __init__(self, path: Path) -> None:
         self._source = str(path)
-        file_size(path)
+        size = file_size(path)
         self._position: tuple[tuple[int, ...], int] = ((), 0)
-        self._place: dict[str, int] = {}
         self._batches: Iterator[FloatArray] = iter(())
         self._rest = np.empty((0, 1))
         with guarded(self._source, "Parquet file"):
@@ -48,6 +56,7 @@ class ParquetSource(Source):
                 path,
                 memory_map=False,
                 pre_buffer=False,
+                buffer_size=_BUFFER if size > LARGEST_WHOLE_FILE else 0,
                 thrift_string_size_limit=16 * _MOST_TEXT,
                 thrift_container_size_limit=_MOST_TEXT,
             )
@@ -84,7 +93,11 @@ class ParquetSource(Source):
         self._file.close()
 
     def _look(self) -> None:
-        """Take the columns of numbers, the column of times, and what the file says of them."""
+        """Take the columns of numbers, the column of times, and what the file says of them.
+
+        The description of a single column in a group of rows is not asked for: over a damaged one
+        the library ends the program.
+        """
         schema, about = self._file.schema_arrow, self._file.metadata
         if len(schema) > MOST_CHANNELS or about.num_row_groups > _MOST_GROUPS:
             rule = f"holds more than {MOST_CHANNELS} columns or {_MOST_GROUPS} groups of rows"
@@ -92,6 +105,13 @@ class ParquetSource(Source):
         self._groups = [about.row_group(n).num_rows for n in range(about.num_row_groups)]
         if sum(self._groups) != about.num_rows or min(self._groups, default=0) < 0:
             raise FileError("is damaged: its rows do not add up", source=self._source)
+        if max(self._groups, default=0) > MOST_SAMPLES:
+            raise FileError(
+                f"must be at most {MOST_SAMPLES}; write smaller groups",
+                field="rows in a group",
+                value=max(self._groups),
+                source=self._source,
+            )
         fields = [field for field in schema if _is_real(field.type)]
         names = [field.name for field in fields]
         if len(set(names)) < len(names):
@@ -152,7 +172,6 @@ class ParquetSource(Source):
             group += 1
         skip = start - first
         wanted = range(group, len(self._groups))
-        self._check_groups(wanted, names)
         for batch in self._file.iter_batches(
             batch_size=_BATCH, row_groups=list(wanted), columns=names, use_threads=False
         ):
@@ -160,27 +179,6 @@ class ParquetSource(Source):
                 table = np.column_stack([_numbers(batch.column(name)) for name in names])
                 yield table[skip:]
             skip = max(0, skip - batch.num_rows)
-
-    def _check_groups(self, groups: range, names: list[str]) -> None:
-        """Refuse columns that declare too many bytes in one group of rows."""
-        for group in groups:
-            about = self._file.metadata.row_group(group)
-            for number in self._places(about, names):
-                size = about.column(number).total_uncompressed_size
-                if not 0 <= size <= _LARGEST_COLUMN:
-                    raise FileError(
-                        f"must be at most {_LARGEST_COLUMN}; write smaller groups of rows",
-                        field="bytes of a column in a group of rows",
-                        value=size,
-                        source=self._source,
-                    )
-
-    def _places(self, about: Any, names: list[str]) -> list[int]:
-        """Numbers of columns in a group of rows; they are the same in all."""
-        if not self._place:
-            paths = (about.column(number).path_in_schema for number in range(about.num_columns))
-            self._place = {path: number for number, path in enumerate(paths)}
-        return [self._place[name] for name in names]
 
 
 def _is_real(kind: Any) -> bool:
