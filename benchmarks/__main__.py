@@ -29,6 +29,7 @@ from benchmarks import (
     start,
     sweep,
     throughput,
+    vibration,
     weibull,
 )
 from benchmarks.figures import Figure, Findings, has_avx512
@@ -53,6 +54,9 @@ class Effort:
     inferred: int
     weibull_fits: int
     weibull_sample: int
+    signal_seconds: float
+    modulations: int
+    recordings: tuple[float, float]
 
 
 FULL = Effort(
@@ -71,6 +75,9 @@ FULL = Effort(
     inferred=40,
     weibull_fits=10_000,
     weibull_sample=20,
+    signal_seconds=vibration.DURATION,
+    modulations=3,
+    recordings=(5.0, 60.0),
 )
 QUICK = Effort(
     cases=8_000,
@@ -88,6 +95,9 @@ QUICK = Effort(
     inferred=4,
     weibull_fits=500,
     weibull_sample=2,
+    signal_seconds=2.0,
+    modulations=1,
+    recordings=(0.5, 2.0),
 )
 
 
@@ -115,7 +125,26 @@ def steps(effort: Effort) -> list[tuple[str, Callable[[], Findings]]]:
         ),
         ("catalogue", partial(life.measure_catalogue, e.inferred)),
         ("Weibull fits", partial(weibull.measure, e.weibull_fits, e.weibull_sample, e.repeats)),
+        *vibration_steps(e),
         *((n, partial(robustness.measure, n, e.robust_cases)) for n in robustness.KINDS),
+    ]
+
+
+def vibration_steps(e: Effort) -> list[tuple[str, Callable[[], Findings]]]:
+    """Those of vibration signals; the recording comes last, as it takes longest."""
+    each = {
+        "diagnosis": vibration.measure,
+        "kurtogram": vibration.measure_kurtogram,
+        "synthesis": vibration.measure_synthesis,
+        "order tracking": vibration.measure_tracking,
+    }
+    return [
+        *((name, partial(measure, e.signal_seconds, e.repeats)) for name, measure in each.items()),
+        (
+            "cyclic coherence",
+            partial(vibration.measure_coherence, e.signal_seconds, e.modulations, e.repeats),
+        ),
+        ("recording", partial(vibration.measure_recording, *e.recordings)),
     ]
 
 
@@ -135,7 +164,7 @@ def main(arguments: list[str] | None = None) -> int:
 
 def parse(arguments: list[str] | None) -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="python -m benchmarks", description=__doc__)
-    parser.add_argument("--quick", action="store_true", help="fewer cases: some ten seconds")
+    parser.add_argument("--quick", action="store_true", help="fewer cases: a minute")
     parser.add_argument("--json", type=Path, metavar="FILE", help="write the figures to a file")
     return parser.parse_args(arguments)
 
