@@ -170,14 +170,12 @@ def _steady(asked: AskedSpeed, of_case: Rings, of_file: float | None) -> KnownSp
         inner = of_case[0]
     if outer is None:
         outer = of_case[1]
+    if inner is None and outer is None:
+        rule = "is missing, and neither the file nor the case tells it"
+        raise InputError(rule, source="--speed", example=_EXAMPLE)
     if not inner and not outer:
-        raise InputError(
-            "is missing, and neither the file nor the case tells it"
-            if inner is None and outer is None
-            else "must not be 0: a bearing that does not turn tells nothing",
-            source="--speed",
-            example=_EXAMPLE,
-        )
+        rule = "is that of both rings: a bearing that does not turn tells nothing"
+        raise InputError(rule, source="--speed", value="0 rpm", example=_EXAMPLE)
     return _of_numbers(by, inner or 0.0, outer or 0.0)
 
 

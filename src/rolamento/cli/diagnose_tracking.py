@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import pairwise
-from math import ceil, pi
-from typing import TYPE_CHECKING, Final
+from math import ceil, floor, pi
+from typing import TYPE_CHECKING, Final, Protocol
 
 import numpy as np
 
@@ -43,25 +43,43 @@ _KNOTS: Final = 8.0
 Progress = Callable[[int, int], None]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Along:
-    """A speed along a record.
+class Along(Protocol):
+    """A speed along a record, known at knots; rad/s."""
 
-    Attributes
-    ----------
-    places
-        (knots,), in samples of the vibration from the first one on, rising
-    speed
-        (knots,); rad/s
-    """
+    @property
+    def speed(self) -> FloatArray:
+        """At the knots."""
+
+    def at(self, first: int, count: int) -> FloatArray:
+        """Return the speed at so many samples of the vibration, from the first one on."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class AtPlaces:
+    """A speed at knots anywhere; places: (knots,), in samples of the vibration, rising."""
 
     places: FloatArray
     speed: FloatArray
 
     def at(self, first: int, count: int) -> FloatArray:
-        """Return the speed at so many samples from the first one on; rad/s."""
+        """Return the speed at so many samples of the vibration, from the first one on."""
         wanted = first + np.arange(count, dtype=np.float64)
         return np.asarray(np.interp(wanted, self.places, self.speed))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class AtSamples:
+    """A speed at every sample of another channel; ratio: samples of it for one of vibration."""
+
+    ratio: float
+    speed: FloatArray
+
+    def at(self, first: int, count: int) -> FloatArray:
+        """Return the speed at so many samples of the vibration, from the first one on."""
+        wanted = (first + np.arange(count, dtype=np.float64)) * self.ratio
+        low, high = int(wanted[0]), int(wanted[-1]) + 2
+        knots = self.speed[low:high]
+        return np.asarray(np.interp(wanted - low, np.arange(len(knots), dtype=np.float64), knots))
 
 
 def of_tacho(source: SignalFile, part: range, channel: str, pulses: int) -> tuple[Along, str]:
@@ -96,12 +114,11 @@ def of_tacho(source: SignalFile, part: range, channel: str, pulses: int) -> tupl
                 f"{MOST_TACHO_SAMPLES / tacho.rate:.6g} s; these are {count}",
                 source="--tacho",
                 value=channel,
-                example=f"--duration '{MOST_TACHO_SAMPLES / tacho.rate:.0f} s'",
+                example=f"--duration '{floor(MOST_TACHO_SAMPLES / tacho.rate)} s'",
             )
         signal = tacho.read(first, count)
         name = tacho.channel.name or channel
-    places = np.arange(count, dtype=np.float64) / ratio
-    return Along(places, _speed_of(signal, pulses, channel)), name
+    return AtSamples(ratio, _speed_of(signal, pulses, channel)), name
 
 
 def _opened(source: SignalFile, channel: str) -> SignalFile:
@@ -213,7 +230,7 @@ def found_in_vibration(
         speeds.append(found.speed[knots - first])
         progress(number, len(stretches))
     sign = -1.0 if nominal < 0.0 else 1.0
-    along = Along(np.concatenate(places), sign * np.concatenate(speeds))
+    along = AtPlaces(np.concatenate(places), sign * np.concatenate(speeds))
     return along, Tracking(nominal, within, True, float(least))
 
 

@@ -101,18 +101,17 @@ def _bearing(page: Page, said: DiagnosisWords, found: DiagnosisResult) -> str:
 def _frequencies(page: Page, said: DiagnosisWords, sought: FaultFrequencies) -> str:
     """Say of which bearing the frequencies are that were looked for: as drawn, or as loaded."""
     digits, cage = page.digits, sought.cage
+    if sought.source == "nominal":
+        return said.nominal.format(angle=digits.short(degrees(sought.inner_contact_angle), 4))
     angles = [
-        digits.short(degrees(angle), 4)
+        digits.fixed(degrees(angle), 1)
         for angle in (sought.inner_contact_angle, sought.outer_contact_angle)
     ]
-    angle = said.angles[angles[0] != angles[1]].format(inner=angles[0], outer=angles[1])
-    if sought.source == "nominal":
-        return said.nominal.format(angle=angle)
-    ends = [digits.short(order, 4) for order in (cage.minimum, cage.maximum)]
+    ends = [digits.fixed(order, 4) for order in (cage.minimum, cage.maximum)]
     over_balls = said.over_balls.format(least=ends[0], most=ends[1])
     return said.loaded.format(
-        angle=angle,
-        cage=digits.short(cage.order, 4),
+        angle=said.angles[angles[0] != angles[1]].format(inner=angles[0], outer=angles[1]),
+        cage=digits.fixed(cage.order, 4),
         range=over_balls if ends[0] != ends[1] else "",
     )
 

@@ -120,7 +120,7 @@ _ENGLISH: Final = DiagnosisWords(
     bearing="bearing",
     inside="{name}: {count} balls of {ball} mm on {pitch} mm",
     frequencies="frequencies",
-    nominal="of the geometry, contact angle {angle}",
+    nominal="of the geometry, contact angle {angle}°",
     loaded="of the loaded bearing, mean contact angle {angle}; cage order {cage}{range}",
     angles=("{inner}°", "{inner}° (inner), {outer}° (outer)"),
     over_balls=", {least} to {most} over the balls",
@@ -196,7 +196,7 @@ _ENGLISH: Final = DiagnosisWords(
         " have other frequencies (see rolamento frequencies).",
         "speed_not_found": "From {start} to {end} s the shaft does not stand out of the"
         " vibration's noise, within {within} % of {nominal} rpm: the speed was taken as steady. If"
-        " it was not, damage stays unseen. Give a measured speed, or a part of the record.",
+        " it was not, damage may stay unseen. Give a measured speed, or a part of the record.",
         "no_loaded_frequencies": "The frequencies that were looked for are those of the geometry."
         " {reason}",
         "range_not_covered": "Under this load the orders of some balls are more than"
@@ -257,7 +257,7 @@ _PORTUGUESE: Final = DiagnosisWords(
     bearing="rolamento",
     inside="{name}: {count} esferas de {ball} mm em {pitch} mm",
     frequencies="frequências",
-    nominal="da geometria, ângulo de contato {angle}",
+    nominal="da geometria, ângulo de contato {angle}°",
     loaded="do rolamento sob carga, ângulo de contato médio {angle}; ordem da gaiola {cage}{range}",
     angles=("{inner}°", "{inner}° (interno), {outer}° (externo)"),
     over_balls=", de {least} a {most} entre as esferas",
@@ -332,8 +332,8 @@ _PORTUGUESE: Final = DiagnosisWords(
         "inferred_inside": "O interior deste rolamento é inferido das suas capacidades: outros"
         " interiores têm outras frequências (veja rolamento frequencies).",
         "speed_not_found": "De {start} a {end} s o eixo não se destaca do ruído da vibração, a até"
-        " {within} % de {nominal} rpm: a rotação foi tomada como constante. Se não era, um dano não"
-        " se vê. Dê uma rotação medida, ou uma parte do registro.",
+        " {within} % de {nominal} rpm: a rotação foi tomada como constante. Se não era, um dano"
+        " pode passar despercebido. Dê uma rotação medida, ou uma parte do registro.",
         "no_loaded_frequencies": "As frequências procuradas são as da geometria. {reason}",
         "range_not_covered": "Sob esta carga as ordens de algumas esferas se afastam mais de"
         " {tolerance} %: essas não foram procuradas.",
