@@ -166,6 +166,29 @@ class TestLevels:
         names = [note["name"] for note in json.loads(out)["signals"][0]["notes"]]
         assert names == ["speed_unknown", "near_half_rate"]
 
+    def test_sensitivity_of_the_sensor(self, run: Run) -> None:
+        turns = 2.0 * pi * TONES["medium"]
+        volts = tones(medium=100e-6 * turns) / 9.80665 * 0.1
+        np.savez("volts.npz", x=volts, fs=RATE, rpm=1800.0)
+        out = run("volts.npz", "--unit", "V", "--scale", "100 mV/g", "--json")[1]
+        signal = json.loads(out)["signals"][0]
+        assert signal["bands"][1]["velocity"] == pytest.approx(100e-6, rel=2e-3)
+        assert signal["quantity"] == "acceleration"
+        assert "100 mV/g" in " ".join(note["text"] for note in signal["notes"])
+
+    def test_speed_that_changes_counts_by_its_mean(
+        self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        monkeypatch.setattr(anderon_files, "_BLOCK", 50_000)
+        time = np.arange(400_000) / RATE
+        speed = SPEED * (1.0 + 0.01 * np.sin(2.0 * pi * time / time[-1]))
+        path = tmp_path / "run.csv"
+        table = np.column_stack([time, np.random.default_rng(1).normal(size=time.size), speed])
+        header = "time (s),velocity (um/s),speed (rad/s)"
+        np.savetxt(path, table[::1], "%.9g", ",", header=header, comments="")
+        found = measured_noise(str(path), Wanted(channel="velocity"), nan, lambda *_: None)
+        assert found.noise.speed == pytest.approx(float(np.mean(speed)), rel=2e-3)
+
 
 class TestVerdicts:
     def test_without_full_scales_there_is_none(self, run: Run) -> None:
@@ -325,7 +348,7 @@ REFUSED: list[tuple[tuple[str, ...], str]] = [
     (("none.npz",), "none.npz: cannot be read"),
     (("bare.npy", "--unit", "um/s"), "rate: is not in the file"),
     (("t60.npz",), "unit: is not in the file"),
-    (("t60.npz", "--unit", "V"), 'is "V", and must be'),
+    (("t60.npz", "--unit", "V"), 'is "V": give that of'),
     (("t60.npz", "--unit", "um/s", "--speed", "0 rpm"), "--speed: must not be 0"),
     (("t60.npz", "--unit", "um/s", "--speed", "1800"), "--speed: "),
     (("t60.npz", "--unit", "um/s", "--accepted", "0"), "--accepted: 0.0: must be"),

@@ -71,6 +71,12 @@ def anderon(
             help="Of the samples: um/s, m/s^2, g …, if the file is silent.",
         ),
     ] = None,
+    scale: Annotated[
+        str | None,
+        typer.Option(
+            "--scale", metavar="SCALE", help="Sensitivity of the sensor, such as '100 mV/g'."
+        ),
+    ] = None,
     channel: Annotated[
         str | None,
         typer.Option("--channel", metavar="CHANNEL", help="Name, or number from 1 on."),
@@ -132,8 +138,8 @@ def anderon(
         words = words_of(lang)
         found = _found(
             signals,
-            {"speed": speed, "unit": unit, "channel": channel, "rate": rate, "start": start,
-             "duration": duration, "hours": hours},
+            {"speed": speed, "unit": unit, "scale": scale, "channel": channel, "rate": rate,
+             "start": start, "duration": duration, "hours": hours},
             full_scale or [],
             accepted,
             bearing,
@@ -202,6 +208,7 @@ def _found(
         said["channel"],
         to_number(said["rate"], "--rate", _RATES, "--rate '50 kHz'"),
         said["unit"],
+        said["scale"],
         to_number(said["start"], "--start", _TIMES, "--start '2 s'") or 0.0,
         to_number(said["duration"], "--duration", _TIMES, "--duration '10 s'"),
         speed,

@@ -44,6 +44,7 @@ class Wanted:
     channel: str | None = None
     rate: float | None = None
     unit: str | None = None
+    scale: str | None = None
     start: float = 0.0
     duration: float | None = None
     speed: float | None = None
@@ -67,6 +68,7 @@ def measured_noise(
         channel=wanted.channel,
         rate=wanted.rate,
         unit=wanted.unit,
+        scale=wanted.scale,
         start=wanted.start,
         duration=wanted.duration,
     ) as source:
@@ -89,17 +91,20 @@ def measured_noise(
             first=total.first,
             duration=source.duration,
             hours=hours,
-            scaled_unit=(wanted.unit or "") if source.channel.unit == "1" else "",
+            scaled_unit=_unit_of_full_scale(source, wanted),
+            sensitivity=wanted.scale or "",
             reading_notes=source.notes,
         )
 
 
 class _Total:
-    """The mean square of the velocities of consecutive blocks."""
+    """The mean square of the velocities of consecutive blocks, and their mean speed."""
 
     def __init__(self) -> None:
         self._first: tuple[Signal, Noise] | None = None
+        self._notes: dict[str, None] = {}
         self._powers = np.zeros(len(BANDS))
+        self._speeds = 0.0
         self._segments = 0
         self._least, self._most = np.inf, -np.inf
 
@@ -113,6 +118,8 @@ class _Total:
             self._first = block, noise
         weight = max(segments, 1)
         self._powers += weight * np.square([band.velocity for band in noise.bands])
+        self._speeds += weight * noise.speed
+        self._notes.update(dict.fromkeys(noise.notes))
         self._segments += weight
         self._least = min(self._least, float(np.min(block.samples)))
         self._most = max(self._most, float(np.max(block.samples)))
@@ -134,24 +141,24 @@ class _Total:
     def noise(self) -> Noise:
         """Of all blocks together."""
         assert self._first is not None
-        noise = self._first[1]
-        bands = []
-        for band, power in zip(noise.bands, self._powers.tolist(), strict=True):
+        speed, bands = self._speeds / self._segments, []
+        for band, power in zip(self._first[1].bands, self._powers.tolist(), strict=True):
             velocity = sqrt(power / self._segments)
-            level = anderons_of_velocity(velocity, band.band, noise.speed)
+            level = anderons_of_velocity(velocity, band.band, speed)
             bands.append(BandNoise(band.name, band.band, velocity, level))
-        return replace(noise, bands=tuple(bands))
+        return Noise(speed, tuple(bands), tuple(self._notes))
 
 
 def _check(source: SignalFile, path: str) -> None:
     """Refuse what has no velocity, and rates that bands up to 10 kHz have no use for."""
     if source.quantity == "unknown":
         unit = source.unit
-        rule = f'is "{unit}", and must be' if unit not in ("", "1") else "is not in the file: give"
+        rule = f'is "{unit}"' if unit not in ("", "1") else "is not in the file"
         raise InputError(
-            f"{rule} that of a velocity, an acceleration or a displacement",
+            f"{rule}: give that of a velocity, an acceleration or a displacement, or the"
+            " sensitivity of the sensor",
             field="unit",
-            example="--unit um/s, --unit m/s^2, --unit g or --unit um",
+            example="--unit um/s, --unit m/s^2, --scale '100 mV/g'",
             source=path,
         )
     if source.rate > _HIGHEST_RATE:
@@ -161,6 +168,13 @@ def _check(source: SignalFile, path: str) -> None:
             value=source.rate,
             source=path,
         )
+
+
+def _unit_of_full_scale(source: SignalFile, wanted: Wanted) -> str:
+    """Return the unit that a recorder's full scale is taken for; "" if nothing of the kind is."""
+    if source.channel.unit != "1" or wanted.scale is not None:
+        return ""
+    return wanted.unit or ""
 
 
 def _at_speed(block: Signal, speed: float | None) -> Signal:

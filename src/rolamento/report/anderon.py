@@ -214,10 +214,8 @@ def _notes(page: Page, said: NoiseWords, found: NoiseResult) -> Lines:
     """Show every note once; of several signals, with those that it is about."""
     about: dict[str, list[str]] = {}
     for one in found.measured:
-        missing = [said.bands[b.name] for b in one.noise.bands if not isfinite(b.anderons)]
-        rate = page.digits.short(one.first.rate, 6)
         for name in one.names_of_notes:
-            text = said.note[name].format(rate=rate, bands=", ".join(missing), unit=one.scaled_unit)
+            text = one.note(name, said, page.digits)
             about.setdefault(text, []).append(shortened(one_line(one.title), _LONGEST_NAME))
     if not about:
         return []

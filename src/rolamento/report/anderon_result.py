@@ -10,7 +10,8 @@ from io import StringIO
 from math import isfinite, nan
 from typing import Any, Final, Literal
 
-from rolamento.report.anderon_words import NOISE_WORDS
+from rolamento.report.anderon_words import NOISE_WORDS, NoiseWords
+from rolamento.report.numbers import Digits
 from rolamento.report.plain_data import csv_number, json_text
 from rolamento.report.weibull_numbers import one_line
 from rolamento.vibration.anderon import (
@@ -87,6 +88,8 @@ class MeasuredNoise:
         of the test after which it was recorded; NaN if not told
     scaled_unit
         unit that the full scale of a file of whole numbers is taken for; "" otherwise
+    sensitivity
+        by which the samples were scaled; "" if none was given
     reading_notes
         how the samples were taken from their file
     """
@@ -97,6 +100,7 @@ class MeasuredNoise:
     duration: float
     hours: float = nan
     scaled_unit: str = ""
+    sensitivity: str = ""
     reading_notes: tuple[str, ...] = ()
 
     @property
@@ -109,7 +113,21 @@ class MeasuredNoise:
             names.append("near_half_rate")
         if self.first.quantity in ("acceleration", "displacement"):
             names.append(self.first.quantity)
-        return (*names, "full_scale_one") if self.scaled_unit else tuple(names)
+        names += ["sensitivity"] if self.sensitivity else []
+        names += ["full_scale_one"] if self.scaled_unit else []
+        return tuple(names)
+
+    def note(self, name: str, words: NoiseWords, digits: Digits) -> str:
+        """Say one of them."""
+        missing = (
+            words.bands[band.name] for band in self.noise.bands if not isfinite(band.anderons)
+        )
+        return words.note[name].format(
+            rate=digits.short(self.first.rate, 6),
+            bands=", ".join(missing),
+            unit=self.scaled_unit,
+            sensitivity=one_line(self.sensitivity),
+        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -212,8 +230,6 @@ def _mapping(found: NoiseResult, place: int) -> dict[str, Any]:
         }
         for band in one.noise.bands
     ]
-    missing = [said.bands[b.name] for b in one.noise.bands if not isfinite(b.anderons)]
-    filled = {"rate": f"{one.first.rate:g}", "bands": ", ".join(missing), "unit": one.scaled_unit}
     return {
         "title": one.title,
         "verdict": found.verdicts[place],
@@ -225,7 +241,7 @@ def _mapping(found: NoiseResult, place: int) -> dict[str, Any]:
         "quantity": one.first.quantity,
         "reading_notes": list(one.reading_notes),
         "notes": [
-            {"name": name, "text": said.note[name].format(**filled)} for name in one.names_of_notes
+            {"name": name, "text": one.note(name, said, Digits("."))} for name in one.names_of_notes
         ],
     }
 

@@ -112,6 +112,7 @@ _ENGLISH: Final = NoiseWords(
         " may take a part of the high band.",
         "acceleration": "Velocity is made of the acceleration, line by line of the spectrum.",
         "displacement": "Velocity is made of the displacement, line by line of the spectrum.",
+        "sensitivity": "The samples are scaled by {sensitivity}, as given.",
         "full_scale_one": "The file holds whole numbers: the recorder's full scale is taken as"
         " 1 {unit}.",
     },
@@ -176,6 +177,7 @@ _PORTUGUESE: Final = NoiseWords(
         " do gravador pode tirar parte da faixa alta.",
         "acceleration": "A velocidade é obtida da aceleração, linha a linha do espectro.",
         "displacement": "A velocidade é obtida do deslocamento, linha a linha do espectro.",
+        "sensitivity": "As amostras são convertidas por {sensitivity}, como dado.",
         "full_scale_one": "O arquivo contém números inteiros: o fundo de escala do gravador é"
         " tomado como 1 {unit}.",
     },
