@@ -31,6 +31,7 @@ from rolamento.cli.plot import plot
 from rolamento.cli.reproduce import reproduce
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
 from rolamento.cli.sweep import sweep
+from rolamento.cli.synthesise import synthesise
 from rolamento.cli.tolerance import tolerance
 from rolamento.cli.trend import trend
 from rolamento.cli.turn import turn
@@ -198,6 +199,10 @@ app.command(
     cls=JsonCommand,
     epilog="Example: diagnose signal.wav --bearing 6205 --speed '1797 rpm' --plot signal.png.",
 )(diagnose)
+app.command(
+    epilog="Example: synthesise 6205 --speed '1797 rpm' --fault inner_race --load radial --snr -8"
+    " --rate '12 kHz' --output inner.npz --truth inner.json.",
+)(synthesise)
 app.command(
     cls=JsonCommand,
     epilog="Examples: anderon noise.wav --unit um/s --full-scale low=30,medium=60,high=60;"

@@ -1,0 +1,512 @@
+"""`rolamento synthesise`: files that are read back, the truth, the report, hostile input."""
+
+from __future__ import annotations
+
+import json
+import shlex
+from collections.abc import Callable
+from dataclasses import replace
+from math import nan, pi
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+from rolamento import Bearing, load_case, solve
+from rolamento.cli import signal_files
+from rolamento.cli.app import app
+from rolamento.cli.bearing_case import case_of, has_load, is_designation
+from rolamento.cli.field_list import fields_of, number_of
+from rolamento.cli.signal_files import write_signal
+from rolamento.cli.synthesise_options import Asked
+from rolamento.cli.synthesise_recipe import given_of, load_name, recipe_from
+from rolamento.errors import InputError
+from rolamento.report.synthesis import synthesis_report
+from rolamento.report.synthesis_result import SynthesisResult, truth_json
+from rolamento.vibration.frequencies import frequencies_of, nominal_frequencies
+from rolamento.vibration.reading import open_signal, read_signal
+from rolamento.vibration.signal import Signal
+from rolamento.vibration.synthesis import (
+    Fault,
+    LoadDistribution,
+    Noise,
+    Recipe,
+    SwingingSpeed,
+    WanderingSpeed,
+    synthesise,
+)
+
+Run = Callable[..., tuple[int, str, str]]
+SPEED = 1797.0 * pi / 30.0
+KNOWN = ("6205", "--speed", "1797 rpm", "--duration", "2 s", "--rate", "12 kHz")
+CASE = """
+title = "fan"
+
+[bearing]
+designation = "6205"
+
+[duty]
+inner_speed = "1797 rpm"
+
+[duty.load]
+fz = "1 kN"
+fx = "200 N"
+"""
+
+
+@pytest.fixture
+def run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Run:
+    monkeypatch.chdir(tmp_path)
+    Path("fan.toml").write_text(CASE, encoding="utf-8")
+
+    def runner(*arguments: str, command: str = "synthesise") -> tuple[int, str, str]:
+        result = CliRunner().invoke(app, (command, *arguments), env={"LC_ALL": "C.UTF-8"})
+        if result.exception and not isinstance(result.exception, SystemExit):
+            raise result.exception
+        return result.exit_code, result.stdout, result.stderr
+
+    return runner
+
+
+def squeezed(text: str) -> str:
+    return " ".join(text.split())
+
+
+def given(**fields: Any) -> Recipe:
+    """Recipe of the options that a record of them holds."""
+    asked = Asked(bearing="6205", inner_speed=SPEED, **{"faults": ("inner_race",), **fields})
+    return recipe_from(asked, given_of(asked))
+
+
+class TestSignal:
+    def test_it_is_that_of_the_recipe(self, run: Run) -> None:
+        code, _, err = run(
+            *KNOWN, "--fault", "inner_race", "--load", "radial", "--snr", "-8", "-o", "a.npz"
+        )
+        assert (code, err) == (0, "")
+        recipe = Recipe(
+            frequencies=nominal_frequencies(Bearing.named("6205"), SPEED),
+            faults=(Fault(kind="inner_race"),),
+            load=LoadDistribution.radial(),
+            noise=Noise(ratio=-8.0, of="faults"),
+            duration=2.0,
+            rate=12_000.0,
+        )
+        expected = synthesise(recipe).signal.samples
+        found = read_signal("a.npz", unit="m/s^2")
+        assert np.array_equal(found.samples, expected)
+        assert (found.rate, found.quantity) == (12_000.0, "acceleration")
+        assert found.mean_speed == pytest.approx(SPEED, rel=1e-12)
+
+    def test_same_seed_same_bytes(self, run: Run, tmp_path: Path) -> None:
+        for name, seed in (("a", "3"), ("b", "3"), ("c", "4")):
+            assert run(*KNOWN, "--fault", "ball", "--seed", seed, "-o", f"{name}.npz")[0] == 0
+        a, b, c = ((tmp_path / f"{name}.npz").read_bytes() for name in "abc")
+        assert a == b
+        assert a != c
+
+    def test_diagnosis_finds_what_was_planted(self, run: Run) -> None:
+        for kind in ("outer_race", "inner_race"):
+            out = run(
+                "6205", "--speed", "1797 rpm", "--rate", "12 kHz", "--fault", kind,
+                "--load", "radial", "--snr", "-6", "-o", "a.csv", "--lang", "en",
+            )[1]  # fmt: skip
+            command = shlex.split(out.strip().splitlines()[-1])
+            assert command[:3] == ["rolamento", "diagnose", "a.csv"]
+            found = run(*command[2:], "--json", command="diagnose")[1]
+            assert json.loads(found)["faults"] == [kind]
+
+    def test_loaded_case_is_solved(self, run: Run) -> None:
+        code, out, _ = run(
+            "fan.toml", "--fault", "inner_race", "--duration", "1 s", "-o", "a.npz", "--truth",
+            "a.json", "--lang", "en",
+        )  # fmt: skip
+        assert code == 0
+        assert "load of the solved case" in squeezed(out)
+        truth = json.loads(Path("a.json").read_text("utf-8"))
+        state = solve(load_case("fan.toml"))
+        order = frequencies_of(state).ball_pass_inner.order
+        assert truth["faults"][0]["order"] == pytest.approx(order, rel=1e-12)
+        assert order != pytest.approx(
+            nominal_frequencies(load_case("fan.toml").bearing, SPEED).ball_pass_inner.order,
+            rel=1e-3,
+        )
+        load = LoadDistribution.of_state(state)
+        recipe = Recipe(
+            frequencies=frequencies_of(state), faults=(Fault(kind="inner_race"),), load=load,
+            duration=1.0,
+        )  # fmt: skip
+        strengths = synthesise(recipe).truth.faults[0].strengths
+        assert truth["faults"][0]["strengths"] == pytest.approx(strengths.tolist())
+
+    def test_case_may_be_given_other_loads_and_speeds(self, run: Run) -> None:
+        out = run(
+            "fan.toml", "--speed", "600 rpm", "--load", "uniform", "--fault", "ball", "--set",
+            "duty.load.fz='2 kN'", "-o", "a.wav", "--duration", "1 s", "--lang", "en",
+        )[1]  # fmt: skip
+        assert "600 rpm (10 Hz)" in out
+        assert "equal all round" in out
+        assert out.strip().endswith("--bearing fan.toml --speed '600 rpm'")
+
+    def test_case_without_solution_ends_with_one(self, run: Run) -> None:
+        code, out, err = run(
+            "fan.toml", "--set", "duty.load.fz='1e9 N'", "--fault", "ball", "-o", "a.wav"
+        )
+        assert (code, out) == (1, "")
+        assert err.startswith("rolamento: not converged")
+        assert not Path("a.wav").exists()
+
+
+class TestFiles:
+    @pytest.mark.parametrize(
+        ("name", "close", "unit", "speed"),
+        [("a.npz", 0.0, "", SPEED), ("a.csv", 5e-9, "m/s^2", SPEED), ("a.wav", 6e-8, "", None)],
+    )
+    @pytest.mark.parametrize("rate", [12_000.0, 51_200.0, 44_100.0])
+    def test_reading_takes_back_what_was_written(
+        self, tmp_path: Path, name: str, close: float, unit: str, speed: float | None, rate: float
+    ) -> None:
+        samples = np.random.default_rng(1).normal(size=70_000) * np.geomspace(1e-6, 1e6, 70_000)
+        signal = Signal(samples, rate, "acceleration", "m/s^2", np.array(SPEED))
+        path = tmp_path / name
+        write_signal(signal, str(path))
+        with open_signal(path) as file:
+            assert len(file.channels) == 1
+            assert file.rate == rate
+            assert file.channel.unit == unit
+            assert file.speed == (None if speed is None else pytest.approx(speed, rel=1e-11))
+            found = file.read().samples
+        assert found.size == samples.size
+        assert np.all(np.abs(found - samples) <= close * np.abs(samples))
+
+    def test_rate_that_is_no_whole_number(self, tmp_path: Path) -> None:
+        signal = Signal(np.arange(1000.0), 1000.0 / 3.0, "acceleration", "m/s^2")
+        for name in ("a.npz", "a.csv"):
+            write_signal(signal, str(tmp_path / name))
+            found = read_signal(tmp_path / name, unit="m/s^2")
+            assert found.rate == pytest.approx(1000.0 / 3.0, rel=1e-11)
+            assert np.isnan(found.mean_speed)
+        with pytest.raises(InputError, match="whole number of Hz in a WAV"):
+            write_signal(signal, str(tmp_path / "a.wav"))
+
+    def test_wav_is_what_others_read(self, tmp_path: Path) -> None:
+        from scipy.io import wavfile
+
+        samples = np.random.default_rng(2).normal(size=1001)
+        write_signal(Signal(samples, 8000.0, "acceleration", "m/s^2"), str(tmp_path / "a.wav"))
+        rate, found = wavfile.read(tmp_path / "a.wav")
+        assert (rate, found.dtype) == (8000, np.float32)
+        assert np.array_equal(found, samples.astype(np.float32))
+
+    def test_table_has_its_bounds(self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+        monkeypatch.setattr(signal_files, "_MOST_ROWS", 10)
+        signal = Signal(np.arange(11.0), 8000.0, "acceleration", "m/s^2")
+        with pytest.raises(InputError, match="at most 10 in a table"):
+            write_signal(signal, str(tmp_path / "a.csv"))
+
+    def test_disk_that_is_full(self, run: Run) -> None:
+        if not Path("/dev/full").exists():
+            pytest.skip("no such device here")
+        for name in ("full.npz", "full.wav", "full.csv"):
+            Path(name).symlink_to("/dev/full")
+            code, out, err = run(*KNOWN, "--fault", "ball", "-o", name)
+            assert (code, out) == (2, "")
+            assert err.startswith(f"rolamento: {name}: cannot be written: ")
+
+    def test_old_files_are_overwritten(self, run: Run) -> None:
+        for duration in ("2 s", "1 s"):
+            code = run(*KNOWN[:3], "--fault", "ball", "--duration", duration, "-o", "a.wav")[0]
+            assert code == 0
+        with open_signal("a.wav") as file:
+            assert file.duration == pytest.approx(1.0)
+
+
+class TestTruth:
+    def test_ratio_is_that_of_the_faults(self, run: Run) -> None:
+        run(*KNOWN, "--fault", "outer_race", "--snr", "-8", "-o", "a.npz", "--truth", "a.json")
+        truth = json.loads(Path("a.json").read_text("utf-8"))
+        fault = truth["faults"][0]
+        assert fault["to_noise"] == pytest.approx(-8.0, abs=1e-9)
+        assert truth["rms"] ** 2 == pytest.approx(
+            fault["rms"] ** 2 + truth["noise_level"] ** 2, rel=0.05
+        )
+
+    def test_rms_of_each_fault_alone(self) -> None:
+        faults = ("inner_race", "outer_race,strength=3", "ball,modulation=frequency,index=2")
+        for load in ("uniform", "radial"):
+            recipe = given(faults=faults, load=load, duration=2.0, swing="0.05")
+            found = result(recipe)
+            # parts are told apart by leaving the others' strengths at zero: same random numbers
+            for place, one in enumerate(found.faults):
+                alone = list(recipe.faults)
+                for other in range(len(alone)):
+                    if other != place:
+                        alone[other] = Fault(kind=alone[other].kind, strength=0.0)
+                samples = synthesise(replace(recipe, faults=tuple(alone))).signal.samples
+                assert one.rms == pytest.approx(float(np.sqrt(np.mean(samples**2))), rel=1e-9)
+
+    def test_standard_output_takes_the_truth_alone(self, run: Run) -> None:
+        code, out, err = run(*KNOWN, "--fault", "cage", "-o", "a.npz", "--truth", "-")
+        assert (code, err) == (0, "")
+        truth = json.loads(out)
+        assert truth["kind"] == "synthesis"
+        assert truth["signal_to_noise"] is None
+        assert truth["faults"][0]["to_noise"] is None
+        assert len(truth["faults"][0]["times"]) == pytest.approx(2.0 * 11.92, abs=2.0)
+
+    def test_recipe_is_told_by_its_fields(self) -> None:
+        recipe = given(
+            faults=("inner_race,strength=2,azimuth=90 deg,slip=around",),
+            jitter=0.03,
+            wander="0.005,memory=1 s",
+            modes=("5 kHz,gain=3", "2000"),
+            path="far_gain=0.5",
+            load="radial,extent=0.7",
+            waviness=("outer,amplitude=50 nm,last=20",),
+            shaft_harmonics="0.5,0.2",
+            noise="0.1 g",
+            colour="pink",
+            seed=7,
+        )
+        told = json.loads(truth_json(result(recipe, "radial", 0.7)))["recipe"]
+        assert told["faults"][0]["jitter"] == 0.03
+        assert told["faults"][0]["azimuth"] == pytest.approx(pi / 2.0)
+        assert told["speed"]["kind"] == "WanderingSpeed"
+        assert [mode["frequency"] for mode in told["modes"]] == [5000.0, 2000.0]
+        assert told["load"] == {"kind": "radial", "extent": 0.7}
+        assert told["noise"]["level"] == pytest.approx(0.980665)
+        assert told["shaft_harmonics"] == [0.5, 0.2]
+
+
+def result(recipe: Recipe, load: Any = "uniform", extent: float = nan) -> SynthesisResult:
+    return SynthesisResult(
+        name="6205", source="6205", bearing=Bearing.named("6205"), made=synthesise(recipe),
+        load=load, extent=extent, path="a.wav", truth_path=None,
+    )  # fmt: skip
+
+
+class TestPage:
+    def test_what_was_planted(self, run: Run) -> None:
+        out = run(
+            *KNOWN, "--fault", "inner_race", "--fault", "ball", "--snr", "-8", "-o", "a.npz",
+            "--lang", "en",
+        )[1]  # fmt: skip
+        line = squeezed(out)
+        assert line.startswith(
+            "Written: a.npz, 2 s of a bearing with damage to the inner race and a ball."
+        )
+        assert "inner race 5.4222 162.40" in line
+        assert "faults to noise −8 dB" in line
+        assert out.strip().endswith("rolamento diagnose a.npz --bearing 6205")
+
+    def test_portuguese(self, run: Run) -> None:
+        out = run(*KNOWN, "--fault", "cage", "-o", "a.npz", "--lang", "pt")[1]
+        assert squeezed(out).startswith("Gravado: a.npz, 2 s de um rolamento com dano em gaiola.")
+
+    @pytest.mark.parametrize("language", ["en", "pt"])
+    def test_width(self, run: Run, language: str) -> None:
+        out = run(
+            "fan.toml", "--fault", "outer_race,modulation=frequency", "--fault", "ball",
+            "--swing", "0.02", "--waviness", "inner,amplitude=1 um,last=90", "--shaft-harmonics",
+            "1,2,3", "--snr", "-20", "--colour", "pink", "-o",
+            "a.csv", "--duration", "1 s", "--truth", "a.json", "--load-turns", "1", "--slip",
+            "0.01", "--lang", language,
+        )[1]  # fmt: skip
+        assert out
+        assert max(len(line) for line in out.splitlines()) <= 80
+
+    def test_lines_of_waviness_are_those_of_the_truth(self) -> None:
+        recipe = given(faults=(), waviness=("outer,amplitude=100 nm,last=60",), rate=51_200.0)
+        found = result(recipe)
+        lines = {(line.waves, round(line.frequency, 6)) for line in found.lines}
+        shaft = SPEED / (2.0 * pi)
+        expected = {
+            (line.waves, round(line.order * shaft, 6)) for line in found.made.truth.waviness_lines
+        }
+        assert lines == expected
+        assert [line.rms for line in found.lines] == sorted(
+            (line.rms for line in found.lines), reverse=True
+        )
+        # lines at one frequency add by their phases: their greatest sum bounds the whole
+        assert found.rms <= sum(line.rms for line in found.lines)
+        page = synthesis_report(found)
+        assert "of a sound bearing" in page
+        assert "Planted" not in page
+
+    def test_lines_beyond_half_the_rate_are_said_to_be_missing(self) -> None:
+        recipe = given(
+            faults=(), waviness=("outer,amplitude=100 nm,last=90",), rate=1000.0, modes=("300",)
+        )
+        assert "beyond half the rate" in squeezed(synthesis_report(result(recipe)))
+
+    def test_damage_that_no_ball_strikes_is_noted(self, run: Run) -> None:
+        away = ("--fault", "outer_race,azimuth=180 deg", "--load", "radial")
+        out = run(*KNOWN, *away, "--noise", "1", "-o", "a.npz", "--lang", "en")[1]
+        assert "makes no impact with any force" in squeezed(out)
+        code, _, err = run(*KNOWN, *away, "--snr", "0", "-o", "b.npz")
+        assert code == 2
+        assert "--snr: 0.0: is the ratio to faults that make no impact" in err
+        code, _, err = run(*KNOWN, *away, "-o", "b.npz")
+        assert code == 2
+        assert "signal: is silent" in err
+        assert not Path("b.npz").exists()
+
+    def test_both_rings_turn(self, run: Run) -> None:
+        out = run(*KNOWN, "--outer-speed=-300 rpm", "--fault", "ball", "-o", "a.npz", "--lang",
+                  "en")[1]  # fmt: skip
+        assert "outer ring −300 rpm" in out
+        assert out.strip().endswith("--speed '1797 rpm' --outer-speed '-300 rpm'")
+
+
+FAULT = (*KNOWN, "--fault", "inner_race", "-o", "a.npz")
+REFUSED: list[tuple[tuple[str, ...], str]] = [
+    ((*KNOWN, "-o", "a.npz"), "would be silent"),
+    ((*KNOWN, "--fault", "ball", "-o", "a.mp3"), "must end in .wav, .csv, .npz"),
+    ((*KNOWN, "--fault", "ball", "-o", "-"), "must end in .wav, .csv, .npz"),
+    ((*KNOWN, "--fault", "ball", "-o", "none/a.npz"), "none/a.npz: cannot be written"),
+    ((*FAULT, "--truth", "a.npz"), "only one of --output and --truth"),
+    (("fan.toml", "--fault", "ball", "-o", "a.npz", "--truth", "fan.toml"), "the case file itself"),
+    (("6205", "--fault", "ball", "-o", "a.npz"), "--speed: is missing: nothing turns"),
+    ((*FAULT, "--outer-speed", "1797 rpm"), "is that of both rings"),
+    ((*FAULT, "--speed", "1797"), "--speed: "),
+    ((*FAULT, "--speed", "1e9 rpm"), "--speed: "),
+    (("99", "--speed", "1 rpm", "--fault", "ball", "-o", "a.npz"), "is in no catalogue"),
+    (("no.toml", "--fault", "ball", "-o", "a.npz"), "no.toml: cannot be opened"),
+    ((*KNOWN, "--fault", "race", "-o", "a.npz"), "--fault: kind = "),
+    ((*FAULT, "--fault", "ball,jiter=1"), "perhaps jitter"),
+    ((*FAULT, "--fault", "ball,jitter=1"), "--fault: jitter = 1.0: must be from 0 to 0.2"),
+    ((*FAULT, "--fault", "ball,jitter=inf"), "--fault: jitter = "),
+    ((*FAULT, "--fault", "ball,azimuth=90"), "needs its unit"),
+    ((*FAULT, "--fault", "ball,jitter=0.1,jitter=0.1"), "is given twice"),
+    ((*FAULT, *("--fault", "ball") * 21), "20 times at most"),
+    ((*FAULT, "--jitter", "3"), "--fault: jitter = 3.0"),
+    ((*FAULT, "--slip", "7"), "--slip: 7.0: must be"),
+    ((*FAULT, "--snr", "nan"), "--snr: nan: must be from -200"),
+    ((*FAULT, "--snr", "0", "--noise", "1"), "not both"),
+    ((*KNOWN, "--waviness", "outer,amplitude=1 nm", "--snr", "0", "-o", "a.npz"), "needs a fault"),
+    ((*FAULT, "--noise", "1 V"), "--noise: "),
+    ((*FAULT, "--noise", "-1"), "--noise: -1.0: must be from 0"),
+    ((*FAULT, "--noise", "1", "--colour", "red"), "--colour: "),
+    ((*FAULT, "--load", "side"), "must be one of uniform, radial, solved"),
+    ((*FAULT, "--load", "uniform,extent=1"), "must be one of uniform, radial, solved"),
+    ((*FAULT, "--load", "radial,extent=0"), "--load: extent = 0.0"),
+    ((*FAULT, "--load", "solved"), "needs a case file with a load"),
+    ((*FAULT, "--load-turns", "1e9"), "--load-turns: "),
+    ((*FAULT, "--mode", "9 kHz"), "--mode: frequency = 9000.0: must be below half"),
+    ((*FAULT, "--mode", "fast"), "--mode: frequency = "),
+    ((*FAULT, "--path", "far"), "must be KEY=VALUE, with a KEY of sensor_azimuth, far_gain"),
+    ((*FAULT, "--path", "far_gain=2"), "--path: far_gain = 2.0"),
+    ((*FAULT, "--swing", "2"), "--swing: depth = 2.0"),
+    ((*FAULT, "--swing", "0.1", "--wander", "0.1"), "not both"),
+    ((*FAULT, "--wander", "0.1,memory=1e-9"), "--wander: memory = 1e-09"),
+    ((*FAULT, "--wander", "0.1,memory=1 ms", "--duration", "200 s"), "steps of a wandering speed"),
+    ((*FAULT, "--shaft-harmonics", "1,x"), "--shaft-harmonics: "),
+    ((*FAULT, "--shaft-harmonics", "-1"), "--shaft-harmonics: "),
+    ((*FAULT, "--waviness", "outer"), "--waviness: amplitude: is missing"),
+    ((*FAULT, "--waviness", "top,amplitude=1 nm"), "--waviness: surface = "),
+    ((*FAULT, "--waviness", "outer,amplitude=1 nm,last=10000"), "its lines"),
+    ((*FAULT, "--waviness", "outer,amplitude=1 nm,direction=axial"), "--waviness: direction = "),
+    ((*FAULT, "--seed", "-1"), "--seed: -1"),
+    ((*FAULT, "--duration", "1e9"), "gives more than 20000000 samples"),
+    ((*FAULT, "--duration", "0"), "--duration: 0.0"),
+    ((*FAULT, "--duration", "soon"), "--duration: "),
+    ((*FAULT, "--rate", "6 kHz"), "--mode: frequency = 3500.0: must be below half"),
+    ((*FAULT, "--rate", "-1"), "--rate: -1.0"),
+    ((*KNOWN, "--fault", "ball", "--rate", "12000.5", "-o", "a.wav"), "must be a whole number"),
+    ((*FAULT, "--duration", "1600 s", *("--mode", "3 kHz") * 40), "would take too long"),
+    ((*FAULT, "--fault", "x" * 2000), "at most 1000 characters"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("arguments", "message"), REFUSED, ids=range(len(REFUSED)))
+def test_wrong_input_is_one_line(run: Run, arguments: tuple[str, ...], message: str) -> None:
+    code, out, err = run(*arguments)
+    assert (code, out) == (2, "")
+    assert err.startswith("rolamento: ")
+    assert err.count("\n") == 1
+    assert message in err
+    assert not Path("a.npz").exists()
+
+
+def test_truth_of_too_many_impacts_is_refused(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    from rolamento.cli import synthesise as command
+
+    monkeypatch.setattr(command, "_MOST_IMPACTS", 100)
+    assert run(*FAULT)[0] == 0
+    code, _, err = run(*FAULT, "--truth", "a.json")
+    assert code == 2
+    assert "would hold more than 100 impacts" in err
+
+
+# --- what options say ------------------------------------------------------------------------
+
+
+def test_fields() -> None:
+    known: Any = {"kind": "text", "angle": "angle", "place": "frequency", "count": "whole"}
+    found = fields_of("a, angle = 180 deg,place=2kHz,count=3", "--x", known, "", first="kind")
+    assert found == {"kind": "a", "angle": pytest.approx(pi), "place": 2000.0, "count": 3}
+    assert fields_of("place=1e3", "--x", known, "") == {"place": 1000.0}
+    assert fields_of("angle=1 rad,kind=b", "--x", known, "", first="kind")["kind"] == "b"
+    for wrong in ("angle=1", "count=1.5", "place=1 rpm", "place=nan", "a", "a,b", "=", ""):
+        with pytest.raises(InputError):
+            fields_of(wrong, "--x", known, "")
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "value"),
+    [
+        ("12 kHz", "frequency", 12e3),
+        ("12kHz", "frequency", 12e3),
+        ("1e3", "frequency", 1e3),
+        ("0.5 min", "time", 30.0),
+        ("1 g", "acceleration", 9.80665),
+        ("2 m/s²", "acceleration", 2.0),
+    ],
+)
+def test_numbers(text: str, kind: Any, value: float) -> None:
+    assert number_of(text, "--x", kind, "") == pytest.approx(value)
+
+
+def test_recipe_of_options() -> None:
+    recipe = given(faults=("inner-race,jitter=0.05", "ball"), jitter=0.02, swing="0.1")
+    assert [fault.jitter for fault in recipe.faults] == [0.05, 0.02]
+    assert recipe.speed == SwingingSpeed(SPEED, 0.1, 0.3)
+    assert given(wander="0.01").speed == WanderingSpeed(SPEED, 0.01, 2.0)
+    assert given().noise is None
+    default = Recipe(frequencies=nominal_frequencies(Bearing.named("6205"), SPEED))
+    made = given()
+    for name in ("duration", "rate", "path", "modes", "shaft_harmonics", "seed", "load_turns"):
+        assert getattr(made, name) == getattr(default, name), name
+
+
+def test_slip_reaches_the_frequencies() -> None:
+    slow = given(slip=0.02).frequencies
+    assert slow.cage.order == pytest.approx(0.98 * given().frequencies.cage.order)
+
+
+def test_name_of_the_load(tmp_path: Path) -> None:
+    path = tmp_path / "fan.toml"
+    path.write_text(CASE, encoding="utf-8")
+    case = Asked(bearing=str(path), faults=("ball",))
+    assert load_name(case, given_of(case))[0] == "solved"
+    plain = Asked(bearing="6205", inner_speed=SPEED, load="radial")
+    assert load_name(plain, given_of(plain)) == ("radial", 0.5)
+    assert np.isnan(load_name(Asked(bearing="6205"), given_of(plain))[1])
+
+
+def test_case_of_a_bearing(tmp_path: Path) -> None:
+    path = tmp_path / "fan.toml"
+    path.write_text(CASE, encoding="utf-8")
+    assert not is_designation(str(path))
+    assert not is_designation("-")
+    assert not is_designation("none.toml")
+    assert is_designation("6205")
+    assert is_designation("a\0b")
+    assert has_load(case_of(str(path)))
+    assert not has_load(case_of("6205", inner_speed=10.0))
+    assert has_load(case_of("6205", ["duty.displacement.z='1 um'"]))
+    case = case_of(str(path), ["duty.load.fz='2 kN'"], inner_speed=1.5, outer_speed=-2.5)
+    assert (case.duty.inner_speed, case.duty.outer_speed) == (1.5, -2.5)
+    assert case.duty.load.fz == pytest.approx(2000.0)
