@@ -14,11 +14,10 @@ from rolamento.cli.common import (
     LanguageOption,
     SettingsOption,
     plain_endings,
-    same_file,
     words_of,
 )
+from rolamento.cli.outputs import check_outputs
 from rolamento.cli.streams import STANDARD_STREAM, print_text, put
-from rolamento.errors import FileError
 
 if TYPE_CHECKING:
     from rolamento.clearance import ClearanceSamples
@@ -45,8 +44,7 @@ def clearance(
 ) -> None:
     """Show what fits, temperatures, speed and wear leave of a bearing's clearance."""
     with plain_endings(lang):
-        if json is not None and same_file(json, case):
-            raise FileError("is the case file itself; choose another name", source=json)
+        check_outputs({"--json": json}, case)
         loaded = rolamento.load_case(case, settings or ())
         from rolamento.clearance import clearance_of_case
         from rolamento.report.clearance import clearance_json, clearance_report

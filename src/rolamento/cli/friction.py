@@ -17,20 +17,32 @@ from rolamento.cli.common import (
     LanguageOption,
     SettingsOption,
     plain_endings,
-    same_file,
     words_of,
 )
+from rolamento.cli.outputs import check_outputs
+from rolamento.cli.over_field import (
+    POINTS,
+    CurvesPlotOption,
+    LogOption,
+    PointsOption,
+    VariantsOption,
+    check_variants,
+    show_curves,
+)
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
-from rolamento.errors import FileError, InputError
+from rolamento.cli.waiting import waiting
+from rolamento.errors import InputError
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from matplotlib.figure import Figure
+
     from rolamento.studies.friction_curves import FrictionCurve
 
 __all__ = ["friction"]
 
-_POINTS: Final = 40
 _HYSTERESIS: Final = 0.01
-_MOST_VARIANTS: Final = 5
 
 
 def friction(
@@ -43,18 +55,9 @@ def friction(
             help="Vary a field, such as duty.load.fx=10..200N or duty.inner_speed=0.5..30000rpm.",
         ),
     ] = None,
-    points: Annotated[
-        int, typer.Option("--points", metavar="N", help="Values of that field, 2 to 1000.")
-    ] = _POINTS,
-    log: Annotated[bool, typer.Option("--log", help="With equal ratios between them.")] = False,
-    variants: Annotated[
-        list[str] | None,
-        typer.Option(
-            "--variant",
-            metavar="KEY=VALUE",
-            help="Show the case with this field changed beside it; with --over. Repeats.",
-        ),
-    ] = None,
+    points: PointsOption = POINTS,
+    log: LogOption = False,
+    variants: VariantsOption = None,
     coefficient: Annotated[
         float | None,
         typer.Option("--coefficient", metavar="MU", help="Coefficient of friction, up to 1."),
@@ -72,12 +75,7 @@ def friction(
             "--csv", metavar="FILE", help="With --over: write the points; - is standard output."
         ),
     ] = None,
-    plot: Annotated[
-        str | None,
-        typer.Option(
-            "--plot", metavar="FILE", help="With --over: draw it, a .png, .svg or .pdf file."
-        ),
-    ] = None,
+    plot: CurvesPlotOption = None,
     settings: SettingsOption = None,
     lang: LanguageOption = None,
 ) -> None:
@@ -92,7 +90,9 @@ def friction(
             solved = _one(chosen, hysteresis, json, lang)
         else:
             curves = _curves(chosen, over, points, log, variants or [], hysteresis, lang)
-            solved = _show(curves, json, csv, plot, lang)
+            from rolamento.report import friction_curves
+
+            solved = show_curves(curves, friction_curves, _figure, (json, csv, plot), lang)
     raise typer.Exit(SOLVED if solved else NO_RESULT)
 
 
@@ -111,21 +111,8 @@ def _check(
                 raise InputError(
                     "needs --over", field=name, value=given, example="--over duty.load.fx=10..200N"
                 )
-    if len(variants) > _MOST_VARIANTS:
-        raise InputError(
-            f"may be given at most {_MOST_VARIANTS} times", field="--variant", value=len(variants)
-        )
-    given_paths = [path for path in (json, csv, plot) if path is not None]
-    for path in given_paths:
-        if given_paths.count(path) > 1:
-            where = "standard output" if path == STANDARD_STREAM else path
-            raise InputError("only one of --json, --csv and --plot can go there", source=where)
-        if same_file(path, case):
-            raise FileError("is the case file itself; choose another name", source=path)
-    if plot is not None:
-        from rolamento.plots.saving import check_name
-
-        check_name(plot)
+    check_variants(variants)
+    check_outputs({"--json": json, "--csv": csv, "--plot": plot}, case)
 
 
 def _check_share(name: str, value: float | None) -> None:
@@ -176,52 +163,19 @@ def _curves(
     hysteresis: float,
     lang: Language | None,
 ) -> list[FrictionCurve]:
-    """Solve the case and its variants; whoever waits at a terminal for long is told why."""
+    """Solve the case and its variants."""
     from rolamento.studies.friction_curves import friction_curve, read_range
 
     chosen = read_range(over, points, log=log)
     cases = [("", case), *((text, rolamento.override(case, [text])) for text in variants)]
 
-    def solve() -> list[FrictionCurve]:
+    with waiting(lang):
         return [
             friction_curve(one, chosen, hysteresis=hysteresis, label=label) for label, one in cases
         ]
 
-    if sys.stderr is None or not sys.stderr.isatty():
-        return solve()
-    from rolamento.cli.waiting import told
 
-    with told(words_of(lang).waiting):
-        return solve()
+def _figure(curves: Sequence[FrictionCurve], language: str) -> Figure:
+    from rolamento.plots.friction import friction_figure
 
-
-def _show(
-    curves: list[FrictionCurve],
-    json: str | None,
-    csv: str | None,
-    plot: str | None,
-    lang: Language | None,
-) -> bool:
-    """Write what was asked for; tell whether every point has a result."""
-    from rolamento.report.friction_curves import curves_csv, curves_json, curves_report
-
-    words = words_of(lang)
-    if json is not None:
-        put(curves_json(curves) + "\n", json)
-    if csv is not None:
-        put(curves_csv(curves), csv)
-    if plot is not None:
-        from rolamento.plots.friction import friction_figure
-        from rolamento.plots.saving import save_figure
-
-        save_figure(friction_figure(curves, words.code), plot)
-    converged = all(curve.converged for curve in curves)
-    if STANDARD_STREAM not in (json, csv):
-        from rolamento.report.medium import Medium
-
-        print_text(curves_report(curves, words, Medium.of(sys.stdout)))
-    elif not converged:
-        status = next(curve.status for curve in curves if not curve.converged)
-        failed = status[status != "converged"]
-        complain(f"{len(failed)} / {len(status)}: {words.reasons[str(failed[0])]}")
-    return converged
+    return friction_figure(curves, language)

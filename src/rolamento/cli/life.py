@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from typing import TYPE_CHECKING, Annotated, Final, TypeVar
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -15,25 +15,32 @@ from rolamento.cli.common import (
     LanguageOption,
     SettingsOption,
     plain_endings,
-    same_file,
     words_of,
 )
+from rolamento.cli.outputs import check_outputs
+from rolamento.cli.over_field import (
+    POINTS,
+    CurvesPlotOption,
+    LogOption,
+    PointsOption,
+    VariantsOption,
+    check_variants,
+    show_curves,
+)
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
-from rolamento.errors import FileError, InputError
+from rolamento.cli.waiting import waiting
+from rolamento.errors import InputError
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Sequence
+
+    from matplotlib.figure import Figure
 
     from rolamento.life.l_able import FactorTable
     from rolamento.report.medium import Medium
     from rolamento.studies.life_curves import LifeCurve
 
 __all__ = ["life"]
-
-T = TypeVar("T")
-
-_POINTS: Final = 40
-_MOST_VARIANTS: Final = 5
 
 
 def life(
@@ -49,18 +56,9 @@ def life(
             help="Vary a field, such as duty.load.fz=1..8kN or life.contamination=0.1..1.",
         ),
     ] = None,
-    points: Annotated[
-        int, typer.Option("--points", metavar="N", help="Values of that field, 2 to 1000.")
-    ] = _POINTS,
-    log: Annotated[bool, typer.Option("--log", help="With equal ratios between them.")] = False,
-    variants: Annotated[
-        list[str] | None,
-        typer.Option(
-            "--variant",
-            metavar="KEY=VALUE",
-            help="Show the case with this field changed beside it; with --over. Repeats.",
-        ),
-    ] = None,
+    points: PointsOption = POINTS,
+    log: LogOption = False,
+    variants: VariantsOption = None,
     spectrum: Annotated[
         str | None,
         typer.Option(
@@ -97,12 +95,7 @@ def life(
             help="With --over or --spectrum: write points or steps; - is standard output.",
         ),
     ] = None,
-    plot: Annotated[
-        str | None,
-        typer.Option(
-            "--plot", metavar="FILE", help="With --over: draw it, a .png, .svg or .pdf file."
-        ),
-    ] = None,
+    plot: CurvesPlotOption = None,
     settings: SettingsOption = None,
     lang: LanguageOption = None,
 ) -> None:
@@ -118,7 +111,9 @@ def life(
         table = _factor_table(nsk_table, cases)
         if over is not None:
             curves = _curves(cases[0], over, points, log, variants or [], table, lang)
-            solved = _show_curves(curves, json, csv, plot, lang)
+            from rolamento.report import life_curves
+
+            solved = show_curves(curves, life_curves, _figure, (json, csv, plot), lang)
         elif spectrum is not None:
             solved = _spectrum(cases[0], spectrum, table, json, csv, lang)
         elif len(cases) > 1:
@@ -154,10 +149,7 @@ def _check(cases: list[str], over: str | None, spectrum: str | None, variants: l
             value=variants[0],
             example="--over duty.load.fz=1..8kN",
         )
-    if len(variants) > _MOST_VARIANTS:
-        raise InputError(
-            f"may be given at most {_MOST_VARIANTS} times", field="--variant", value=len(variants)
-        )
+    check_variants(variants)
 
 
 def _check_files(
@@ -176,25 +168,16 @@ def _check_files(
             value=outputs["--plot"],
             example="--over duty.load.fz=1..8kN",
         )
-    paths = list(outputs.values())
-    for name, path in outputs.items():
-        if paths.count(path) > 1:
-            where = "standard output" if path == STANDARD_STREAM else path
-            raise InputError("only one of --json, --csv and --plot can go there", source=where)
-        if any(same_file(path, other) for other in read):
-            raise FileError("is read by this command; choose another name", source=path)
-        if name == "--json" and path.lower().endswith(".toml"):
-            raise InputError(
-                "is taken for the FILE of --json; put --json last, or a name that ends in .json"
-                " behind it",
-                field="--json",
-                value=path,
-                example="life a.toml b.toml --json",
-            )
-    if "--plot" in outputs:
-        from rolamento.plots.saving import check_name
-
-        check_name(outputs["--plot"])
+    check_outputs(given, *read, rule="is read by this command")
+    file = outputs.get("--json", "")
+    if file.lower().endswith(".toml"):
+        raise InputError(
+            "is taken for the FILE of --json; put --json last, or a name that ends in .json"
+            " behind it",
+            field="--json",
+            value=file,
+            example="life a.toml b.toml --json",
+        )
 
 
 def _factor_table(path: str | None, cases: list[rolamento.Case]) -> FactorTable | None:
@@ -222,7 +205,8 @@ def _one(
     from rolamento.report.life_data import life_json
     from rolamento.studies.shaft import conditions_with, life_of_case
 
-    state, found = _waiting(lang, lambda: life_of_case(case, nsk_table=table))
+    with waiting(lang):
+        state, found = life_of_case(case, nsk_table=table)
     words = words_of(lang)
     changes = () if found is None else sensitivity(state, conditions_with(state.case, table))
     if json is not None:
@@ -246,7 +230,8 @@ def _shaft(
     from rolamento.report.shaft import shaft_json, shaft_report
     from rolamento.studies.shaft import life_of_shaft
 
-    found = _waiting(lang, lambda: life_of_shaft(cases, nsk_table=table))
+    with waiting(lang):
+        found = life_of_shaft(cases, nsk_table=table)
     titles = [own.title for own in cases]
     names = titles if all(titles) and len(set(titles)) == len(titles) else paths
     if json is not None:
@@ -273,7 +258,8 @@ def _spectrum(
     from rolamento.studies.spectrum import life_under, read_spectrum
 
     steps = read_spectrum(path)
-    found = _waiting(lang, lambda: life_under(case, steps, nsk_table=table))
+    with waiting(lang):
+        found = life_under(case, steps, nsk_table=table)
     words = words_of(lang)
     if json is not None:
         put(spectrum_json(found) + "\n", json)
@@ -301,50 +287,14 @@ def _curves(
 
     chosen = read_range(over, points, log=log)
     cases = [("", case), *((text, rolamento.override(case, [text])) for text in variants)]
-    return _waiting(
-        lang,
-        lambda: [life_curve(one, chosen, label=label, nsk_table=table) for label, one in cases],
-    )
+    with waiting(lang):
+        return [life_curve(one, chosen, label=label, nsk_table=table) for label, one in cases]
 
 
-def _show_curves(
-    curves: list[LifeCurve],
-    json: str | None,
-    csv: str | None,
-    plot: str | None,
-    lang: Language | None,
-) -> bool:
-    """Write what was asked for; tell whether every point has a result."""
-    from rolamento.report.life_curves import curves_csv, curves_json, curves_report
+def _figure(curves: Sequence[LifeCurve], language: str) -> Figure:
+    from rolamento.plots.life import life_figure
 
-    words = words_of(lang)
-    if json is not None:
-        put(curves_json(curves) + "\n", json)
-    if csv is not None:
-        put(curves_csv(curves), csv)
-    if plot is not None:
-        from rolamento.plots.life import life_figure
-        from rolamento.plots.saving import save_figure
-
-        save_figure(life_figure(curves, words.code), plot)
-    converged = all(curve.converged for curve in curves)
-    if STANDARD_STREAM not in (json, csv):
-        print_text(curves_report(curves, words, _medium()))
-    elif not converged:
-        status = next(curve.status for curve in curves if not curve.converged)
-        failed = status[status != "converged"]
-        complain(f"{len(failed)} / {len(status)}: {words.reasons[str(failed[0])]}")
-    return converged
-
-
-def _waiting(lang: Language | None, work: Callable[[], T]) -> T:
-    """Do the work; whoever waits at a terminal for long is told why."""
-    if sys.stderr is None or not sys.stderr.isatty():
-        return work()
-    from rolamento.cli.waiting import told
-
-    with told(words_of(lang).waiting):
-        return work()
+    return life_figure(curves, language)
 
 
 def _medium() -> Medium:

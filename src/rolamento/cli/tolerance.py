@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator
-from contextlib import contextmanager
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
@@ -12,14 +10,16 @@ import typer
 from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
+    JsonOption,
     Language,
     LanguageOption,
     plain_endings,
-    same_file,
     words_of,
 )
+from rolamento.cli.outputs import PlotOption, check_outputs
 from rolamento.cli.streams import STANDARD_STREAM, print_text, put
-from rolamento.errors import FileError, InputError
+from rolamento.cli.waiting import waiting
+from rolamento.errors import InputError
 
 if TYPE_CHECKING:
     from rolamento.report.tolerance import ToleranceStudy
@@ -47,25 +47,15 @@ def tolerance(
             help="Sobol's indices too, from N (inputs + 2) runs of a study file; N such as 1024.",
         ),
     ] = None,
-    json: Annotated[
-        str | None,
-        typer.Option(
-            "--json",
-            metavar="[FILE]",
-            help="Write everything as JSON, in SI units; without FILE, to standard output.",
-        ),
-    ] = None,
-    plot: Annotated[
-        str | None,
-        typer.Option("--plot", metavar="FILE", help="Draw it: a .png, .svg or .pdf file."),
-    ] = None,
+    json: JsonOption = None,
+    plot: PlotOption = None,
     lang: LanguageOption = None,
 ) -> None:
     """Show percentiles of every output of a scatter study, and which input matters most."""
     with plain_endings(lang):
         wanted = _percentiles(percentiles)
-        _check_outputs(result, json, plot)
-        with _waiting(lang):
+        check_outputs({"--json": json, "--plot": plot}, result, rule="is the study itself")
+        with waiting(lang):
             dataset, found = _found(result, wanted, sobol)
         _show(dataset, found, json, plot, lang)
     some = int(found.bands.without_result.sum()) < found.bands.samples * max(
@@ -89,31 +79,6 @@ def _percentiles(text: str | None) -> tuple[float, ...]:
             example="5,50,95",
         ) from None
     return checked_percentiles(values)
-
-
-def _check_outputs(result: str, json: str | None, plot: str | None) -> None:
-    """Refuse outputs that would run into each other or over the result, before any work."""
-    if json is not None and json == plot:
-        raise InputError("only one of --json and --plot can go there", source=json)
-    for path in (json, plot):
-        if path is not None and same_file(path, result):
-            raise FileError("is the study itself; choose another name", source=path)
-    if plot is not None:
-        from rolamento.plots.saving import check_name
-
-        check_name(plot)
-
-
-@contextmanager
-def _waiting(lang: Language | None) -> Iterator[None]:
-    """Tell whoever waits at a terminal for long why."""
-    if sys.stderr is None or not sys.stderr.isatty():
-        yield
-        return
-    from rolamento.cli.waiting import told
-
-    with told(words_of(lang).waiting):
-        yield
 
 
 def _found(

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Annotated, Final
 import typer
 
 from rolamento.cli.common import SOLVED, LanguageOption, plain_endings, words_of
+from rolamento.cli.outputs import PlotOption, check_outputs
 from rolamento.cli.streams import STANDARD_STREAM, print_text, put
-from rolamento.cli.weibull_options import check_outputs
 from rolamento.errors import InputError
 
 if TYPE_CHECKING:
@@ -47,10 +47,7 @@ def trend(
             " the first quantity is a length.",
         ),
     ] = None,
-    plot: Annotated[
-        str | None,
-        typer.Option("--plot", metavar="FILE", help="Draw it: a .png, .svg or .pdf file."),
-    ] = None,
+    plot: PlotOption = None,
     json: Annotated[
         str | None,
         typer.Option(
@@ -65,7 +62,7 @@ def trend(
     with plain_endings(lang):
         if example is not None and json == STANDARD_STREAM and data is not None:
             data, json = None, data  # the word after --json is its file: nothing else is wanted
-        check_outputs(data, {"--json": json, "--plot": plot})
+        check_outputs({"--json": json, "--plot": plot}, data, rule="is the file of the data itself")
         record = _record(data, example)
         fits = _fits(record, law)
         words = words_of(lang)

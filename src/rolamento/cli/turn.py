@@ -17,11 +17,11 @@ from rolamento.cli.common import (
     LanguageOption,
     SettingsOption,
     plain_endings,
-    same_file,
     words_of,
 )
+from rolamento.cli.outputs import PlotOption, check_outputs
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
-from rolamento.errors import FileError, InputError
+from rolamento.cli.waiting import waiting
 
 if TYPE_CHECKING:
     from rolamento.studies.cage_turn import CageTurn
@@ -44,45 +44,23 @@ def turn(
             "--csv", metavar="FILE", help="Write a table of the instants; - is standard output."
         ),
     ] = None,
-    plot: Annotated[
-        str | None,
-        typer.Option("--plot", metavar="FILE", help="Draw it: a .png, .svg or .pdf file."),
-    ] = None,
+    plot: PlotOption = None,
     settings: SettingsOption = None,
     lang: LanguageOption = None,
 ) -> None:
     """Show how displacement, stiffness and ball loads vary while the cage turns by one pitch."""
     with plain_endings(lang):
-        _check_outputs(case, json, csv, plot)
+        check_outputs({"--json": json, "--csv": csv, "--plot": plot}, case)
         turned = _turned(rolamento.load_case(case, settings or ()), points, lang)
         _show(turned, json, csv, plot, lang)
     raise typer.Exit(SOLVED if turned.converged else NO_RESULT)
 
 
-def _check_outputs(case: str, json: str | None, csv: str | None, plot: str | None) -> None:
-    """Refuse outputs that would run into each other or over the case file, before any work."""
-    given = [path for path in (json, csv, plot) if path is not None]
-    for path in given:
-        if given.count(path) > 1:
-            where = "standard output" if path == STANDARD_STREAM else path
-            raise InputError("only one of --json, --csv and --plot can go there", source=where)
-        if same_file(path, case):
-            raise FileError("is the case file itself; choose another name", source=path)
-    if plot is not None:
-        from rolamento.plots.saving import check_name
-
-        check_name(plot)
-
-
 def _turned(case: rolamento.Case, points: int, lang: Language | None) -> CageTurn:
-    """Solve every instant; whoever waits at a terminal for long is told why."""
+    """Solve every instant."""
     from rolamento.studies.cage_turn import cage_turn
 
-    if sys.stderr is None or not sys.stderr.isatty():
-        return cage_turn(case, points=points)
-    from rolamento.cli.waiting import told
-
-    with told(words_of(lang).waiting):
+    with waiting(lang):
         return cage_turn(case, points=points)
 
 

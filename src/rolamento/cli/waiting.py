@@ -12,15 +12,26 @@ from contextlib import contextmanager
 from threading import Timer
 from typing import TYPE_CHECKING, Final
 
+from rolamento.cli.common import Language, words_of
 from rolamento.report.medium import Medium
 
 if TYPE_CHECKING:
     from rich.status import Status
 
-__all__ = ["PATIENCE", "told"]
+__all__ = ["PATIENCE", "told", "waiting"]
 
 PATIENCE: Final = 2.0
 """Seconds after which a person wants to know."""
+
+
+@contextmanager
+def waiting(lang: Language | None) -> Iterator[None]:
+    """Tell whoever waits at a terminal for long why."""
+    if sys.stderr is None or not sys.stderr.isatty():
+        yield
+        return
+    with told(words_of(lang).waiting):
+        yield
 
 
 @contextmanager

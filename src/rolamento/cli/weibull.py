@@ -17,10 +17,10 @@ from rolamento.cli.common import (
     plain_endings,
     words_of,
 )
+from rolamento.cli.outputs import check_outputs
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
 from rolamento.cli.weibull_options import (
     EXAMPLES,
-    check_outputs,
     known_example,
     life_test,
     only_groups,
@@ -183,7 +183,7 @@ def weibull(
         if example is not None and json == STANDARD_STREAM and data is not None:
             data, json = None, data  # the word after --json is its file: nothing else is wanted
         outputs = {"--json": json, "--plot": plot, "--contour": contour}
-        check_outputs(data, outputs)
+        check_outputs(outputs, data, rule="is the file of the data itself")
         if write is not None:
             print_text(_written(data, example, write, words_of(lang)))
             return

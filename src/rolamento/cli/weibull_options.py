@@ -6,16 +6,14 @@ import re
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, Final, cast
 
-from rolamento.cli.common import same_file
 from rolamento.cli.life_units import life_in, named_life
-from rolamento.cli.streams import STANDARD_STREAM
-from rolamento.errors import FileError, InputError
+from rolamento.errors import InputError
 
 if TYPE_CHECKING:
     from rolamento.reliability import LifeTest, Method, ShapePrior
     from rolamento.reliability.summary import FitMethod, Wanted
 
-__all__ = ["EXAMPLES", "check_outputs", "known_example", "life_test", "only_groups", "wanted"]
+__all__ = ["EXAMPLES", "known_example", "life_test", "only_groups", "wanted"]
 
 EXAMPLES: Final = ("campanha-2008", "lieblein-zelen-1956")
 FITS: Final[dict[str, FitMethod]] = {
@@ -28,21 +26,6 @@ FITS: Final[dict[str, FitMethod]] = {
 _MOST_NUMBERS: Final = 50
 _MOST_CALCULATED: Final = 8
 _PRIOR: Final = re.compile(r"(?:(lognormal|uniform):)?([^:]{1,30})\.\.([^:]{1,30})")
-
-
-def check_outputs(data: str | None, outputs: dict[str, str | None]) -> None:
-    """Refuse outputs that would run into each other or over the data, and unknown pictures."""
-    given = {option: path for option, path in outputs.items() if path is not None}
-    for option, path in given.items():
-        if list(given.values()).count(path) > 1:
-            where = "standard output" if path == STANDARD_STREAM else path
-            raise InputError(f"only one of {', '.join(outputs)} can go there", source=where)
-        if data is not None and same_file(path, data):
-            raise FileError("is the file of the data itself; choose another name", source=path)
-        if option in ("--plot", "--contour"):
-            from rolamento.plots.saving import check_name
-
-            check_name(path)
 
 
 def life_test(

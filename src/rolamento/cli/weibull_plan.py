@@ -16,8 +16,8 @@ from rolamento.cli.common import (
 )
 from rolamento.cli.life_units import given_life, life_in
 from rolamento.cli.optional_value import JsonCommand
+from rolamento.cli.outputs import check_outputs
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
-from rolamento.cli.weibull_options import check_outputs
 from rolamento.errors import InputError
 
 if TYPE_CHECKING:
@@ -90,7 +90,7 @@ def demonstration(
 ) -> None:
     """Show a life by a test with few failures or none: bearings against time."""
     with plain_endings(lang):
-        check_outputs(None, {"--json": json, "--plot": plot})
+        check_outputs({"--json": json, "--plot": plot})
         wanted, unit = given_life(life, "--life")
         each = None if time is None else life_in(time, unit, "--time")
         if bearings is None and each is None:
@@ -167,7 +167,7 @@ def precision(
 ) -> None:
     """Show how many failures bring the bounds of a life near each other, and how long it takes."""
     with plain_endings(lang):
-        check_outputs(None, {"--json": json, "--plot": plot})
+        check_outputs({"--json": json, "--plot": plot})
         if (ratio is None) == (failures is None):
             raise InputError("give --ratio or --failures", source="precision", example="--ratio 5")
         if ratio is not None and groups is not None and len(group_size or ()) > 1:

@@ -1,0 +1,57 @@
+"""Where commands write to: checked before any work, so that none is lost at the end."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Annotated, Final
+
+import typer
+
+from rolamento.cli.common import same_file
+from rolamento.cli.streams import STANDARD_STREAM
+from rolamento.errors import FileError, InputError
+
+__all__ = ["PlotOption", "check_outputs"]
+
+PlotOption = Annotated[
+    str | None,
+    typer.Option("--plot", metavar="FILE", help="Draw it: a .png, .svg or .pdf file."),
+]
+_PICTURES: Final = ("--plot", "--contour")
+
+
+def check_outputs(
+    outputs: Mapping[str, str | None], *read: str | None, rule: str = "is the case file itself"
+) -> None:
+    """Refuse outputs that would run into each other or over what is read, and unknown pictures.
+
+    Parameters
+    ----------
+    outputs
+        Files by option; None where nothing is asked for.
+    read
+        Files that the command reads.
+    rule
+        What is wrong with an output that is one of those.
+
+    Raises
+    ------
+    InputError, FileError
+        For the first that will not do.
+    """
+    given = {option: path for option, path in outputs.items() if path is not None}
+    for option, path in given.items():
+        if list(given.values()).count(path) > 1:
+            where = "standard output" if path == STANDARD_STREAM else path
+            raise InputError(f"only one of {_listed(outputs)} can go there", source=where)
+        if any(other is not None and same_file(path, other) for other in read):
+            raise FileError(f"{rule}; choose another name", source=path)
+        if option in _PICTURES:
+            from rolamento.plots.saving import check_name
+
+            check_name(path)
+
+
+def _listed(options: Mapping[str, str | None]) -> str:
+    *others, last = options
+    return f"{', '.join(others)} and {last}" if others else last

@@ -1,0 +1,152 @@
+"""What `rolamento friction` and `rolamento life` share where they vary a field of the case."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Annotated, Final, Protocol, TypeVar
+
+import typer
+
+from rolamento.cli.common import Language, words_of
+from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
+from rolamento.errors import InputError
+
+if TYPE_CHECKING:
+    import numpy as np
+    from matplotlib.figure import Figure
+    from numpy.typing import NDArray
+
+    from rolamento.report.language import Words
+    from rolamento.report.medium import Medium
+
+__all__ = [
+    "POINTS",
+    "CurvesPlotOption",
+    "LogOption",
+    "PointsOption",
+    "VariantsOption",
+    "check_variants",
+    "show_curves",
+]
+
+POINTS: Final = 40
+_MOST_VARIANTS: Final = 5
+
+PointsOption = Annotated[
+    int, typer.Option("--points", metavar="N", help="Values of that field, 2 to 1000.")
+]
+LogOption = Annotated[bool, typer.Option("--log", help="With equal ratios between them.")]
+VariantsOption = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--variant",
+        metavar="KEY=VALUE",
+        help="Show the case with this field changed beside it; with --over. Repeats.",
+    ),
+]
+CurvesPlotOption = Annotated[
+    str | None,
+    typer.Option("--plot", metavar="FILE", help="With --over: draw it, a .png, .svg or .pdf file."),
+]
+
+
+class Curve(Protocol):
+    """What a case does over a field."""
+
+    @property
+    def status(self) -> NDArray[np.str_]:
+        """Of each point."""
+        ...
+
+    @property
+    def converged(self) -> bool:
+        """Whether every point has a result."""
+        ...
+
+
+C_contra = TypeVar("C_contra", bound=Curve, contravariant=True)
+
+
+class CurveTexts(Protocol[C_contra]):
+    """A module that writes curves."""
+
+    def curves_json(self, curves: Sequence[C_contra]) -> str:
+        """As one JSON object."""
+        ...
+
+    def curves_csv(self, curves: Sequence[C_contra]) -> str:
+        """As a table."""
+        ...
+
+    def curves_report(
+        self, curves: Sequence[C_contra], words: Words = ..., medium: Medium | None = None
+    ) -> str:
+        """For a person."""
+        ...
+
+
+C = TypeVar("C", bound=Curve)
+
+
+def check_variants(variants: list[str]) -> None:
+    """Refuse more variants than can be told apart.
+
+    Raises
+    ------
+    InputError
+        For more than five.
+    """
+    if len(variants) > _MOST_VARIANTS:
+        raise InputError(
+            f"may be given at most {_MOST_VARIANTS} times", field="--variant", value=len(variants)
+        )
+
+
+def show_curves(
+    curves: Sequence[C],
+    texts: CurveTexts[C],
+    figure: Callable[[Sequence[C], str], Figure],
+    outputs: tuple[str | None, str | None, str | None],
+    lang: Language | None,
+) -> bool:
+    """Write what was asked for; standard output takes data or the report, not both.
+
+    Parameters
+    ----------
+    curves
+        The case's own first, then its variants.
+    texts
+        The module that writes them.
+    figure
+        Draws them in a language; called only if a picture is asked for.
+    outputs
+        Files for JSON, a table and a picture; None where nothing is asked for.
+    lang
+        The language; that of the locale if not given.
+
+    Returns
+    -------
+    bool
+        Whether every point has a result.
+    """
+    json, csv, plot = outputs
+    words = words_of(lang)
+    if json is not None:
+        put(texts.curves_json(curves) + "\n", json)
+    if csv is not None:
+        put(texts.curves_csv(curves), csv)
+    if plot is not None:
+        from rolamento.plots.saving import save_figure
+
+        save_figure(figure(curves, words.code), plot)
+    converged = all(curve.converged for curve in curves)
+    if STANDARD_STREAM not in (json, csv):
+        from rolamento.report.medium import Medium
+
+        print_text(texts.curves_report(curves, words, Medium.of(sys.stdout)))
+    elif not converged:
+        status = next(curve.status for curve in curves if not curve.converged)
+        failed = status[status != "converged"]
+        complain(f"{len(failed)} / {len(status)}: {words.reasons[str(failed[0])]}")
+    return converged
