@@ -104,10 +104,13 @@ def log_scale(axes: Axes, axis: str, words: PlotWords) -> None:
     scaled.set_major_formatter(FuncFormatter(lambda value, _: number(value, words)))
 
 
-def legend_above(axes: Axes, *, handles: Sequence[Artist] = (), title: str = "") -> None:
+def legend_above(
+    axes: Axes, *, handles: Sequence[Artist] = (), title: str = "", columns: int | None = None
+) -> None:
     """Put the legend over the frame, where no data are; without entries, none.
 
-    handles: what to show, with labels of their own; all that is drawn if not given.
+    handles: what to show, with labels of their own; all that is drawn if not given. columns: as
+    many as there is room for if not given.
     """
     handles = handles or axes.get_legend_handles_labels()[0]
     if not handles:
@@ -119,7 +122,7 @@ def legend_above(axes: Axes, *, handles: Sequence[Artist] = (), title: str = "")
         labels,
         loc="lower center" if polar else "lower left",
         bbox_to_anchor=(0.5, 1.1) if polar else (0.0, 1.0),
-        ncols=_columns(axes, labels),
+        ncols=columns or _columns(axes, labels),
         borderaxespad=0.2,
         borderpad=0.2,
         columnspacing=1.4,

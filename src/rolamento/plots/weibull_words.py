@@ -104,14 +104,5 @@ def legend_in_columns(axes: Axes, handles: Sequence[Artist] = (), title: str = "
     handles: what to show, with labels of their own; all that is drawn if not given.
     """
     shown = handles or axes.get_legend_handles_labels()[0]
-    labels = [shown_text(str(handle.get_label()), 60) for handle in shown]
-    if not labels or max(map(len, labels)) > _HALF_LINE:
-        legend_above(axes, handles=handles, title=title)
-        return
-    legend = axes.legend(
-        shown, labels, loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=2, borderaxespad=0.2,
-        borderpad=0.2, columnspacing=1.4, handlelength=2.6, title=title or None, alignment="left",
-    )  # fmt: skip
-    for text in (*legend.get_texts(), legend.get_title()):
-        text.set_parse_math(False)
-    legend.get_title().set_fontsize(8.0)
+    longest = max((len(shown_text(str(handle.get_label()), 60)) for handle in shown), default=0)
+    legend_above(axes, handles=shown, title=title, columns=2 if longest <= _HALF_LINE else None)
