@@ -43,6 +43,8 @@ _NUMERIC: Final = range(6, 16)
 _COMPLEX: Final = 0x0800
 _DEEPEST: Final = 5
 _MOST_FIELDS: Final = 1000
+_MOST_ELEMENTS: Final = 10 * MOST_VARIABLES
+"""Of all kinds: an array has four or five."""
 _TYPES: Final = {
     **{1: "i1", 2: "u1", 3: "i2", 4: "u2", 5: "i4", 6: "u4"},
     **{7: "f4", 9: "f8", 12: "i8", 13: "u8"},
@@ -95,6 +97,7 @@ class _Reader:
         self._content = memoryview(content)
         self._inflated = 0
         self._found = 0
+        self._elements = 0
 
     def variables(self) -> Iterator[_Numbers]:
         """Arrays of real numbers, those within structures too."""
@@ -109,6 +112,9 @@ class _Reader:
 
     def _element(self, content: memoryview, place: int, aligned: bool = True) -> _Element:
         """One tagged element; small ones have their content within the tag."""
+        self._elements += 1
+        if self._elements > _MOST_ELEMENTS:
+            raise FileError(f"holds more than {_MOST_ELEMENTS} elements", source=self._source)
         if place + 8 > len(content):
             raise FileError("is cut off", source=self._source)
         kind, size = struct.unpack_from(f"{self._order}II", content, place)

@@ -39,6 +39,10 @@ from rolamento.vibration.reading._variables import (
 __all__ = ["NpySource", "NpzSource"]
 
 _LONGEST_HEADER: Final = 4096
+_COMPRESSIONS: Final = (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)
+_ENCRYPTED: Final = 1
+_LARGEST_LIST: Final = 2 * 2**20
+"""Bytes of the list of an archive's members."""
 _HEADER: Final = re.compile(
     r"\{\s*'descr':\s*(?P<descr>'[^']{1,20}'|\[[^{}]*\]),\s*'fortran_order':\s*(?P<fortran>True|"
     r"False),\s*'shape':\s*\((?P<shape>[\d,\sL]*)\),?\s*\}\s*"
@@ -131,15 +135,15 @@ class NpzSource(ArraysSource):
         self._source = str(path)
         check_size(file_size(path), self._source)
         self._held: dict[int, np.ndarray[Any, Any]] = {}
-        with guarded(self._source, "NumPy archive"):
-            self._zip = zipfile.ZipFile(path)
+        self._file = opened(path)
         try:
             with guarded(self._source, "NumPy archive"):
+                self._zip = _archive(self._file, self._source)
                 self._members = [m for m in self._listed() if m.filename.endswith(".npy")]
                 variables = [self._variable(member) for member in self._members]
                 self._take(variables, self._source, "NumPy archive")
         except BaseException:
-            self._zip.close()
+            self._file.close()
             raise
 
     def _samples(self, place: Place, start: int, count: int) -> FloatArray:
@@ -154,7 +158,7 @@ class NpzSource(ArraysSource):
     def close(self) -> None:
         """Let go of the file."""
         self._held = {}
-        self._zip.close()
+        self._file.close()
 
     def _listed(self) -> list[zipfile.ZipInfo]:
         members = self._zip.infolist()
@@ -163,6 +167,11 @@ class NpzSource(ArraysSource):
         if sum(member.file_size for member in members) > LARGEST_WHOLE_FILE:
             limit = LARGEST_WHOLE_FILE // 2**20
             raise FileError(f"inflates to more than {limit} MB", source=self._source)
+        if any(member.compress_type not in _COMPRESSIONS for member in members):
+            rule = "is compressed in another way than numpy.savez_compressed does"
+            raise FileError(rule, source=self._source)
+        if any(member.flag_bits & _ENCRYPTED for member in members):
+            raise FileError("is encrypted", source=self._source)
         return members
 
     def _variable(self, member: zipfile.ZipInfo) -> Variable:
@@ -193,6 +202,32 @@ class NpzSource(ArraysSource):
         if array.fortran:
             return numbers.reshape(array.shape[::-1]).T
         return numbers.reshape(array.shape)
+
+
+class _Directory:
+    """An archive's file while its list of members is read, which is taken whole."""
+
+    def __init__(self, file: BinaryIO, source: str) -> None:
+        self._file = file
+        self._source = source
+        self.seek = file.seek
+        self.tell = file.tell
+
+    def read(self, count: int = -1) -> bytes:
+        content = self._file.read(
+            min(count, _LARGEST_LIST + 1) if count >= 0 else _LARGEST_LIST + 1
+        )
+        if len(content) > _LARGEST_LIST:
+            rule = f"has a list of members of more than {_LARGEST_LIST // 2**20} MB"
+            raise FileError(rule, source=self._source)
+        return content
+
+
+def _archive(file: BinaryIO, source: str) -> zipfile.ZipFile:
+    """An archive whose list of members was bounded as it was read."""
+    archive = zipfile.ZipFile(cast(BinaryIO, _Directory(file, source)))
+    archive.fp = file
+    return archive
 
 
 def _shape(text: str, source: str) -> tuple[int, ...]:

@@ -7,6 +7,7 @@ the University of Cincinnati publishes them.
 from __future__ import annotations
 
 import io
+import re
 from collections.abc import Iterator, Sequence
 from itertools import cycle
 from pathlib import Path
@@ -26,6 +27,7 @@ from rolamento.vibration.signal import SI_UNITS, Quantity
 __all__ = ["UffSource"]
 
 _MARK: Final = b"    -1"
+_MARK_LINE: Final = re.compile(rb"\n    -1[ \t\r]*(?:\n|\Z)")
 _MOST_SETS: Final = 10_000
 _HEADER_LINES: Final = 11
 _LONGEST_LINE: Final = 200
@@ -140,13 +142,12 @@ class _Reader:
 
     def _mark(self, place: int) -> int:
         """Place after the next line that is a mark and nothing else, or -1."""
-        while (found := self._content.find(_MARK, place)) >= 0:
-            line, after = self._line(found)
-            begins = found == 0 or self._content[found - 1] in b"\r\n"
-            if begins and not line[6:].strip():
+        if place == 0 and self._content.startswith(_MARK):
+            line, after = self._line(0)
+            if not line[len(_MARK) :].strip():
                 return after
-            place = found + len(_MARK)
-        return -1
+        found = _MARK_LINE.search(self._content, max(place - 1, 0))
+        return found.end() if found else -1
 
     def _line(self, place: int) -> tuple[str, int]:
         """One line and the place after it."""
