@@ -558,8 +558,11 @@ def test_guide(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     scipy.io.savemat(tmp_path / "X097.mat", {**variables, **long})
     table = pa.table({"drive end": SAMPLES, "fan end": OTHER})
     pq.write_table(table.replace_schema_metadata({"fs": "12000"}), tmp_path / "run.parquet")
+    rows = "\n".join(f"{t:.6f};{x:.6f};{1500 + x:.6f}" for t, x in zip(TIMES, SAMPLES, strict=True))
+    (tmp_path / "run-up.csv").write_text(f"time;sensor (V);speed (rpm)\n{rows}\n", "utf-8")
+    scipy.io.wavfile.write(tmp_path / "recorder.wav", 48000, (SAMPLES * 5000).astype(np.int16))
     monkeypatch.chdir(tmp_path)
     blocks = re.findall(r"```python\n(.*?)```", GUIDE.read_text("utf-8"), re.DOTALL)
-    assert len(blocks) == 2
+    assert len(blocks) == 4
     for block in blocks:
         exec(compile(block, "example", "exec"), {})
