@@ -5,24 +5,31 @@ from __future__ import annotations
 import csv
 import json
 from collections.abc import Callable
+from dataclasses import replace
 from functools import cache
 from math import pi
 from pathlib import Path
 
 import numpy as np
 import pytest
+import scipy.io
+import scipy.io.wavfile
 import typer
 from typer.testing import CliRunner
 
-from rolamento import Bearing
+from rolamento import Bearing, load_case, solve
+from rolamento.case import parse_case
 from rolamento.cli import diagnose_signal
 from rolamento.cli.diagnose import diagnose
-from rolamento.cli.optional_value import JsonCommand
-from rolamento.vibration.frequencies import nominal_frequencies
+from rolamento.cli.diagnose_bearing import searched
+from rolamento.cli.diagnose_options import GROUPS, DiagnoseCommand
+from rolamento.vibration.diagnosis import DiagnosisSettings
+from rolamento.vibration.fault_lines import FaultFrequencies
+from rolamento.vibration.frequencies import frequencies_of, nominal_frequencies
 from rolamento.vibration.synthesis import Fault, Noise, Recipe, synthesise
 
-app = typer.Typer()
-app.command(cls=JsonCommand)(diagnose)
+app = typer.Typer(rich_markup_mode=None, add_completion=False)
+app.command(cls=DiagnoseCommand)(diagnose)
 
 Run = Callable[..., tuple[int, str, str]]
 RATE = 12_000.0
@@ -43,10 +50,17 @@ fz = "1 kN"
 """
 
 
+THRUST = CASE.replace('fz = "1 kN"', 'fx = "1 kN"\nfz = "0.5 kN"')
+
+
 @cache
-def outer() -> np.ndarray:
+def outer(loaded: bool = False) -> np.ndarray:
+    """A damaged outer race, by the geometry or under the load of `THRUST`."""
+    frequencies = FREQUENCIES
+    if loaded:
+        frequencies = frequencies_of(solve(parse_case(THRUST)))
     recipe = Recipe(
-        frequencies=FREQUENCIES, faults=(Fault(kind="outer_race"),), noise=Noise(ratio=-5.0),
+        frequencies=frequencies, faults=(Fault(kind="outer_race"),), noise=Noise(ratio=-5.0),
         duration=5.0, rate=RATE,
     )  # fmt: skip
     return synthesise(recipe).signal.samples
@@ -60,6 +74,7 @@ def run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Run:
     np.save("noise.npy", np.random.default_rng(2).normal(size=60_000))
     np.save("still.npy", np.ones(60_000))
     Path("fan.toml").write_text(CASE, encoding="utf-8")
+    Path("thrust.toml").write_text(THRUST, encoding="utf-8")
 
     def runner(*arguments: str) -> tuple[int, str, str]:
         result = CliRunner().invoke(app, arguments, env={"LC_ALL": "C.UTF-8"})
@@ -132,6 +147,171 @@ class TestVerdicts:
         assert late["signal"]["duration"] == pytest.approx(5.0)
 
 
+class TestLoadedBearing:
+    """An axial load opens the contact angle to 19° and shifts the orders by more than 1 %."""
+
+    NARROW = ("--rate", "12 kHz", "--slip", "0.004", "--lang", "en")
+
+    def test_its_frequencies_are_looked_for(self, run: Run) -> None:
+        np.save("loaded.npy", outer(loaded=True))
+        given = ("loaded.npy", "--bearing", "thrust.toml", *self.NARROW, "--json")
+        found = json.loads(run(*given)[1])
+        loaded = frequencies_of(solve(load_case("thrust.toml")))
+        assert found["faults"] == ["outer_race"]
+        assert found["frequencies"]["source"] == "loaded"
+        own = found["frequencies"]["ball_pass_outer"]["order"]
+        assert own == pytest.approx(loaded.ball_pass_outer.order, rel=1e-12)
+        assert abs(found["components"][0]["deviation"]) < 1e-3
+        back = json.loads(run(*given, "--nominal")[1])
+        assert back["frequencies"]["source"] == "nominal"
+        assert back["state"] is None
+        true = loaded.ball_pass_outer.order / FREQUENCIES.ball_pass_outer.order - 1.0
+        assert true > 0.01
+        assert back["faults"] == [] or back["components"][0]["deviation"] < 0.5 * true
+
+    def test_it_is_solved_at_the_speed_of_the_signal(self, run: Run) -> None:
+        fast = ("--speed", "9000 rpm", "--set", "duty.load.fx=200 N")
+        found = json.loads(run("noise.npy", "--bearing", "thrust.toml", *fast, *self.NARROW[:2],
+                               "--json")[1])  # fmt: skip
+        settings = ["duty.inner_speed=9000 rpm", "duty.load.fx=200 N"]
+        expected = frequencies_of(solve(load_case("thrust.toml", settings)))
+        at_rest = frequencies_of(solve(load_case("thrust.toml", settings[1:])))
+        order = found["frequencies"]["ball_pass_outer"]["order"]
+        assert order == pytest.approx(expected.ball_pass_outer.order, rel=1e-9)
+        assert abs(order / at_rest.ball_pass_outer.order - 1.0) > 1e-4
+
+    def test_a_designation_with_a_load(self, run: Run) -> None:
+        load = ("--set", "duty.load.fx=1 kN", "--set", "duty.load.fz=0.5 kN")
+        found = json.loads(run("noise.npy", *KNOWN, *load, "--json")[1])
+        assert found["frequencies"]["source"] == "loaded"
+
+    def test_the_range_over_the_balls_widens_the_search(self, run: Run) -> None:
+        given = ("noise.npy", "--bearing", "thrust.toml", "--rate", "12 kHz", "--slip", "0")
+        found = json.loads(run(*given, "--json")[1])
+        line = found["frequencies"]["ball_pass_inner"]
+        ratio = found["frequencies"]["ball_pass_outer"]["order"] / line["order"]
+        range_ = max(line["maximum"] / line["order"] - 1.0, 1.0 - line["minimum"] / line["order"])
+        assert found["slip"] == 0.0
+        assert found["tolerance"] >= range_ / ratio * (1.0 - 1e-9) > 1e-5
+        assert "wider than --slip" in squeezed(run(*given, "--lang", "en")[1])
+        assert "wider than --slip" not in squeezed(run(*given[:-2], "--lang", "en")[1])
+
+    def test_no_solution_falls_back_and_says_so(self, run: Run) -> None:
+        given = ("outer.npy", "--bearing", "thrust.toml", "--set", "duty.load.fx=100 MN")
+        code, out, err = run(*given, "--rate", "12 kHz", "--json")
+        found = json.loads(out)
+        assert (code, err) == (0, "")
+        assert found["faults"] == ["outer_race"]
+        assert found["frequencies"]["source"] == "nominal"
+        assert found["state"]["converged"] is False
+        assert "no_loaded_frequencies" in [note["name"] for note in found["notes"]]
+
+    def test_angle_of_an_unloaded_bearing(self, run: Run) -> None:
+        angles = {}
+        for angle in ("zero", "free", "15 deg"):
+            found = json.loads(run("noise.npy", *KNOWN, "--angle", angle, "--json")[1])
+            angles[angle] = found["frequencies"]["inner_contact_angle"]
+        assert angles["zero"] == 0.0
+        assert angles["15 deg"] == pytest.approx(pi / 12)
+        assert angles["free"] > 0.1
+        assert run("noise.npy", "--bearing", "thrust.toml", "--nominal", "--angle", "free",
+                   "--rate", "12 kHz")[0] == 0  # fmt: skip
+
+
+class TestSearch:
+    """What a search covers of frequencies that differ from ball to ball, and from row to row."""
+
+    @staticmethod
+    def spread(part: float) -> FaultFrequencies:
+        lines = {
+            name: replace(
+                line, minimum=line.order * (1.0 - part), maximum=line.order * (1.0 + part)
+            )
+            for name, line in FREQUENCIES.lines.items()
+        }
+        return FREQUENCIES.with_lines(lines)
+
+    def test_not_wider_than_slip(self) -> None:
+        found = searched(self.spread(0.01), DiagnosisSettings())
+        assert (found.settings.tolerance, found.slip) == (0.02, None)
+        assert found.covers_balls
+
+    def test_wider(self) -> None:
+        found = searched(self.spread(0.03), DiagnosisSettings())
+        # the inner race's order is off by less than the cage's that is allowed
+        ratio = FREQUENCIES.ball_pass_inner.order / FREQUENCIES.ball_pass_outer.order
+        assert found.settings.tolerance == pytest.approx(0.03 * ratio)
+        assert (found.slip, found.covers_balls) == (0.02, True)
+
+    def test_wider_than_any_search(self) -> None:
+        found = searched(self.spread(0.2), DiagnosisSettings())
+        assert (found.settings.tolerance, found.slip) == (0.1, 0.02)
+        assert not found.covers_balls
+
+    def test_rows_with_other_orders(self) -> None:
+        lines = FREQUENCIES.lines
+        cage = lines["cage"]
+        other = replace(cage, order=1.2 * cage.order, minimum=1.2 * cage.order,
+                        maximum=1.2 * cage.order)  # fmt: skip
+        rows = (
+            FREQUENCIES,
+            replace(FREQUENCIES, row=1),
+            replace(FREQUENCIES.with_lines({**lines, "cage": other}), row=2),
+        )
+        found = searched(replace(FREQUENCIES, rows=rows), DiagnosisSettings())
+        assert found.other_rows == (2,)
+
+
+class TestHelp:
+    def test_every_option_stands_in_one_group(self) -> None:
+        command = typer.main.get_command(app)
+        names = [name for group in GROUPS.values() for name in group]
+        assert sorted(names) == sorted({*names})
+        options = {p.name for p in command.params if p.param_type_name == "option"}
+        assert {*names} == {*options, "help"}
+
+    def test_headings_and_width(self, run: Run) -> None:
+        code, out, _ = run("--help")
+        assert code == 0
+        lines = out.splitlines()
+        places = [lines.index(f"{heading}:") for heading in ("Arguments", *GROUPS)]
+        assert places == sorted(places)
+        assert max(map(len, lines)) <= 80
+        assert sum(line.startswith("  --track ") for line in lines) == 1
+
+
+class TestFiles:
+    """The same signal in several formats has the same verdict."""
+
+    def test_formats(self, run: Run) -> None:
+        samples = outer()
+        times = np.arange(len(samples)) / RATE
+        table = np.column_stack([times, samples])
+        np.savetxt("a.csv", table, delimiter=",", header="time (s),acc (g)", comments="")
+        np.savez("a.npz", vibration=samples, fs=RATE)
+        scipy.io.savemat("a.mat", {"vibration": samples, "fs": RATE})
+        scaled = (samples / np.max(np.abs(samples))).astype(np.float32)
+        scipy.io.wavfile.write("a.wav", int(RATE), scaled)
+        evidence = []
+        for name in ("a.csv", "a.npz", "a.mat", "a.wav"):
+            code, out, err = run(name, *KNOWN[:4], "--json")
+            assert (code, err) == (0, "")
+            found = json.loads(out)
+            assert found["faults"] == ["outer_race"]
+            evidence.append(found["components"][0]["evidence"])
+        assert evidence == pytest.approx([evidence[0]] * 4, rel=0.01)
+
+    def test_units_that_are_not_calibrated(self, run: Run) -> None:
+        plain = json.loads(run("outer.npy", *KNOWN, "--json")[1])
+        volts = json.loads(run("outer.npy", *KNOWN, "--unit", "V", "--json")[1])
+        scaled = ("--unit", "V", "--scale", "100 mV/g")
+        calibrated = json.loads(run("outer.npy", *KNOWN, *scaled, "--json")[1])
+        assert (volts["signal"]["unit"], calibrated["signal"]["unit"]) == ("V", "m/s^2")
+        assert volts["faults"] == calibrated["faults"] == ["outer_race"]
+        rms = [found["signal"]["indicators"]["rms"] for found in (plain, volts, calibrated)]
+        assert rms == pytest.approx([rms[0], rms[0], rms[0] * 98.0665])
+
+
 class TestOutputs:
     def test_json_and_csv_files(self, run: Run, tmp_path: Path) -> None:
         code, out, _ = run("outer.npy", *KNOWN, "--json", "a.json", "--csv", "a.csv")
@@ -163,9 +343,24 @@ class TestWrongInput:
         ("arguments", "told"),
         [
             (("none.npy", *KNOWN), "none.npy"),
-            (("outer.npy", "--bearing", "6205", "--speed", "1797 rpm"), "rate"),
+            (
+                ("outer.npy", "--bearing", "6205", "--speed", "1797 rpm"),
+                "(example: --rate 51200.0)",
+            ),
             (("outer.npy", "--bearing", "6205", "--rate", "12000"), "--speed"),
-            (("outer.npy", *KNOWN, "--speed", "0 rpm"), "must not be 0"),
+            (("outer.npy", *KNOWN, "--speed", "0 rpm"), '--speed: "0 rpm": is that of both'),
+            (("outer.npy", *KNOWN, "--speed", "1797"), "--speed '1797 rpm'"),
+            (("outer.npy", *KNOWN, "--outer-speed", "1797 rpm"), "no ball rolls"),
+            (("outer.npy", *KNOWN, "--unit", "frob"), "before calibration: V, mV"),
+            (("outer.npy", *KNOWN, "--scale", "100"), "--scale"),
+            (("outer.npy", *KNOWN, "--angle", "95 deg"), "less than 90 deg"),
+            (("outer.npy", *KNOWN, "--angle", "wide"), "--angle free"),
+            (("outer.npy", *KNOWN[2:], "--bearing", "fan.toml", "--angle", "free"), "--nominal"),
+            (("outer.npy", *KNOWN, "--set", "duty.load.fz=3"), "--set: duty.load.fz"),
+            (("outer.npy", *KNOWN, "--set", "duty.lode=3"), "--set"),
+            (("text.wav", *KNOWN), "is not the WAV file"),
+            (("two.npz", *KNOWN), "--channel: is to be chosen, by name or number: 1 a, 2 b"),
+            (("two.npz", *KNOWN, "--channel", "c"), '--channel "a"'),
             (("outer.npy", *KNOWN, "--speed", "fast"), "--speed"),
             (("outer.npy", *KNOWN, "--bearing", "62059"), "6205"),
             (("outer.npy", *KNOWN, "--bearing", "none.toml"), "none.toml"),
@@ -184,6 +379,8 @@ class TestWrongInput:
         ],
     )
     def test_one_line_and_two(self, run: Run, arguments: tuple[str, ...], told: str) -> None:
+        Path("text.wav").write_text("time;acc\n0;1\n", encoding="utf-8")
+        np.savez("two.npz", a=outer(), b=outer())
         code, out, err = run(*arguments)
         assert (code, out) == (2, "")
         assert told in err

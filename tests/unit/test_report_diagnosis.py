@@ -6,7 +6,7 @@ import ast
 import csv
 import json
 import re
-from dataclasses import fields, replace
+from dataclasses import dataclass, fields, replace
 from functools import cache
 from io import StringIO
 from math import pi
@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rolamento import Bearing
+from rolamento import Bearing, Case, Duty, Load, solve
 from rolamento.report.diagnosis import (
     CSV_COLUMNS,
     DiagnosisResult,
@@ -25,18 +25,26 @@ from rolamento.report.diagnosis import (
     diagnosis_json,
     diagnosis_report,
 )
+from rolamento.report.diagnosis_result import ShaftSpeed, Tracking
 from rolamento.report.diagnosis_sentences import (
     said_chance,
     said_note,
     said_reasons,
+    said_result,
     said_statements,
 )
 from rolamento.report.diagnosis_words import DIAGNOSIS_WORDS
 from rolamento.report.language import LANGUAGES, words_for
 from rolamento.report.medium import Medium
 from rolamento.vibration import diagnosis as engine
-from rolamento.vibration.diagnosis import DiagnosisSettings, FaultOrders, Reason, diagnose
-from rolamento.vibration.frequencies import nominal_frequencies
+from rolamento.vibration.diagnosis import (
+    Diagnosis,
+    DiagnosisSettings,
+    FaultOrders,
+    Reason,
+    diagnose,
+)
+from rolamento.vibration.frequencies import frequencies_of, nominal_frequencies
 from rolamento.vibration.signal import Signal
 from rolamento.vibration.synthesis import Fault, LoadDistribution, Noise, Recipe, synthesise
 
@@ -111,7 +119,7 @@ class TestWords:
         assert {"harmonics_above_noise", "hidden", "cage_agrees"} <= reasons
         assert {"few_revolutions", "one_band"} <= notes
         said = DIAGNOSIS_WORDS[language]
-        assert reasons - set(said.reason) == set()
+        assert reasons - set(said.reason) - set(said.note) == set()
         assert notes - set(said.note) == set()
 
     def test_both_languages_say_the_same_things(self) -> None:
@@ -222,7 +230,9 @@ class TestPage:
 
     def test_reasons_of_faults(self) -> None:
         text = squeezed(page(damaged(), "en"))
-        assert re.search(r"Sidebands at a spacing of (1 order|0\.99\d* orders|1\.\d+ orders),", text)
+        assert re.search(
+            r"Sidebands at a spacing of (1 order|0\.99\d* orders|1\.\d+ orders),", text
+        )
         assert "It tells of the same cage speed as the inner race." in text
         assert "Indica a mesma rotação da gaiola que a pista externa." in squeezed(
             page(damaged(), "pt")
@@ -284,3 +294,271 @@ class TestData:
     def test_csv_of_nothing_found_is_of_one_band(self) -> None:
         rows = diagnosis_csv(sound()).splitlines()
         assert len(rows) - 1 == len(sound().diagnosis.spectra.order)
+
+
+def with_spacing(order: float) -> Diagnosis:
+    """A diagnosis whose inner race has its nearest sideband so many orders away."""
+    found = damaged().diagnosis
+    part = found.of("inner_race")
+    line = replace(part.lines[0], multiple=1.0, sideband=1, order=part.order + order)
+    changed = replace(
+        part, sidebands=(line,), reasons=(Reason("sidebands", "as the engine has it"),)
+    )
+    return replace(found, components=(changed,))
+
+
+class TestGrammar:
+    @pytest.mark.parametrize(
+        ("spacing", "english", "portuguese"),
+        [
+            (1.0, "a spacing of 1 order,", "um espaçamento de 1 ordem,"),
+            (0.3975, "a spacing of 0.3975 orders,", "um espaçamento de 0,3975 ordem,"),
+            (1.25, "a spacing of 1.25 orders,", "um espaçamento de 1,25 ordem,"),
+            (2.0, "a spacing of 2 orders,", "um espaçamento de 2 ordens,"),
+        ],
+    )
+    def test_orders_are_counted(self, spacing: float, english: str, portuguese: str) -> None:
+        found = with_spacing(spacing)
+        assert english in said_reasons(found.components[0], found, "en")[0]
+        assert portuguese in said_reasons(found.components[0], found, "pt")[0]
+
+    def test_one_multiple_is_not_counted(self) -> None:
+        found = damaged().diagnosis
+        part = found.of("outer_race")
+        line = replace(part.lines[0], multiple=1.0, sideband=0, above_noise=12.0)
+        reason = Reason("harmonics_above_noise", "as the engine has it")
+        one = replace(part, lines=(line,), reasons=(reason,))
+        assert said_reasons(one, found, "en")[0].startswith("At order 3.5")
+        assert said_reasons(one, found, "pt")[0].startswith("Na ordem 3,5")
+
+    @pytest.mark.parametrize(
+        ("deviation", "said"),
+        [
+            (0.0, "At the expected order."),
+            (-4e-5, "At the expected order."),
+            (6e-5, "0.01 % above the expected order."),
+            (-0.02, "2.00 % below the expected order."),
+        ],
+    )
+    def test_no_deviation_has_no_side(self, deviation: float, said: str) -> None:
+        found = damaged().diagnosis
+        reasons = (Reason("off_nominal", "as the engine has it"),)
+        part = replace(found.of("outer_race"), deviation=deviation, reasons=reasons)
+        assert said_reasons(part, found, "en") == [said]
+
+
+def unchanging() -> DiagnosisResult:
+    """What the engine says of a signal that does not change; the first part of it does."""
+    reason = Reason("no_change", "The signal does not change.")
+    found = sound()
+    parts = tuple(
+        replace(part, verdict="not_tested", reasons=(reason,))
+        for part in found.diagnosis.components
+    )
+    return replace(found, diagnosis=replace(found.diagnosis, components=parts))
+
+
+class TestNoChange:
+    def test_it_is_no_verdict(self) -> None:
+        found = unchanging()
+        assert (found.verdict, found.still) == ("no_verdict", True)
+        assert said_result(found, "en") == ["No verdict: the signal does not change."]
+        assert "Not tested" not in page(found, "en")
+
+    @pytest.mark.parametrize(
+        ("language", "said"),
+        [
+            ("en", "The signal does not change: most samples only repeat the one before."),
+            ("pt", "O sinal não varia: a maioria das amostras só repete a anterior."),
+        ],
+    )
+    def test_reason_is_said(self, language: str, said: str) -> None:
+        found = unchanging().diagnosis
+        assert said_reasons(found.components[0], found, language) == [said]
+
+    def test_a_still_beginning_is_not_a_still_signal(self) -> None:
+        found = still()
+        longer = replace(found, duration=2.0 * found.duration, diagnosis=sound().diagnosis)
+        assert found.still
+        assert not longer.still
+        assert longer.verdict == "nothing_found"
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """A line that nothing explains, as the engine gives one."""
+
+    order: float = 1.776
+    frequency: float = 53.2
+    above_noise: float = 14.2
+    band: tuple[float, float] = (3000.0, 4500.0)
+    probability: float = 1e-6
+    shaft_frequencies: tuple[tuple[str, float], ...] = ()
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class WithLines(Diagnosis):
+    """A diagnosis with such lines, whether or not the engine's has them."""
+
+    unexplained: tuple[Any, ...] = ()
+
+
+def with_lines(*lines: Line) -> DiagnosisResult:
+    found = sound()
+    own = {f.name: getattr(found.diagnosis, f.name) for f in fields(found.diagnosis)}
+    own |= {"unexplained": lines, "notes": (Reason("unexplained_lines", "The engine's words."),)}
+    return replace(found, diagnosis=WithLines(**own))
+
+
+class TestUnexplainedLines:
+    def test_one(self) -> None:
+        text = squeezed(page(with_lines(Line()), "en"))
+        assert "explains a line that stands out of the envelope's spectrum: 53.20 Hz (order" in text
+        assert "(order 1.776), 14 dB above the noise between 3000 and 4500 Hz. Check the" in text
+        assert "The engine's words." not in text
+        assert text.startswith("Nothing found")
+        assert "Other lines do: see the notes." in text
+
+    def test_several_the_clearest_first_and_the_rest_counted(self) -> None:
+        lines = [Line(frequency=60.0 + i, above_noise=10.0 + i) for i in range(7)]
+        note = said_note(Reason("unexplained_lines", ""), with_lines(*lines).diagnosis, "pt")
+        assert note.startswith("Nenhuma parte deste rolamento e nenhum múltiplo do eixo explicam")
+        assert note.index("66,00 Hz") < note.index("65,00 Hz") < note.index("62,00 Hz")
+        assert "61,00 Hz" not in note
+        assert note.endswith("; mais 2. Confira a rotação e o rolamento.")
+
+    def test_at_which_speed_it_would_be_whose(self) -> None:
+        speeds = (("outer_race", 28.0), ("inner_race", 25.0))
+        (note,) = with_lines(Line(shaft_frequencies=speeds)).diagnosis.notes
+        english = said_note(note, with_lines(Line(shaft_frequencies=speeds)).diagnosis, "en")
+        assert english.endswith(
+            "It would be the lowest line of: outer race at 1680 rpm and inner race at 1500 rpm."
+        )
+
+    @pytest.mark.parametrize("language", LANGUAGES)
+    def test_without_lines_the_note_is_said_all_the_same(self, language: str) -> None:
+        note = said_note(Reason("unexplained_lines", "?"), with_lines().diagnosis, language)
+        assert note == DIAGNOSIS_WORDS[language].note["unexplained_lines"]
+
+    def test_json_has_them(self) -> None:
+        data = json.loads(diagnosis_json(with_lines(Line(above_noise=float("nan")))))
+        (line,) = data["unexplained"]
+        assert line["order"] == 1.776
+        assert line["band"] == [3000.0, 4500.0]
+        assert line["above_noise"] is None
+        assert data["notes"][0]["name"] == "unexplained_lines"
+
+
+@cache
+def pressed() -> Any:
+    """A state with the balls at an angle."""
+    load = Load(fx="2 kN", fz="2 kN")
+    return solve(Case(bearing=BEARING, duty=Duty(inner_speed="1797 rpm", load=load)))
+
+
+class TestFrequencies:
+    def test_of_the_geometry(self) -> None:
+        text = squeezed(page(sound(), "en"))
+        assert "frequencies of the geometry, contact angle 0° shaft" in text
+        assert "cage within 2 % of its nominal speed; false" in text
+
+    @pytest.mark.parametrize("language", LANGUAGES)
+    def test_of_the_loaded_bearing(self, language: str) -> None:
+        state = pressed()
+        loaded = frequencies_of(state)
+        found = replace(
+            sound(),
+            frequencies=loaded,
+            state=state,
+            slip=0.001,
+            settings=replace(sound().settings, tolerance=0.0123),
+        )
+        text = squeezed(page(found, language))
+        order = f"{loaded.cage.order:.4f}"
+        if language == "en":
+            assert "frequencies of the loaded bearing, mean contact angle " in text
+            assert f"cage order {order}, " in text
+            assert f"{loaded.cage.minimum:.4f} to {loaded.cage.maximum:.4f} over the balls" in text
+            assert "cage within 1.23 % of its speed under load, wider than --slip to cover" in text
+        else:
+            assert "frequências do rolamento sob carga, ângulo de contato médio" in text
+            assert f"ordem da gaiola {order.replace('.', ',')}, de " in text
+            assert "gaiola a até 1,23 % da sua rotação sob carga, mais do que --slip" in text
+        data = json.loads(diagnosis_json(found))
+        assert data["frequencies"]["source"] == "loaded"
+        assert (data["slip"], data["state"]["converged"]) == (0.001, True)
+
+    @pytest.mark.parametrize(
+        ("language", "said"),
+        [
+            ("en", "those of the geometry. The case has no solution: "),
+            ("pt", "são as da geometria. O caso não tem solução: "),
+        ],
+    )
+    def test_no_solution(self, language: str, said: str) -> None:
+        status = replace(pressed().status, code="not_converged", converged=False, advice=None)
+        found = replace(sound(), state=replace(pressed(), status=status))
+        text = squeezed(page(found, language))
+        assert said + words_for(language).reasons["not_converged"] in text
+        names = [note["name"] for note in json.loads(diagnosis_json(found))["notes"]]
+        assert "no_loaded_frequencies" in names
+
+    def test_no_ball_pressed(self) -> None:
+        text = squeezed(page(replace(sound(), state=pressed()), "en"))
+        assert "those of the geometry. The inner ring presses on no ball" in text
+
+    def test_what_was_not_looked_for(self) -> None:
+        found = replace(sound(), covers_balls=False, other_rows=(1, 2))
+        text = squeezed(page(found, "en"))
+        assert "the orders of some balls are more than 2 % off" in text
+        assert "The orders of row 1 and row 2 are others, and were not looked for" in text
+
+
+class TestSpeed:
+    def test_given(self) -> None:
+        found = replace(sound(), speed=ShaftSpeed.steady("given", SPEED))
+        assert "shaft 1797 rpm (29.95 Hz), as given signal" in squeezed(page(found, "en"))
+        assert json.loads(diagnosis_json(found))["speed"]["mean"] == pytest.approx(SPEED)
+
+    @pytest.mark.parametrize(
+        ("speed", "english", "portuguese"),
+        [
+            (
+                ShaftSpeed("channel", SPEED, 0.9 * SPEED, 1.1 * SPEED, channel="n"),
+                "mean 1797 rpm (29.95 Hz), from 1617.3 to 1976.7 rpm, of the channel n",
+                "em média 1797 rpm (29,95 Hz), de 1617,3 a 1976,7 rpm, do canal n",
+            ),
+            (
+                ShaftSpeed("pulses", SPEED, 0.9 * SPEED, 1.1 * SPEED, channel="k", pulses=1),
+                "by the pulses of the channel k, 1 a revolution",
+                "pelos pulsos do canal k, 1 por volta",
+            ),
+            (
+                ShaftSpeed(
+                    *("vibration", SPEED, 0.9 * SPEED, 1.1 * SPEED),
+                    tracking=Tracking(1800 * pi / 30, 0.1, True, 8.0),
+                ),
+                "found in the vibration within 10 % of 1800 rpm",
+                "encontrada na vibração a até 10 % de 1800 rpm",
+            ),
+        ],
+    )
+    def test_along(self, speed: ShaftSpeed, english: str, portuguese: str) -> None:
+        found = replace(sound(), speed=speed)
+        assert english in squeezed(page(found, "en", 120))
+        assert portuguese in squeezed(page(found, "pt", 120))
+        assert not speed.is_steady
+
+    def test_lost_means_no_verdict_unless_there_is_a_fault(self) -> None:
+        tracking = Tracking(1800 * pi / 30, 0.1, False, 0.2, lost=(10.0, 63.5))
+        speed = replace(ShaftSpeed.steady("given", SPEED), tracking=tracking)
+        found = replace(sound(), speed=speed)
+        assert found.verdict == "no_verdict"
+        text = squeezed(page(found, "en"))
+        assert text.startswith("No verdict: the speed was not found in the vibration")
+        assert "taken as steady: it was not found in the vibration" in text
+        assert "From 10 to 63.5 s the shaft does not stand out" in text
+        assert json.loads(diagnosis_json(found))["speed"]["tracking"]["lost"] == [10.0, 63.5]
+        faulty = replace(damaged(), speed=speed)
+        assert faulty.verdict == "fault"
+        assert "race is damaged" in said_result(faulty, "en")[0]

@@ -54,20 +54,22 @@ class DiagnoseCommand(JsonCommand):
 
     def format_options(self, ctx: Any, formatter: Any) -> None:
         """Write the argument, and the options below their headings."""
-        records: dict[str, list[tuple[str, str]]] = {"Arguments": []}
-        records |= {heading: [] for heading in GROUPS}
         headings = {name: heading for heading, names in GROUPS.items() for name in names}
+        records: dict[str, list[tuple[str, str]]] = {
+            heading: [] for heading in ("Arguments", *GROUPS, "Options")
+        }
         for parameter in self.get_params(ctx):
             record = parameter.get_help_record(ctx)
             if record is not None:
                 is_argument = parameter.param_type_name == "argument"
-                heading = "Arguments" if is_argument else headings[str(parameter.name)]
-                records[heading].append(record)
+                heading = headings.get(str(parameter.name), "Options")
+                records["Arguments" if is_argument else heading].append(record)
         width = max(len(record[0]) for group in records.values() for record in group)
         for heading, group in records.items():
-            with formatter.section(heading):
-                # one column for all groups: each as wide as the widest of all
-                formatter.write_dl([(name.ljust(width), text) for name, text in group])
+            if group:
+                with formatter.section(heading):
+                    # one column for all groups: each as wide as the widest of all
+                    formatter.write_dl([(name.ljust(width), text) for name, text in group])
 
 
 SignalArgument = Annotated[

@@ -21,8 +21,6 @@ SCHEMA: Final = 1
 CSV_COLUMNS: Final = ("band_low_Hz", "band_high_Hz", "order", "frequency_Hz", "over_noise_dB")
 """The header of the envelope's spectrum: one line of it in a row."""
 
-_LINE: Final = ("order", "frequency", "above_noise", "band", "probability")
-
 
 def diagnosis_json(found: DiagnosisResult) -> str:
     """Return everything but the spectra as one JSON object, in SI units and Hz."""
@@ -36,10 +34,7 @@ def diagnosis_json(found: DiagnosisResult) -> str:
             "faults": list(diagnosis.faults),
             "statement": said_result(found, "en"),
             "components": [asdict(part) for part in diagnosis.components],
-            "unexplained": [
-                {name: getattr(line, name) for name in _LINE}
-                for line in unexplained_lines(diagnosis)
-            ],
+            "unexplained": [asdict(line) for line in unexplained_lines(diagnosis)],
             "false_alarm": diagnosis.false_alarm,
             "tolerance": diagnosis.tolerance,
             "slip": diagnosis.tolerance if found.slip is None else found.slip,

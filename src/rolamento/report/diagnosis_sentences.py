@@ -63,6 +63,8 @@ def said_statements(diagnosis: Diagnosis, language: str, *, still: bool = False)
     sentences = [_damaged(part, said, digits) for part in faults]
     if not faults:
         sentences.append(said.nothing_found.format(parts=listed(tested, said)))
+        if unexplained_lines(diagnosis):
+            sentences.append(said.other_lines)
     if untested:
         sentences.append(said.untested.format(parts=listed(untested, said)))
     return sentences
@@ -153,8 +155,19 @@ def _unexplained(diagnosis: Diagnosis, said: DiagnosisWords, digits: Digits) -> 
     more = len(lines) - len(entries)
     if more:
         entries.append(said.more_lines.format(count=more))
-    text = "; ".join(entries)
-    return said.unexplained[len(lines) > 1].format(lines=text)
+    several = len(lines) > 1
+    sentence = said.unexplained[several].format(lines="; ".join(entries))
+    speeds = getattr(lines[0], "shaft_frequencies", ())
+    if not speeds:
+        return sentence
+    parts = listed(
+        (
+            said.at_speed.format(part=said.parts[part], speed=digits.fixed(60.0 * frequency, 0))
+            for part, frequency in speeds
+        ),
+        said,
+    )
+    return f"{sentence} {said.lowest_line[several].format(parts=parts)}"
 
 
 def _why_not_loaded(found: DiagnosisResult, language: str) -> str:

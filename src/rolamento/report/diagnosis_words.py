@@ -32,6 +32,7 @@ class DiagnosisWords:
     chance: str
     chance_below: str
     nothing_found: str
+    other_lines: str
     untested: str
     no_verdict: str
     no_change: str
@@ -77,6 +78,8 @@ class DiagnosisWords:
     unexplained: tuple[str, str]
     unexplained_line: str
     more_lines: str
+    lowest_line: tuple[str, str]
+    at_speed: str
     row: str
 
     reading: str
@@ -112,6 +115,7 @@ _ENGLISH: Final = DiagnosisWords(
     chance_below="below {number}",
     nothing_found="Nothing found: no lines of {parts} stand out of the noise more than chance"
     " explains.",
+    other_lines="Other lines do: see the notes.",
     untested="Not tested: {parts}.",
     no_verdict="No verdict: this signal does not tell of any part of the bearing.",
     no_change="No verdict: the signal does not change.",
@@ -172,7 +176,11 @@ _ENGLISH: Final = DiagnosisWords(
         " turn, or with those of a fault that was found.",
         "record_too_short": "The record is too short to tell its lines from the shaft's.",
         "rate_too_low": "The sampling rate is too low for its frequency.",
-        "no_change": "The signal does not change: nothing can be told.",
+        "no_change": "The signal does not change: most samples only repeat the one before.",
+        "at_edge": "It lies at the edge of what the allowed slip reaches, and may go on beyond:"
+        " check the speed, the bearing and the contact angle.",
+        "carries_the_ball": "Its lines stand out as those of the ball do: a damaged ball goes in"
+        " and out of the load once in each turn of the cage. Nothing more tells of the cage.",
     },
     one_harmonic="At order {order} ({frequency} Hz) the squared envelope rises {levels} dB above"
     " the noise about it.",
@@ -215,6 +223,11 @@ _ENGLISH: Final = DiagnosisWords(
     unexplained_line="{frequency} Hz (order {order}), {level} dB above the noise between {low} and"
     " {high} Hz",
     more_lines="{count} more",
+    lowest_line=(
+        "It would be the lowest line of: {parts}.",
+        "The first would be the lowest line of: {parts}.",
+    ),
+    at_speed="{part} at {speed} rpm",
     row="row {row}",
     reading="blocks of the signal",
     tracking="blocks of the signal, for the speed",
@@ -249,6 +262,7 @@ _PORTUGUESE: Final = DiagnosisWords(
     chance_below="menor que {number}",
     nothing_found="Nada encontrado; examinadas: {parts}. Nenhuma linha se destaca do ruído além"
     " do que o acaso explica.",
+    other_lines="Outras linhas se destacam: veja as observações.",
     untested="Não foi possível testar: {parts}.",
     no_verdict="Sem veredito: este sinal nada diz de nenhuma parte do rolamento.",
     no_change="Sem veredito: o sinal não varia.",
@@ -309,7 +323,11 @@ _PORTUGUESE: Final = DiagnosisWords(
         " que gira, ou com as de uma falha encontrada.",
         "record_too_short": "O registro é curto demais para separar suas linhas das do eixo.",
         "rate_too_low": "A taxa de amostragem é baixa demais para sua frequência.",
-        "no_change": "O sinal não varia: nada se pode dizer.",
+        "no_change": "O sinal não varia: a maioria das amostras só repete a anterior.",
+        "at_edge": "Fica na borda do que o escorregamento permitido alcança, e pode seguir além:"
+        " confira a rotação, o rolamento e o ângulo de contato.",
+        "carries_the_ball": "Suas linhas se destacam como as da esfera: uma esfera danificada entra"
+        " na carga e sai dela uma vez por volta da gaiola. Nada mais fala da gaiola.",
     },
     one_harmonic="Na ordem {order} ({frequency} Hz) o envelope ao quadrado sobe {levels} dB acima"
     " do ruído em volta.",
@@ -351,6 +369,11 @@ _PORTUGUESE: Final = DiagnosisWords(
     unexplained_line="{frequency} Hz (ordem {order}), {level} dB acima do ruído entre {low} e"
     " {high} Hz",
     more_lines="mais {count}",
+    lowest_line=(
+        "Seria a linha mais baixa de: {parts}.",
+        "A primeira seria a linha mais baixa de: {parts}.",
+    ),
+    at_speed="{part} a {speed} rpm",
     row="fileira {row}",
     reading="blocos do sinal",
     tracking="blocos do sinal, para a rotação",
