@@ -28,7 +28,7 @@ from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import ndimage, special
+from scipy import interpolate, ndimage, special
 
 from rolamento.numerics import FloatArray
 
@@ -54,8 +54,11 @@ _REACHES: Final = np.array(
 )
 """Half widths near zero frequency; few, as each has its tables."""
 _HIGHEST_RATIO: Final = 1e9
-_NEAR: Final = 150
-_FAR: Final = 400
+_NEAR: Final = 25
+_FAR: Final = 50
+"""Places of a table near T = 1 and far above."""
+_DENSER: Final = 7
+"""Steps between two places, filled in by a spline, for quick look-up."""
 _NODES: Final = 50
 _ENDS: Final = 1e-13
 """Of the distribution of the median, left out at either side."""
@@ -164,18 +167,31 @@ def mean_over_median(averages: int) -> float:
 def _table(reach: int, count: int, averages: int) -> Table:
     """Table of -ln p over ln(1 + T); densest about T = 1, where p falls fastest."""
     width = 12.0 / np.sqrt(averages * count)
-    near = np.linspace(1.0, 1.0 + width, _NEAR)
-    far = np.geomspace(1.0 + width, _HIGHEST_RATIO, _FAR)[1:]
-    above = np.concatenate([near, far])
+    near = 1.0 + width * np.linspace(0.0, 1.0, _NEAR) ** 1.5
+    above = np.concatenate([near, np.geomspace(1.0 + width, _HIGHEST_RATIO, _FAR)[1:]])
     low = max(0.0, 1.0 - width)
-    below = np.concatenate([np.linspace(0.0, low, 20)[:-1], np.linspace(low, 1.0, _NEAR)[:-1]])
+    start = np.linspace(0.0, low, 6)[:-1] if low > 0.0 else np.zeros(0)
+    below = np.concatenate([start, np.linspace(low, 1.0, _NEAR)])
     others = 2 * reach + 1 - count
     middle = reach + 1 - count // 2
-    scores = (
-        _score(below, others, middle - 1 if count == 1 else middle, count, averages),
-        _score(above, others, middle, count, averages),
-    )
-    return np.log1p(np.concatenate([below, above])), np.concatenate(scores)
+    under = _dense(below, _score(below, others, middle - (count == 1), count, averages))
+    over = _dense(above, _score(above, others, middle, count, averages))
+    return np.concatenate([under[0][:-1], over[0]]), np.concatenate([under[1][:-1], over[1]])
+
+
+def _dense(ratio: FloatArray, score: FloatArray) -> Table:
+    """Scores between given ones, over ln(1 + T)."""
+    places = np.log1p(ratio)
+    steps = np.arange(_DENSER * (len(places) - 1) + 1) / _DENSER
+    dense = np.interp(steps, np.arange(len(places)), places)
+    return dense, np.asarray(interpolate.CubicSpline(places, score)(dense))
+
+
+@cache
+def _quadrature() -> tuple[FloatArray, FloatArray]:
+    """Gauss and Legendre's nodes from 0 to 1, and their weights."""
+    nodes, weights = np.polynomial.legendre.leggauss(_NODES)
+    return 0.5 * (nodes + 1.0), 0.5 * weights
 
 
 def _score(ratio: FloatArray, others: int, rank: int, count: int, averages: int) -> FloatArray:
@@ -183,11 +199,11 @@ def _score(ratio: FloatArray, others: int, rank: int, count: int, averages: int)
     if averages == 1 and count == 1:
         left = others - np.arange(rank)
         return np.asarray(np.sum(np.log1p(ratio[:, None] / left), axis=1))
-    nodes, weights = np.polynomial.legendre.leggauss(_NODES)
+    nodes, weights = _quadrature()
     above = others - rank
     ends = special.betaincinv(rank, above + 1, np.array([_ENDS, 1.0 - _ENDS]))
     low, high = special.gammaincinv(averages, ends)
-    x = low + 0.5 * (high - low) * (nodes + 1.0)
+    x = low + (high - low) * nodes
     u = special.gammainc(averages, x)
     log_density = (
         special.xlogy(rank - 1, u)
@@ -197,7 +213,7 @@ def _score(ratio: FloatArray, others: int, rank: int, count: int, averages: int)
         - x
         - special.gammaln(averages)
     )
-    log_weight = np.log(weights * 0.5 * (high - low)) + log_density
+    log_weight = np.log(weights * (high - low)) + log_density
     tails = log_gamma_tail(averages * count, count * ratio[:, None] * x[None]) + log_weight
     return -np.asarray(special.logsumexp(tails, axis=1))
 

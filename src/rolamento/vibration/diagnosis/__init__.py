@@ -1,9 +1,9 @@
 """Diagnosis: which parts of a bearing a vibration signal shows to be damaged, and how sure that is.
 
 `diagnose` is the way in. From the outside in: `verdict` (the clearest fault first), `search` (the
-least probable match in noise), `hypotheses` (what damage may look like), `masks` (lines of the
-shaft), `band_spectra` (squared envelopes of many bands over orders), `tones` (discrete lines taken
-out), `blocks`.
+least probable match in noise), `hypotheses` (what damage may look like), `unexplained` (what else
+stands out), `masks` (lines of the shaft), `band_spectra` (squared envelopes of many bands over
+orders), `whitening`, `tones` (discrete lines taken out), `blocks`.
 """
 
 from rolamento.vibration.diagnosis.diagnose import diagnose
@@ -14,6 +14,7 @@ from rolamento.vibration.diagnosis.record import (
     EnvelopeSpectra,
     MatchedLine,
     Reason,
+    UnexplainedLine,
 )
 from rolamento.vibration.diagnosis.settings import DiagnosisSettings
 
@@ -27,5 +28,6 @@ __all__ = [
     "FaultOrders",
     "MatchedLine",
     "Reason",
+    "UnexplainedLine",
     "diagnose",
 ]

@@ -86,12 +86,16 @@ class BandSpectra:
         revolutions in a block: the lines are one over this apart, from order 0
     blocks
         how many were averaged
+    still
+        how many more were left out because they hardly change; if all are, the powers are 0
     samples
         how many were used
     rate
         Hz
     steady
         whether the speed was given as one number
+    slow_order
+        up to which the modulation is divided out
     """
 
     plain: FloatArray
@@ -99,9 +103,11 @@ class BandSpectra:
     bands: tuple[Band, ...]
     turns: float
     blocks: int
+    still: int
     samples: int
     rate: float
     steady: bool
+    slow_order: float
 
     @property
     def shaft_frequency(self) -> float:
@@ -119,7 +125,7 @@ def band_spectra(blocks: Iterable[Block], plan: Plan) -> BandSpectra:
     """
     sums: FloatArray | None = None
     bands: tuple[Band, ...] = ()
-    number = samples = 0
+    number = samples = still = length = 0
     turns = rate = 0.0
     steady = True
     for block in blocks:
@@ -128,13 +134,34 @@ def band_spectra(blocks: Iterable[Block], plan: Plan) -> BandSpectra:
             bands = _bands(rate, plan.highest_order * turns * rate / len(block.samples))
             lines = ceil(plan.highest_order * turns) + 1 + HALF_WIDTH
             sums = np.zeros((2, len(bands), lines))
+        length = len(block.samples)
+        if _still(block.samples):
+            still += 1
+            continue
         _add_block(sums, block, bands, plan)
         number += 1
-        samples += len(block.samples)
+        samples += length
     if sums is None:
         raise InputError("holds no samples", field="signal")
-    sums /= number
-    return BandSpectra(sums[0], sums[1], bands, turns, number, samples, rate, steady)
+    sums /= max(1, number)
+    number, samples = (number, samples) if number else (1, length)
+    return BandSpectra(
+        plain=sums[0],
+        power=sums[1],
+        bands=bands,
+        turns=turns,
+        blocks=number,
+        still=still,
+        samples=samples,
+        rate=rate,
+        steady=steady,
+        slow_order=plan.slow_order,
+    )
+
+
+def _still(samples: FloatArray) -> bool:
+    """Whether most samples only repeat the one before: silence, steps, a sensor that hangs."""
+    return 2 * int(np.count_nonzero(np.diff(samples))) < len(samples) - 1
 
 
 def _bands(rate: float, highest: float) -> tuple[Band, ...]:

@@ -42,6 +42,8 @@ def fault(component: Component, finding: Finding, field: Field, trials: int) -> 
         wording.chance_of_noise(probability, evidence, trials),
         wording.off_nominal(order / nominal - 1.0),
     ]
+    if _at_edge(finding):
+        reasons.append(wording.at_edge())
     return ComponentVerdict(
         component=component,
         verdict="fault",
@@ -59,18 +61,29 @@ def fault(component: Component, finding: Finding, field: Field, trials: int) -> 
 
 
 def no_fault(
-    component: Component, finding: Finding | None, field: Field, trials: int
+    component: Component,
+    finding: Finding | None,
+    field: Field,
+    trials: int,
+    *,
+    of_ball: bool = False,
 ) -> ComponentVerdict:
-    """Return the verdict that nothing was found, or that nothing can be told."""
+    """Return the verdict that nothing was found, or that nothing can be told.
+
+    of_ball: whether lines of the component are there, but only those of a ball's damage.
+    """
     nominal = field.orders.fundamental(component)
     probability, evidence = (nan, nan) if finding is None else chance(finding.evidence, trials)
-    if finding is None:
+    if of_ball:
+        reason = wording.of_ball()
+    elif finding is None:
         reason = wording.untested(_why_untested(nominal, field))
     else:
         reason = wording.nothing_above_noise(probability, trials)
+    nothing = finding is not None or of_ball
     return ComponentVerdict(
         component=component,
-        verdict="not_tested" if finding is None else "nothing_found",
+        verdict="nothing_found" if nothing else "not_tested",
         probability=probability,
         evidence=evidence,
         nominal_order=nan if nominal is None else nominal,
@@ -87,11 +100,20 @@ def no_fault(
 def _why_untested(nominal: float | None, field: Field) -> str:
     if nominal is None:
         return "no_order"
+    if not np.any(field.spectra.power):
+        return "no_change"
     if nominal * field.turns < LOWEST_LINE + 1:
         return "record_too_short"
     widest = max(high - low for low, high in field.spectra.bands)
     too_high = nominal * field.spectra.shaft_frequency > SEEN * widest
     return "rate_too_low" if too_high else "hidden"
+
+
+def _at_edge(finding: Finding) -> bool:
+    """Whether a fundamental is the first or last that was tried of many."""
+    step = max(1.0, 0.5 * finding.hypothesis.width) / finding.hypothesis.highest
+    to_edge = min(finding.fundamental - finding.low, finding.high - finding.fundamental)
+    return finding.high - finding.low > 6.0 * step and to_edge < 1.5 * step
 
 
 def _refined(finding: Finding, field: Field) -> float:
@@ -111,7 +133,8 @@ def _refined(finding: Finding, field: Field) -> float:
             weight = line.multiple**2 * total / (1.0 + line.width**2)
             weighted += weight * (middle - line.sideband * finding.spacing) / line.multiple
             weights += weight
-    return weighted / weights if weights > 0.0 else finding.fundamental
+    middle = weighted / weights if weights > 0.0 else finding.fundamental
+    return min(max(middle, finding.low), finding.high)
 
 
 def _matched(line: SearchedLine, fundamental: float, finding: Finding, field: Field) -> MatchedLine:

@@ -32,8 +32,8 @@ def diagnose(
 
     The probability that a signal without damage gets any fault is at most
     ``settings.false_alarm``: the search counts all that it tries. "Nothing found" is a verdict
-    about this record, not a certificate: see docs/diagnosis.md for what is found at which ratio of
-    fault to noise.
+    about this record, not a certificate: see docs/diagnosis-rates.md for what is found at which
+    ratio of fault to noise.
 
     Parameters
     ----------

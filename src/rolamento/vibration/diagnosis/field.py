@@ -65,7 +65,9 @@ class Field:
     def without(self, component: Component, finding: Finding) -> Field:
         """Return the field without the lines of a fault that stand out."""
         lines = self.left_out.shape[1]
-        places = fault_places(component, finding, self.orders, self.turns, lines)
+        places = fault_places(
+            component, finding, self.orders, self.turns, lines, self.settings.tolerance
+        )
         about = lines_about(
             self.spectra.power,
             self.level,

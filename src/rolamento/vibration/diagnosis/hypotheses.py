@@ -105,7 +105,8 @@ def trials_grid(
 ) -> tuple[FloatArray, FloatArray]:
     """Fundamentals and sideband spacings to try, in lines of the spectrum.
 
-    Steps are a line, or half of its width, at the highest multiple, and a line of the spacing.
+    Steps are a line, or half of its width, at the highest multiple, and a line of the spacing. No
+    line reaches with its width beyond what is allowed; there are none if it is wider than that.
 
     Parameters
     ----------
@@ -117,8 +118,9 @@ def trials_grid(
         Part by which the spacing may be off.
     """
     step = max(1.0, 0.5 * hypothesis.width) / hypothesis.highest
-    count = int((high - low) / step) + 1
-    fundamentals = low + step * np.arange(count, dtype=np.float64)
+    inside = 0.5 * max(0, hypothesis.width - 2) / hypothesis.highest
+    count = max(0, int((high - low - 2.0 * inside) / step + 1.0))
+    fundamentals = low + inside + step * np.arange(count, dtype=np.float64)
     reach = int(spacing_freedom * hypothesis.spacing)
     return fundamentals, hypothesis.spacing + np.arange(-reach, reach + 1, dtype=np.float64)
 

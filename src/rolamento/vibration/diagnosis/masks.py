@@ -53,31 +53,41 @@ def shaft_places(
 
 
 def fault_places(
-    component: Component, finding: Finding, orders: FaultOrders, turns: float, lines: int
+    component: Component,
+    finding: Finding,
+    orders: FaultOrders,
+    turns: float,
+    lines: int,
+    tolerance: float,
 ) -> list[Place]:
     """Lines that a fault which was found may make: multiples, and sidebands of each and of 0.
 
     The order is known to a line, or half of its width, of the highest multiple that was matched:
-    far beyond it, nothing is known of where its multiples lie.
+    far beyond it, nothing is known of where its multiples lie. A ball's sidebands are one turn of
+    the cage away, which is known to a line if they were matched, else to the tolerance.
     """
     fundamental, hypothesis = finding.fundamental, finding.hypothesis
     step = 0.5 * fundamental if component == "ball" else fundamental
     spacing = finding.spacing or orders.spacing(component) * turns
     # what the shaft does to the noise of a machine it does to the blows as well
-    offsets = {
-        side * spacing + of_shaft * turns
+    sides = {
+        (side * spacing + of_shaft * turns, abs(side))
         for side in range(-_SIDEBANDS, _SIDEBANDS + 1)
         for of_shaft in range(-_OF_SHAFT, _OF_SHAFT + 1)
     }
+    of_spacing = 0.0
+    if component == "ball":
+        of_spacing = 1.0 if finding.spacing else tolerance * spacing
     doubt = max(1.0, 0.5 * hypothesis.width) / hypothesis.highest / fundamental
     places = []
     highest = max(_MULTIPLES, 4.0 * hypothesis.highest) * fundamental
-    for number in range(int(min(lines + max(offsets), highest) / step) + 1):
+    farthest = max(offset for offset, _ in sides)
+    for number in range(int(min(lines + farthest, highest) / step) + 1):
         width = hypothesis.width * number * step / (fundamental * hypothesis.highest)
-        for offset in offsets:
+        for offset, side in sides:
             line = number * step + offset
             if 0.0 < line < lines:
-                within = 1.0 + doubt * number * step + 0.5 * width
+                within = 1.0 + doubt * number * step + 0.5 * width + side * of_spacing
                 places.append(Place(line, within, width))
     return places
 

@@ -16,6 +16,7 @@ __all__ = [
     "MatchedLine",
     "Note",
     "Reason",
+    "UnexplainedLine",
     "Verdict",
 ]
 
@@ -58,6 +59,34 @@ class MatchedLine:
     order: float
     frequency: float
     above_noise: float
+
+
+@dataclass(frozen=True, slots=True)
+class UnexplainedLine:
+    """A line that stands out of the noise, and that neither bearing nor shaft explains.
+
+    Attributes
+    ----------
+    order
+        of the shaft
+    frequency
+        at the shaft's mean speed; Hz
+    above_noise
+        power over the mean of the noise about it; dB
+    band
+        in which it is clearest; Hz
+    probability
+        that noise gives such a line anywhere, at most
+    shaft_frequencies
+        at which it would be the lowest line of a part, for parts and speeds that are near; Hz
+    """
+
+    order: float
+    frequency: float
+    above_noise: float
+    band: Band
+    probability: float
+    shaft_frequencies: tuple[tuple[Component, float], ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -151,6 +180,8 @@ class Diagnosis:
         of the orders
     spectra
         that were searched
+    unexplained
+        lines that stand out and belong to nothing that is known, the clearest first
     notes
         names and sentences
     """
@@ -164,6 +195,7 @@ class Diagnosis:
     blocks: int
     resolution: float
     spectra: EnvelopeSpectra
+    unexplained: tuple[UnexplainedLine, ...]
     notes: tuple[Note, ...]
 
     @property

@@ -1,10 +1,16 @@
 """The search: for each component the hypothesis, order and band that noise would least explain.
 
 The mean power within a line's width has a score against the noise about it (see `noise_floor`), in
-noise an exponential variable. The scores of a hypothesis's lines, each at its multiple of the order
-that is tried, add up to a gamma variable, whose tail is one probability for each hypothesis, order
-and band. The least of them is multiplied by how many were tried: the chance that noise does as
-well anywhere is at most that (Bonferroni).
+noise an exponential variable. A hypothesis has n lines, each at its multiple of the order that is
+tried, and none of them counts for more than the median one, so that a few lines of another origin
+do not pass for all. Of the scores s₁ ≤ … ≤ sₙ the spacings (n - j + 1)(sⱼ - sⱼ₋₁) are independent
+exponential variables (Rényi, Acta Mathematica Hungarica 4 (1953), 191-231), therefore
+
+    Σ min(sᵢ, sₘ) = Σ (n - j + 1)(sⱼ - sⱼ₋₁),  j = 1 … m,   m = n - ⌊n/2⌋
+
+is a gamma variable of shape m. Its tail is one probability for each hypothesis, order and band. The
+least of them is multiplied by how many were tried: the chance that noise does as well anywhere is
+at most that (Bonferroni).
 """
 
 from __future__ import annotations
@@ -54,12 +60,12 @@ class Scores:
         self._medians = medians
         self._averages = averages
         self._reach = np.broadcast_to(reaches(np.arange(self.lines)), power.shape)
-        self._rows: dict[int, tuple[FloatArray, FloatArray]] = {}
+        self._rows: dict[int, tuple[FloatArray, BoolArray]] = {}
 
-    def about(self, places: PlaceArray, width: int) -> tuple[FloatArray, FloatArray]:
+    def about(self, places: PlaceArray, width: int) -> tuple[FloatArray, BoolArray]:
         """Score of what lies within so many lines about each place, and whether any does.
 
-        (bands, places) each; 0 and 0 where all lines are left out.
+        (bands, places) each; 0 and False where all lines are left out.
         """
         if width not in self._rows:
             self._rows[width] = self._row(width)
@@ -68,7 +74,7 @@ class Scores:
         scores, there = self._rows[width]
         return scores[:, inside], there[:, inside]
 
-    def _row(self, width: int) -> tuple[FloatArray, FloatArray]:
+    def _row(self, width: int) -> tuple[FloatArray, BoolArray]:
         """Scores of so many lines about every line."""
         lines = np.arange(self.lines)
         first = np.clip(lines - (width - 1) // 2, 1, None)
@@ -78,7 +84,7 @@ class Scores:
         scores = mean_scores(means, self._medians, counts, self._reach, self._averages)
         there = ~np.isnan(scores)
         scores[~there] = 0.0
-        return scores, there.astype(np.float64)
+        return scores, there
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,10 +99,10 @@ class Finding:
         number of the band
     fundamental, spacing
         in lines
+    low, high
+        between which the fundamental was looked for; lines
     hypothesis
         which
-    lines_used
-        how many of its lines were not left out
     trials
         how many were tried in the whole search
     per_band
@@ -107,8 +113,9 @@ class Finding:
     band: int
     fundamental: float
     spacing: float
+    low: float
+    high: float
     hypothesis: Hypothesis
-    lines_used: int
     trials: int
     per_band: tuple[float, ...]
 
@@ -146,12 +153,11 @@ def search(
     for plain in hypotheses:
         hypothesis = replace(plain, spacing=plain.spacing * turns)
         grid, spacings = trials_grid(low * turns, high * turns, hypothesis, spacing_freedom)
-        if hypothesis.width > max(2.0, (high - low) * turns * hypothesis.highest):
+        if len(grid) == 0:
             continue
         for spacing in spacings:
-            total, used = _sum(scores, hypothesis, grid, float(spacing))
-            evidence = combined(used, total)
-            trials += int(np.count_nonzero(used))
+            evidence, tried = _evidence(scores, hypothesis, grid, float(spacing))
+            trials += tried
             per_band = np.maximum(per_band, np.max(evidence, axis=1, initial=0.0))
             band, place = np.unravel_index(int(np.argmax(evidence)), evidence.shape)
             value = float(evidence[band, place])
@@ -161,8 +167,9 @@ def search(
                     band=int(band),
                     fundamental=float(grid[place]),
                     spacing=float(spacing),
+                    low=low * turns,
+                    high=high * turns,
                     hypothesis=hypothesis,
-                    lines_used=int(used[band, place]),
                     trials=0,
                     per_band=(),
                 )
@@ -171,30 +178,46 @@ def search(
     return replace(best, trials=trials, per_band=tuple(float(value) for value in per_band))
 
 
-def _sum(
+def _evidence(
     scores: Scores, hypothesis: Hypothesis, grid: FloatArray, spacing: float
-) -> tuple[FloatArray, FloatArray]:
-    """Sum of the scores of a hypothesis's lines, and how many were there; (bands, grid)."""
-    total = np.zeros((scores.bands, len(grid)))
-    used = np.zeros_like(total)
-    for line in hypothesis.lines:
-        places = np.rint(grid * line.multiple + line.sideband * spacing).astype(np.int64)
-        score, there = scores.about(places, line.width)
-        total += score
-        used += there
-    return total, used
+) -> tuple[FloatArray, int]:
+    """-ln of the probability of a hypothesis at each fundamental; (bands, grid). How many trials.
 
-
-def combined(counts: FloatArray, totals: FloatArray) -> FloatArray:
-    """-ln of the probability that so many independent scores add up to a total; as `totals`.
-
-    0 where there are none.
+    0 where too few of its lines are there: of several, one alone tells nothing.
     """
-    found = np.where(counts == 1.0, totals, 0.0)
-    for count in np.flatnonzero(np.bincount(counts.astype(np.int64).ravel())):
-        if count > 1:
-            here = counts == count
-            found[here] = np.interp(totals[here], *_table(int(count)))
+    found = np.zeros((len(hypothesis.lines), scores.bands, len(grid)))
+    used = np.zeros(found.shape[1:], dtype=np.int64)
+    for number, line in enumerate(hypothesis.lines):
+        places = np.rint(grid * line.multiple + line.sideband * spacing).astype(np.int64)
+        found[number], there = scores.about(places, line.width)
+        used += there
+    used[used < min(2, len(hypothesis.lines))] = 0
+    return combined(found, used), int(np.count_nonzero(used))
+
+
+def combined(scores: FloatArray, used: NDArray[np.int64]) -> FloatArray:
+    """-ln of the probability that independent scores, none counted above the median, do as well.
+
+    Parameters
+    ----------
+    scores
+        (lines, …), not negative, 0 where a line is left out.
+    used
+        (…), how many lines are not.
+
+    Returns
+    -------
+    (…), 0 where none is used.
+    """
+    above = used // 2
+    ordered = -np.sort(-scores, axis=0)
+    median = np.take_along_axis(ordered, np.minimum(above, len(scores) - 1)[None], axis=0)
+    totals = np.sum(np.minimum(scores, median), axis=0)
+    found = np.zeros(totals.shape)
+    for count in np.flatnonzero(np.bincount((used - above).ravel())):
+        if count > 0:
+            here = used - above == count
+            found[here] = totals[here] if count == 1 else np.interp(totals[here], *_table(count))
     return found
 
 

@@ -19,8 +19,9 @@ from rolamento.vibration.diagnosis.record import (
     EnvelopeSpectra,
     Note,
 )
-from rolamento.vibration.diagnosis.search import chance
+from rolamento.vibration.diagnosis.search import Finding, chance
 from rolamento.vibration.diagnosis.settings import DiagnosisSettings
+from rolamento.vibration.diagnosis.unexplained import unexplained_lines
 
 __all__ = ["judge"]
 
@@ -37,18 +38,25 @@ def judge(spectra: BandSpectra, orders: FaultOrders, settings: DiagnosisSettings
     per_band = {part: np.array(f.per_band) for part, f in findings.items() if f}
     verdicts: dict[Component, ComponentVerdict] = {}
     left = list(COMPONENTS)
+    found: dict[Component, Finding] = {}
     while left:
         clearest = max(left, key=lambda part: f.evidence if (f := findings[part]) else -1.0)
         best = findings[clearest]
         if best is None or chance(best.evidence, trials)[0] > settings.false_alarm:
             break
+        found[clearest] = best
         verdicts[clearest] = describe.fault(clearest, best, whole, trials)
         left.remove(clearest)
         field = field.without(clearest, best)
         findings = field.findings(left)
     for part in left:
         verdicts[part] = describe.no_fault(part, findings[part], field, trials)
+    if {"ball", "cage"} <= found.keys():
+        of_cage = whole.without("ball", found["ball"]).findings(["cage"])["cage"]
+        if of_cage is None or chance(of_cage.evidence, trials)[0] > settings.false_alarm:
+            verdicts["cage"] = describe.no_fault("cage", of_cage, whole, trials, of_ball=True)
     verdicts = _with_cage_agreement(verdicts, orders)
+    unexplained = unexplained_lines(whole, verdicts.values())
     return Diagnosis(
         components=tuple(verdicts[part] for part in COMPONENTS),
         false_alarm=settings.false_alarm,
@@ -59,7 +67,8 @@ def judge(spectra: BandSpectra, orders: FaultOrders, settings: DiagnosisSettings
         blocks=spectra.blocks,
         resolution=1.0 / spectra.turns,
         spectra=_pictured(whole, per_band),
-        notes=_notes(spectra),
+        unexplained=unexplained,
+        notes=(*_notes(spectra), *map(wording.unexplained, unexplained[:1])),
     )
 
 
@@ -112,6 +121,14 @@ def _notes(spectra: BandSpectra) -> tuple[Note, ...]:
                 "few_revolutions",
                 f"The record holds {turns:.3g} revolutions of the shaft; with more, weaker faults "
                 "can be told.",
+            )
+        )
+    if spectra.still and np.any(spectra.power):
+        notes.append(
+            Note(
+                "still_blocks",
+                f"{spectra.still} of {spectra.blocks + spectra.still} stretches of the record "
+                "hardly change and were left out.",
             )
         )
     if len(spectra.bands) == 1:

@@ -7,14 +7,14 @@ what they add up to is taken back to time and subtracted.
 
 from __future__ import annotations
 
-from math import ceil, log
+from math import ceil, log, sqrt
 from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy import fft
 
-from rolamento.numerics import FloatArray
+from rolamento.numerics import BoolArray, FloatArray
 from rolamento.vibration.diagnosis.blocks import Block
 from rolamento.vibration.diagnosis.leakage import taper
 from rolamento.vibration.diagnosis.tones import Comb, discrete_lines, local_level
@@ -28,42 +28,73 @@ _NOTHING: Final = 1e-20
 """Of the greatest level: rounding."""
 _LARGEST: Final = log(50.0)
 """Power of a line over the noise's, which one of fifty lines of noise exceeds."""
+_MEDIAN_OF_NOISE: Final = 0.6745
+"""Median size of Gaussian noise over its deviation."""
+_CHANCE: Final = 0.01
+"""That noise alone has a sample which is limited."""
+_SHOCK: Final = 2.0
+"""Times that: what gears, which are not noise, do not reach either."""
 
 
 def whitened(block: Block, *, remove_tones: bool, combs: list[Comb]) -> ComplexArray:
     """Spectrum of the tapered block over the level of its noise, and 0 where there were tones.
 
-    No line is larger than one of noise hardly ever is, so that what is left of tones weighs little.
+    No line is larger than one of noise hardly ever is, so that what is left of tones weighs little;
+    and then no sample, so that a few great shocks do not weigh more than all the rest: a few
+    instants always have some period in common.
 
     combs: of faults, whose discrete lines stay and keep their size over the noise.
     """
-    samples = block.samples - np.mean(block.samples)
-    resolution = block.rate / len(samples)
+    count = len(block.samples)
+    samples = _limited(block.samples - np.median(block.samples), _SHOCK)
+    samples -= np.mean(samples)
+    resolution = block.rate / count
     if block.places is None:
-        spectrum = np.asarray(fft.rfft(samples * taper(even_places(len(samples)))))
+        spectrum = np.asarray(fft.rfft(samples * taper(even_places(count))))
     else:
         tapered = samples * taper(block.places)
         if remove_tones:
             tapered -= _turning_tones(samples, block.places, resolution, combs)
         spectrum = np.asarray(fft.rfft(tapered))
-    power = np.square(np.abs(spectrum))
-    level = local_level(power, resolution)
-    found = None
+    teeth = None
     if remove_tones and block.places is None:
-        found = discrete_lines(spectrum, level, combs)
-    # of a line without power the phase is rounding
-    level = np.maximum(level, _NOTHING * float(np.max(level)))
-    white = spectrum / np.sqrt(np.maximum(level, power / _LARGEST))
-    if found is not None:
-        white[found.tones] = 0.0
-        white[found.teeth] = spectrum[found.teeth] / np.sqrt(level[found.teeth])
-    white[0] = 0.0
-    return np.asarray(white)
+        level = local_level(np.square(np.abs(spectrum)), resolution)
+        tones, teeth = discrete_lines(spectrum, level, combs)
+    white = _even(spectrum, resolution, teeth)
+    if teeth is not None:
+        white[tones] = 0.0
+    even = np.asarray(fft.irfft(white, count))
+    limited = _limited(even, 1.0)
+    if limited is even:
+        return white
+    return _even(np.asarray(fft.rfft(limited)), resolution, teeth)
 
 
 def even_places(count: int) -> FloatArray:
     """Middles of so many equal parts of a block, from 0 to 1."""
     return (np.arange(count, dtype=np.float64) + 0.5) / count
+
+
+def _even(spectrum: ComplexArray, resolution: float, teeth: BoolArray | None) -> ComplexArray:
+    """The lines over the level of the noise, limited but for the teeth of combs."""
+    power = np.square(np.abs(spectrum))
+    level = local_level(power, resolution)
+    # of a line without power the phase is rounding
+    level = np.maximum(level, _NOTHING * float(np.max(level)))
+    white = spectrum / np.sqrt(np.maximum(level, power / _LARGEST))
+    if teeth is not None:
+        white[teeth] = spectrum[teeth] / np.sqrt(level[teeth])
+    white[0] = 0.0
+    return np.asarray(white)
+
+
+def _limited(samples: FloatArray, margin: float) -> FloatArray:
+    """Samples no larger than a margin times what noise of their level hardly ever reaches."""
+    deviation = float(np.median(np.abs(samples))) / _MEDIAN_OF_NOISE
+    largest = margin * deviation * sqrt(2.0 * log(len(samples) / _CHANCE))
+    if max(float(np.max(samples)), -float(np.min(samples))) <= largest:
+        return samples
+    return np.clip(samples, -largest, largest)
 
 
 def _turning_tones(

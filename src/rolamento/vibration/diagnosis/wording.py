@@ -2,23 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from math import isfinite
 from typing import Final
 
 from rolamento.vibration._checks import Band
 from rolamento.vibration.diagnosis.orders import Component
-from rolamento.vibration.diagnosis.record import MatchedLine, Reason
+from rolamento.vibration.diagnosis.record import MatchedLine, Reason, UnexplainedLine
 
 __all__ = [
     "PART",
     "above_noise",
     "at_band",
+    "at_edge",
     "cage_agreement",
     "chance_of_noise",
     "nothing_above_noise",
+    "of_ball",
     "of_sidebands",
     "off_nominal",
+    "unexplained",
     "untested",
 ]
 
@@ -31,6 +34,7 @@ PART: Final[dict[Component, str]] = {
 
 _UNTESTED: Final = {
     "no_order": "Its order is not given.",
+    "no_change": "The signal does not change: most samples only repeat the one before.",
     "hidden": (
         "All its lines coincide with multiples of the shaft or of what else is known to turn, or "
         "with those of a fault that was found."
@@ -52,6 +56,15 @@ def above_noise(order: float, frequency: float, lines: Sequence[MatchedLine]) ->
     )
 
 
+def of_ball() -> Reason:
+    """Return that the lines of the cage are those of a damaged ball that it carries."""
+    return Reason(
+        "carries_the_ball",
+        "Its lines stand out as those of the ball do: a damaged ball goes in and out of the load "
+        "once in each turn of the cage. Nothing more tells of the cage itself.",
+    )
+
+
 def of_sidebands(component: Component, spacing: float, lines: Sequence[MatchedLine]) -> Reason:
     """Return that sidebands were matched, and what modulates."""
     levels = [line.above_noise for line in lines if line.sideband and isfinite(line.above_noise)]
@@ -59,8 +72,8 @@ def of_sidebands(component: Component, spacing: float, lines: Sequence[MatchedLi
     strongest = f", up to {max(levels):.0f} dB above the noise" if levels else ""
     return Reason(
         "sidebands",
-        f"Sidebands at a spacing of {spacing:.4g} orders{strongest}: the damage goes through the "
-        f"load as {cause}.",
+        f"Sidebands {spacing:.4g} of the shaft's frequency away{strongest}: the damage goes "
+        f"through the load as {cause}.",
     )
 
 
@@ -85,6 +98,15 @@ def off_nominal(deviation: float) -> Reason:
     return Reason("off_nominal", f"{abs(deviation):.2%} {side} the nominal order.")
 
 
+def at_edge() -> Reason:
+    """Return that a fault lies where the search ends."""
+    return Reason(
+        "at_edge",
+        "It lies at the edge of what the allowed slip reaches, and may go on beyond: check speed, "
+        "bearing and contact angle.",
+    )
+
+
 def cage_agreement(agrees: bool, others: Sequence[Component]) -> Reason:
     """Return whether faults tell of the same cage speed."""
     names = _listed(f"the {PART[other]}" for other in others)
@@ -105,11 +127,25 @@ def nothing_above_noise(probability: float, trials: int) -> Reason:
     )
 
 
+def unexplained(line: UnexplainedLine) -> Reason:
+    """Return that a line belongs to nothing that is known, and whose it would be at what speed."""
+    others = _listed(
+        f"{PART[part]} at {60.0 * frequency:.0f} rpm" for part, frequency in line.shaft_frequencies
+    )
+    hint = f" It would be the lowest line of: {others}." if line.shaft_frequencies else ""
+    return Reason(
+        "unexplained_lines",
+        f"At order {line.order:.4g} ({line.frequency:.4g} Hz) the squared envelope rises "
+        f"{line.above_noise:.0f} dB above the noise, which no part of this bearing and no turn of "
+        f"the shaft explains: check speed and bearing.{hint}",
+    )
+
+
 def untested(name: str) -> Reason:
     """Return why a component could not be told of."""
     return Reason(name, _UNTESTED[name])
 
 
-def _listed(words: object) -> str:
-    items = list(words)  # type: ignore[call-overload]
-    return items[0] if len(items) == 1 else f"{', '.join(items[:-1])} and {items[-1]}"
+def _listed(words: Iterable[str]) -> str:
+    items = list(words)
+    return "".join(items) if len(items) < 2 else f"{', '.join(items[:-1])} and {items[-1]}"
