@@ -374,7 +374,9 @@ class TestWrongInput:
             (("outer.npy", *KNOWN, "--rate", "nan"), "--rate"),
             (("outer.npy", *KNOWN, "--channel", "9"), "channel"),
             (("outer.npy", *KNOWN, "--plot", "a.gif"), "a.gif"),
-            (("outer.npy", *KNOWN, "--csv", "outer.npy"), "signal itself"),
+            (("outer.npy", *KNOWN, "--csv", "outer.npy"), "is a file that is read"),
+            (("outer.npy", *KNOWN[2:], "--bearing", "fan.toml", "--json", "fan.toml"), "fan.toml"),
+            (("outer.npy", *KNOWN, "--kurtogram", "a.gif"), "a.gif"),
             (("outer.npy", *KNOWN, "--csv", "a", "--json", "a"), "only one of"),
         ],
     )

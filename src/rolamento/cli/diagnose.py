@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import sys
-from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
@@ -13,10 +12,10 @@ from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
     JsonOption,
+    Language,
     LanguageOption,
     SettingsOption,
     plain_endings,
-    same_file,
     words_of,
 )
 from rolamento.cli.diagnose_options import (
@@ -44,13 +43,13 @@ from rolamento.cli.diagnose_options import (
     UnitOption,
     WithinOption,
 )
+from rolamento.cli.outputs import check_outputs
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
-from rolamento.errors import FileError, InputError
+from rolamento.errors import InputError
 
 if TYPE_CHECKING:
     from rolamento.cli.diagnose_bearing import GivenBearing
     from rolamento.cli.diagnose_speed import AskedSpeed
-    from rolamento.cli.weibull_progress import Progress
     from rolamento.report.diagnosis import DiagnosisResult
     from rolamento.report.language import Words
     from rolamento.vibration.diagnosis import DiagnosisSettings
@@ -115,9 +114,12 @@ def diagnose(
     A long signal is read block by block, in bounded memory.
     """
     with plain_endings(lang):
-        _check_outputs(
-            signal, {"--json": json, "--csv": csv, "--plot": plot, "--kurtogram": kurtogram}
-        )
+        outputs = {"--json": json, "--csv": csv, "--plot": plot, "--kurtogram": kurtogram}
+        check_outputs(outputs, signal, bearing, rule="is a file that is read")
+        if kurtogram is not None:
+            from rolamento.plots.saving import check_name
+
+            check_name(kurtogram)
         from rolamento.cli.diagnose_bearing import bearing_of
         from rolamento.cli.diagnose_signal import speed_given, to_number
         from rolamento.cli.diagnose_speed import AskedSpeed
@@ -146,25 +148,10 @@ def diagnose(
             settings=_settings(slip, false_alarm),
         )
         words = words_of(lang)
-        found = _found(asked, words)
+        found = _found(asked, words, lang)
         _draw(found, plot, kurtogram, words.code)
         _show(found, json, csv, words)
     raise typer.Exit(NO_RESULT if found.verdict == "no_verdict" else SOLVED)
-
-
-def _check_outputs(signal: str, outputs: dict[str, str | None]) -> None:
-    """Refuse outputs that would run into each other or over the signal, and unknown pictures."""
-    given = {option: path for option, path in outputs.items() if path is not None}
-    for option, path in given.items():
-        if list(given.values()).count(path) > 1:
-            where = "standard output" if path == STANDARD_STREAM else path
-            raise InputError(f"only one of {', '.join(outputs)} can go there", source=where)
-        if same_file(path, signal):
-            raise FileError("is the file of the signal itself; choose another name", source=path)
-        if option in ("--plot", "--kurtogram"):
-            from rolamento.plots.saving import check_name
-
-            check_name(path)
 
 
 def _settings(slip: float, false_alarm: float) -> DiagnosisSettings:
@@ -179,18 +166,13 @@ def _settings(slip: float, false_alarm: float) -> DiagnosisSettings:
         raise InputError(error.rule, source=option, value=error.value, example=example) from None
 
 
-def _told(text: str) -> AbstractContextManager[Progress]:
-    """Show how much is done, for whoever waits longer than a second."""
-    from rolamento.cli.weibull_progress import told
-
-    return told(text)
-
-
-def _found(asked: _Asked, words: Words) -> DiagnosisResult:
+def _found(asked: _Asked, words: Words, lang: Language | None) -> DiagnosisResult:
     """Read the signal block by block, and diagnose it at its speed."""
     from rolamento.cli.diagnose_bearing import searched, sought
     from rolamento.cli.diagnose_signal import part_of, streamed
     from rolamento.cli.diagnose_speed import known_speed
+    from rolamento.cli.waiting import waiting
+    from rolamento.cli.weibull_progress import told
     from rolamento.report.diagnosis import DiagnosisResult
     from rolamento.report.diagnosis_words import DIAGNOSIS_WORDS
     from rolamento.vibration.diagnosis import FaultOrders, diagnose
@@ -198,11 +180,14 @@ def _found(asked: _Asked, words: Words) -> DiagnosisResult:
     said, given = DIAGNOSIS_WORDS[words.code], asked.bearing
     with _opened(asked) as source:
         part = part_of(source, asked.start, asked.duration)
-        with _told(said.tracking) as progress:
+        with told(said.tracking) as progress:
             speed = known_speed(asked.speed, given.speeds, source, part, progress)
-        looked = sought(given, speed.inner, speed.outer, nominal=asked.nominal, angle=asked.angle)
+        with waiting(lang):
+            looked = sought(
+                given, speed.inner, speed.outer, nominal=asked.nominal, angle=asked.angle
+            )
         search = searched(looked.frequencies, asked.settings)
-        with _told(said.reading) as progress:
+        with told(said.reading) as progress:
             pieces = (source.read(place, min(part.step, part.stop - place)) for place in part)
             held = streamed(
                 pieces, speed.at, lambda done: progress(-(-done // part.step), len(part))

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import os
 from dataclasses import dataclass, replace
 from math import isfinite, pi
 from typing import TYPE_CHECKING, Final
 
 import rolamento
-from rolamento.cli.streams import STANDARD_STREAM
+from rolamento.cli.bearing_case import case_of, has_load, is_designation
 from rolamento.errors import InputError
 
 if TYPE_CHECKING:
@@ -35,16 +34,6 @@ class GivenBearing:
     def speeds(self) -> tuple[float | None, float | None]:
         """Of the inner and the outer ring; rad/s, None if not given."""
         return self.case.duty.inner_speed or None, self.case.duty.outer_speed or None
-
-    @property
-    def has_load(self) -> bool:
-        """Whether anything presses the balls: a load, a displacement or a preload."""
-        from rolamento.duty import AXES, LOADS
-
-        duty = self.case.duty
-        given = [getattr(duty.load, name) for name in LOADS]
-        given += [getattr(duty.displacement, name) for name in AXES]
-        return any(given) or self.case.bearing.preload is not None
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,29 +81,15 @@ def bearing_of(text: str, settings: list[str]) -> GivenBearing:
     InputError, FileError
         If there is no such bearing, or the file is no case.
     """
-    if not _is_designation(text):
-        case = rolamento.load_case(text, settings)
-        return GivenBearing(case.title or text, case)
-    import json
-
-    from rolamento.case import parse_case
-
-    named = {"bearing": {"designation": text}, "duty": {}}
     try:
-        case = parse_case(json.dumps(named), format="json", overrides=settings)
+        case = case_of(text, settings)
     except InputError as error:
-        if error.source:
+        if error.field != "bearing.designation" or error.source:
             raise
-        # the case behind a designation is none of the user's: its fields are not worth telling
-        wanted = error.field == "bearing.designation"
         raise InputError(
-            error.rule,
-            field="" if wanted else error.field,
-            value=error.value,
-            example="--bearing 6205" if wanted else error.example,
-            source="--bearing",
+            error.rule, value=error.value, source="--bearing", example="--bearing 6205"
         ) from None
-    return GivenBearing(text, case)
+    return GivenBearing(text if is_designation(text) else case.title or text, case)
 
 
 def sought(
@@ -132,7 +107,7 @@ def sought(
     """
     from rolamento.vibration.frequencies import frequencies_of, nominal_frequencies
 
-    loaded = given.has_load and not nominal
+    loaded = has_load(given.case) and not nominal
     if loaded and angle is not None:
         raise InputError(
             "goes with the geometry's frequencies; here a load makes the angle",
@@ -193,16 +168,6 @@ def _range(own: FaultFrequencies, row: FaultFrequencies, orders: FaultOrders) ->
             if isfinite(order) and sought_for > 0.0:
                 widest = max(widest, abs(order / sought_for - 1.0) / orders.tolerance(part, 1.0))
     return widest
-
-
-def _is_designation(text: str) -> bool:
-    """Tell a designation from a file: by its ending, or by its being there."""
-    if text == STANDARD_STREAM or text.lower().endswith((".toml", ".json")):
-        return False
-    try:
-        return not os.path.isfile(text)
-    except ValueError:
-        return True
 
 
 def _at_speeds(case: rolamento.Case, inner: float, outer: float) -> rolamento.Case:
