@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import csv
 import json
+import re
+import shlex
 from collections.abc import Callable
 from dataclasses import replace
 from math import inf, nan, pi, sqrt
@@ -33,6 +35,7 @@ from rolamento.vibration.anderon import BANDS, SPEED, BandNoise, Noise, measure_
 from rolamento.vibration.reading import read_signal
 from rolamento.vibration.signal import Signal
 
+DOCS = Path(__file__).resolve().parents[2] / "docs"
 Run = Callable[..., tuple[int, str, str]]
 RATE = 51_200.0
 SECONDS = 4
@@ -126,7 +129,7 @@ class TestLevels:
 
     def test_unknown_speed_is_said(self, run: Run) -> None:
         out = squeezed(run("bare.npy", "--unit", "um/s", "--rate", "51200", "--lang", "en")[1])
-        assert "speed not told; 1800 rpm, as the test has, is assumed" in out
+        assert "speed not told; 1800 rpm, as in the test, is assumed" in out
         assert "The signal does not tell the speed" in out
 
     def test_part_of_a_signal(self, run: Run) -> None:
@@ -461,3 +464,36 @@ def test_picture_without_bands_says_so(language: str) -> None:
     figure = noise_figure(signal, measure_noise(signal), title="slow", language=language)
     texts = " ".join(text.get_text() for text in figure.axes[0].texts)
     assert ("sampling" if language == "en" else "amostragem") in texts
+
+
+# --- the guide -------------------------------------------------------------------------------
+
+
+def test_the_guide_shows_what_is_printed(run: Run, tmp_path: Path) -> None:
+    example = (DOCS / "anderon.md").read_text("utf-8").partition("## An example")[2]
+    example = example.partition("\n## ")[0]
+    commands = re.findall(r"\n    rolamento ((?:[^\n]*\\\n)*[^\n]*)(?=\n)(\n\n```\n(.*?)```)?",
+                          example, re.DOTALL)  # fmt: skip
+    assert len(commands) == 4
+    shown = 0
+    for command, _, output in commands:
+        words = shlex.split(command.replace("\\\n", " "))
+        result = CliRunner().invoke(app, words, env={"LC_ALL": "C.UTF-8"})
+        assert result.exit_code == (1 if words[0] == "anderon" else 0), result.stderr
+        if output:
+            shown += 1
+            assert result.stdout.strip() == output.strip()
+    assert shown == 2
+    assert (tmp_path / "anderon.png").exists()
+
+
+def test_python_of_the_guide_runs(run: Run, capsys: pytest.CaptureFixture[str]) -> None:
+    blocks = re.findall(r"```python\n(.*?)```", (DOCS / "anderon.md").read_text("utf-8"), re.DOTALL)
+    assert len(blocks) == 1
+    exec(compile(blocks[0], "example", "exec"), {})
+    assert "7.698 µm/s\n4.67 [9, 10]" in capsys.readouterr().out
+
+
+def test_links_of_the_guide_lead_somewhere() -> None:
+    for link in re.findall(r"\]\(([^)#]+)", (DOCS / "anderon.md").read_text("utf-8")):
+        assert (DOCS / link).exists(), link

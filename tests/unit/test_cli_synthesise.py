@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import shlex
 from collections.abc import Callable
 from dataclasses import replace
@@ -12,6 +13,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+import typer
 from typer.testing import CliRunner
 
 from rolamento import Bearing, load_case, solve
@@ -23,6 +25,7 @@ from rolamento.cli.signal_files import write_signal
 from rolamento.cli.synthesise_options import Asked
 from rolamento.cli.synthesise_recipe import given_of, load_name, recipe_from
 from rolamento.errors import InputError
+from rolamento.plots.vibration_modulation import envelope_depths, modulation_figure
 from rolamento.report.synthesis import synthesis_report
 from rolamento.report.synthesis_result import SynthesisResult, truth_json
 from rolamento.vibration.frequencies import frequencies_of, nominal_frequencies
@@ -38,6 +41,8 @@ from rolamento.vibration.synthesis import (
     synthesise,
 )
 
+DOCS = Path(__file__).resolve().parents[2] / "docs"
+GUIDE = (DOCS / "synthesis.md").read_text("utf-8")
 Run = Callable[..., tuple[int, str, str]]
 SPEED = 1797.0 * pi / 30.0
 KNOWN = ("6205", "--speed", "1797 rpm", "--duration", "2 s", "--rate", "12 kHz")
@@ -510,3 +515,80 @@ def test_case_of_a_bearing(tmp_path: Path) -> None:
     case = case_of(str(path), ["duty.load.fz='2 kN'"], inner_speed=1.5, outer_speed=-2.5)
     assert (case.duty.inner_speed, case.duty.outer_speed) == (1.5, -2.5)
     assert case.duty.load.fz == pytest.approx(2000.0)
+
+
+# --- the guide, and both modulations ---------------------------------------------------------
+
+
+def commands_of(text: str) -> list[tuple[list[str], str]]:
+    """Commands of a part of the guide, each with the output shown below it."""
+    found = re.findall(
+        r"\n    rolamento ((?:[^\n]*\\\n)*[^\n]*)(?=\n)(\n\n```\n(.*?)```)?", text, re.DOTALL
+    )
+    return [(shlex.split(c.replace("\\\n", " ")), output) for c, _, output in found]
+
+
+def test_the_guide_shows_what_is_printed(run: Run) -> None:
+    example = GUIDE.partition("## An example")[2].partition("\n## ")[0]
+    commands = commands_of(example)
+    assert [words[0] for words, _ in commands] == ["synthesise", "diagnose"]
+    for words, output in commands:
+        code, out, err = run(*words[1:], command=words[0])
+        assert code == 0, err
+        expected = output or "The inner race is damaged"
+        assert out.strip().startswith(expected.strip())
+
+
+def test_the_guide_names_commands_that_run(run: Run) -> None:
+    Path("case.toml").write_text(CASE, encoding="utf-8")
+    commands = [words for words, _ in commands_of(GUIDE.partition("\n| option")[0])][1:]
+    assert len(commands) == 4
+    for words in commands:
+        assert run(*words[1:])[0] == 0, words
+
+
+def test_python_of_the_guide_tells_both_modulations_apart(run: Run) -> None:
+    blocks = re.findall(r"```python\n(.*?)```", GUIDE, re.DOTALL)
+    assert len(blocks) == 1
+    names: dict[str, Any] = {}
+    exec(compile(blocks[0], "example", "exec"), names)
+    assert Path("modulation.png").exists()
+    amplitude, frequency = names["made"]
+    line = names["line"]
+    whole = envelope_depths(amplitude, line)
+    assert whole[0] == pytest.approx(1.38, abs=5e-3)
+    assert whole[2] > 0.5
+    assert envelope_depths(frequency, line).max() < 1e-4
+    assert envelope_depths(frequency, line, names["band"])[0] == pytest.approx(0.58, abs=5e-3)
+
+
+def test_depths_of_a_known_modulation() -> None:
+    time = np.arange(50_000) / 50_000.0
+    swing = 1.0 + 0.4 * np.cos(2.0 * pi * 100.0 * time) + 0.1 * np.cos(2.0 * pi * 300.0 * time)
+    signal = Signal(3.0 * swing * np.cos(2.0 * pi * 5000.0 * time), 50_000.0)
+    assert envelope_depths(signal, 100.0) == pytest.approx([0.4, 0.0, 0.1], abs=1e-9)
+
+
+@pytest.mark.parametrize("language", ["en", "pt"])
+def test_picture_of_modulations(language: str) -> None:
+    recipe = given(faults=("outer_race",), jitter=0.0, duration=0.5)
+    signal = synthesise(recipe).signal
+    figure = modulation_figure(signal, signal, 107.15, (3500.0, 4500.0), language=language)
+    labels = [axes.get_xlabel() for axes in figure.axes]
+    assert labels[:2] == ["Time (ms)" if language == "en" else "Tempo (ms)"] * 2
+    assert len(figure.axes[2].patches) == 9
+
+
+def test_links_of_the_guide_lead_somewhere() -> None:
+    for link in re.findall(r"\]\(([^)#]+)", GUIDE):
+        assert (DOCS / link).exists(), link
+
+
+@pytest.mark.parametrize("name", ["synthesise", "anderon"])
+def test_the_guide_tells_of_every_option(name: str) -> None:
+    guide = (DOCS / f"{'synthesis' if name == 'synthesise' else name}.md").read_text("utf-8")
+    group: Any = typer.main.get_command(app)
+    options = [option for parameter in group.commands[name].params for option in parameter.opts]
+    options = [option for option in options if option.startswith("--")]
+    assert len(options) > 10
+    assert [option for option in options if f"`{option}" not in guide] == []

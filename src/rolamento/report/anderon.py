@@ -101,7 +101,8 @@ def _statement(page: Page, found: NoiseResult) -> Lines:
 
 def _facts(page: Page, said: NoiseWords, one: MeasuredNoise) -> Lines:
     digits, signal = page.digits, one.first
-    known = "unknown" if "speed_unknown" in one.noise.notes else "known"
+    known = "right" if one.at_test_speed else "known"
+    known = "unknown" if "speed_unknown" in one.noise.notes else known
     entries = (
         (said.speed, said.speeds[known].format(speed=digits.short(_RPM * one.noise.speed, 6))),
         (

@@ -104,10 +104,15 @@ class MeasuredNoise:
     reading_notes: tuple[str, ...] = ()
 
     @property
+    def at_test_speed(self) -> bool:
+        """Whether the speed is that of the test, as near as the standard wants it."""
+        return _TOLERANCE[0] <= self.noise.speed / SPEED - 1.0 <= _TOLERANCE[1]
+
+    @property
     def names_of_notes(self) -> tuple[str, ...]:
         """What is to be known of it, by names of the words."""
-        names, off = list(self.noise.notes), self.noise.speed / SPEED - 1.0
-        if "speed_differs" not in names and not _TOLERANCE[0] <= off <= _TOLERANCE[1]:
+        names = list(self.noise.notes)
+        if "speed_differs" not in names and not self.at_test_speed:
             names.append("speed_tolerance")
         if "band_incomplete" not in names and self.first.rate < _CLEAR_OF_FILTER * BANDS["high"][1]:
             names.append("near_half_rate")

@@ -66,8 +66,9 @@ _ENGLISH: Final = NoiseWords(
     rejected_some="Rejected: {rejected} of {count} signals.",
     speed="speed",
     speeds={
+        "right": "{speed} rpm, as in the test",
         "known": "{speed} rpm; the test has 1800 rpm",
-        "unknown": "not told; 1800 rpm, as the test has, is assumed",
+        "unknown": "not told; 1800 rpm, as in the test, is assumed",
     },
     signal="signal",
     samples="{quantity}, {duration} s at {rate} Hz",
@@ -132,6 +133,7 @@ _PORTUGUESE: Final = NoiseWords(
     rejected_some="Reprovados: {rejected} de {count} sinais.",
     speed="rotação",
     speeds={
+        "right": "{speed} rpm, como no ensaio",
         "known": "{speed} rpm; o ensaio é a 1800 rpm",
         "unknown": "não informada; supõem-se as 1800 rpm do ensaio",
     },

@@ -73,12 +73,12 @@ def _together(said: SynthesisWords, faults: list[Fault]) -> str:
 
 
 def _facts(page: Page, said: SynthesisWords, found: SynthesisResult) -> Lines:
+    damage = 2 if found.faults else 0  # load and resonances are of impacts alone
     entries = [
         (said.bearing, _bearing(page, found)),
         (said.shaft, _shaft(page, said, found)),
         (said.signal, _signal(page, said, found)),
-        (said.load, _load(page, said, found)),
-        (said.modes, _modes(page, said, found)),
+        *((said.load, _load(page, said, found)), (said.modes, _modes(page, said, found)))[:damage],
         (said.noise, _noise(page, said, found)),
         (said.seed, str(found.recipe.seed)),
         (said.files, _files(said, found)),

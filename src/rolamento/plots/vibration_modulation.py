@@ -1,0 +1,160 @@
+"""Modulation of amplitude beside modulation of frequency, and what the envelope makes of each."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from rolamento.plots.frame import add_title, label_x, label_y, legend_above, number
+from rolamento.plots.style import new_stacked_figure, series, styled
+from rolamento.plots.words import PlotWords, plot_words
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from rolamento.vibration.signal import Signal
+
+__all__ = ["envelope_depths", "modulation_figure"]
+
+Floats = NDArray[np.float64]
+Band = tuple[float, float]
+
+_PERIODS: Final = 3.2
+_MULTIPLES: Final = (1, 2, 3)
+_WIDTH: Final = 0.26
+
+
+@dataclass(frozen=True, slots=True)
+class _Words:
+    time: str
+    acceleration: str
+    amplitude: str
+    frequency: str
+    whole: str
+    part: str
+    multiples: str
+    depth: str
+
+
+_WORDS: Final = {
+    "en": _Words(
+        time="Time (ms)",
+        acceleration="Acceleration (m/s²)",
+        amplitude="amplitude modulated",
+        frequency="frequency modulated",
+        whole="envelope",
+        part="envelope of {low} to {high} Hz",
+        multiples="Multiple of {line} Hz",
+        depth="Line of the envelope over its mean",
+    ),
+    "pt": _Words(
+        time="Tempo (ms)",
+        acceleration="Aceleração (m/s²)",
+        amplitude="modulado em amplitude",
+        frequency="modulado em frequência",
+        whole="envoltória",
+        part="envoltória de {low} a {high} Hz",
+        multiples="Múltiplo de {line} Hz",
+        depth="Linha da envoltória sobre a média",
+    ),
+}
+
+
+def modulation_figure(
+    amplitude: Signal,
+    frequency: Signal,
+    line: float,
+    band: Band,
+    *,
+    title: str = "",
+    language: str = "en",
+) -> Figure:
+    """Draw two signals with their envelopes, and the lines of these.
+
+    Parameters
+    ----------
+    amplitude, frequency
+        Modulated in amplitude and in frequency; m/s².
+    line
+        Frequency of the modulation; Hz.
+    band
+        That holds only a part of the second signal; Hz.
+    title
+        Over the figure.
+    language
+        ``"en"`` or ``"pt"``.
+    """
+    shared = plot_words(language)
+    words = _WORDS["pt" if language == "pt" else "en"]
+    cut = words.part.format(low=number(band[0], shared), high=number(band[1], shared))
+    with styled():
+        figure, (above, middle, below) = new_stacked_figure(3, height=190.0)
+        _waveform(above, amplitude, line, band, (words.amplitude, words.whole, cut), words, shared)
+        _waveform(middle, frequency, line, band, (words.frequency, words.whole, cut), words, shared)
+        places = np.arange(len(_MULTIPLES), dtype=np.float64)
+        for index, (signal, of_band, name) in enumerate(
+            (
+                (amplitude, None, f"{words.amplitude}, {words.whole}"),
+                (frequency, None, f"{words.frequency}, {words.whole}"),
+                (frequency, band, f"{words.frequency}, {cut}"),
+            )
+        ):
+            depths = envelope_depths(signal, line, of_band)
+            below.bar(
+                places + (index - 1) * _WIDTH, depths, _WIDTH, label=name,
+                color=series(index).color, hatch=("", "..", "//")[index], edgecolor="white",
+            )  # fmt: skip
+        label_x(below, words.multiples.format(line=number(line, shared)), shared)
+        label_y(below, words.depth, shared)
+        below.set_xticks(places, [f"{multiple}×" for multiple in _MULTIPLES])
+        legend_above(below)
+        if title:
+            add_title(figure, title)
+    return figure
+
+
+def envelope_depths(signal: Signal, line: float, band: Band | None = None) -> Floats:
+    """Lines of the envelope at 1, 2 and 3 times a frequency (Hz), over the envelope's mean.
+
+    Each is the greatest of the lines next to it: a record that does not hold a whole number of
+    periods spreads it over some.
+    """
+    from rolamento.vibration.envelope import envelope, envelope_spectrum
+
+    spectrum = envelope_spectrum(signal, band, kind="plain")
+    mean = float(np.mean(envelope(signal, band).samples))
+    near = [np.abs(spectrum.axis - multiple * line) for multiple in _MULTIPLES]
+    within = 1.5 * spectrum.resolution
+    return np.array([spectrum.values[away <= within].max() / mean for away in near])
+
+
+def _waveform(
+    axes: Axes,
+    signal: Signal,
+    line: float,
+    band: Band,
+    names: tuple[str, str, str],
+    words: _Words,
+    shared: PlotWords,
+) -> None:
+    """Draw a few periods from the middle of a signal, with its envelopes."""
+    from rolamento.vibration.envelope import envelope
+
+    middle = len(signal.samples) // 2
+    end = min(middle + round(_PERIODS * signal.rate / line), len(signal.samples))
+    time = 1e3 * np.arange(end - middle) / signal.rate
+    axes.plot(time, signal.samples[middle:end], color="#808080", linewidth=0.6, label=names[0])
+    for index, of_band in enumerate((None, band)):
+        heights = envelope(signal, of_band).samples[middle:end]
+        axes.plot(
+            time, heights, color=series(index).color, linestyle=series(index).linestyle,
+            label=names[index + 1],
+        )  # fmt: skip
+    axes.set_xlim(0.0, float(time[-1]))
+    label_x(axes, words.time, shared)
+    label_y(axes, words.acceleration, shared)
+    legend_above(axes)
