@@ -6,7 +6,7 @@ import ast
 import csv
 import json
 import re
-from dataclasses import dataclass, fields, replace
+from dataclasses import fields, replace
 from functools import cache
 from io import StringIO
 from math import pi
@@ -42,6 +42,7 @@ from rolamento.vibration.diagnosis import (
     DiagnosisSettings,
     FaultOrders,
     Reason,
+    UnexplainedLine,
     diagnose,
 )
 from rolamento.vibration.frequencies import frequencies_of, nominal_frequencies
@@ -384,35 +385,38 @@ class TestNoChange:
         assert longer.verdict == "nothing_found"
 
 
-@dataclass(frozen=True, slots=True)
-class Line:
-    """A line that nothing explains, as the engine gives one."""
-
-    order: float = 1.776
-    frequency: float = 53.2
-    above_noise: float = 14.2
-    band: tuple[float, float] = (3000.0, 4500.0)
-    probability: float = 1e-6
-    shaft_frequencies: tuple[tuple[str, float], ...] = ()
-
-
-@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
-class WithLines(Diagnosis):
-    """A diagnosis with such lines, whether or not the engine's has them."""
-
-    unexplained: tuple[Any, ...] = ()
+def line(**changed: Any) -> UnexplainedLine:
+    """A line that nothing explains."""
+    plain = UnexplainedLine(
+        order=1.776,
+        frequency=53.2,
+        above_noise=14.2,
+        band=(3000.0, 4500.0),
+        probability=1e-6,
+        shaft_frequencies=(),
+    )
+    return replace(plain, **changed)
 
 
-def with_lines(*lines: Line) -> DiagnosisResult:
+def with_lines(*lines: UnexplainedLine) -> DiagnosisResult:
+    note = Reason("unexplained_lines", "The engine's words.")
     found = sound()
-    own = {f.name: getattr(found.diagnosis, f.name) for f in fields(found.diagnosis)}
-    own |= {"unexplained": lines, "notes": (Reason("unexplained_lines", "The engine's words."),)}
-    return replace(found, diagnosis=WithLines(**own))
+    return replace(found, diagnosis=replace(found.diagnosis, unexplained=lines, notes=(note,)))
+
+
+class TestNotesWithNumbers:
+    @pytest.mark.parametrize(
+        ("language", "said"),
+        [("en", "were left out; used: 7."), ("pt", "ficaram de fora; usados: 7.")],
+    )
+    def test_stretches_that_were_left_out(self, language: str, said: str) -> None:
+        found = replace(sound().diagnosis, blocks=7)
+        assert said_note(Reason("still_blocks", "?"), found, language).endswith(said)
 
 
 class TestUnexplainedLines:
     def test_one(self) -> None:
-        text = squeezed(page(with_lines(Line()), "en"))
+        text = squeezed(page(with_lines(line()), "en"))
         assert "explains a line that stands out of the envelope's spectrum: 53.20 Hz (order" in text
         assert "(order 1.776), 14 dB above the noise between 3000 and 4500 Hz. Check the" in text
         assert "The engine's words." not in text
@@ -420,7 +424,7 @@ class TestUnexplainedLines:
         assert "Other lines do: see the notes." in text
 
     def test_several_the_clearest_first_and_the_rest_counted(self) -> None:
-        lines = [Line(frequency=60.0 + i, above_noise=10.0 + i) for i in range(7)]
+        lines = [line(frequency=60.0 + i, above_noise=10.0 + i) for i in range(7)]
         note = said_note(Reason("unexplained_lines", ""), with_lines(*lines).diagnosis, "pt")
         assert note.startswith("Nenhuma parte deste rolamento e nenhum múltiplo do eixo explicam")
         assert note.index("66,00 Hz") < note.index("65,00 Hz") < note.index("62,00 Hz")
@@ -428,9 +432,9 @@ class TestUnexplainedLines:
         assert note.endswith("; mais 2. Confira a rotação e o rolamento.")
 
     def test_at_which_speed_it_would_be_whose(self) -> None:
-        speeds = (("outer_race", 28.0), ("inner_race", 25.0))
-        (note,) = with_lines(Line(shaft_frequencies=speeds)).diagnosis.notes
-        english = said_note(note, with_lines(Line(shaft_frequencies=speeds)).diagnosis, "en")
+        speeds: Any = (("outer_race", 28.0), ("inner_race", 25.0))
+        (note,) = with_lines(line(shaft_frequencies=speeds)).diagnosis.notes
+        english = said_note(note, with_lines(line(shaft_frequencies=speeds)).diagnosis, "en")
         assert english.endswith(
             "It would be the lowest line of: outer race at 1680 rpm and inner race at 1500 rpm."
         )
@@ -441,11 +445,11 @@ class TestUnexplainedLines:
         assert note == DIAGNOSIS_WORDS[language].note["unexplained_lines"]
 
     def test_json_has_them(self) -> None:
-        data = json.loads(diagnosis_json(with_lines(Line(above_noise=float("nan")))))
-        (line,) = data["unexplained"]
-        assert line["order"] == 1.776
-        assert line["band"] == [3000.0, 4500.0]
-        assert line["above_noise"] is None
+        data = json.loads(diagnosis_json(with_lines(line(above_noise=float("nan")))))
+        (own,) = data["unexplained"]
+        assert own["order"] == 1.776
+        assert own["band"] == [3000.0, 4500.0]
+        assert own["above_noise"] is None
         assert data["notes"][0]["name"] == "unexplained_lines"
 
 

@@ -120,7 +120,7 @@ def _speed(page: Page, said: DiagnosisWords, found: DiagnosisResult) -> str:
     digits, frequency, known = page.digits, found.diagnosis.shaft_frequency, found.speed
     ranges = known is not None and known.least != known.most
     text = (said.speed_range if ranges else said.speed).format(
-        speed=digits.short(60.0 * frequency, 6),
+        speed=digits.short(60.0 * frequency, 5 if ranges else 6),
         frequency=digits.short(frequency),
         least=digits.short(_RPM * known.least, 5) if known else "",
         most=digits.short(_RPM * known.most, 5) if known else "",

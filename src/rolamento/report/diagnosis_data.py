@@ -10,7 +10,7 @@ from typing import Any, Final
 
 import numpy as np
 
-from rolamento.report.diagnosis_result import DiagnosisResult, ShaftSpeed, unexplained_lines
+from rolamento.report.diagnosis_result import DiagnosisResult, ShaftSpeed
 from rolamento.report.diagnosis_sentences import said_own_note, said_result
 from rolamento.report.plain_data import csv_number, json_text
 
@@ -34,7 +34,7 @@ def diagnosis_json(found: DiagnosisResult) -> str:
             "faults": list(diagnosis.faults),
             "statement": said_result(found, "en"),
             "components": [asdict(part) for part in diagnosis.components],
-            "unexplained": [asdict(line) for line in unexplained_lines(diagnosis)],
+            "unexplained": [asdict(line) for line in diagnosis.unexplained],
             "false_alarm": diagnosis.false_alarm,
             "tolerance": diagnosis.tolerance,
             "slip": diagnosis.tolerance if found.slip is None else found.slip,

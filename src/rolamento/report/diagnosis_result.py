@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property
 from math import inf, isfinite
-from typing import TYPE_CHECKING, Any, Final, Literal
+from typing import Final, Literal
 
 from rolamento.bearing import Bearing
 from rolamento.state import State
@@ -14,10 +14,7 @@ from rolamento.vibration.fault_lines import FaultFrequencies
 from rolamento.vibration.indicators import Indicators, indicators
 from rolamento.vibration.signal import Signal
 
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-__all__ = ["DiagnosisResult", "ShaftSpeed", "SpeedSource", "Tracking", "unexplained_lines"]
+__all__ = ["DiagnosisResult", "ShaftSpeed", "SpeedSource", "Tracking"]
 
 SpeedSource = Literal["given", "file", "case", "channel", "pulses", "vibration"]
 """Who told the speed: an option, the signal's file, the case; or from what it was measured."""
@@ -184,15 +181,6 @@ class DiagnosisResult:
             "inferred_inside": "inferred" in self.bearing.origins.values(),
         }
         return tuple(name for name, is_so in holds.items() if is_so)
-
-
-def unexplained_lines(diagnosis: Diagnosis) -> Sequence[Any]:
-    """Return the lines that no part of the bearing and no multiple of the shaft explains.
-
-    Each has its order, frequency (Hz), above_noise (dB), band (Hz) and probability in noise.
-    """
-    lines: Sequence[Any] = getattr(diagnosis, "unexplained", ())
-    return lines
 
 
 def _is_still(part: ComponentVerdict) -> bool:

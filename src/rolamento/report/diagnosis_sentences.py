@@ -10,7 +10,6 @@ from collections.abc import Iterable
 from math import floor, isfinite, pi
 from typing import TYPE_CHECKING, Final
 
-from rolamento.report.diagnosis_result import unexplained_lines
 from rolamento.report.diagnosis_words import DIAGNOSIS_WORDS, DiagnosisWords
 from rolamento.report.frequencies_words import FREQUENCY_WORDS
 from rolamento.report.language import words_for
@@ -63,7 +62,7 @@ def said_statements(diagnosis: Diagnosis, language: str, *, still: bool = False)
     sentences = [_damaged(part, said, digits) for part in faults]
     if not faults:
         sentences.append(said.nothing_found.format(parts=listed(tested, said)))
-        if unexplained_lines(diagnosis):
+        if diagnosis.unexplained:
             sentences.append(said.other_lines)
     if untested:
         sentences.append(said.untested.format(parts=listed(untested, said)))
@@ -92,11 +91,13 @@ def said_reasons(part: ComponentVerdict, diagnosis: Diagnosis, language: str) ->
 def said_note(note: Reason, diagnosis: Diagnosis, language: str) -> str:
     """Return what a user should know about a diagnosis."""
     said, digits = _of(language)
-    if note.name == "unexplained_lines" and unexplained_lines(diagnosis):
+    if note.name == "unexplained_lines" and diagnosis.unexplained:
         return _unexplained(diagnosis, said, digits)
     if note.name not in said.note:
         return note.text
-    return said.note[note.name].format(turns=digits.short(diagnosis.revolutions, 3))
+    return said.note[note.name].format(
+        turns=digits.short(diagnosis.revolutions, 3), blocks=diagnosis.blocks
+    )
 
 
 def said_own_note(name: str, found: DiagnosisResult, language: str) -> str:
@@ -141,7 +142,7 @@ def _damaged(part: ComponentVerdict, said: DiagnosisWords, digits: Digits) -> st
 
 def _unexplained(diagnosis: Diagnosis, said: DiagnosisWords, digits: Digits) -> str:
     """Say the clearest of the lines that nothing explains."""
-    lines = sorted(unexplained_lines(diagnosis), key=lambda line: -float(line.above_noise))
+    lines = sorted(diagnosis.unexplained, key=lambda line: -line.above_noise)
     entries = [
         said.unexplained_line.format(
             frequency=_hertz(line.frequency, digits),
@@ -157,7 +158,7 @@ def _unexplained(diagnosis: Diagnosis, said: DiagnosisWords, digits: Digits) -> 
         entries.append(said.more_lines.format(count=more))
     several = len(lines) > 1
     sentence = said.unexplained[several].format(lines="; ".join(entries))
-    speeds = getattr(lines[0], "shaft_frequencies", ())
+    speeds = lines[0].shaft_frequencies
     if not speeds:
         return sentence
     parts = listed(

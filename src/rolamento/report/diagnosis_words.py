@@ -196,6 +196,7 @@ _ENGLISH: Final = DiagnosisWords(
         " faults can be told.",
         "one_band": "The sampling rate leaves one band for the modulations that are looked for; a"
         " higher one tells where a fault rings.",
+        "still_blocks": "Stretches of the record that hardly change were left out; used: {blocks}.",
         "not_a_certificate": "Nothing found is a verdict about this record: damage too weak for"
         " its noise stays unseen.",
         "weak_lines": "None of the multiples of a part said to be damaged stands out by itself:"
@@ -343,6 +344,8 @@ _PORTUGUESE: Final = DiagnosisWords(
         " podem ser percebidas.",
         "one_band": "A taxa de amostragem deixa uma só faixa para as modulações procuradas; uma"
         " maior diz onde a falha soa.",
+        "still_blocks": "Trechos do registro que quase não variam ficaram de fora; usados:"
+        " {blocks}.",
         "not_a_certificate": "Nada encontrado é um veredito sobre este registro: um dano fraco"
         " demais para o seu ruído não se vê.",
         "weak_lines": "Nenhum dos múltiplos de uma parte dita danificada se destaca por si: pode"
