@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import csv
 import json
+import re
+import shlex
 from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
@@ -387,3 +389,42 @@ class TestWrongInput:
         assert (code, out) == (2, "")
         assert told in err
         assert err.count("\n") == 1
+
+
+GUIDE = Path(__file__).resolve().parents[2] / "docs" / "diagnose.md"
+
+
+class TestGuide:
+    """docs/diagnose.md: its examples run as they stand, one after the other."""
+
+    def test_examples(self, run: Run) -> None:
+        text = GUIDE.read_text("utf-8")
+        (case,) = re.findall(r"```toml\n# (\S+)\n(.*?)```", text, re.DOTALL)
+        Path(case[0]).write_text(case[1], "utf-8")
+        names: dict[str, object] = {}
+        blocks = re.findall(r"```python\n(.*?)```", text, re.DOTALL)
+        assert len(blocks) == 3
+        for block in blocks:
+            exec(compile(block, "docs/diagnose.md", "exec"), names)
+        faults = {}
+        for line in re.findall(r"^    rolamento diagnose (.*)$", text, re.MULTILINE):
+            arguments = shlex.split(line)
+            if Path(arguments[0]).is_file():
+                code, out, err = run(*arguments, "--json", "found.json")
+                assert (code, err) == (0, ""), line
+                assert out
+                faults[line] = json.loads(Path("found.json").read_text("utf-8"))["faults"]
+        assert len(faults) == 5
+        tracked = [found for line, found in faults.items() if line.startswith("run.npz")]
+        assert tracked == [["outer_race"]] * 3
+        assert Path("diagnosis.png").is_file()
+
+    def test_every_option_is_told(self) -> None:
+        text = GUIDE.read_text("utf-8")
+        for parameter in typer.main.get_command(app).params:
+            for option in parameter.opts:
+                if option.startswith("--"):
+                    assert f"`{option}" in text, option
+
+    def test_lines_are_not_too_long(self) -> None:
+        assert max(map(len, GUIDE.read_text("utf-8").splitlines())) <= 120
