@@ -271,7 +271,8 @@ def _product(rows: ComplexArray, matrix: ComplexArray) -> ComplexArray:
     step = max(1, _MOST_PRODUCTS // matrix.size)
     for first in range(0, len(rows), step):
         some = slice(first, first + step)
-        np.matmul(rows[some], matrix, out=product[some])
+        # overlapping rows are a view, which not every NumPy hands on to BLAS
+        np.matmul(np.ascontiguousarray(rows[some]), matrix, out=product[some])
     return product
 
 
