@@ -18,6 +18,7 @@ from math import ceil
 from typing import Final
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy import fft
 
 from rolamento.errors import InputError
@@ -69,6 +70,10 @@ class Plan:
     combs: tuple[tuple[float, float, float], ...]
     speed_uncertainty: float
 
+    def uncertainty(self, *, steady: bool) -> float:
+        """Part by which the orders may be off: none where the speed was measured all along."""
+        return self.speed_uncertainty if steady else 0.0
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class BandSpectra:
@@ -80,6 +85,9 @@ class BandSpectra:
         (bands, lines), of the squared envelopes as they are, in arbitrary units
     power
         (bands, lines), of the squared envelopes with their regular part divided out
+    spreads
+        (bands, 1 + places), greatest number of lines on either side of zero and of each place of
+        the shaft that were taken for regular in any block; -1 for none
     bands
         Hz
     turns
@@ -100,6 +108,7 @@ class BandSpectra:
 
     plain: FloatArray
     power: FloatArray
+    spreads: NDArray[np.int64]
     bands: tuple[Band, ...]
     turns: float
     blocks: int
@@ -128,17 +137,20 @@ def band_spectra(blocks: Iterable[Block], plan: Plan) -> BandSpectra:
     number = samples = still = length = 0
     turns = rate = 0.0
     steady = True
+    spreads = np.zeros((0, 0), dtype=np.int64)
     for block in blocks:
         if sums is None:
             turns, rate, steady = block.turns, block.rate, block.places is None
             bands = _bands(rate, plan.highest_order * turns * rate / len(block.samples))
             lines = ceil(plan.highest_order * turns) + 1 + HALF_WIDTH
             sums = np.zeros((2, len(bands), lines))
+            regular = shaft_places(plan.regular, turns, lines, plan.uncertainty(steady=steady))
+            spreads = np.full((len(bands), 1 + len(regular)), -1, dtype=np.int64)
         length = len(block.samples)
         if _still(block.samples):
             still += 1
             continue
-        _add_block(sums, block, bands, plan)
+        _add_block(sums, spreads, block, bands, plan)
         number += 1
         samples += length
     if sums is None:
@@ -148,6 +160,7 @@ def band_spectra(blocks: Iterable[Block], plan: Plan) -> BandSpectra:
     return BandSpectra(
         plain=sums[0],
         power=sums[1],
+        spreads=spreads,
         bands=bands,
         turns=turns,
         blocks=number,
@@ -171,10 +184,16 @@ def _bands(rate: float, highest: float) -> tuple[Band, ...]:
     return tuple((half * i / d, half * (i + 1) / d) for d in divisions for i in range(d))
 
 
-def _add_block(sums: FloatArray, block: Block, bands: tuple[Band, ...], plan: Plan) -> None:
+def _add_block(
+    sums: FloatArray,
+    spreads: NDArray[np.int64],
+    block: Block,
+    bands: tuple[Band, ...],
+    plan: Plan,
+) -> None:
     """Add a block's powers, plain and with the regular part divided out, in place."""
     turns = block.turns
-    uncertainty = plan.speed_uncertainty if block.places is None else 0.0
+    uncertainty = plan.uncertainty(steady=block.places is None)
     combs = [
         Comb(low * turns, high * turns, spacing * turns, turns, uncertainty)
         for low, high, spacing in plan.combs
@@ -194,6 +213,7 @@ def _add_block(sums: FloatArray, block: Block, bands: tuple[Band, ...], plan: Pl
         envelope = over_angle(limited(squared), block.places, lines)
         # the sum over products of carriers, however many steps it was taken in
         scale = float(size) ** 4 / float(len(envelope)) ** 2
-        plain, power = modulation_powers(envelope, slow, regular, lines)
-        sums[0, number] += plain * scale
-        sums[1, number] += power * scale
+        powers = modulation_powers(envelope, slow, regular, lines)
+        sums[0, number] += powers.plain * scale
+        sums[1, number] += powers.even * scale
+        spreads[number] = np.maximum(spreads[number], powers.spreads)

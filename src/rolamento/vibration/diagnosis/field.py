@@ -11,7 +11,13 @@ import numpy as np
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.vibration.diagnosis.band_spectra import BandSpectra
 from rolamento.vibration.diagnosis.hypotheses import hypotheses_of
-from rolamento.vibration.diagnosis.masks import fault_places, filled, lines_about, shaft_places
+from rolamento.vibration.diagnosis.masks import (
+    fault_places,
+    filled,
+    lines_about,
+    lines_connected,
+    shaft_places,
+)
 from rolamento.vibration.diagnosis.orders import Component, FaultOrders
 from rolamento.vibration.diagnosis.search import Finding, Scores, search
 from rolamento.vibration.diagnosis.settings import DiagnosisSettings
@@ -99,6 +105,7 @@ def field_of(spectra: BandSpectra, orders: FaultOrders, settings: DiagnosisSetti
     places = shaft_places((1.0, *orders.known), spectra.turns, lines, uncertainty)
     plain_level = mean_over_median(spectra.blocks) * running_medians(spectra.plain)
     left_out = lines_about(spectra.plain, plain_level, places)
+    left_out |= lines_connected(spectra.spreads, places, spectra.turns, lines)
     medians = running_medians(filled(spectra.power, left_out))
     frequency = np.arange(lines) * (spectra.shaft_frequency / spectra.turns)
     widths = np.array([high - low for low, high in spectra.bands])

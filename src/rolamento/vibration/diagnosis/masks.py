@@ -10,6 +10,7 @@ from math import ceil, sqrt
 from typing import Final, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy import special
 
 from rolamento.numerics import BoolArray, FloatArray
@@ -17,7 +18,7 @@ from rolamento.vibration.diagnosis.leakage import envelope_leakage, reach
 from rolamento.vibration.diagnosis.orders import Component, FaultOrders
 from rolamento.vibration.diagnosis.search import Finding
 
-__all__ = ["Place", "fault_places", "filled", "lines_about", "shaft_places"]
+__all__ = ["Place", "fault_places", "filled", "lines_about", "lines_connected", "shaft_places"]
 
 _SIDEBANDS: Final = 6
 _OF_SHAFT: Final = 3
@@ -27,6 +28,8 @@ _SPREAD_TO: Final = 0.3
 
 
 _MULTIPLES: Final = 6
+_CONNECTED: Final = 3.0
+"""Orders between which a modulation carries noise; farther, less than a hundredth of it."""
 
 
 class Place(NamedTuple):
@@ -50,6 +53,43 @@ def shaft_places(
         for order in regular
         for number in range(1, int(lines / (order * turns)) + 1)
     ]
+
+
+def lines_connected(
+    spreads: NDArray[np.int64], places: Sequence[Place], turns: float, lines: int
+) -> BoolArray:
+    """Lines whose noise the division by the regular part made depend on that of others.
+
+    About each place as far as the regular part reached about any other from which the modulation
+    leads there, which falls off with the distance in orders.
+
+    Parameters
+    ----------
+    spreads
+        (bands, 1 + places), lines on either side of 0 and of each place that were taken for
+        regular; -1 for none.
+    places
+        Of the shaft and what else turns.
+    turns
+        Lines per order.
+    lines
+        Of the spectra.
+
+    Returns
+    -------
+    (bands, lines).
+    """
+    found = np.zeros((len(spreads), lines), dtype=np.bool_)
+    centres = np.array([0.0, *(place.line for place in places)])
+    regular = np.any(spreads[:, 1:] >= 0, axis=1)
+    for number, place in enumerate(places, 1):
+        near = np.abs(centres - centres[number]) <= _CONNECTED * turns + 1.0
+        reached = np.max(spreads[:, near], axis=1)
+        for band in np.flatnonzero(regular & (reached >= 0)):
+            reach_here = float(reached[band]) + place.within
+            first = max(0, ceil(place.line - reach_here))
+            found[band, first : int(place.line + reach_here) + 1] = True
+    return found
 
 
 def fault_places(

@@ -10,13 +10,17 @@ fault. Of the lines S about a multiple n of what turns, and W of the taper's squ
                                               above the noise
 
 is the modulation without what the taper makes of it; n = 0 is the slow part.
+
+Those lines carry noise too, and the division takes it to all places that the modulation connects:
+within as many lines of any other multiple, lines then depend on each other and are left out of the
+search (see `masks`).
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from math import ceil, log
-from typing import Final
+from typing import Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,7 +32,7 @@ from rolamento.vibration.diagnosis.masks import Place
 from rolamento.vibration.diagnosis.whitening import even_places
 from rolamento.vibration.order_tracking import interpolated
 
-__all__ = ["fastest_line", "limited", "modulation_powers", "over_angle"]
+__all__ = ["ModulationPowers", "fastest_line", "limited", "modulation_powers", "over_angle"]
 
 ComplexArray = NDArray[np.complex128]
 
@@ -43,6 +47,19 @@ _CHANCE: Final = 0.01
 """That noise has any line which is taken for regular."""
 _SPREAD_TO: Final = 0.3
 """Of the noise: down to there the lines about a regular one are taken with it."""
+
+
+class ModulationPowers(NamedTuple):
+    """Powers of the lines of a squared envelope, and what was divided out of it.
+
+    plain, even: (lines,), as it is and without its regular part, of sums over the steps; spreads:
+    (1 + regular places,), lines on either side of 0 and of each place that were taken for regular,
+    -1 for none.
+    """
+
+    plain: FloatArray
+    even: FloatArray
+    spreads: NDArray[np.int64]
 
 
 def limited(squared: FloatArray) -> FloatArray:
@@ -89,7 +106,7 @@ def over_angle(squared: FloatArray, places: FloatArray | None, lines: int) -> Fl
 
 def modulation_powers(
     envelope: FloatArray, slow: int, regular: Sequence[Place], lines: int
-) -> tuple[FloatArray, FloatArray]:
+) -> ModulationPowers:
     """Powers of the lines of a squared envelope: as it is, and with its regular part divided out.
 
     Parameters
@@ -97,32 +114,31 @@ def modulation_powers(
     envelope
         Over even steps of the shaft's angle.
     slow
-        Lines up to which a modulation is slow.
+        Lines up to which a modulation may be slow.
     regular
         Where lines of what turns are.
     lines
         How many are wanted.
-
-    Returns
-    -------
-    (lines,) each, of sums over the steps.
     """
     steps = len(envelope)
     window = np.square(taper(even_places(steps)))
     spectrum, of_window = np.asarray(fft.rfft(envelope)), np.asarray(fft.rfft(window))
     mean = float(spectrum[0].real / of_window[0].real)
     plain = np.square(np.abs(spectrum - mean * of_window))[:lines]
+    spreads = np.full(1 + len(regular), -1, dtype=np.int64)
     if mean <= 0.0:
-        return plain, plain.copy()
-    level = _part(spectrum, 0, slow, steps) / _base(of_window, slow, steps)
-    for place in regular:
+        return ModulationPowers(plain, plain.copy(), spreads)
+    spreads[0] = min(slow, _slow_spread(plain, slow))
+    level = _part(spectrum, 0, int(spreads[0]), steps) / _base(of_window, int(spreads[0]), steps)
+    for number, place in enumerate(regular, 1):
         spread = _spread(plain, place)
         if spread is not None:
             part = _part(spectrum, round(place.line), spread, steps)
             level += part / _base(of_window, spread, steps)
+            spreads[number] = spread
     even = envelope / np.maximum(level / mean, _LEAST)
     even -= window * (np.sum(even) / np.sum(window))
-    return plain, np.square(np.abs(fft.rfft(even)))[:lines]
+    return ModulationPowers(plain, np.square(np.abs(fft.rfft(even)))[:lines], spreads)
 
 
 def _at_steps(spectrum: ComplexArray, size: int, steps: int) -> FloatArray:
@@ -143,6 +159,19 @@ def _spread(power: FloatArray, place: Place) -> int | None:
     if ratio < log(len(power) / _CHANCE):
         return None
     return reach(envelope_leakage(), ratio / _SPREAD_TO) + int(place.within)
+
+
+def _slow_spread(power: FloatArray, slow: int) -> int:
+    """Lines from zero up to which the modulation rises above the noise; 0 if nowhere."""
+    about = power[slow + 1 : slow + 1 + 2 * _NEIGHBOURS]
+    noise = float(np.median(about)) / log(2.0) if len(about) else 0.0
+    if noise <= 0.0:
+        return slow
+    ratio = power[1 : slow + 1] / noise
+    rises = np.flatnonzero(ratio >= log(len(power) / _CHANCE))
+    if len(rises) == 0:
+        return 0
+    return int(rises[-1]) + 1 + reach(envelope_leakage(), float(ratio[rises[-1]]) / _SPREAD_TO)
 
 
 def _part(spectrum: ComplexArray, centre: int, spread: int, steps: int) -> FloatArray:

@@ -59,32 +59,41 @@ class Scores:
         self._counts = _from_zero(usable.astype(np.int64))
         self._medians = medians
         self._averages = averages
-        self._reach = np.broadcast_to(reaches(np.arange(self.lines)), power.shape)
-        self._rows: dict[int, tuple[FloatArray, BoolArray]] = {}
+        self._rows: dict[int, tuple[FloatArray, BoolArray, BoolArray]] = {}
 
     def about(self, places: PlaceArray, width: int) -> tuple[FloatArray, BoolArray]:
         """Score of what lies within so many lines about each place, and whether any does.
 
         (bands, places) each; 0 and False where all lines are left out.
         """
-        if width not in self._rows:
-            self._rows[width] = self._row(width)
         # the lowest line is never scored: places outside count as it
         inside = np.where((places > 0) & (places < self.lines), places, 0)
-        scores, there = self._rows[width]
+        scores, there, known = self._row(width)
+        highest = int(np.max(inside))
+        asked = np.arange(np.min(inside, where=inside > 0, initial=highest), highest + 1)
+        new = asked[~known[asked]]
+        if len(new) > 0:
+            scores[:, new], there[:, new] = self._scored(new, width)
+            known[new] = True
         return scores[:, inside], there[:, inside]
 
-    def _row(self, width: int) -> tuple[FloatArray, BoolArray]:
-        """Scores of so many lines about every line."""
-        lines = np.arange(self.lines)
+    def _row(self, width: int) -> tuple[FloatArray, BoolArray, BoolArray]:
+        """Scores of so many lines about every line, whether any is there, and which are known."""
+        if width not in self._rows:
+            size = (self.bands, self.lines)
+            rows = np.zeros(size), np.zeros(size, np.bool_), np.zeros(self.lines, np.bool_)
+            self._rows[width] = rows
+        return self._rows[width]
+
+    def _scored(self, lines: PlaceArray, width: int) -> tuple[FloatArray, BoolArray]:
         first = np.clip(lines - (width - 1) // 2, 1, None)
         last = np.clip(lines + width // 2 + 1, None, self.lines)
         counts = self._counts[:, last] - self._counts[:, first]
         means = (self._sums[:, last] - self._sums[:, first]) / np.maximum(counts, 1)
-        scores = mean_scores(means, self._medians, counts, self._reach, self._averages)
+        reach = np.broadcast_to(reaches(lines), counts.shape)
+        scores = mean_scores(means, self._medians[:, lines], counts, reach, self._averages)
         there = ~np.isnan(scores)
-        scores[~there] = 0.0
-        return scores, there
+        return np.where(there, scores, 0.0), there
 
 
 @dataclass(frozen=True, slots=True)

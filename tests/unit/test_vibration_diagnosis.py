@@ -1,0 +1,442 @@
+"""Diagnosis: planted faults are found and named, machines in order are left alone."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from math import isnan, nan, pi
+from typing import Any
+
+import numpy as np
+import pytest
+from benchmarks.healthy_signals import KINDS, healthy
+from scipy import stats
+
+from rolamento import Bearing
+from rolamento.errors import InputError
+from rolamento.vibration.diagnosis import (
+    COMPONENTS,
+    Component,
+    Diagnosis,
+    DiagnosisSettings,
+    FaultOrders,
+    diagnose,
+)
+from rolamento.vibration.fault_lines import FaultFrequencies
+from rolamento.vibration.frequencies import nominal_frequencies
+from rolamento.vibration.signal import Signal
+from rolamento.vibration.synthesis import (
+    Fault,
+    LoadDistribution,
+    Mode,
+    Noise,
+    Recipe,
+    SpeedProfile,
+    SwingingSpeed,
+    synthesise,
+)
+
+SPEED = 188.2
+RATE = 20_000.0
+
+
+@pytest.fixture(scope="module")
+def frequencies() -> FaultFrequencies:
+    return nominal_frequencies(Bearing.named("6205"), SPEED)
+
+
+@pytest.fixture(scope="module")
+def orders(frequencies: FaultFrequencies) -> FaultOrders:
+    return FaultOrders.of(frequencies)
+
+
+def planted(
+    frequencies: FaultFrequencies,
+    *kinds: Component,
+    ratio: float = -15.0,
+    duration: float = 6.0,
+    jitter: float = 0.01,
+    speed: SpeedProfile | None = None,
+    load: LoadDistribution | None = None,
+) -> Signal:
+    return synthesise(
+        Recipe(
+            frequencies=frequencies,
+            speed=speed,
+            duration=duration,
+            rate=RATE,
+            faults=tuple(Fault(kind=kind, jitter=jitter) for kind in kinds),
+            load=LoadDistribution.uniform() if load is None else load,
+            modes=(Mode(4200.0, 0.03),),
+            shaft_harmonics=(3.0, 1.0, 0.5),
+            noise=Noise(ratio=ratio, of="faults"),
+            seed=7,
+        )
+    ).signal
+
+
+def reasons(found: Diagnosis, component: Component) -> set[str]:
+    return {reason.name for reason in found.of(component).reasons}
+
+
+@pytest.mark.parametrize("component", COMPONENTS)
+def test_a_planted_fault_is_found(
+    component: Component, frequencies: FaultFrequencies, orders: FaultOrders
+) -> None:
+    found = diagnose(planted(frequencies, component), orders)
+    assert found.faults == (component,)
+    verdict = found.of(component)
+    nominal = frequencies.of_fault(component).order
+    assert verdict.nominal_order == pytest.approx(nominal)
+    assert verdict.order == pytest.approx(nominal, rel=4e-3)
+    assert verdict.frequency == pytest.approx(nominal * SPEED / (2 * pi), rel=4e-3)
+    assert verdict.probability < 0.01
+    assert verdict.evidence > 2.0
+    assert verdict.band is not None
+    assert verdict.band[0] < 4200.0 < verdict.band[1]
+    assert {"harmonics_above_noise", "band", "improbable_in_noise", "off_nominal"} <= reasons(
+        found, component
+    )
+    assert all(reason.text.endswith(".") for reason in verdict.reasons)
+    assert max(line.above_noise for line in verdict.lines) > 5.0
+    for other in COMPONENTS:
+        if other != component:
+            assert found.of(other).verdict == "nothing_found"
+            assert reasons(found, other) == {"nothing_above_noise"}
+
+
+def test_a_ring_that_turns_through_the_load_has_sidebands(
+    frequencies: FaultFrequencies, orders: FaultOrders
+) -> None:
+    signal = planted(frequencies, "inner_race", load=LoadDistribution.radial(), ratio=-8.0)
+    found = diagnose(signal, orders)
+    assert found.faults == ("inner_race",)
+    sidebands = found.of("inner_race").sidebands
+    assert sidebands
+    assert "sidebands" in reasons(found, "inner_race")
+    for line in sidebands:
+        away = line.order - line.multiple * found.of("inner_race").order
+        assert away == pytest.approx(line.sideband, abs=0.02)
+
+
+def test_slip_within_the_tolerance_is_followed(
+    frequencies: FaultFrequencies, orders: FaultOrders
+) -> None:
+    off = nominal_frequencies(Bearing.named("6205"), SPEED, slip=0.015)
+    found = diagnose(planted(off, "outer_race"), orders)
+    assert found.faults == ("outer_race",)
+    assert found.of("outer_race").deviation == pytest.approx(-0.015, abs=2e-3)
+    tight = DiagnosisSettings(tolerance=0.005)
+    assert diagnose(planted(off, "outer_race"), orders, tight).faults == ()
+
+
+def test_two_faults_of_one_cage(frequencies: FaultFrequencies, orders: FaultOrders) -> None:
+    found = diagnose(planted(frequencies, "outer_race", "inner_race", ratio=-5.0), orders)
+    assert set(found.faults) == {"outer_race", "inner_race"}
+    assert "cage_agrees" in reasons(found, "outer_race")
+    mixed = planted(frequencies, "outer_race", ratio=-5.0).samples
+    off = nominal_frequencies(Bearing.named("6205"), SPEED, slip=0.018)
+    mixed = mixed + planted(off, "inner_race", ratio=-5.0).samples
+    found = diagnose(Signal(mixed, RATE, speed=SPEED), orders)
+    assert set(found.faults) == {"outer_race", "inner_race"}
+    assert "cage_disagrees" in reasons(found, "inner_race")
+
+
+def test_speed_that_swings_by_a_third(frequencies: FaultFrequencies, orders: FaultOrders) -> None:
+    signal = planted(frequencies, "outer_race", speed=SwingingSpeed(SPEED, 0.3, 0.3))
+    found = diagnose(signal, orders)
+    assert found.faults == ("outer_race",)
+    assert found.of("outer_race").deviation == pytest.approx(0.0, abs=3e-3)
+    steady = Signal(signal.samples, signal.rate, speed=signal.mean_speed)
+    assert diagnose(steady, orders).faults == ()
+
+
+def test_a_fault_that_hardly_slips(frequencies: FaultFrequencies, orders: FaultOrders) -> None:
+    """Its lines are as discrete as a gear's, but a full comb of the fault's order."""
+    found = diagnose(planted(frequencies, "outer_race", jitter=0.0, ratio=-3.0), orders)
+    assert found.faults == ("outer_race",)
+
+
+def gear(order: float, seed: int, teeth: int = 31) -> Signal:
+    """Meshing tones of a shaft that turns at an order, with sidebands, in noise."""
+    time = np.arange(int(6 * RATE)) / RATE
+    angle = SPEED * order * time
+    tones = sum(
+        (1.0 + 0.8 * np.cos(angle)) * np.sin(n * teeth * angle + n) / n for n in range(1, 6)
+    )
+    noise = np.random.default_rng(seed).normal(size=len(time))
+    return Signal(noise + 10.0 * tones, RATE, speed=SPEED)
+
+
+def test_a_gear_is_no_bearing(orders: FaultOrders) -> None:
+    """Its shaft turns so that every seventh line of its envelope is at the outer race's order."""
+    assert orders.outer_race is not None
+    signal = gear(orders.outer_race / 7.0, 1)
+    assert diagnose(signal, orders).faults == ()
+    kept = diagnose(signal, orders, DiagnosisSettings(remove_tones=False, false_alarm=0.1))
+    assert kept.of("outer_race").evidence >= 0.0
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_machines_in_order_keep_the_false_alarm_rate(kind: str) -> None:
+    """At 10 %: at most as many of 12 signals as that rate gives in all but one of 1000 tests.
+
+    `python -m benchmarks.diagnosis_rates` tries a thousand.
+    """
+    allowed = DiagnosisSettings(false_alarm=0.1)
+    wrong = 0
+    for seed in range(12):
+        signal, orders = healthy(kind, 1.5, 10_000 + seed)
+        wrong += bool(diagnose(signal, orders, allowed).faults)
+    assert wrong <= stats.binom(12, 0.1).isf(1e-3)
+
+
+def test_nothing_found_is_a_verdict(orders: FaultOrders) -> None:
+    noise = np.random.default_rng(3).normal(size=100_000)
+    found = diagnose(Signal(noise, RATE, speed=SPEED), orders)
+    assert found.faults == ()
+    assert [part.verdict for part in found.components] == ["nothing_found"] * 4
+    for part in found.components:
+        assert isnan(part.order)
+        assert part.band is None
+        assert 0.01 < part.probability <= 1.0
+    assert found.trials > 1000
+    assert found.revolutions == pytest.approx(5.0 * SPEED / (2 * pi), rel=3e-3)
+    assert found.spectra.above_noise.shape == (len(found.spectra.bands), len(found.spectra.order))
+    mean = np.nanmean(found.spectra.above_noise)
+    assert mean == pytest.approx(1.0, abs=0.1)
+
+
+def test_pieces_are_diagnosed_as_the_whole(
+    frequencies: FaultFrequencies, orders: FaultOrders
+) -> None:
+    """Blocks of 50 revolutions, the last one incomplete, in pieces of odd lengths."""
+    settings = DiagnosisSettings(block_revolutions=50.0)
+    whole = planted(frequencies, "outer_race")
+    cuts = [0, 7, 30_001, 30_002, 80_000, len(whole.samples)]
+    pieces = [Signal(whole.samples[a:b], RATE, speed=SPEED) for a, b in pairwise(cuts)]
+    found = diagnose(iter(pieces), orders, settings)
+    assert found.blocks == 3
+    assert found.faults == ("outer_race",)
+    again = diagnose([whole], orders, settings).of("outer_race")
+    once = found.of("outer_race")
+    assert again.order == pytest.approx(once.order, rel=1e-12)
+    assert again.evidence == pytest.approx(once.evidence, rel=1e-9)
+    assert again.reasons == once.reasons
+
+
+def test_pieces_with_a_changing_speed(frequencies: FaultFrequencies, orders: FaultOrders) -> None:
+    whole = planted(frequencies, "outer_race", speed=SwingingSpeed(SPEED, 0.1, 0.3))
+    assert whole.speed is not None
+    pieces = [
+        Signal(whole.samples[a : a + 25_000], RATE, speed=whole.speed[a : a + 25_000])
+        for a in range(0, len(whole.samples), 25_000)
+    ]
+    settings = DiagnosisSettings(block_revolutions=60.0)
+    found = diagnose(pieces, orders, settings)
+    turns = float(np.sum(whole.speed)) / (2 * pi * RATE)
+    assert found.blocks == int(turns / 60.0)
+    assert found.faults == ("outer_race",)
+    assert found.of("outer_race").deviation == pytest.approx(0.0, abs=3e-3)
+
+
+def test_averaging_many_blocks_finds_weaker_faults(
+    frequencies: FaultFrequencies, orders: FaultOrders
+) -> None:
+    weak = [
+        planted(frequencies, "outer_race", ratio=-24.0, duration=duration)
+        for duration in (3.0, 40.0)
+    ]
+    short, long = (diagnose(s, orders, DiagnosisSettings(block_revolutions=80.0)) for s in weak)
+    assert short.faults == ()
+    assert long.blocks == 15
+    assert long.faults == ("outer_race",)
+
+
+def test_what_is_known_to_turn_is_left_out(
+    frequencies: FaultFrequencies, orders: FaultOrders
+) -> None:
+    known = FaultOrders(outer_race=orders.outer_race, known=(orders.outer_race or nan,))
+    found = diagnose(planted(frequencies, "outer_race"), known, DiagnosisSettings(tolerance=0.0))
+    assert found.of("outer_race").verdict == "not_tested"
+    assert reasons(found, "outer_race") == {"hidden"}
+    assert reasons(found, "ball") == {"no_order"}
+
+
+def test_what_cannot_be_tested_says_why() -> None:
+    noise = Signal(np.random.default_rng(4).normal(size=4000), RATE, speed=SPEED)
+    found = diagnose(noise, FaultOrders(outer_race=3.58, cage=0.4))
+    assert reasons(found, "cage") == {"record_too_short"}
+    assert "few_revolutions" in {note.name for note in found.notes}
+    slow = Signal(np.random.default_rng(5).normal(size=40_000), 200.0, speed=SPEED)
+    found = diagnose(slow, FaultOrders(outer_race=3.58, cage=0.4))
+    assert reasons(found, "outer_race") == {"rate_too_low"}
+    assert "one_band" in {note.name for note in found.notes}
+
+
+def test_silence_and_steps_tell_nothing(orders: FaultOrders) -> None:
+    for samples in (np.zeros(50_000), np.r_[np.zeros(25_000), np.ones(25_000)]):
+        found = diagnose(Signal(samples, RATE, speed=SPEED), orders)
+        assert [part.verdict for part in found.components] == ["not_tested"] * 4
+        assert all(reasons(found, part) == {"no_change"} for part in COMPONENTS)
+        assert found.unexplained == ()
+
+
+def test_stretches_without_change_are_left_out(
+    frequencies: FaultFrequencies, orders: FaultOrders
+) -> None:
+    """A sensor that hangs for a while: the rest of the record still tells."""
+    signal = planted(frequencies, "outer_race", duration=9.0)
+    samples = signal.samples.copy()
+    samples[60_000:120_000] = samples[60_000]
+    pieces = [Signal(samples[a : a + 60_000], RATE, speed=SPEED) for a in (0, 60_000, 120_000)]
+    found = diagnose(pieces, orders, DiagnosisSettings(block_revolutions=89.0))
+    assert found.blocks == 2
+    assert found.faults == ("outer_race",)
+    assert "still_blocks" in {note.name for note in found.notes}
+
+
+@pytest.mark.parametrize("rpm", [1500, 1650, 1740, 1900, 2100])
+def test_a_wrong_speed_is_seen(rpm: int, frequencies: FaultFrequencies) -> None:
+    """No part is blamed; the line that nothing explains tells whose it is at which speed."""
+    signal = planted(frequencies, "outer_race", ratio=-8.0)
+    orders = FaultOrders.of(frequencies)
+    found = diagnose(Signal(signal.samples, RATE, speed=rpm * pi / 30.0), orders)
+    assert found.faults == ()
+    assert "unexplained_lines" in {note.name for note in found.notes}
+    speeds = dict(found.unexplained[0].shaft_frequencies)
+    assert 60.0 * speeds["outer_race"] == pytest.approx(SPEED * 30.0 / pi, rel=5e-3)
+    assert found.unexplained[0].probability < 0.01
+    assert found.unexplained[0].above_noise > 15.0
+
+
+def test_a_part_that_only_a_wrong_speed_brings_near_is_doubted(
+    frequencies: FaultFrequencies, orders: FaultOrders
+) -> None:
+    """At 4/3 of the speed twice the outer race's order is near the inner's: half of it is not."""
+    signal = planted(frequencies, "outer_race", ratio=-8.0)
+    found = diagnose(Signal(signal.samples, RATE, speed=SPEED * 4.0 / 3.0), orders)
+    assert found.faults == ("inner_race",)
+    half = 0.5 * found.of("inner_race").order
+    assert found.unexplained[0].order == pytest.approx(half, rel=5e-3)
+
+
+@pytest.mark.parametrize("component", COMPONENTS)
+def test_strong_damage_leaves_nothing_unexplained(
+    component: Component, frequencies: FaultFrequencies, orders: FaultOrders
+) -> None:
+    signal = planted(frequencies, component, load=LoadDistribution.radial(), ratio=5.0)
+    found = diagnose(signal, orders)
+    assert component in found.faults
+    assert found.unexplained == ()
+
+
+def test_slip_beyond_what_is_allowed_is_told_at_the_edge(orders: FaultOrders) -> None:
+    """The hump of strong damage reaches into what is allowed; its middle is beyond."""
+    off = nominal_frequencies(Bearing.named("6205"), SPEED, slip=-0.025)
+    found = diagnose(planted(off, "outer_race", ratio=5.0, jitter=0.03), orders)
+    verdict = found.of("outer_race")
+    assert verdict.deviation <= 0.02
+    assert verdict.verdict == "nothing_found" or "at_edge" in reasons(found, "outer_race")
+    assert found.unexplained
+
+
+def test_a_damaged_ball_is_not_taken_for_its_cage(
+    frequencies: FaultFrequencies, orders: FaultOrders
+) -> None:
+    """A ball goes through the load once in a turn of the cage, and marks the cage's lines."""
+    signal = planted(frequencies, "ball", load=LoadDistribution.radial(), ratio=-14.0)
+    found = diagnose(signal, orders)
+    assert found.faults == ("ball",)
+    assert found.of("cage").verdict == "nothing_found"
+
+
+def test_a_cage_beside_a_damaged_ball_is_not_told(
+    frequencies: FaultFrequencies, orders: FaultOrders
+) -> None:
+    """Its lines may all be the ball's, and the reason says so."""
+    both = planted(frequencies, "ball", "cage", ratio=-5.0)
+    found = diagnose(both, orders)
+    assert found.faults == ("ball",)
+    assert reasons(found, "cage") == {"carries_the_ball"}
+
+
+def test_a_few_great_shocks_are_nothing(orders: FaultOrders) -> None:
+    random = np.random.default_rng(6)
+    samples = random.normal(size=100_000)
+    samples[random.integers(0, 100_000, 5)] = 1e4
+    assert diagnose(Signal(samples, RATE, speed=SPEED), orders).faults == ()
+
+
+@pytest.mark.parametrize(
+    ("wrong", "field"),
+    [
+        ({}, "orders"),
+        ({"outer_race": 0.0}, "outer_race"),
+        ({"cage": float("nan")}, "cage"),
+        ({"ball": "two"}, "ball"),
+        ({"cage": 0.4, "inner_spacing": -1.0}, "inner_spacing"),
+        ({"cage": 0.4, "known": (0.0,)}, "known"),
+        ({"cage": 0.4, "known": (0.5,) * 50}, "known"),
+    ],
+)
+def test_orders_that_are_refused(wrong: dict[str, Any], field: str) -> None:
+    with pytest.raises(InputError) as caught:
+        FaultOrders(**wrong)
+    assert caught.value.field == field
+
+
+@pytest.mark.parametrize(
+    ("name", "value"),
+    [
+        ("false_alarm", 0.0),
+        ("false_alarm", 0.9),
+        ("tolerance", -0.1),
+        ("tolerance", 0.5),
+        ("speed_uncertainty", 1.0),
+        ("block_revolutions", 5.0),
+        ("remove_tones", "yes"),
+    ],
+)
+def test_settings_that_are_refused(name: str, value: Any) -> None:
+    with pytest.raises(InputError) as caught:
+        DiagnosisSettings(**{name: value})
+    assert caught.value.field == name
+
+
+def test_signals_that_are_refused(orders: FaultOrders) -> None:
+    noise = np.random.default_rng(7).normal(size=20_000)
+    with pytest.raises(InputError) as caught:
+        diagnose(Signal(noise, RATE), orders)
+    assert caught.value.field == "speed"
+    with pytest.raises(InputError, match="no samples"):
+        diagnose([], orders)
+    pieces = [Signal(noise, RATE, speed=SPEED), Signal(noise, 2 * RATE, speed=SPEED)]
+    with pytest.raises(InputError, match="same rate"):
+        diagnose(pieces, orders)
+    with pytest.raises(InputError, match="FaultOrders"):
+        diagnose(Signal(noise, RATE, speed=SPEED), {"outer_race": 3.58})  # type: ignore[arg-type]
+
+
+def test_orders_of_frequencies() -> None:
+    found = FaultOrders.from_frequencies(30.0, outer_race=107.4, cage=12.0)
+    assert (found.outer_race, found.cage, found.ball) == (pytest.approx(3.58), 0.4, None)
+    assert found.fundamental("inner_race") is None
+
+
+def test_orders_of_a_bearing(frequencies: FaultFrequencies, orders: FaultOrders) -> None:
+    assert orders.outer_race == frequencies.ball_pass_outer.order
+    assert orders.fundamental("ball") == pytest.approx(frequencies.ball_spin_twice.order)
+    assert orders.spacing("inner_race") == 1.0
+    assert orders.spacing("outer_race") == 0.0
+    assert orders.spacing("ball") == orders.cage
+    turning = FaultOrders.of(nominal_frequencies(Bearing.named("6205"), 0.0, SPEED))
+    assert turning.outer_spacing == 1.0
+    assert turning.inner_spacing == 0.0
+
+
+def test_what_one_race_gains_the_other_loses(orders: FaultOrders) -> None:
+    """Orders of both races add up to the number of balls."""
+    assert orders.outer_race is not None
+    assert orders.inner_race is not None
+    gained = orders.outer_race * orders.tolerance("outer_race", 0.02)
+    assert orders.inner_race * orders.tolerance("inner_race", 0.02) == pytest.approx(gained)
