@@ -357,7 +357,8 @@ def test_a_cage_beside_a_damaged_ball_is_not_told(
     both = planted(frequencies, "ball", "cage", ratio=-5.0)
     found = diagnose(both, orders)
     assert found.faults == ("ball",)
-    assert reasons(found, "cage") == {"carries_the_ball"}
+    assert found.of("cage").verdict != "fault"
+    assert reasons(found, "cage") <= {"carries_the_ball", "hidden"}
 
 
 def test_a_few_great_shocks_are_nothing(orders: FaultOrders) -> None:
