@@ -101,7 +101,7 @@ def test_a_planted_fault_is_found(
     for other in COMPONENTS:
         if other != component:
             assert found.of(other).verdict == "nothing_found"
-            assert reasons(found, other) == {"nothing_above_noise"}
+            assert reasons(found, other) <= {"nothing_above_noise", "carries_the_ball"}
 
 
 def test_a_ring_that_turns_through_the_load_has_sidebands(
@@ -357,8 +357,7 @@ def test_a_cage_beside_a_damaged_ball_is_not_told(
     both = planted(frequencies, "ball", "cage", ratio=-5.0)
     found = diagnose(both, orders)
     assert found.faults == ("ball",)
-    assert found.of("cage").verdict != "fault"
-    assert reasons(found, "cage") <= {"carries_the_ball", "hidden"}
+    assert reasons(found, "cage") == {"carries_the_ball"}
 
 
 def test_a_few_great_shocks_are_nothing(orders: FaultOrders) -> None:

@@ -32,28 +32,17 @@ _DOUBT: Final = 0.003
 
 def judge(spectra: BandSpectra, orders: FaultOrders, settings: DiagnosisSettings) -> Diagnosis:
     """Judge a bearing by its squared-envelope spectra."""
-    field = whole = field_of(spectra, orders, settings)
-    findings = field.findings(COMPONENTS)
+    whole = field_of(spectra, orders, settings)
+    findings = whole.findings(COMPONENTS)
     trials = sum(finding.trials for finding in findings.values() if finding)
     per_band = {part: np.array(f.per_band) for part, f in findings.items() if f}
-    verdicts: dict[Component, ComponentVerdict] = {}
-    left = list(COMPONENTS)
-    found: dict[Component, Finding] = {}
-    while left:
-        clearest = max(left, key=lambda part: f.evidence if (f := findings[part]) else -1.0)
-        best = findings[clearest]
-        if best is None or chance(best.evidence, trials)[0] > settings.false_alarm:
-            break
-        found[clearest] = best
-        verdicts[clearest] = describe.fault(clearest, best, whole, trials)
-        left.remove(clearest)
-        field = field.without(clearest, best)
-        findings = field.findings(left)
-    for part in left:
-        verdicts[part] = describe.no_fault(part, findings[part], field, trials)
-    if {"ball", "cage"} <= found.keys():
+    found, field, others = _found(whole, findings, trials)
+    verdicts = {part: describe.fault(part, best, whole, trials) for part, best in found.items()}
+    for part, finding in others.items():
+        verdicts[part] = describe.no_fault(part, finding, field, trials)
+    if "ball" in found and _is_clear(findings["cage"], trials, settings):
         of_cage = whole.without("ball", found["ball"]).findings(["cage"])["cage"]
-        if of_cage is None or chance(of_cage.evidence, trials)[0] > settings.false_alarm:
+        if not _is_clear(of_cage, trials, settings):
             verdicts["cage"] = describe.no_fault("cage", of_cage, whole, trials, of_ball=True)
     verdicts = _with_cage_agreement(verdicts, orders)
     unexplained = unexplained_lines(whole, verdicts.values())
@@ -70,6 +59,26 @@ def judge(spectra: BandSpectra, orders: FaultOrders, settings: DiagnosisSettings
         unexplained=unexplained,
         notes=(*_notes(spectra), *map(wording.unexplained, unexplained[:1])),
     )
+
+
+def _found(
+    field: Field, findings: dict[Component, Finding | None], trials: int
+) -> tuple[dict[Component, Finding], Field, dict[Component, Finding | None]]:
+    """Faults, the clearest first; the field without their lines, and the others' findings in it."""
+    found: dict[Component, Finding] = {}
+    while findings:
+        clearest = max(findings, key=lambda part: f.evidence if (f := findings[part]) else -1.0)
+        best = findings[clearest]
+        if best is None or not _is_clear(best, trials, field.settings):
+            break
+        found[clearest] = best
+        field = field.without(clearest, best)
+        findings = field.findings([part for part in findings if part != clearest])
+    return found, field, findings
+
+
+def _is_clear(finding: Finding | None, trials: int, settings: DiagnosisSettings) -> bool:
+    return finding is not None and chance(finding.evidence, trials)[0] <= settings.false_alarm
 
 
 def _with_cage_agreement(
