@@ -295,6 +295,18 @@ def test_stretches_without_change_are_left_out(
     assert "still_blocks" in {note.name for note in found.notes}
 
 
+def test_a_record_copied_end_to_end_is_named(orders: FaultOrders) -> None:
+    once = np.random.default_rng(8).normal(size=70_001)
+    copied = Signal(np.tile(once, 3), RATE, speed=SPEED)
+    found = diagnose(copied, orders, DiagnosisSettings(block_revolutions=60.0))
+    assert "repeated_data" in {note.name for note in found.notes}
+    assert f"After {70_001 / RATE:.4g} s" in next(
+        note.text for note in found.notes if note.name == "repeated_data"
+    )
+    alone = diagnose(Signal(once, RATE, speed=SPEED), orders)
+    assert "repeated_data" not in {note.name for note in alone.notes}
+
+
 @pytest.mark.parametrize("rpm", [1500, 1650, 1740, 1900, 2100])
 def test_a_wrong_speed_is_seen(rpm: int, frequencies: FaultFrequencies) -> None:
     """No part is blamed; the line that nothing explains tells whose it is at which speed."""

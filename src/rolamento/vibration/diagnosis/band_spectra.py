@@ -33,6 +33,7 @@ from rolamento.vibration.diagnosis.modulation import (
     over_angle,
 )
 from rolamento.vibration.diagnosis.tones import Comb
+from rolamento.vibration.diagnosis.watch import Watch
 from rolamento.vibration.diagnosis.whitening import whitened
 from rolamento.vibration.noise_floor import HALF_WIDTH
 
@@ -104,6 +105,8 @@ class BandSpectra:
         whether the speed was given as one number
     slow_order
         up to which the modulation is divided out
+    repeats_after
+        samples after which the record begins anew, one by one the same; None if it does not
     """
 
     plain: FloatArray
@@ -117,6 +120,7 @@ class BandSpectra:
     rate: float
     steady: bool
     slow_order: float
+    repeats_after: int | None
 
     @property
     def shaft_frequency(self) -> float:
@@ -132,49 +136,74 @@ def band_spectra(blocks: Iterable[Block], plan: Plan) -> BandSpectra:
     InputError
         If there are no blocks.
     """
-    sums: FloatArray | None = None
-    bands: tuple[Band, ...] = ()
-    number = samples = still = length = 0
-    turns = rate = 0.0
-    steady = True
-    spreads = np.zeros((0, 0), dtype=np.int64)
+    watch = Watch()
+    sums: _Sums | None = None
+    length = 0
     for block in blocks:
-        if sums is None:
-            turns, rate, steady = block.turns, block.rate, block.places is None
-            bands = _bands(rate, plan.highest_order * turns * rate / len(block.samples))
-            lines = ceil(plan.highest_order * turns) + 1 + HALF_WIDTH
-            sums = np.zeros((2, len(bands), lines))
-            regular = shaft_places(plan.regular, turns, lines, plan.uncertainty(steady=steady))
-            spreads = np.full((len(bands), 1 + len(regular)), -1, dtype=np.int64)
+        sums = _Sums(block, plan) if sums is None else sums
         length = len(block.samples)
-        if _still(block.samples):
-            still += 1
-            continue
-        _add_block(sums, spreads, block, bands, plan)
-        number += 1
-        samples += length
+        if watch.usable(block.samples):
+            sums.add(block)
     if sums is None:
         raise InputError("holds no samples", field="signal")
-    sums /= max(1, number)
-    number, samples = (number, samples) if number else (1, length)
+    number, samples = (sums.number, sums.samples) if sums.number else (1, length)
     return BandSpectra(
-        plain=sums[0],
-        power=sums[1],
-        spreads=spreads,
-        bands=bands,
-        turns=turns,
+        plain=sums.powers[0] / number,
+        power=sums.powers[1] / number,
+        spreads=sums.spreads,
+        bands=sums.bands,
+        turns=sums.turns,
         blocks=number,
-        still=still,
+        still=watch.still,
         samples=samples,
-        rate=rate,
-        steady=steady,
+        rate=sums.rate,
+        steady=sums.steady,
         slow_order=plan.slow_order,
+        repeats_after=watch.repeats_after,
     )
 
 
-def _still(samples: FloatArray) -> bool:
-    """Whether most samples only repeat the one before: silence, steps, a sensor that hangs."""
-    return 2 * int(np.count_nonzero(np.diff(samples))) < len(samples) - 1
+class _Sums:
+    """Sums over blocks that are all like the first."""
+
+    def __init__(self, first: Block, plan: Plan) -> None:
+        turns, rate = first.turns, first.rate
+        lines = ceil(plan.highest_order * turns) + 1 + HALF_WIDTH
+        self.turns, self.rate, self.steady = turns, rate, first.places is None
+        self.bands = _bands(rate, plan.highest_order * turns * rate / len(first.samples))
+        uncertainty = plan.uncertainty(steady=self.steady)
+        self._combs = [
+            Comb(low * turns, high * turns, spacing * turns, turns, uncertainty)
+            for low, high, spacing in plan.combs
+        ]
+        self._regular = shaft_places(plan.regular, turns, lines, uncertainty)
+        self._slow = max(1, int(plan.slow_order * turns))
+        self._remove_tones = plan.remove_tones
+        self.powers = np.zeros((2, len(self.bands), lines))
+        self.spreads = np.full((len(self.bands), 1 + len(self._regular)), -1, dtype=np.int64)
+        self.number = self.samples = 0
+
+    def add(self, block: Block) -> None:
+        """Add a block's powers, plain and with the regular part divided out."""
+        white = whitened(block, remove_tones=self._remove_tones, combs=self._combs)
+        lines = self.powers.shape[2]
+        per_hertz = len(white) / (0.5 * block.rate)
+        fastest = fastest_line(block.places, lines) + 1
+        for number, (low, high) in enumerate(self.bands):
+            carriers = white[max(1, round(low * per_hertz)) : round(high * per_hertz)]
+            # a squared envelope is twice as wide as its band; only what is looked at must not fold
+            size = fft.next_fast_len(min(2 * len(carriers), len(carriers) + fastest))
+            analytic = np.asarray(fft.ifft(carriers, size))
+            squared = np.square(analytic.real) + np.square(analytic.imag)
+            envelope = over_angle(limited(squared), block.places, lines)
+            # the sum over products of carriers, however many steps it was taken in
+            scale = float(size) ** 4 / float(len(envelope)) ** 2
+            powers = modulation_powers(envelope, self._slow, self._regular, lines)
+            self.powers[0, number] += powers.plain * scale
+            self.powers[1, number] += powers.even * scale
+            self.spreads[number] = np.maximum(self.spreads[number], powers.spreads)
+        self.number += 1
+        self.samples += len(block.samples)
 
 
 def _bands(rate: float, highest: float) -> tuple[Band, ...]:
@@ -182,38 +211,3 @@ def _bands(rate: float, highest: float) -> tuple[Band, ...]:
     half = 0.5 * rate
     divisions = [d for d in _DIVISIONS if d == 1 or half / d >= _BANDWIDTH * highest]
     return tuple((half * i / d, half * (i + 1) / d) for d in divisions for i in range(d))
-
-
-def _add_block(
-    sums: FloatArray,
-    spreads: NDArray[np.int64],
-    block: Block,
-    bands: tuple[Band, ...],
-    plan: Plan,
-) -> None:
-    """Add a block's powers, plain and with the regular part divided out, in place."""
-    turns = block.turns
-    uncertainty = plan.uncertainty(steady=block.places is None)
-    combs = [
-        Comb(low * turns, high * turns, spacing * turns, turns, uncertainty)
-        for low, high, spacing in plan.combs
-    ]
-    white = whitened(block, remove_tones=plan.remove_tones, combs=combs)
-    lines = sums.shape[2]
-    regular = shaft_places(plan.regular, turns, lines, uncertainty)
-    slow = max(1, int(plan.slow_order * turns))
-    per_hertz = len(white) / (0.5 * block.rate)
-    fastest = fastest_line(block.places, lines) + 1
-    for number, (low, high) in enumerate(bands):
-        carriers = white[max(1, round(low * per_hertz)) : round(high * per_hertz)]
-        # a squared envelope is twice as wide as its band; only what is looked at must not fold
-        size = fft.next_fast_len(min(2 * len(carriers), len(carriers) + fastest))
-        analytic = np.asarray(fft.ifft(carriers, size))
-        squared = np.square(analytic.real) + np.square(analytic.imag)
-        envelope = over_angle(limited(squared), block.places, lines)
-        # the sum over products of carriers, however many steps it was taken in
-        scale = float(size) ** 4 / float(len(envelope)) ** 2
-        powers = modulation_powers(envelope, slow, regular, lines)
-        sums[0, number] += powers.plain * scale
-        sums[1, number] += powers.even * scale
-        spreads[number] = np.maximum(spreads[number], powers.spreads)

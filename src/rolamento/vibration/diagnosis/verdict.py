@@ -140,6 +140,15 @@ def _notes(spectra: BandSpectra) -> tuple[Note, ...]:
                 "hardly change and were left out.",
             )
         )
+    if spectra.repeats_after is not None:
+        notes.append(
+            Note(
+                "repeated_data",
+                f"After {spectra.repeats_after / spectra.rate:.4g} s the record begins anew, "
+                "sample by sample the same: copies hold no noise of their own, and the "
+                "probabilities do not hold. Give one copy alone.",
+            )
+        )
     if len(spectra.bands) == 1:
         notes.append(
             Note(
