@@ -197,8 +197,8 @@ _ENGLISH: Final = DiagnosisWords(
         "one_band": "The sampling rate leaves one band for the modulations that are looked for; a"
         " higher one tells where a fault rings.",
         "still_blocks": "Stretches of the record that hardly change were left out; used: {blocks}.",
-        "repeated_data": "The record begins anew, sample by sample the same: copies hold no noise of"
-        " their own, and the probabilities do not hold. Give one copy alone.",
+        "repeated_data": "The record begins anew, sample by sample the same: copies hold no noise"
+        " of their own, and the probabilities do not hold. Give one copy alone.",
         "not_a_certificate": "Nothing found is a verdict about this record: damage too weak for"
         " its noise stays unseen.",
         "weak_lines": "None of the multiples of a part said to be damaged stands out by itself:"
