@@ -4,7 +4,7 @@ Healthy signals (`benchmarks.healthy_signals`) are diagnosed and the verdicts of
 synthetic faults are planted over ratios of fault to noise, slip, load, changes of speed and
 lengths of the record, and those found counted. Takes some hours on one processor; `--quick` a
 minute. `--json FILE` keeps the counts, `--from FILE` starts from them, `--markdown FILE` and
-`--figure FILE` write docs/diagnosis-rates.md and .png.
+`--figure FILE` write docs/diagnosis-rates.md and docs/gallery/plots/diagnosis-rates.png.
 """
 
 from __future__ import annotations
@@ -161,8 +161,9 @@ def markdown(results: dict[str, Any]) -> str:
     lines = [
         "# Rates of the diagnosis",
         "",
-        "Written by `python -m benchmarks.diagnosis_rates`. What the diagnosis does and how:",
-        "[diagnosis](diagnosis.md).",
+        "Written by `python -m benchmarks.diagnosis_rates --markdown docs/diagnosis-rates.md --figure",
+        "docs/gallery/plots/diagnosis-rates.png` (some hours on one processor). What is diagnosed and how:",
+        "[diagnosis](diagnose.md), [theory](theory/vibration-analysis.md#diagnosis).",
         "",
         "## False alarms",
         "",
@@ -257,7 +258,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
             ),
             "seconds": measure_time(),
         }
-    results["figure"] = options.figure.name if options.figure else "diagnosis-rates.png"
+    results["figure"] = _picture(options.figure, options.markdown)
     if options.json is not None:
         options.json.write_text(json.dumps(results), encoding="utf-8")
     if options.figure is not None:
@@ -279,6 +280,14 @@ def _parsed(arguments: Sequence[str] | None) -> argparse.Namespace:
     for name in ("json", "markdown", "figure"):
         parser.add_argument(f"--{name}", type=Path, metavar="FILE")
     return parser.parse_args(arguments)
+
+
+def _picture(figure: Path | None, page: Path | None) -> str:
+    """The picture's place as seen from the page's folder."""
+    if figure is None:
+        return "diagnosis-rates.png"
+    folder = page.parent if page is not None else Path()
+    return Path(os.path.relpath(figure, folder)).as_posix()
 
 
 def _shares(values: Sequence[float]) -> list[str]:
