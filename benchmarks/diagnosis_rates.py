@@ -161,8 +161,9 @@ def markdown(results: dict[str, Any]) -> str:
     lines = [
         "# Rates of the diagnosis",
         "",
-        "Written by `python -m benchmarks.diagnosis_rates --markdown docs/diagnosis-rates.md --figure",
-        "docs/gallery/plots/diagnosis-rates.png` (some hours on one processor). What is diagnosed and how:",
+        "Written by `python -m benchmarks.diagnosis_rates --markdown docs/diagnosis-rates.md",
+        "--figure docs/gallery/plots/diagnosis-rates.png` (some hours on one processor). What is",
+        "diagnosed and how:",
         "[diagnosis](diagnose.md), [theory](theory/vibration-analysis.md#diagnosis).",
         "",
         "## False alarms",

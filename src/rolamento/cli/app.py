@@ -23,6 +23,7 @@ from rolamento.cli.common import (
     words_of,
 )
 from rolamento.cli.diagnose import diagnose
+from rolamento.cli.diagnose_options import DiagnoseCommand
 from rolamento.cli.frequencies import frequencies
 from rolamento.cli.friction import friction
 from rolamento.cli.life import life
@@ -196,8 +197,9 @@ app.command(
     epilog="Examples: frequencies 6205 --speed '1797 rpm'; frequencies case.toml --json.",
 )(frequencies)
 app.command(
-    cls=JsonCommand,
-    epilog="Example: diagnose signal.wav --bearing 6205 --speed '1797 rpm' --plot signal.png.",
+    cls=DiagnoseCommand,
+    epilog="Examples: diagnose signal.wav --bearing 6205 --speed '1797 rpm' --plot signal.png; "
+    "diagnose run.npz --bearing case.toml --speed-channel rpm.",
 )(diagnose)
 app.command(
     epilog="Example: synthesise 6205 --speed '1797 rpm' --fault inner_race --load radial --snr -8"
