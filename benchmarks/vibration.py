@@ -333,5 +333,25 @@ def peak_megabytes() -> float:
     return float(held.split()[1]) / 1e3
 
 
+def main(arguments: list[str]) -> None:
+    """Diagnose a recording for `measure_recording`, or without one measure and print everything."""
+    if arguments:
+        print(json.dumps(diagnose_file(arguments[0])))
+        return
+    for measured in (
+        partial(measure, DURATION, 5),
+        partial(measure_kurtogram, DURATION, 5),
+        partial(measure_synthesis, DURATION, 5),
+        partial(measure_tracking, DURATION, 5),
+        partial(measure_coherence, DURATION, 2, 3),
+        partial(measure_recording, 5.0, 60.0),
+    ):
+        found = measured()
+        for figure in found.figures:
+            print(f"{figure.group}, {figure.name.strip()}: {figure.value:.3g} {figure.unit}")
+        for failure in found.failures:
+            print("Failed:", failure)
+
+
 if __name__ == "__main__":
-    print(json.dumps(diagnose_file(sys.argv[1])))
+    main(sys.argv[1:])
