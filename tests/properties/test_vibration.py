@@ -326,6 +326,27 @@ def test_coherence_of_noise_is_small_and_never_above_one(seed: int, highest: flo
     assert np.max(enhanced.values[1:]) < 0.1
 
 
+@FEWEST
+@given(
+    SEEDS,
+    st.floats(-12.0, 0.0),
+    st.lists(st.tuples(st.floats(1.0, 4999.0), st.floats(-4.0, 4.0)), min_size=1, max_size=5),
+    st.floats(10.0, 2500.0),
+    st.sampled_from([16, 64, 256]),
+)
+def test_coherence_of_anything_stays_below_its_bound(
+    seed: int, level: float, tones: list[tuple[float, float]], highest: float, window: int
+) -> None:
+    """Schwarz's inequality, times what interpolation between lines adds to white noise."""
+    time = np.arange(9000) / RATE
+    samples = 10.0**level * noise(len(time), seed)
+    for frequency, power in tones:
+        samples = samples + 10.0**power * np.sin(2.0 * pi * frequency * time)
+    found = cyclic_coherence(Signal(samples, RATE), highest, window)
+    assert np.all(found.coherence < 1.09)
+    assert np.all(found.coherence >= 0.0)
+
+
 # --- order tracking ------------------------------------------------------------------------------
 
 

@@ -1,21 +1,30 @@
 """Cyclic spectral coherence: at which carriers a signal is modulated, and how fast.
 
-The fast estimator of Antoni, Xin and Hamzaoui, Mechanical Systems and Signal Processing 92 (2017),
-248-277. With X(i, f_k) the transform of the i-th of K windows w (length N_w, each counting time
-from its own middle), each pair of lines p apart gives one scan over the modulation frequency α
+After the fast estimator of Antoni, Xin and Hamzaoui, Mechanical Systems and Signal Processing 92
+(2017), 248-277. With X(i, f_k) the transform of the i-th of K windows w (length N_w, each counting
+time from its own middle), each pair of lines p apart gives one scan over the modulation frequency α
 
     S_p(α, f_k) = DFT_i{ X(i, f_k) X(i, f_k-p)* } / (K f_s ‖w‖²),
 
-good about α = p f_s/N_w, where the window's correlation with itself,
+which of a modulation at α is r_p times the cyclic spectrum: the window's correlation with itself,
 
-    R_w(α) = Σ w² e^(2πjnα/f_s),
+    r_p = R_w(α - p f_s/N_w)/R_w(0),    R_w(α) = Σ w² e^(2πjnα/f_s),
 
-is large; the scans add up to the cyclic spectrum
+large where α is near p f_s/N_w. The published estimator adds the scans up, Σ S_p / Σ r_p. A scan
+far from α counts in full there, though all that it has at α is what leaks: where there are strong
+tones that is much, and the coherence comes out at ten or a thousand. Here each counts by its r_p,
 
-    S(α, f) = R_w(0) Σ_p S_p(α, f) / Σ_p R_w(α - p f_s/N_w).
+    S(α, f) = Σ_p r_p S_p(α, f) / Σ_p r_p²,
 
-Over the powers of both carriers it is the coherence γ, and the mean of |γ|² over the carriers of
-a band is the enhanced envelope spectrum: the share of the band's power that is modulated at α.
+the least-squares fit; in noise it scatters a twentieth more. It is the correlation of X with
+Z = Σ r_p X(i, f_k-p), which stands for the transform at f - α, between lines. The power of that
+carrier is taken from Z as well, over what Z has of white noise of power 1,
+
+    S(f - α) = Σ_pq r_p r_q ⟨X(i, f_k-p) X(i, f_k-q)*⟩ / (f_s ‖w‖² Σ_pq r_p r_q ρ_pq),
+
+ρ_pq = R_w((p - q) f_s/N_w)/R_w(0), so that the coherence γ = S(α, f)/√(S(f) S(f - α)) stays below
+1.09 whatever the signal, by Schwarz's inequality. The mean of |γ|² over the carriers of a band is
+the enhanced envelope spectrum: the share of the band's power that is modulated at α.
 """
 
 from __future__ import annotations
@@ -43,8 +52,10 @@ _MOST_VALUES: Final = 2**26
 _AT_ONCE: Final = 2**16
 """Values that are transformed together: a megabyte, which stays in the processor's cache."""
 _STEPS_PER_WINDOW: Final = 8
-_REACHED: Final = 0.1
-"""Of R_w(0): with less, a scan says more of leakage than of the signal."""
+_LOBE: Final = 3
+"""Lines on either side over which R_w of Hann's window reaches; it is zero there."""
+_ROUNDING: Final = 1e-24
+"""Of the square of the greatest sample: a carrier with less power has none."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -58,7 +69,8 @@ class CyclicCoherence:
     carrier
         (carriers,), f; Hz
     coherence
-        (carriers, modulations), |γ|, from 0 to about 1; 1 at α = 0, 0 where nothing can be told
+        (carriers, modulations), |γ|, from 0 to about 1 and below 1.09; 1 at α = 0, 0 where
+        nothing can be told
     """
 
     modulation: FloatArray
@@ -104,14 +116,16 @@ def cyclic_coherence(signal: Signal, highest: float, window: int = 256) -> Cycli
             value=highest,
         )
     taper = scipy_signal.get_window("hann", window)
-    transform = _short_time(samples - np.mean(samples), taper, step, blocks)
+    centred = samples - np.mean(samples)
+    transform = _short_time(centred, taper, step, blocks)
     size = fft.next_fast_len(blocks)
-    resolution = rate / (size * step)
-    modulation = axis_of(modulations, resolution)
-    cyclic = _cyclic_spectrum(transform, taper, modulation, rate, size)
-    power = np.mean(np.square(np.abs(transform)), axis=1) / (rate * float(np.sum(taper**2)))
-    carrier = axis_of(carriers, rate / window)
-    return CyclicCoherence(modulation, carrier, _coherence(cyclic, power, carrier, modulation))
+    modulation = axis_of(modulations, rate / (size * step))
+    least = _ROUNDING * float(np.max(np.abs(samples))) ** 2 * float(np.sum(np.square(taper)))
+    return CyclicCoherence(
+        modulation,
+        axis_of(carriers, rate / window),
+        _coherence(transform, taper, modulation * (window / rate), size, least),
+    )
 
 
 def enhanced_envelope_spectrum(coherence: CyclicCoherence, band: Band | None = None) -> Spectrum:
@@ -153,33 +167,85 @@ def _short_time(samples: FloatArray, taper: FloatArray, step: int, blocks: int) 
     return transform
 
 
-def _cyclic_spectrum(
-    transform: ComplexArray, taper: FloatArray, modulation: FloatArray, rate: float, size: int
-) -> ComplexArray:
-    """S(α, f) of the module's head; (carriers, modulations).
+def _coherence(
+    transform: ComplexArray, taper: FloatArray, places: FloatArray, size: int, least: float
+) -> FloatArray:
+    """|γ| of the module's head; (carriers, modulations).
 
-    The lowest carriers have fewer lines below them to pair with, and so fewer scans; where those
-    do not reach α, the result is 0.
+    places: of the modulations, counted in lines of the transform (modulations,); size: of the
+    transform over the blocks; least: power of a line below which it is rounding.
     """
-    window, lines = len(taper), len(modulation)
+    reach = _reach(taper, places, min(int(np.ceil(places[-1])) + 1, len(transform) - 1))
+    cross = _correlated(transform, reach, size)
+    found = _power_below(transform, taper, reach, places)
+    squares = np.cumsum(np.square(reach), axis=0)
+    power = np.mean(np.square(np.abs(transform)), axis=1)
+    for line, own in enumerate(power.tolist()):
+        below = found[line]
+        good = (places <= line) & (places > 0.0) & (below > least) & (own > least)
+        scale = squares[min(line, len(squares) - 1)] * np.sqrt(own * np.where(good, below, 1.0))
+        found[line] = np.where(good, np.abs(cross[line]) / np.where(good, scale, 1.0), 0.0)
+    found[:, 0] = 1.0
+    return found
+
+
+def _reach(taper: FloatArray, places: FloatArray, pairs: int) -> FloatArray:
+    """r_p of the module's head, 0 beyond the main lobe; (pairs + 1, modulations)."""
+    found = _window_correlations(taper, places / len(taper), pairs) / float(np.sum(taper**2))
+    away = np.abs(places - np.arange(pairs + 1)[:, np.newaxis])
+    found[away >= _LOBE] = 0.0
+    return found
+
+
+def _correlated(transform: ComplexArray, reach: FloatArray, size: int) -> ComplexArray:
+    """Σ r_p ⟨X(f_k) X(f_k-p)*⟩ at every modulation; (carriers, modulations).
+
+    The lowest carriers have fewer lines below them to pair with, and so fewer scans.
+    """
+    lines = reach.shape[1]
     carriers, blocks = transform.shape
-    pairs = min(int(np.ceil(modulation[-1] * window / rate)) + 1, carriers - 1)
     total = np.zeros((carriers, lines), dtype=np.complex128)
     product = np.zeros((max(1, _AT_ONCE // size), size), dtype=np.complex128)
     for first in range(0, carriers, len(product)):
         last = min(first + len(product), carriers)
-        for apart in range(min(pairs, last - 1) + 1):
+        for apart in range(min(len(reach), last)):
             upper = slice(max(first, apart), last)
             lower = slice(upper.start - apart, last - apart)
             some = product[: last - upper.start]
             np.multiply(transform[upper], np.conj(transform[lower]), out=some[:, :blocks])
-            total[upper] += fft.fft(some, axis=1)[:, :lines]
-    reach = np.cumsum(_window_correlations(taper, modulation / rate, pairs), axis=0)
-    weights = reach[np.minimum(np.arange(carriers), pairs)]
-    reached = weights > _REACHED * float(np.sum(np.square(taper)))
-    np.divide(total, weights * (blocks * rate), out=total, where=reached)
-    total[~reached] = 0.0
+            total[upper] += reach[apart] / blocks * fft.fft(some, axis=1)[:, :lines]
     return total
+
+
+def _power_below(
+    transform: ComplexArray, taper: FloatArray, reach: FloatArray, places: FloatArray
+) -> FloatArray:
+    """Power of the carriers that lie a modulation lower, from Z; (carriers, modulations).
+
+    In the units of ⟨|X|²⟩. The lines that Z is made of are the same for all modulations between
+    two lines of the transform, and their powers and products one matrix.
+    """
+    carriers = len(transform)
+    widest = min(2 * _LOBE, carriers)
+    shared = [
+        np.mean((transform[apart:] * np.conj(transform[: carriers - apart])).real, axis=1)
+        for apart in range(widest)
+    ]
+    of_white = _reach(taper, np.zeros(1), widest)[:, 0]
+    found = np.zeros((carriers, reach.shape[1]))
+    for cell in range(int(places[-1]) + 1):
+        inside = slice(*np.searchsorted(places, (cell, cell + 1)).tolist())
+        near = range(max(0, cell + 1 - _LOBE), min(cell + _LOBE, len(reach) - 1) + 1)
+        both = [(upper, lower) for upper in near for lower in near if upper <= lower]
+        measured, white = np.zeros((2, carriers, len(both)))
+        for column, (upper, lower) in enumerate(both):
+            times = 1.0 if upper == lower else 2.0
+            measured[lower:, column] = times * shared[lower - upper][: carriers - lower]
+            white[lower:, column] = times * of_white[lower - upper]
+        weights = np.stack([reach[upper, inside] * reach[lower, inside] for upper, lower in both])
+        expected = white @ weights
+        np.divide(measured @ weights, expected, out=found[:, inside], where=expected > 0.0)
+    return found
 
 
 def _window_correlations(taper: FloatArray, alpha: FloatArray, pairs: int) -> FloatArray:
@@ -198,17 +264,3 @@ def _window_correlations(taper: FloatArray, alpha: FloatArray, pairs: int) -> Fl
     return np.asarray(
         np.cos(table) @ (weight * np.cos(turned)) + np.sin(table) @ (weight * np.sin(turned))
     ).T
-
-
-def _coherence(
-    cyclic: ComplexArray, power: FloatArray, carrier: FloatArray, modulation: FloatArray
-) -> FloatArray:
-    """|S(α, f)| over √(S(f) S(f - α)); 0 where the lower carrier would be below zero."""
-    found = np.zeros(cyclic.shape)
-    found[:, 0] = 1.0
-    for line, frequency in enumerate(carrier):
-        lower = frequency - modulation
-        both = power[line] * np.interp(lower, carrier, power)
-        good = (lower >= 0.0) & (both > 0.0) & (modulation > 0.0)
-        found[line, good] = np.abs(cyclic[line, good]) / np.sqrt(both[good])
-    return found
