@@ -20,7 +20,10 @@ import rolamento
 from rolamento import equilibrium
 from rolamento.cli import streams
 from rolamento.cli.app import app
+from rolamento.cli.common import Language
 from rolamento.cli.optional_value import with_values
+from rolamento.cli.outputs import check_outputs
+from rolamento.cli.waiting import progress_of, waiting
 
 EXAMPLE = Path(rolamento.__file__).parent / "examples" / "218_combined.toml"
 ENGLISH = {"LC_ALL": "C.UTF-8"}
@@ -298,13 +301,17 @@ def test_a_closed_standard_output_is_wrong_input(
 
 
 @needs_sh
+@pytest.mark.parametrize("body", ["told", "waiting", "progress_of"])
 @pytest.mark.parametrize(
     ("term", "after", "told"), [("xterm", 0, 1), ("dumb", 0, 1), ("xterm", 60, 0)]
 )
-def test_who_waits_at_a_terminal_is_told(term: str, after: float, told: int) -> None:
+def test_who_waits_at_a_terminal_is_told(term: str, after: float, told: int, body: str) -> None:
+    arguments = f"None, 'Solving …', {after}" if body == "waiting" else f"'Solving …', {after}"
     code = (
-        "import time; from rolamento.cli.waiting import told\n"
-        f"with told('Solving …', {after}): time.sleep(0.7)\n"
+        f"import time; from rolamento.cli.waiting import {body}\n"
+        f"with {body}({arguments}) as progress:\n"
+        "    if progress: progress(3, 7)\n"
+        "    time.sleep(0.7)\n"
     )
     ours, theirs = os.openpty()
     environment = {**os.environ, **ENGLISH, "TERM": term}
@@ -314,6 +321,43 @@ def test_who_waits_at_a_terminal_is_told(term: str, after: float, told: int) -> 
     os.close(ours)
     os.close(theirs)
     assert (shown.count("Solving …") >= 1) == told
+    assert ("3/7" in shown) == (body == "progress_of" and term == "xterm" and bool(told))
+
+
+def test_nothing_is_told_where_there_is_no_terminal(capfd: pytest.CaptureFixture[str]) -> None:
+    with waiting(Language.en, "Solving …", 0), progress_of("Drawing …", 0) as progress:
+        progress(1, 2)
+    assert capfd.readouterr() == ("", "")
+
+
+# --- where commands write to ------------------------------------------------
+
+
+def test_outputs_may_not_run_into_each_other(tmp_path: Path) -> None:
+    (tmp_path / "out").write_text("", encoding="utf-8")
+    one, other = str(tmp_path / "out"), str(tmp_path / "." / ".." / tmp_path.name / "out")
+    for second in (one, other):
+        with pytest.raises(rolamento.InputError, match="only one of --json, --csv and --plot"):
+            check_outputs({"--json": one, "--csv": second, "--plot": None})
+    with pytest.raises(rolamento.InputError, match="standard output: only one of --a and --b"):
+        check_outputs({"--a": "-", "--b": "-"})
+
+
+def test_outputs_may_not_be_what_is_read(tmp_path: Path) -> None:
+    path = tmp_path / "signal.wav"
+    path.write_bytes(b"")
+    check_outputs({"--json": str(path)}, None, "6205", "-", str(tmp_path / "absent"))
+    with pytest.raises(rolamento.FileError, match="is the file of the signal itself; choose"):
+        check_outputs(
+            {"--json": str(path)}, "6205", str(path), rule="is the file of the signal itself"
+        )
+
+
+@pytest.mark.parametrize("option", ["--plot", "--contour", "--kurtogram"])
+def test_pictures_have_a_known_ending(option: str) -> None:
+    check_outputs({option: "picture.svg"})
+    with pytest.raises(rolamento.FileError, match=r"\.png"):
+        check_outputs({option: "picture.txt"})
 
 
 # --- demo, version, help ----------------------------------------------------

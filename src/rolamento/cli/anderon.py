@@ -13,11 +13,11 @@ from rolamento.cli.common import (
     JsonOption,
     LanguageOption,
     plain_endings,
-    same_file,
     words_of,
 )
+from rolamento.cli.outputs import check_outputs
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
-from rolamento.errors import FileError, InputError
+from rolamento.errors import InputError
 
 if TYPE_CHECKING:
     from rolamento.report.anderon_result import NoiseResult
@@ -158,17 +158,7 @@ def _check(
     """Refuse outputs that would run into each other or over a signal, and lists without end."""
     if len(signals) > _MOST_SIGNALS:
         raise InputError(f"at most {_MOST_SIGNALS} at once", field="SIGNAL", value=len(signals))
-    given = {option: path for option, path in outputs.items() if path is not None}
-    for option, path in given.items():
-        if list(given.values()).count(path) > 1:
-            where = "standard output" if path == STANDARD_STREAM else path
-            raise InputError(f"only one of {', '.join(outputs)} can go there", source=where)
-        if any(same_file(path, signal) for signal in signals):
-            raise FileError("is the file of a signal itself; choose another name", source=path)
-        if option == "--plot":
-            from rolamento.plots.saving import check_name
-
-            check_name(path)
+    check_outputs(outputs, *signals, rule="is the file of a signal itself")
     if not bearing.strip() or len(bearing) > _LONGEST_NAME or not bearing.isprintable():
         rule = f"must be one line of {_LONGEST_NAME} characters at most"
         raise InputError(rule, source="--bearing", value=bearing, example="--bearing 9")
@@ -191,7 +181,7 @@ def _found(
     """Measure every signal, after all that the options say was understood."""
     from rolamento.cli.anderon_files import Wanted, full_scales_of, hours_of, measured_noise
     from rolamento.cli.diagnose_signal import speed_given, to_number
-    from rolamento.cli.weibull_progress import told
+    from rolamento.cli.waiting import progress_of
     from rolamento.report.anderon_result import NoiseResult
     from rolamento.report.anderon_words import NOISE_WORDS
 
@@ -213,7 +203,7 @@ def _found(
         to_number(said["duration"], "--duration", _TIMES, "--duration '10 s'"),
         speed,
     )
-    with told(NOISE_WORDS[words.code].reading) as progress:
+    with progress_of(NOISE_WORDS[words.code].reading) as progress:
         measured = tuple(
             measured_noise(path, wanted, hour, progress)
             for path, hour in zip(signals, hours, strict=True)

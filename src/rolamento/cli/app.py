@@ -19,7 +19,6 @@ from rolamento.cli.common import (
     LanguageOption,
     SettingsOption,
     plain_endings,
-    same_file,
     words_of,
 )
 from rolamento.cli.diagnose import diagnose
@@ -28,6 +27,7 @@ from rolamento.cli.frequencies import frequencies
 from rolamento.cli.friction import friction
 from rolamento.cli.life import life
 from rolamento.cli.optional_value import JsonCommand
+from rolamento.cli.outputs import check_outputs
 from rolamento.cli.plot import plot
 from rolamento.cli.reproduce import reproduce
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
@@ -37,9 +37,9 @@ from rolamento.cli.tolerance import tolerance
 from rolamento.cli.trend import trend
 from rolamento.cli.turn import turn
 from rolamento.cli.verify import verify
+from rolamento.cli.waiting import waiting
 from rolamento.cli.weibull import weibull
 from rolamento.cli.weibull_plan import app as weibull_plan_app
-from rolamento.errors import FileError, InputError
 
 if TYPE_CHECKING:
     from rolamento.report.language import Words
@@ -103,7 +103,7 @@ def solve(
 ) -> None:
     """Show the internal state of a bearing under its duty."""
     with plain_endings(lang):
-        _check_outputs(case, json, csv)
+        check_outputs({"--json": json, "--csv": csv}, case)
         analysis = _analysed(rolamento.load_case(case, settings or ()), lang)
         _show(analysis, json, csv, lang)
     raise typer.Exit(SOLVED if analysis.state.status.converged else NO_RESULT)
@@ -129,25 +129,11 @@ def demo(
         print_text(demonstration.what_next(words_of(lang)))
 
 
-def _check_outputs(case: str, json: str | None, csv: str | None) -> None:
-    """Refuse outputs that would run into each other or over the case file."""
-    if json is not None and json == csv:
-        where = "standard output" if json == STANDARD_STREAM else json
-        raise InputError("only one of --json and --csv can go there", source=where)
-    for path in (json, csv):
-        if path is not None and same_file(path, case):
-            raise FileError("is the case file itself; choose another name", source=path)
-
-
 def _analysed(case: rolamento.Case, lang: Language | None) -> rolamento.Analysis:
     """Solve a case; whoever waits at a terminal for long is told why."""
     from rolamento.analysis import analyse
 
-    if sys.stderr is None or not sys.stderr.isatty():
-        return analyse(case)
-    from rolamento.cli.waiting import told
-
-    with told(words_of(lang).waiting):
+    with waiting(lang):
         return analyse(case)
 
 

@@ -116,10 +116,6 @@ def diagnose(
     with plain_endings(lang):
         outputs = {"--json": json, "--csv": csv, "--plot": plot, "--kurtogram": kurtogram}
         check_outputs(outputs, signal, bearing, rule="is a file that is read")
-        if kurtogram is not None:
-            from rolamento.plots.saving import check_name
-
-            check_name(kurtogram)
         from rolamento.cli.diagnose_bearing import bearing_of
         from rolamento.cli.diagnose_signal import speed_given, to_number
         from rolamento.cli.diagnose_speed import AskedSpeed
@@ -171,8 +167,7 @@ def _found(asked: _Asked, words: Words, lang: Language | None) -> DiagnosisResul
     from rolamento.cli.diagnose_bearing import searched, sought
     from rolamento.cli.diagnose_signal import part_of, streamed
     from rolamento.cli.diagnose_speed import known_speed
-    from rolamento.cli.waiting import waiting
-    from rolamento.cli.weibull_progress import told
+    from rolamento.cli.waiting import progress_of, waiting
     from rolamento.report.diagnosis import DiagnosisResult
     from rolamento.report.diagnosis_words import DIAGNOSIS_WORDS
     from rolamento.vibration.diagnosis import FaultOrders, diagnose
@@ -180,14 +175,14 @@ def _found(asked: _Asked, words: Words, lang: Language | None) -> DiagnosisResul
     said, given = DIAGNOSIS_WORDS[words.code], asked.bearing
     with _opened(asked) as source:
         part = part_of(source, asked.start, asked.duration)
-        with told(said.tracking) as progress:
+        with progress_of(said.tracking) as progress:
             speed = known_speed(asked.speed, given.speeds, source, part, progress)
         with waiting(lang):
             looked = sought(
                 given, speed.inner, speed.outer, nominal=asked.nominal, angle=asked.angle
             )
         search = searched(looked.frequencies, asked.settings)
-        with told(said.reading) as progress:
+        with progress_of(said.reading) as progress:
             pieces = (source.read(place, min(part.step, part.stop - place)) for place in part)
             held = streamed(
                 pieces, speed.at, lambda done: progress(-(-done // part.step), len(part))

@@ -17,7 +17,7 @@ PlotOption = Annotated[
     str | None,
     typer.Option("--plot", metavar="FILE", help="Draw it: a .png, .svg or .pdf file."),
 ]
-_PICTURES: Final = ("--plot", "--contour")
+_PICTURES: Final = ("--plot", "--contour", "--kurtogram")
 
 
 def check_outputs(
@@ -41,7 +41,7 @@ def check_outputs(
     """
     given = {option: path for option, path in outputs.items() if path is not None}
     for option, path in given.items():
-        if list(given.values()).count(path) > 1:
+        if sum(path == other or same_file(path, other) for other in given.values()) > 1:
             where = "standard output" if path == STANDARD_STREAM else path
             raise InputError(f"only one of {_listed(outputs)} can go there", source=where)
         if any(other is not None and same_file(path, other) for other in read):

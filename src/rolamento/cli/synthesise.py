@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import sys
-from contextlib import AbstractContextManager, nullcontext
 from typing import TYPE_CHECKING, Annotated, Final
 
 import typer
@@ -14,11 +13,11 @@ from rolamento.cli.common import (
     LanguageOption,
     SettingsOption,
     plain_endings,
-    same_file,
     words_of,
 )
+from rolamento.cli.outputs import check_outputs
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
-from rolamento.errors import FileError, InputError
+from rolamento.errors import InputError
 
 if TYPE_CHECKING:
     from rolamento.cli.synthesise_options import Asked
@@ -29,8 +28,6 @@ if TYPE_CHECKING:
 
 __all__ = ["synthesise"]
 
-_PATIENCE: Final = 1.0
-"""Seconds after which a person wants to know."""
 _MOST_IMPACTS: Final = 1_000_000
 """In a file of truth."""
 
@@ -183,6 +180,8 @@ def synthesise(
         from rolamento.cli.field_list import number_of
         from rolamento.cli.synthesise_options import Asked
         from rolamento.cli.synthesise_recipe import given_of
+        from rolamento.cli.waiting import PATIENCE_AT_WORK, waiting
+        from rolamento.report.synthesis_words import SYNTHESIS_WORDS
 
         asked = Asked(
             bearing=bearing,
@@ -208,7 +207,7 @@ def synthesise(
             seed=seed,
         )
         words = words_of(lang)
-        with _told(words):
+        with waiting(lang, SYNTHESIS_WORDS[words.code].making, PATIENCE_AT_WORK):
             given = given_of(asked)
             if given.state is not None and not given.state.status.converged:
                 status = given.state.status
@@ -226,21 +225,7 @@ def _check_outputs(bearing: str, output: str, truth: str | None) -> None:
     from rolamento.cli.signal_files import check_signal_name
 
     check_signal_name(output, 0, 1.0)
-    if truth is not None and (truth == output or same_file(truth, output)):
-        raise InputError("only one of --output and --truth can go there", source=truth)
-    for path in (output, truth):
-        if path is not None and same_file(path, bearing):
-            raise FileError("is the case file itself; choose another name", source=path)
-
-
-def _told(words: Words) -> AbstractContextManager[None]:
-    """Show that a signal is being made, for whoever waits longer than a second."""
-    if sys.stderr is None or not sys.stderr.isatty():
-        return nullcontext()
-    from rolamento.cli.waiting import told
-    from rolamento.report.synthesis_words import SYNTHESIS_WORDS
-
-    return told(SYNTHESIS_WORDS[words.code].making, _PATIENCE)
+    check_outputs({"--output": output, "--truth": truth}, bearing)
 
 
 def _made(asked: Asked, given: Given, output: str, truth: str | None) -> SynthesisResult:

@@ -17,8 +17,8 @@ from rolamento.cli.common import (
     plain_endings,
     words_of,
 )
+from rolamento.cli.outputs import check_outputs
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
-from rolamento.errors import InputError
 
 if TYPE_CHECKING:
     from rolamento.report.language import Words
@@ -52,9 +52,7 @@ def verify(
 ) -> None:
     """Compare the program with every published number known to it; exit code 1 if one fails."""
     with plain_endings(lang):
-        if json is not None and json == markdown:
-            where = "standard output" if json == STANDARD_STREAM else json
-            raise InputError("only one of --json and --markdown can go there", source=where)
+        check_outputs({"--json": json, "--markdown": markdown})
         found = _run(source or (), lang)
         _show(found, json, markdown, lang)
     raise typer.Exit(SOLVED if found.passed else NO_RESULT)
@@ -114,7 +112,3 @@ def _print_report(found: Verification, words: Words) -> None:
     from rolamento.report.verification import verification_report
 
     print_text(verification_report(found, words, Medium.of(sys.stdout)))
-
-
-def _is_option(word: str) -> bool:
-    return word.startswith("-") and word != STANDARD_STREAM

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable
-from contextlib import AbstractContextManager
 from typing import TYPE_CHECKING, Annotated, Final
 
 import typer
@@ -203,10 +201,12 @@ def weibull(
             samples=_enough(test.size) if samples is None else samples,
             seed=seed,
         )
+        from rolamento.cli.waiting import progress_of
         from rolamento.reliability.summary import summarise
+        from rolamento.report.weibull_words import WEIBULL_WORDS
 
         words = words_of(lang)
-        with _told(words) as progress:
+        with progress_of(WEIBULL_WORDS[words.code].working) as progress:
             found = summarise(test, asked, by_group=by_group, progress=progress)
             if plot is not None:
                 _draw_paper(found, plot, words.code)
@@ -219,14 +219,6 @@ def weibull(
 def _enough(size: int) -> int:
     """How many tests to draw: those of many bearings take long, and few of them do."""
     return max(min(_SAMPLES, _MOST_DRAWN // size), _FEWEST_SAMPLES)
-
-
-def _told(words: Words) -> AbstractContextManager[Callable[[int, int], None]]:
-    """Show how far it is, in the language of the page."""
-    from rolamento.cli.weibull_progress import told
-    from rolamento.report.weibull_words import WEIBULL_WORDS
-
-    return told(WEIBULL_WORDS[words.code].working)
 
 
 def _written(data: str | None, example: str | None, path: str, words: Words) -> str:

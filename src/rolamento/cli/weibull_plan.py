@@ -181,12 +181,12 @@ def precision(
             "confidence": confidence, "samples": samples, "seed": seed,
         }  # fmt: skip
         words = words_of(lang)
-        from rolamento.cli.weibull_progress import told
+        from rolamento.cli.waiting import progress_of
         from rolamento.report.medium import Medium
         from rolamento.report.weibull_plan import precision_json, precision_report
         from rolamento.report.weibull_plan_words import PLAN_WORDS
 
-        with told(PLAN_WORDS[words.code].working) as progress:
+        with progress_of(PLAN_WORDS[words.code].working) as progress:
             plans = _plans(ratio, failures, groups, group_size or [], keywords, progress)
         if json is not None:
             put(precision_json(plans, ratio, unit) + "\n", json)
