@@ -12,9 +12,11 @@ from scipy import signal as scipy_signal
 from rolamento.errors import InputError
 from rolamento.vibration.cyclic import cyclic_coherence, enhanced_envelope_spectrum
 from rolamento.vibration.envelope import analytic_signal, envelope, envelope_spectrum
+from rolamento.vibration.indicators import spectral_indicators
 from rolamento.vibration.kurtogram import kurtogram
 from rolamento.vibration.prewhitening import prewhitened
 from rolamento.vibration.signal import Signal
+from rolamento.vibration.spectrum import amplitude_spectrum, averaged_density
 
 RATE = 20_000.0
 COUNT = 40_000
@@ -78,10 +80,41 @@ def test_half_the_sum_of_squares_is_the_variance_of_the_squared_envelope() -> No
     assert 0.5 * np.sum(found.values**2) == pytest.approx(np.var(squared), rel=1e-6)
 
 
-@pytest.mark.parametrize(
-    "band",
-    [(3000.0, 3000.0), (3000.0, 2000.0), (0.0, 10_001.0), (1000.0,), "low", (3000.0, 3001.0)],
-)
+def test_the_line_at_half_the_rate_counts_whole() -> None:
+    """Of e² it is 0: no two lines of a band are that far apart. |·| makes it."""
+    noise = Signal(np.random.default_rng(6).normal(size=100), RATE)
+    assert envelope_spectrum(noise).values[-1] < 1e-12
+    found = envelope_spectrum(noise, kind="plain").values
+    variance = np.var(envelope(noise).samples)
+    assert found[-1] > 0.01
+    assert 0.5 * np.sum(found[:-1] ** 2) + found[-1] ** 2 == pytest.approx(variance, rel=1e-9)
+    assert 0.5 * np.sum(found**2) != pytest.approx(variance, rel=1e-5)
+
+
+def test_band_edges_on_lines() -> None:
+    """Lines 1, 7 and 500 of 580 samples at 10 kHz: rounding puts some of them beyond the edge."""
+    for count in (580, 1001):
+        signal = Signal(np.random.default_rng(12).normal(size=count), 10_000.0)
+        axis = amplitude_spectrum(signal).axis
+        for first in range(1, count // 2 - 3):
+            lines = np.abs(np.fft.fft(analytic_signal(signal, (axis[first], axis[first + 3]))))
+            assert np.flatnonzero(lines > 1e-9).tolist() == list(range(first, first + 4))
+
+
+def test_default_band_of_the_spectral_indicators_holds_half_the_rate() -> None:
+    samples = np.random.default_rng(0).normal(size=580)
+    found = spectral_indicators(Signal(samples, 10_000.0))
+    assert found.rms == pytest.approx(np.sqrt(np.mean(samples**2)), rel=1e-12)
+
+
+BANDS: list[Any] = [
+    (3000.0, 3000.0), (3000.0, 2000.0), (0.0, 10_001.0), (1000.0,), "low", "ab", (3000.0, 3001.0),
+    (1.0, 10**5000), (np.zeros(2), 3000.0), (float("nan"), 3000.0),
+]  # fmt: skip
+NO_NUMBERS: list[Any] = [10**400, -(10**400), 10**5000, np.inf, np.nan, True, "1", None]
+
+
+@pytest.mark.parametrize("band", BANDS, ids=range(len(BANDS)))
 def test_bands_that_are_refused(band: Any) -> None:
     with pytest.raises(InputError) as caught:
         envelope(Signal(modulated(3000.0, 50.0, 0.5), RATE), band)
@@ -156,6 +189,29 @@ def test_picture_of_a_kurtogram() -> None:
     assert np.all(kurtogram(Signal(np.zeros(1000), RATE), 1).picture()[1:] == 0.0)
 
 
+@pytest.mark.parametrize("count", [1000, 1001, 20_000, 33_333])
+@pytest.mark.parametrize("value", [3.3, 0.1, 1e30])
+def test_kurtogram_of_a_constant_is_that_of_silence(value: float, count: int) -> None:
+    """What its mean leaves is rounding, with a kurtosis of 20 and more."""
+    found = kurtogram(Signal(np.full(count, value), RATE))
+    assert all(np.all(level.kurtosis == 0.0) for level in found.levels)
+
+
+@pytest.mark.parametrize("count", [1000, 4096, 20_000])
+def test_kurtogram_of_a_tone_at_half_the_rate(count: int) -> None:
+    found = kurtogram(Signal(np.cos(pi * np.arange(count)), RATE))
+    assert found.levels[0].kurtosis[0] == pytest.approx(-2.0)
+    assert all(np.all(level.kurtosis <= 0.0) for level in found.levels)
+
+
+def test_a_faint_band_still_counts() -> None:
+    noise = np.random.default_rng(13).normal(size=20_000)
+    faint = kurtogram(Signal(1.0 + 1e-10 * noise, RATE), 3)
+    plain = kurtogram(Signal(noise, RATE), 3)
+    for one, other in zip(faint.levels, plain.levels, strict=True):
+        np.testing.assert_allclose(one.kurtosis, other.kurtosis, atol=1e-3)
+
+
 def test_kurtogram_refuses() -> None:
     with pytest.raises(InputError, match="at least 256"):
         kurtogram(Signal(np.ones(100), RATE))
@@ -216,6 +272,14 @@ def test_coherence_of_a_constant_is_none(value: float) -> None:
     """What its mean leaves is rounding, which goes together with itself."""
     found = cyclic_coherence(Signal(np.full(COUNT, value), RATE), 400.0)
     assert np.all(found.coherence[:, 1:] == 0.0)
+
+
+@pytest.mark.parametrize("value", NO_NUMBERS, ids=range(len(NO_NUMBERS)))
+def test_numbers_that_are_none(value: Any) -> None:
+    with pytest.raises(InputError) as caught:
+        averaged_density(Signal(TIME, RATE), value)
+    assert caught.value.field == "resolution"
+    assert "must be a number over 0" in str(caught.value)
 
 
 def test_coherence_refuses() -> None:

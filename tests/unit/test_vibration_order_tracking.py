@@ -61,6 +61,17 @@ def test_too_few_samples_per_revolution_do_not_fold_back() -> None:
     assert np.abs(order_tracked(signal, 64).samples[500:-500]).max() < 0.01
 
 
+@pytest.mark.parametrize("turns", [11.0, 7.3, 0.7, 1.1, 23.0])
+@pytest.mark.parametrize("per_turn", [None, 64])
+def test_a_steady_shaft_is_tracked_by_doing_nothing(turns: float, per_turn: int | None) -> None:
+    """At 11 turns and 704 samples a second, these are 64.00000000000001 samples a turn."""
+    samples = np.random.default_rng(5).normal(size=3000)
+    found = order_tracked(Signal(samples, 64.0 * turns, speed=2.0 * pi * turns), per_turn)
+    assert found.samples_per_revolution == 64.0
+    np.testing.assert_allclose(found.samples, samples[: len(found.samples)], atol=1e-9)
+    assert len(found.samples) >= 2999
+
+
 def test_interpolation_is_as_good_as_it_says() -> None:
     places = np.arange(500, 4500) + 0.5
     for part, error in ((0.1, 1e-5), (0.25, 1 / 450)):

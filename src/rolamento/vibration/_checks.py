@@ -7,7 +7,7 @@ from math import isfinite
 
 import numpy as np
 
-from rolamento.errors import InputError
+from rolamento.errors import InputError, shown
 from rolamento.vibration.signal import Signal
 
 __all__ = ["Band", "checked_band", "checked_count", "checked_number", "require_samples"]
@@ -32,8 +32,7 @@ def checked_number(
     InputError
         If it is not.
     """
-    plain = isinstance(value, int | float | np.integer | np.floating)
-    number = float(value) if plain and not isinstance(value, bool) else float("nan")  # type: ignore[arg-type]
+    number = _as_float(value)
     wrong = (
         not isfinite(number)
         or (above is not None and number <= above)
@@ -68,17 +67,19 @@ def checked_band(band: object, rate: float, field: str = "band") -> Band:
     InputError
         If it does not, or has no width.
     """
-    edges = tuple(band) if isinstance(band, Sequence) else ()
-    good = len(edges) == 2 and all(isinstance(e, int | float | np.floating) for e in edges)
-    if not good or not 0.0 <= edges[0] < edges[1] <= 0.5 * rate:
+    given: tuple[object, ...] = ()
+    if isinstance(band, Sequence) and not isinstance(band, str) and len(band) == 2:
+        given = tuple(band)
+    low, high = map(_as_float, given or (None, None))
+    if not 0.0 <= low < high <= 0.5 * rate:
         raise InputError(
             f"must be a lower and a higher frequency from 0 to half the sampling rate, "
             f"{0.5 * rate:g} Hz",
             field=field,
-            value=str(band),
+            value=f"({', '.join(shown(edge) for edge in given)})" if given else band,
             example=f"{field} = (2000.0, 4000.0)",
         )
-    return float(edges[0]), float(edges[1])
+    return low, high
 
 
 def require_samples(signal: Signal, least: int, purpose: str) -> None:
@@ -95,6 +96,16 @@ def require_samples(signal: Signal, least: int, purpose: str) -> None:
             field="number of samples",
             value=len(signal.samples),
         )
+
+
+def _as_float(value: object) -> float:
+    """Return a plain number; NaN of anything else, and of one that no float holds."""
+    if isinstance(value, bool) or not isinstance(value, int | float | np.integer | np.floating):
+        return float("nan")
+    try:
+        return float(value)
+    except OverflowError:
+        return float("nan")
 
 
 def _rule(above: float | None, least: float | None, most: float | None) -> str:

@@ -23,7 +23,7 @@ from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.vibration._checks import Band, checked_band, require_samples
 from rolamento.vibration.signal import Signal
-from rolamento.vibration.spectrum import Spectrum, axis_of, one_sided_amplitudes
+from rolamento.vibration.spectrum import EDGE, Spectrum, axis_of, one_sided_amplitudes
 
 __all__ = ["analytic_signal", "envelope", "envelope_spectrum"]
 
@@ -43,7 +43,7 @@ def analytic_signal(signal: Signal, band: Band | None = None) -> ComplexArray:
     signal
         At least two samples.
     band
-        Hz; by default all up to half the sampling rate.
+        Hz, with the lines on its edges; by default all up to half the sampling rate.
 
     Returns
     -------
@@ -92,7 +92,9 @@ def envelope_spectrum(
 
     Returns
     -------
-    Spectrum over Hz. Half the sum of the squares of its values is the variance of e² (or e).
+    Spectrum over Hz. Half the sum of the squares of its values is the variance of e² or e. The
+    line at half the rate, which an even number of samples has, counts whole in that: of e² it is
+    0, as no two lines of a band are that far apart, of e it is not.
 
     Raises
     ------
@@ -119,9 +121,9 @@ def envelope_spectrum(
 
 
 def _lines(band: Band, rate: float, count: int) -> tuple[int, int]:
-    """First line in a band and the one after the last, zero frequency left out."""
-    first = max(1, int(np.ceil(band[0] * count / rate)))
-    last = min(count // 2, int(np.floor(band[1] * count / rate))) + 1
+    """First line in a band, edges included, and the one after the last; not zero frequency."""
+    first = max(1, int(np.ceil(band[0] * count / rate - EDGE)))
+    last = min(count // 2, int(np.floor(band[1] * count / rate + EDGE))) + 1
     if last - first < min(_LEAST_LINES, count // 2):
         raise InputError(
             f"holds fewer than {_LEAST_LINES} of the signal's lines, which are "

@@ -44,6 +44,8 @@ Choice = Literal["kurtosis", "significance"]
 FILTER_ORDER: Final = 16
 CUTOFF: Final = 0.2
 """Of the prototype that halves; cycles per sample."""
+_ROUNDING: Final = 1e-24
+"""Of the square of the greatest sample: a band with less power has none."""
 _LEAST_VALUES: Final = 64
 """In a band: with fewer a kurtosis tells nothing."""
 _MOST_LEVELS: Final = 12
@@ -66,7 +68,7 @@ class KurtogramBand:
     level
         log2 of how many bands share half the sampling rate
     kurtosis
-        K, 0 for Gaussian noise
+        K, 0 for Gaussian noise and for a band without power
     significance
         K over its standard deviation in Gaussian noise
     """
@@ -88,7 +90,7 @@ class KurtogramLevel:
     bandwidth
         Hz
     kurtosis
-        (bands,)
+        (bands,); 0 for a band without power
     deviation
         standard deviation of the kurtosis of as many values of Gaussian noise
     """
@@ -170,12 +172,13 @@ def kurtogram(signal: Signal, levels: int | None = None) -> Kurtogram:
         else checked_count(levels, "levels", least=1, most=max(possible, 1), example="levels = 5")
     )
     samples = signal.samples - np.mean(signal.samples)
-    found = [_level(signal.rate, [_Figures.of(samples[np.newaxis])])]
+    least = _ROUNDING * float(np.max(np.abs(signal.samples))) ** 2
+    found = [_level(signal.rate, [_Figures.of(samples[np.newaxis], least)])]
     below: list[_Parts] = [([], []) for _ in range(depth)]
     # of the analytic signal, or noise that wide filters let in from below zero would be squared
     # with its own image, and look impulsive
     whole = analytic_signal(signal)[np.newaxis]
-    _explore(whole, (_bank(2, FILTER_ORDER), _bank(3, 3 * FILTER_ORDER // 2)), below)
+    _explore(whole, (_bank(2, FILTER_ORDER), _bank(3, 3 * FILTER_ORDER // 2)), least, below)
     found += [_level(signal.rate, figures) for parts in below for figures in parts]
     return Kurtogram(signal.rate, tuple(sorted(found, key=lambda level: level.level)))
 
@@ -205,9 +208,9 @@ class _Figures(NamedTuple):
     real: bool
 
     @classmethod
-    def of(cls, bands: Bands) -> _Figures:
+    def of(cls, bands: Bands, least: float) -> _Figures:
         real = not np.iscomplexobj(bands)
-        return cls(_kurtosis(bands, 3.0 if real else 2.0), bands.shape[1], real)
+        return cls(_kurtosis(bands, 3.0 if real else 2.0, least), bands.shape[1], real)
 
 
 _Parts = tuple[list[_Figures], list[_Figures]]
@@ -230,7 +233,9 @@ def _bank(parts: int, order: int) -> _Bank:
     return _Bank(parts, order + 1, matrix.reshape(len(matrix), -1))
 
 
-def _explore(bands: ComplexArray, banks: tuple[_Bank, _Bank], found: list[_Parts]) -> None:
+def _explore(
+    bands: ComplexArray, banks: tuple[_Bank, _Bank], least: float, found: list[_Parts]
+) -> None:
     """Add the figures of all that bands are split in, as many levels down as there are lists.
 
     One band after the other goes all the way down as soon as they are many values: what one level
@@ -240,12 +245,12 @@ def _explore(bands: ComplexArray, banks: tuple[_Bank, _Bank], found: list[_Parts
         return
     if len(bands) > 1 and bands.size > _AT_ONCE:
         for band in bands:
-            _explore(band[np.newaxis], banks, found)
+            _explore(band[np.newaxis], banks, least, found)
         return
     halves, thirds = (_split(bands, bank) for bank in banks)
-    found[0][0].append(_Figures.of(halves))
-    found[0][1].append(_Figures.of(thirds))
-    _explore(halves, banks, found[1:])
+    found[0][0].append(_Figures.of(halves, least))
+    found[0][1].append(_Figures.of(thirds, least))
+    _explore(halves, banks, least, found[1:])
 
 
 def _split(bands: ComplexArray, bank: _Bank) -> ComplexArray:
@@ -288,14 +293,17 @@ def _level(rate: float, figures: list[_Figures]) -> KurtogramLevel:
     )
 
 
-def _kurtosis(bands: Bands, of_noise: float) -> FloatArray:
-    """Kurtosis of each band less that of Gaussian noise; 0 for a band without power."""
+def _kurtosis(bands: Bands, of_noise: float, least: float) -> FloatArray:
+    """Kurtosis of each band less that of Gaussian noise; 0 for a band of no more than some power.
+
+    What rounding leaves in a band is as impulsive as chance has it.
+    """
     centred = bands - np.mean(bands, axis=1, keepdims=True)
     power = np.square(centred.real)
     if np.iscomplexobj(centred):
         power += np.square(centred.imag)
     greatest = np.max(power, axis=1)
-    there = greatest > 0.0
+    there = greatest > least
     power /= np.where(there, greatest, 1.0)[:, np.newaxis]
     mean = np.where(there, np.mean(power, axis=1), 1.0)
     squares = np.einsum("ij,ij->i", power, power) / power.shape[1]

@@ -34,6 +34,8 @@ _SLOWEST: Final = 1e-3
 """Of the fastest: below, the shaft stands still for the purpose of this page."""
 _MOST_SAMPLES: Final = 2**28
 _SPLINE: Final = 5
+_ROUNDING: Final = 1e-9
+"""Part by which rounding may move a number of samples per revolution."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -98,9 +100,12 @@ def order_tracked(signal: Signal, samples_per_revolution: float | None = None) -
     revolutions = revolutions_of(signal)
     slowest = float(np.min(_turning(signal)))
     whole = signal.rate / slowest
-    per_turn = float(ceil(whole)) if samples_per_revolution is None else samples_per_revolution
-    checked_number(
-        per_turn, "samples_per_revolution", above=0.0, example="samples_per_revolution = 512"
+    enough = whole * (1.0 - _ROUNDING)
+    per_turn = checked_number(
+        ceil(enough) if samples_per_revolution is None else samples_per_revolution,
+        "samples_per_revolution",
+        above=0.0,
+        example="samples_per_revolution = 512",
     )
     count = int(revolutions[-1] * per_turn) + 1
     if not 2 <= count <= _MOST_SAMPLES:
@@ -111,7 +116,7 @@ def order_tracked(signal: Signal, samples_per_revolution: float | None = None) -
             value=per_turn,
         )
     samples = signal.samples
-    if per_turn < whole:
+    if per_turn < enough:
         samples = _low_passed(samples, signal.rate, 0.4 * per_turn * slowest)
     places = np.interp(
         np.arange(count) / per_turn, revolutions, np.arange(len(samples), dtype=np.float64)

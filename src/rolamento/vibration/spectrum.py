@@ -23,6 +23,7 @@ from rolamento.vibration._checks import Band, checked_number, require_samples
 from rolamento.vibration.signal import Signal
 
 __all__ = [
+    "EDGE",
     "Spectrum",
     "amplitude_spectrum",
     "averaged_density",
@@ -61,6 +62,9 @@ class Spectrum:
     averages: int = 1
 
 
+EDGE: Final = 1e-6
+"""Of the distance of the lines: one that is so little outside a band lies on its edge. Of 2²⁸
+samples, rounding moves a line by 10⁻⁷."""
 _LEAST: Final = 2
 
 
@@ -151,5 +155,6 @@ def axis_of(lines: int, resolution: float) -> FloatArray:
 
 
 def bins_of_band(axis: FloatArray, band: Band) -> BoolArray:
-    """Which lines lie in a band; its upper edge belongs to it."""
-    return np.asarray((axis >= band[0]) & (axis <= band[1]))
+    """Which of evenly spaced lines lie in a band; both edges belong to it."""
+    room = EDGE * float(axis[1] - axis[0]) if len(axis) > 1 else 0.0
+    return np.asarray((axis >= band[0] - room) & (axis <= band[1] + room))
