@@ -57,10 +57,12 @@ def clearest_fault(diagnosis: Diagnosis) -> ComponentVerdict | None:
 
 
 def clearest_band(diagnosis: Diagnosis) -> int:
-    """Return the number of the band in which the clearest fault, or else the best match, is."""
+    """Return the number of the band of the clearest fault, unexplained line, or else best match."""
     spectra, fault = diagnosis.spectra, clearest_fault(diagnosis)
     if fault is not None and fault.band in spectra.bands:
         return spectra.bands.index(fault.band)
+    if diagnosis.unexplained:
+        return spectra.bands.index(diagnosis.unexplained[0].band)
     scores = [
         np.nan_to_num(np.asarray(per_band, dtype=np.float64), nan=-1.0, posinf=1e300)
         for per_band in spectra.evidence.values()
@@ -116,8 +118,8 @@ def envelope_lines(
     axes
         To draw on; of a new figure if not given.
     band
-        Number in `diagnosis.spectra.bands`; by default that of the clearest fault, or of the best
-        match.
+        Number in `diagnosis.spectra.bands`; by default that of the clearest fault, of the clearest
+        unexplained line if there is none, or else of the best match.
     language
         ``"en"`` or ``"pt"``.
 
@@ -145,9 +147,10 @@ def envelope_lines(
         axes.set_ylim(_FLOOR, top)
         axes.set_xlim(0.0, float(hertz[known[-1]]))
         _shaft(axes, diagnosis, words)
+        drawn = _Drawn(hertz, level, words, shared.decimal_mark)
         for number_of, part in enumerate(COMPONENTS):
-            drawn = _Drawn(hertz, level, words, shared.decimal_mark)
             _mark(axes, diagnosis, part, series(number_of), drawn)
+        _mark_unexplained(axes, diagnosis, drawn)
         label_x(axes, words.frequency, shared)
         label_y(axes, words.above_noise, shared)
         low, high = diagnosis.spectra.bands[place]
@@ -211,6 +214,18 @@ def _mark(
             axes.axvspan(
                 nominal - spread, nominal + spread, color=look.color, alpha=0.15, linewidth=0.0
             )
+
+
+def _mark_unexplained(axes: Axes, diagnosis: Diagnosis, drawn: _Drawn) -> None:
+    """Point at lines that stand out and belong to nothing that is known."""
+    places = [line.frequency for line in diagnosis.unexplained]
+    tops = [_top(place, drawn.hertz, drawn.level) for place in places]
+    if not places:
+        return
+    axes.plot(
+        places, tops, color="black", linestyle="", marker="$?$", markersize=7.0,
+        label=drawn.words.unexplained,
+    )  # fmt: skip
 
 
 def _top(place: float, hertz: Floats, level: Floats) -> float:

@@ -32,6 +32,7 @@ class VibrationWords:
     found: str
     expected: str
     sidebands: str
+    unexplained: str
     noise: str
     threshold: str
     shaft: str
@@ -66,6 +67,7 @@ _ENGLISH: Final = VibrationWords(
     found="{part}, found",
     expected="{part}, expected",
     sidebands="{part}, sidebands",
+    unexplained="unexplained",
     noise="noise, mean",
     threshold="from here one line alone is a fault",
     shaft="multiples of the shaft",
@@ -100,6 +102,7 @@ _PORTUGUESE: Final = VibrationWords(
     found="{part}, achada",
     expected="{part}, esperada",
     sidebands="{part}, bandas laterais",
+    unexplained="sem explicação",
     noise="ruído, média",
     threshold="daqui em diante uma só linha é uma falha",
     shaft="múltiplos do eixo",

@@ -66,11 +66,15 @@ def blocks_of(pieces: Signal | Iterable[Signal], wanted: float) -> Iterator[Bloc
         If there are no samples, the speed is missing, or pieces do not belong together.
     """
     if isinstance(pieces, Signal):
-        total = float(revolutions_of(pieces)[-1])
+        angle = revolutions_of(pieces)
+        total = float(angle[-1])
         samples = len(pieces.samples)
         count = max(1, round(total / wanted), -(-samples // MOST_SAMPLES))
         if _steady(pieces):
             yield from _steady_blocks([pieces], _good_length(samples // count))
+        elif count == 1:
+            end = float(angle[_good_length(samples) - 1])
+            yield from _varying_blocks([pieces], end * (1.0 + _STEADY))
         else:
             yield from _varying_blocks([pieces], total / count * (1.0 - _STEADY))
         return
