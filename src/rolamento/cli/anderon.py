@@ -28,8 +28,6 @@ __all__ = ["anderon"]
 _ACCEPTED: Final = 0.4
 _MOST_SIGNALS: Final = 500
 _LONGEST_NAME: Final = 60
-_RATES: Final = {"": 1.0, "Hz": 1.0, "kHz": 1e3, "MHz": 1e6}
-_TIMES: Final = {"": 1.0, "s": 1.0, "ms": 1e-3, "min": 60.0, "h": 3600.0}
 
 
 def anderon(
@@ -180,7 +178,7 @@ def _found(
 ) -> NoiseResult:
     """Measure every signal, after all that the options say was understood."""
     from rolamento.cli.anderon_files import Wanted, full_scales_of, hours_of, measured_noise
-    from rolamento.cli.diagnose_signal import speed_given, to_number
+    from rolamento.cli.quantities import number_given, speed_given
     from rolamento.cli.waiting import progress_of
     from rolamento.report.anderon_result import NoiseResult
     from rolamento.report.anderon_words import NOISE_WORDS
@@ -196,11 +194,11 @@ def _found(
         raise InputError(rule, source="--speed", example="--speed '1800 rpm'")
     wanted = Wanted(
         said["channel"],
-        to_number(said["rate"], "--rate", _RATES, "--rate '50 kHz'"),
+        number_given(said["rate"], "--rate", "frequency", "--rate '50 kHz'"),
         said["unit"],
         said["scale"],
-        to_number(said["start"], "--start", _TIMES, "--start '2 s'") or 0.0,
-        to_number(said["duration"], "--duration", _TIMES, "--duration '10 s'"),
+        number_given(said["start"], "--start", "time", "--start '2 s'") or 0.0,
+        number_given(said["duration"], "--duration", "time", "--duration '10 s'"),
         speed,
     )
     with progress_of(NOISE_WORDS[words.code].reading) as progress:

@@ -4,12 +4,19 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
+from math import pi
+from typing import TYPE_CHECKING, Final
 
 import rolamento
 from rolamento.cli.streams import STANDARD_STREAM
 from rolamento.errors import InputError
 
-__all__ = ["case_of", "has_load", "is_designation"]
+if TYPE_CHECKING:
+    from rolamento.vibration.frequencies import AngleChoice
+
+__all__ = ["angle_of", "case_of", "has_load", "is_designation"]
+
+_ANGLE_EXAMPLE: Final = "--angle zero, --angle free or --angle '15 deg'"
 
 
 def is_designation(bearing: str) -> bool:
@@ -95,3 +102,27 @@ def has_load(case: rolamento.Case) -> bool:
     given = [getattr(duty.load, name) for name in LOADS]
     given += [getattr(duty.displacement, name) for name in AXES]
     return any(given) or case.bearing.preload is not None
+
+
+def angle_of(text: str) -> float | AngleChoice:
+    """Return the contact angle that ``--angle`` gives (rad), or which of its two choices.
+
+    Raises
+    ------
+    InputError
+        If it is none, or no ball could have it.
+    """
+    if text == "zero":
+        return "zero"
+    if text == "free":
+        return "free"
+    from rolamento.units import to_si
+
+    try:
+        angle = to_si(text, "angle")
+    except InputError as error:
+        raise error.with_details(source="--angle", example=_ANGLE_EXAMPLE) from None
+    if not 0.0 <= angle < 0.5 * pi:
+        rule = "must be at least 0 deg and less than 90 deg"
+        raise InputError(rule, source="--angle", value=text, example=_ANGLE_EXAMPLE)
+    return angle

@@ -59,8 +59,6 @@ __all__ = ["diagnose"]
 
 _FALSE_ALARM: Final = 0.01
 _SLIP: Final = 0.02
-_RATES: Final = {"": 1.0, "Hz": 1.0, "kHz": 1e3, "MHz": 1e6}
-_TIMES: Final = {"": 1.0, "s": 1.0, "ms": 1e-3, "min": 60.0, "h": 3600.0}
 
 
 @dataclass(frozen=True, slots=True)
@@ -117,17 +115,17 @@ def diagnose(
         outputs = {"--json": json, "--csv": csv, "--plot": plot, "--kurtogram": kurtogram}
         check_outputs(outputs, signal, bearing, rule="is a file that is read")
         from rolamento.cli.diagnose_bearing import bearing_of
-        from rolamento.cli.diagnose_signal import speed_given, to_number
         from rolamento.cli.diagnose_speed import AskedSpeed
+        from rolamento.cli.quantities import number_given, speed_given
 
         asked = _Asked(
             path=signal,
             channel=channel,
-            rate=to_number(rate, "--rate", _RATES, "--rate '12 kHz'"),
+            rate=number_given(rate, "--rate", "frequency", "--rate '12 kHz'"),
             unit=unit,
             scale=scale,
-            start=to_number(start, "--start", _TIMES, "--start '2 s'") or 0.0,
-            duration=to_number(duration, "--duration", _TIMES, "--duration '10 s'"),
+            start=number_given(start, "--start", "time", "--start '2 s'") or 0.0,
+            duration=number_given(duration, "--duration", "time", "--duration '10 s'"),
             speed=AskedSpeed(
                 inner=speed_given(speed, "--speed"),
                 outer=speed_given(outer_speed, "--outer-speed"),

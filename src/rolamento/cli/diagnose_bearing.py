@@ -7,20 +7,18 @@ from math import isfinite, pi
 from typing import TYPE_CHECKING, Final
 
 import rolamento
-from rolamento.cli.bearing_case import case_of, has_load, is_designation
+from rolamento.cli.bearing_case import angle_of, case_of, has_load
 from rolamento.errors import InputError
 
 if TYPE_CHECKING:
     from rolamento.state import State
     from rolamento.vibration.diagnosis import DiagnosisSettings, FaultOrders
     from rolamento.vibration.fault_lines import FaultFrequencies
-    from rolamento.vibration.frequencies import AngleChoice
 
 __all__ = ["GivenBearing", "Search", "Sought", "bearing_of", "searched", "sought"]
 
 _WIDEST: Final = 0.1
 """Part by which a cage may be off in a search."""
-_ANGLE_EXAMPLE: Final = "--angle zero, --angle free or --angle '15 deg'"
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,7 +87,7 @@ def bearing_of(text: str, settings: list[str]) -> GivenBearing:
         raise InputError(
             error.rule, value=error.value, source="--bearing", example="--bearing 6205"
         ) from None
-    return GivenBearing(text if is_designation(text) else case.title or text, case)
+    return GivenBearing(case.title or text, case)
 
 
 def sought(
@@ -128,14 +126,8 @@ def sought(
         found = frequencies_of(state)
         if isfinite(found.cage.order):
             return Sought(found, state)
-    choice = _angle("zero" if angle is None else angle)
-    try:
-        found = nominal_frequencies(case.bearing, inner, outer, contact_angle=choice)
-    except InputError as error:
-        if error.field != "contact_angle":
-            raise
-        rule = "must be at least 0 deg and less than 90 deg"
-        raise InputError(rule, source="--angle", value=angle, example=_ANGLE_EXAMPLE) from None
+    choice = angle_of("zero" if angle is None else angle)
+    found = nominal_frequencies(case.bearing, inner, outer, contact_angle=choice)
     return Sought(found, state)
 
 
@@ -189,19 +181,6 @@ def _at_speeds(case: rolamento.Case, inner: float, outer: float) -> rolamento.Ca
         return override(case, settings) if settings else case
     except InputError as error:
         raise error.with_details(source="--speed", example="--speed '1797 rpm'") from None
-
-
-def _angle(text: str) -> float | AngleChoice:
-    if text == "zero":
-        return "zero"
-    if text == "free":
-        return "free"
-    from rolamento.units import to_si
-
-    try:
-        return to_si(text, "angle")
-    except InputError as error:
-        raise error.with_details(source="--angle", example=_ANGLE_EXAMPLE) from None
 
 
 def _rpm(speed: float) -> str:

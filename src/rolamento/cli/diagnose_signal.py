@@ -6,7 +6,6 @@ import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from itertools import chain, islice
-from math import isfinite
 from typing import TYPE_CHECKING, Final
 
 from rolamento.errors import InputError
@@ -23,17 +22,13 @@ __all__ = [
     "Streamed",
     "in_options",
     "part_of",
-    "speed_given",
     "streamed",
-    "to_number",
 ]
 
 PIECE: Final = 2**20
 """Samples that are read at a time."""
 _WHOLE: Final = 8
 """Pieces up to which a signal is taken as one."""
-_RPM_EXAMPLE: Final = "--speed '1797 rpm'"
-_MOST: Final = 1e12
 _OPTIONS: Final = {
     name: f"--{name.replace('_', '-')}"
     for name in ("channel", "rate", "unit", "scale", "speed_channel", "speed_unit")
@@ -63,50 +58,6 @@ class Streamed:
     def duration(self) -> float:
         """Of what was read so far; s."""
         return self.samples / self.first.rate
-
-
-def speed_given(text: str | None, option: str) -> float | None:
-    """Return a speed that an option gives; rad/s.
-
-    Raises
-    ------
-    InputError
-        If it is none.
-    """
-    if text is None:
-        return None
-    from rolamento.units import to_si
-
-    try:
-        return to_si(text, "angular_speed")
-    except InputError as error:
-        raise error.with_details(source=option, example=_RPM_EXAMPLE) from None
-
-
-def to_number(text: str | None, option: str, units: dict[str, float], example: str) -> float | None:
-    """Return a number that may have one of some units; None if it is not given.
-
-    Raises
-    ------
-    InputError
-        If it is none, or negative.
-    """
-    if text is None:
-        return None
-    number, _, unit = text.strip().partition(" ")
-    unit = unit.strip()
-    if not unit:
-        cut = len(number.rstrip("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"))
-        number, unit = number[:cut], number[cut:]
-    try:
-        value = float(number) * units.get(unit, float("nan"))
-    except ValueError:
-        value = float("nan")
-    if not (isfinite(value) and 0.0 <= value <= _MOST):
-        names = ", ".join(name for name in units if name)
-        rule = f"must be a number from 0 on, alone or in {names}"
-        raise InputError(rule, source=option, value=text, example=example)
-    return value
 
 
 def in_options(error: InputError, names: Mapping[str, str] | None = None) -> InputError:

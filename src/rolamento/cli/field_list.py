@@ -3,21 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from math import isfinite
-from typing import Any, Final, Literal
+from typing import Any, Final
 
+from rolamento.cli.quantities import Kind, value_of
 from rolamento.errors import InputError, nearest
 
-__all__ = ["Kind", "fields_of", "number_of"]
+__all__ = ["fields_of"]
 
-Kind = Literal["number", "whole", "text", "angle", "length", "frequency", "time", "acceleration"]
-
-_UNITS: Final[dict[str, dict[str, float]]] = {
-    "frequency": {"Hz": 1.0, "kHz": 1e3, "MHz": 1e6},
-    "time": {"s": 1.0, "ms": 1e-3, "min": 60.0, "h": 3600.0},
-    "acceleration": {"m/s^2": 1.0, "m/s²": 1.0, "mm/s^2": 1e-3, "g": 9.80665, "mg": 9.80665e-3},
-}
-"""Units of what is no dimension of a case file; a bare number is in the first."""
 _LONGEST: Final = 1000
 
 
@@ -55,63 +47,10 @@ def fields_of(
             _refuse(key, option, known, example)
         if key in found:
             raise InputError("is given twice", source=option, field=key, example=example)
-        found[key] = _value(value, option, key, known[key], example)
+        found[key] = value_of(value, option, key, known[key], example)
     if first and first not in found:
         raise InputError("is missing", source=option, field=first, example=example)
     return found
-
-
-def number_of(text: str, option: str, kind: Kind, example: str) -> float:
-    """Return a number with a unit of its kind; a bare one is in Hz, s or m/s².
-
-    Raises
-    ------
-    InputError
-        If it is none.
-    """
-    return float(_value(text, option, "", kind, example))
-
-
-def _value(text: str, option: str, key: str, kind: Kind, example: str) -> Any:
-    if kind == "text":
-        return text
-    try:
-        if kind == "whole":
-            return int(text)
-        if kind in ("angle", "length"):
-            return _with_unit(text, kind)
-        number, unit = _split(text)
-        units = {"": 1.0, **_UNITS.get(kind, {})}
-        value = float(number) * units[unit]
-    except (ValueError, KeyError) as error:
-        rule = error.rule if isinstance(error, InputError) else f"must be {_wanted(kind)}"
-        raise InputError(rule, source=option, field=key, value=text, example=example) from None
-    if not isfinite(value):
-        rule = f"must be {_wanted(kind)}"
-        raise InputError(rule, source=option, field=key, value=text, example=example)
-    return value
-
-
-def _with_unit(text: str, kind: Literal["angle", "length"]) -> float:
-    from rolamento.units import to_si
-
-    return to_si(text, kind)
-
-
-def _split(text: str) -> tuple[str, str]:
-    """Divide a number from its unit, with or without a blank between."""
-    number, blank, unit = text.strip().partition(" ")
-    if not blank:
-        cut = next((i for i, c in enumerate(text) if c.isalpha() and c not in "eE"), len(text))
-        number, unit = text[:cut], text[cut:]
-    return number, unit.strip()
-
-
-def _wanted(kind: Kind) -> str:
-    if kind == "whole":
-        return "a whole number"
-    units = ", ".join(unit for unit in _UNITS.get(kind, {}) if "²" not in unit)
-    return f"a number, alone or in {units}" if units else "a number"
 
 
 def _refuse(key: str, option: str, known: Mapping[str, Kind], example: str) -> None:

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import os
 import sys
 from typing import TYPE_CHECKING, Annotated, Any, Final
 
 import typer
 
 import rolamento
+from rolamento.cli.bearing_case import angle_of, case_of, has_load, is_designation
 from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
@@ -16,11 +16,12 @@ from rolamento.cli.common import (
     LanguageOption,
     SettingsOption,
     plain_endings,
-    same_file,
     words_of,
 )
+from rolamento.cli.outputs import check_outputs
+from rolamento.cli.quantities import speed_given
 from rolamento.cli.streams import STANDARD_STREAM, print_text, put
-from rolamento.errors import FileError, InputError
+from rolamento.errors import InputError
 
 if TYPE_CHECKING:
     from rolamento.report.frequencies import FrequencyResult
@@ -98,15 +99,17 @@ def frequencies(
 ) -> None:
     """Show the fault frequencies of a bearing, by its geometry and under load."""
     with plain_endings(lang):
-        _check(bearing, json, csv, harmonics, sidebands)
-        case = _case(bearing, speed, outer_speed, settings or [])
+        check_outputs({"--json": json, "--csv": csv}, bearing)
+        _check_counts(harmonics, sidebands)
+        inner, outer = speed_given(speed, "--speed"), speed_given(outer_speed, "--outer-speed")
+        case = case_of(bearing, settings or (), inner, outer)
         known_speed = speed or outer_speed or case.duty.inner_speed or case.duty.outer_speed
         found = _found(
-            bearing if _is_designation(bearing) else case.title or bearing,
+            case.title or bearing,
             case,
-            None if _is_designation(bearing) and not known_speed else case.duty.inner_speed,
+            None if is_designation(bearing) and not known_speed else case.duty.inner_speed,
             slip,
-            _angle(angle),
+            angle_of(angle),
             _tolerances(tolerances or []),
             (harmonics, sidebands),
         )
@@ -115,76 +118,14 @@ def frequencies(
     raise typer.Exit(NO_RESULT if failed else SOLVED)
 
 
-def _check(bearing: str, json: str | None, csv: str | None, harmonics: int, sidebands: int) -> None:
-    """Refuse outputs that would run into each other, and tables without end."""
-    if json is not None and json == csv:
-        where = "standard output" if json == STANDARD_STREAM else json
-        raise InputError("only one of --json and --csv can go there", source=where)
-    for path in (json, csv):
-        if path is not None and same_file(path, bearing):
-            raise FileError("is the case file itself; choose another name", source=path)
+def _check_counts(harmonics: int, sidebands: int) -> None:
+    """Refuse tables without end."""
     for name, least, most, value in (
         ("--harmonics", 1, _MOST_HARMONICS, harmonics),
         ("--sidebands", 0, _MOST_SIDEBANDS, sidebands),
     ):
         if not least <= value <= most:
             raise InputError(f"must be from {least} to {most}", source=name, value=value)
-
-
-def _is_designation(bearing: str) -> bool:
-    """Tell a designation from a file: by its ending, or by its being there."""
-    if bearing == STANDARD_STREAM or bearing.lower().endswith((".toml", ".json")):
-        return False
-    try:
-        return not os.path.isfile(bearing)
-    except ValueError:
-        return True
-
-
-def _case(
-    bearing: str, speed: str | None, outer_speed: str | None, settings: list[str]
-) -> rolamento.Case:
-    """Return the case of a file, or one of a designation without load; speeds over both."""
-    import json
-
-    from rolamento.case import parse_case
-    from rolamento.units import from_si, to_si
-
-    for option, name, text in (
-        ("--speed", "inner_speed", speed),
-        ("--outer-speed", "outer_speed", outer_speed),
-    ):
-        if text is not None:
-            try:
-                value = to_si(text, "angular_speed")
-            except InputError as error:
-                raise error.with_details(source=option) from None
-            settings = [*settings, f"duty.{name}={from_si(value, 'angular_speed')}"]
-    if not _is_designation(bearing):
-        return rolamento.load_case(bearing, settings)
-    named = {"bearing": {"designation": bearing}, "duty": {}}
-    try:
-        return parse_case(json.dumps(named), format="json", overrides=settings)
-    except InputError as error:
-        if error.source:
-            raise
-        # the file behind it is none of the user's: no line of it is worth telling
-        raise InputError(
-            error.rule, field=error.field, value=error.value, example=error.example
-        ) from None
-
-
-def _angle(text: str) -> float | AngleChoice:
-    if text == "zero":
-        return "zero"
-    if text == "free":
-        return "free"
-    from rolamento.units import to_si
-
-    try:
-        return to_si(text, "angle")
-    except InputError as error:
-        raise error.with_details(source="--angle", example="zero, free or '15 deg'") from None
 
 
 def _tolerances(given: list[str]) -> Tolerances:
@@ -232,7 +173,7 @@ def _found(
     speeds = (inner_speed, case.duty.outer_speed)
     choices: dict[str, Any] = {"slip": slip, "contact_angle": angle}
     nominal = banded_frequencies(case.bearing, *speeds, tolerances=tolerances, **choices)
-    state = rolamento.solve(case) if _has_load(case) else None
+    state = rolamento.solve(case) if has_load(case) else None
     return FrequencyResult(
         title=title,
         bearing=case.bearing,
@@ -243,16 +184,6 @@ def _found(
         harmonics=counts[0],
         sidebands=counts[1],
     )
-
-
-def _has_load(case: rolamento.Case) -> bool:
-    """Tell whether anything presses the balls: a load, a displacement or a preload."""
-    from rolamento.duty import AXES, LOADS
-
-    duty = case.duty
-    given = [getattr(duty.load, name) for name in LOADS]
-    given += [getattr(duty.displacement, name) for name in AXES]
-    return any(given) or case.bearing.preload is not None
 
 
 def _show(found: FrequencyResult, json: str | None, csv: str | None, lang: Any) -> None:

@@ -176,8 +176,7 @@ def synthesise(
     """Make a vibration signal of a bearing with known damage, to try a diagnosis on."""
     with plain_endings(lang):
         _check_outputs(bearing, output, truth)
-        from rolamento.cli.diagnose_signal import speed_given
-        from rolamento.cli.field_list import number_of
+        from rolamento.cli.quantities import number_of, speed_given
         from rolamento.cli.synthesise_options import Asked
         from rolamento.cli.synthesise_recipe import given_of
         from rolamento.cli.waiting import PATIENCE_AT_WORK, waiting

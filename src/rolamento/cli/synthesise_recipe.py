@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Final, Literal
 
 import rolamento
 from rolamento.cli.bearing_case import case_of, has_load
-from rolamento.cli.field_list import number_of
+from rolamento.cli.quantities import number_of
 from rolamento.cli.synthesise_options import (
     EXAMPLES,
     Asked,

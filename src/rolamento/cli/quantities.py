@@ -1,0 +1,130 @@
+"""Numbers with units that options give: speeds, rates, times, levels."""
+
+from __future__ import annotations
+
+from math import isfinite, nan
+from typing import Any, Final, Literal
+
+from rolamento.errors import InputError
+
+__all__ = ["Kind", "number_given", "number_of", "speed_given", "value_of"]
+
+Kind = Literal["number", "whole", "text", "angle", "length", "frequency", "time", "acceleration"]
+
+_UNITS: Final[dict[str, dict[str, float]]] = {
+    "frequency": {"Hz": 1.0, "kHz": 1e3, "MHz": 1e6},
+    "time": {"s": 1.0, "ms": 1e-3, "min": 60.0, "h": 3600.0},
+    "acceleration": {"m/s^2": 1.0, "m/s²": 1.0, "mm/s^2": 1e-3, "g": 9.80665, "mg": 9.80665e-3},
+}
+"""Units of what is no dimension of a case file; a bare number is in the first."""
+_MOST: Final = 1e12
+_SPEED_EXAMPLE: Final = "--speed '1797 rpm'"
+
+
+def speed_given(text: str | None, option: str) -> float | None:
+    """Return a speed that an option gives (rad/s); None if it is not given.
+
+    Raises
+    ------
+    InputError
+        If it is none.
+    """
+    if text is None:
+        return None
+    from rolamento.units import to_si
+
+    try:
+        return to_si(text, "angular_speed")
+    except InputError as error:
+        raise error.with_details(source=option, example=_SPEED_EXAMPLE) from None
+
+
+def number_given(text: str | None, option: str, kind: Kind, example: str) -> float | None:
+    """Return a number from 0 on with a unit of its kind; None if it is not given.
+
+    Raises
+    ------
+    InputError
+        If it is none, or negative.
+    """
+    if text is None:
+        return None
+    try:
+        value = number_of(text, option, kind, example)
+    except InputError:
+        value = nan
+    if not 0.0 <= value <= _MOST:
+        rule = f"must be {_wanted(kind, 'a number from 0 on')}"
+        raise InputError(rule, source=option, value=text, example=example)
+    return value
+
+
+def number_of(text: str, option: str, kind: Kind, example: str) -> float:
+    """Return a number with a unit of its kind; a bare one is in Hz, s or m/s².
+
+    Raises
+    ------
+    InputError
+        If it is none.
+    """
+    return float(value_of(text, option, "", kind, example))
+
+
+def value_of(text: str, option: str, key: str, kind: Kind, example: str) -> Any:
+    """Return a value of some kind, in SI units; a text as it is.
+
+    Parameters
+    ----------
+    text
+        As it was written.
+    option, key
+        What gives it, and which field of that; "" for the option itself.
+    kind
+        What it has to be.
+    example
+        What would be accepted.
+
+    Raises
+    ------
+    InputError
+        If it is none.
+    """
+    if kind == "text":
+        return text
+    try:
+        if kind == "whole":
+            return int(text)
+        if kind in ("angle", "length"):
+            return _with_unit(text, kind)
+        number, unit = _split(text)
+        units = {"": 1.0, **_UNITS.get(kind, {})}
+        value = float(number) * units[unit]
+    except (ValueError, KeyError) as error:
+        rule = error.rule if isinstance(error, InputError) else f"must be {_wanted(kind)}"
+        raise InputError(rule, source=option, field=key, value=text, example=example) from None
+    if not isfinite(value):
+        rule = f"must be {_wanted(kind)}"
+        raise InputError(rule, source=option, field=key, value=text, example=example)
+    return value
+
+
+def _with_unit(text: str, kind: Literal["angle", "length"]) -> float:
+    from rolamento.units import to_si
+
+    return to_si(text, kind)
+
+
+def _split(text: str) -> tuple[str, str]:
+    """Divide a number from its unit, with or without a blank between."""
+    number, blank, unit = text.strip().partition(" ")
+    if not blank:
+        cut = next((i for i, c in enumerate(text) if c.isalpha() and c not in "eE"), len(text))
+        number, unit = text[:cut], text[cut:]
+    return number, unit.strip()
+
+
+def _wanted(kind: Kind, what: str = "a number") -> str:
+    if kind == "whole":
+        return "a whole number"
+    units = ", ".join(unit for unit in _UNITS.get(kind, {}) if "²" not in unit)
+    return f"{what}, alone or in {units}" if units else what
