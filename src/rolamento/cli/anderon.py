@@ -10,10 +10,19 @@ import typer
 from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
-    JsonOption,
-    LanguageOption,
     plain_endings,
     words_of,
+)
+from rolamento.cli.options import (
+    ChannelOption,
+    DurationOption,
+    JsonOption,
+    LanguageOption,
+    RateOption,
+    ScaleOption,
+    StartOption,
+    csv_option,
+    plot_option,
 )
 from rolamento.cli.outputs import check_outputs
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
@@ -69,30 +78,11 @@ def anderon(
             help="Of the samples: um/s, m/s^2, g …, if the file is silent.",
         ),
     ] = None,
-    scale: Annotated[
-        str | None,
-        typer.Option(
-            "--scale", metavar="SCALE", help="Sensitivity of the sensor, such as '100 mV/g'."
-        ),
-    ] = None,
-    channel: Annotated[
-        str | None,
-        typer.Option("--channel", metavar="CHANNEL", help="Name, or number from 1 on."),
-    ] = None,
-    rate: Annotated[
-        str | None,
-        typer.Option(
-            "--rate", metavar="RATE", help="Of sampling, such as '50 kHz', if the file is silent."
-        ),
-    ] = None,
-    start: Annotated[
-        str | None,
-        typer.Option("--start", metavar="TIME", help="To begin at, such as '2 s'."),
-    ] = None,
-    duration: Annotated[
-        str | None,
-        typer.Option("--duration", metavar="TIME", help="To look at from there; by default all."),
-    ] = None,
+    scale: ScaleOption = None,
+    channel: ChannelOption = None,
+    rate: RateOption = None,
+    start: StartOption = None,
+    duration: DurationOption = None,
     hours: Annotated[
         str | None,
         typer.Option(
@@ -112,21 +102,9 @@ def anderon(
             help="Write the levels over the hours as rolamento trend reads them.",
         ),
     ] = None,
-    plot: Annotated[
-        str | None,
-        typer.Option(
-            "--plot",
-            metavar="FILE",
-            help="Draw noise over frequency, or over the hours: a .png, .svg or .pdf file.",
-        ),
-    ] = None,
+    plot: Annotated[str | None, plot_option("Draw noise over frequency, or over the hours")] = None,
     json: JsonOption = None,
-    csv: Annotated[
-        str | None,
-        typer.Option(
-            "--csv", metavar="FILE", help="Write the table of bands; - is standard output."
-        ),
-    ] = None,
+    csv: Annotated[str | None, csv_option("Write the table of bands")] = None,
     lang: LanguageOption = None,
 ) -> None:
     """Show the noise of a bearing in anderons and µm/s, and whether it passes."""
@@ -230,9 +208,7 @@ def _draw(found: NoiseResult, plot: str, language: str) -> None:
     one = found.measured[0]
     limits = found.limits_of(one)
     if len(found.measured) == 1:
-        figure = noise_figure(
-            one.first, one.noise, limits=limits, title=one.title, language=language
-        )
+        figure = noise_figure(one.noise, limits=limits, title=one.title, language=language)
     else:
         from rolamento.reliability.trend import parse_trend
         from rolamento.report.anderon_result import noise_record

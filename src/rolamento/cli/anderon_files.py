@@ -2,23 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from math import isfinite, nan, sqrt
+from math import isfinite, nan
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from rolamento.errors import FileError, InputError
+from rolamento.errors import InputError
 from rolamento.report.anderon_result import FullScale, MeasuredNoise
-from rolamento.vibration.anderon import (
-    BANDS,
-    BandName,
-    BandNoise,
-    Noise,
-    anderons_of_velocity,
-    measure_noise,
-)
+from rolamento.vibration.anderon import BANDS, BandName, measure_noise
 from rolamento.vibration.reading import SignalFile, open_signal
 from rolamento.vibration.signal import unit_scale
 
@@ -28,9 +21,7 @@ if TYPE_CHECKING:
 __all__ = ["Wanted", "full_scales_of", "hours_of", "measured_noise"]
 
 _BLOCK: Final = 2**20
-"""Samples that are held at a time, at least a segment of the spectrum."""
-_SEGMENTS_A_SECOND: Final = 2.0
-"""Of the averaged spectrum, as of `measure_noise`: blocks are cut where its segments begin."""
+"""Samples that are read at a time."""
 _HIGHEST_RATE: Final = 2e7
 _MOST_HOURS: Final = 1e9
 _MOST_SCALE: Final = 1e9
@@ -55,9 +46,6 @@ def measured_noise(
 ) -> MeasuredNoise:
     """Measure the noise of a signal's file, in bounded memory.
 
-    Blocks overlap by half a segment of the averaged spectrum, so that all of them together have
-    the segments of the whole signal: their mean is its spectrum, but for an end of less than one.
-
     Raises
     ------
     FileError, InputError
@@ -73,23 +61,13 @@ def measured_noise(
         duration=wanted.duration,
     ) as source:
         _check(source, path)
-        segment = max(round(source.rate / _SEGMENTS_A_SECOND), 2)
-        overlap = segment // 2
-        hop = segment - overlap
-        size = overlap + hop * max(1, (_BLOCK - overlap) // hop)
-        count = -(-max(source.length - overlap, 1) // (size - overlap))
-        total = _Total()
-        for place, block in enumerate(source.blocks(size, overlap), start=1):
-            if place > 1 and block.duration * _SEGMENTS_A_SECOND < 1.0:
-                break  # the end, of less than a segment
-            total.add(_at_speed(block, wanted.speed), (len(block.samples) - overlap) // hop, path)
-            progress(place, count)
-        total.refuse_still(path)
+        try:
+            noise = measure_noise(_blocks(source, wanted.speed, progress))
+        except InputError as error:
+            raise error.with_details(source=path) from None
         return MeasuredNoise(
             title=source.path.name,
-            noise=total.noise,
-            first=total.first,
-            duration=source.duration,
+            noise=noise,
             hours=hours,
             scaled_unit=_unit_of_full_scale(source, wanted),
             sensitivity=wanted.scale or "",
@@ -97,56 +75,14 @@ def measured_noise(
         )
 
 
-class _Total:
-    """The mean square of the velocities of consecutive blocks, and their mean speed."""
-
-    def __init__(self) -> None:
-        self._first: tuple[Signal, Noise] | None = None
-        self._notes: dict[str, None] = {}
-        self._powers = np.zeros(len(BANDS))
-        self._speeds = 0.0
-        self._segments = 0
-        self._least, self._most = np.inf, -np.inf
-
-    def add(self, block: Signal, segments: int, path: str) -> None:
-        """Take a block into account, by its segments of the averaged spectrum."""
-        try:
-            noise = measure_noise(block)
-        except InputError as error:
-            raise error.with_details(source=path) from None
-        if self._first is None:
-            self._first = block, noise
-        weight = max(segments, 1)
-        self._powers += weight * np.square([band.velocity for band in noise.bands])
-        self._speeds += weight * noise.speed
-        self._notes.update(dict.fromkeys(noise.notes))
-        self._segments += weight
-        self._least = min(self._least, float(np.min(block.samples)))
-        self._most = max(self._most, float(np.max(block.samples)))
-
-    def refuse_still(self, path: str) -> None:
-        """Refuse a signal that does not change: it would pass every test."""
-        if self._least == self._most:
-            raise FileError(
-                "does not change: no sensor was there, or it is the wrong channel", source=path
-            )
-
-    @property
-    def first(self) -> Signal:
-        """The first block."""
-        assert self._first is not None
-        return self._first[0]
-
-    @property
-    def noise(self) -> Noise:
-        """Of all blocks together."""
-        assert self._first is not None
-        speed, bands = self._speeds / self._segments, []
-        for band, power in zip(self._first[1].bands, self._powers.tolist(), strict=True):
-            velocity = sqrt(power / self._segments)
-            level = anderons_of_velocity(velocity, band.band, speed)
-            bands.append(BandNoise(band.name, band.band, velocity, level))
-        return Noise(speed, tuple(bands), tuple(self._notes))
+def _blocks(
+    source: SignalFile, speed: float | None, progress: Callable[[int, int], None]
+) -> Iterator[Signal]:
+    """Blocks of the signal, at the speed that is given, if one is."""
+    count = -(-source.length // _BLOCK)
+    for place, block in enumerate(source.blocks(_BLOCK), start=1):
+        yield block if speed is None else replace(block, speed=np.asarray(speed))
+        progress(place, count)
 
 
 def _check(source: SignalFile, path: str) -> None:
@@ -175,10 +111,6 @@ def _unit_of_full_scale(source: SignalFile, wanted: Wanted) -> str:
     if source.channel.unit != "1" or wanted.scale is not None:
         return ""
     return wanted.unit or ""
-
-
-def _at_speed(block: Signal, speed: float | None) -> Signal:
-    return block if speed is None else replace(block, speed=np.asarray(speed))
 
 
 def full_scales_of(given: Sequence[str]) -> dict[BandName, FullScale]:

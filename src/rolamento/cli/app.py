@@ -14,10 +14,7 @@ from rolamento.cli.clearance import clearance
 from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
-    CaseArgument,
     Language,
-    LanguageOption,
-    SettingsOption,
     plain_endings,
     words_of,
 )
@@ -27,6 +24,13 @@ from rolamento.cli.frequencies import frequencies
 from rolamento.cli.friction import friction
 from rolamento.cli.life import life
 from rolamento.cli.optional_value import JsonCommand
+from rolamento.cli.options import (
+    CaseArgument,
+    LanguageOption,
+    SettingsOption,
+    csv_option,
+    json_option,
+)
 from rolamento.cli.outputs import check_outputs
 from rolamento.cli.plot import plot
 from rolamento.cli.reproduce import reproduce
@@ -84,20 +88,8 @@ def rolamento_command(
 )
 def solve(
     case: CaseArgument,
-    json: Annotated[
-        str | None,
-        typer.Option(
-            "--json",
-            metavar="[FILE]",
-            help="Write the state as JSON, in SI units; without FILE, to standard output.",
-        ),
-    ] = None,
-    csv: Annotated[
-        str | None,
-        typer.Option(
-            "--csv", metavar="FILE", help="Write the table of balls; - is standard output."
-        ),
-    ] = None,
+    json: Annotated[str | None, json_option("Write the state as JSON, in SI units")] = None,
+    csv: Annotated[str | None, csv_option("Write the table of balls")] = None,
     settings: SettingsOption = None,
     lang: LanguageOption = None,
 ) -> None:

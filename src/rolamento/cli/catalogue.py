@@ -12,11 +12,11 @@ from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
     Language,
-    LanguageOption,
     plain_endings,
     words_of,
 )
 from rolamento.cli.optional_value import JsonCommand
+from rolamento.cli.options import JsonOption, LanguageOption
 from rolamento.cli.streams import STANDARD_STREAM, print_text, put
 from rolamento.errors import InputError
 
@@ -38,14 +38,6 @@ FilesOption = Annotated[
     list[str] | None,
     typer.Option(
         "--catalogue", metavar="FILE", help="A catalogue of your own, CSV or TOML. Repeats."
-    ),
-]
-JsonOption = Annotated[
-    str | None,
-    typer.Option(
-        "--json",
-        metavar="[FILE]",
-        help="Write everything as JSON, in SI units; without FILE, to standard output.",
     ),
 ]
 

@@ -8,14 +8,8 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 import rolamento
-from rolamento.cli.common import (
-    SOLVED,
-    JsonOption,
-    LanguageOption,
-    SettingsOption,
-    plain_endings,
-    words_of,
-)
+from rolamento.cli.common import SOLVED, plain_endings, words_of
+from rolamento.cli.options import JsonOption, LanguageOption, SeedOption, SettingsOption
 from rolamento.cli.outputs import check_outputs
 from rolamento.cli.streams import STANDARD_STREAM, print_text, put
 
@@ -35,9 +29,7 @@ def clearance(
             help="Draw so many bearings from their tolerances, up to a million.",
         ),
     ] = None,
-    seed: Annotated[
-        int, typer.Option("--seed", metavar="N", min=0, help="Of the random numbers.")
-    ] = 0,
+    seed: SeedOption = 0,
     json: JsonOption = None,
     settings: SettingsOption = None,
     lang: LanguageOption = None,

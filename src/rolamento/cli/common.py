@@ -6,7 +6,7 @@ import os
 from collections.abc import Iterator
 from contextlib import contextmanager
 from enum import StrEnum
-from typing import TYPE_CHECKING, Annotated, Final
+from typing import TYPE_CHECKING, Final
 
 import typer
 
@@ -21,11 +21,7 @@ __all__ = [
     "NO_RESULT",
     "SOLVED",
     "WRONG_INPUT",
-    "CaseArgument",
-    "JsonOption",
     "Language",
-    "LanguageOption",
-    "SettingsOption",
     "plain_endings",
     "same_file",
     "words_of",
@@ -42,27 +38,6 @@ class Language(StrEnum):
 
     pt = "pt"
     en = "en"
-
-
-LanguageOption = Annotated[
-    Language | None,
-    typer.Option("--lang", help="Language of the report; by default that of the locale."),
-]
-
-
-CaseArgument = Annotated[str, typer.Argument(help="Case file (TOML or JSON); - is standard input.")]
-SettingsOption = Annotated[
-    list[str] | None,
-    typer.Option("--set", metavar="KEY=VALUE", help="Override a field of the case. Repeats."),
-]
-JsonOption = Annotated[
-    str | None,
-    typer.Option(
-        "--json",
-        metavar="[FILE]",
-        help="Write everything as JSON, in SI units; without FILE, to standard output.",
-    ),
-]
 
 
 @contextmanager

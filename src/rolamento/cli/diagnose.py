@@ -11,37 +11,39 @@ import typer
 from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
-    JsonOption,
     Language,
-    LanguageOption,
-    SettingsOption,
     plain_endings,
     words_of,
 )
 from rolamento.cli.diagnose_options import (
     AngleOption,
     BearingOption,
-    ChannelOption,
     CsvOption,
-    DurationOption,
     FalseAlarmOption,
     KurtogramOption,
     NominalOption,
-    OuterSpeedOption,
     PlotOption,
     PulsesOption,
-    RateOption,
-    ScaleOption,
     SignalArgument,
     SlipOption,
     SpeedChannelOption,
     SpeedOption,
     SpeedUnitOption,
-    StartOption,
     TachoOption,
     TrackOption,
     UnitOption,
     WithinOption,
+)
+from rolamento.cli.options import (
+    ChannelOption,
+    DurationOption,
+    JsonOption,
+    LanguageOption,
+    OuterSpeedOption,
+    RateOption,
+    ScaleOption,
+    SettingsOption,
+    StartOption,
 )
 from rolamento.cli.outputs import check_outputs
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put

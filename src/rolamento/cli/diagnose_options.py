@@ -7,29 +7,24 @@ from typing import Annotated, Any, Final
 import typer
 
 from rolamento.cli.optional_value import JsonCommand
+from rolamento.cli.options import csv_option, plot_option
 
 __all__ = [
     "GROUPS",
     "AngleOption",
     "BearingOption",
-    "ChannelOption",
     "CsvOption",
     "DiagnoseCommand",
-    "DurationOption",
     "FalseAlarmOption",
     "KurtogramOption",
     "NominalOption",
-    "OuterSpeedOption",
     "PlotOption",
     "PulsesOption",
-    "RateOption",
-    "ScaleOption",
     "SignalArgument",
     "SlipOption",
     "SpeedChannelOption",
     "SpeedOption",
     "SpeedUnitOption",
-    "StartOption",
     "TachoOption",
     "TrackOption",
     "UnitOption",
@@ -116,10 +111,6 @@ SpeedOption = Annotated[
         " else the case.",
     ),
 ]
-OuterSpeedOption = Annotated[
-    str | None,
-    typer.Option("--outer-speed", metavar="SPEED", help="Of the outer ring; signed as well."),
-]
 SpeedChannelOption = Annotated[
     str | None,
     typer.Option(
@@ -168,16 +159,6 @@ WithinOption = Annotated[
 
 # --- signal ----------------------------------------------------------------------------------
 
-ChannelOption = Annotated[
-    str | None,
-    typer.Option("--channel", metavar="CHANNEL", help="Name, or number from 1 on."),
-]
-RateOption = Annotated[
-    str | None,
-    typer.Option(
-        "--rate", metavar="RATE", help="Of sampling, such as '12 kHz', if the file is silent."
-    ),
-]
 UnitOption = Annotated[
     str | None,
     typer.Option(
@@ -185,18 +166,6 @@ UnitOption = Annotated[
         metavar="UNIT",
         help="Of the samples: m/s^2, g, mm/s, um …; V or counts if they are not calibrated.",
     ),
-]
-ScaleOption = Annotated[
-    str | None,
-    typer.Option("--scale", metavar="SCALE", help="Sensitivity of the sensor, such as '100 mV/g'."),
-]
-StartOption = Annotated[
-    str | None,
-    typer.Option("--start", metavar="TIME", help="To begin at, such as '2 s'."),
-]
-DurationOption = Annotated[
-    str | None,
-    typer.Option("--duration", metavar="TIME", help="To look at from there; by default all."),
 ]
 
 # --- search ----------------------------------------------------------------------------------
@@ -220,23 +189,9 @@ FalseAlarmOption = Annotated[
 
 # --- output ----------------------------------------------------------------------------------
 
-PlotOption = Annotated[
-    str | None,
-    typer.Option(
-        "--plot",
-        metavar="FILE",
-        help="Draw waveform, kurtogram and envelope spectrum: a .png, .svg or .pdf file.",
-    ),
-]
+PlotOption = Annotated[str | None, plot_option("Draw waveform, kurtogram and envelope spectrum")]
 KurtogramOption = Annotated[
     str | None,
     typer.Option("--kurtogram", metavar="FILE", help="Draw the kurtogram alone, likewise."),
 ]
-CsvOption = Annotated[
-    str | None,
-    typer.Option(
-        "--csv",
-        metavar="FILE",
-        help="Write the spectrum of the squared envelope; - is standard output.",
-    ),
-]
+CsvOption = Annotated[str | None, csv_option("Write the spectrum of the squared envelope")]

@@ -12,11 +12,18 @@ from rolamento.cli.bearing_case import angle_of, case_of, has_load, is_designati
 from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
-    JsonOption,
-    LanguageOption,
-    SettingsOption,
     plain_endings,
     words_of,
+)
+from rolamento.cli.options import (
+    BearingArgument,
+    JsonOption,
+    LagOption,
+    LanguageOption,
+    OuterSpeedOption,
+    SettingsOption,
+    SpeedOption,
+    csv_option,
 )
 from rolamento.cli.outputs import check_outputs
 from rolamento.cli.quantities import speed_given
@@ -44,27 +51,10 @@ _TOLERANCES: Final[dict[str, Any]] = {
 
 
 def frequencies(
-    bearing: Annotated[
-        str,
-        typer.Argument(
-            metavar="BEARING",
-            help="Designation such as 6205, or a case file; - is a case on standard input.",
-        ),
-    ],
-    speed: Annotated[
-        str | None,
-        typer.Option("--speed", metavar="SPEED", help="Of the inner ring, such as '1797 rpm'."),
-    ] = None,
-    outer_speed: Annotated[
-        str | None,
-        typer.Option("--outer-speed", metavar="SPEED", help="Of the outer ring; signed as well."),
-    ] = None,
-    slip: Annotated[
-        float,
-        typer.Option(
-            "--slip", metavar="PART", help="By which the cage lags, such as 0.01; -1 to 1."
-        ),
-    ] = 0.0,
+    bearing: BearingArgument,
+    speed: SpeedOption = None,
+    outer_speed: OuterSpeedOption = None,
+    slip: LagOption = 0.0,
     angle: Annotated[
         str,
         typer.Option(
@@ -90,10 +80,7 @@ def frequencies(
         int, typer.Option("--sidebands", metavar="N", help="On either side of each, 0 to 10.")
     ] = 1,
     json: JsonOption = None,
-    csv: Annotated[
-        str | None,
-        typer.Option("--csv", metavar="FILE", help="Write the lines; - is standard output."),
-    ] = None,
+    csv: Annotated[str | None, csv_option("Write the lines")] = None,
     settings: SettingsOption = None,
     lang: LanguageOption = None,
 ) -> None:

@@ -11,13 +11,16 @@ import rolamento
 from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
-    CaseArgument,
-    JsonOption,
     Language,
-    LanguageOption,
-    SettingsOption,
     plain_endings,
     words_of,
+)
+from rolamento.cli.options import (
+    CaseArgument,
+    JsonOption,
+    LanguageOption,
+    SettingsOption,
+    csv_option,
 )
 from rolamento.cli.outputs import check_outputs
 from rolamento.cli.over_field import (
@@ -69,12 +72,7 @@ def friction(
         ),
     ] = _HYSTERESIS,
     json: JsonOption = None,
-    csv: Annotated[
-        str | None,
-        typer.Option(
-            "--csv", metavar="FILE", help="With --over: write the points; - is standard output."
-        ),
-    ] = None,
+    csv: Annotated[str | None, csv_option("With --over: write the points")] = None,
     plot: CurvesPlotOption = None,
     settings: SettingsOption = None,
     lang: LanguageOption = None,

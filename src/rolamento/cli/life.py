@@ -12,11 +12,10 @@ from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
     Language,
-    LanguageOption,
-    SettingsOption,
     plain_endings,
     words_of,
 )
+from rolamento.cli.options import LanguageOption, SettingsOption, csv_option, json_option
 from rolamento.cli.outputs import check_outputs
 from rolamento.cli.over_field import (
     POINTS,
@@ -79,21 +78,9 @@ def life(
         float | None,
         typer.Option("--reliability", metavar="S", help="That the life is for, such as 0.95."),
     ] = None,
-    json: Annotated[
-        str | None,
-        typer.Option(
-            "--json",
-            metavar="[FILE]",
-            help="Write everything as JSON; without FILE, to standard output.",
-        ),
-    ] = None,
+    json: Annotated[str | None, json_option("Write everything as JSON")] = None,
     csv: Annotated[
-        str | None,
-        typer.Option(
-            "--csv",
-            metavar="FILE",
-            help="With --over or --spectrum: write points or steps; - is standard output.",
-        ),
+        str | None, csv_option("With --over or --spectrum: write points or steps")
     ] = None,
     plot: CurvesPlotOption = None,
     settings: SettingsOption = None,

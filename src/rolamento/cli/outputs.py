@@ -3,20 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Annotated, Final
-
-import typer
+from typing import Final
 
 from rolamento.cli.common import same_file
 from rolamento.cli.streams import STANDARD_STREAM
 from rolamento.errors import FileError, InputError
 
-__all__ = ["PlotOption", "check_outputs"]
+__all__ = ["check_outputs"]
 
-PlotOption = Annotated[
-    str | None,
-    typer.Option("--plot", metavar="FILE", help="Draw it: a .png, .svg or .pdf file."),
-]
 _PICTURES: Final = ("--plot", "--contour", "--kurtogram")
 
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Final, Protocol, TypeVar
 import typer
 
 from rolamento.cli.common import Language, words_of
+from rolamento.cli.options import plot_option
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
 from rolamento.errors import InputError
 
@@ -45,10 +46,7 @@ VariantsOption = Annotated[
         help="Show the case with this field changed beside it; with --over. Repeats.",
     ),
 ]
-CurvesPlotOption = Annotated[
-    str | None,
-    typer.Option("--plot", metavar="FILE", help="With --over: draw it, a .png, .svg or .pdf file."),
-]
+CurvesPlotOption = Annotated[str | None, plot_option("With --over, draw it")]
 
 
 class Curve(Protocol):

@@ -12,11 +12,11 @@ from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
     Language,
-    LanguageOption,
     plain_endings,
     same_file,
     words_of,
 )
+from rolamento.cli.options import LanguageOption
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text
 from rolamento.errors import FileError, InputError
 

@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from rolamento.cli.common import LanguageOption, plain_endings, words_of
+from rolamento.cli.common import plain_endings, words_of
+from rolamento.cli.options import LanguageOption
 from rolamento.cli.streams import print_text
 
 if TYPE_CHECKING:

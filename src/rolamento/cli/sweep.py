@@ -14,12 +14,11 @@ from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
     Language,
-    LanguageOption,
-    SettingsOption,
     plain_endings,
     same_file,
     words_of,
 )
+from rolamento.cli.options import LanguageOption, SettingsOption
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text
 from rolamento.errors import FileError, InputError
 

@@ -10,10 +10,16 @@ import typer
 from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
-    LanguageOption,
-    SettingsOption,
     plain_endings,
     words_of,
+)
+from rolamento.cli.options import (
+    BearingArgument,
+    LagOption,
+    LanguageOption,
+    OuterSpeedOption,
+    SettingsOption,
+    SpeedOption,
 )
 from rolamento.cli.outputs import check_outputs
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
@@ -33,13 +39,7 @@ _MOST_IMPACTS: Final = 1_000_000
 
 
 def synthesise(
-    bearing: Annotated[
-        str,
-        typer.Argument(
-            metavar="BEARING",
-            help="Designation such as 6205, or a case file; - is a case on standard input.",
-        ),
-    ],
+    bearing: BearingArgument,
     output: Annotated[
         str,
         typer.Option(
@@ -54,14 +54,8 @@ def synthesise(
             help="Write all that is known of the signal as JSON; - is standard output.",
         ),
     ] = None,
-    speed: Annotated[
-        str | None,
-        typer.Option("--speed", metavar="SPEED", help="Of the inner ring, such as '1797 rpm'."),
-    ] = None,
-    outer_speed: Annotated[
-        str | None,
-        typer.Option("--outer-speed", metavar="SPEED", help="Of the outer ring; signed as well."),
-    ] = None,
+    speed: SpeedOption = None,
+    outer_speed: OuterSpeedOption = None,
     faults: Annotated[
         list[str] | None,
         typer.Option(
@@ -79,10 +73,7 @@ def synthesise(
             help="Standard deviation of an interval over its mean, of all faults; 0.01.",
         ),
     ] = None,
-    slip: Annotated[
-        float,
-        typer.Option("--slip", metavar="PART", help="By which the cage lags, such as 0.01."),
-    ] = 0.0,
+    slip: LagOption = 0.0,
     snr: Annotated[
         float | None,
         typer.Option("--snr", metavar="DB", help="Power of the faults over that of the noise."),

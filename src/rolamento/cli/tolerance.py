@@ -10,13 +10,12 @@ import typer
 from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
-    JsonOption,
     Language,
-    LanguageOption,
     plain_endings,
     words_of,
 )
-from rolamento.cli.outputs import PlotOption, check_outputs
+from rolamento.cli.options import JsonOption, LanguageOption, PlotOption
+from rolamento.cli.outputs import check_outputs
 from rolamento.cli.streams import STANDARD_STREAM, print_text, put
 from rolamento.cli.waiting import waiting
 from rolamento.errors import InputError

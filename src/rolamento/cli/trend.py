@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Annotated, Final
 
 import typer
 
-from rolamento.cli.common import SOLVED, LanguageOption, plain_endings, words_of
-from rolamento.cli.outputs import PlotOption, check_outputs
+from rolamento.cli.common import SOLVED, plain_endings, words_of
+from rolamento.cli.options import LanguageOption, PlotOption, json_option
+from rolamento.cli.outputs import check_outputs
 from rolamento.cli.streams import STANDARD_STREAM, print_text, put
 from rolamento.errors import InputError
 
@@ -48,14 +49,7 @@ def trend(
         ),
     ] = None,
     plot: PlotOption = None,
-    json: Annotated[
-        str | None,
-        typer.Option(
-            "--json",
-            metavar="[FILE]",
-            help="Write everything as JSON; without FILE, to standard output.",
-        ),
-    ] = None,
+    json: Annotated[str | None, json_option("Write everything as JSON")] = None,
     lang: LanguageOption = None,
 ) -> None:
     """Show what grew while bearings ran, and fit a law of wear to a clearance."""

@@ -11,15 +11,19 @@ import rolamento
 from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
-    CaseArgument,
-    JsonOption,
     Language,
-    LanguageOption,
-    SettingsOption,
     plain_endings,
     words_of,
 )
-from rolamento.cli.outputs import PlotOption, check_outputs
+from rolamento.cli.options import (
+    CaseArgument,
+    JsonOption,
+    LanguageOption,
+    PlotOption,
+    SettingsOption,
+    csv_option,
+)
+from rolamento.cli.outputs import check_outputs
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
 from rolamento.cli.waiting import waiting
 
@@ -38,12 +42,7 @@ def turn(
         typer.Option("--points", metavar="N", help="Instants in one period, 4 to 4096."),
     ] = _POINTS,
     json: JsonOption = None,
-    csv: Annotated[
-        str | None,
-        typer.Option(
-            "--csv", metavar="FILE", help="Write a table of the instants; - is standard output."
-        ),
-    ] = None,
+    csv: Annotated[str | None, csv_option("Write a table of the instants")] = None,
     plot: PlotOption = None,
     settings: SettingsOption = None,
     lang: LanguageOption = None,

@@ -13,10 +13,10 @@ from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
     Language,
-    LanguageOption,
     plain_endings,
     words_of,
 )
+from rolamento.cli.options import LanguageOption, json_option
 from rolamento.cli.outputs import check_outputs
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
 
@@ -40,14 +40,7 @@ def verify(
             "--markdown", metavar="FILE", help="Write a page in Markdown; - is standard output."
         ),
     ] = None,
-    json: Annotated[
-        str | None,
-        typer.Option(
-            "--json",
-            metavar="[FILE]",
-            help="Write all numbers as JSON; without FILE, to standard output.",
-        ),
-    ] = None,
+    json: Annotated[str | None, json_option("Write all numbers as JSON")] = None,
     lang: LanguageOption = None,
 ) -> None:
     """Compare the program with every published number known to it; exit code 1 if one fails."""

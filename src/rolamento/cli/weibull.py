@@ -11,10 +11,10 @@ from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
     Language,
-    LanguageOption,
     plain_endings,
     words_of,
 )
+from rolamento.cli.options import LanguageOption, SeedOption, json_option, plot_option
 from rolamento.cli.outputs import check_outputs
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
 from rolamento.cli.weibull_options import (
@@ -146,15 +146,8 @@ def weibull(
             help="Tests to draw, 100 to a million; 10 000 by default, fewer of large tests.",
         ),
     ] = None,
-    seed: Annotated[
-        int, typer.Option("--seed", metavar="N", min=0, help="Of the random numbers.")
-    ] = 0,
-    plot: Annotated[
-        str | None,
-        typer.Option(
-            "--plot", metavar="FILE", help="Draw probability paper: a .png, .svg or .pdf file."
-        ),
-    ] = None,
+    seed: SeedOption = 0,
+    plot: Annotated[str | None, plot_option("Draw probability paper")] = None,
     contour: Annotated[
         str | None,
         typer.Option(
@@ -166,13 +159,7 @@ def weibull(
         typer.Option("--contour-of", metavar="LIFE", help="Over the shape: L10, L1, scale …"),
     ] = "L10",
     json: Annotated[
-        str | None,
-        typer.Option(
-            "--json",
-            metavar="[FILE]",
-            help="Write everything as JSON, in the unit of the data; without FILE, to standard"
-            " output.",
-        ),
+        str | None, json_option("Write everything as JSON, in the unit of the data")
     ] = None,
     lang: LanguageOption = None,
 ) -> None:

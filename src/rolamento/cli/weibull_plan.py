@@ -10,12 +10,12 @@ import typer
 from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
-    LanguageOption,
     plain_endings,
     words_of,
 )
 from rolamento.cli.life_units import given_life, life_in
 from rolamento.cli.optional_value import JsonCommand
+from rolamento.cli.options import LanguageOption, PlotOption, SeedOption, json_option
 from rolamento.cli.outputs import check_outputs
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
 from rolamento.errors import InputError
@@ -49,17 +49,7 @@ ReliabilityOption = Annotated[
 ConfidenceOption = Annotated[
     float, typer.Option("--confidence", metavar="C", help="With which, such as 0.9.")
 ]
-PlotOption = Annotated[
-    str | None, typer.Option("--plot", metavar="FILE", help="Draw it: .png, .svg or .pdf.")
-]
-JsonOption = Annotated[
-    str | None,
-    typer.Option(
-        "--json",
-        metavar="[FILE]",
-        help="Write everything as JSON, in the unit of the life; without FILE, to standard output.",
-    ),
-]
+JsonOption = Annotated[str | None, json_option("Write everything as JSON, in the unit of the life")]
 
 
 @app.command(
@@ -158,9 +148,7 @@ def precision(
     samples: Annotated[
         int, typer.Option("--samples", metavar="N", help="Tests to draw, 100 to a million.")
     ] = 10_000,
-    seed: Annotated[
-        int, typer.Option("--seed", metavar="N", min=0, help="Of the random numbers.")
-    ] = 0,
+    seed: SeedOption = 0,
     plot: PlotOption = None,
     json: JsonOption = None,
     lang: LanguageOption = None,

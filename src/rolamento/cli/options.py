@@ -1,0 +1,111 @@
+"""The options that several commands have, in one wording each."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any
+
+import typer
+
+from rolamento.cli.common import Language
+
+__all__ = [
+    "BearingArgument",
+    "CaseArgument",
+    "ChannelOption",
+    "DurationOption",
+    "JsonOption",
+    "LagOption",
+    "LanguageOption",
+    "OuterSpeedOption",
+    "PlotOption",
+    "RateOption",
+    "ScaleOption",
+    "SeedOption",
+    "SettingsOption",
+    "SpeedOption",
+    "StartOption",
+    "csv_option",
+    "json_option",
+    "plot_option",
+]
+
+
+def json_option(what: str) -> Any:
+    """Return the option ``--json [FILE]`` that does what is said."""
+    text = f"{what}; without FILE, to standard output."
+    return typer.Option("--json", metavar="[FILE]", help=text)
+
+
+def csv_option(what: str) -> Any:
+    """Return the option ``--csv FILE`` that does what is said."""
+    return typer.Option("--csv", metavar="FILE", help=f"{what}; - is standard output.")
+
+
+def plot_option(what: str) -> Any:
+    """Return the option ``--plot FILE`` that does what is said."""
+    return typer.Option("--plot", metavar="FILE", help=f"{what}: a .png, .svg or .pdf file.")
+
+
+# --- of most commands ------------------------------------------------------------------------
+
+CaseArgument = Annotated[str, typer.Argument(help="Case file (TOML or JSON); - is standard input.")]
+SettingsOption = Annotated[
+    list[str] | None,
+    typer.Option("--set", metavar="KEY=VALUE", help="Override a field of the case. Repeats."),
+]
+JsonOption = Annotated[str | None, json_option("Write everything as JSON, in SI units")]
+PlotOption = Annotated[str | None, plot_option("Draw it")]
+SeedOption = Annotated[
+    int, typer.Option("--seed", metavar="N", min=0, help="Of the random numbers.")
+]
+LanguageOption = Annotated[
+    Language | None,
+    typer.Option("--lang", help="Language of the report; by default that of the locale."),
+]
+
+# --- a bearing that turns --------------------------------------------------------------------
+
+BearingArgument = Annotated[
+    str,
+    typer.Argument(
+        metavar="BEARING",
+        help="Designation such as 6205, or a case file; - is a case on standard input.",
+    ),
+]
+SpeedOption = Annotated[
+    str | None,
+    typer.Option("--speed", metavar="SPEED", help="Of the inner ring, such as '1797 rpm'."),
+]
+OuterSpeedOption = Annotated[
+    str | None,
+    typer.Option("--outer-speed", metavar="SPEED", help="Of the outer ring; signed as well."),
+]
+LagOption = Annotated[
+    float,
+    typer.Option("--slip", metavar="PART", help="By which the cage lags, such as 0.01; -1 to 1."),
+]
+
+# --- the signal of a file --------------------------------------------------------------------
+
+ChannelOption = Annotated[
+    str | None,
+    typer.Option("--channel", metavar="CHANNEL", help="Name, or number from 1 on."),
+]
+RateOption = Annotated[
+    str | None,
+    typer.Option(
+        "--rate", metavar="RATE", help="Of sampling, such as '50 kHz', if the file is silent."
+    ),
+]
+ScaleOption = Annotated[
+    str | None,
+    typer.Option("--scale", metavar="SCALE", help="Sensitivity of the sensor, such as '100 mV/g'."),
+]
+StartOption = Annotated[
+    str | None,
+    typer.Option("--start", metavar="TIME", help="To begin at, such as '2 s'."),
+]
+DurationOption = Annotated[
+    str | None,
+    typer.Option("--duration", metavar="TIME", help="To look at from there; by default all."),
+]
