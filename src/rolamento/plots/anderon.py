@@ -1,8 +1,4 @@
-"""The noise of a bearing over frequency, in anderons: thirds of octaves, and the bands' levels.
-
-The anderons of a band are the root mean square of those of its equally wide parts: a step that
-stands out tells which frequencies make the level, on the scale on which it is judged.
-"""
+"""The noise of a bearing over frequency, in anderons: thirds of octaves, and the bands' levels."""
 
 from __future__ import annotations
 
@@ -13,7 +9,6 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
 from rolamento.plots.frame import (
     GREY,
@@ -31,15 +26,10 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from rolamento.reliability.trend import Trend
-    from rolamento.vibration.anderon import BandName, Noise
-    from rolamento.vibration.signal import Signal
+    from rolamento.vibration.anderon import BandName, Noise, NoiseSteps
 
-__all__ = ["noise_bands", "noise_figure", "noise_steps", "noise_trend_figure"]
+__all__ = ["noise_bands", "noise_figure", "noise_trend_figure"]
 
-Floats = NDArray[np.float64]
-
-_RESOLUTION: Final = 2.0
-"""Of the spectrum, as of the levels; Hz."""
 _PARTS: Final = 8
 """Of a band: each a third of an octave."""
 _ROOM: Final = 1.6
@@ -79,7 +69,6 @@ _WORDS: Final[Mapping[str, _Words]] = {
 
 
 def noise_figure(
-    signal: Signal,
     noise: Noise,
     *,
     limits: Mapping[BandName, float] | None = None,
@@ -89,14 +78,13 @@ def noise_figure(
     """Draw noise over frequency, as `noise_bands`, with a title."""
     with styled():
         figure, axes = new_figure(height=90.0)
-        noise_bands(signal, noise, axes, limits=limits, language=language)
+        noise_bands(noise, axes, limits=limits, language=language)
         if title:
             add_title(figure, title)
     return figure
 
 
 def noise_bands(
-    signal: Signal,
     noise: Noise,
     axes: Axes | None = None,
     *,
@@ -107,8 +95,6 @@ def noise_bands(
 
     Parameters
     ----------
-    signal
-        That was measured, or its first part.
     noise
         Of `measure_noise`.
     axes
@@ -118,12 +104,14 @@ def noise_bands(
     language
         ``"en"`` or ``"pt"``.
     """
+    from rolamento.vibration.anderon import noise_steps
+
     shared, words = plot_words(language), _WORDS["pt" if language == "pt" else "en"]
     with styled():
         axes = new_figure(height=90.0)[1] if axes is None else axes
         levels = [band.anderons for band in noise.bands if isfinite(band.anderons)]
-        steps = noise_steps(signal, noise)
-        drawn = np.concatenate([values for _, values in steps.values()] or [np.zeros(0)])
+        steps = noise_steps(noise, _PARTS)
+        drawn = np.concatenate([found.anderons for found in steps.values()] or [np.zeros(0)])
         sizes = [value for value in (*levels, *drawn.tolist()) if value > 0.0]
         if not sizes:
             return empty_frame(axes, words.nothing)
@@ -171,49 +159,10 @@ def noise_trend_figure(
     return figure
 
 
-def noise_steps(signal: Signal, noise: Noise) -> dict[BandName, tuple[Floats, Floats]]:
-    """Anderons of equal parts of every band that the signal holds.
-
-    Returns
-    -------
-    By band, edges (9,) in Hz and anderons (8,); the root mean square of these is the band's level
-    if the signal is all that was measured.
-    """
-    from rolamento.vibration.anderon import anderons_of_velocity
-
-    frequency, power = _velocity_power(signal)
-    found: dict[BandName, tuple[Floats, Floats]] = {}
-    for band in noise.bands:
-        if not isfinite(band.anderons):
-            continue
-        edges = np.geomspace(*band.band, _PARTS + 1)
-        below = np.interp(edges, frequency, power)
-        velocities = np.sqrt(np.maximum(np.diff(below), 0.0))
-        values = [
-            anderons_of_velocity(float(velocity), (float(low), float(high)), noise.speed)
-            for velocity, low, high in zip(velocities, edges[:-1], edges[1:], strict=True)
-        ]
-        found[band.name] = edges, np.array(values)
-    return found
-
-
-def _velocity_power(signal: Signal) -> tuple[Floats, Floats]:
-    """Mean square of the velocity up to each frequency; Hz and (m/s)², at the lines' edges."""
-    from rolamento.vibration.spectrum import averaged_density
-
-    spectrum = averaged_density(signal.in_si, _RESOLUTION)
-    turns = 2.0 * np.pi * spectrum.axis[1:]
-    power = {"acceleration": -2.0, "displacement": 2.0}.get(signal.quantity, 0.0)
-    density = spectrum.values[1:] * turns**power
-    edges = np.append(spectrum.axis[1:] - 0.5 * spectrum.resolution,
-                      spectrum.axis[-1] + 0.5 * spectrum.resolution)  # fmt: skip
-    return edges, np.concatenate(([0.0], np.cumsum(density * spectrum.resolution)))
-
-
 def _draw(
     axes: Axes,
     noise: Noise,
-    steps: Mapping[BandName, tuple[Floats, Floats]],
+    steps: Mapping[BandName, NoiseSteps],
     limits: Mapping[BandName, float],
     words: _Words,
 ) -> None:

@@ -100,7 +100,7 @@ def _statement(page: Page, found: NoiseResult) -> Lines:
 
 
 def _facts(page: Page, said: NoiseWords, one: MeasuredNoise) -> Lines:
-    digits, signal = page.digits, one.first
+    digits, signal = page.digits, one.noise.velocity
     known = "right" if one.at_test_speed else "known"
     known = "unknown" if "speed_unknown" in one.noise.notes else known
     entries = (
@@ -109,7 +109,7 @@ def _facts(page: Page, said: NoiseWords, one: MeasuredNoise) -> Lines:
             said.signal,
             said.samples.format(
                 quantity=said.quantities[signal.quantity],
-                duration=digits.short(one.duration, 4),
+                duration=digits.short(signal.duration, 4),
                 rate=digits.short(signal.rate, 6),
             ),
         ),

@@ -17,7 +17,6 @@ from rolamento.report.weibull_numbers import one_line
 from rolamento.vibration.anderon import (
     ACCEPTED,
     BANDS,
-    SPEED,
     Acceptance,
     BandName,
     Noise,
@@ -25,7 +24,6 @@ from rolamento.vibration.anderon import (
     anderons_of_velocity,
 )
 from rolamento.vibration.anderon_trend import AnderonRecord, AnderonTrend, trend_of
-from rolamento.vibration.signal import Signal
 
 __all__ = [
     "CSV_COLUMNS",
@@ -50,8 +48,6 @@ Verdict = Literal["accepted", "rejected", "not_measured", "none"]
 """Of a band; of a signal never "not_measured"."""
 
 _MICRO: Final = 1e6
-_TOLERANCE: Final = (-0.02, 0.01)
-"""Of the speed of 1800 rpm: ISO 15242-2:2015, clause 4.1."""
 _CLEAR_OF_FILTER: Final = 2.56
 """Sampling rate over the highest frequency that recorders usually keep whole."""
 
@@ -80,10 +76,6 @@ class MeasuredNoise:
         of the signal
     noise
         as measured
-    first
-        block of the signal, for pictures
-    duration
-        of all of it; s
     hours
         of the test after which it was recorded; NaN if not told
     scaled_unit
@@ -96,8 +88,6 @@ class MeasuredNoise:
 
     title: str
     noise: Noise
-    first: Signal
-    duration: float
     hours: float = nan
     scaled_unit: str = ""
     sensitivity: str = ""
@@ -106,30 +96,25 @@ class MeasuredNoise:
     @property
     def at_test_speed(self) -> bool:
         """Whether the speed is that of the test, as near as the standard wants it."""
-        return _TOLERANCE[0] <= self.noise.speed / SPEED - 1.0 <= _TOLERANCE[1]
+        return "speed_differs" not in self.noise.notes
 
     @property
     def names_of_notes(self) -> tuple[str, ...]:
         """What is to be known of it, by names of the words."""
-        names = list(self.noise.notes)
-        if "speed_differs" not in names and not self.at_test_speed:
-            names.append("speed_tolerance")
-        if "band_incomplete" not in names and self.first.rate < _CLEAR_OF_FILTER * BANDS["high"][1]:
+        names, velocity = list(self.noise.notes), self.noise.velocity
+        if "band_incomplete" not in names and velocity.rate < _CLEAR_OF_FILTER * BANDS["high"][1]:
             names.append("near_half_rate")
-        if self.first.quantity in ("acceleration", "displacement"):
-            names.append(self.first.quantity)
+        if velocity.quantity != "velocity":
+            names.append(velocity.quantity)
         names += ["sensitivity"] if self.sensitivity else []
         names += ["full_scale_one"] if self.scaled_unit else []
         return tuple(names)
 
     def note(self, name: str, words: NoiseWords, digits: Digits) -> str:
         """Say one of them."""
-        missing = (
-            words.bands[band.name] for band in self.noise.bands if not isfinite(band.anderons)
-        )
         return words.note[name].format(
-            rate=digits.short(self.first.rate, 6),
-            bands=", ".join(missing),
+            rate=digits.short(self.noise.velocity.rate, 6),
+            bands=", ".join(words.bands[name] for name in self.noise.missing),
             unit=self.scaled_unit,
             sensitivity=one_line(self.sensitivity),
         )
@@ -241,9 +226,9 @@ def _mapping(found: NoiseResult, place: int) -> dict[str, Any]:
         "hours": one.hours,
         "speed": one.noise.speed,
         "bands": bands,
-        "rate": one.first.rate,
-        "duration": one.duration,
-        "quantity": one.first.quantity,
+        "rate": one.noise.velocity.rate,
+        "duration": one.noise.velocity.duration,
+        "quantity": one.noise.velocity.quantity,
         "reading_notes": list(one.reading_notes),
         "notes": [
             {"name": name, "text": one.note(name, said, Digits("."))} for name in one.names_of_notes

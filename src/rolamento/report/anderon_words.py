@@ -105,9 +105,8 @@ _ENGLISH: Final = NoiseWords(
     note={
         "speed_unknown": "The signal does not tell the speed: anderons hold for 1800 rpm. Give"
         " --speed if it was another.",
-        "speed_differs": "The speed is more than 2 % off 1800 rpm: anderons are reckoned with the"
-        " actual speed, but bands and limits are those of 1800 rpm.",
-        "speed_tolerance": "ISO 15242-2 takes 1800 rpm within −2 and +1 %.",
+        "speed_differs": "The speed is not within −2 and +1 % of 1800 rpm, as ISO 15242-2 wants it:"
+        " anderons are reckoned with the actual speed, but bands and limits are those of 1800 rpm.",
         "band_incomplete": "The sampling rate of {rate} Hz does not hold: {bands}.",
         "near_half_rate": "10 kHz is near half the sampling rate of {rate} Hz: a recorder's filter"
         " may take a part of the high band.",
@@ -171,9 +170,8 @@ _PORTUGUESE: Final = NoiseWords(
     note={
         "speed_unknown": "O sinal não informa a rotação: os anderons valem para 1800 rpm. Dê"
         " --speed se foi outra.",
-        "speed_differs": "A rotação está a mais de 2 % de 1800 rpm: os anderons são calculados com"
-        " a rotação real, mas faixas e limites são os de 1800 rpm.",
-        "speed_tolerance": "A ISO 15242-2 pede 1800 rpm entre −2 e +1 %.",
+        "speed_differs": "A rotação não está entre −2 e +1 % de 1800 rpm, como pede a ISO 15242-2:"
+        " os anderons são calculados com a rotação real, mas faixas e limites são os de 1800 rpm.",
         "band_incomplete": "A taxa de amostragem de {rate} Hz não contém: {bands}.",
         "near_half_rate": "10 kHz está perto da metade da taxa de amostragem de {rate} Hz: o filtro"
         " do gravador pode tirar parte da faixa alta.",

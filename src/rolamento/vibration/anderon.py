@@ -11,7 +11,9 @@ medium bands and 7.531 µm/s in the high one. The radian is one of rotation, so 
 motion; a band that is twice as many octaves wide has √2 times the velocity at the same anderons.
 
 The same bands at the same speed are those in which ISO 15242-2 measures the velocity of radial
-ball bearings; its other parts, for roller bearings, have others.
+ball bearings; its other parts, for roller bearings, have others. The anderons of a band are the
+root mean square of those of its equally wide parts, in octaves: a part that stands out tells which
+frequencies make the level, on the scale on which it is judged.
 
 Campanha, dissertation (2008), chapter 2.8: bands, and acceptance up to 40 % of the full scale that
 is set for a bearing's size and type. ISO 15242-2:2015.
@@ -19,17 +21,19 @@ is set for a bearing's size and type. ISO 15242-2:2015.
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from math import isfinite, log2, nan, pi, sqrt
-from typing import Final, Literal
+from typing import Final, NamedTuple, TypeAlias
 
 import numpy as np
 
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
-from rolamento.vibration._checks import Band, checked_band, checked_number
+from rolamento.vibration._checks import Band, checked_band, checked_count, checked_number
 from rolamento.vibration.signal import Signal
-from rolamento.vibration.spectrum import averaged_density
+from rolamento.vibration.spectrum import Spectrum
+from rolamento.vibration.velocity import Velocity, velocity_of
 
 __all__ = [
     "ACCEPTED",
@@ -40,13 +44,16 @@ __all__ = [
     "BandName",
     "BandNoise",
     "Noise",
+    "NoiseSteps",
     "accept",
     "anderons_of_velocity",
     "measure_noise",
+    "noise_steps",
     "velocity_of_anderons",
 ]
 
-BandName = Literal["low", "medium", "high"]
+BandName: TypeAlias = str
+"""low, medium or high; any other name of bands that somebody else defines."""
 
 BANDS: Final[dict[BandName, Band]] = {
     "low": (50.0, 300.0),
@@ -62,14 +69,17 @@ ACCEPTED: Final = 0.4
 NOISE_NOTES: Final[dict[str, str]] = {
     "speed_unknown": "The signal does not tell the speed; 1800 rpm is assumed.",
     "speed_differs": (
-        "The speed is more than 2 % off 1800 rpm: anderons are reckoned with the actual speed, but "
-        "bands and limits are those of 1800 rpm."
+        "The speed is not within -2 and +1 % of 1800 rpm, as ISO 15242-2 wants it: anderons are "
+        "reckoned with the actual speed, but bands and limits are those of 1800 rpm."
     ),
-    "band_incomplete": "The sampling rate does not hold the high band, which ends at 10 kHz.",
+    "band_incomplete": "The sampling rate does not hold: {bands}.",
 }
+"""Sentences by name; `Noise.sentences` fills them in."""
 
 _MICROINCH: Final = 25.4e-9
-_SPEED_TOLERANCE: Final = 0.02
+_SPEED_TOLERANCE: Final = (-0.02 - 1e-9, 0.01 + 1e-9)
+"""ISO 15242-2:2015, clause 4.1, and rounding."""
+_MOST_PARTS: Final = 1000
 _RESOLUTION: Final = 2.0
 """Of the spectrum; Hz: a twenty-fifth of the lowest edge."""
 
@@ -81,7 +91,7 @@ class BandNoise:
     Attributes
     ----------
     name
-        low, medium or high
+        low, medium, high, or as given
     band
         Hz
     velocity
@@ -105,18 +115,38 @@ class Noise:
     speed
         of the inner ring; rad/s
     bands
-        low, medium, high
+        low, medium, high; or those that were asked for
     notes
         names in `NOISE_NOTES`
+    velocity
+        of the outer ring, of which the bands are parts
     """
 
     speed: float
     bands: tuple[BandNoise, ...]
     notes: tuple[str, ...]
+    velocity: Velocity
 
     def of(self, name: BandName) -> BandNoise:
         """Return one band."""
         return next(band for band in self.bands if band.name == name)
+
+    @property
+    def missing(self) -> tuple[BandName, ...]:
+        """Bands that the sampling rate does not hold."""
+        return tuple(band.name for band in self.bands if not isfinite(band.velocity))
+
+    @property
+    def sentences(self) -> tuple[str, ...]:
+        """The notes in words."""
+        return tuple(NOISE_NOTES[name].format(bands=", ".join(self.missing)) for name in self.notes)
+
+
+class NoiseSteps(NamedTuple):
+    """Anderons of equally wide parts of a band: edges (parts + 1,), Hz, and anderons (parts,)."""
+
+    edges: FloatArray
+    anderons: FloatArray
 
 
 @dataclass(frozen=True, slots=True)
@@ -138,45 +168,73 @@ class Acceptance:
     rejected: tuple[BandName, ...]
 
 
-def measure_noise(signal: Signal) -> Noise:
+def measure_noise(
+    signal: Signal | Iterable[Signal], bands: Mapping[BandName, Band] = BANDS
+) -> Noise:
     """Noise of a bearing in the bands of an anderometer.
 
     Parameters
     ----------
     signal
-        Velocity; acceleration and displacement are turned into it. At least half a second.
+        Velocity; acceleration and displacement are turned into it. At least half a second, in one
+        piece, or as consecutive pieces of any length that need not fit into memory together.
+    bands
+        Hz, by name: by default `BANDS`.
 
     Raises
     ------
     InputError
-        If the quantity is unknown or the signal too short.
+        If the quantity is unknown, the signal too short, does not change or stands still, its
+        pieces do not fit together, or a band has no width.
     """
-    if signal.quantity == "unknown":
-        raise InputError(
-            "must be velocity, acceleration or displacement",
-            field="quantity",
-            value=signal.quantity,
-            example='quantity = "velocity"',
-        )
-    if signal.duration * _RESOLUTION < 1.0:
-        raise InputError(
-            f"must be at least {1.0 / _RESOLUTION:g} s", field="duration", value=signal.duration
-        )
-    frequency, density = _velocity_density(signal.in_si)
-    known = isfinite(signal.mean_speed)
-    speed = abs(signal.mean_speed) if known else SPEED
+    _check_bands(bands)
+    velocity = velocity_of(signal, _RESOLUTION)
+    known = isfinite(velocity.speed)
+    speed = abs(velocity.speed) if known else SPEED
     checked_number(speed, "speed", above=0.0, example="speed = 188.5")
+    measured = []
+    for name, band in bands.items():
+        held = band[1] <= 0.5 * velocity.rate
+        size = _rms_in(velocity.density, band) if held else nan
+        measured.append(BandNoise(name, band, size, anderons_of_velocity(size, band, speed)))
     notes = [] if known else ["speed_unknown"]
-    if abs(speed / SPEED - 1.0) > _SPEED_TOLERANCE:
+    if not _SPEED_TOLERANCE[0] <= speed / SPEED - 1.0 <= _SPEED_TOLERANCE[1]:
         notes.append("speed_differs")
-    bands = []
-    for name, band in BANDS.items():
-        held = band[1] <= 0.5 * signal.rate
-        velocity = _rms_in(frequency, density, band) if held else nan
-        bands.append(BandNoise(name, band, velocity, anderons_of_velocity(velocity, band, speed)))
-    if not isfinite(bands[-1].velocity):
+    if not all(isfinite(band.velocity) for band in measured):
         notes.append("band_incomplete")
-    return Noise(speed, tuple(bands), tuple(notes))
+    return Noise(speed, tuple(measured), tuple(notes), velocity)
+
+
+def noise_steps(noise: Noise, parts: int = 8) -> dict[BandName, NoiseSteps]:
+    """Anderons of equally wide parts of every band that the sampling rate holds.
+
+    Parameters
+    ----------
+    noise
+        As measured.
+    parts
+        Of each band, equal in octaves; 8 are a third of an octave each, in `BANDS`. The root mean
+        square of their anderons is the band's level.
+
+    Raises
+    ------
+    InputError
+        If the number of parts is none.
+    """
+    checked_count(parts, "parts", least=1, most=_MOST_PARTS, example="parts = 8")
+    found = {}
+    for band in noise.bands:
+        if band.name in noise.missing:
+            continue
+        edges = np.geomspace(*band.band, parts + 1)
+        pairs = list(zip(edges[:-1].tolist(), edges[1:].tolist(), strict=True))
+        sizes = (_rms_in(noise.velocity.density, pair) for pair in pairs)
+        levels = [
+            anderons_of_velocity(size, pair, noise.speed)
+            for size, pair in zip(sizes, pairs, strict=True)
+        ]
+        found[band.name] = NoiseSteps(edges, np.array(levels))
+    return found
 
 
 def anderons_of_velocity(velocity: float, band: Band, speed: float = SPEED) -> float:
@@ -195,7 +253,9 @@ def velocity_of_anderons(anderons: float, band: Band, speed: float = SPEED) -> f
     return anderons * _velocity_per_anderon(band, speed)
 
 
-def accept(noise: Noise, full_scale: dict[BandName, float], part: float = ACCEPTED) -> Acceptance:
+def accept(
+    noise: Noise, full_scale: Mapping[BandName, float], part: float = ACCEPTED
+) -> Acceptance:
     """Tell whether a bearing's noise is acceptable.
 
     Parameters
@@ -214,9 +274,10 @@ def accept(noise: Noise, full_scale: dict[BandName, float], part: float = ACCEPT
         If a full scale is not positive, or there is none.
     """
     checked_number(part, "part", above=0.0, most=1.0, example="part = 0.4")
-    if not full_scale or not set(full_scale) <= set(BANDS):
+    names = [band.name for band in noise.bands]
+    if not full_scale or not set(full_scale) <= set(names):
         raise InputError(
-            f"must give at least one of {', '.join(BANDS)}, and nothing else",
+            f"must give at least one of {', '.join(names)}, and nothing else",
             field="full_scale",
             example='full_scale = {"low": 30.0, "medium": 60.0, "high": 60.0}',
         )
@@ -235,20 +296,14 @@ def _velocity_per_anderon(band: Band, speed: float) -> float:
     return _MICROINCH * speed * sqrt(log2(high / low))
 
 
-def _velocity_density(signal: Signal) -> tuple[FloatArray, FloatArray]:
-    """Frequency and power density of the velocity, (m/s)²/Hz, above zero frequency."""
-    spectrum = averaged_density(signal, _RESOLUTION)
-    frequency, density = spectrum.axis[1:], spectrum.values[1:]
-    turns = 2.0 * pi * frequency
-    if signal.quantity == "acceleration":
-        density = density / np.square(turns)
-    elif signal.quantity == "displacement":
-        density = density * np.square(turns)
-    return frequency, density
+def _check_bands(bands: Mapping[BandName, Band]) -> None:
+    for name, band in bands.items():
+        if checked_band(band, 1e12, f"bands.{name}")[0] <= 0.0:
+            raise InputError("must begin above 0 Hz", field=f"bands.{name}", value=str(band))
 
 
-def _rms_in(frequency: FloatArray, density: FloatArray, band: Band) -> float:
+def _rms_in(density: Spectrum, band: Band) -> float:
     """RMS of what lies in a band; lines at its edges count by their part inside."""
-    half = 0.5 * float(frequency[1] - frequency[0])
-    inside = np.minimum(frequency + half, band[1]) - np.maximum(frequency - half, band[0])
-    return sqrt(float(np.sum(density * np.clip(inside, 0.0, None))))
+    half = 0.5 * density.resolution
+    inside = np.minimum(density.axis + half, band[1]) - np.maximum(density.axis - half, band[0])
+    return sqrt(float(np.sum(density.values * np.clip(inside, 0.0, None))))
