@@ -7,7 +7,7 @@ import re
 import shlex
 from collections.abc import Callable
 from dataclasses import replace
-from math import nan, pi
+from math import log10, nan, pi, sqrt
 from pathlib import Path
 from typing import Any
 
@@ -251,7 +251,7 @@ class TestTruth:
                     if other != place:
                         alone[other] = Fault(kind=alone[other].kind, strength=0.0)
                 samples = synthesise(replace(recipe, faults=tuple(alone))).signal.samples
-                assert one.rms == pytest.approx(float(np.sqrt(np.mean(samples**2))), rel=1e-9)
+                assert one.truth.rms == pytest.approx(float(np.sqrt(np.mean(samples**2))), rel=1e-9)
 
     def test_standard_output_takes_the_truth_alone(self, run: Run) -> None:
         code, out, err = run(*KNOWN, "--fault", "cage", "-o", "a.npz", "--truth", "-")
@@ -323,6 +323,26 @@ class TestPage:
         assert out
         assert max(len(line) for line in out.splitlines()) <= 80
 
+    @pytest.mark.parametrize("other", [(), ("--shaft-harmonics", "0.3")])
+    def test_waviness_alone_has_a_ratio_to_noise(self, run: Run, other: tuple[str, ...]) -> None:
+        code, out, _ = run(
+            *KNOWN, "--waviness", "outer,amplitude=100 nm,last=60", *other, "--snr", "-3", "-o",
+            "a.npz", "--truth", "a.json", "--lang", "en",
+        )  # fmt: skip
+        assert code == 0
+        assert "signal to noise −3 dB" in squeezed(out)
+        truth = json.loads(Path("a.json").read_text("utf-8"))
+        assert truth["signal_to_noise"] == pytest.approx(-3.0)
+        assert truth["recipe"]["noise"]["of"] == "signal"
+        signal = sqrt(truth["rms"] ** 2 - truth["noise_level"] ** 2)
+        assert 20.0 * log10(signal / truth["noise_level"]) == pytest.approx(-3.0, abs=0.3)
+
+    def test_faults_in_the_truth_have_their_size(self, run: Run) -> None:
+        run(*KNOWN, "--fault", "ball", "-o", "a.npz", "--truth", "a.json")
+        truth = json.loads(Path("a.json").read_text("utf-8"))
+        assert truth["faults"][0]["rms"] == pytest.approx(truth["rms"], rel=1e-12)
+        assert truth["faults"][0]["to_noise"] is None
+
     def test_lines_of_waviness_are_those_of_the_truth(self) -> None:
         recipe = given(faults=(), waviness=("outer,amplitude=100 nm,last=60",), rate=51_200.0)
         found = result(recipe)
@@ -391,7 +411,7 @@ REFUSED: list[tuple[tuple[str, ...], str]] = [
     ((*FAULT, "--slip", "7"), "--slip: 7.0: must be"),
     ((*FAULT, "--snr", "nan"), "--snr: nan: must be from -200"),
     ((*FAULT, "--snr", "0", "--noise", "1"), "not both"),
-    ((*KNOWN, "--waviness", "outer,amplitude=1 nm", "--snr", "0", "-o", "a.npz"), "needs a fault"),
+    ((*KNOWN, "--snr", "0", "-o", "a.npz"), "--snr: is a ratio to faults, waviness or harmonics"),
     ((*FAULT, "--noise", "1 V"), "--noise: "),
     ((*FAULT, "--noise", "-1"), "--noise: -1.0: must be from 0"),
     ((*FAULT, "--noise", "1", "--colour", "red"), "--colour: "),
@@ -412,7 +432,7 @@ REFUSED: list[tuple[tuple[str, ...], str]] = [
     ((*FAULT, "--shaft-harmonics", "-1"), "--shaft-harmonics: "),
     ((*FAULT, "--waviness", "outer"), "--waviness: amplitude: is missing"),
     ((*FAULT, "--waviness", "top,amplitude=1 nm"), "--waviness: surface = "),
-    ((*FAULT, "--waviness", "outer,amplitude=1 nm,last=10000"), "its lines"),
+    ((*FAULT, "--waviness", "outer,amplitude=1 nm,last=10000"), "--waviness: lines = "),
     ((*FAULT, "--waviness", "outer,amplitude=1 nm,direction=axial"), "--waviness: direction = "),
     ((*FAULT, "--seed", "-1"), "--seed: -1"),
     ((*FAULT, "--duration", "1e9"), "gives more than 20000000 samples"),

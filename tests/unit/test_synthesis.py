@@ -544,6 +544,23 @@ def test_noise_beside_the_faults_alone(found: FaultFrequencies) -> None:
     assert loud.truth.signal_to_noise > 20.0
 
 
+def test_noise_beside_waviness_alone(found: FaultFrequencies) -> None:
+    waves = (Waviness.falling("outer", 1e-7, last=60),)
+    clean = _made(found, waviness=waves).signal.samples
+    made = _made(found, waviness=waves, noise=Noise(ratio=-3.0))
+    noise = made.signal.samples - clean
+    assert 10 * np.log10(np.mean(clean**2) / np.mean(noise**2)) == pytest.approx(-3.0)
+    assert made.truth.signal_to_noise == pytest.approx(-3.0)
+
+
+def test_a_ratio_to_faults_needs_one(found: FaultFrequencies) -> None:
+    for waves in ((), (Waviness("outer", ((10, 1e-7),)),)):
+        with pytest.raises(InputError, match="there are none") as caught:
+            Recipe(frequencies=found, waviness=waves, noise=Noise(ratio=0.0, of="faults"))
+        assert caught.value.field == "noise.of"
+    assert Recipe(frequencies=found, noise=Noise(level=1.0, of="faults")).faults == ()
+
+
 def test_noise_at_a_level_and_without_a_signal(found: FaultFrequencies) -> None:
     made = _made(found, noise=Noise(level=0.5))
     assert np.sqrt(np.mean(made.signal.samples**2)) == pytest.approx(0.5)
@@ -611,6 +628,34 @@ def test_the_truth_can_be_written(found: FaultFrequencies) -> None:
     assert truth["speed"]["mean"] == pytest.approx(SPEED)
     assert truth["waviness"][0]["waves"] == 10
     assert truth["frequencies"]["cage"]["order"] == found.cage.order
+
+
+def test_each_fault_has_the_size_of_what_it_makes_alone(found: FaultFrequencies) -> None:
+    faults = (
+        Fault(kind="outer_race", strength=2.0),
+        Fault(kind="ball", modulation="frequency", index=0.5),
+        Fault(kind="inner_race", strength=0.0),
+    )
+    truth = _made(found, *faults, noise=Noise(level=3.0), shaft_harmonics=(1.0,)).truth
+    for number, told in enumerate(truth.faults):
+        # silent beside it, so that each draws from its own source as before
+        others = tuple(
+            replace(fault, strength=fault.strength if place == number else 0.0)
+            for place, fault in enumerate(faults)
+        )
+        alone = _made(found, *others).signal.samples
+        assert told.rms == pytest.approx(np.sqrt(np.mean(alone**2)), rel=1e-12)
+        assert told.to_mapping()["rms"] == told.rms
+    assert truth.faults[2].rms == 0.0
+
+
+@pytest.mark.parametrize("speed", [None, SwingingSpeed(SPEED, 0.1, 1.0)])
+def test_speed_at_every_sample(found: FaultFrequencies, speed: Any) -> None:
+    made = _made(found, Fault(kind="cage"), speed=speed)
+    assert made.truth.speeds.shape == made.signal.samples.shape
+    assert np.array_equal(made.truth.speeds, made.truth.speed + np.zeros(made.signal.samples.size))
+    angle = angle_of(made.truth.speeds, made.signal.samples.size, RATE)
+    assert angle == pytest.approx(angle_of(made.truth.speed, angle.size, RATE), rel=1e-9)
 
 
 def test_rings_that_turn_alike_make_no_impacts(bearing: Bearing) -> None:
@@ -684,8 +729,19 @@ def test_impacts_have_a_bound(bearing: Bearing) -> None:
         rate=8000.0,
         modes=(Mode(1000.0),),
     )
-    with pytest.raises(InputError, match="impacts"):
+    with pytest.raises(InputError, match="may be 5000000 at most; shorten") as caught:
         synthesise(recipe)
+    assert caught.value.field == "faults.impacts"
+    assert caught.value.value == round(fast.ball_pass_inner.frequency * 10.0 * (1.0 - 1.0 / 80_000))
+
+
+def test_lines_of_waviness_and_steps_of_a_speed_have_a_bound(found: FaultFrequencies) -> None:
+    with pytest.raises(InputError) as caught:
+        waviness_lines(found, Waviness.falling("inner", 1e-9, last=10_000))
+    assert caught.value.field == "waviness.lines"
+    with pytest.raises(InputError, match="steps of a wandering speed") as caught:
+        speeds_of(WanderingSpeed(1.0, 0.1, 1e-3), 200_000, 1000.0, np.random.default_rng(0))
+    assert (caught.value.field, caught.value.value) == ("memory", 1e-3)
 
 
 def test_ten_seconds_with_everything(found: FaultFrequencies) -> None:

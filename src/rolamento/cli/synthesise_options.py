@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -41,7 +40,6 @@ KINDS: Final[dict[str, dict[str, Kind]]] = {
     },
 }
 """Keys of the options that give a record by fields. The first may stand alone, but of --path."""
-_LAST_NAME: Final = re.compile(r"\.|: ")
 EXAMPLES: Final = {
     "--fault": "--fault inner_race,strength=2,jitter=0.02",
     "--mode": "--mode '3500 Hz,damping=0.03,gain=10'",
@@ -70,15 +68,15 @@ _OPTIONS: Final = {
     "modes": "--mode",
     "modes.frequency": "--mode",
     "faults": "--fault",
+    "faults.impacts": "--fault",
     "waviness": "--waviness",
-    "waviness: its lines": "--waviness",
+    "waviness.lines": "--waviness",
     "waviness.direction": "--waviness",
     "speed": "--speed",
     "depth": "--swing",
     "frequency": "--swing",
     "deviation": "--wander",
     "memory": "--wander",
-    "memory: steps of a wandering speed": "--wander",
 }
 """Of fields that the recipe and the synthesis check, the options that give them."""
 
@@ -150,5 +148,5 @@ def named(options: Mapping[str, str]) -> Iterator[None]:
         if error.source or error.field not in options:
             raise
         option = options[error.field]
-        field = _LAST_NAME.split(error.field)[-1] if option in KINDS else ""
+        field = error.field.rpartition(".")[2] if option in KINDS else ""
         raise error.with_details(source=option, field=field, example=EXAMPLES[option]) from None

@@ -181,14 +181,16 @@ def _noise(asked: Asked) -> Noise | None:
         return None
     if asked.snr is not None and asked.noise is not None:
         raise InputError("give one of --snr and --noise, not both", source="--snr")
-    fields: dict[str, Any] = {"colour": asked.colour, "of": "faults"}
+    of = "faults" if asked.faults else "signal"
+    fields: dict[str, Any] = {"colour": asked.colour, "of": of}
     if asked.noise is not None:
         fields["level"] = number_of(asked.noise, "--noise", "acceleration", EXAMPLES["--noise"])
-    elif asked.faults:
+    elif asked.faults or asked.waviness or asked.shaft_harmonics:
         fields["ratio"] = asked.snr
     else:
         raise InputError(
-            "is the ratio of faults and noise, and needs a fault; without one give --noise",
+            "is a ratio to faults, waviness or harmonics of the shaft, and there are none; for"
+            " noise alone give --noise",
             source="--snr",
             example=EXAMPLES["--noise"],
         )

@@ -158,7 +158,7 @@ def _noise(page: Page, said: SynthesisWords, found: SynthesisResult) -> str:
         return said.noises["none"]
     parts = [said.noises[noise.colour], said.level.format(level=short_number(page, level))]
     if noise.ratio is not None:
-        parts.append(said.ratio.format(ratio=page.digits.short(noise.ratio, 4)))
+        parts.append(said.ratios[noise.of].format(ratio=page.digits.short(noise.ratio, 4)))
     return ", ".join(parts)
 
 
@@ -188,7 +188,7 @@ def _fault_cells(page: Page, said: SynthesisWords, one: PlantedFault) -> list[st
         digits.fixed(truth.order, 4),
         digits.fixed(truth.frequency, 2),
         digits.fixed(one.impacts, 0) if one.fault.modulation == "amplitude" else ABSENT,
-        short_number(page, one.rms),
+        short_number(page, truth.rms),
         digits.fixed(one.to_noise, 2),
         digits.short(100.0 * one.fault.jitter, 3),
     ]

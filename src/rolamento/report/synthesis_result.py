@@ -11,18 +11,15 @@ from typing import Any, Final, Literal, NamedTuple
 import numpy as np
 
 from rolamento.bearing import Bearing
-from rolamento.numerics import FloatArray
 from rolamento.report.plain_data import json_text
 from rolamento.vibration.synthesis import (
+    Fault,
+    FaultTruth,
     GivenSpeed,
     Recipe,
     SteadySpeed,
     Synthesis,
 )
-from rolamento.vibration.synthesis.assemble import FaultTruth
-from rolamento.vibration.synthesis.faults import Fault, Impacts, Turning, cycles_at
-from rolamento.vibration.synthesis.speed import angle_of
-from rolamento.vibration.synthesis.transfer import modulated_in_frequency, ringing
 
 __all__ = ["PlantedFault", "PlantedLine", "SynthesisResult", "truth_json"]
 
@@ -35,12 +32,11 @@ _RPM: Final = 30.0 / pi
 
 
 class PlantedFault(NamedTuple):
-    """What a fault makes: impacts with any force, RMS (m/s²), power over the noise's (dB)."""
+    """What a fault makes: impacts with any force, power over the noise's (dB)."""
 
     fault: Fault
     truth: FaultTruth
     impacts: int
-    rms: float
     to_noise: float
 
 
@@ -92,7 +88,7 @@ class SynthesisResult:
     @cached_property
     def rms(self) -> float:
         """Of the signal; m/s²."""
-        return _rms(self.made.signal.samples)
+        return sqrt(float(np.mean(np.square(self.made.signal.samples))))
 
     @cached_property
     def faults(self) -> tuple[PlantedFault, ...]:
@@ -100,9 +96,9 @@ class SynthesisResult:
         truth = self.made.truth
         found = []
         for fault, told in zip(self.recipe.faults, truth.faults, strict=True):
-            rms = _rms(_alone(self.made, fault, told))
             struck = int(np.count_nonzero(told.strengths > 0.0))
-            found.append(PlantedFault(fault, told, struck, rms, _decibels(rms, truth.noise_level)))
+            to_noise = _decibels(told.rms, truth.noise_level)
+            found.append(PlantedFault(fault, told, struck, to_noise))
         return tuple(found)
 
     @cached_property
@@ -154,8 +150,7 @@ def truth_json(found: SynthesisResult) -> str:
             "rms": found.rms,
             **truth.to_mapping(),
             "faults": [
-                {**one.truth.to_mapping(), "rms": one.rms, "to_noise": one.to_noise}
-                for one in found.faults
+                {**one.truth.to_mapping(), "to_noise": one.to_noise} for one in found.faults
             ],
             "recipe": {
                 "faults": [asdict(fault) for fault in recipe.faults],
@@ -177,21 +172,6 @@ def _profile(found: SynthesisResult) -> dict[str, Any]:
     if profile is None or isinstance(profile, GivenSpeed):
         return {"kind": "SteadySpeed", "speed": float(np.mean(found.made.truth.speed))}
     return {"kind": type(profile).__name__, **asdict(profile)}
-
-
-def _alone(made: Synthesis, fault: Fault, told: FaultTruth) -> FloatArray:
-    """What one fault makes, as in the signal; (samples,), m/s²."""
-    recipe = made.truth.recipe
-    if fault.modulation == "amplitude":
-        return ringing(told.times, told.strengths, recipe.modes, recipe.count, recipe.rate)
-    turning = Turning(angle_of(made.truth.speed, recipe.count, recipe.rate), recipe.rate)
-    impacts = Impacts(told.times, told.times, told.azimuths, told.strengths)
-    cycles = cycles_at(impacts, turning, told.order)
-    return modulated_in_frequency(cycles, recipe.modes, recipe.rate, fault.index, fault.strength)
-
-
-def _rms(samples: FloatArray) -> float:
-    return sqrt(float(np.mean(np.square(samples))))
 
 
 def _decibels(rms: float, noise: float) -> float:

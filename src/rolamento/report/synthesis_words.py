@@ -38,7 +38,7 @@ class SynthesisWords:
     noise: str
     noises: Mapping[str, str]
     level: str
-    ratio: str
+    ratios: Mapping[str, str]
     modes: str
     mode: str
     seed: str
@@ -95,7 +95,7 @@ _ENGLISH: Final = SynthesisWords(
     noise="noise",
     noises={"white": "white", "pink": "pink", "none": "none"},
     level="RMS {level} m/s²",
-    ratio="faults to noise {ratio} dB",
+    ratios={"faults": "faults to noise {ratio} dB", "signal": "signal to noise {ratio} dB"},
     modes="rings at",
     mode="{frequency} Hz (damping {damping})",
     seed="seed",
@@ -168,7 +168,7 @@ _PORTUGUESE: Final = SynthesisWords(
     noise="ruído",
     noises={"white": "branco", "pink": "rosa", "none": "nenhum"},
     level="rms {level} m/s²",
-    ratio="defeitos sobre ruído {ratio} dB",
+    ratios={"faults": "defeitos sobre ruído {ratio} dB", "signal": "sinal sobre ruído {ratio} dB"},
     modes="ressoa em",
     mode="{frequency} Hz (amortecimento {damping})",
     seed="semente",

@@ -111,6 +111,15 @@ class Recipe:
         check_modes(self.modes, self.rate)
         if not isfinite(self.frequencies.cage.order):
             raise InputError("have no result to make a signal of", field="frequencies")
+        noise = self.noise
+        to_faults = noise is not None and noise.ratio is not None and noise.of == "faults"
+        if to_faults and not self.faults:
+            raise InputError(
+                "is what the ratio of the noise is to, but there are none",
+                field="noise.of",
+                value="faults",
+                example='of = "signal"',
+            )
 
     @property
     def count(self) -> int:
@@ -128,6 +137,8 @@ class FaultTruth:
         of the `Fault`
     order, frequency
         of the shaft, and the mean over the signal (Hz), without jitter
+    rms
+        root mean square of what the fault alone makes (m/s²)
     times, azimuths, strengths
         of the impacts (impacts,): s, rad, dimensionless. With modulation of frequency they are the
         passages, and the strengths have no effect.
@@ -137,6 +148,7 @@ class FaultTruth:
     modulation: str
     order: float
     frequency: float
+    rms: float
     times: FloatArray
     azimuths: FloatArray
     strengths: FloatArray
@@ -145,7 +157,8 @@ class FaultTruth:
         """Give it as plain values and lists."""
         arrays = {name: getattr(self, name).tolist() for name in ("times", "azimuths", "strengths")}
         plain = {"kind": self.kind, "modulation": self.modulation}
-        return {**plain, "order": self.order, "frequency": self.frequency, **arrays}
+        numbers = {"order": self.order, "frequency": self.frequency, "rms": self.rms}
+        return {**plain, **numbers, **arrays}
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -174,6 +187,11 @@ class Truth:
     speed: FloatArray
     noise_level: float
     signal_to_noise: float
+
+    @property
+    def speeds(self) -> FloatArray:
+        """Speed of the shaft at every sample, steady or not; (samples,), rad/s."""
+        return np.broadcast_to(self.speed, (self.recipe.count,))
 
     def to_mapping(self) -> dict[str, Any]:
         """Give the truth as plain values and lists, in SI units and Hz."""
@@ -315,13 +333,15 @@ def _damage(
             recipe.load_turns,
         )
         order = recipe.frequencies.of_fault(fault.kind).order
-        total += _answer(recipe, fault, impacts, turning, order)
+        answer = _answer(recipe, fault, impacts, turning, order)
+        total += answer
         truths.append(
             FaultTruth(
                 fault.kind,
                 fault.modulation,
                 order,
                 order * mean,
+                float(np.sqrt(np.mean(np.square(answer)))),
                 impacts.times,
                 impacts.azimuths,
                 impacts.strengths,

@@ -162,7 +162,10 @@ def impacts_of(
     total = order * float(size[-1]) / _TURN
     if total > _MOST_IMPACTS:
         raise InputError(
-            f"would give more than {_MOST_IMPACTS} impacts", field="duration", value=total
+            f"may be {_MOST_IMPACTS} at most; shorten the duration",
+            field="faults.impacts",
+            value=round(total),
+            example="duration = 10.0",
         )
     cycles = _cycles(fault, total, random)
     angles = cycles * (_TURN / order)

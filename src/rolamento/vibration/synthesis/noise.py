@@ -28,7 +28,7 @@ class Noise:
     level
         root mean square (m/s²)
     of
-        what the ratio is to: the "signal" without noise, or the "faults" alone
+        what the ratio is to: the "signal" without noise, such as waviness alone, or the "faults"
     """
 
     colour: Literal["white", "pink"] = "white"

@@ -140,7 +140,14 @@ def _wandering(
     check_within("memory", profile.memory, 1e-3, 1e6, "memory = 0.5", "s")
     step = profile.memory / 10.0
     points = int(count / rate / step) + 2
-    check_count("memory: steps of a wandering speed", points, _MOST_POINTS)
+    if points > _MOST_POINTS:
+        raise InputError(
+            f"gives more than {_MOST_POINTS} steps of a wandering speed; lengthen it, or shorten"
+            " the duration",
+            field="memory",
+            value=profile.memory,
+            example="memory = 0.5",
+        )
     kept = np.exp(-0.1)
     pushes = np.sqrt(1.0 - kept**2) * random.standard_normal(points)
     place, walk = float(random.standard_normal()), np.empty(points)

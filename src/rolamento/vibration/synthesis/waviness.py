@@ -144,7 +144,7 @@ def waviness_lines(frequencies: FaultFrequencies, waviness: Waviness) -> tuple[W
         for order, part in _orders(frequencies, waviness, waves)
         if order > 0.0 and amplitude > 0.0
     ]
-    check_count("waviness: its lines", len(found), _MOST_LINES)
+    check_count("waviness.lines", len(found), _MOST_LINES)
     return tuple(found)
 
 
