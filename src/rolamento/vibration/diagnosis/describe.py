@@ -11,7 +11,7 @@ from rolamento.vibration.diagnosis import wording
 from rolamento.vibration.diagnosis.field import SEEN, Field
 from rolamento.vibration.diagnosis.hypotheses import SearchedLine
 from rolamento.vibration.diagnosis.orders import Component
-from rolamento.vibration.diagnosis.record import ComponentVerdict, MatchedLine
+from rolamento.vibration.diagnosis.record import ComponentVerdict, MatchedLine, Reason
 from rolamento.vibration.diagnosis.search import Finding, chance
 from rolamento.vibration.noise_floor import LOWEST_LINE
 
@@ -65,22 +65,21 @@ def no_fault(
     finding: Finding | None,
     field: Field,
     trials: int,
-    *,
-    of_ball: bool = False,
+    of_another: Reason | None = None,
 ) -> ComponentVerdict:
     """Return the verdict that nothing was found, or that nothing can be told.
 
-    of_ball: whether lines of the component are there, but only those of a ball's damage.
+    of_another: why its lines are there, if they are another part's.
     """
     nominal = field.orders.fundamental(component)
     probability, evidence = (nan, nan) if finding is None else chance(finding.evidence, trials)
-    if of_ball:
-        reason = wording.of_ball()
+    if of_another is not None:
+        reason = of_another
     elif finding is None:
         reason = wording.untested(_why_untested(nominal, field))
     else:
         reason = wording.nothing_above_noise(probability, trials)
-    nothing = finding is not None or of_ball
+    nothing = finding is not None or of_another is not None
     return ComponentVerdict(
         component=component,
         verdict="nothing_found" if nothing else "not_tested",

@@ -28,6 +28,8 @@ _SPREAD_TO: Final = 0.3
 
 
 _MULTIPLES: Final = 6
+_KNOWN: Final = 0.25
+"""Of the distance between multiples: farther off, a multiple is not known."""
 _CONNECTED: Final = 3.0
 """Orders between which a modulation carries noise; farther, less than a hundredth of it."""
 
@@ -129,7 +131,18 @@ def fault_places(
             if 0.0 < line < lines:
                 within = 1.0 + doubt * number * step + 0.5 * width + side * of_spacing
                 places.append(Place(line, within, width))
+    if component == "cage":
+        places += _far_multiples(step, doubt, lines)
     return places
+
+
+def _far_multiples(step: float, doubt: float, lines: int) -> list[Place]:
+    """All multiples that are known well enough: blows of the cage are felt up to its hundredth.
+
+    Among them some lie where those of a ball are looked for.
+    """
+    last = min(int(lines / step), int(_KNOWN / doubt))
+    return [Place(n * step, 1.0 + doubt * n * step) for n in range(1, last + 1)]
 
 
 def lines_about(

@@ -19,6 +19,7 @@ __all__ = [
     "chance_of_noise",
     "nothing_above_noise",
     "of_ball",
+    "of_cage",
     "of_sidebands",
     "off_nominal",
     "unexplained",
@@ -62,6 +63,15 @@ def of_ball() -> Reason:
         "carries_the_ball",
         "Its lines stand out as those of the ball do: a damaged ball goes in and out of the load "
         "once in each turn of the cage. Nothing more tells of the cage itself.",
+    )
+
+
+def of_cage() -> Reason:
+    """Return that lines of a part may be multiples of the cage's."""
+    return Reason(
+        "weak_beside_cage",
+        "What stands out at its lines is weak beside the cage, whose multiples lie on them or "
+        "near: nothing more tells of the part itself.",
     )
 
 
