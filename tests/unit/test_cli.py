@@ -11,16 +11,18 @@ import subprocess
 import sys
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 import pytest
+import typer
 from typer.testing import CliRunner
 
 import rolamento
 from rolamento import equilibrium
 from rolamento.cli import streams
-from rolamento.cli.app import app
+from rolamento.cli.app import COMMANDS, app
 from rolamento.cli.common import Language
+from rolamento.cli.grouped_help import GroupedCommand, GroupedCommands, Groups
 from rolamento.cli.optional_value import with_values
 from rolamento.cli.outputs import check_outputs
 from rolamento.cli.waiting import progress_of, waiting
@@ -411,6 +413,101 @@ def test_help(run: Run, arguments: tuple[str, ...]) -> None:
     assert outcome.out.startswith("Usage: ")
 
 
+@pytest.mark.parametrize("arguments", [(), ("catalogue",), ("weibull-plan",)])
+def test_without_a_command_all_commands_are_shown(run: Run, arguments: tuple[str, ...]) -> None:
+    outcome = run(*arguments)
+    assert outcome.code == 2
+    assert (outcome.out + outcome.err).strip() == run(*arguments, "--help").out.strip()
+
+
+def commands_of(group: Any, path: tuple[str, ...] = ()) -> dict[tuple[str, ...], Any]:
+    """Return the commands by their words, those of commands too."""
+    found: dict[tuple[str, ...], Any] = {}
+    for name, command in group.commands.items():
+        found[*path, name] = command
+        if hasattr(command, "commands"):
+            found |= commands_of(command, (*path, name))
+    return found
+
+
+PROGRAM = typer.main.get_command(app)
+ALL_COMMANDS = commands_of(PROGRAM)
+GROUPED = {
+    words: command
+    for words, command in ALL_COMMANDS.items()
+    if isinstance(command, GroupedCommand) and command.groups
+}
+
+
+def test_the_help_shows_every_command_below_its_heading(run: Run) -> None:
+    assert sorted(name for group in COMMANDS.values() for name in group) == sorted(PROGRAM.commands)
+    shown: dict[str, list[str]] = {}
+    for line in run("--help").out.splitlines():
+        if re.fullmatch(r"[A-Z].*:", line):
+            shown[line[:-1]] = []
+        elif shown and (name := re.match(r"  ([a-z][a-z-]*) {2,}", line)):
+            shown[list(shown)[-1]].append(name[1])
+    assert {heading: tuple(names) for heading, names in shown.items() if names} == COMMANDS
+
+
+def help_of(words: tuple[str, ...]) -> list[str]:
+    """Return the lines of the help of a command."""
+    command = ALL_COMMANDS[words] if words else PROGRAM
+    return str(command.get_help(typer.Context(command, info_name=" ".join(words)))).splitlines()
+
+
+@pytest.mark.parametrize("words", ALL_COMMANDS, ids=" ".join)
+def test_the_help_of_a_command_begins_with_one_line_of_what_it_does(words: tuple[str, ...]) -> None:
+    said = ALL_COMMANDS[words].get_short_help_str(200)
+    verbs = "Compare|Draw|Fit|List|Make|Plan|Say|Search|Show|Solve|Write"
+    assert re.fullmatch(rf"({verbs}) [^.]+\.", said)
+    listed = [re.split(" {2,}", line.strip()) for line in help_of(words[:-1])]
+    assert [words[-1], said] in listed, "is more than one line"
+    lines = help_of(words)
+    assert f"  {said}" in lines
+    assert max(map(len, lines)) <= 80
+
+
+@pytest.mark.parametrize("words", GROUPED, ids=" ".join)
+def test_every_option_stands_below_one_heading(words: tuple[str, ...]) -> None:
+    command = GROUPED[words]
+    named = [name for names in command.groups.values() for name in names]
+    options = {p.name: p.opts[0] for p in command.params if p.param_type_name == "option"}
+    assert sorted(named) == sorted({*options, "help"})
+    lines = help_of(words)
+    headings = ["Arguments", *command.groups]
+    assert [line[:-1] for line in lines if re.fullmatch(r"[A-Z].*:", line)] == headings
+    lines = lines[: next(i for i, line in enumerate(lines) if line.startswith("  Example"))]
+    for option in options.values():
+        assert sum(bool(re.match(rf"  (-\w, )?{option}( |$)", line)) for line in lines) == 1
+
+
+def test_a_long_list_of_options_has_headings() -> None:
+    long = {words for words, command in ALL_COMMANDS.items() if len(command.params) > 15}
+    assert long == {*GROUPED}
+
+
+def test_what_has_no_heading_is_shown_below_the_last() -> None:
+    class Half(GroupedCommand):
+        groups: ClassVar[Groups] = {"Where": ("path",), "Nothing": ()}
+
+    class Program(GroupedCommands):
+        groups: ClassVar[Groups] = {"First": ("two", "absent")}
+
+    other = typer.Typer(cls=Program, rich_markup_mode=None, add_completion=False)
+
+    def command(path: str = "", size: int = 3) -> None:
+        """Do it."""
+
+    other.command("one", cls=Half)(command)
+    other.command("two", cls=Half)(command)
+    shown = CliRunner().invoke(other, ["--help"]).stdout
+    assert re.search(r"First:\n  two  Do it\.\n\nCommands:\n  one  Do it\.", shown)
+    options = CliRunner().invoke(other, ["one", "--help"]).stdout
+    assert re.search(r"Where:\n  --path <str>\n\nOptions:\n  --size <int>", options)
+    assert "Nothing" not in options
+
+
 # --- where the value of --json is left out ----------------------------------
 
 
@@ -517,6 +614,22 @@ def test_the_examples_of_the_front_page_work(run: Run, page: str) -> None:
     (python,) = re.findall(r"```python\n(.*?)```", text, re.DOTALL)
     exec(python, names)
     assert names["batch"].converged.all()
+
+
+@pytest.mark.parametrize("page", ["README.md", "README.pt-BR.md", "docs/command-line.md"])
+def test_the_pages_show_every_command_in_the_groups_of_the_help(page: str) -> None:
+    path = Path(__file__).parents[2] / page
+    groups: list[list[str]] = []
+    for heading, name, rest in re.findall(
+        r"^\| (?:(\*\*.+\*\*)|`rolamento ([\w-]+).*?`(.*)) \|", path.read_text("utf-8"), re.M
+    ):
+        if heading:
+            groups.append([])
+        elif groups:
+            groups[-1].append(name)
+            links = re.findall(r"\]\(([^)#]+)", rest)
+            assert all((path.parent / link).is_file() for link in links)
+    assert [tuple(group) for group in groups] == list(COMMANDS.values())
 
 
 @pytest.mark.parametrize(("page", "language"), [("README.md", "en"), ("README.pt-BR.md", "pt")])

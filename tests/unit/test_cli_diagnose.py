@@ -24,7 +24,7 @@ from rolamento.case import parse_case
 from rolamento.cli import diagnose_signal
 from rolamento.cli.diagnose import diagnose
 from rolamento.cli.diagnose_bearing import searched
-from rolamento.cli.diagnose_options import GROUPS, DiagnoseCommand
+from rolamento.cli.diagnose_options import DiagnoseCommand
 from rolamento.vibration.diagnosis import DiagnosisSettings
 from rolamento.vibration.fault_lines import FaultFrequencies
 from rolamento.vibration.frequencies import frequencies_of, nominal_frequencies
@@ -262,24 +262,6 @@ class TestSearch:
         )
         found = searched(replace(FREQUENCIES, rows=rows), DiagnosisSettings())
         assert found.other_rows == (2,)
-
-
-class TestHelp:
-    def test_every_option_stands_in_one_group(self) -> None:
-        command = typer.main.get_command(app)
-        names = [name for group in GROUPS.values() for name in group]
-        assert sorted(names) == sorted({*names})
-        options = {p.name for p in command.params if p.param_type_name == "option"}
-        assert {*names} == {*options, "help"}
-
-    def test_headings_and_width(self, run: Run) -> None:
-        code, out, _ = run("--help")
-        assert code == 0
-        lines = out.splitlines()
-        places = [lines.index(f"{heading}:") for heading in ("Arguments", *GROUPS)]
-        assert places == sorted(places)
-        assert max(map(len, lines)) <= 80
-        assert sum(line.startswith("  --track ") for line in lines) == 1
 
 
 class TestFiles:

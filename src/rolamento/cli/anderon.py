@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from typing import TYPE_CHECKING, Annotated, Final
+from typing import TYPE_CHECKING, Annotated, ClassVar, Final
 
 import typer
 
@@ -13,6 +13,7 @@ from rolamento.cli.common import (
     plain_endings,
     words_of,
 )
+from rolamento.cli.grouped_help import GroupedCommand, Groups
 from rolamento.cli.options import (
     ChannelOption,
     DurationOption,
@@ -32,18 +33,29 @@ if TYPE_CHECKING:
     from rolamento.report.anderon_result import NoiseResult
     from rolamento.report.language import Words
 
-__all__ = ["anderon"]
+__all__ = ["AnderonCommand", "anderon"]
 
 _ACCEPTED: Final = 0.4
 _MOST_SIGNALS: Final = 500
 _LONGEST_NAME: Final = 60
 
 
+class AnderonCommand(GroupedCommand):
+    """`rolamento anderon`, its help in groups."""
+
+    groups: ClassVar[Groups] = {
+        "Signal": ("channel", "rate", "unit", "scale", "start", "duration"),
+        "Bearing": ("speed", "bearing", "hours"),
+        "Acceptance": ("full_scale", "accepted"),
+        "Output": ("plot", "record", "json", "csv", "lang", "help"),
+    }
+
+
 def anderon(
     signals: Annotated[
         list[str],
         typer.Argument(
-            metavar="SIGNAL...",
+            metavar="SIGNAL",
             help="Files of signals: WAV, CSV, NPY, MATLAB and others. Several are of one bearing.",
         ),
     ],
@@ -107,7 +119,10 @@ def anderon(
     csv: Annotated[str | None, csv_option("Write the table of bands")] = None,
     lang: LanguageOption = None,
 ) -> None:
-    """Show the noise of a bearing in anderons and µm/s, and whether it passes."""
+    """Show the noise in anderons and µm/s, and if it passes.
+
+    Of a bearing, in the bands of an anderometer; over the hours of a test if there are several.
+    """
     with plain_endings(lang):
         outputs = {"--json": json, "--csv": csv, "--record": record, "--plot": plot}
         _check(signals, outputs, hours, bearing)

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import sys
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Final
 
 import typer
 
 import rolamento
-from rolamento.cli.anderon import anderon
+from rolamento.cli.anderon import AnderonCommand, anderon
 from rolamento.cli.catalogue import app as catalogue_app
 from rolamento.cli.clearance import clearance
 from rolamento.cli.common import (
@@ -22,6 +22,7 @@ from rolamento.cli.diagnose import diagnose
 from rolamento.cli.diagnose_options import DiagnoseCommand
 from rolamento.cli.frequencies import frequencies
 from rolamento.cli.friction import friction
+from rolamento.cli.grouped_help import GroupedCommands, Groups
 from rolamento.cli.life import life
 from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.options import (
@@ -36,22 +37,39 @@ from rolamento.cli.plot import plot
 from rolamento.cli.reproduce import reproduce
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
 from rolamento.cli.sweep import sweep
-from rolamento.cli.synthesise import synthesise
+from rolamento.cli.synthesise import SynthesiseCommand, synthesise
 from rolamento.cli.tolerance import tolerance
 from rolamento.cli.trend import trend
 from rolamento.cli.turn import turn
 from rolamento.cli.verify import verify
 from rolamento.cli.waiting import waiting
-from rolamento.cli.weibull import weibull
+from rolamento.cli.weibull import WeibullCommand, weibull
 from rolamento.cli.weibull_plan import app as weibull_plan_app
 
 if TYPE_CHECKING:
     from rolamento.report.language import Words
 
-__all__ = ["app", "main"]
+__all__ = ["COMMANDS", "app", "main"]
+
+COMMANDS: Final[Groups] = {
+    "Inside the bearing": ("demo", "solve", "turn", "friction"),
+    "Life and life tests": ("life", "weibull", "weibull-plan", "trend"),
+    "Vibration": ("frequencies", "diagnose", "synthesise", "anderon"),
+    "Catalogue and clearance": ("catalogue", "clearance"),
+    "Studies and figures": ("sweep", "tolerance", "plot"),
+    "Proofs": ("verify", "reproduce"),
+}
+"""What a person wants, and the commands for it: in the help, the front pages and the guide."""
+
+
+class Program(GroupedCommands):
+    """`rolamento`, its commands in groups."""
+
+    groups = COMMANDS
+
 
 app = typer.Typer(
-    help="Ball bearing analysis: ball loads, contact angles, stresses, displacements, stiffness.",
+    cls=Program,
     epilog="Exit codes: 0 done, 1 no result or a failed check (which is printed), 2 wrong input.",
     add_completion=False,
     no_args_is_help=True,
@@ -79,7 +97,10 @@ def rolamento_command(
         typer.Option("--version", help="Show the version.", callback=_print_version, is_eager=True),
     ] = False,
 ) -> None:
-    """Ball bearing analysis: ball loads, contact angles, stresses, displacements, stiffness."""
+    """Ball bearing analysis: what happens inside, and what follows from it.
+
+    To begin: rolamento demo. Options: rolamento COMMAND --help.
+    """
 
 
 @app.command(
@@ -109,7 +130,10 @@ def demo(
     ] = None,
     lang: LanguageOption = None,
 ) -> None:
-    """Solve the shipped example: a 218 bearing at 10 000 rpm under combined load."""
+    """Solve the shipped example, and say what to try next.
+
+    It is a 218 angular-contact bearing at 10 000 rpm under combined load.
+    """
     from rolamento.cli import demonstration
 
     with plain_endings(lang):
@@ -180,16 +204,17 @@ app.command(
     "diagnose run.npz --bearing case.toml --speed-channel rpm.",
 )(diagnose)
 app.command(
+    cls=SynthesiseCommand,
     epilog="Example: synthesise 6205 --speed '1797 rpm' --fault inner_race --load radial --snr -8"
     " --rate '12 kHz' --output inner.npz --truth inner.json.",
 )(synthesise)
 app.command(
-    cls=JsonCommand,
+    cls=AnderonCommand,
     epilog="Examples: anderon noise.wav --unit um/s --full-scale low=30,medium=60,high=60;"
     " anderon t060.csv t120.csv --hours 60,120 --plot trend.png.",
 )(anderon)
 app.command(
-    cls=JsonCommand,
+    cls=WeibullCommand,
     epilog="Examples: weibull tests.csv --plot paper.png; weibull tests.csv --shape 1.5;"
     " weibull --example campanha-2008 --calculated-life 'ISO 281=58 h'.",
 )(weibull)

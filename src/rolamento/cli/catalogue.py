@@ -15,6 +15,7 @@ from rolamento.cli.common import (
     plain_endings,
     words_of,
 )
+from rolamento.cli.grouped_help import GroupedCommands
 from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.options import JsonOption, LanguageOption
 from rolamento.cli.streams import STANDARD_STREAM, print_text, put
@@ -29,7 +30,9 @@ _MOST: Final = 40
 _MOST_OF_ALL: Final = 1000
 
 app = typer.Typer(
-    help="Bearings by their designation: search, and show what is published and inferred.",
+    cls=GroupedCommands,
+    help="Search bearings, and show what is inside one.\n\n"
+    "By their designation: what is published, and what is inferred from it.",
     no_args_is_help=True,
     rich_markup_mode=None,
 )
@@ -57,7 +60,7 @@ def search(
     json: JsonOption = None,
     lang: LanguageOption = None,
 ) -> None:
-    """List the bearings whose designation begins with, or contains, a text."""
+    """List the bearings whose designation has a text in it."""
     with plain_endings(lang):
         if not 1 <= most <= _MOST_OF_ALL:
             raise InputError(f"must be between 1 and {_MOST_OF_ALL}", value=most, source="--most")
@@ -87,7 +90,10 @@ def show(
     json: JsonOption = None,
     lang: LanguageOption = None,
 ) -> None:
-    """Show a bearing: published figures with their source, and its inside, marked if inferred."""
+    """Show a bearing by its designation.
+
+    Published figures with their source, and its inside, marked if inferred.
+    """
     with plain_endings(lang):
         known = _catalogue(files)
         if dynamic or static:

@@ -20,7 +20,10 @@ __all__ = ["clearance"]
 
 
 def clearance(
-    case: Annotated[str, typer.Argument(help="Case file with a [mounting]; - is standard input.")],
+    case: Annotated[
+        str,
+        typer.Argument(metavar="CASE", help="Case file with a [mounting]; - is standard input."),
+    ],
     samples: Annotated[
         int | None,
         typer.Option(
@@ -34,7 +37,10 @@ def clearance(
     settings: SettingsOption = None,
     lang: LanguageOption = None,
 ) -> None:
-    """Show what fits, temperatures, speed and wear leave of a bearing's clearance."""
+    """Show what is left of the clearance in operation.
+
+    After fits, temperatures, speed and wear, step by step.
+    """
     with plain_endings(lang):
         check_outputs({"--json": json}, case)
         loaded = rolamento.load_case(case, settings or ())

@@ -109,9 +109,9 @@ def diagnose(
     csv: CsvOption = None,
     lang: LanguageOption = None,
 ) -> None:
-    """Say which parts of a bearing a vibration signal shows to be damaged, and how sure that is.
+    """Say which parts a vibration signal shows to be damaged.
 
-    A long signal is read block by block, in bounded memory.
+    Says how sure that is, and why. A long signal is read block by block, in bounded memory.
     """
     with plain_endings(lang):
         outputs = {"--json": json, "--csv": csv, "--plot": plot, "--kurtogram": kurtogram}

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Final
+from typing import Annotated, ClassVar
 
 import typer
 
-from rolamento.cli.optional_value import JsonCommand
+from rolamento.cli.grouped_help import GroupedCommand, Groups
 from rolamento.cli.options import csv_option, plot_option
 
 __all__ = [
-    "GROUPS",
     "AngleOption",
     "BearingOption",
     "CsvOption",
@@ -31,40 +30,20 @@ __all__ = [
     "WithinOption",
 ]
 
-GROUPS: Final[dict[str, tuple[str, ...]]] = {
-    "Bearing": ("bearing", "settings", "nominal", "angle"),
-    "Speed": (
-        *("speed", "outer_speed", "speed_channel", "speed_unit"),
-        *("tacho", "pulses", "track", "within"),
-    ),
-    "Signal": ("channel", "rate", "unit", "scale", "start", "duration"),
-    "Search": ("slip", "false_alarm"),
-    "Output": ("plot", "kurtogram", "json", "csv", "lang", "help"),
-}
-"""Headings of the help, and the parameters below each."""
 
+class DiagnoseCommand(GroupedCommand):
+    """`rolamento diagnose`, its help in groups."""
 
-class DiagnoseCommand(JsonCommand):
-    """A command whose help shows the options in groups."""
-
-    def format_options(self, ctx: Any, formatter: Any) -> None:
-        """Write the argument, and the options below their headings."""
-        headings = {name: heading for heading, names in GROUPS.items() for name in names}
-        records: dict[str, list[tuple[str, str]]] = {
-            heading: [] for heading in ("Arguments", *GROUPS, "Options")
-        }
-        for parameter in self.get_params(ctx):
-            record = parameter.get_help_record(ctx)
-            if record is not None:
-                is_argument = parameter.param_type_name == "argument"
-                heading = headings.get(str(parameter.name), "Options")
-                records["Arguments" if is_argument else heading].append(record)
-        width = max(len(record[0]) for group in records.values() for record in group)
-        for heading, group in records.items():
-            if group:
-                with formatter.section(heading):
-                    # one column for all groups: each as wide as the widest of all
-                    formatter.write_dl([(name.ljust(width), text) for name, text in group])
+    groups: ClassVar[Groups] = {
+        "Bearing": ("bearing", "settings", "nominal", "angle"),
+        "Speed": (
+            *("speed", "outer_speed", "speed_channel", "speed_unit"),
+            *("tacho", "pulses", "track", "within"),
+        ),
+        "Signal": ("channel", "rate", "unit", "scale", "start", "duration"),
+        "Search": ("slip", "false_alarm"),
+        "Output": ("plot", "kurtogram", "json", "csv", "lang", "help"),
+    }
 
 
 SignalArgument = Annotated[

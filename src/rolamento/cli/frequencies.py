@@ -84,7 +84,10 @@ def frequencies(
     settings: SettingsOption = None,
     lang: LanguageOption = None,
 ) -> None:
-    """Show the fault frequencies of a bearing, by its geometry and under load."""
+    """Show the fault frequencies of a bearing, also under load.
+
+    By its geometry, and of its loaded balls where the case has a load.
+    """
     with plain_endings(lang):
         check_outputs({"--json": json, "--csv": csv}, bearing)
         _check_counts(harmonics, sidebands)

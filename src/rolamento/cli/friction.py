@@ -77,7 +77,10 @@ def friction(
     settings: SettingsOption = None,
     lang: LanguageOption = None,
 ) -> None:
-    """Show the friction torque by every model, and which of them hold."""
+    """Show the friction torque by every model.
+
+    Of a case, or over one of its fields; says which of the models hold.
+    """
     with plain_endings(lang):
         _check(case, over, json, csv, plot, variants or [])
         _check_share("--hysteresis", hysteresis)

@@ -45,7 +45,10 @@ __all__ = ["life"]
 def life(
     case: Annotated[
         list[str],
-        typer.Argument(help="Case file (TOML or JSON); several are the bearings of one shaft."),
+        typer.Argument(
+            metavar="CASE",
+            help="Case file (TOML or JSON); several are the bearings of one shaft.",
+        ),
     ],
     over: Annotated[
         str | None,
@@ -86,7 +89,11 @@ def life(
     settings: SettingsOption = None,
     lang: LanguageOption = None,
 ) -> None:
-    """Show the life by every theory, where each holds, what limits it and what would help."""
+    """Show the life by every theory, and what would help.
+
+    Of a bearing, of several on one shaft or under a duty of several steps: where each theory
+    holds, and what limits the life.
+    """
     with plain_endings(lang):
         _check(case, over, spectrum, variants or [])
         read = [path for path in (*case, spectrum, nsk_table) if path is not None]

@@ -22,13 +22,16 @@ class JsonCommand(TyperCommand):
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
         """Parse the arguments with that value filled in."""
-        takers, takes_word = set(), False
+        takers: set[str] = set()
+        takes_word = False
         for parameter in self.params:
             is_option = parameter.param_type_name == "option"
             takes_word = takes_word or not is_option
             if is_option and not getattr(parameter, "is_flag", False):
                 takers.update(parameter.opts)
-        return super().parse_args(ctx, with_values(args, takers - {_OPTION}, takes_word))
+        if _OPTION in takers:
+            args = with_values(args, takers - {_OPTION}, takes_word)
+        return super().parse_args(ctx, args)
 
 
 def with_values(

@@ -48,7 +48,9 @@ def plot_option(what: str) -> Any:
 
 # --- of most commands ------------------------------------------------------------------------
 
-CaseArgument = Annotated[str, typer.Argument(help="Case file (TOML or JSON); - is standard input.")]
+CaseArgument = Annotated[
+    str, typer.Argument(metavar="CASE", help="Case file (TOML or JSON); - is standard input.")
+]
 SettingsOption = Annotated[
     list[str] | None,
     typer.Option("--set", metavar="KEY=VALUE", help="Override a field of the case. Repeats."),

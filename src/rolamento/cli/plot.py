@@ -66,16 +66,18 @@ def plot(
     result: Annotated[
         str,
         typer.Argument(
+            metavar="RESULT",
             help="What to draw: the JSON of a state (solve --json), - for standard input, or the "
-            "NetCDF file of a study."
+            "NetCDF file of a study.",
         ),
     ],
     kind: Annotated[
         Kind | None,
         typer.Option(
+            metavar="KIND",
             help="Of a state: rosette (default), balls, angles, pressures, ellipses; of its life: "
             "aiso (a_ISO), sn (life over load), zone (life over the load zone), helps (what would "
-            "help); of a study: lines, map, histogram, scatter (default: what suits it)."
+            "help); of a study: lines, map, histogram, scatter (default: what suits it).",
         ),
     ] = None,
     variable: Annotated[
@@ -96,7 +98,10 @@ def plot(
     ] = None,
     lang: LanguageOption = None,
 ) -> None:
-    """Draw a result: ball loads, angles, pressures, ellipses, life, sweeps, distributions."""
+    """Draw a result: a state, its life, or a study.
+
+    Ball loads, angles, pressures, ellipses, life, sweeps, distributions.
+    """
     with plain_endings(lang):
         from rolamento.plots.saving import check_name
 

@@ -33,7 +33,10 @@ class Pictures(StrEnum):
 def reproduce(
     name: Annotated[
         str | None,
-        typer.Argument(help="What to reproduce, such as radaelli-2013; without it, what there is."),
+        typer.Argument(
+            metavar="NAME",
+            help="What to reproduce, such as radaelli-2013; without it, what there is.",
+        ),
     ] = None,
     output: Annotated[
         str | None,
@@ -46,7 +49,10 @@ def reproduce(
     ] = Pictures.both,
     lang: LanguageOption = None,
 ) -> None:
-    """Write every figure and table of a publication, from this program, with an index page."""
+    """Write every figure and table of a publication anew.
+
+    Computed by this program, with an index page.
+    """
     with plain_endings(lang):
         code: Code = "pt" if words_of(lang).code == "pt" else "en"
         if name is None:

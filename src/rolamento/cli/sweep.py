@@ -39,7 +39,7 @@ class Listed(StrEnum):
 def sweep(
     study: Annotated[
         str | None,
-        typer.Argument(help="Study file (TOML or JSON); - is standard input."),
+        typer.Argument(metavar="STUDY", help="Study file (TOML or JSON); - is standard input."),
     ] = None,
     output: Annotated[
         str | None,
@@ -72,7 +72,10 @@ def sweep(
     ] = None,
     lang: LanguageOption = None,
 ) -> None:
-    """Solve many cases: all values of some fields, or values drawn at random."""
+    """Solve many cases: ranges of fields, or random draws.
+
+    A study file says what varies: all values of some fields, or values drawn at random.
+    """
     with plain_endings(lang):
         if listed is not None:
             from rolamento.cli.sweep_list import fields_text, outputs_text

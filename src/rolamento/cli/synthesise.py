@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from typing import TYPE_CHECKING, Annotated, Final
+from typing import TYPE_CHECKING, Annotated, ClassVar, Final
 
 import typer
 
@@ -13,6 +13,7 @@ from rolamento.cli.common import (
     plain_endings,
     words_of,
 )
+from rolamento.cli.grouped_help import GroupedCommand, Groups
 from rolamento.cli.options import (
     BearingArgument,
     LagOption,
@@ -32,10 +33,23 @@ if TYPE_CHECKING:
     from rolamento.report.synthesis_result import SynthesisResult
     from rolamento.vibration.synthesis import Recipe, Synthesis
 
-__all__ = ["synthesise"]
+__all__ = ["SynthesiseCommand", "synthesise"]
 
 _MOST_IMPACTS: Final = 1_000_000
 """In a file of truth."""
+
+
+class SynthesiseCommand(GroupedCommand):
+    """`rolamento synthesise`, its help in groups."""
+
+    groups: ClassVar[Groups] = {
+        "Bearing and speed": ("settings", "speed", "outer_speed", "slip", "swing", "wander"),
+        "Damage": ("faults", "jitter", "load", "load_turns"),
+        "Way to the sensor": ("modes", "path"),
+        "Noise and vibration": ("snr", "noise", "colour", "shaft_harmonics", "waviness"),
+        "Signal": ("duration", "rate", "seed"),
+        "Output": ("output", "truth", "lang", "help"),
+    }
 
 
 def synthesise(
@@ -76,7 +90,11 @@ def synthesise(
     slip: LagOption = 0.0,
     snr: Annotated[
         float | None,
-        typer.Option("--snr", metavar="DB", help="Power of the faults over that of the noise."),
+        typer.Option(
+            "--snr",
+            metavar="DB",
+            help="Power of the faults, or without any of all the rest, over that of the noise.",
+        ),
     ] = None,
     noise: Annotated[
         str | None,
@@ -164,7 +182,10 @@ def synthesise(
     settings: SettingsOption = None,
     lang: LanguageOption = None,
 ) -> None:
-    """Make a vibration signal of a bearing with known damage, to try a diagnosis on."""
+    """Make a vibration signal of a bearing with known damage.
+
+    To try a diagnosis on: all that is known of it can be written as well.
+    """
     with plain_endings(lang):
         _check_outputs(bearing, output, truth)
         from rolamento.cli.quantities import number_of, speed_given

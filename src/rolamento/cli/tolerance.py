@@ -50,7 +50,10 @@ def tolerance(
     plot: PlotOption = None,
     lang: LanguageOption = None,
 ) -> None:
-    """Show percentiles of every output of a scatter study, and which input matters most."""
+    """Show percentiles of a study, and which input matters.
+
+    Of every output of a scatter study, with the inputs that it depends on most.
+    """
     with plain_endings(lang):
         wanted = _percentiles(percentiles)
         check_outputs({"--json": json, "--plot": plot}, result, rule="is the study itself")

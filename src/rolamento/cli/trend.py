@@ -52,7 +52,10 @@ def trend(
     json: Annotated[str | None, json_option("Write everything as JSON")] = None,
     lang: LanguageOption = None,
 ) -> None:
-    """Show what grew while bearings ran, and fit a law of wear to a clearance."""
+    """Show what grew while bearings ran: clearance, noise.
+
+    A law of wear is fitted to a clearance.
+    """
     with plain_endings(lang):
         if example is not None and json == STANDARD_STREAM and data is not None:
             data, json = None, data  # the word after --json is its file: nothing else is wanted

@@ -47,7 +47,10 @@ def turn(
     settings: SettingsOption = None,
     lang: LanguageOption = None,
 ) -> None:
-    """Show how displacement, stiffness and ball loads vary while the cage turns by one pitch."""
+    """Show what varies while the cage turns by one pitch.
+
+    Displacement, stiffness and ball loads at the instants of that period.
+    """
     with plain_endings(lang):
         check_outputs({"--json": json, "--csv": csv, "--plot": plot}, case)
         turned = _turned(rolamento.load_case(case, settings or ()), points, lang)

@@ -43,7 +43,10 @@ def verify(
     json: Annotated[str | None, json_option("Write all numbers as JSON")] = None,
     lang: LanguageOption = None,
 ) -> None:
-    """Compare the program with every published number known to it; exit code 1 if one fails."""
+    """Compare the program with every published number it knows.
+
+    The exit code is 1 if one fails.
+    """
     with plain_endings(lang):
         check_outputs({"--json": json, "--markdown": markdown})
         found = _run(source or (), lang)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from typing import TYPE_CHECKING, Annotated, Final
+from typing import TYPE_CHECKING, Annotated, ClassVar, Final
 
 import typer
 
@@ -14,6 +14,7 @@ from rolamento.cli.common import (
     plain_endings,
     words_of,
 )
+from rolamento.cli.grouped_help import GroupedCommand, Groups
 from rolamento.cli.options import LanguageOption, SeedOption, json_option, plot_option
 from rolamento.cli.outputs import check_outputs
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
@@ -30,12 +31,24 @@ if TYPE_CHECKING:
     from rolamento.reliability.summary import LifeTestSummary
     from rolamento.report.language import Words
 
-__all__ = ["weibull"]
+__all__ = ["WeibullCommand", "weibull"]
 
 _CONFIDENCE: Final = 0.9
 _SAMPLES, _FEWEST_SAMPLES = 10_000, 1000
 _MOST_DRAWN: Final = 5_000_000
 """Bearings in all drawn tests together, if it is left to the program."""
+
+
+class WeibullCommand(GroupedCommand):
+    """`rolamento weibull`, its help in groups."""
+
+    groups: ClassVar[Groups] = {
+        "Data": ("example", "write", "unit", "group", "by_group", "only"),
+        "Fit": ("method", "three_parameter", "shape", "bayes"),
+        "Bounds": ("bounds", "confidence", "sides", "samples", "seed"),
+        "Wanted": ("reliability", "time", "calculated_life"),
+        "Output": ("plot", "contour", "contour_of", "json", "lang", "help"),
+    }
 
 
 def weibull(
@@ -163,7 +176,10 @@ def weibull(
     ] = None,
     lang: LanguageOption = None,
 ) -> None:
-    """Fit a life test by Weibull's distribution, and say what it tells and what not."""
+    """Fit a life test by Weibull's distribution, with bounds.
+
+    Says what the test tells and what not.
+    """
     with plain_endings(lang):
         if example is not None and json == STANDARD_STREAM and data is not None:
             data, json = None, data  # the word after --json is its file: nothing else is wanted

@@ -13,6 +13,7 @@ from rolamento.cli.common import (
     plain_endings,
     words_of,
 )
+from rolamento.cli.grouped_help import GroupedCommands
 from rolamento.cli.life_units import given_life, life_in
 from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.options import LanguageOption, PlotOption, SeedOption, json_option
@@ -31,7 +32,9 @@ _OTHERS: Final = (0, 1, 2)
 """Failures allowed in the tests that are drawn beside the one that is planned."""
 
 app = typer.Typer(
-    help="Plan life tests: bearings and time to show a life, failures to know it.",
+    cls=GroupedCommands,
+    help="Plan a life test: bearings, time, failures.\n\n"
+    "Bearings and time to show a life, failures to know it.",
     no_args_is_help=True,
     rich_markup_mode=None,
 )
@@ -78,7 +81,10 @@ def demonstration(
     json: JsonOption = None,
     lang: LanguageOption = None,
 ) -> None:
-    """Show a life by a test with few failures or none: bearings against time."""
+    """Plan to show a life with few failures or none.
+
+    Bearings against time.
+    """
     with plain_endings(lang):
         check_outputs({"--json": json, "--plot": plot})
         wanted, unit = given_life(life, "--life")
@@ -153,7 +159,10 @@ def precision(
     json: JsonOption = None,
     lang: LanguageOption = None,
 ) -> None:
-    """Show how many failures bring the bounds of a life near each other, and how long it takes."""
+    """Plan to know a life within bounds.
+
+    How many failures bring the bounds near each other, and how long it takes.
+    """
     with plain_endings(lang):
         check_outputs({"--json": json, "--plot": plot})
         if (ratio is None) == (failures is None):
