@@ -11,14 +11,18 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy import special
 
 from rolamento import Bearing, Case, Duty, Load, solve
 from rolamento.errors import InputError
 from rolamento.lubricant import Lubricant
 from rolamento.model import Model
 from rolamento.numerics import FloatArray
+from rolamento.plots.vibration_modulation import envelope_depths
 from rolamento.state import State
+from rolamento.vibration.envelope import analytic_signal
 from rolamento.vibration.frequencies import FaultFrequencies, frequencies_of, nominal_frequencies
+from rolamento.vibration.signal import Signal
 from rolamento.vibration.synthesis import (
     Fault,
     GivenSpeed,
@@ -335,6 +339,58 @@ def test_an_envelope_shows_impacts_and_no_swinging_frequency(found: FaultFrequen
         lines[modulation] = spectrum[place - 1 : place + 2].max() / made.signal.samples.std()
     assert lines["amplitude"] > 0.5
     assert lines["frequency"] < 1e-3
+
+
+THEORY = Path(__file__).resolve().parents[2] / "docs" / "theory" / "vibration-frequencies.md"
+
+
+def _swing(signal: Signal, line: float, band: tuple[float, float] | None) -> float:
+    """Swing of the instantaneous frequency at a line; Hz."""
+    phase = np.unwrap(np.angle(analytic_signal(signal, band)))
+    frequency = signal.rate / (2.0 * pi) * np.diff(phase)
+    turns = np.exp(-2j * pi * line / signal.rate * np.arange(frequency.size))
+    return float(2.0 * abs(np.mean(frequency * turns)))
+
+
+def test_the_theory_prints_what_envelopes_of_both_modulations_are() -> None:
+    """Every figure of its table, to the digits that are printed."""
+    frequencies = nominal_frequencies(Bearing.named("6205"), 1797.0 * pi / 30.0)
+    line = frequencies.ball_pass_outer.frequency
+    amplitude, frequency = (
+        _made(
+            frequencies,
+            Fault(kind="outer_race", modulation=modulation, jitter=0.0),
+            duration=200.0 / line,
+        ).signal
+        for modulation in ("amplitude", "frequency")
+    )
+    text = THEORY.read_text("utf-8").partition("| band | AM")[2].partition("\n\n")[0]
+    rows = re.findall(r"\| (all|\d+ to \d+ Hz) \| (\S+) \| (\S+) \| (\d+) Hz \|", text)
+    assert len(rows) == 3
+    for name, *printed in rows:
+        edges = [float(number) for number in re.findall(r"\d+", name)]
+        band = (edges[0], edges[1]) if edges else None
+        depths = [envelope_depths(signal, line, band)[0] for signal in (amplitude, frequency)]
+        found = (*depths, _swing(frequency, line, band))
+        for text_of, value in zip(printed, found, strict=True):
+            digits = len(text_of.partition(".")[2])
+            assert f"{value:.{digits}f}" == text_of
+
+
+@pytest.mark.parametrize("passages", [100, 333])
+def test_one_sided_modulation_of_frequency_against_bessel(
+    found: FaultFrequencies, passages: int
+) -> None:
+    """|Σ J_k(1) exp(jkθ)| over k from 0: its first lines over its mean, whatever the record."""
+    angle = np.linspace(0.0, 2.0 * pi, 1000, endpoint=False)
+    size = np.abs(sum(special.jv(k, 1.0) * np.exp(1j * k * angle) for k in range(12)))
+    wanted = [2.0 * abs(np.mean(size * np.exp(-1j * n * angle))) / size.mean() for n in (1, 2, 3)]
+    assert wanted[0] == pytest.approx(0.549, abs=5e-4)
+    line = found.ball_pass_outer.frequency
+    fault = Fault(kind="outer_race", modulation="frequency", jitter=0.0)
+    made = _made(found, fault, duration=passages / line)
+    depths = envelope_depths(made.signal, line, (3450.0, 4500.0))
+    assert depths == pytest.approx(wanted, abs=6e-3)
 
 
 def test_a_swinging_frequency_has_sidebands_of_bessel(found: FaultFrequencies) -> None:
