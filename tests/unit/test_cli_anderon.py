@@ -17,8 +17,9 @@ import pytest
 from typer.testing import CliRunner
 
 from rolamento.cli import anderon_files
-from rolamento.cli.anderon_files import Wanted, full_scales_of, hours_of, measured_noise
+from rolamento.cli.anderon_files import full_scales_of, hours_of, measured_noise
 from rolamento.cli.app import app
+from rolamento.cli.signal_source import SignalChoice
 from rolamento.errors import InputError
 from rolamento.plots.anderon import noise_bands, noise_figure
 from rolamento.reliability.trend import parse_trend
@@ -155,7 +156,7 @@ class TestLevels:
         path = tmp_path / "long.npy"
         np.save(path, np.random.default_rng(4).normal(size=count))
         told: list[tuple[int, int]] = []
-        wanted = Wanted(unit="um/s", rate=rate)
+        wanted = SignalChoice(unit="um/s", rate=rate)
         found = measured_noise(str(path), wanted, nan, lambda *x: told.append(x))
         whole = measure_noise(read_signal(path, unit="um/s", rate=rate))
         assert len(told) > 3
@@ -195,7 +196,7 @@ class TestLevels:
         table = np.column_stack([time, np.random.default_rng(1).normal(size=time.size), speed])
         header = "time (s),velocity (um/s),speed (rad/s)"
         np.savetxt(path, table[::1], "%.9g", ",", header=header, comments="")
-        found = measured_noise(str(path), Wanted(channel="velocity"), nan, lambda *_: None)
+        found = measured_noise(str(path), SignalChoice(channel="velocity"), nan, lambda *_: None)
         assert found.noise.speed == pytest.approx(float(np.mean(speed)), rel=2e-3)
 
 
@@ -355,8 +356,8 @@ class TestOutputs:
 
 REFUSED: list[tuple[tuple[str, ...], str]] = [
     (("none.npz",), "none.npz: cannot be read"),
-    (("bare.npy", "--unit", "um/s"), "rate: is not in the file"),
-    (("t60.npz",), "unit: is not in the file"),
+    (("bare.npy", "--unit", "um/s"), "--rate: is not in the file"),
+    (("t60.npz",), "--unit: is not in the file"),
     (("t60.npz", "--unit", "V"), 'is "V": give that of'),
     (("t60.npz", "--unit", "um/s", "--speed", "0 rpm"), "--speed: must not be 0"),
     (("t60.npz", "--unit", "um/s", "--speed", "1800"), "--speed: "),

@@ -30,6 +30,7 @@ from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
 from rolamento.errors import InputError
 
 if TYPE_CHECKING:
+    from rolamento.cli.signal_source import SignalChoice
     from rolamento.report.anderon_result import NoiseResult
     from rolamento.report.language import Words
 
@@ -126,16 +127,11 @@ def anderon(
     with plain_endings(lang):
         outputs = {"--json": json, "--csv": csv, "--record": record, "--plot": plot}
         _check(signals, outputs, hours, bearing)
+        from rolamento.cli.signal_source import choice_of
+
         words = words_of(lang)
-        found = _found(
-            signals,
-            {"speed": speed, "unit": unit, "scale": scale, "channel": channel, "rate": rate,
-             "start": start, "duration": duration, "hours": hours},
-            full_scale or [],
-            accepted,
-            bearing,
-            words,
-        )  # fmt: skip
+        choice = choice_of(channel, rate, unit, scale, start, duration)
+        found = _found(signals, choice, speed, hours, full_scale or [], accepted, bearing, words)
         if plot is not None:
             _draw(found, plot, words.code)
         _show(found, json, csv, record, words)
@@ -163,15 +159,17 @@ def _check(
 
 def _found(
     signals: list[str],
-    said: dict[str, str | None],
+    choice: SignalChoice,
+    speed: str | None,
+    hours: str | None,
     full_scale: list[str],
     accepted: float,
     bearing: str,
     words: Words,
 ) -> NoiseResult:
     """Measure every signal, after all that the options say was understood."""
-    from rolamento.cli.anderon_files import Wanted, full_scales_of, hours_of, measured_noise
-    from rolamento.cli.quantities import number_given, speed_given
+    from rolamento.cli.anderon_files import full_scales_of, hours_of, measured_noise
+    from rolamento.cli.quantities import speed_given
     from rolamento.cli.waiting import progress_of
     from rolamento.report.anderon_result import NoiseResult
     from rolamento.report.anderon_words import NOISE_WORDS
@@ -180,24 +178,15 @@ def _found(
         rule = "must be a part over 0 and up to 1"
         raise InputError(rule, source="--accepted", value=accepted, example="--accepted 0.4")
     scales = full_scales_of(full_scale)
-    hours = hours_of(said["hours"], len(signals))
-    speed = speed_given(said["speed"], "--speed")
-    if speed == 0.0:
+    times = hours_of(hours, len(signals))
+    inner_speed = speed_given(speed, "--speed")
+    if inner_speed == 0.0:
         rule = "must not be 0: a bearing that stands still makes no noise"
         raise InputError(rule, source="--speed", example="--speed '1800 rpm'")
-    wanted = Wanted(
-        said["channel"],
-        number_given(said["rate"], "--rate", "frequency", "--rate '50 kHz'"),
-        said["unit"],
-        said["scale"],
-        number_given(said["start"], "--start", "time", "--start '2 s'") or 0.0,
-        number_given(said["duration"], "--duration", "time", "--duration '10 s'"),
-        speed,
-    )
     with progress_of(NOISE_WORDS[words.code].reading) as progress:
         measured = tuple(
-            measured_noise(path, wanted, hour, progress)
-            for path, hour in zip(signals, hours, strict=True)
+            measured_noise(path, choice, hour, progress, inner_speed)
+            for path, hour in zip(signals, times, strict=True)
         )
     found = NoiseResult(measured, scales, accepted, bearing)
     _check_speeds(found)

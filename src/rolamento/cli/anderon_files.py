@@ -3,22 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import isfinite, nan
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
+from rolamento.cli.signal_source import SignalChoice, opened
 from rolamento.errors import InputError
 from rolamento.report.anderon_result import FullScale, MeasuredNoise
 from rolamento.vibration.anderon import BANDS, BandName, measure_noise
-from rolamento.vibration.reading import SignalFile, open_signal
+from rolamento.vibration.reading import SignalFile
 from rolamento.vibration.signal import unit_scale
 
 if TYPE_CHECKING:
     from rolamento.vibration.signal import Signal
 
-__all__ = ["Wanted", "full_scales_of", "hours_of", "measured_noise"]
+__all__ = ["full_scales_of", "hours_of", "measured_noise"]
 
 _BLOCK: Final = 2**20
 """Samples that are read at a time."""
@@ -28,49 +29,43 @@ _MOST_SCALE: Final = 1e9
 _SCALE_EXAMPLE: Final = "--full-scale low=30 or --full-scale low='120 um/s'"
 
 
-@dataclass(frozen=True, slots=True)
-class Wanted:
-    """What the options say of the signals' files; speed in rad/s, None where not given."""
-
-    channel: str | None = None
-    rate: float | None = None
-    unit: str | None = None
-    scale: str | None = None
-    start: float = 0.0
-    duration: float | None = None
-    speed: float | None = None
-
-
 def measured_noise(
-    path: str, wanted: Wanted, hours: float, progress: Callable[[int, int], None]
+    path: str,
+    choice: SignalChoice,
+    hours: float,
+    progress: Callable[[int, int], None],
+    speed: float | None = None,
 ) -> MeasuredNoise:
     """Measure the noise of a signal's file, in bounded memory.
+
+    Parameters
+    ----------
+    path, choice
+        The file, and what the options say of it.
+    hours
+        Of the test at which it was recorded; NaN if that is not known.
+    progress
+        Is told how many parts are read, and of how many.
+    speed
+        Of the inner ring (rad/s); by default as the file tells it, or else that of the standard.
 
     Raises
     ------
     FileError, InputError
         If the file cannot be read, does not say what it measures, or does not change.
     """
-    with open_signal(
-        path,
-        channel=wanted.channel,
-        rate=wanted.rate,
-        unit=wanted.unit,
-        scale=wanted.scale,
-        start=wanted.start,
-        duration=wanted.duration,
-    ) as source:
+    with opened(path, choice) as source:
         _check(source, path)
         try:
-            noise = measure_noise(_blocks(source, wanted.speed, progress))
+            noise = measure_noise(_blocks(source, speed, progress))
         except InputError as error:
             raise error.with_details(source=path) from None
         return MeasuredNoise(
             title=source.path.name,
             noise=noise,
             hours=hours,
-            scaled_unit=_unit_of_full_scale(source, wanted),
-            sensitivity=wanted.scale or "",
+            scaled_unit=_unit_of_full_scale(source, choice),
+            sensitivity=choice.scale or "",
             reading_notes=source.notes,
         )
 
@@ -93,24 +88,24 @@ def _check(source: SignalFile, path: str) -> None:
         raise InputError(
             f"{rule}: give that of a velocity, an acceleration or a displacement, or the"
             " sensitivity of the sensor",
-            field="unit",
+            field="--unit",
             example="--unit um/s, --unit m/s^2, --scale '100 mV/g'",
             source=path,
         )
     if source.rate > _HIGHEST_RATE:
         raise InputError(
             f"must be at most {_HIGHEST_RATE:g} Hz: the bands end at 10 kHz",
-            field="rate",
+            field="--rate",
             value=source.rate,
             source=path,
         )
 
 
-def _unit_of_full_scale(source: SignalFile, wanted: Wanted) -> str:
+def _unit_of_full_scale(source: SignalFile, choice: SignalChoice) -> str:
     """Return the unit that a recorder's full scale is taken for; "" if nothing of the kind is."""
-    if source.channel.unit != "1" or wanted.scale is not None:
+    if source.channel.unit != "1" or choice.scale is not None:
         return ""
-    return wanted.unit or ""
+    return choice.unit or ""
 
 
 def full_scales_of(given: Sequence[str]) -> dict[BandName, FullScale]:

@@ -52,10 +52,10 @@ from rolamento.errors import InputError
 if TYPE_CHECKING:
     from rolamento.cli.diagnose_bearing import GivenBearing
     from rolamento.cli.diagnose_speed import AskedSpeed
+    from rolamento.cli.signal_source import SignalChoice
     from rolamento.report.diagnosis import DiagnosisResult
     from rolamento.report.language import Words
     from rolamento.vibration.diagnosis import DiagnosisSettings
-    from rolamento.vibration.reading import SignalFile
 
 __all__ = ["diagnose"]
 
@@ -68,12 +68,7 @@ class _Asked:
     """What the options say of the signal's file, the speed, the bearing and the search."""
 
     path: str
-    channel: str | None
-    rate: float | None
-    unit: str | None
-    scale: str | None
-    start: float
-    duration: float | None
+    choice: SignalChoice
     speed: AskedSpeed
     bearing: GivenBearing
     nominal: bool
@@ -118,16 +113,12 @@ def diagnose(
         check_outputs(outputs, signal, bearing, rule="is a file that is read")
         from rolamento.cli.diagnose_bearing import bearing_of
         from rolamento.cli.diagnose_speed import AskedSpeed
-        from rolamento.cli.quantities import number_given, speed_given
+        from rolamento.cli.quantities import speed_given
+        from rolamento.cli.signal_source import choice_of
 
         asked = _Asked(
             path=signal,
-            channel=channel,
-            rate=number_given(rate, "--rate", "frequency", "--rate '12 kHz'"),
-            unit=unit,
-            scale=scale,
-            start=number_given(start, "--start", "time", "--start '2 s'") or 0.0,
-            duration=number_given(duration, "--duration", "time", "--duration '10 s'"),
+            choice=choice_of(channel, rate, unit, scale, start, duration),
             speed=AskedSpeed(
                 inner=speed_given(speed, "--speed"),
                 outer=speed_given(outer_speed, "--outer-speed"),
@@ -167,14 +158,16 @@ def _found(asked: _Asked, words: Words, lang: Language | None) -> DiagnosisResul
     from rolamento.cli.diagnose_bearing import searched, sought
     from rolamento.cli.diagnose_signal import part_of, streamed
     from rolamento.cli.diagnose_speed import known_speed
+    from rolamento.cli.signal_source import opened
     from rolamento.cli.waiting import progress_of, waiting
     from rolamento.report.diagnosis import DiagnosisResult
     from rolamento.report.diagnosis_words import DIAGNOSIS_WORDS
     from rolamento.vibration.diagnosis import FaultOrders, diagnose
 
     said, given = DIAGNOSIS_WORDS[words.code], asked.bearing
-    with _opened(asked) as source:
-        part = part_of(source, asked.start, asked.duration)
+    sensor = {"speed_channel": asked.speed.channel, "speed_unit": asked.speed.unit}
+    with opened(asked.path, asked.choice, part=False, **sensor) as source:
+        part = part_of(source, asked.choice.start, asked.choice.duration)
         with progress_of(said.tracking) as progress:
             speed = known_speed(asked.speed, given.speeds, source, part, progress)
         with waiting(lang):
@@ -205,25 +198,6 @@ def _found(asked: _Asked, words: Words, lang: Language | None) -> DiagnosisResul
             covers_balls=search.covers_balls,
             other_rows=search.other_rows,
         )
-
-
-def _opened(asked: _Asked) -> SignalFile:
-    """Open the signal's file; what is wrong is told in the words of the options."""
-    from rolamento.cli.diagnose_signal import in_options
-    from rolamento.vibration.reading import open_signal
-
-    try:
-        return open_signal(
-            asked.path,
-            channel=asked.channel,
-            rate=asked.rate,
-            unit=asked.unit,
-            scale=asked.scale,
-            speed_channel=asked.speed.channel,
-            speed_unit=asked.speed.unit,
-        )
-    except InputError as error:
-        raise in_options(error) from None
 
 
 def _draw(found: DiagnosisResult, plot: str | None, kurtogram: str | None, language: str) -> None:

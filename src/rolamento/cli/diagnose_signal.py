@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
 from itertools import chain, islice
 from typing import TYPE_CHECKING, Final
@@ -20,7 +19,6 @@ if TYPE_CHECKING:
 __all__ = [
     "PIECE",
     "Streamed",
-    "in_options",
     "part_of",
     "streamed",
 ]
@@ -29,11 +27,6 @@ PIECE: Final = 2**20
 """Samples that are read at a time."""
 _WHOLE: Final = 8
 """Pieces up to which a signal is taken as one."""
-_OPTIONS: Final = {
-    name: f"--{name.replace('_', '-')}"
-    for name in ("channel", "rate", "unit", "scale", "speed_channel", "speed_unit")
-}
-_ARGUMENT: Final = re.compile(rf'\b({"|".join(_OPTIONS)})=("[^"]*"|[\d.]+)')
 
 
 @dataclass(slots=True)
@@ -58,26 +51,6 @@ class Streamed:
     def duration(self) -> float:
         """Of what was read so far; s."""
         return self.samples / self.first.rate
-
-
-def in_options(error: InputError, names: Mapping[str, str] | None = None) -> InputError:
-    """Return an error about a signal's file in words of the command.
-
-    names: options of fields that are called otherwise than the field.
-    """
-    options = {**_OPTIONS, **(names or {})}
-
-    def option(match: re.Match[str]) -> str:
-        return f"{options[match[1]]} {match[2]}"
-
-    return type(error)(
-        _ARGUMENT.sub(option, error.rule),
-        field=options.get(error.field, error.field),
-        value=error.value,
-        example=_ARGUMENT.sub(option, error.example),
-        source=error.source,
-        line=error.line,
-    )
 
 
 def part_of(file: SignalFile, start: float, duration: float | None) -> range:

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Final, Protocol
 
 import numpy as np
 
-from rolamento.cli.diagnose_signal import in_options
+from rolamento.cli.signal_source import in_options
 from rolamento.errors import FileError, InputError
 from rolamento.numerics import FloatArray
 from rolamento.report.diagnosis_result import Tracking
