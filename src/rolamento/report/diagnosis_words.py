@@ -181,6 +181,8 @@ _ENGLISH: Final = DiagnosisWords(
         " check the speed, the bearing and the contact angle.",
         "carries_the_ball": "Its lines stand out as those of the ball do: a damaged ball goes in"
         " and out of the load once in each turn of the cage. Nothing more tells of the cage.",
+        "weak_beside_cage": "What stands out at its lines is weak beside the cage, whose multiples"
+        " lie on them or near. Nothing more tells of the part.",
     },
     one_harmonic="At order {order} ({frequency} Hz) the squared envelope rises {levels} dB above"
     " the noise about it.",
@@ -331,6 +333,8 @@ _PORTUGUESE: Final = DiagnosisWords(
         " confira a rotação, o rolamento e o ângulo de contato.",
         "carries_the_ball": "Suas linhas se destacam como as da esfera: uma esfera danificada entra"
         " na carga e sai dela uma vez por volta da gaiola. Nada mais fala da gaiola.",
+        "weak_beside_cage": "O que se destaca em suas linhas é fraco ao lado da gaiola, cujos"
+        " múltiplos caem nelas ou perto. Nada mais fala da peça.",
     },
     one_harmonic="Na ordem {order} ({frequency} Hz) o envelope ao quadrado sobe {levels} dB acima"
     " do ruído em volta.",
