@@ -206,6 +206,8 @@ def _correlated(transform: ComplexArray, reach: FloatArray, size: int) -> Comple
     carriers, blocks = transform.shape
     total = np.zeros((carriers, lines), dtype=np.complex128)
     product = np.zeros((max(1, _AT_ONCE // size), size), dtype=np.complex128)
+    held = [np.flatnonzero(row) for row in reach]
+    near = [slice(found[0], found[-1] + 1) if len(found) else slice(0, 0) for found in held]
     for first in range(0, carriers, len(product)):
         last = min(first + len(product), carriers)
         for apart in range(min(len(reach), last)):
@@ -213,7 +215,8 @@ def _correlated(transform: ComplexArray, reach: FloatArray, size: int) -> Comple
             lower = slice(upper.start - apart, last - apart)
             some = product[: last - upper.start]
             np.multiply(transform[upper], np.conj(transform[lower]), out=some[:, :blocks])
-            total[upper] += reach[apart] / blocks * fft.fft(some, axis=1)[:, :lines]
+            scan = fft.fft(some, axis=1)[:, near[apart]]
+            total[upper, near[apart]] += reach[apart, near[apart]] / blocks * scan
     return total
 
 
@@ -225,10 +228,11 @@ def _power_below(
     In the units of ⟨|X|²⟩. The lines that Z is made of are the same for all modulations between
     two lines of the transform, and their powers and products one matrix.
     """
-    carriers = len(transform)
+    carriers, blocks = transform.shape
+    parts = transform.view(np.float64)  # real and imaginary: products of them add to the real part
     widest = min(2 * _LOBE, carriers)
     shared = [
-        np.mean((transform[apart:] * np.conj(transform[: carriers - apart])).real, axis=1)
+        np.einsum("ij,ij->i", parts[apart:], parts[: carriers - apart]) / blocks
         for apart in range(widest)
     ]
     of_white = _reach(taper, np.zeros(1), widest)[:, 0]
