@@ -15,6 +15,7 @@ from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
     Language,
+    complain_of,
     plain_endings,
     words_of,
 )
@@ -35,7 +36,7 @@ from rolamento.cli.options import (
 from rolamento.cli.outputs import check_outputs
 from rolamento.cli.plot import plot
 from rolamento.cli.reproduce import reproduce
-from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
+from rolamento.cli.streams import STANDARD_STREAM, print_text, put
 from rolamento.cli.sweep import sweep
 from rolamento.cli.synthesise import SynthesiseCommand, synthesise
 from rolamento.cli.tolerance import tolerance
@@ -167,8 +168,7 @@ def _show(
     if STANDARD_STREAM not in (json, csv):
         _print_report(analysis, words_of(lang))
     elif not state.status.converged:
-        words, status = words_of(lang), state.status
-        complain(": ".join(part for part in (words.reason(status), words.advice(status)) if part))
+        complain_of(state.status, lang)
 
 
 def _print_report(analysis: rolamento.Analysis, words: Words) -> None:

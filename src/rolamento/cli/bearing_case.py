@@ -14,7 +14,7 @@ from rolamento.errors import InputError
 if TYPE_CHECKING:
     from rolamento.vibration.frequencies import AngleChoice
 
-__all__ = ["angle_of", "case_of", "has_load", "is_designation"]
+__all__ = ["angle_of", "at_speeds", "case_of", "has_load", "is_designation"]
 
 _ANGLE_EXAMPLE: Final = "--angle zero, --angle free or --angle '15 deg'"
 
@@ -54,12 +54,25 @@ def case_of(
     case = _named(bearing, settings) if is_designation(bearing) else None
     if case is None:
         case = rolamento.load_case(bearing, settings)
+    return at_speeds(case, inner_speed, outer_speed)
+
+
+def at_speeds(
+    case: rolamento.Case, inner_speed: float | None, outer_speed: float | None
+) -> rolamento.Case:
+    """Return the case with other speeds of its rings (rad/s); None leaves one as it is.
+
+    Raises
+    ------
+    InputError
+        If a ring cannot turn so fast.
+    """
     speeds = (
         ("--speed", "inner_speed", inner_speed),
         ("--outer-speed", "outer_speed", outer_speed),
     )
     for option, field, speed in speeds:
-        if speed is not None:
+        if speed is not None and speed != getattr(case.duty, field):
             case = _at_speed(case, option, field, speed)
     return case
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from enum import StrEnum
 from typing import TYPE_CHECKING, Final
@@ -15,6 +15,7 @@ from rolamento.errors import InputError
 
 if TYPE_CHECKING:
     from rolamento.report.language import Words
+    from rolamento.state import Status
 
 __all__ = [
     "INTERRUPTED",
@@ -22,6 +23,8 @@ __all__ = [
     "SOLVED",
     "WRONG_INPUT",
     "Language",
+    "complain_of",
+    "complain_of_points",
     "plain_endings",
     "same_file",
     "words_of",
@@ -51,6 +54,18 @@ def plain_endings(lang: Language | None) -> Iterator[None]:
     except KeyboardInterrupt:
         complain(words_of(lang).interrupted)
         raise typer.Exit(INTERRUPTED) from None
+
+
+def complain_of(status: Status, lang: Language | None) -> None:
+    """Say on standard error why there is no result, and what to do."""
+    words = words_of(lang)
+    parts = (words.reason(status), words.advice(status))
+    complain(": ".join(part for part in parts if part))
+
+
+def complain_of_points(codes: Sequence[str], total: int, lang: Language | None) -> None:
+    """Say on standard error how many of some cases have no result, and why the first has none."""
+    complain(f"{len(codes)} / {total}: {words_of(lang).reasons[str(codes[0])]}")
 
 
 def words_of(lang: Language | None) -> Words:

@@ -9,7 +9,7 @@ from importlib import resources
 from typing import Final
 
 from rolamento.case import Case, parse_case
-from rolamento.errors import FileError
+from rolamento.cli.streams import put_new
 from rolamento.report.language import Words
 
 __all__ = ["example_case", "what_next", "written"]
@@ -31,14 +31,7 @@ def written(path: str, words: Words) -> str:
     FileError
         If there is a file of that name already, or it cannot be written.
     """
-    try:
-        with open(path, "x", encoding="utf-8", newline="\n") as file:
-            file.write(_text())
-    except FileExistsError:
-        raise FileError("exists already; choose another name", source=path) from None
-    except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or str(error)
-        raise FileError(f"cannot be written: {reason.lower()}", source=path) from None
+    put_new(_text(), path)
     return words.demo_written.format(path=path, command=_command()) + "\n"
 
 

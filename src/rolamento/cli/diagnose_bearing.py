@@ -7,7 +7,7 @@ from math import isfinite, pi
 from typing import TYPE_CHECKING, Final
 
 import rolamento
-from rolamento.cli.bearing_case import angle_of, case_of, has_load
+from rolamento.cli.bearing_case import angle_of, at_speeds, case_of, has_load
 from rolamento.errors import InputError
 
 if TYPE_CHECKING:
@@ -120,7 +120,7 @@ def sought(
             value=_rpm(outer),
             example="--outer-speed '0 rpm'",
         )
-    case = _at_speeds(given.case, inner, outer)
+    case = at_speeds(given.case, inner, outer)
     state = rolamento.solve(case) if loaded else None
     if state is not None and state.status.converged:
         found = frequencies_of(state)
@@ -160,27 +160,6 @@ def _range(own: FaultFrequencies, row: FaultFrequencies, orders: FaultOrders) ->
             if isfinite(order) and sought_for > 0.0:
                 widest = max(widest, abs(order / sought_for - 1.0) / orders.tolerance(part, 1.0))
     return widest
-
-
-def _at_speeds(case: rolamento.Case, inner: float, outer: float) -> rolamento.Case:
-    """Return the case with the rings' speeds (rad/s) as they are in the record."""
-    from rolamento.case import override
-    from rolamento.units import from_si
-
-    duty = case.duty
-    changed = {
-        f"duty.{ring}_speed": speed
-        for ring, speed, own in (
-            ("inner", inner, duty.inner_speed),
-            ("outer", outer, duty.outer_speed),
-        )
-        if speed != own
-    }
-    settings = [f"{field}={from_si(speed, 'angular_speed')}" for field, speed in changed.items()]
-    try:
-        return override(case, settings) if settings else case
-    except InputError as error:
-        raise error.with_details(source="--speed", example="--speed '1797 rpm'") from None
 
 
 def _rpm(speed: float) -> str:

@@ -12,6 +12,7 @@ from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
     Language,
+    complain_of,
     plain_endings,
     words_of,
 )
@@ -32,7 +33,7 @@ from rolamento.cli.over_field import (
     check_variants,
     show_curves,
 )
-from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
+from rolamento.cli.streams import STANDARD_STREAM, print_text, put
 from rolamento.cli.waiting import waiting
 from rolamento.errors import InputError
 
@@ -151,7 +152,7 @@ def _one(case: rolamento.Case, hysteresis: float, json: str | None, lang: Langua
     if json != STANDARD_STREAM:
         print_text(friction_report(analysis, words, Medium.of(sys.stdout)))
     elif not status.converged:
-        complain(": ".join(part for part in (words.reason(status), words.advice(status)) if part))
+        complain_of(status, lang)
     return status.converged
 
 

@@ -12,6 +12,8 @@ from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
     Language,
+    complain_of,
+    complain_of_points,
     plain_endings,
     words_of,
 )
@@ -208,8 +210,7 @@ def _one(
     if json != STANDARD_STREAM:
         print_text(life_report(state, found, changes, words, _medium()))
     elif found is None:
-        parts = (words.reason(state.status), words.advice(state.status))
-        complain(": ".join(part for part in parts if part))
+        complain_of(state.status, lang)
     return found is not None
 
 
@@ -263,7 +264,7 @@ def _spectrum(
         print_text(spectrum_report(found, words, _medium()))
     elif not found.converged:
         failed = found.status[(found.status != "converged") & found.taking_part]
-        complain(f"{len(failed)} / {len(steps)}: {words.reasons[str(failed[0])]}")
+        complain_of_points(failed, len(steps), lang)
     return found.converged
 
 

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Annotated, Final, Protocol, TypeVar
 
 import typer
 
-from rolamento.cli.common import Language, words_of
+from rolamento.cli.common import Language, complain_of_points, words_of
 from rolamento.cli.options import plot_option
-from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
+from rolamento.cli.streams import STANDARD_STREAM, print_text, put
 from rolamento.errors import InputError
 
 if TYPE_CHECKING:
@@ -145,6 +145,5 @@ def show_curves(
         print_text(texts.curves_report(curves, words, Medium.of(sys.stdout)))
     elif not converged:
         status = next(curve.status for curve in curves if not curve.converged)
-        failed = status[status != "converged"]
-        complain(f"{len(failed)} / {len(status)}: {words.reasons[str(failed[0])]}")
+        complain_of_points(status[status != "converged"], len(status), lang)
     return converged

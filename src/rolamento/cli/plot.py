@@ -13,12 +13,12 @@ from rolamento.cli.common import (
     SOLVED,
     Language,
     plain_endings,
-    same_file,
     words_of,
 )
 from rolamento.cli.options import LanguageOption
+from rolamento.cli.outputs import check_outputs
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text
-from rolamento.errors import FileError, InputError
+from rolamento.errors import InputError
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -107,8 +107,7 @@ def plot(
 
         target = _default_name(result) if output is None else output
         check_name(target)
-        if same_file(target, result):
-            raise FileError("is the result itself; choose another name", source=target)
+        check_outputs({"--output": target}, result, rule="is the result itself")
         if _is_study(result):
             code = _plot_study(result, kind, variable or "", over or "", target, lang)
         else:

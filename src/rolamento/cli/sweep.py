@@ -15,12 +15,12 @@ from rolamento.cli.common import (
     SOLVED,
     Language,
     plain_endings,
-    same_file,
     words_of,
 )
 from rolamento.cli.options import LanguageOption, SettingsOption
+from rolamento.cli.outputs import check_outputs
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text
-from rolamento.errors import FileError, InputError
+from rolamento.errors import InputError
 
 if TYPE_CHECKING:
     from rolamento.studies import Study, Summary
@@ -100,8 +100,7 @@ def _swept(
     from rolamento.studies import load_study
 
     result = output or _default_name(path)
-    if same_file(result, path):
-        raise FileError("is the study file itself; choose another name", source=result)
+    check_outputs({"--output": result}, path, rule="is the study file itself")
     loaded = load_study(path, settings)
     summary = _run(loaded, result, where, restart, lang)
     _print_report(loaded, summary, lang)

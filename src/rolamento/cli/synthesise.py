@@ -10,6 +10,7 @@ import typer
 from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
+    complain_of,
     plain_endings,
     words_of,
 )
@@ -23,7 +24,7 @@ from rolamento.cli.options import (
     SpeedOption,
 )
 from rolamento.cli.outputs import check_outputs
-from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
+from rolamento.cli.streams import STANDARD_STREAM, print_text, put
 from rolamento.errors import InputError
 
 if TYPE_CHECKING:
@@ -221,9 +222,7 @@ def synthesise(
         with waiting(lang, SYNTHESIS_WORDS[words.code].making, PATIENCE_AT_WORK):
             given = given_of(asked)
             if given.state is not None and not given.state.status.converged:
-                status = given.state.status
-                told = (words.reason(status), words.advice(status))
-                complain(": ".join(part for part in told if part))
+                complain_of(given.state.status, lang)
                 raise typer.Exit(NO_RESULT)
             found = _made(asked, given, output, truth)
             _write(found)

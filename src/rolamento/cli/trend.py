@@ -10,6 +10,7 @@ import typer
 from rolamento.cli.common import SOLVED, plain_endings, words_of
 from rolamento.cli.options import LanguageOption, PlotOption, json_option
 from rolamento.cli.outputs import check_outputs
+from rolamento.cli.shipped_data import check_one_given, data_and_json, known_example
 from rolamento.cli.streams import STANDARD_STREAM, print_text, put
 from rolamento.errors import InputError
 
@@ -57,8 +58,7 @@ def trend(
     A law of wear is fitted to a clearance.
     """
     with plain_endings(lang):
-        if example is not None and json == STANDARD_STREAM and data is not None:
-            data, json = None, data  # the word after --json is its file: nothing else is wanted
+        data, json = data_and_json(data, example, json)
         check_outputs({"--json": json, "--plot": plot}, data, rule="is the file of the data itself")
         record = _record(data, example)
         fits = _fits(record, law)
@@ -81,21 +81,11 @@ def trend(
 def _record(data: str | None, example: str | None) -> Trend:
     from rolamento.reliability.trend import published_trend, read_trend
 
-    if (data is None) == (example is None):
-        rule = "give a CSV file or --example, not both" if data else "give a CSV file or --example"
-        raise InputError(rule, field="DATA.csv", example=f"trend --example {EXAMPLES[0]}")
+    check_one_given(data, example, "trend", EXAMPLES)
     if example is None:
         assert data is not None
         return read_trend(data)
-    name = example.casefold().replace("_", "-")
-    if name not in EXAMPLES:
-        raise InputError(
-            f"must be one of {', '.join(EXAMPLES)}",
-            source="--example",
-            value=example,
-            example=EXAMPLES[0],
-        )
-    return published_trend(name.replace("-", "_"))
+    return published_trend(known_example(example, EXAMPLES).replace("-", "_"))
 
 
 def _fits(record: Trend, law: str | None) -> dict[str, WearFit]:

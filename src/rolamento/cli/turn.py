@@ -12,6 +12,7 @@ from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
     Language,
+    complain_of_points,
     plain_endings,
     words_of,
 )
@@ -24,7 +25,7 @@ from rolamento.cli.options import (
     csv_option,
 )
 from rolamento.cli.outputs import check_outputs
-from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
+from rolamento.cli.streams import STANDARD_STREAM, print_text, put
 from rolamento.cli.waiting import waiting
 
 if TYPE_CHECKING:
@@ -87,9 +88,4 @@ def _show(
 
         print_text(turn_report(turned, words, Medium.of(sys.stdout)))
     elif not turned.converged:
-        failed = int((turned.status != "converged").sum())
-        complain(f"{failed} / {len(turned)}: {words.reasons[str(_first_failure(turned))]}")
-
-
-def _first_failure(turned: CageTurn) -> str:
-    return str(turned.status[turned.status != "converged"][0])
+        complain_of_points(turned.status[turned.status != "converged"], len(turned), lang)

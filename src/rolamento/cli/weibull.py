@@ -17,15 +17,15 @@ from rolamento.cli.common import (
 from rolamento.cli.grouped_help import GroupedCommand, Groups
 from rolamento.cli.options import LanguageOption, SeedOption, json_option, plot_option
 from rolamento.cli.outputs import check_outputs
-from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
+from rolamento.cli.shipped_data import data_and_json, known_example
+from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put, put_new
 from rolamento.cli.weibull_options import (
     EXAMPLES,
-    known_example,
     life_test,
     only_groups,
     wanted,
 )
-from rolamento.errors import FileError, InputError
+from rolamento.errors import InputError
 
 if TYPE_CHECKING:
     from rolamento.reliability.summary import LifeTestSummary
@@ -181,8 +181,7 @@ def weibull(
     Says what the test tells and what not.
     """
     with plain_endings(lang):
-        if example is not None and json == STANDARD_STREAM and data is not None:
-            data, json = None, data  # the word after --json is its file: nothing else is wanted
+        data, json = data_and_json(data, example, json)
         outputs = {"--json": json, "--plot": plot, "--contour": contour}
         check_outputs(outputs, data, rule="is the file of the data itself")
         if write is not None:
@@ -231,15 +230,8 @@ def _written(data: str | None, example: str | None, path: str, words: Words) -> 
 
     if example is None or data is not None:
         raise InputError("goes with --example alone", source="--write", value=path)
-    text = published_text(known_example(example).replace("-", "_"))
-    try:
-        with open(path, "x", encoding="utf-8", newline="\n") as file:
-            file.write(text)
-    except FileExistsError:
-        raise FileError("exists already; choose another name", source=path) from None
-    except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or str(error)
-        raise FileError(f"cannot be written: {reason.lower()}", source=path) from None
+    text = published_text(known_example(example, EXAMPLES).replace("-", "_"))
+    put_new(text, path)
     return WEIBULL_WORDS[words.code].written.format(path=path) + "\n"
 
 

@@ -7,13 +7,14 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, Final, cast
 
 from rolamento.cli.life_units import life_in, named_life
+from rolamento.cli.shipped_data import check_one_given, known_example
 from rolamento.errors import InputError
 
 if TYPE_CHECKING:
     from rolamento.reliability import LifeTest, Method, ShapePrior
     from rolamento.reliability.summary import FitMethod, Wanted
 
-__all__ = ["EXAMPLES", "known_example", "life_test", "only_groups", "wanted"]
+__all__ = ["EXAMPLES", "life_test", "only_groups", "wanted"]
 
 EXAMPLES: Final = ("campanha-2008", "lieblein-zelen-1956")
 FITS: Final[dict[str, FitMethod]] = {
@@ -40,28 +41,13 @@ def life_test(
     """
     from rolamento.reliability import parse_life_test, published_text, read_life_test
 
-    if (data is None) == (example is None):
-        rule = "give a CSV file or --example, not both" if data else "give a CSV file or --example"
-        raise InputError(rule, field="DATA.csv", example=f"weibull --example {EXAMPLES[0]}")
+    check_one_given(data, example, "weibull", EXAMPLES)
     if example is not None:
-        name = known_example(example)
+        name = known_example(example, EXAMPLES)
         text = published_text(name.replace("-", "_"))
         return parse_life_test(text, f"{name}.csv", group=group, unit=unit)
     assert data is not None
     return read_life_test(data, group=group, unit=unit)
-
-
-def known_example(example: str) -> str:
-    """Return the name of a shipped example, however its words are joined."""
-    name = example.casefold().replace("_", "-")
-    if name not in EXAMPLES:
-        raise InputError(
-            f"must be one of {', '.join(EXAMPLES)}",
-            source="--example",
-            value=example,
-            example=EXAMPLES[0],
-        )
-    return name
 
 
 def only_groups(test: LifeTest, names: Sequence[str]) -> LifeTest:
