@@ -1,4 +1,4 @@
-"""The command line: `rolamento solve`, `rolamento demo`."""
+"""The command line: `rolamento`, and a module for each of its commands."""
 
 from rolamento.cli.app import main
 
