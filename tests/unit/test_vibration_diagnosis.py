@@ -362,9 +362,7 @@ def test_a_damaged_ball_is_not_taken_for_its_cage(
     assert found.of("cage").verdict == "nothing_found"
 
 
-def test_a_damaged_cage_blames_no_other(
-    frequencies: FaultFrequencies, orders: FaultOrders
-) -> None:
+def test_a_damaged_cage_blames_no_other(frequencies: FaultFrequencies, orders: FaultOrders) -> None:
     """Its ninth multiple is the outer race's order, its twelfth near the ball's."""
     for ratio in (-15.0, 5.0):
         found = diagnose(planted(frequencies, "cage", ratio=ratio, duration=9.0), orders)
