@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import importlib
 from itertools import pairwise
 from math import isnan, nan, pi
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
-from benchmarks.healthy_signals import KINDS, healthy
 from scipy import stats
 
 from rolamento import Bearing
@@ -35,6 +36,7 @@ from rolamento.vibration.synthesis import (
     synthesise,
 )
 
+ROOT = Path(__file__).resolve().parents[2]
 SPEED = 188.2
 RATE = 20_000.0
 
@@ -176,16 +178,21 @@ def test_a_gear_is_no_bearing(orders: FaultOrders) -> None:
     assert kept.of("outer_race").evidence >= 0.0
 
 
-@pytest.mark.parametrize("kind", KINDS)
-def test_machines_in_order_keep_the_false_alarm_rate(kind: str) -> None:
+@pytest.mark.parametrize("number", range(8))
+def test_machines_in_order_keep_the_false_alarm_rate(
+    number: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """At 10 %: at most as many of 12 signals as that rate gives in all but one of 1000 tests.
 
     `python -m benchmarks.diagnosis_rates` tries a thousand.
     """
+    monkeypatch.syspath_prepend(str(ROOT))
+    machines = importlib.import_module("benchmarks.healthy_signals")
+    kind = list(machines.KINDS)[number]
     allowed = DiagnosisSettings(false_alarm=0.1)
     wrong = 0
     for seed in range(12):
-        signal, orders = healthy(kind, 1.5, 10_000 + seed)
+        signal, orders = machines.healthy(kind, 1.5, 10_000 + seed)
         wrong += bool(diagnose(signal, orders, allowed).faults)
     assert wrong <= stats.binom(12, 0.1).isf(1e-3)
 
