@@ -223,16 +223,23 @@ def draw(results: dict[str, Any], path: Path) -> None:
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
 
-    figure, (left, middle, right) = plt.subplots(1, 3, figsize=(13.0, 4.2), layout="constrained")
+    figure, (left, middle, right) = plt.subplots(1, 3, figsize=(13.0, 5.6), layout="constrained")
     rows = results["found"]
     for axes, chosen in ((left, rows[:6]), (middle, [rows[0], *rows[6:]])):
-        for row in chosen:
+        for number, row in enumerate(chosen):
             shares = np.array(row["found"]) / row["seeds"]
             axes.plot(
-                RATIOS, 100.0 * shares, marker="o", markersize=3, label=row["setting"]["title"]
+                RATIOS,
+                100.0 * shares,
+                marker="o",
+                markersize=3,
+                linestyle="-" if number < 6 else "--",
+                color=f"C{number % 6}",
+                label=row["setting"]["title"],
             )
         axes.set(xlabel="fault to noise (dB)", ylabel="found (%)", ylim=(-3, 103))
-        axes.legend(fontsize=6.5)
+        axes.set_xticks(RATIOS[::2])
+        axes.legend(fontsize=7.5, loc="upper center", bbox_to_anchor=(0.5, -0.13), ncols=2)
     allowed = np.geomspace(1e-3, 1.0, 50)
     values = np.array([value for row in results["healthy"] for value in row["probabilities"]])
     measured = np.array([np.mean(values <= level) for level in allowed])

@@ -74,7 +74,7 @@ def _found(
     """Faults, the clearest first; the field without their lines, and the others' findings in it."""
     found: dict[Component, Finding] = {}
     while findings:
-        clearest = _clearest(findings)
+        clearest = _clearest(findings, trials, field.settings)
         best = findings[clearest]
         if best is None or not _is_clear(best, trials, field.settings):
             break
@@ -86,12 +86,15 @@ def _found(
     return found, field, findings
 
 
-def _clearest(findings: dict[Component, Finding | None]) -> Component:
-    """The part with the most evidence; a ball before its cage, if it has half as much."""
+def _clearest(
+    findings: dict[Component, Finding | None], trials: int, settings: DiagnosisSettings
+) -> Component:
+    """The part with the most evidence; a clear ball before its cage, if it has half as much."""
     evidence = {part: f.evidence if f else -1.0 for part, f in findings.items()}
     clearest = max(evidence, key=lambda part: evidence[part])
-    if clearest == "cage" and evidence.get("ball", -1.0) >= _BALL_OVER_CAGE * evidence["cage"]:
-        return "ball"
+    ball = findings.get("ball")
+    if clearest == "cage" and ball is not None and _is_clear(ball, trials, settings):
+        return "ball" if ball.evidence >= _BALL_OVER_CAGE * evidence["cage"] else "cage"
     return clearest
 
 
