@@ -423,6 +423,14 @@ class TestUnexplainedLines:
         assert text.startswith("Nothing found")
         assert "Other lines do: see the notes." in text
 
+    def test_lines_clearer_than_those_of_a_fault_are_in_the_statement(self) -> None:
+        found = damaged().diagnosis
+        doubted = said_statements(replace(found, unexplained=(line(),)), "en")
+        assert doubted[-1] == (
+            "Stronger lines fit no part of this bearing: check speed and bearing."
+        )
+        assert doubted[:-1] == said_statements(found, "en")
+
     def test_several_the_clearest_first_and_the_rest_counted(self) -> None:
         lines = [line(frequency=60.0 + i, above_noise=10.0 + i) for i in range(7)]
         note = said_note(Reason("unexplained_lines", ""), with_lines(*lines).diagnosis, "pt")

@@ -62,8 +62,8 @@ def said_statements(diagnosis: Diagnosis, language: str, *, still: bool = False)
     sentences = [_damaged(part, said, digits) for part in faults]
     if not faults:
         sentences.append(said.nothing_found.format(parts=listed(tested, said)))
-        if diagnosis.unexplained:
-            sentences.append(said.other_lines)
+    if diagnosis.unexplained:
+        sentences.append(said.stronger_lines if faults else said.other_lines)
     if untested:
         sentences.append(said.untested.format(parts=listed(untested, said)))
     return sentences
