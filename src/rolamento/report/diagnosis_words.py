@@ -260,7 +260,7 @@ _PORTUGUESE: Final = DiagnosisWords(
         "cage": "a gaiola",
     },
     all_of="{list} e {last}",
-    damaged="{subject} está danificada: {lines}. Probabilidade de que um rolamento são se mostre"
+    damaged="{subject} está danificada: {lines}. Probabilidade de que um rolamento sadio se mostre"
     " assim: {chance}.",
     one_line="uma linha em {frequency} Hz",
     line_and_multiple="linhas em {frequency} Hz e 1 múltiplo",
@@ -303,13 +303,13 @@ _PORTUGUESE: Final = DiagnosisWords(
     indicators="RMS {rms}{unit}, fator de crista {crest}, curtose {kurtosis} (3 no ruído)",
     search="busca",
     searched="gaiola a até {tolerance} % {expected}{wider}; alarmes falsos em no máximo"
-    " {alarm} % dos rolamentos sãos",
+    " {alarm} % dos rolamentos sadios",
     expected=("da rotação nominal", "da sua rotação sob carga"),
     wider=", mais do que --slip, para cobrir a variação entre as esferas",
     table="Partes",
     heads=("", "esperada Hz", "achada", "desvio %", "evidência", "veredito", "faixa kHz"),
     verdicts={"fault": "danificada", "nothing_found": "nada", "not_tested": "sem teste"},
-    legend="Evidência: -log10 da probabilidade de que um rolamento são dê um achado tão claro,"
+    legend="Evidência: -log10 da probabilidade de que um rolamento sadio dê um achado tão claro,"
     " contadas todas as {trials} tentativas; a partir de {least} a parte conta como danificada."
     " Faixa: onde ela soa mais clara. Esfera: seu dano bate duas vezes por volta.",
     why="Por quê",
@@ -371,7 +371,7 @@ _PORTUGUESE: Final = DiagnosisWords(
         "range_not_covered": "Sob esta carga as ordens de algumas esferas se afastam mais de"
         " {tolerance} %: essas não foram procuradas.",
         "other_rows": "As ordens de {rows} são outras e não foram procuradas: permita mais"
-        " escorregamento, ou dê essa fileira como um rolamento próprio.",
+        " escorregamento, ou dê essa carreira como um rolamento próprio.",
         "unexplained_lines": "O espectro do envelope tem linhas que nenhuma parte deste rolamento e"
         " nenhum múltiplo do eixo explicam.",
     },

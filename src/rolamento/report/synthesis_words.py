@@ -140,7 +140,7 @@ _ENGLISH: Final = SynthesisWords(
 _PORTUGUESE: Final = SynthesisWords(
     written="Gravado: {path}, {duration} s {what}.",
     damaged="de um rolamento com dano em {faults}",
-    sound="de um rolamento são",
+    sound="de um rolamento sadio",
     the_faults={
         "outer_race": "pista externa",
         "inner_race": "pista interna",
