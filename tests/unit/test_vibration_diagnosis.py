@@ -197,6 +197,16 @@ def test_machines_in_order_keep_the_false_alarm_rate(
     assert wrong <= stats.binom(12, 0.1).isf(1e-3)
 
 
+def test_sidebands_that_overlap_are_not_counted_twice() -> None:
+    """An outer ring that creeps has sidebands nearer than the lines of a short record."""
+    creeping = FaultOrders.of(nominal_frequencies(Bearing.named("6205"), SPEED, 0.2))
+    allowed, wrong = DiagnosisSettings(false_alarm=0.1), 0
+    for seed in range(20):
+        noise = np.random.default_rng(seed).normal(size=16_000)
+        wrong += bool(diagnose(Signal(noise, 8000.0, speed=SPEED), creeping, allowed).faults)
+    assert wrong <= stats.binom(20, 0.1).isf(1e-3)
+
+
 def test_nothing_found_is_a_verdict(orders: FaultOrders) -> None:
     noise = np.random.default_rng(3).normal(size=100_000)
     found = diagnose(Signal(noise, RATE, speed=SPEED), orders)

@@ -17,6 +17,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from functools import cache
+from itertools import pairwise
 from math import exp, log
 from typing import Final, TypeVar
 
@@ -194,6 +195,8 @@ def _evidence(
 
     0 where too few of its lines are there: of several, one alone tells nothing.
     """
+    if not _apart(hypothesis, float(grid[len(grid) // 2]), spacing):
+        return np.zeros((scores.bands, len(grid))), 0
     found = np.zeros((len(hypothesis.lines), scores.bands, len(grid)))
     used = np.zeros(found.shape[1:], dtype=np.int64)
     for number, line in enumerate(hypothesis.lines):
@@ -202,6 +205,18 @@ def _evidence(
         used += there
     used[used < min(2, len(hypothesis.lines))] = 0
     return combined(found, used), int(np.count_nonzero(used))
+
+
+def _apart(hypothesis: Hypothesis, fundamental: float, spacing: float) -> bool:
+    """Whether no two lines share any of the spectrum's: their scores would depend."""
+    places = sorted(
+        (line.multiple * fundamental + line.sideband * spacing, line.width)
+        for line in hypothesis.lines
+    )
+    return all(
+        above - below - 0.5 * (wide + width) >= 1.0
+        for (below, width), (above, wide) in pairwise(places)
+    )
 
 
 def combined(scores: FloatArray, used: NDArray[np.int64]) -> FloatArray:
