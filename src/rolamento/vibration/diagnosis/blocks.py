@@ -66,6 +66,8 @@ def blocks_of(pieces: Signal | Iterable[Signal], wanted: float) -> Iterator[Bloc
         If there are no samples, the speed is missing, or pieces do not belong together.
     """
     if isinstance(pieces, Signal):
+        if len(pieces.samples) < 2:
+            raise InputError("must be at least 2", field="number of samples", value=1)
         angle = revolutions_of(pieces)
         total = float(angle[-1])
         samples = len(pieces.samples)

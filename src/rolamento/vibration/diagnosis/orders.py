@@ -20,6 +20,8 @@ COMPONENTS: Final[tuple[Component, ...]] = ("outer_race", "inner_race", "ball", 
 
 _HIGHEST: Final = 1000.0
 _MOST_KNOWN: Final = 20
+_LEAST_KNOWN: Final = 0.01
+"""Multiples of a lower order would leave nothing to look at."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,7 +75,7 @@ class FaultOrders:
         if len(self.known) > _MOST_KNOWN:
             raise InputError(f"must be up to {_MOST_KNOWN} orders", field="known", example="(0.5,)")
         for order in self.known:
-            checked_number(order, "known", above=0.0, most=_HIGHEST, example="known = (0.5,)")
+            checked_number(order, "known", least=_LEAST_KNOWN, most=_HIGHEST, example="(0.5,)")
 
     @classmethod
     def from_frequencies(

@@ -57,7 +57,7 @@ class DiagnosisSettings:
             self.block_revolutions,
             "block_revolutions",
             least=50.0,
-            most=1e5,
+            most=5000.0,
             example="block_revolutions = 400",
         )
         if not isinstance(self.remove_tones, bool):

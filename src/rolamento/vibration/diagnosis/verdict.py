@@ -129,6 +129,8 @@ def _with_cage_agreement(
 
 def _cage_slip(verdict: ComponentVerdict, orders: FaultOrders) -> float:
     """Part by which the cage is faster than nominal, by one fault; NaN if it does not tell."""
+    if verdict.component == "cage" and orders.outer_spacing > 0.0:
+        return nan  # the outer ring carries the cage along
     if verdict.component in ("outer_race", "cage"):
         return verdict.deviation
     if verdict.component == "inner_race" and orders.outer_race and orders.inner_race:
