@@ -125,9 +125,9 @@ class Case(Record):
 
     @model_validator(mode="after")
     def _warm_parts_are_mounted(self) -> Self:
-        """Temperatures of parts act on the clearance by way of the mounting."""
+        """Temperatures of the seats act on the clearance by way of the mounting alone."""
         if self.mounting is None and self.temperature is not None:
-            for part in ("inner_ring", "outer_ring", "balls", "shaft", "housing"):
+            for part in ("shaft", "housing"):
                 warm = getattr(self.temperature, part)
                 if warm is not None:
                     raise InputError(
@@ -297,7 +297,7 @@ def _toml_lines(table: Mapping[str, Any], name: str) -> list[str]:
     """Return the lines of a table: its own values first, then the tables inside."""
     values = {key: value for key, value in table.items() if not isinstance(value, dict)}
     tables = {key: value for key, value in table.items() if isinstance(value, dict)}
-    lines = ["", f"[{name}]"] if name and values else []
+    lines = ["", f"[{name}]"] if name and (values or not tables) else []
     lines += [f"{key} = {_toml_value(value)}" for key, value in values.items()]
     for key, inner in tables.items():
         lines += _toml_lines(inner, f"{name}.{key}" if name else key)

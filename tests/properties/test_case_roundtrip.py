@@ -7,7 +7,17 @@ import math
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rolamento import Bearing, Case, Displacement, Duty, Load, Material, Model
+from rolamento import (
+    Bearing,
+    Case,
+    Displacement,
+    Duty,
+    LifeModel,
+    Load,
+    Material,
+    Model,
+    Temperature,
+)
 from rolamento.case import case_to_json, case_to_toml, override, parse_case
 
 LINES = st.text(
@@ -106,3 +116,16 @@ def test_setting_nothing_changes_nothing(case: Case) -> None:
 @given(cases())
 def test_python_values_are_the_identity(case: Case) -> None:
     assert Case(**case.model_dump()) == case
+
+
+def test_a_table_without_a_value_is_a_table_still() -> None:
+    """Of no values at all; a table that holds tables only needs no line of its own."""
+    bearing = Bearing.named("6305")
+    case = Case(bearing=bearing, duty=Duty(), temperature=Temperature(), life=LifeModel())
+    text = case_to_toml(case)
+    assert "[temperature]" in text.splitlines()
+    assert parse_case(text, format="toml") == case
+    assert case_to_toml(parse_case(text, format="toml")) == text
+    assert parse_case(case_to_json(case), format="json") == case
+    without = case.replace(temperature=None)
+    assert parse_case(case_to_toml(without), format="toml") == without != case

@@ -217,7 +217,11 @@ def test_the_bearing_in_operation_is_what_solve_takes() -> None:
     assert clearance_of_case(case).to_mapping() == result.to_mapping()
     assert running.bearing.diametral_clearance == result.mean
     assert running.mounting is None
-    assert running.temperature == Temperature(lubricant=343.15)
+    own = case.temperature
+    assert own is not None
+    assert running.temperature == Temperature(
+        lubricant=343.15, inner_ring=own.inner_ring, outer_ring=own.outer_ring
+    )
     assert operating_case(running) is running
     state, plain = solve(case), solve(running)
     assert state.displacement == plain.displacement
@@ -247,10 +251,11 @@ def test_a_case_file_with_a_mounting() -> None:
         parse_case(text.replace('shaft_bore = "8 mm"', "shaft_bore = 8"))
 
 
-def test_temperatures_of_parts_need_a_mounting() -> None:
+def test_temperatures_of_seats_need_a_mounting() -> None:
+    warm = Temperature(inner_ring=350.0, outer_ring=340.0, shaft=360.0)
     with pytest.raises(InputError, match=r"without \[mounting\], and has no effect") as error:
-        mounted_case(mounting=None)
-    assert error.value.field == "temperature.inner_ring"
+        mounted_case(mounting=None, temperature=warm)
+    assert error.value.field == "temperature.shaft"
     with pytest.raises(InputError, match="runs with its own clearance"):
         clearance_of_case(mounted_case(mounting=None, temperature=None))
 

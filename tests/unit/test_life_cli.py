@@ -143,12 +143,16 @@ def test_the_case_may_come_from_standard_input(run: Run) -> None:
     assert run("-", given=Path(CASE).read_text("utf-8"))[1] == run(CASE)[1]
 
 
-def test_an_endless_life_is_null_in_json_and_says_so(run: Run) -> None:
-    settings = ("duty.load.fz=0 N", "duty.load.fx=0 N", "duty.inner_speed=0 rpm")
+def test_without_load_there_is_no_life(run: Run) -> None:
+    settings = ("duty.load.fz=0 N", "duty.load.fx=0 N")
     code, out, _ = run(CASE, *(part for text in settings for part in ("--set", text)), "--json")
-    found = strict(out)["life"]["theories"]["iso281"]
+    found = strict(out)["life"]
     assert code == 0
-    assert (found["life"], found["endless"]) == (None, True)
+    for record in (found["headline"], *found["theories"].values()):
+        assert (record["life"], record["hours"]) == (None, None)
+        assert (record["endless"], record["holds"], record["below"]) == (False, False, False)
+    assert found["headline"]["reason"] == "unloaded"
+    assert found["limit"]["race"] is None
 
 
 # --- no result, no theory ---------------------------------------------------------------------

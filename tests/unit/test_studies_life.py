@@ -94,7 +94,7 @@ def risk(lives: np.ndarray[Any, Any]) -> float:
 
 def numbers(summary: LifeSummary) -> dict[str, float]:
     """What the outputs ought to be, from the summary of a single case."""
-    best, limit = summary.best(), summary.limit
+    best, limit = summary.headline, summary.limit
     found: dict[str, Any] = {
         "dynamic_rating": summary.ratings.dynamic_of_set,
         "static_rating": summary.ratings.static_of_set,
@@ -114,6 +114,7 @@ def numbers(summary: LifeSummary) -> dict[str, float]:
         found[f"life_hours{name}"] = record.hours
         found[f"life_revolutions{name}"] = record.life
         found[f"life_holds{name}"] = record.holds
+    found["life_below"] = best.below
     if summary.contamination_factor is not None:
         found["contamination_factor"] = summary.contamination_factor
         for standard in ("iso281", "iso16281"):

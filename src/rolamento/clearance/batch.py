@@ -21,7 +21,6 @@ from rolamento.errors import InputError
 from rolamento.geometry import free_contact_angle
 from rolamento.mounting import Mounting
 from rolamento.numerics import FloatArray
-from rolamento.temperature import Temperature
 
 __all__ = ["MOUNTED_FIELDS", "operating_batch"]
 
@@ -94,9 +93,8 @@ def operating_batch(
         for name, array in arrays.items()
         if name not in (*MOUNTED_FIELDS, "bearing.diametral_clearance", "bearing.contact_angle")
     }
-    warm = case.lubricant_temperature
-    lubricant_only = None if warm is None else Temperature(lubricant=warm)
-    return case.replace(mounting=None, temperature=lubricant_only), {**kept, field: running}
+    warm = None if case.temperature is None else case.temperature.of_bearing
+    return case.replace(mounting=None, temperature=warm), {**kept, field: running}
 
 
 def _clearance(case: Case, bearing: Any, arrays: Mapping[str, FloatArray]) -> FloatArray:

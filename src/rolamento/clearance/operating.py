@@ -29,7 +29,6 @@ from rolamento.clearance.speed import SPEED_SOURCE
 from rolamento.clearance.temperature import TEMPERATURE_SOURCE
 from rolamento.errors import InputError
 from rolamento.mounting import Mounting
-from rolamento.temperature import Temperature
 
 __all__ = ["clearance_of_case", "operating_case", "operating_clearance"]
 
@@ -108,9 +107,9 @@ def operating_case(case: Case) -> Case:
     if case.mounting is None:
         return case
     running = clearance_of_case(case).operating_bearing(case.mounting.limit)
-    warm = case.lubricant_temperature
-    lubricant_only = None if warm is None else Temperature(lubricant=warm)
-    return case.replace(bearing=running, mounting=None, temperature=lubricant_only)
+    warm = case.temperature
+    of_bearing = None if warm is None else warm.of_bearing
+    return case.replace(bearing=running, mounting=None, temperature=of_bearing)
 
 
 def _three(band: Any) -> Any:

@@ -5,18 +5,19 @@ Pure functions of arrays first; `life` and `life_of_batch` gather all theories f
 """
 
 from rolamento.life.conditions import LifeConditions, conditions_of, with_lubricant
+from rolamento.life.headline import Headline
 from rolamento.life.record import Life, Limit
 from rolamento.life.sensitivity import Change, sensitivity
-from rolamento.life.summary import LifeSummary, knows_most, life, life_of_batch
+from rolamento.life.summary import LifeSummary, life, life_of_batch
 
 __all__ = [
     "Change",
+    "Headline",
     "Life",
     "LifeConditions",
     "LifeSummary",
     "Limit",
     "conditions_of",
-    "knows_most",
     "life",
     "life_of_batch",
     "sensitivity",

@@ -23,6 +23,7 @@ from rolamento.life.l_able import FactorTable
 from rolamento.life.reliability import RATING_RELIABILITY, Edition, reliability_factor
 from rolamento.life_model import LifeModel
 from rolamento.lubrication.oil_state import oil_state
+from rolamento.numerics import FloatArray
 
 FatigueLoad = Literal["contacts", "estimate"]
 
@@ -32,6 +33,7 @@ _POSITIVE: Final = (
     "viscosity",
     "viscosity_ratio",
     "temperature",
+    "bearing_temperature",
     "material_factor",
     "operation_factor",
     "nsk_cleanliness",
@@ -63,6 +65,8 @@ class LifeConditions:
         C_u of one row, N; or "contacts", from Hertz, or "estimate", C_0/22
     temperature
         of the lubricant; K
+    bearing_temperature
+        of the hottest of rings and balls; K
     material_factor, operation_factor
         a_2 and a_3 of 1990; the adjusted life needs at least one of them
     fatigue_limit
@@ -97,6 +101,7 @@ class LifeConditions:
     additives: bool = False
     fatigue_load_limit: FatigueLoad | ArrayLike = "contacts"
     temperature: ArrayLike | None = None
+    bearing_temperature: ArrayLike | None = None
     material_factor: ArrayLike | None = None
     operation_factor: ArrayLike | None = None
     fatigue_limit: ArrayLike = FATIGUE_LIMIT
@@ -167,6 +172,7 @@ def conditions_of(case: Case, values: Mapping[str, ArrayLike] | None = None) -> 
         additives=model.additives,
         fatigue_load_limit=model.fatigue_load_method if limit is None else limit,
         depth=model.depth,
+        bearing_temperature=_hottest(case, varied),
         inner_turning=False if model.rotating_load else None,
         outer_turning=True if model.rotating_load else None,
     )
@@ -183,6 +189,18 @@ _NUMBERS: Final = (
     "fatigue_limit",
     "nsk_cleanliness",
 )
+
+
+def _hottest(case: Case, varied: Mapping[str, ArrayLike]) -> FloatArray | None:
+    """Temperature of the hottest of rings and balls, K; None where none is given."""
+    found = []
+    for part in ("inner_ring", "outer_ring", "balls"):
+        given = varied.get(f"temperature.{part}")
+        if given is None and case.temperature is not None:
+            given = getattr(case.temperature, part)
+        if given is not None:
+            found.append(np.asarray(given, np.float64))
+    return np.asarray(np.max(np.broadcast_arrays(*found), axis=0)) if found else None
 
 
 def _class_of(model: LifeModel) -> ContaminationClass | None:

@@ -27,12 +27,12 @@ def limit_of(
     Parameters
     ----------
     balls, reference : the cases, and their reference life.
-    factor, factor_if_thick, factor_if_clean : a_ISO as it is, with κ = 4, and with e_C = 1; None
-        where lubrication is not known.
+    factor, factor_if_thick, factor_if_clean : a_ISO as it is (or its bound), with κ = 4, and with
+        e_C = 1, NaN where there is none; None where lubrication is not known.
     """
     count = balls.ball_count.size
     races = np.concatenate([reference.inner, reference.outer], axis=1)
-    ended = np.isfinite(reference.life)
+    ended = np.isfinite(reference.life) & ~balls.unloaded
     weakest = np.argmin(np.where(np.isnan(races), np.inf, races), axis=1)
     row = np.where(ended, weakest % count, 0)
     inner = weakest < count
@@ -61,9 +61,9 @@ def _factor(
         return np.full(cases, "", dtype="U15")
     with np.errstate(invalid="ignore", divide="ignore"):
         gain_of_oil, gain_of_filter = thick / factor, clean / factor
-    best = np.where(gain_of_oil >= gain_of_filter, "viscosity_ratio", "contamination")
-    little = np.maximum(gain_of_oil, gain_of_filter) < _WORTH
-    named = np.where(little, "load", best)
-    # below κ = 0.1 there is no factor to compare with: thicker oil comes first
-    named = np.where(np.isnan(factor), "viscosity_ratio", named)
-    return np.asarray(np.where(np.isnan(thick), "", named), dtype="U15")
+        oil, dirt = np.nan_to_num(gain_of_oil), np.nan_to_num(gain_of_filter)
+    best = np.where(oil >= dirt, "viscosity_ratio", "contamination")
+    named = np.where(np.maximum(oil, dirt) < _WORTH, "load", best)
+    # where only one of them can be judged, the load cannot be told to be what costs most
+    judged = ~np.isnan(gain_of_oil) & ~np.isnan(gain_of_filter)
+    return np.asarray(np.where((named == "load") & ~judged, "", named), dtype="U15")

@@ -29,6 +29,8 @@ LEAST_RATIO: Final = 0.1
 MOST_RATIO: Final = 4.0
 """κ above which nothing more is gained."""
 GREATEST: Final = 50.0
+LEAST: Final = 0.1
+"""a_ISO at the end of its range: at κ = 0.1, and with e_C = 0."""
 FATIGUE_PRESSURE: Final = 1.5e9
 """Greatest Hertz pressure that bearing steel withstands for ever; Pa. ISO 281:2007, annex B."""
 WITH_ADDITIVES: Final = 3.0
@@ -136,13 +138,37 @@ def life_modification_factor(
     return np.where(counts, np.maximum(factor, helped), factor)
 
 
+def bounded_modification_factor(
+    viscosity_ratio: ArrayLike,
+    contamination_factor: ArrayLike,
+    fatigue_load_limit: ArrayLike,
+    equivalent_load: ArrayLike,
+    *,
+    additives: bool = False,
+) -> FloatArray:
+    """a_ISO, and below κ = 0.1 the 0.1 that it ends with: an upper bound there.
+
+    a_ISO does not fall with κ, and at κ = 0.1 it is 0.1 whatever the dirt and the load. Parameters
+    and result as `life_modification_factor`.
+    """
+    factor = life_modification_factor(
+        viscosity_ratio,
+        contamination_factor,
+        fatigue_load_limit,
+        equivalent_load,
+        additives=additives,
+    )
+    return np.where(np.asarray(viscosity_ratio) < LEAST_RATIO, LEAST, factor)
+
+
 def modification_notes(
     viscosity_ratio: ArrayLike, contamination_factor: ArrayLike
 ) -> dict[str, BoolArray]:
     """Where a_ISO has no value or meets a limit, by name; arrays.
 
-    viscosity_ratio_too_small: κ < 0.1, no factor; viscosity_ratio_capped: κ > 4;
-    contamination_severe: e_C of 0, wear and not fatigue ends the life.
+    viscosity_ratio_too_small: κ < 0.1, the standard gives no factor, and the life is below a tenth;
+    viscosity_ratio_capped: κ > 4; contamination_severe: e_C of 0, wear and not fatigue ends the
+    life, below a tenth.
     """
     ratio = np.asarray(viscosity_ratio, dtype=np.float64)
     return {

@@ -22,14 +22,31 @@ NOTES: Final[Mapping[str, str]] = {
         "The equivalent load is above the static rating: lasting dents are to be expected."
     ),
     "viscosity_ratio_too_small": (
-        "The viscosity ratio κ is below 0.1, where the standard gives no factor."
+        "The viscosity ratio κ is below 0.1, where the standard gives no factor: the surfaces"
+        " touch, and the life is less than a tenth of the basic one."
     ),
     "contamination_severe": (
-        "The contamination factor is 0: wear, not fatigue, ends the life; the number is no limit."
+        "The contamination factor is 0: wear, not fatigue, ends the life, before a tenth of the"
+        " basic one."
     ),
-    "oil_too_hot": (
-        "The lubricant is hotter than 120 °C, which plain bearing steel bears: hardness and size"
-        " change, and the rating falls. Ask for stabilised rings."
+    "too_hot_for_steel": (
+        "The rings, the balls or the lubricant are hotter than 120 °C, which plain bearing steel"
+        " bears: hardness and size change, and the rating falls. Ask for stabilised rings."
+    ),
+    "unloaded": (
+        "No ball carries load from ring to ring: there is no rating life. Without a minimum load"
+        " balls slide, and that is what ends the life."
+    ),
+    "no_force": (
+        "No force acts from ring to ring, so there is no equivalent load, and the standard does not"
+        " apply; the reference life counts the moment or the preload that loads the balls."
+    ),
+    "moment_governs": (
+        "The moment loads the balls more than the forces do (2M/d_m > F), and the equivalent load"
+        " knows no moment; the reference life counts it, ball by ball."
+    ),
+    "no_fatigue_load_limit": (
+        "No fatigue load limit C_u is known, and so no modified life: give life.fatigue_load_limit."
     ),
     "no_equivalent_load": (
         "The standard has no equivalent load for this set: its rows differ, or are more than a"
@@ -46,6 +63,13 @@ NOTES: Final[Mapping[str, str]] = {
     "too_hot": "The bearing is hotter than 130 °C, for which the maker gives no life.",
     "outside_the_table": (
         "Viscosity ratio or load lie outside the user's table of a_NSK, which is not continued."
+    ),
+    # an upper bound only
+    "viscosity_unknown": (
+        "The viscosity is not given: even with the thickest oil so much dirt leaves less than this."
+    ),
+    "contamination_unknown": (
+        "The cleanliness is not given: even perfectly clean so thin an oil leaves less than this."
     ),
     # what the number leaves out, or how it was had
     "moment_left_out": (
@@ -93,7 +117,14 @@ NOTES: Final[Mapping[str, str]] = {
     ),
     "below_fatigue_limit": "No point is stressed beyond the fatigue limit: no end by fatigue.",
     "at_rest": "Nothing turns: there are no hours.",
-    "unloaded": "No ball carries load: there is no fatigue.",
+    "light_load": (
+        "The equivalent load is below C/100, the usual minimum load of ball bearings: the balls may"
+        " slide rather than roll, which no theory of fatigue counts."
+    ),
+    "load_shared_otherwise": (
+        "The balls do not share the load as the standard takes it, with a normal clearance: the"
+        " reference life, which counts the real one, is less than half or more than twice this one."
+    ),
 }
 """What each note says."""
 
@@ -103,7 +134,11 @@ OUTSIDE: Final = frozenset(
         "load_above_static_rating",
         "viscosity_ratio_too_small",
         "contamination_severe",
-        "oil_too_hot",
+        "too_hot_for_steel",
+        "unloaded",
+        "no_force",
+        "moment_governs",
+        "no_fatigue_load_limit",
         "no_equivalent_load",
         "thrust_bearing",
         "no_dynamic_rating",
@@ -113,6 +148,18 @@ OUTSIDE: Final = frozenset(
     }
 )
 """Notes that say that a theory does not hold for the case, though it may give a number."""
+
+
+BOUNDS: Final = frozenset(
+    {
+        "viscosity_ratio_too_small",
+        "contamination_severe",
+        "viscosity_unknown",
+        "contamination_unknown",
+        "no_surface_stress",
+    }
+)
+"""Notes that say that the number is an upper bound: the life is below it."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -175,10 +222,21 @@ class Life:
     @property
     def holds(self) -> BoolArray:
         """(cases,): whether there is a life, and the case lies within what the theory is for."""
+        return self._without(OUTSIDE)
+
+    @property
+    def below(self) -> BoolArray:
+        """(cases,): whether the number is an upper bound, and the life is below it."""
+        bound = np.zeros(len(self.life), dtype=np.bool_)
+        for name in BOUNDS & set(self.notes):
+            bound = bound | self.notes[name]
+        return np.asarray(bound & self._without(OUTSIDE - BOUNDS))
+
+    def _without(self, refusing: frozenset[str]) -> BoolArray:
+        """(cases,): whether there is a life, and none of some notes is true."""
         fine = ~np.isnan(self.life)
-        for name, where in self.notes.items():
-            if name in OUTSIDE:
-                fine = fine & ~where
+        for name in refusing & set(self.notes):
+            fine = fine & ~self.notes[name]
         return np.asarray(fine)
 
     def notes_of(self, case: int = 0) -> tuple[str, ...]:
@@ -200,6 +258,7 @@ class Life:
             "endless": bool(np.isposinf(self.life[case])),
             "factors": {name: _finite(array[case]) for name, array in self.factors.items()},
             "holds": bool(self.holds[case]),
+            "below": bool(self.below[case]),
             "notes": list(self.sentences(case)),
         }
 

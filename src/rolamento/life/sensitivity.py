@@ -34,7 +34,8 @@ _CLEANLINESS: Final = 0.2
 class Change:
     """One change: its name in `CHANGES`, and the life after it over the life before.
 
-    The ratio is NaN where either has no life or no end, or the changed case has no result.
+    The ratio is NaN where the theory cannot judge: where either has no life, no end, or only a
+    bound, or the changed case has no result.
     """
 
     name: str
@@ -49,9 +50,9 @@ class Change:
 def sensitivity(state: State, conditions: LifeConditions | None = None) -> tuple[Change, ...]:
     """Life ratios of changes of load, clearance, oil and cleanliness, the most helpful first.
 
-    By the modified reference life where viscosity and contamination are given, else by the
-    reference life; changes of the oil only with the former, of clearance only for a bearing
-    given by it.
+    By the life that leads: the modified reference life where viscosity and contamination are given,
+    else the reference life; changes of the oil only with the former, of clearance only for a
+    bearing given by it.
 
     Parameters
     ----------
@@ -77,7 +78,9 @@ def sensitivity(state: State, conditions: LifeConditions | None = None) -> tuple
 
 
 def _life(state: State, given: LifeConditions) -> float:
-    return float(life(state, given, stress_volume=False).best().life[0])
+    """The life that leads; NaN where it does not hold or is a bound."""
+    leading = life(state, given, stress_volume=False).headline
+    return float(leading.life[0]) if leading.holds[0] else float("nan")
 
 
 def _after(case: Case | None, given: LifeConditions, before: float) -> float:

@@ -12,7 +12,7 @@ from rolamento.equilibrium import BatchState, rows
 from rolamento.equilibrium.detail import BallTable
 from rolamento.geometry import Race, ring_geometry
 from rolamento.life.ioannides_harris import Ellipses
-from rolamento.numerics import FloatArray
+from rolamento.numerics import BoolArray, FloatArray
 from rolamento.state import State
 
 
@@ -69,6 +69,11 @@ class SolvedRows:
     def speed(self) -> FloatArray:
         """(cases,): of the rings against each other, unsigned."""
         return np.asarray(np.abs(self.inner_speed - self.outer_speed))
+
+    @property
+    def unloaded(self) -> BoolArray:
+        """(cases,): whether no ball carries load from ring to ring; not without a result."""
+        return np.asarray(np.all(self.inner_load == 0.0, axis=1))
 
     def ellipses(self, race: Race) -> Ellipses:
         """Contacts of a race, (cases, balls)."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Final
 
@@ -14,7 +14,9 @@ from rolamento.equilibrium import BatchState
 from rolamento.life import theories as by
 from rolamento.life.conditions import LifeConditions, conditions_of
 from rolamento.life.duty_loads import EquivalentLoads, Ratings
+from rolamento.life.headline import Headline, headline_of
 from rolamento.life.limits import limit_of
+from rolamento.life.modified import MOST_RATIO
 from rolamento.life.record import Life, Limit
 from rolamento.life.reference import ReferenceLife
 from rolamento.life.reliability import reliability_factor, reliability_of
@@ -23,15 +25,6 @@ from rolamento.numerics import FloatArray
 from rolamento.state import State
 
 _HOUR: Final = 3600.0
-
-
-_KNOWING: Final = (by.MODIFIED_REFERENCE, by.REFERENCE, by.MODIFIED, by.ADJUSTED, by.BASIC)
-"""From the theory that knows most to the one that knows least; upper bounds are none of them."""
-
-
-def knows_most(names: Collection[str]) -> str | None:
-    """Return which of some theories knows most of a bearing; None if there is none to go by."""
-    return next((name for name in _KNOWING if name in names), None)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -47,6 +40,8 @@ class LifeSummary:
         C, C_0 and C_u, N
     loads
         P, P_0, X, Y, e and the static safety
+    headline
+        the life that leads, by the one rule for all reports, figures and outputs
     reference
         the reference life, race by race
     limit
@@ -58,6 +53,7 @@ class LifeSummary:
     """
 
     theories: Mapping[str, Life]
+    headline: Headline
     ratings: Ratings
     loads: EquivalentLoads
     reference: ReferenceLife
@@ -70,15 +66,6 @@ class LifeSummary:
         """Return the life by one theory."""
         return self.theories[theory]
 
-    def best(self) -> Life:
-        """Return the theory that knows most: modified reference, else reference life."""
-        return self.theories.get(by.MODIFIED_REFERENCE, self.theories[by.REFERENCE])
-
-    def best_that_holds(self, case: int = 0) -> Life | None:
-        """Return the theory that knows most of those that hold for a case; None if none does."""
-        name = knows_most([name for name, found in self.theories.items() if found.holds[case]])
-        return None if name is None else self.theories[name]
-
     @property
     def rating_sources(self) -> dict[str, str]:
         """Where C, C_0 and C_u come from: "given", "geometry", or the source of the catalogue."""
@@ -90,7 +77,7 @@ class LifeSummary:
         return found
 
     def reliability_after(self, time: ArrayLike) -> FloatArray:
-        """Reliability with which the bearing runs for a time, by the theory that knows most.
+        """Reliability with which the bearing runs for a time, by the life that leads.
 
         Parameters
         ----------
@@ -99,11 +86,11 @@ class LifeSummary:
 
         Returns
         -------
-        (cases,); NaN where there are no hours, or no life.
+        (cases,); NaN where there are no hours, or no life. Where the life is below a bound, so is
+        the reliability.
         """
-        best = self.best()
-        edition = self.conditions.edition
-        for_ninety = best.hours / reliability_factor(best.reliability, edition)
+        edition, leading = self.conditions.edition, self.headline
+        for_ninety = leading.hours / reliability_factor(leading.reliability, edition)
         with np.errstate(divide="ignore", invalid="ignore"):
             ratio = np.asarray(time, np.float64) / _HOUR / for_ninety
         known = np.where(np.isnan(ratio), 1.0, ratio)
@@ -121,6 +108,7 @@ class LifeSummary:
         }
         share = _at(self.limit.share, case)
         return {
+            "headline": self.headline.to_mapping(case),
             "theories": {name: life.to_mapping(case) for name, life in self.theories.items()},
             "loads": {name: _at(array, case) for name, array in loads.items()},
             "ratings": {
@@ -141,12 +129,16 @@ class LifeSummary:
             },
         }
 
-    def _wanted(self, case: int) -> dict[str, float | None] | None:
+    def _wanted(self, case: int) -> dict[str, float | bool | None] | None:
         """The life that is wanted (s), and its reliability; None if none is."""
         wanted = self.conditions.wanted_life
         if wanted is None:
             return None
-        return {"life": wanted, "reliability": _at(self.reliability_after(wanted), case)}
+        return {
+            "life": wanted,
+            "reliability": _at(self.reliability_after(wanted), case),
+            "below": bool(self.headline.below[case]),
+        }
 
 
 def life(
@@ -196,28 +188,28 @@ def life_of_batch(
 
 def _summary(balls: SolvedRows, given: LifeConditions, stress_volume: bool) -> LifeSummary:
     basis = by.basis_of(balls, given)
-    reference = by.reference_of(basis)
-    theories = {by.BASIC: by.basic(basis), by.REFERENCE: by.referenced(basis, reference)}
+    theories = {by.BASIC: by.basic(basis), by.REFERENCE: by.referenced(basis)}
     if basis.contamination_factor is not None:
         theories[by.MODIFIED] = by.modified(basis)
-        theories[by.MODIFIED_REFERENCE] = by.modified_reference(basis, reference)
+        theories[by.MODIFIED_REFERENCE] = by.modified_reference(basis)
     if given.material_factor is not None or given.operation_factor is not None:
         theories[by.ADJUSTED] = by.adjusted(basis)
     if stress_volume:
-        theories[by.STRESS_VOLUME] = by.stress_volume(basis, reference)
+        theories[by.STRESS_VOLUME] = by.stress_volume(basis)
     if given.nsk_cleanliness is not None:
         theories[by.L_ABLE] = by.l_able(basis)
     return LifeSummary(
         theories=theories,
+        headline=headline_of(basis, theories.get(by.MODIFIED_REFERENCE), theories[by.REFERENCE]),
         ratings=basis.ratings,
         loads=basis.loads,
-        reference=reference,
+        reference=basis.reference,
         limit=limit_of(
             balls,
-            reference,
-            by.factor_now(basis, reference),
-            by.factor_if(basis, reference, ratio=4.0),
-            by.factor_if(basis, reference, clean=1.0),
+            basis.reference,
+            by.factor_now(basis),
+            by.factor_if(basis, ratio=MOST_RATIO),
+            by.factor_if(basis, clean=1.0),
         ),
         viscosity_ratio=basis.viscosity_ratio,
         contamination_factor=basis.contamination_factor,

@@ -18,6 +18,8 @@ from rolamento.life.duty_loads import (
     Ratings,
     equivalent_loads,
     left_out_of_load,
+    left_out_of_sharing,
+    light_load,
     notes_on_bearing,
     over_cases,
     ratings_of,
@@ -26,7 +28,12 @@ from rolamento.life.duty_loads import (
     without_thrust_bearings,
 )
 from rolamento.life.ioannides_harris import stress_volume_life
-from rolamento.life.modified import life_modification_factor, modification_notes
+from rolamento.life.modified import (
+    MOST_RATIO,
+    bounded_modification_factor,
+    life_modification_factor,
+    modification_notes,
+)
 from rolamento.life.record import Life
 from rolamento.life.reference import RaceRatings, ReferenceLife, race_ratings, reference_life
 from rolamento.life.reliability import outside_print, reliability_factor
@@ -54,6 +61,7 @@ class Basis:
     ratings: Ratings
     loads: EquivalentLoads
     turning: tuple[BoolArray, BoolArray]
+    reference: ReferenceLife
     reliability_factor: FloatArray
     viscosity_ratio: FloatArray | None
     contamination_factor: FloatArray | None
@@ -66,8 +74,9 @@ class Basis:
         cases = len(self.balls)
         whole = {name: np.broadcast_to(value, cases) for name, value in factors.items()}
         known = [value for name, value in whole.items() if name in _MULTIPLIERS]
-        result = np.asarray(np.prod([basic, *known], axis=0))
-        unloaded = np.all(self.balls.inner_load == 0.0, axis=1)
+        unloaded = self.balls.unloaded
+        refused = unloaded | notes.get("no_force", np.zeros(cases, dtype=np.bool_))
+        result = np.where(refused, np.nan, np.prod([basic, *known], axis=0))
         kept = {**self.common, **notes, "unloaded": unloaded}
         return Life(
             theory=theory,
@@ -89,6 +98,7 @@ def basis_of(balls: SolvedRows, given: LifeConditions) -> Basis:
     ratings = ratings_of(balls, given)
     loads = equivalent_loads(balls, ratings)
     ratio = viscosity_ratio_of(balls, given)
+    turning = turning_rings(balls, given)
     outside = bool(outside_print(given.reliability, given.edition))
     common = notes_on_bearing(balls, given)
     common["thrust_bearing"] = steep
@@ -99,7 +109,8 @@ def basis_of(balls: SolvedRows, given: LifeConditions) -> Basis:
         given=given,
         ratings=ratings,
         loads=loads,
-        turning=turning_rings(balls, given),
+        turning=turning,
+        reference=_reference_of(balls, ratings, turning),
         reliability_factor=reliability_factor(given.reliability, given.edition),
         viscosity_ratio=ratio,
         contamination_factor=_contamination(balls, given, ratio),
@@ -118,6 +129,13 @@ def _contamination(
     return contamination_factor(given.contamination, ratio, balls.pitch_diameter.min(axis=1))
 
 
+def cleanliness_at_best(basis: Basis) -> FloatArray | None:
+    """e_C with the viscosity ratio as it is, or where that is not known with κ = 4; (cases,)."""
+    kappa = basis.viscosity_ratio
+    best = np.full(len(basis.balls), MOST_RATIO) if kappa is None else kappa
+    return _contamination(basis.balls, basis.given, best)
+
+
 def basic(basis: Basis) -> Life:
     """Basic rating life, ISO 281."""
     rating_life = basic_rating_life(basis.ratings.dynamic_of_set, basis.loads.dynamic)
@@ -125,10 +143,13 @@ def basic(basis: Basis) -> Life:
 
 
 def _load_notes(basis: Basis) -> Notes:
-    ratings = basis.ratings
+    ratings, load = basis.ratings, basis.loads.dynamic
+    rating_life = basic_rating_life(ratings.dynamic_of_set, load)
     return {
-        **load_notes(basis.loads.dynamic, ratings.dynamic_of_set, ratings.static_of_set),
+        **load_notes(load, ratings.dynamic_of_set, ratings.static_of_set),
         **left_out_of_load(basis.balls, basis.loads),
+        **left_out_of_sharing(basis.balls, rating_life, basis.reference.life),
+        "light_load": light_load(load, ratings.dynamic_of_set),
         "no_static_rating": np.isnan(ratings.static_of_set),
     }
 
@@ -160,23 +181,24 @@ def adjusted(basis: Basis) -> Life:
     return basis.record(ADJUSTED, rating_life, {"a_1": a1, "a_2": a2, "a_3": a3}, notes)
 
 
-def reference_of(basis: Basis) -> ReferenceLife:
+def _reference_of(
+    balls: SolvedRows, ratings: Ratings, turning: tuple[BoolArray, BoolArray]
+) -> ReferenceLife:
     """Basic reference rating life, race by race, ISO/TS 16281."""
-    inner, outer = basis.turning
+    inner, outer = turning
     return reference_life(
-        basis.balls.inner_load,
-        basis.balls.outer_load,
-        _race_ratings(basis),
-        basis.balls.row_starts,
+        balls.inner_load,
+        balls.outer_load,
+        _race_ratings(balls, ratings),
+        balls.row_starts,
         inner_turning=inner,
         outer_turning=outer,
     )
 
 
-def _race_ratings(basis: Basis) -> RaceRatings:
-    balls = basis.balls
+def _race_ratings(balls: SolvedRows, ratings: Ratings) -> RaceRatings:
     return race_ratings(
-        basis.ratings.dynamic,
+        ratings.dynamic,
         balls.ball_count,
         balls.ball_diameter,
         balls.pitch_diameter,
@@ -186,35 +208,39 @@ def _race_ratings(basis: Basis) -> RaceRatings:
     )
 
 
-def _reference_load(basis: Basis, reference: ReferenceLife) -> FloatArray:
+def _reference_load(basis: Basis) -> FloatArray:
     """P_ref = C/L_10r^(1/3): the load of the rating life that the reference life stands for."""
-    return np.asarray(basis.ratings.dynamic_of_set / np.cbrt(reference.life))
+    return np.asarray(basis.ratings.dynamic_of_set / np.cbrt(basis.reference.life))
 
 
-def referenced(basis: Basis, reference: ReferenceLife) -> Life:
+def referenced(basis: Basis) -> Life:
     """Record the basic reference rating life."""
-    load = _reference_load(basis, reference)
+    load = _reference_load(basis)
     factors = {"a_1": basis.reliability_factor, "equivalent_load": load}
-    return basis.record(REFERENCE, reference.life, factors, _reference_notes(basis, load))
+    return basis.record(REFERENCE, basis.reference.life, factors, _reference_notes(basis, load))
 
 
 def _reference_notes(basis: Basis, load: FloatArray) -> Notes:
-    return load_notes(load, basis.ratings.dynamic_of_set, basis.ratings.static_of_set)
+    rating = basis.ratings.dynamic_of_set
+    return {
+        **load_notes(load, rating, basis.ratings.static_of_set),
+        "light_load": light_load(load, rating),
+    }
 
 
-def modified_reference(basis: Basis, reference: ReferenceLife) -> Life:
+def modified_reference(basis: Basis) -> Life:
     """Modified reference rating life, ISO/TS 16281; needs κ and e_C."""
-    load = _reference_load(basis, reference)
+    load = _reference_load(basis)
     factors = {**_modification(basis, load), "equivalent_load": load}
     notes = {**_reference_notes(basis, load), **_modification_notes(basis)}
-    return basis.record(MODIFIED_REFERENCE, reference.life, factors, notes)
+    return basis.record(MODIFIED_REFERENCE, basis.reference.life, factors, notes)
 
 
 def _modification(basis: Basis, load: FloatArray) -> dict[str, FloatArray]:
     ratio, clean = basis.viscosity_ratio, basis.contamination_factor
     assert ratio is not None
     assert clean is not None
-    factor = life_modification_factor(
+    factor = bounded_modification_factor(
         ratio, clean, basis.ratings.fatigue_of_set, load, additives=basis.given.additives
     )
     return {
@@ -228,36 +254,46 @@ def _modification(basis: Basis, load: FloatArray) -> dict[str, FloatArray]:
 def _modification_notes(basis: Basis) -> Notes:
     assert basis.viscosity_ratio is not None
     assert basis.contamination_factor is not None
-    return modification_notes(basis.viscosity_ratio, basis.contamination_factor)
+    notes = modification_notes(basis.viscosity_ratio, basis.contamination_factor)
+    return {
+        **notes,
+        "no_fatigue_load_limit": np.isnan(basis.ratings.fatigue_of_set)
+        & ~notes["viscosity_ratio_too_small"],
+    }
 
 
-def factor_now(basis: Basis, reference: ReferenceLife) -> FloatArray | None:
-    """a_ISO of the reference life as it is; None where lubrication is not known."""
+def factor_now(basis: Basis) -> FloatArray | None:
+    """a_ISO of the reference life as it is, or its bound; None where lubrication is not known."""
     if basis.contamination_factor is None:
         return None
-    return _modification(basis, _reference_load(basis, reference))["a_iso"]
+    return _modification(basis, _reference_load(basis))["a_iso"]
 
 
 def factor_if(
     basis: Basis,
-    reference: ReferenceLife,
     *,
     ratio: float | None = None,
     clean: float | None = None,
 ) -> FloatArray | None:
-    """a_ISO if the oil were thicker or cleaner; None where lubrication is not known."""
+    """a_ISO if the oil were thicker or cleaner; NaN where the theory cannot judge it.
+
+    None where lubrication is not known.
+    """
     if basis.contamination_factor is None or basis.viscosity_ratio is None:
         return None
     kappa = basis.viscosity_ratio if ratio is None else np.full(len(basis.balls), ratio)
     dirt = _contamination(basis.balls, basis.given, kappa) if clean is None else np.asarray(clean)
     assert dirt is not None
-    load = _reference_load(basis, reference)
-    return life_modification_factor(kappa, dirt, basis.ratings.fatigue_of_set, load)
+    load = _reference_load(basis)
+    factor = life_modification_factor(
+        kappa, dirt, basis.ratings.fatigue_of_set, load, additives=basis.given.additives
+    )
+    return np.where(dirt > 0.0, factor, np.nan)
 
 
-def stress_volume(basis: Basis, reference: ReferenceLife) -> Life:
+def stress_volume(basis: Basis) -> Life:
     """Life by Ioannides and Harris."""
-    inner, outer = basis.turning
+    (inner, outer), reference = basis.turning, basis.reference
     found = stress_volume_life(
         reference,
         basis.balls.ellipses("inner"),
@@ -293,7 +329,8 @@ def l_able(basis: Basis) -> Life:
     assert given.nsk_cleanliness is not None
     clean = over_cases(given.nsk_cleanliness, "nsk_cleanliness", cases)
     load, ratings = basis.loads.dynamic, basis.ratings
-    hot = np.nan if given.temperature is None else given.temperature
+    warm = [t for t in (given.temperature, given.bearing_temperature) if t is not None]
+    hot = np.max(np.broadcast_arrays(*warm), axis=0) if warm else np.nan
     refused = nsk.refusals(
         load, ratings.dynamic_of_set, ratings.static_of_set, basis.balls.speed, hot
     )

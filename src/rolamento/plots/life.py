@@ -34,7 +34,6 @@ _ORDER: Final = (
     "iso281_1990",
 )
 """Of colours, so that a theory looks the same on every figure."""
-_BEST: Final = ("iso16281_modified", "iso16281")
 _BOUND: Final = "ioannides_harris"
 _ABOVE: Final = 10.0
 """How far an upper bound may lead the axis beyond the other theories."""
@@ -64,7 +63,7 @@ def life_figure(curves: Sequence[LifeCurve], language: str = "en") -> Figure:
 def lives_by_theory(
     curves: Sequence[LifeCurve], axes: Axes | None = None, *, language: str = "en"
 ) -> Axes:
-    """Draw the life by every theory, faintly where it does not hold; of variants by the best one.
+    """Draw the life by every theory, faintly where it does not hold; of variants what leads.
 
     Lives are in hours, or in millions of revolutions where nothing turns at any point. An endless
     life leaves the frame at the top; a point without a result has a cross at its foot.
@@ -148,10 +147,13 @@ def _lines(
         name = words.theories.get(theory, theory)
         yield (*found(curves[0], theory), theory, name, theory_look(theory))
     for number, curve in enumerate(curves[1:], start=1):
-        best = next(theory for theory in _BEST if theory in curve.lives)
+        leading = curve.headline
+        names = dict.fromkeys(theory for theory in leading.theory.tolist() if theory)
         look = {"color": "#000000", "linestyle": _VARIANTS[number % len(_VARIANTS)]}
-        name = f"{words.theories[best]}, {short_label(curve.label)}"
-        yield (*found(curve, best), best, name, look)
+        theories = " / ".join(words.theories[theory] for theory in names)
+        led = leading.hours if turns else leading.life
+        label = f"{theories}, {short_label(curve.label)}"
+        yield (led, leading.holds, next(iter(names), ""), label, look)
 
 
 def _mark_missing(axes: Axes, x: Floats, curve: LifeCurve, shared: PlotWords) -> None:

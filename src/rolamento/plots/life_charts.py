@@ -191,7 +191,7 @@ def what_helps(
 def _factors_of(
     summary: LifeSummary, words: LifeWords, shared: PlotWords
 ) -> list[tuple[str, str, str, Floats, Floats]]:
-    """Label, marker, colour, e_C C_u/P and a_ISO of each modified theory; NaN left out."""
+    """Label, marker, colour, e_C C_u/P and a_ISO of each modified theory; bounds left out."""
     found = []
     for theory in in_order(set(_MARKERS) & set(summary.theories)):
         record = summary[theory]
@@ -199,7 +199,8 @@ def _factors_of(
         load = record.factors.get("equivalent_load", summary.loads.dynamic)
         with np.errstate(divide="ignore", invalid="ignore"):
             strength = clean * summary.ratings.fatigue_of_set / load
-        there = np.isfinite(factor) & np.isfinite(strength) & (strength > 0.0)
+        known = np.isfinite(factor) & ~record.below
+        there = known & np.isfinite(strength) & (strength > 0.0)
         if not there.any():
             continue
         label = words.theories[theory]

@@ -79,7 +79,8 @@ def life_report(
 def theories_part(page: Page, summary: LifeSummary) -> Lines:
     """Set the theories side by side: lives, factors, and whether each holds for the case."""
     said = said_of(page)
-    chosen = summary.best_that_holds()
+    leading = summary.headline
+    chosen = summary.theories.get(str(leading.theory[0])) if leading.leads[0] else None
     lives = _in_order(page, summary)
     factors = [
         (head, name) for head, name in _FACTORS if any(name in life.factors for life in lives)
@@ -89,6 +90,7 @@ def theories_part(page: Page, summary: LifeSummary) -> Lines:
         lines = _table(page, lives, [own for own in factors if own not in _CONDITIONS], chosen)
         lines += page.hanging(Text("  "), _conditions(page, lives))
     legend = said.legend.format(reliability=given_percent(page, lives[0].reliability))
+    legend += said.bounds if any(life.below[0] for life in lives) else ""
     legend += "" if chosen is None else said.chosen
     return [page.heading(said.theories), *lines, *page.hanging(Text("  "), legend, "dim")]
 
@@ -127,11 +129,16 @@ def _table(
     rows[0][-1] = page.text(said.holds_here, "dim")
     for index, (life, name) in enumerate(zip(lives, names, strict=True)):
         own = life is chosen
-        style = "bold" if own else "" if life.holds[0] else "dim"
+        style = "bold" if own else "" if life.holds[0] or life.below[0] else "dim"
         cells_ = [page.text(column[index], style) for _, column in columns]
         sign = page.text(_CHOSEN if own else " ", "bold green")
         rows.append(
-            [sign, page.text(name, style), *cells_, verdict(page, life.theory, bool(life.holds[0]))]
+            [
+                sign,
+                page.text(name, style),
+                *cells_,
+                verdict(page, bool(life.holds[0]), bool(life.below[0])),
+            ]
         )
     table = page.columns(rows, "ll" + "r" * len(columns) + "l")
     return [_closer(line) for line in table]

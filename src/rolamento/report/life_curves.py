@@ -12,8 +12,7 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 from rich.text import Text
 
-from rolamento.life import knows_most
-from rolamento.numerics import FloatArray
+from rolamento.numerics import BoolArray, FloatArray
 from rolamento.report.across import place_text, read_values, written_values
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.life_numbers import given_percent, life_text, lives_column, said_of
@@ -24,12 +23,15 @@ from rolamento.report.plain_data import csv_number, json_text
 from rolamento.report.terminal import rendered
 
 if TYPE_CHECKING:
+    from rolamento.life import Headline
     from rolamento.studies.life_curves import LifeCurve
 
 __all__ = ["curves_csv", "curves_json", "curves_report"]
 
 SCHEMA: Final = 1
 _MARK: Final = "*"
+_LESS: Final = "<"
+_LEADS: Final = "headline"
 _FIRST_LEFT_OUT: Final = ("ioannides_harris", "l_able", "iso281_1990")
 _RELIABILITY: Final = 0.9
 
@@ -42,6 +44,8 @@ class _Words:
     legend_varied: str
     fails: str
     left_out: str
+    below: str
+    leads: str
     longest: str
     failed: str
 
@@ -53,6 +57,8 @@ _WORDS: Final[Mapping[str, _Words]] = {
         legend="in {unit}, for {reliability} reliability",
         legend_varied="in {unit}",
         fails="* the theory does not hold there",
+        below="< the life is below the number",
+        leads="leads",
         left_out="no room here, but in --csv and --json: {names}",
         longest=(
             "{theory}: longest at {most_at} {symbol}, {most}; shortest at {least_at} {symbol},"
@@ -66,6 +72,8 @@ _WORDS: Final[Mapping[str, _Words]] = {
         legend="em {unit}, para {reliability} de confiabilidade",
         legend_varied="em {unit}",
         fails="* a teoria não vale ali",
+        below="< a vida está abaixo do número",
+        leads="conduz",
         left_out="sem lugar aqui, mas em --csv e --json: {names}",
         longest=(
             "{theory}: a maior em {most_at} {symbol}, {most}; a menor em {least_at} {symbol},"
@@ -102,6 +110,7 @@ def _curve(page: Page, curve: LifeCurve) -> Lines:
     if curve.label:
         lines += page.hanging(Text("  "), own.variant.format(label=curve.label))
     lives, unit = shown_lives(curve)
+    leading = curve.headline
     table, left_out = _table(page, curve, lives)
     lines += table
     reliability = _RELIABILITY if curve.case.life is None else curve.case.life.reliability
@@ -113,8 +122,10 @@ def _curve(page: Page, curve: LifeCurve) -> Lines:
     lines += page.hanging(Text("  "), legend, "dim")
     if left_out:
         lines += page.hanging(Text("  "), own.left_out.format(names="; ".join(left_out)), "dim")
-    if any(not np.all(curve.holds[name]) for name in lives):
+    if any(not np.all(curve.holds[name] | curve.below[name]) for name in lives):
         lines += page.hanging(Text("  "), own.fails, "dim")
+    if np.any(leading.below) or any(np.any(curve.below[name]) for name in lives):
+        lines += page.hanging(Text("  "), own.below, "dim")
     lines += _extremes(page, own, curve, lives, said.hour if unit == "h" else said.million)
     return lines + _remarks(page, curve) + _failures(page, own, curve)
 
@@ -129,7 +140,7 @@ def _table(
     page: Page, curve: LifeCurve, lives: Mapping[str, FloatArray]
 ) -> tuple[Lines, list[str]]:
     """Set the lives below each other; theories for which there is no room are named instead."""
-    said = said_of(page)
+    own, said = _WORDS.get(page.words.code, _WORDS["en"]), said_of(page)
     across, symbol = read_values(curve.over.field, curve.values)
     values = written_values(page, across)
     names = [name for name in said.names if name in lives]
@@ -137,6 +148,10 @@ def _table(
         "": [Text(), page.text(symbol, "dim"), *map(page.text, values)],
         **{name: _life_column(page, curve, name, lives[name]) for name in names},
     }
+    leading = curve.headline
+    if any(theory not in lives for theory in leading.theory[leading.below].tolist()):
+        led = leading.hours if lives is curve.lives else leading.life
+        columns[_LEADS] = _column(page, ("", own.leads), led, leading.holds, leading.below)
     left_out = []
     for name in _FIRST_LEFT_OUT:
         if name in columns and page.width_of(list(columns.values())) > page.medium.width:
@@ -148,37 +163,47 @@ def _table(
 
 def _life_column(page: Page, curve: LifeCurve, name: str, lives: FloatArray) -> Lines:
     """A theory's name, and its lives, marked where it does not hold."""
+    heads = said_of(page).short[name]
+    return _column(page, heads, lives, curve.holds[name], curve.below[name])
+
+
+def _column(
+    page: Page, heads: Sequence[str], lives: FloatArray, holds: BoolArray, below: BoolArray
+) -> Lines:
+    cells = zip(lives_column(page, lives.tolist()), holds, below, strict=True)
     return [
-        *(page.text(f"{word} ") for word in said_of(page).short[name]),
-        *(
-            page.text(f"{cell} ") if holds else page.text(f"{cell}{_MARK}", "yellow")
-            for cell, holds in zip(
-                lives_column(page, lives.tolist()), curve.holds[name], strict=True
-            )
-        ),
+        *(page.text(f"{word} ") for word in heads),
+        *(_marked(page, cell, bool(held), bool(bound)) for cell, held, bound in cells),
     ]
+
+
+def _marked(page: Page, cell: str, holds: bool, below: bool) -> Text:
+    """A life, with a mark where it is a bound or does not hold."""
+    if below:
+        return page.text(f"{_LESS}{cell} ", "" if holds else "yellow")
+    return page.text(f"{cell} ") if holds else page.text(f"{cell}{_MARK}", "yellow")
 
 
 def _extremes(
     page: Page, own: _Words, curve: LifeCurve, lives: Mapping[str, FloatArray], unit: str
 ) -> Lines:
-    """Say where the theory that knows most has its longest and shortest life, where it holds."""
-    theory = knows_most([name for name in lives if np.any(curve.holds[name])])
-    if theory is None:
-        return []
-    usable = curve.holds[theory] & np.isfinite(lives[theory])
+    """Say where the life that leads is longest and shortest, where it holds."""
+    leading = curve.headline
+    led = leading.hours if lives is curve.lives else leading.life
+    usable = leading.holds & np.isfinite(led)
     if np.count_nonzero(usable) < 2:
         return []
     across, symbol = read_values(curve.over.field, curve.values)
-    most = int(np.argmax(np.where(usable, lives[theory], -np.inf)))
-    least = int(np.argmin(np.where(usable, lives[theory], np.inf)))
+    most = int(np.argmax(np.where(usable, led, -np.inf)))
+    least = int(np.argmin(np.where(usable, led, np.inf)))
+    names = dict.fromkeys(said_of(page).names[theory] for theory in leading.theory[usable].tolist())
     text = own.longest.format(
-        theory=said_of(page).names[theory],
+        theory="; ".join(names),
         symbol=symbol,
         most_at=page.digits.short(float(across[most]), 4),
-        most=f"{life_text(page, float(lives[theory][most]))} {unit}",
+        most=f"{life_text(page, float(led[most]))} {unit}",
         least_at=page.digits.short(float(across[least]), 4),
-        least=f"{life_text(page, float(lives[theory][least]))} {unit}",
+        least=f"{life_text(page, float(led[least]))} {unit}",
     )
     return page.hanging(Text("  "), text)
 
@@ -224,6 +249,11 @@ def curves_csv(curves: Sequence[LifeCurve]) -> str:
             *(f"{name}_h" for name in theories),
             *(f"{name}_Mrev" for name in theories),
             *(f"{name}_holds" for name in theories),
+            "headline_theory",
+            "headline_h",
+            "headline_Mrev",
+            "headline_holds",
+            "headline_below",
             "viscosity_ratio",
             "contamination_factor",
         ]
@@ -242,11 +272,21 @@ def curves_csv(curves: Sequence[LifeCurve]) -> str:
                         "yes" if name in curve.holds and curve.holds[name][point] else "no"
                         for name in theories
                     ),
+                    *_headline_cells(curve.headline, point),
                     csv_number(curve.viscosity_ratio[point]),
                     csv_number(curve.contamination_factor[point]),
                 ]
             )
     return text.getvalue()
+
+
+def _headline_cells(leading: Headline, point: int) -> list[str]:
+    return [
+        str(leading.theory[point]),
+        _written(leading.hours[point]),
+        _written(leading.life[point]),
+        *("yes" if where[point] else "no" for where in (leading.holds, leading.below)),
+    ]
 
 
 def _written(value: float) -> str:
@@ -276,13 +316,23 @@ def _curve_mapping(curve: LifeCurve) -> dict[str, Any]:
             "life": curve.revolutions[name],
             "endless": np.isinf(curve.revolutions[name]).tolist(),
             "holds": curve.holds[name].tolist(),
+            "below": curve.below[name].tolist(),
             "notes": {note: where.tolist() for note, where in curve.notes[name].items()},
         }
         for name in curve.lives
     }
+    leading = curve.headline
     return {
         "label": curve.label,
         "status": curve.status.tolist(),
+        "headline": {
+            "theory": leading.theory.tolist(),
+            "hours": leading.hours,
+            "life": leading.life,
+            "holds": leading.holds.tolist(),
+            "below": leading.below.tolist(),
+            "reason": leading.reason.tolist(),
+        },
         "theories": theories,
         "viscosity_ratio": curve.viscosity_ratio,
         "contamination_factor": curve.contamination_factor,

@@ -83,7 +83,8 @@ def limit_part(page: Page, state: State, summary: LifeSummary) -> Lines:
     said, limit = said_of(page), summary.limit
     race = str(limit.race[0])
     if not race:
-        return [page.heading(said.limits), page.text(f"  {said.notes['unloaded']}")]
+        reason = page.hanging(Text("  "), said.notes["unloaded"])
+        return [page.heading(said.limits), *reason]
     template = said.share_of_row if state.case.bearing.is_set else said.share_of_risk
     share = percent(page, float(limit.share[0]))
     texts = [template.format(race=said.races[race], row=int(limit.row[0]), share=share)]
@@ -130,7 +131,7 @@ def changes_part(page: Page, summary: LifeSummary, changes: Sequence[Change]) ->
         )
         for line, change in zip(table, known, strict=True)
     ]
-    legend = said.changes_legend.format(theory=said.long[summary.best().theory])
+    legend = said.changes_legend.format(theory=said.long[str(summary.headline.theory[0])])
     lines = [page.heading(said.changes_heading), *rows]
     return lines + page.hanging(Text("  "), legend, "dim")
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Final
 
 from rich.text import Text
 
@@ -12,8 +11,6 @@ from rolamento.report.life_numbers import said_of
 from rolamento.report.page import Lines, Page
 
 __all__ = ["remarks", "verdict"]
-
-_BOUND: Final = "ioannides_harris"
 
 
 def remarks(page: Page, found: Iterable[tuple[str, str, str]], count: int) -> Lines:
@@ -46,9 +43,9 @@ def remarks(page: Page, found: Iterable[tuple[str, str, str]], count: int) -> Li
     return lines
 
 
-def verdict(page: Page, theory: str, holds: bool) -> Text:
-    """Say in a word whether a theory holds; one that gives an upper bound says so."""
+def verdict(page: Page, holds: bool, below: bool) -> Text:
+    """Say in a word whether a theory holds, or gives an upper bound of the life."""
     said = said_of(page)
-    if not holds:
-        return page.text(said.fails, "yellow")
-    return page.text(said.bound if theory == _BOUND else said.holds, "green")
+    if below:
+        return page.text(said.bound, "green" if holds else "yellow")
+    return page.text(said.holds, "green") if holds else page.text(said.fails, "yellow")

@@ -18,15 +18,32 @@ PORTUGUESE_NOTES: Final[Mapping[str, str]] = {
         "A carga equivalente passa da capacidade estática: esperam-se marcas permanentes."
     ),
     "viscosity_ratio_too_small": (
-        "A razão de viscosidade κ está abaixo de 0,1, onde a norma não dá fator."
+        "A razão de viscosidade κ está abaixo de 0,1, onde a norma não dá fator: as superfícies se"
+        " tocam, e a vida é menos de um décimo da básica."
     ),
     "contamination_severe": (
-        "O fator de contaminação é 0: o desgaste, e não a fadiga, acaba com a vida; o número"
-        " não é um limite."
+        "O fator de contaminação é 0: o desgaste, e não a fadiga, acaba com a vida, antes de um"
+        " décimo da básica."
     ),
-    "oil_too_hot": (
-        "O lubrificante passa de 120 °C, o que o aço comum para rolamentos aguenta: dureza e"
-        " dimensões mudam, e a capacidade cai. Peça anéis estabilizados."
+    "too_hot_for_steel": (
+        "Os anéis, as esferas ou o lubrificante passam de 120 °C, o que o aço comum para rolamentos"
+        " aguenta: dureza e dimensões mudam, e a capacidade cai. Peça anéis estabilizados."
+    ),
+    "unloaded": (
+        "Nenhuma esfera leva carga de um anel ao outro: não há vida nominal. Sem uma carga mínima"
+        " as esferas deslizam, e é isso que acaba com a vida."
+    ),
+    "no_force": (
+        "Nenhuma força age de um anel ao outro: não há carga equivalente, e a norma não se aplica;"
+        " a vida de referência conta o momento ou a pré-carga que solicita as esferas."
+    ),
+    "moment_governs": (
+        "O momento solicita as esferas mais que as forças (2M/d_m > F), e a carga equivalente não"
+        " conhece momento; a vida de referência o conta, esfera por esfera."
+    ),
+    "no_fatigue_load_limit": (
+        "Não se conhece o limite de carga de fadiga C_u, e por isso não há vida modificada: dê"
+        " life.fatigue_load_limit."
     ),
     "no_equivalent_load": (
         "A norma não tem carga equivalente para este conjunto: as carreiras diferem, ou são"
@@ -44,6 +61,13 @@ PORTUGUESE_NOTES: Final[Mapping[str, str]] = {
     "outside_the_table": (
         "A razão de viscosidade ou a carga está fora da tabela de a_NSK do usuário, que não é"
         " continuada."
+    ),
+    "viscosity_unknown": (
+        "A viscosidade não foi dada: mesmo com o óleo mais viscoso, tanta sujeira deixa menos que"
+        " isto."
+    ),
+    "contamination_unknown": (
+        "A limpeza não foi dada: mesmo perfeitamente limpo, um óleo tão fino deixa menos que isto."
     ),
     "moment_left_out": (
         "A carga equivalente não conhece momento; a vida de referência o conta, esfera por esfera."
@@ -92,7 +116,14 @@ PORTUGUESE_NOTES: Final[Mapping[str, str]] = {
         "Nenhum ponto é solicitado além do limite de fadiga: não há fim por fadiga."
     ),
     "at_rest": "Nada gira: não há horas.",
-    "unloaded": "Nenhuma esfera leva carga: não há fadiga.",
+    "light_load": (
+        "A carga equivalente está abaixo de C/100, a carga mínima usual de rolamentos de esferas:"
+        " as esferas podem deslizar em vez de rolar, o que nenhuma teoria de fadiga conta."
+    ),
+    "load_shared_otherwise": (
+        "As esferas não dividem a carga como a norma supõe, com uma folga normal: a vida de"
+        " referência, que conta a real, é menos da metade ou mais do dobro desta."
+    ),
 }
 """Of `rolamento.life.record.NOTES`."""
 

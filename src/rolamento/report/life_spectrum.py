@@ -12,7 +12,6 @@ import numpy as np
 from numpy.typing import NDArray
 from rich.text import Text
 
-from rolamento.life import knows_most
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.life_numbers import given_percent, lives_column, percent, said_of
 from rolamento.report.life_remarks import remarks, verdict
@@ -31,6 +30,7 @@ SCHEMA: Final = 1
 _MOST_SHOWN: Final = 40
 _BAR: Final = 20
 _CONVERGED: Final = "converged"
+_REFERENCE: Final = "iso16281"
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,6 +39,7 @@ class _Words:
     what: str
     most: str
     no_life: str
+    bounded: str
     scaled: str
     theories: str
     steps: str
@@ -60,6 +61,7 @@ _WORDS: Final[Mapping[str, _Words]] = {
         what="this duty",
         most="Step {step} takes most of it: {damage} of the damage in {time} of the time.",
         no_life="Without a result of every step there is no life.",
+        bounded="It is a bound: the standard only bounds the life in some of the steps.",
         scaled="The shares sum to {total} and were scaled to 1.",
         theories="Life by theory, damage summed by Miner",
         steps="The steps",
@@ -84,6 +86,7 @@ _WORDS: Final[Mapping[str, _Words]] = {
         what="este serviço",
         most="O passo {step} tira a maior parte: {damage} do dano em {time} do tempo.",
         no_life="Sem resultado de todos os passos não há vida.",
+        bounded="É um limite superior: em alguns dos passos a norma apenas limita a vida.",
         scaled="As partes somam {total} e foram ajustadas a 1.",
         theories="Vida por teoria, dano somado por Miner",
         steps="Os passos",
@@ -130,27 +133,32 @@ def spectrum_report(
     return rendered(page.medium, parts)
 
 
-def theory_of(found: SpectrumLife) -> str:
-    """Return the theory by which steps are compared: the one that knows most, if it can, holds."""
-    holding = [name for name, holds in found.holds.items() if holds]
-    return knows_most(holding) or knows_most(list(found.life)) or next(iter(found.life))
-
-
 def _statement(page: Page, own: _Words, found: SpectrumLife) -> Lines:
-    said, theory = said_of(page), theory_of(found)
+    said, leading = said_of(page), found.headline
     lines = [page.heading(own.heading.format(count=len(found.steps)))]
     sentences: list[tuple[str, str]] = []
     if not found.converged:
         sentences.append((own.no_life, "bold red"))
-    elif not found.holds[theory]:
+    elif not (leading.holds or leading.below):
         sentences += [(said.none_holds, "bold red"), (said.not_to_be_used, "bold")]
     else:
-        life, hours = found.life[theory], found.hours[theory]
-        sentences.append((reached(page, theory, life, hours, found.reliability, own.what), "bold"))
-        sentences += _worst(page, own, found, theory)
-        reliability = found.reliability_of_wanted(theory)
+        text = reached(
+            page,
+            leading.theory,
+            leading.life,
+            leading.hours,
+            found.reliability,
+            own.what,
+            below=leading.below,
+        )
+        sentences.append((text, "bold"))
+        if leading.below:
+            sentences.append((own.bounded, "yellow"))
+        sentences += _worst(page, own, found)
+        reliability = found.reliability_of_wanted()
         if found.wanted_life is not None and reliability is not None:
-            sentences.append((wanted_sentence(page, found.wanted_life, reliability), ""))
+            text = wanted_sentence(page, found.wanted_life, reliability, below=leading.below)
+            sentences.append((text, ""))
     if abs(found.steps.given_sum - 1.0) > 1e-9:
         total = page.digits.short(found.steps.given_sum, 5)
         sentences.append((own.scaled.format(total=total), "yellow"))
@@ -159,8 +167,8 @@ def _statement(page: Page, own: _Words, found: SpectrumLife) -> Lines:
     return lines
 
 
-def _worst(page: Page, own: _Words, found: SpectrumLife, theory: str) -> list[tuple[str, str]]:
-    damage = found.damage[theory]
+def _worst(page: Page, own: _Words, found: SpectrumLife) -> list[tuple[str, str]]:
+    damage = found.headline.damage
     if len(damage) < 2 or not np.all(np.isfinite(damage)):
         return []
     worst = int(np.argmax(damage))
@@ -184,7 +192,7 @@ def _theories(page: Page, own: _Words, found: SpectrumLife) -> Lines:
                 page.text(said.names[name]),
                 page.text(revolutions[index]),
                 page.text(hours[index]),
-                verdict(page, name, found.holds[name]),
+                verdict(page, found.holds[name], found.below[name]),
             ]
             for index, name in enumerate(names)
         ),
@@ -214,17 +222,17 @@ def _remarks(page: Page, own: _Words, found: SpectrumLife) -> Lines:
 
 def _steps(page: Page, own: _Words, found: SpectrumLife) -> Lines:
     """Set the steps in a table; of many, those that take most."""
-    theory = theory_of(found)
-    shown = _shown(found, theory)
+    leading = found.headline
+    shown = _shown(found)
     columns = [
         _column(page, own.step, "", [str(step + 1) for step in shown]),
         _column(page, own.time, "%", _shares(page, found.time_shares, shown)),
         _column(page, own.turns, "%", _shares(page, found.revolution_shares, shown)),
     ]
-    lives = lives_column(page, found.step_hours[theory][shown].tolist())
+    lives = lives_column(page, leading.step_hours[shown].tolist())
     ends = [
         _column(page, said_of(page).hour, "", lives),
-        _column(page, own.damage, "%", _shares(page, found.damage[theory], shown)),
+        _column(page, own.damage, "%", _shares(page, leading.damage, shown)),
     ]
     for name, cells in found.steps.cells.items():
         column = _column(page, name.rpartition(".")[2], "", [cells[step] for step in shown])
@@ -232,25 +240,25 @@ def _steps(page: Page, own: _Words, found: SpectrumLife) -> Lines:
             columns.append(column)
     columns += ends
     table = page.columns(list(zip(*columns, strict=True)), "r" * len(columns))
-    lines = [page.heading(own.steps), *_with_bars(page, table, found.damage[theory][shown])]
+    lines = [page.heading(own.steps), *_with_bars(page, table, leading.damage[shown])]
     if len(shown) < len(found.steps):
-        rest = 1.0 - float(found.damage[theory][shown].sum())
+        rest = 1.0 - float(leading.damage[shown].sum())
         text = own.left_out.format(
             shown=len(shown),
             count=len(found.steps) - len(shown),
             damage=percent(page, max(rest, 0.0)),
         )
         lines += page.hanging(Text("  "), text, "dim")
-    legend = own.legend.format(theory=said_of(page).long[theory])
+    legend = own.legend.format(theory=said_of(page).long[leading.theory or _REFERENCE])
     return [*lines, *page.hanging(Text("  "), legend, "dim"), *_failures(page, own, found)]
 
 
-def _shown(found: SpectrumLife, theory: str) -> NDArray[np.int64]:
+def _shown(found: SpectrumLife) -> NDArray[np.int64]:
     """Steps of the table: all, or of many those with the greatest damage, in their order."""
     count = len(found.steps)
     if count <= _MOST_SHOWN:
         return np.arange(count, dtype=np.int64)
-    damage = np.nan_to_num(found.damage[theory], nan=0.0)
+    damage = np.nan_to_num(found.headline.damage, nan=0.0)
     return np.sort(np.argsort(-damage, kind="stable")[:_MOST_SHOWN]).astype(np.int64)
 
 
@@ -335,6 +343,7 @@ def spectrum_json(found: SpectrumLife) -> str:
             "title": found.case.title,
             "reliability": found.reliability,
             "mean_speed": found.mean_speed,
+            "headline": _headline_mapping(found),
             "theories": {name: _theory_mapping(found, name) for name in found.life},
             "wanted_life": _wanted_mapping(found),
             "steps": {
@@ -348,12 +357,27 @@ def spectrum_json(found: SpectrumLife) -> str:
     )
 
 
+def _headline_mapping(found: SpectrumLife) -> dict[str, Any]:
+    leading = found.headline
+    return {
+        "theory": leading.theory or None,
+        "life": leading.life,
+        "hours": leading.hours,
+        "endless": bool(np.isposinf(leading.life)),
+        "holds": leading.holds,
+        "below": leading.below,
+        "step_hours": leading.step_hours,
+        "damage": leading.damage,
+    }
+
+
 def _theory_mapping(found: SpectrumLife, name: str) -> dict[str, Any]:
     return {
         "life": found.life[name],
         "hours": found.hours[name],
         "endless": bool(np.isposinf(found.life[name])),
         "holds": found.holds[name],
+        "below": found.below[name],
         "notes": {note: where.tolist() for note, where in found.notes[name].items()},
         "step_life": found.step_life[name],
         "step_hours": found.step_hours[name],
@@ -361,10 +385,11 @@ def _theory_mapping(found: SpectrumLife, name: str) -> dict[str, Any]:
     }
 
 
-def _wanted_mapping(found: SpectrumLife) -> dict[str, float | None] | None:
+def _wanted_mapping(found: SpectrumLife) -> dict[str, float | bool | None] | None:
     if found.wanted_life is None:
         return None
     return {
         "life": found.wanted_life,
-        "reliability": found.reliability_of_wanted(theory_of(found)),
+        "reliability": found.reliability_of_wanted(),
+        "below": found.headline.below,
     }

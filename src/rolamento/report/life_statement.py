@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Final
 
 from rich.text import Text
 
-from rolamento.life.record import OUTSIDE
+from rolamento.life.record import BOUNDS, OUTSIDE
 from rolamento.report.life_numbers import (
     factor_text,
     given_percent,
@@ -19,14 +19,14 @@ from rolamento.report.life_numbers import (
 from rolamento.report.page import Lines, Page
 
 if TYPE_CHECKING:
-    from rolamento.life import Change, Life, LifeSummary
+    from rolamento.life import Change, Headline, LifeSummary
     from rolamento.state import State
 
 __all__ = ["reached", "statement", "wanted_sentence"]
 
 _WORTH: Final = 1.05
-_ENDLESS_NOTES: Final = ("unloaded", "below_fatigue_limit")
-_MODIFIED: Final = ("iso281_modified", "iso16281_modified")
+_BASIC: Final = "iso16281"
+_MODIFIED: Final = "iso16281_modified"
 _HOUR: Final = 3600.0
 
 Sentence = tuple[str, str]
@@ -36,17 +36,17 @@ Sentence = tuple[str, str]
 def statement(
     page: Page, state: State, summary: LifeSummary, changes: Sequence[Change] | None = None
 ) -> Lines:
-    """State the life by the theory that knows most of those that hold; warn if none does.
+    """State the life that leads, or its bound and the reason; warn if nothing does.
 
     changes: what would help; None where nobody looked, and what costs most is told instead.
     """
-    chosen = summary.best_that_holds()
-    if chosen is None:
+    leading = summary.headline
+    if not leading.leads[0]:
         sentences = _warning(page, summary)
-    elif _endless_note(chosen) or isinf(chosen.life[0]):
-        sentences = [_endless(page, state, chosen), *_wanted(page, summary)]
+    elif isinf(leading.life[0]):
+        sentences = [_endless(page, state, leading), *_wanted(page, summary)]
     else:
-        sentences = [_life(page, state, chosen), *_left_out(page, summary, chosen)]
+        sentences = [_life(page, state, leading), *_left_out(page, leading)]
         sentences += [*_limit(page, state, summary), *_help(page, summary, changes)]
         sentences += _wanted(page, summary)
     lines: Lines = []
@@ -56,11 +56,24 @@ def statement(
 
 
 def reached(
-    page: Page, theory: str, life: float, hours: float, reliability: float, what: str
+    page: Page,
+    theory: str,
+    life: float,
+    hours: float,
+    reliability: float,
+    what: str,
+    *,
+    below: bool = False,
 ) -> str:
-    """Say how long something runs, by a theory; lives in millions of revolutions."""
+    """Say how long something runs, by a theory; lives in millions of revolutions.
+
+    below: whether these are bounds that it does not reach.
+    """
     said = said_of(page)
-    template = said.reaches if isfinite(hours) else said.turns_only
+    if below:
+        template = said.reaches_less if isfinite(hours) else said.turns_only_less
+    else:
+        template = said.reaches if isfinite(hours) else said.turns_only
     return template.format(
         reliability=given_percent(page, reliability),
         what=what,
@@ -70,32 +83,24 @@ def reached(
     )
 
 
-def wanted_sentence(page: Page, wanted: float, reliability: float) -> str:
-    """Say with which reliability a wanted life (s) is reached."""
-    return said_of(page).wanted.format(
+def wanted_sentence(page: Page, wanted: float, reliability: float, *, below: bool = False) -> str:
+    """Say with which reliability a wanted life (s) is reached, or below which."""
+    said = said_of(page)
+    return (said.wanted_below if below else said.wanted).format(
         life=life_text(page, wanted / _HOUR), reliability=percent(page, reliability)
     )
 
 
-def _life(page: Page, state: State, chosen: Life) -> Sentence:
-    life, hours = float(chosen.life[0]), float(chosen.hours[0])
-    what = _what(page, state)
-    return reached(page, chosen.theory, life, hours, chosen.reliability, what), "bold"
+def _life(page: Page, state: State, leading: Headline) -> Sentence:
+    theory, life, hours = str(leading.theory[0]), float(leading.life[0]), float(leading.hours[0])
+    what, below = _what(page, state), bool(leading.below[0])
+    return reached(page, theory, life, hours, leading.reliability, what, below=below), "bold"
 
 
-def _endless(page: Page, state: State, chosen: Life) -> Sentence:
-    """Say that fatigue ends no such life, and why."""
-    said = said_of(page)
-    text = said.endless_life.format(
-        what=_what(page, state),
-        theory=said.long[chosen.theory],
-        reason=said.notes.get(_endless_note(chosen), ""),
-    )
-    return text.strip(), "bold"
-
-
-def _endless_note(chosen: Life) -> str:
-    return next((name for name in _ENDLESS_NOTES if name in chosen.notes_of()), "")
+def _endless(page: Page, state: State, leading: Headline) -> Sentence:
+    """Say that fatigue ends no such life."""
+    said, theory = said_of(page), str(leading.theory[0])
+    return said.endless_life.format(what=_what(page, state), theory=said.long[theory]), "bold"
 
 
 def _what(page: Page, state: State) -> str:
@@ -148,26 +153,31 @@ def cost_text(page: Page, summary: LifeSummary) -> str:
 def _wanted(page: Page, summary: LifeSummary) -> list[Sentence]:
     """Say how reliable the wanted life is, if one is and the theory for it holds."""
     wanted = summary.conditions.wanted_life
-    if wanted is None or not summary.best().holds[0]:
+    if wanted is None:
         return []
     reliability = float(summary.reliability_after(wanted)[0])
-    return [(wanted_sentence(page, wanted, reliability), "")] if isfinite(reliability) else []
-
-
-def _left_out(page: Page, summary: LifeSummary, chosen: Life) -> list[Sentence]:
-    """Say that oil and dirt are not in the life, and why."""
-    said = said_of(page)
-    if chosen.theory in _MODIFIED:
+    if not isfinite(reliability):
         return []
-    if any(name in summary.theories for name in _MODIFIED):
-        return [(said.modified_fails, "yellow")]
+    below = bool(summary.headline.below[0])
+    return [(wanted_sentence(page, wanted, reliability, below=below), "")]
+
+
+def _left_out(page: Page, leading: Headline) -> list[Sentence]:
+    """Say why the life is but a bound, or that oil and dirt are not in it."""
+    said = said_of(page)
+    if leading.below[0]:
+        return [(said.notes[str(leading.reason[0])], "yellow")]
+    if leading.theory[0] == _MODIFIED:
+        return []
     return [(said.lubrication_left_out, "dim")]
 
 
 def _warning(page: Page, summary: LifeSummary) -> list[Sentence]:
-    """Say that no theory holds, why the one that knows most does not, and what the numbers are."""
-    said, best = said_of(page), summary.best()
-    reasons = [said.notes[name] for name in best.notes_of() if name in OUTSIDE]
+    """Say that there is no life to go by, why not, and what the numbers are."""
+    said, best = said_of(page), summary[_MODIFIED if _MODIFIED in summary.theories else _BASIC]
+    reasons = [said.notes[name] for name in best.notes_of() if name in OUTSIDE - BOUNDS]
+    if "unloaded" in best.notes_of():
+        return [(said.no_rating_life, "bold"), (said.notes["unloaded"], "")]
     found = [(said.none_holds, "bold red"), *((reason, "") for reason in reasons)]
     if any(isfinite(float(life.life[0])) for life in summary.theories.values()):
         found.append((said.not_to_be_used, "bold"))

@@ -33,6 +33,8 @@ class LifeWords:
     several: str
     reaches: str
     turns_only: str
+    reaches_less: str
+    turns_only_less: str
     endless_life: str
     limit: str
     limit_of_row: str
@@ -41,11 +43,12 @@ class LifeWords:
     nothing_helps: str
     helps: Mapping[str, str]
     wanted: str
+    wanted_below: str
     more_than: str
     less_than: str
     lubrication_left_out: str
-    modified_fails: str
     none_holds: str
+    no_rating_life: str
     not_to_be_used: str
     no_life: str
 
@@ -60,6 +63,7 @@ class LifeWords:
     fails: str
     legend: str
     chosen: str
+    bounds: str
     validity: str
     every_theory: str
     fails_for: str
@@ -83,8 +87,6 @@ class LifeWords:
 
     notes: Mapping[str, str]
 
-
-_FAILS_BY_OIL: Final = "what oil and dirt take off is not in it"
 
 _ENGLISH: Final = LifeWords(
     names={
@@ -142,7 +144,15 @@ _ENGLISH: Final = LifeWords(
         "With {reliability} reliability {what} reaches {revolutions} million revolutions"
         " ({theory}); nothing turns, so there are no hours."
     ),
-    endless_life="Fatigue does not end the life of {what} ({theory}): {reason}",
+    reaches_less=(
+        "With {reliability} reliability {what} reaches less than {hours} h, {revolutions} million"
+        " revolutions (bound of the {theory})."
+    ),
+    turns_only_less=(
+        "With {reliability} reliability {what} reaches less than {revolutions} million revolutions"
+        " (bound of the {theory}); nothing turns, so there are no hours."
+    ),
+    endless_life="Fatigue does not end the life of {what} ({theory}).",
     limit="The {race} ring limits it.",
     limit_of_row="The {race} ring of row {row} limits it.",
     races={"inner": "inner", "outer": "outer"},
@@ -156,6 +166,7 @@ _ENGLISH: Final = LifeWords(
         "cleaner_oil": "Cleaner oil",
     },
     wanted="The {life} h that are wanted have a reliability of {reliability}.",
+    wanted_below="The {life} h that are wanted have a reliability below {reliability}.",
     more_than="more than {value}",
     less_than="less than {value}",
     lubrication_left_out=(
@@ -163,8 +174,8 @@ _ENGLISH: Final = LifeWords(
         " temperature, or life.viscosity_ratio) and the cleanliness (life.cleanliness, for"
         " instance)."
     ),
-    modified_fails=f"The modified life does not hold here: {_FAILS_BY_OIL}.",
-    none_holds="No theory of life holds for this case.",
+    none_holds="No theory that counts the load of every ball holds for this case.",
+    no_rating_life="There is no rating life.",
     not_to_be_used="The numbers below are what the formulas give; do not rely on them.",
     no_life="There is no equilibrium to find a life from.",
     theories="Life by theory",
@@ -179,7 +190,8 @@ _ENGLISH: Final = LifeWords(
         "for {reliability} reliability; Mrev millions of revolutions, κ viscosity ratio, e_C"
         " contamination factor"
     ),
-    chosen="; ▸ knows most of those that hold",
+    chosen="; ▸ leads",
+    bounds="; bound: the life is below the number",
     validity="What each is for",
     every_theory="all",
     fails_for="does not hold ({theories}): {reason}",
@@ -271,7 +283,15 @@ _PORTUGUESE: Final = LifeWords(
         "Com {reliability} de confiabilidade {what} atinge {revolutions} milhões de rotações"
         " ({theory}); nada gira, e por isso não há horas."
     ),
-    endless_life="A fadiga não acaba com a vida de {what} ({theory}): {reason}",
+    reaches_less=(
+        "Com {reliability} de confiabilidade {what} atinge menos de {hours} h, {revolutions}"
+        " milhões de rotações (limite superior da {theory})."
+    ),
+    turns_only_less=(
+        "Com {reliability} de confiabilidade {what} atinge menos de {revolutions} milhões de"
+        " rotações (limite superior da {theory}); nada gira, e por isso não há horas."
+    ),
+    endless_life="A fadiga não acaba com a vida de {what} ({theory}).",
     limit="O anel {race} a limita.",
     limit_of_row="O anel {race} da carreira {row} a limita.",
     races={"inner": "interno", "outer": "externo"},
@@ -285,14 +305,15 @@ _PORTUGUESE: Final = LifeWords(
         "cleaner_oil": "Um óleo mais limpo",
     },
     wanted="As {life} h desejadas têm confiabilidade de {reliability}.",
+    wanted_below="As {life} h desejadas têm confiabilidade abaixo de {reliability}.",
     more_than="mais de {value}",
     less_than="menos de {value}",
     lubrication_left_out=(
         "Óleo e sujeira não estão nela: para isso o caso precisa da viscosidade (lubricant com a"
         " sua temperatura, ou life.viscosity_ratio) e da limpeza (life.cleanliness, por exemplo)."
     ),
-    modified_fails="A vida modificada não vale aqui: o que óleo e sujeira tiram não está nela.",
-    none_holds="Nenhuma teoria de vida vale para este caso.",
+    none_holds="Nenhuma teoria que conte a carga de cada esfera vale para este caso.",
+    no_rating_life="Não há vida nominal.",
     not_to_be_used="Os números abaixo são o que as fórmulas dão; não confie neles.",
     no_life="Não há equilíbrio de que se possa achar uma vida.",
     theories="Vida por teoria",
@@ -307,7 +328,8 @@ _PORTUGUESE: Final = LifeWords(
         "para {reliability} de confiabilidade; Mrot milhões de rotações, κ razão de viscosidade,"
         " e_C fator de contaminação"
     ),
-    chosen="; ▸ a que mais sabe entre as que valem",
+    chosen="; ▸ a que conduz",
+    bounds="; limite: a vida está abaixo do número",
     validity="Para que serve cada uma",
     every_theory="todas",
     fails_for="não vale ({theories}): {reason}",

@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 from rich.text import Text
 
-from rolamento.life import knows_most
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.life_numbers import given_percent, life_text, lives_column, percent, said_of
 from rolamento.report.life_remarks import remarks
@@ -37,6 +36,7 @@ _BOUND: Final = "ioannides_harris"
 class _Words:
     heading: str
     reaches: str
+    reaches_less: str
     limit: str
     no_life: str
     no_hours: str
@@ -55,6 +55,10 @@ _WORDS: Final[Mapping[str, _Words]] = {
             "With {reliability} reliability the {count} bearings together reach {hours} h"
             " ({theory})."
         ),
+        reaches_less=(
+            "With {reliability} reliability the {count} bearings together reach less than {hours} h"
+            " (bound of the {theory})."
+        ),
         limit="Bearing {number} limits it, with {share} of the risk.",
         no_life="Without a result of every bearing there is no life of the shaft.",
         no_hours="Nothing turns at one of them: there are no hours.",
@@ -62,7 +66,8 @@ _WORDS: Final[Mapping[str, _Words]] = {
         risk="risk",
         legend=(
             "for {reliability} reliability, of each bearing and of all together (Weibull slope"
-            " 10/9); risk: share of each, by the {theory}; * the theory does not hold there"
+            " 10/9); risk: share of each, by the {theory}; * the theory does not hold"
+            " there, < the life is below"
         ),
         left_out="no room here, but in --json: {names}",
         failed="bearing {number}: {reason}",
@@ -74,6 +79,10 @@ _WORDS: Final[Mapping[str, _Words]] = {
             "Com {reliability} de confiabilidade os {count} rolamentos juntos atingem {hours} h"
             " ({theory})."
         ),
+        reaches_less=(
+            "Com {reliability} de confiabilidade os {count} rolamentos juntos atingem menos de"
+            " {hours} h (limite superior da {theory})."
+        ),
         limit="O rolamento {number} a limita, com {share} do risco.",
         no_life="Sem resultado de todos os rolamentos não há vida do eixo.",
         no_hours="Num deles nada gira: não há horas.",
@@ -81,7 +90,8 @@ _WORDS: Final[Mapping[str, _Words]] = {
         risk="risco",
         legend=(
             "para {reliability} de confiabilidade, de cada rolamento e de todos juntos (inclinação"
-            " de Weibull 10/9); risco: parte de cada um, pela {theory}; * a teoria não vale ali"
+            " de Weibull 10/9); risco: parte de cada um, pela {theory}; * a teoria não"
+            " vale ali, < a vida está abaixo"
         ),
         left_out="sem lugar aqui, mas em --json: {names}",
         failed="rolamento {number}: {reason}",
@@ -117,14 +127,14 @@ def shaft_report(
     return rendered(page.medium, parts)
 
 
-def theory_of(found: ShaftLife) -> str:
-    """Return the theory that knows most of those that hold for all, or of all if none does."""
-    holding = [name for name, holds in found.holds.items() if holds]
-    return knows_most(holding) or knows_most(list(found.hours)) or ""
+def _theories(page: Page, found: ShaftLife) -> str:
+    """Name the theories of the lives that lead, each once."""
+    names = dict.fromkeys(name for name in found.headline.theories if name)
+    return "; ".join(said_of(page).long[name] for name in names)
 
 
 def _statement(page: Page, own: _Words, found: ShaftLife) -> Lines:
-    said, theory = said_of(page), theory_of(found)
+    said, leading = said_of(page), found.headline
     sentences: list[tuple[str, str]] = []
     if not found.converged:
         sentences.append((own.no_life, "bold red"))
@@ -133,26 +143,27 @@ def _statement(page: Page, own: _Words, found: ShaftLife) -> Lines:
                 parts = (page.words.reason(state.status), page.words.advice(state.status))
                 reason = ": ".join(part for part in parts if part)
                 sentences.append((own.failed.format(number=number, reason=reason), "red"))
-    elif not found.holds[theory]:
+    elif not (leading.holds or leading.below):
         sentences += [(said.none_holds, "bold red"), (said.not_to_be_used, "bold")]
-    elif np.isnan(found.hours[theory]):
+    elif np.isnan(leading.hours):
         sentences.append((own.no_hours, "yellow"))
     else:
-        sentences += _reached(page, own, found, theory)
+        sentences += _reached(page, own, found)
     lines = [page.heading(own.heading.format(count=len(found)))]
     for text, style in sentences:
         lines += page.hanging(Text("  "), text, style)
     return lines
 
 
-def _reached(page: Page, own: _Words, found: ShaftLife, theory: str) -> list[tuple[str, str]]:
-    text = own.reaches.format(
+def _reached(page: Page, own: _Words, found: ShaftLife) -> list[tuple[str, str]]:
+    leading = found.headline
+    text = (own.reaches_less if leading.below else own.reaches).format(
         reliability=given_percent(page, found.reliability),
         count=len(found),
-        hours=life_text(page, found.hours[theory]),
-        theory=said_of(page).long[theory],
+        hours=life_text(page, leading.hours),
+        theory=_theories(page, found),
     )
-    risk = found.risk[theory]
+    risk = leading.risk
     if not np.all(np.isfinite(risk)):
         return [(text, "bold")]
     most = int(np.argmax(risk))
@@ -162,13 +173,13 @@ def _reached(page: Page, own: _Words, found: ShaftLife, theory: str) -> list[tup
 
 def _table(page: Page, own: _Words, found: ShaftLife, names: Sequence[str]) -> Lines:
     """Set bearings below each other, theories side by side, all together at the foot."""
-    said, theory = said_of(page), theory_of(found)
+    said = said_of(page)
     columns = {
         name: _column(page, found, name)
         for name in said.names
         if name in found.hours and name != _BOUND
     }
-    risk = [percent(page, float(share)) for share in found.risk[theory]]
+    risk = [percent(page, float(share)) for share in found.headline.risk]
     last: Lines = [Text(), page.text(own.risk), *map(page.text, [*risk, ""])]
     left_out = []
     for name in _FIRST_LEFT_OUT:
@@ -186,7 +197,7 @@ def _table(page: Page, own: _Words, found: ShaftLife, names: Sequence[str]) -> L
     if left_out:
         lines += page.hanging(Text("  "), own.left_out.format(names="; ".join(left_out)), "dim")
     legend = own.legend.format(
-        reliability=given_percent(page, found.reliability), theory=said.long[theory]
+        reliability=given_percent(page, found.reliability), theory=_theories(page, found)
     )
     return lines + page.hanging(Text("  "), legend, "dim")
 
@@ -195,12 +206,19 @@ def _column(page: Page, found: ShaftLife, name: str) -> Lines:
     """A theory's name, the hours of each bearing by it, and of all together."""
     cells = lives_column(page, [*found.bearing_hours[name].tolist(), found.hours[name]])
     holds = [s is not None and bool(s[name].holds[0]) for s in found.lives]
-    marked = [
-        page.text(f"{cell}{' ' if fine else '*'}", "" if fine else "yellow")
-        for cell, fine in zip(cells, [*holds, found.holds[name]], strict=True)
-    ]
+    below = [s is not None and bool(s[name].below[0]) for s in found.lives]
+    fine = all(h or b for h, b in zip(holds, below, strict=True))
+    marks = zip(cells, [*holds, fine], [*below, any(below) and fine], strict=True)
+    marked = [_marked(page, *mark) for mark in marks]
     marked[-1].stylize("bold")
     return [*(page.text(f"{word} ") for word in said_of(page).short[name]), *marked]
+
+
+def _marked(page: Page, cell: str, holds: bool, below: bool) -> Text:
+    """A life, with a mark where it is a bound or does not hold."""
+    if below:
+        return page.text(f"<{cell} ", "yellow")
+    return page.text(f"{cell}{' ' if holds else '*'}", "" if holds else "yellow")
 
 
 def _room(page: Page, columns: Sequence[Lines]) -> int:
@@ -246,6 +264,13 @@ def shaft_json(found: ShaftLife, names: Sequence[str]) -> str:
                 }
                 for name, state, summary in zip(names, found.states, found.lives, strict=True)
             ],
+            "headline": {
+                "theories": list(found.headline.theories),
+                "hours": found.headline.hours if isfinite(found.headline.hours) else None,
+                "holds": found.headline.holds,
+                "below": found.headline.below,
+                "risk": found.headline.risk,
+            },
             "together": {name: _together(found, name) for name in found.hours},
         }
     )

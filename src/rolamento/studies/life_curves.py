@@ -10,10 +10,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rolamento.case import Case
+from rolamento.life import Headline
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.studies.life_solving import (
     LifeBlock,
     gathered,
+    gathered_headline,
     gathered_notes,
     life_blocks,
     theories_of,
@@ -46,8 +48,10 @@ class LifeCurve:
         fatigue never ends it, NaN without a life
     lives
         the same in hours; NaN where nothing turns
-    holds
-        by theory, (points,): whether it is for such a case
+    holds, below
+        by theory, (points,): whether it is for such a case, and whether the number is a bound
+    headline
+        the life that leads, by `rolamento.life.Headline`
     notes
         by theory, and by name of the note (`rolamento.life.record.NOTES`), where it is true
     viscosity_ratio, contamination_factor
@@ -61,6 +65,8 @@ class LifeCurve:
     revolutions: Mapping[str, FloatArray]
     lives: Mapping[str, FloatArray]
     holds: Mapping[str, BoolArray]
+    below: Mapping[str, BoolArray]
+    headline: Headline
     notes: Mapping[str, Mapping[str, BoolArray]]
     viscosity_ratio: FloatArray
     contamination_factor: FloatArray
@@ -125,6 +131,8 @@ def life_curve(
         revolutions={t: gathered(blocks, t, "life", count) for t in theories},
         lives={t: gathered(blocks, t, "hours", count) for t in theories},
         holds={t: gathered(blocks, t, "holds", count) > 0.0 for t in theories},
+        below={t: gathered(blocks, t, "below", count) > 0.0 for t in theories},
+        headline=gathered_headline(blocks, count),
         notes={t: gathered_notes(blocks, t, count) for t in theories},
         viscosity_ratio=_numbers(blocks, "viscosity_ratio", count),
         contamination_factor=_numbers(blocks, "contamination_factor", count),

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from rolamento.case import Case
-    from rolamento.life import Life, LifeConditions, LifeSummary
+    from rolamento.life import Headline, Life, LifeConditions, LifeSummary
 
 __all__ = ["life_outputs", "refuse_lifeless"]
 
@@ -24,9 +24,9 @@ _LIFE: Final = ("life",)
 _MODIFIED: Final = (*_LIFE, "viscosity ratio", "cleanliness")
 _STRESS_VOLUME: Final = "ioannides_harris"
 _BEST: Final = ""
-"""In the place of a theory's name: the one that knows most of the case."""
+"""In the place of a theory's name: the life that leads."""
 _THEORIES: Final = (
-    (_BEST, "ISO/TS 16281, modified where it can be", _LIFE),
+    (_BEST, "the one that leads: ISO/TS 16281, modified where it can be", _LIFE),
     ("iso281", "basic, ISO 281", _LIFE),
     ("iso281_modified", "modified, ISO 281", _MODIFIED),
     ("iso281_1990", "adjusted, ISO 281:1990", (*_LIFE, "adjustment")),
@@ -42,7 +42,7 @@ _REVOLUTIONS: Final = "Mrev"
 
 def life_outputs() -> tuple[Output, ...]:
     """Return the outputs of life."""
-    return (*_of_theories(), *_of_loads(), *_of_factors(), *_of_limit())
+    return (*_of_theories(), _bound(), *_of_loads(), *_of_factors(), *_of_limit())
 
 
 def refuse_lifeless(case: Case, varied: frozenset[str]) -> None:
@@ -101,6 +101,17 @@ def _of_theories() -> Iterator[Output]:
             kind="whole",
             needs=needs,
         )
+
+
+def _bound() -> Output:
+    def compute(solved: Solved) -> NDArray[np.int32]:
+        summary = solved.life(stress_volume=False)
+        if summary is None:
+            return np.zeros(len(solved.batch), np.int32)
+        return np.asarray(summary.headline.below & solved.batch.converged, np.int32)
+
+    words = "1 where the life that leads is below its number, an upper bound, else 0"
+    return Output("life_below", "1", words, compute, kind="whole", needs=_LIFE)
 
 
 def _of_loads() -> Iterator[Output]:
@@ -170,8 +181,8 @@ def _holds(theory: str, stress_volume: bool) -> Callable[[Solved], NDArray[np.in
     return compute
 
 
-def _record(summary: LifeSummary, theory: str) -> Life | None:
-    return summary.best() if theory == _BEST else summary.theories.get(theory)
+def _record(summary: LifeSummary, theory: str) -> Life | Headline | None:
+    return summary.headline if theory == _BEST else summary.theories.get(theory)
 
 
 def _life(theory: str, attribute: str) -> Get:

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from dataclasses import dataclass, fields, replace
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rolamento.case import Case
 from rolamento.errors import InputError
-from rolamento.life import LifeSummary, conditions_of, life_of_batch
+from rolamento.life import Headline, LifeSummary, conditions_of, life_of_batch
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.studies.fields import Value
 from rolamento.studies.solving import INVALID_INPUT, array_fields, base_case, solve
@@ -19,7 +19,14 @@ from rolamento.studies.solving import INVALID_INPUT, array_fields, base_case, so
 if TYPE_CHECKING:
     from rolamento.life.l_able import FactorTable
 
-__all__ = ["LifeBlock", "gathered", "gathered_notes", "life_blocks", "theories_of"]
+__all__ = [
+    "LifeBlock",
+    "gathered",
+    "gathered_headline",
+    "gathered_notes",
+    "life_blocks",
+    "theories_of",
+]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -116,6 +123,24 @@ def gathered(blocks: Sequence[LifeBlock], theory: str, name: str, count: int) ->
         if block.summary is not None and theory in block.summary.theories:
             found[block.index] = getattr(block.summary[theory], name)
     return found
+
+
+def gathered_headline(blocks: Sequence[LifeBlock], count: int) -> Headline:
+    """Return the life that leads over all rows; NaN, and no theory, where there is none."""
+    found: dict[str, NDArray[Any]] = {}
+    reliability = float("nan")
+    for block in blocks:
+        if block.summary is None:
+            continue
+        own = block.summary.headline
+        reliability = own.reliability
+        for field in fields(Headline):
+            array = getattr(own, field.name)
+            if isinstance(array, np.ndarray):
+                blank = np.nan if array.dtype.kind == "f" else np.zeros((), array.dtype)
+                found.setdefault(field.name, np.full(count, blank, dtype=array.dtype))
+                found[field.name][block.index] = array
+    return Headline(reliability=reliability, **found)
 
 
 def gathered_notes(blocks: Sequence[LifeBlock], theory: str, count: int) -> dict[str, BoolArray]:

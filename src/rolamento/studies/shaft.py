@@ -20,11 +20,62 @@ from rolamento.state import State
 if TYPE_CHECKING:
     from rolamento.life.l_able import FactorTable
 
-__all__ = ["MOST_BEARINGS", "ShaftLife", "conditions_with", "life_of_case", "life_of_shaft"]
+__all__ = [
+    "MOST_BEARINGS",
+    "ShaftHeadline",
+    "ShaftLife",
+    "conditions_with",
+    "life_of_case",
+    "life_of_shaft",
+]
 
 MOST_BEARINGS: Final = 50
 _OF_LIFE: Final = ("dynamic_rating", "viscosity_ratio")
 """Fields of the [life] table that the engine names by their last part."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ShaftHeadline:
+    """The life that leads of each bearing, and of all together; h.
+
+    Attributes
+    ----------
+    theories
+        of the bearings; empty without a result
+    bearing_hours
+        (bearings,); NaN without a result or rotation
+    hours
+        of all together
+    risk
+        (bearings,): share of each in what ends the life
+    holds
+        whether all of these lives hold
+    below
+        whether the life of all together is a bound: that of some bearing is
+    """
+
+    theories: tuple[str, ...]
+    bearing_hours: FloatArray
+    hours: float
+    risk: FloatArray
+    holds: bool
+    below: bool
+
+    @classmethod
+    def of(cls, lives: Sequence[LifeSummary | None]) -> ShaftHeadline:
+        """Put together the lives that lead."""
+        known = [None if summary is None else summary.headline for summary in lives]
+        hours = np.array([np.nan if own is None else own.hours[0] for own in known])
+        leads = all(own is not None and bool(own.leads[0]) for own in known)
+        below = leads and any(own is not None and bool(own.below[0]) for own in known)
+        return cls(
+            theories=tuple("" if own is None else str(own.theory[0]) for own in known),
+            bearing_hours=hours,
+            hours=float(shaft_life(hours)),
+            risk=_risk(hours),
+            holds=leads and not below,
+            below=below,
+        )
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -45,6 +96,8 @@ class ShaftLife:
         by theory, (bearings,): share of each in what ends the life
     holds
         by theory: whether it holds for all of them
+    headline
+        the lives that lead, of each and of all together
     reliability
         S, the same for all
     """
@@ -55,6 +108,7 @@ class ShaftLife:
     hours: Mapping[str, float]
     risk: Mapping[str, FloatArray]
     holds: Mapping[str, bool]
+    headline: ShaftHeadline
     reliability: float
 
     def __len__(self) -> int:
@@ -138,6 +192,7 @@ def life_of_shaft(cases: Sequence[Case], *, nsk_table: FactorTable | None = None
         holds={
             name: all(s is not None and bool(s[name].holds[0]) for s in lives) for name in theories
         },
+        headline=ShaftHeadline.of(lives),
         reliability=wanted.pop(),
     )
 

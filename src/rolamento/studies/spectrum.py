@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from rolamento.case import Case
 from rolamento.errors import InputError
+from rolamento.life import Headline
 from rolamento.life.basic import hours
 from rolamento.life.reference import SLOPE
 from rolamento.life.reliability import Edition, reliability_factor, reliability_of
@@ -28,6 +29,7 @@ from rolamento.studies.fields import Value
 from rolamento.studies.life_solving import (
     LifeBlock,
     gathered,
+    gathered_headline,
     gathered_notes,
     life_blocks,
     theories_of,
@@ -37,14 +39,44 @@ from rolamento.studies.solving import CONVERGED, INVALID_INPUT, array_fields, ba
 if TYPE_CHECKING:
     from rolamento.life.l_able import FactorTable
 
-__all__ = ["DutySteps", "SpectrumLife", "life_under", "read_spectrum"]
+__all__ = ["DutySteps", "SpectrumHeadline", "SpectrumLife", "life_under", "read_spectrum"]
 
 MOST_WITH_STRESS_VOLUME: Final = 1000
 """Steps up to which the theory of Ioannides and Harris, which takes milliseconds, is evaluated."""
 _MOST_SINGLE: Final = 2000
 """Cases of their own that the steps may need."""
 _HOUR: Final = 3600.0
-_REFERENCES: Final = ("iso16281", "iso16281_modified")
+_REFERENCE: Final = "iso16281"
+_REFERENCES: Final = (_REFERENCE, "iso16281_modified")
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class SpectrumHeadline:
+    """The life that leads under all steps together.
+
+    Attributes
+    ----------
+    theory
+        that it is by in the step that takes most
+    life, hours
+        millions of revolutions and hours; NaN if a step that takes part has no life
+    step_hours
+        (steps,): if this step were all of the duty
+    damage
+        (steps,): share of each step in what ends the life
+    holds
+        whether the lives of all steps that take part hold
+    below
+        whether the life is a bound: that of some step is
+    """
+
+    theory: str
+    life: float
+    hours: float
+    step_hours: FloatArray
+    damage: FloatArray
+    holds: bool
+    below: bool
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -71,7 +103,11 @@ class SpectrumLife:
     damage
         by theory, (steps,): share of each step in what ends the life
     holds
-        by theory: whether it holds in every step that takes part
+        by theory: whether it holds in every step that takes part and carries load
+    below
+        by theory: whether its life is a bound, for that of some step is
+    headline
+        the life that leads
     notes
         by theory, by name of the note: in which steps it is true, (steps,)
     reliability
@@ -94,6 +130,8 @@ class SpectrumLife:
     step_hours: Mapping[str, FloatArray]
     damage: Mapping[str, FloatArray]
     holds: Mapping[str, bool]
+    below: Mapping[str, bool]
+    headline: SpectrumHeadline
     notes: Mapping[str, Mapping[str, BoolArray]]
     reliability: float
     wanted_life: float | None
@@ -109,11 +147,15 @@ class SpectrumLife:
         """Whether every step that takes part has a result."""
         return bool(np.all(self.status[self.taking_part] == CONVERGED))
 
-    def reliability_of_wanted(self, theory: str) -> float | None:
-        """Reliability with which the wanted life is reached, by a theory; None if there is none."""
+    def reliability_of_wanted(self, theory: str | None = None) -> float | None:
+        """Reliability with which the wanted life is reached; None if there is none.
+
+        By a theory, or by the life that leads; where that is a bound, so is the reliability.
+        """
         own = "2007" if self.case.life is None else self.case.life.edition
         edition: Edition = "1990" if theory == "iso281_1990" else own
-        hours_for_ninety = self.hours[theory] / float(reliability_factor(self.reliability, edition))
+        reached = self.headline.hours if theory is None else self.hours[theory]
+        hours_for_ninety = reached / float(reliability_factor(self.reliability, edition))
         if self.wanted_life is None or not hours_for_ninety > 0.0:
             return None
         return float(reliability_of(self.wanted_life / _HOUR / hours_for_ninety, edition))
@@ -147,12 +189,21 @@ def life_under(
     for block in blocks:
         status[block.index] = block.status
     theories, count = theories_of(blocks), len(steps)
+    notes = {t: gathered_notes(blocks, t, count) for t in theories}
+    idle = notes[_REFERENCE].get("unloaded", np.zeros(count, dtype=np.bool_))
     step_life = {t: gathered(blocks, t, "life", count) for t in theories}
+    summed = {t: _idling(step_life[t], idle) for t in theories}
+    reference = _idling(_races(blocks, count), idle)
     races: dict[str, FloatArray] = {
-        t: _races(blocks, t, count) for t in _REFERENCES if t in theories
+        t: reference * _factor(blocks, t, count)[:, np.newaxis]
+        for t in _REFERENCES
+        if t in theories
     }
-    life = {t: _life(step_life[t], races.get(t), turns) for t in theories}
-    part = turns > 0.0
+    life = {t: _life(summed[t], races.get(t), turns) for t in theories}
+    part = (turns > 0.0) & ~idle
+    holds = {t: bool(np.all(gathered(blocks, t, "holds", count)[part] > 0.0)) for t in theories}
+    below = {t: gathered(blocks, t, "below", count) > 0.0 for t in theories}
+    leading = gathered_headline(blocks, count)
     wishes = case.life or LifeModel()
     return SpectrumLife(
         case=case,
@@ -165,12 +216,40 @@ def life_under(
         hours={t: float(hours(life[t], mean_speed)) for t in theories},
         step_life=step_life,
         step_hours={t: hours(step_life[t], speed) for t in theories},
-        damage={t: _damage(step_life[t], races.get(t), turns) for t in theories},
-        holds={t: bool(np.all(gathered(blocks, t, "holds", count)[part] > 0.0)) for t in theories},
-        notes={t: gathered_notes(blocks, t, count) for t in theories},
+        damage={t: _damage(summed[t], races.get(t), turns) for t in theories},
+        holds={t: held and bool(part.any()) for t, held in holds.items()},
+        below={t: bool(np.any(below[t][part])) for t in theories},
+        headline=_headline(leading, reference, turns, part, (mean_speed, speed)),
+        notes=notes,
         reliability=wishes.reliability,
         wanted_life=wishes.wanted_life,
         stress_volume=len(steps) <= MOST_WITH_STRESS_VOLUME,
+    )
+
+
+def _headline(
+    leading: Headline,
+    races: FloatArray,
+    turns: FloatArray,
+    part: BoolArray,
+    speeds: tuple[float, FloatArray],
+) -> SpectrumHeadline:
+    """Sum the lives that lead, race by race; races: by the basic reference life."""
+    mean_speed, speed = speeds
+    with np.errstate(invalid="ignore"):
+        own = np.where(np.isinf(races), races, races * leading.factor[:, np.newaxis])
+    whole = _life(leading.life, own, turns)
+    damage = _damage(leading.life, own, turns)
+    leads = bool(part.any()) and bool(np.all(leading.leads[part]))
+    below = leads and bool(np.any(leading.below[part]))
+    return SpectrumHeadline(
+        theory=str(leading.theory[int(np.argmax(np.nan_to_num(damage)))]),
+        life=whole,
+        hours=float(hours(whole, mean_speed)),
+        step_hours=hours(leading.life, speed),
+        damage=damage,
+        holds=leads and not below,
+        below=below,
     )
 
 
@@ -238,19 +317,34 @@ def _both_shares(steps: DutySteps, speed: FloatArray) -> tuple[FloatArray, Float
     return time / time.sum(), steps.shares
 
 
-def _races(blocks: Sequence[LifeBlock], theory: str, count: int) -> FloatArray:
-    """Life of every race in every step by a reference theory, (steps, races)."""
+def _races(blocks: Sequence[LifeBlock], count: int) -> FloatArray:
+    """Basic reference life of every race in every step, (steps, races)."""
     parts = []
     for block in blocks:
-        if block.summary is not None and theory in block.summary.theories:
-            reference, factors = block.summary.reference, block.summary[theory].factors
-            factor = factors["a_1"] * factors.get("a_iso", np.ones(len(block.index)))
+        if block.summary is not None:
+            reference = block.summary.reference
             races = np.concatenate([reference.inner, reference.outer], axis=1)
-            parts.append((block.index, races * factor[:, np.newaxis]))
+            parts.append((block.index, races))
     found = np.full((count, parts[0][1].shape[1]), np.nan)
     for index, races in parts:
         found[index] = races
     return found
+
+
+def _factor(blocks: Sequence[LifeBlock], theory: str, count: int) -> FloatArray:
+    """a_1 a_ISO of every step by a reference theory, (steps,)."""
+    found = np.full(count, np.nan)
+    for block in blocks:
+        if block.summary is not None and theory in block.summary.theories:
+            factors = block.summary[theory].factors
+            found[block.index] = factors["a_1"] * factors.get("a_iso", np.ones(len(block.index)))
+    return found
+
+
+def _idling(lives: FloatArray, idle: BoolArray) -> FloatArray:
+    """Lives of steps, or of their races, endless where no ball carries load: no damage there."""
+    where = idle if lives.ndim == 1 else idle[:, np.newaxis]
+    return np.where(where, np.inf, lives)
 
 
 def _life(lives: FloatArray, races: FloatArray | None, shares: FloatArray) -> float:

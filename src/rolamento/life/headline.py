@@ -1,0 +1,165 @@
+"""Which life leads: one rule for every report, table, figure and output.
+
+The reference life counts every ball; where κ and e_C are known, the modified reference life counts
+oil and dirt too, and leads. A life that knows less never takes its place: what it leaves out is
+what is wrong with the case. Three things may stand in the way of a number:
+
+- κ below 0.1, or e_C of 0: the standard gives no factor. a_ISO does not fall with κ or e_C, and is
+  0.1 where either ends, so the life is below a tenth of the basic one. That bound leads.
+- Only one of κ and e_C is known. The other can at best be κ = 4 or e_C = 1. Where even then a_ISO
+  is below 1, it bounds the life, and that bound leads; else the basic reference life does, with the
+  remark that oil and dirt are not in it.
+- The load, the temperature or the geometry is outside what the reference life is for: nothing
+  leads.
+
+So the life that leads never rises when the oil thins, the dirt increases or the load grows.
+
+Sources: ISO 281:2007, 9.3.3; ADR 0010.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import isfinite
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rolamento.life import theories as by
+from rolamento.life.modified import LEAST_RATIO, MOST_RATIO, bounded_modification_factor
+from rolamento.life.record import BOUNDS, OUTSIDE, Life
+from rolamento.numerics import BoolArray, FloatArray
+
+__all__ = ["Headline", "headline_of"]
+
+Names = NDArray[np.str_]
+_NAME = "U40"
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Headline:
+    """The life that leads; arrays over cases.
+
+    Attributes
+    ----------
+    theory
+        that it is by: "iso16281_modified", or "iso16281"; empty without a result
+    reliability
+        S that it is for
+    life, hours
+        millions of revolutions and hours; NaN where there is none. Where neither `holds` nor
+        `below` is true this is what the formula gives, and not to be relied on
+    holds
+        whether the theory is for such a case
+    below
+        whether the number is a bound, and the life less
+    reason
+        name in `NOTES`: why it is a bound, or why nothing leads; empty where the life holds
+    factor
+        of the basic reference life: a_1 a_ISO
+    """
+
+    theory: Names
+    reliability: float
+    life: FloatArray
+    hours: FloatArray
+    holds: BoolArray
+    below: BoolArray
+    reason: Names
+    factor: FloatArray
+
+    @property
+    def leads(self) -> BoolArray:
+        """(cases,): whether there is a life, or a bound of it, to go by."""
+        return np.asarray(self.holds | self.below)
+
+    def to_mapping(self, case: int = 0) -> dict[str, Any]:
+        """Give one case as plain values; NaN as None, endless life as None beside "endless"."""
+        return {
+            "theory": str(self.theory[case]) or None,
+            "reliability": self.reliability,
+            "life": _finite(self.life[case]),
+            "hours": _finite(self.hours[case]),
+            "endless": bool(np.isposinf(self.life[case])),
+            "holds": bool(self.holds[case]),
+            "below": bool(self.below[case]),
+            "reason": str(self.reason[case]) or None,
+        }
+
+
+def headline_of(basis: by.Basis, modified: Life | None, basic: Life) -> Headline:
+    """Choose the life that leads.
+
+    Parameters
+    ----------
+    basis
+        What the theories share.
+    modified
+        The modified reference life; None unless κ and e_C are known.
+    basic
+        The basic reference life.
+    """
+    if modified is not None:
+        return _headline(modified, modified.factors["a_1"] * modified.factors["a_iso"])
+    bound, reason = _half_known(basis, basic)
+    binds = bound < 1.0
+    share = np.where(binds, bound, 1.0)
+    found = _headline(basic, basic.factors["a_1"] * share)
+    below = binds & found.holds
+    return Headline(
+        theory=np.where(binds, by.MODIFIED_REFERENCE, found.theory).astype(_NAME),
+        reliability=found.reliability,
+        life=found.life * share,
+        hours=found.hours * share,
+        holds=np.asarray(found.holds & ~binds),
+        below=np.asarray(below),
+        reason=np.where(below, reason, found.reason).astype(_NAME),
+        factor=found.factor,
+    )
+
+
+def _headline(record: Life, factor: FloatArray) -> Headline:
+    cases = len(record.life)
+    return Headline(
+        theory=np.full(cases, record.theory, dtype=_NAME),
+        reliability=record.reliability,
+        life=record.life,
+        hours=record.hours,
+        holds=record.holds,
+        below=record.below,
+        reason=_reason(record),
+        factor=np.asarray(np.broadcast_to(factor, cases)),
+    )
+
+
+def _reason(record: Life) -> Names:
+    """First note that refuses the life; if none does, the first that makes it a bound."""
+    found = np.full(len(record.life), "", dtype=_NAME)
+    refusing = [name for name in record.notes if name in OUTSIDE - BOUNDS]
+    bounding = [name for name in record.notes if name in BOUNDS]
+    for name in (*refusing, *bounding):
+        found = np.where((found == "") & record.notes[name], name, found).astype(_NAME)
+    return found
+
+
+def _half_known(basis: by.Basis, basic: Life) -> tuple[FloatArray, Names]:
+    """a_ISO with the best that may be where one of κ and e_C is unknown, and the note for it."""
+    cases = len(basis.balls)
+    ratio, clean = basis.viscosity_ratio, by.cleanliness_at_best(basis)
+    if ratio is None and clean is None:
+        return np.full(cases, np.inf), np.full(cases, "", dtype=_NAME)
+    kappa = np.full(cases, MOST_RATIO) if ratio is None else ratio
+    dirt = np.ones(cases) if clean is None else clean
+    load = basic.factors["equivalent_load"]
+    factor = bounded_modification_factor(
+        kappa, dirt, basis.ratings.fatigue_of_set, load, additives=basis.given.additives
+    )
+    reason = np.full(cases, "viscosity_unknown" if ratio is None else "contamination_unknown")
+    reason = np.where(kappa < LEAST_RATIO, "viscosity_ratio_too_small", reason)
+    reason = np.where(dirt <= 0.0, "contamination_severe", reason)
+    return np.where(np.isnan(factor), np.inf, factor), reason.astype(_NAME)
+
+
+def _finite(value: float) -> float | None:
+    return float(value) if isfinite(value) else None
