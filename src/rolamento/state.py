@@ -161,7 +161,7 @@ class RollingBall:
     angular_velocity
         along x, along increasing azimuth, and outward (rad/s)
     yaw
-        of its axis out of the bearing's axial plane, β' (rad)
+        of its axis, β' = atan(ω_y/ω_x), toward increasing azimuth and seen from the cage (rad)
     inner, outer
         the friction of the races
     """

@@ -137,7 +137,7 @@ def test_speeds_are_those_of_turning_bodies(
 ) -> None:
     """Against ω × r in three dimensions: along the shaft, outward, along the azimuth."""
     ball, pitch = 0.02, 0.1
-    axis = np.array([cos(attitude) * cos(yaw), -np.sin(attitude) * cos(yaw), np.sin(yaw)])
+    axis = np.array([cos(attitude) * cos(yaw), -np.sin(attitude), cos(attitude) * np.sin(yaw)])
     for race, side in (("inner", -1.0), ("outer", 1.0)):
         reach = 0.5 * side * ball * np.array([np.sin(angle), cos(angle), 0.0])
         place = reach + np.array([0.0, 0.5 * pitch, 0.0])

@@ -153,6 +153,24 @@ def test_every_ball_is_in_balance(solved: tuple[Case, BatchState, Rolling]) -> N
     )  # fmt: skip
 
 
+def test_attitude_and_yaw_are_harriss(solved: tuple[Case, BatchState, Rolling]) -> None:
+    """They give back the ball's velocity seen from the cage, along x, the azimuth and outward."""
+    _, batch, rolling = solved
+    table = batch.balls()
+    motion, yaw = table.motion, table.yaw[0]
+    beta, speed = motion.attitude[0], motion.ball_speed[0]
+    seen = rolling.angular_velocity[0] - [rolling.cage_speed[0], 0.0, 0.0]
+    axis = np.stack([np.cos(beta) * np.cos(yaw), np.cos(beta) * np.sin(yaw), -np.sin(beta)], axis=1)
+    np.testing.assert_allclose(
+        speed[:, None] * axis, seen, atol=1e-9 * np.nanmax(np.abs(speed)), equal_nan=True
+    )
+    known = np.isfinite(yaw)
+    assert known.any()
+    np.testing.assert_allclose(
+        np.tan(yaw[known]), seen[known, 1] / seen[known, 0], rtol=1e-9, atol=1e-12
+    )
+
+
 def test_ring_is_in_balance(solved: tuple[Case, BatchState, Rolling]) -> None:
     """Sum of the balls' forces, friction included, and of their moments about the ring's centre."""
     case, batch, rolling = solved

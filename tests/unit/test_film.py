@@ -78,10 +78,13 @@ def test_public_example_of_the_thermal_factor() -> None:
 
 
 def test_reference_viscosity() -> None:
-    """ISO 281: 4500/√(n D) from 1000 r/min on, and no step there."""
+    """ISO 281: 4500/√(n D) from 1000 r/min on, with the standard's step of 2.3 % there."""
     assert float(reference_viscosity(2000 * RPM, 0.0445)) == pytest.approx(15.084e-6, rel=1e-4)
-    below, above = reference_viscosity(np.array([999.999, 1000.001]) * RPM, 0.1)
-    assert below == pytest.approx(above, rel=0.03)
+    below, at, above = reference_viscosity(np.array([999.999, 1000.0, 1000.001]) * RPM, 0.1)
+    assert below / above == pytest.approx(10 * 1000**-0.33, rel=2e-6)  # 2.3 %
+    assert at == pytest.approx(above, rel=1e-6)
+    for speed in (1000 * np.pi / 30, 1000 / (30 / np.pi), np.nextafter(1000 * np.pi / 30, 0.0)):
+        assert float(reference_viscosity(speed, 0.1)) == pytest.approx(float(at), rel=1e-12)
     assert float(reference_viscosity(-2000 * RPM, 0.0445)) == pytest.approx(15.084e-6, rel=1e-4)
     assert float(viscosity_ratio(20e-6, 0.0, 0.1)) == 0.0
 

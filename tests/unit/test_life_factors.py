@@ -264,3 +264,16 @@ def test_adjusted_life_and_its_conditions() -> None:
     assert slow["operation_factor_too_great"]
     assert slow["operation_factor_unfounded"]
     assert slow["material_factor_unsupported"]
+
+
+def test_grease_of_slight_contamination_has_a_constant_of_its_own_for_large_bearings() -> None:
+    """ISO 281:2007, annex A: c2 = 1.887, and 1.677 from D_pw = 500 mm on."""
+    slight = class_of_grease("slight")
+    for millimetres, c2 in ((499.0, 1.887), (500.0, 1.677), (0.5 / 1e-3, 1.677), (900.0, 1.677)):
+        film = min(0.0177 * 0.3**0.68 * millimetres**0.55, 1.0)
+        expected = film * (1.0 - c2 / millimetres ** (1.0 / 3.0))
+        found = contamination_factor(slight, 0.3, millimetres * 1e-3)
+        assert float(found) == pytest.approx(expected, rel=1e-12)
+    for other in ("high", "normal", "severe"):
+        below, above = contamination_factor(class_of_grease(other), 0.3, [0.49999999, 0.5])
+        assert below == pytest.approx(above, rel=1e-6)

@@ -79,8 +79,7 @@ def ball_table(
         gyroscopic_moment=inertia
         * motion.ball_speed
         * motion.orbital_speed
-        * np.sin(motion.attitude)
-        * np.cos(yaw),
+        * np.sin(motion.attitude),
         yaw=yaw,
     )
 

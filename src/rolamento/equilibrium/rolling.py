@@ -72,8 +72,9 @@ def motion_of(
     """The motion as raceway control describes it, and the yaw β' of the balls' axes.
 
     inner_angle, outer_angle: contact angles, (cases, balls). controlled: the motion under raceway
-    control, which rings that turn alike leave to the balls. The yaw is the angle of the ball's
-    axis out of the bearing's axial plane, toward increasing azimuth.
+    control, which rings that turn alike leave to the balls. The ball turns at ω_R about the axis
+    (cos β cos β', cos β sin β', -sin β), along x, toward increasing azimuth and outward, seen from
+    the cage: β' = atan(ω_y/ω_x). Harris (1971).
     """
     orbit = np.broadcast_to(rolling.cage_speed[:, np.newaxis], inner_angle.shape)
     inner, outer = p[rows.INNER_SPEED][:, np.newaxis], p[rows.OUTER_SPEED][:, np.newaxis]
@@ -83,14 +84,13 @@ def motion_of(
     motion = BallMotion(
         orbital_speed=orbit.copy(),
         ball_speed=speed,
-        attitude=np.arctan2(-sign * out, sign * (x - orbit)),
+        attitude=np.arctan2(-sign * out, np.hypot(x - orbit, along)),
         inner_spin=(x - inner) * np.sin(inner_angle) + out * np.cos(inner_angle),
         outer_spin=-(x - outer) * np.sin(outer_angle) - out * np.cos(outer_angle),
         inner_roll=(x - inner) * np.cos(inner_angle) - out * np.sin(inner_angle),
         outer_roll=(x - outer) * np.cos(outer_angle) - out * np.sin(outer_angle),
     )
-    with np.errstate(invalid="ignore", divide="ignore"):
-        yaw = np.arcsin(np.clip(sign * along / np.abs(speed), -1.0, 1.0))
+    yaw = np.arctan2(sign * along, sign * (x - orbit))
     alike = inner == outer
     chosen = (
         np.where(alike, getattr(controlled, f.name), getattr(motion, f.name))

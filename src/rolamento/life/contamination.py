@@ -2,6 +2,7 @@
 
     e_C = min(1, c1 κ^0.68 D_pw^0.55) (1 - c2/D_pw^(1/3)),   D_pw in mm, at least 0.
 
+Grease of slight contamination has c2 = 1.677 from D_pw = 500 mm on, 1.887 below.
 The standard gives c1 and c2 for a few classes of oil, by their ISO 4406 codes, and of grease. An
 oil between two of them counts as the dirtier one; one dirtier than the last has no factor.
 
@@ -11,7 +12,7 @@ Sources: ISO 281:2007, annex A; ISO 4406.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Literal, get_args
+from typing import Any, Final, Literal, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -24,17 +25,23 @@ from rolamento.numerics import FloatArray
 OilSupply = Literal["circulating", "bath"]
 """Circulating: filtered in the line before the bearing; bath: not, or in a circuit of its own."""
 
+_LARGE: Final = 500.0 * (1.0 - 1e-9)
+"""Pitch diameter from which grease of slight contamination has a c2 of its own; mm, as rounded."""
 _EXAMPLE = 'cleanliness = "-/17/14"'
 
 
 @dataclass(frozen=True, slots=True)
 class ContaminationClass:
-    """A class of cleanliness: its name in the standard, and its constants."""
+    """A class of cleanliness: its name in the standard, and its constants.
+
+    c2_of_large: in the place of c2 for pitch diameters of 500 mm and more, if they have their own.
+    """
 
     name: str
     supply: str
     c1: float
     c2: float
+    c2_of_large: float | None = None
 
 
 def class_of_code(code: str, supply: OilSupply) -> ContaminationClass:
@@ -129,8 +136,11 @@ def contamination_factor(
     ratio = positive(viscosity_ratio, "viscosity_ratio", zero=True)
     diameter = positive(pitch_diameter, "pitch_diameter") * 1e3
     film = np.minimum(found.c1 * ratio**0.68 * diameter**0.55, 1.0)
-    return np.asarray(np.maximum(film * (1.0 - found.c2 / np.cbrt(diameter)), 0.0))
+    own = found.c2 if found.c2_of_large is None else found.c2_of_large
+    c2 = np.where(diameter >= _LARGE, own, found.c2)
+    return np.asarray(np.maximum(film * (1.0 - c2 / np.cbrt(diameter)), 0.0))
 
 
 def _class(row: dict[str, Any], supply: str) -> ContaminationClass:
-    return ContaminationClass(row["name"], supply, row["c1"], row["c2"])
+    large = row.get("c2_from_500_mm")
+    return ContaminationClass(row["name"], supply, row["c1"], row["c2"], large)

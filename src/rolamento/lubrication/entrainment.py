@@ -4,9 +4,10 @@ The contact travels with the ball about the shaft, so the speeds of both surface
 frame of the cage, at the contact's centre and in the rolling direction:
 
     ring   v_r = (ω_ring - ω_m) (d_m/2 ∓ (D/2) cos α)        inner -, outer +
-    ball   v_b = ∓ (D/2) ω_R cos β' cos(β - α)
+    ball   v_b = ∓ (D/2) ω_R (cos β cos β' cos α + sin β sin α)
 
-β' is the yaw of the ball's axis out of the axial plane, zero under raceway control.
+β' = atan(ω_y/ω_x) is the yaw of the ball's axis, zero under raceway control, where the bracket is
+cos(β - α).
 
 The entrainment speed is their *mean*, u = ½ |v_r + v_b|. With rolling at one contact angle both
 are equal and u = (d_m/4) (1 - γ²) |ω_i - ω_o| at either race, γ = D cos α / d_m. Some books print
@@ -62,7 +63,7 @@ def surface_speeds(
     contact_angle : array, of this contact under load; rad.
     ring_speed : array, of this race's ring about the shaft; rad/s.
     orbital_speed, ball_speed, attitude : arrays, as in `BallMotion`; rad/s, rad/s, rad.
-    yaw : array, of the ball's axis out of the axial plane; rad.
+    yaw : array, β' of the ball's axis; rad.
         All broadcast against each other.
 
     Returns
@@ -75,8 +76,9 @@ def surface_speeds(
     radius = 0.5 * np.asarray(ball_diameter, dtype=np.float64)
     arm = 0.5 * np.asarray(pitch_diameter) + side * radius * np.cos(contact_angle)
     ring = (np.asarray(ring_speed) - orbital_speed) * arm
-    in_plane = np.asarray(ball_speed) * np.cos(yaw)
-    ball = side * radius * in_plane * np.cos(np.subtract(attitude, contact_angle))
+    tangent = np.cos(attitude) * np.cos(yaw) * np.cos(contact_angle)
+    tangent = tangent + np.sin(attitude) * np.sin(contact_angle)
+    ball = side * radius * np.asarray(ball_speed) * tangent
     return SurfaceSpeeds(*np.broadcast_arrays(ring, ball))
 
 

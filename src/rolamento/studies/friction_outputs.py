@@ -157,11 +157,11 @@ def _pressure_slip(race: Race) -> Callable[[Solved], Floats]:
         balls = solved.loaded_balls
         patch = balls.patch(race)
         yaw = solved.balls.yaw
-        in_plane = balls.ball_speed * np.cos(yaw)
+        across = balls.ball_speed * np.cos(balls.attitude)
         ball = BallVelocity(
-            in_plane * np.cos(balls.attitude),
-            balls.ball_speed * np.sin(yaw),
-            -in_plane * np.sin(balls.attitude),
+            across * np.cos(yaw),
+            across * np.sin(yaw),
+            -balls.ball_speed * np.sin(balls.attitude),
         )
         motion = relative_motion(patch, ball, balls.ring_speed(race))
         value = greatest_product(patch, motion)
