@@ -301,7 +301,7 @@ def test_a_designation_brings_life_and_the_models_of_machine_bearings() -> None:
     assert found.friction.models["palmgren"].total[0] == pytest.approx(by_hand.total)
 
 
-def test_an_angular_bearing_has_no_constants_of_skf() -> None:
+def test_skfs_constants_are_for_another_angle_than_a_spindle_bearings() -> None:
     case = Case(
         bearing={"designation": "EX 70 25deg"},
         duty={"inner_speed": 200.0, "load": {"fx": 2e3}},
@@ -311,7 +311,9 @@ def test_an_angular_bearing_has_no_constants_of_skf() -> None:
     found = analyse(case)
     assert found.friction is not None
     assert "palmgren" in found.friction.models
-    assert "skf" not in found.friction.models
+    (verdict,) = (own for own in found.friction.verdicts if own.model == "skf")
+    assert verdict.notes["other_angle"].all()
+    assert not verdict.holds.any()
 
 
 def test_why_there_is_no_life(case_218: Case) -> None:

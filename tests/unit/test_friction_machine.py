@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from math import pi
+from pathlib import Path
 
 import numpy as np
 import pytest
 
+from rolamento import load_case, solve
 from rolamento.errors import InputError
+from rolamento.friction import MachineBearing, friction
 from rolamento.friction.palmgren import (
     LOAD_FACTORS,
     friction_load,
@@ -17,14 +20,16 @@ from rolamento.friction.palmgren import (
 )
 from rolamento.friction.rolling_resistance import rolling_force
 from rolamento.friction.skf import (
-    DEEP_GROOVE_SERIES,
     SkfConstants,
+    angular_contact_constants,
     deep_groove_constants,
+    deep_groove_series,
     skf_moment,
     skf_torque,
 )
 from rolamento.friction.slip import Patch
 
+EXAMPLES = Path(__file__).parents[2] / "src" / "rolamento" / "examples"
 RPM = pi / 30.0
 CST = 1e-6
 
@@ -74,6 +79,49 @@ def test_palmgren_as_a_torque() -> None:
     z, y = LOAD_FACTORS["deep_groove"]
     np.testing.assert_allclose(found.parts["load"], z * 0.1**y * 1000.0 * 0.05)
     np.testing.assert_allclose(found.power, found.total * [0.0, 100.0])
+
+
+def test_skf_angular_contact_constants_are_those_of_the_catalogue() -> None:
+    """A 7210 B by hand: d_m = 70 mm, F_r = 2 kN, F_a = 1 kN, 3000 r/min, 30 mm²/s."""
+    found = skf_moment(
+        angular_contact_constants(),
+        speed=3000 * RPM,
+        bore_diameter=50e-3,
+        outside_diameter=90e-3,
+        kinematic_viscosity=30 * CST,
+        radial_load=2000.0,
+        axial_load=1000.0,
+        supply="low_oil_bath",
+    )
+    thrown = 70.0**4 * 3000.0**2
+    g_rr = 5.03e-7 * 70**1.97 * (2000 + 1.90e-12 * thrown + 1.97 * 1000) ** 0.54
+    g_sl = 1.30e-2 * 70**0.26 * ((2000 + 1.91e-12 * thrown) ** (4 / 3) + 0.68 * 1000 ** (4 / 3))
+    heating = 1.0 / (1.0 + 1.84e-9 * (3000 * 70) ** 1.28 * 30**0.64)
+    starved = np.exp(-3e-8 * 30 * 3000 * (50 + 90) * np.sqrt(4.4 / (2 * (90 - 50))))
+    share = np.exp(-2.6e-8 * (3000 * 30) ** 1.4 * 70)
+    mu = share * 0.12 + (1 - share) * 0.05
+    assert found.rolling == pytest.approx(1e-3 * heating * starved * g_rr * 90000**0.6)
+    assert found.sliding == pytest.approx(1e-3 * mu * g_sl)
+
+
+def test_skf_angular_contact_constants_are_for_40_degrees() -> None:
+    case = load_case(EXAMPLES / "218_combined.toml")
+    state = solve(case)
+    for degrees, holds in ((40.0, True), (25.0, False)):
+        machine = MachineBearing(
+            kind="angular_contact",
+            bore_diameter=90e-3,
+            outside_diameter=160e-3,
+            kinematic_viscosity=20 * CST,
+            static_load_rating=120e3,
+            contact_angle=float(np.radians(degrees)),
+            constants=angular_contact_constants(),
+        )
+        found = friction(state, friction_coefficient=0.1, machine=machine, film_parameter=5.0)
+        (verdict,) = (own for own in found.verdicts if own.model == "skf")
+        assert bool(verdict.holds[0]) is holds
+        assert ("other_angle" in verdict.notes) is not holds
+        assert found.models["skf"].total[0] > 0.0
 
 
 @pytest.mark.parametrize(
@@ -208,8 +256,9 @@ def test_skf_boundary_friction_at_rest_and_full_film_at_speed() -> None:
 
 
 def test_skf_series_are_those_of_the_catalogue() -> None:
-    assert len(DEEP_GROOVE_SERIES) == 20
-    assert all(c.kind == "deep_groove" and c.k_z == 3.1 for c in DEEP_GROOVE_SERIES.values())
+    known = deep_groove_series()
+    assert len(known) == 20
+    assert all(c.kind == "deep_groove" and c.k_z == 3.1 for c in known.values())
     with pytest.raises(InputError, match="series"):
         deep_groove_constants("NU2")
 

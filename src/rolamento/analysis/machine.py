@@ -30,8 +30,8 @@ def machine_of(case: Case, film: Film | None, life: LifeSummary | None) -> Machi
     Returns
     -------
     MachineBearing or None
-        None without a designation, a film or a static rating; SKF's constants only for the
-        deep-groove series that are on file.
+        None without a designation, a film or a static rating; SKF's constants for the deep-groove
+        series that are on file, and for angular-contact bearings.
     """
     published = case.bearing.published
     if published is None or case.bearing.is_set or film is None or life is None:
@@ -41,10 +41,11 @@ def machine_of(case: Case, film: Film | None, life: LifeSummary | None) -> Machi
         return None
     from rolamento.catalogue import built_in_geometry
     from rolamento.friction import MachineBearing
-    from rolamento.friction.skf import DEEP_GROOVE_SERIES
+    from rolamento.friction.skf import angular_contact_constants, deep_groove_series
 
     geometry = built_in_geometry(case.bearing.designation or "", False)
     deep = published.kind == "deep_groove"
+    series = geometry.designation.series
     grease = case.lubricant is not None and case.lubricant.kind == "grease"
     return MachineBearing(
         kind=published.kind,
@@ -56,5 +57,5 @@ def machine_of(case: Case, film: Film | None, life: LifeSummary | None) -> Machi
         contact_angle=published.contact_angle or geometry.designation.contact_angle or 0.0,
         lubrication="grease" if grease else "oil_bath",
         supply="grease" if grease else "low_oil_bath",
-        constants=DEEP_GROOVE_SERIES.get(geometry.designation.series) if deep else None,
+        constants=deep_groove_series().get(series) if deep else angular_contact_constants(),
     )

@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Final
 
 import numpy as np
 
 from rolamento.equilibrium import BatchState
 from rolamento.friction.loaded_balls import LoadedBalls
 from rolamento.friction.palmgren import BearingKind, Lubrication, palmgren
-from rolamento.friction.skf import SkfConstants, SkfMoment, Supply, skf_moment
+from rolamento.friction.skf import CONTACT_ANGLE, SkfConstants, SkfMoment, Supply, skf_moment
 from rolamento.friction.torque import Torque
 from rolamento.numerics import FloatArray
 from rolamento.state import State
+
+_SAME_ANGLE: Final = float(np.radians(1.0))
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,6 +39,13 @@ class MachineBearing:
     supply: Supply = "grease"
     oil: str = "mineral"
     constants: SkfConstants | None = None
+
+    @property
+    def skf_angle_differs(self) -> bool:
+        """Whether SKF's constants for angular-contact bearings are for another contact angle."""
+        if self.constants is None or self.constants.kind != "angular_contact":
+            return False
+        return abs(self.contact_angle - CONTACT_ANGLE) > _SAME_ANGLE
 
     @property
     def mean_diameter(self) -> float:

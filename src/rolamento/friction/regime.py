@@ -53,12 +53,13 @@ REASONS: Final[Mapping[str, str]] = {
     "partial_film": "an oil film carries part of the load: the coefficient of friction is an "
     "effective one",
     "no_film": "asperities carry the load, and the model stands for a lubricated bearing",
+    "other_angle": "the maker's constants are for bearings of another contact angle",
     "at_rest": "nothing turns: the torque is that of the first motion",
     "no_result": "the state, or the model, has no result",
 }
 """Why a model does not hold, or not quite, in words."""
 
-_REFUSING: Final = ("inertia", "full_film", "no_film", "no_result")
+_REFUSING: Final = ("inertia", "full_film", "no_film", "other_angle", "no_result")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -103,8 +104,10 @@ def verdict(
     coefficient: FloatArray,
     regime: NDArray[np.str_],
     converged: BoolArray,
+    *,
+    other_angle: bool = False,
 ) -> ModelVerdict:
-    """Judge one model for every case."""
+    """Judge one model for every case; other_angle: its constants are for another contact angle."""
     cases = len(regime)
     notes: dict[str, BoolArray] = {}
     if model in LOW_SPEED:
@@ -113,6 +116,7 @@ def verdict(
         notes["partial_film"] = regime == "mixed"
     else:
         notes["no_film"] = regime == "boundary"
+    notes["other_angle"] = np.full(cases, other_angle)
     notes["at_rest"] = np.broadcast_to(balls.relative_speed[:, 0] == 0.0, cases)
     notes["no_result"] = ~converged
     found = {name: where for name, where in notes.items() if np.any(where)}

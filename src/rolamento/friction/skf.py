@@ -20,17 +20,20 @@ Angular-contact ball bearings, with F_g = R3 d_m⁴ n² and S3 d_m⁴ n² in the
     G_sl = S1 d_m^0.26 ((F_r + F_g)^(4/3) + S2 F_a^(4/3))
 
 Source: SKF, Rolling bearings (catalogue 10000 EN, 2013), "The SKF model for calculating the
-frictional moment", equations and table 2a; the constants of deep-groove series from its table of
-geometry constants. Those of angular-contact bearings are not shipped: take them from the
-catalogue and pass them.
+frictional moment", equations and table 2a; the constants of deep-groove series and of single-row
+angular-contact bearings (of 40°) from table 2b, in data/skf_friction.toml. Those of double-row and
+four-point-contact bearings are not shipped: take them from the catalogue and pass them.
 """
 
 from __future__ import annotations
 
+import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cache
+from importlib import resources
 from math import pi
-from typing import Final, Literal
+from typing import Any, Final, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -41,6 +44,7 @@ from rolamento.numerics import FloatArray
 
 NAME: Final = "skf"
 
+Kind = Literal["deep_groove", "angular_contact"]
 Supply = Literal["grease", "oil_air", "low_oil_bath", "oil_jet"]
 
 STARVATION: Final[Mapping[str, float]] = {
@@ -75,7 +79,7 @@ class SkfConstants:
     angular-contact bearings.
     """
 
-    kind: Literal["deep_groove", "angular_contact"]
+    kind: Kind
     r1: float
     r2: float
     s1: float
@@ -85,24 +89,38 @@ class SkfConstants:
     k_z: float = 3.1
 
 
-_DEEP_GROOVE: Final[tuple[tuple[str, float, float, float, float], ...]] = (
-    ("2 3", 4.4e-7, 1.7, 2.00e-3, 100.0),
-    ("42 43", 5.4e-7, 0.96, 3.00e-3, 40.0),
-    ("60 630", 4.1e-7, 1.7, 3.73e-3, 14.6),
-    ("62 622", 3.9e-7, 1.7, 3.23e-3, 36.5),
-    ("63 623", 3.7e-7, 1.7, 2.84e-3, 92.8),
-    ("64", 3.6e-7, 1.7, 2.43e-3, 198.0),
-    ("160 161", 4.3e-7, 1.7, 4.63e-3, 4.25),
-    ("617 618 628 637 638", 4.7e-7, 1.7, 6.50e-3, 0.78),
-    ("619 639", 4.3e-7, 1.7, 4.75e-3, 3.6),
-)
+CONTACT_ANGLE: Final = float(np.radians(40.0))
+"""Of the angular-contact bearings that the constants are for; rad."""
 
-DEEP_GROOVE_SERIES: Final[Mapping[str, SkfConstants]] = {
-    name: SkfConstants("deep_groove", *numbers)
-    for names, *numbers in _DEEP_GROOVE
-    for name in names.split()
-}
-"""Constants by bearing series, such as "62" of 6205."""
+
+@cache
+def _table() -> dict[str, Any]:
+    file = resources.files("rolamento") / "data" / "skf_friction.toml"
+    return tomllib.loads(file.read_text(encoding="utf-8"))
+
+
+@cache
+def deep_groove_series() -> Mapping[str, SkfConstants]:
+    """Return the constants by bearing series, such as "62" of 6205."""
+    k_z = _table()["K_Z"]["deep_groove"]
+    return {
+        name: _constants("deep_groove", row, k_z)
+        for row in _table()["deep_groove"]
+        for name in row["series"]
+    }
+
+
+@cache
+def angular_contact_constants() -> SkfConstants:
+    """Return the constants of single-row angular-contact bearings, of 40°."""
+    k_z = _table()["K_Z"]["angular_contact_single_row"]
+    return _constants("angular_contact", _table()["angular_contact"]["single_row"], k_z)
+
+
+def _constants(kind: Kind, row: Mapping[str, Any], k_z: float) -> SkfConstants:
+    numbers = {key.lower(): row[key] for key in ("R1", "R2", "R3", "S1", "S2", "S3") if key in row}
+    return SkfConstants(kind, **numbers, k_z=k_z)
+
 
 _RPM = 30.0 / pi
 
@@ -131,16 +149,17 @@ def deep_groove_constants(series: str) -> SkfConstants:
     InputError
         If the series is not in the table.
     """
-    if series not in DEEP_GROOVE_SERIES:
-        near = nearest(series, DEEP_GROOVE_SERIES)
-        known = f"did you mean {near}?" if near else f"known: {', '.join(DEEP_GROOVE_SERIES)}"
+    known_series = deep_groove_series()
+    if series not in known_series:
+        near = nearest(series, known_series)
+        known = f"did you mean {near}?" if near else f"known: {', '.join(known_series)}"
         raise InputError(
             f"is not a series of deep-groove ball bearings in SKF's table; {known}",
             field="series",
             value=series,
             example='"62"',
         )
-    return DEEP_GROOVE_SERIES[series]
+    return known_series[series]
 
 
 def skf_moment(

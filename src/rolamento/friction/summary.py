@@ -195,7 +195,15 @@ def friction(
         regime=regime,
         models=compared,
         verdicts=tuple(
-            verdict(name, balls, mu, regime, found.converged) for name, found in compared.items()
+            verdict(
+                name,
+                balls,
+                mu,
+                regime,
+                found.converged,
+                other_angle=name == skf.NAME and machine is not None and machine.skf_angle_differs,
+            )
+            for name, found in compared.items()
         ),
     )
 

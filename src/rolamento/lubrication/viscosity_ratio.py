@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from rolamento.numerics import FloatArray
 
 _SLOW: Final = 1000.0 * (1.0 - 1e-9)
-"""r/min below which the formula changes: 1000, which rounding of the speed in rad/s does not decide.
+"""r/min below which the formula changes: 1000, and rounding of a speed in rad/s does not decide.
 There ν_1 falls by 2.3 %; the formulas meet at 10^(100/33) = 1072 r/min."""
 
 

@@ -61,6 +61,7 @@ _WORDS: Final[Mapping[str, _Words]] = {
             "full_film": "a full film",
             "no_result": "no result",
             "no_film": "no film",
+            "other_angle": "constants for 40°",
         },
         spin="Spin to roll over {field}",
         spin_legend=(
@@ -91,6 +92,7 @@ _WORDS: Final[Mapping[str, _Words]] = {
             "full_film": "filme completo",
             "no_result": "sem resultado",
             "no_film": "sem filme",
+            "other_angle": "constantes para 40°",
         },
         spin="Pivotamento sobre rolamento em função de {field}",
         spin_legend=(
