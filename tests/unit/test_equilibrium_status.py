@@ -19,11 +19,13 @@ from rolamento import (
     Model,
     State,
     UnknownKeyError,
+    override,
     solve,
     solve_batch,
 )
 from rolamento.equilibrium.batch_state import STATUS_NAMES
 from rolamento.kinematics import friction_demand
+from rolamento.report.sentences import portuguese_sentence
 
 ANGULAR: dict[str, Any] = {
     "ball_count": 16,
@@ -452,3 +454,20 @@ def test_input_errors_of_a_batch(
     case = Case(bearing=Bearing(**ANGULAR), duty=Duty())
     with pytest.raises(error, match=words):
         solve_batch(case, **fields)
+
+
+@pytest.mark.parametrize(("speed", "million"), [(300_000, "37.6"), (100_000, "12.5")])
+def test_an_overspeed_is_named_as_one(case_218: Case, speed: float, million: str) -> None:
+    state = solve(override(case_218, [f"duty.inner_speed={speed} rpm"]))
+    assert not state.status.converged
+    advice = state.status.advice or ""
+    assert advice.startswith(f"An overspeed: the rings turn at n d_m = {million} million mm r/min")
+    assert "report" not in advice
+    assert portuguese_sentence(advice).startswith("Rotação excessiva")
+    assert million.replace(".", ",") in portuguese_sentence(advice)
+
+
+def test_what_fails_at_a_usual_speed_is_no_overspeed(case_218: Case) -> None:
+    state = solve(override(case_218, ["duty.load.fx=20 MN"]))
+    assert state.status.code == "overloaded"
+    assert "overspeed" not in (state.status.advice or "")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import pi
 from typing import Final
 
 from rolamento.case import Case
@@ -17,6 +18,10 @@ _DIRECTIONS: Final = (
     "against tilting about z (rz)",
 )
 
+_FASTEST: Final = 4e6
+"""n d_m beyond which no ball bearing is known to have run; mm r/min. Bamberger, Zaretsky and Signer
+(1976) ran main-shaft bearings of jet engines at 3e6 mm r/min, by the bore."""
+
 _LOST_SHOULDER: Final = (
     "The inner ring moves so far that balls of a row would have to carry on the shoulder that an "
     "angular-contact bearing lacks. More preload or less play (bearing.preload), a smaller axial "
@@ -31,6 +36,14 @@ def advise(case: Case, batch: BatchState) -> str | None:
         return None
     if code == accept.NO_EQUILIBRIUM:
         return _no_equilibrium(case, int(batch.unsupported[0]))
+    factor = _speed_factor(case)
+    if factor > _FASTEST and code != accept.INVALID_INPUT:
+        return (
+            f"An overspeed: the rings turn at n d_m = {1e-6 * factor:.3g} million mm r/min, and no "
+            f"ball bearing is known to have run beyond some {1e-6 * _FASTEST:.0f} million: "
+            "centrifugal force presses the balls out of all elastic contact. Check the unit of the "
+            "speed, or lower it."
+        )
     if code == accept.OVERLOADED:
         return (
             "A ball would sink into its groove by more than 2 % of its diameter, far beyond any "
@@ -57,6 +70,13 @@ def advise(case: Case, batch: BatchState) -> str | None:
         f"{accept.TOLERANCE:.0e}, so it shows no result. Vary a load or the speed a little, hold "
         "the tilts, or approach the duty in steps; and please report the case."
     )
+
+
+def _speed_factor(case: Case) -> float:
+    """N d_m of the faster ring and the largest row; mm r/min."""
+    speed = max(abs(case.duty.inner_speed), abs(case.duty.outer_speed))
+    pitch = max(place.bearing.pitch_diameter for place in case.bearing.places)
+    return speed * 30.0 / pi * pitch * 1e3
 
 
 def _no_equilibrium(case: Case, axis: int) -> str:

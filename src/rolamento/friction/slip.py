@@ -24,13 +24,17 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Final, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rolamento._reach import in_reach
 from rolamento.geometry import Race
 from rolamento.numerics import FloatArray
+
+_FASTEST: Final = 1e9
+"""rad/s, far beyond any bearing: a number above has the wrong unit."""
 
 
 class BallVelocity(NamedTuple):
@@ -172,17 +176,27 @@ def relative_motion(patch: Patch, ball: BallVelocity, ring_speed: ArrayLike) -> 
     Returns
     -------
     RelativeMotion of the broadcast shape.
+
+    Raises
+    ------
+    InputError
+        If a speed is not finite, or beyond 1e9 rad/s.
     """
-    ring = np.asarray(ring_speed, dtype=np.float64)
+    ring = _speed(ring_speed, "ring_speed")
+    x, y, z = (_speed(part, f"ball.{name}") for name, part in ball._asdict().items())
     cosine, sine = np.cos(patch.contact_angle), np.sin(patch.contact_angle)
-    along = ball.x - ring
+    along = x - ring
     drift, roll, twist, tumble = np.broadcast_arrays(
         -0.5 * ring * patch.pitch_diameter,
-        along * cosine - ball.z * sine,
-        along * sine + ball.z * cosine,
-        ball.y,
+        along * cosine - z * sine,
+        along * sine + z * cosine,
+        y,
     )
     return RelativeMotion(drift, roll, twist, tumble, patch.side)
+
+
+def _speed(value: ArrayLike, field: str) -> FloatArray:
+    return in_reach(value, field, "rad/s", -_FASTEST, _FASTEST)
 
 
 def slip_velocity(
@@ -273,6 +287,7 @@ def greatest_pressure_slip(patch: Patch, motion: RelativeMotion) -> PressureSlip
     -------
     PressureSlip of that shape, the value to about 1e-9 of itself; NaN without a contact.
     """
+    in_reach(patch.load, "patch.load", "N", 0.0, 1e12)
     shape = motion.roll.shape
     centre_u, centre_v = np.zeros(shape), np.zeros(shape)
     best = np.full(shape, -1.0)

@@ -17,12 +17,18 @@ the sum.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Final
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rolamento._reach import in_reach
 from rolamento.geometry import Race
 from rolamento.numerics import FloatArray
+
+_TURN: Final = 2.0 * np.pi
+_FASTEST: Final = 1e9
+"""rad/s, far beyond any bearing: a number above has the wrong unit."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,12 +79,18 @@ def surface_speeds(
     Derivation in docs/theory/film.md.
     """
     side = -1.0 if race == "inner" else 1.0
-    radius = 0.5 * np.asarray(ball_diameter, dtype=np.float64)
-    arm = 0.5 * np.asarray(pitch_diameter) + side * radius * np.cos(contact_angle)
-    ring = (np.asarray(ring_speed) - orbital_speed) * arm
-    tangent = np.cos(attitude) * np.cos(yaw) * np.cos(contact_angle)
-    tangent = tangent + np.sin(attitude) * np.sin(contact_angle)
-    ball = side * radius * np.asarray(ball_speed) * tangent
+    radius = 0.5 * in_reach(ball_diameter, "ball_diameter", "m", 0.0, 1e3)
+    angle = in_reach(contact_angle, "contact_angle", "rad", -_TURN, _TURN)
+    beta = in_reach(attitude, "attitude", "rad", -_TURN, _TURN)
+    arm = 0.5 * in_reach(pitch_diameter, "pitch_diameter", "m", 0.0, 1e3)
+    arm = arm + side * radius * np.cos(angle)
+    orbit = in_reach(orbital_speed, "orbital_speed", "rad/s", -_FASTEST, _FASTEST)
+    ring = (in_reach(ring_speed, "ring_speed", "rad/s", -_FASTEST, _FASTEST) - orbit) * arm
+    tangent = np.cos(beta) * np.cos(in_reach(yaw, "yaw", "rad", -_TURN, _TURN)) * np.cos(angle)
+    tangent = tangent + np.sin(beta) * np.sin(angle)
+    ball = (
+        side * radius * in_reach(ball_speed, "ball_speed", "rad/s", -_FASTEST, _FASTEST) * tangent
+    )
     return SurfaceSpeeds(*np.broadcast_arrays(ring, ball))
 
 

@@ -14,6 +14,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rolamento._reach import in_reach
 from rolamento.numerics import FloatArray
 
 COMPUTED_RANGE: Final[dict[str, tuple[float, float]]] = {
@@ -59,15 +60,26 @@ def film_groups(
     viscosity, pressure_viscosity_coefficient : arrays, at the inlet; Pa·s, 1/Pa.
         All broadcast against each other.
 
+    Raises
+    ------
+    InputError
+        If a number is negative, not finite, or far beyond any contact.
+
     Hamrock and Dowson (1977).
     """
-    curvature = np.asarray(rolling_curvature, dtype=np.float64)
-    e = np.asarray(modulus, dtype=np.float64)
+    u = in_reach(entrainment_speed, "entrainment_speed", "m/s", 0.0, 1e6)
+    q = in_reach(load, "load", "N", 0.0, 1e12)
+    curvature = in_reach(rolling_curvature, "rolling_curvature", "1/m", 1e-9, 1e12)
+    e = in_reach(modulus, "modulus", "Pa", 1.0, 1e15)
+    eta = in_reach(viscosity, "viscosity", "Pa·s", 0.0, 1e9)
+    alpha = in_reach(
+        pressure_viscosity_coefficient, "pressure_viscosity_coefficient", "1/Pa", 0.0, 1e-3
+    )
     return FilmGroups(
-        speed=np.asarray(np.multiply(viscosity, entrainment_speed) * curvature / e),
-        load=np.asarray(np.asarray(load) * curvature**2 / e),
-        material=np.asarray(np.asarray(pressure_viscosity_coefficient) * e),
-        ellipticity=np.asarray(ellipticity, dtype=np.float64),
+        speed=np.asarray(eta * u * curvature / e),
+        load=np.asarray(q * curvature**2 / e),
+        material=np.asarray(alpha * e),
+        ellipticity=in_reach(ellipticity, "ellipticity", "", 0.0, 1e9),
     )
 
 

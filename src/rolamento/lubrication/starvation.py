@@ -7,6 +7,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rolamento._reach import in_reach
 from rolamento.film_model import Supply
 from rolamento.numerics import FloatArray
 
@@ -78,9 +79,14 @@ def replenishment(
 
     SKF, General catalogue (2018): there of the rolling friction, which follows the film.
     """
-    d, outside = bore * 1e3, outside_diameter * 1e3
+    d = 1e3 * float(in_reach(bore, "bore", "m", 0.0, 1e3))
+    outside = 1e3 * float(
+        in_reach(outside_diameter, "outside_diameter", "m", bore, 1e3, least_too=False)
+    )
     kind = BEARING_TYPE["angular_contact" if angular_contact else "deep_groove"]
-    flow = np.multiply(viscosity, speed, dtype=np.float64) * 1e6 * 30.0 / np.pi
+    nu = in_reach(viscosity, "viscosity", "m²/s", 0.0, 1e6)
+    omega = in_reach(speed, "speed", "rad/s", 0.0, 1e9)
+    flow = nu * omega * 1e6 * 30.0 / np.pi
     spread = (d + outside) * np.sqrt(kind / (2.0 * (outside - d)))
     return np.asarray(np.exp(-REPLENISHMENT[supply] * flow * spread))
 
@@ -92,12 +98,14 @@ def _flooded(
     factor: float,
     exponent: float,
 ) -> FloatArray:
-    ratio = np.divide(rolling_radius, semi_minor, dtype=np.float64)
-    return np.asarray(1.0 + factor * (ratio**2 * film) ** exponent)
+    radius = in_reach(rolling_radius, "rolling_radius", "m", 1e-12, 1e9)
+    b = in_reach(semi_minor, "semi_minor", "m", 1e-15, 1e3)
+    ratio = radius / b
+    return np.asarray(1.0 + factor * (ratio**2 * in_reach(film, "film", "", 0.0, 1e9)) ** exponent)
 
 
 def _share(distance: ArrayLike, flooded: ArrayLike, exponent: float) -> FloatArray:
-    beyond = np.maximum(np.asarray(distance, dtype=np.float64) - 1.0, 0.0)
+    beyond = np.maximum(in_reach(distance, "distance", "", 0.0, 1e30) - 1.0, 0.0)
     needed = np.asarray(flooded, dtype=np.float64) - 1.0
     with np.errstate(divide="ignore", invalid="ignore"):
         share = np.minimum(beyond / needed, 1.0) ** exponent

@@ -8,6 +8,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rolamento._reach import in_reach
 from rolamento.numerics import FloatArray
 
 
@@ -20,17 +21,23 @@ def thermal_loading(
     """Loading parameter L = η b u²/k_f; dimensionless.
 
     Parameters: arrays that broadcast; Pa·s, 1/K, m/s, W/(m·K). Returns the broadcast shape.
+    Raises InputError if a number is negative, not finite, or far beyond any oil.
     """
-    heating = np.multiply(viscosity, viscosity_temperature_coefficient, dtype=np.float64)
-    return np.asarray(heating * np.square(entrainment_speed) / np.asarray(thermal_conductivity))
+    eta = in_reach(viscosity, "viscosity", "Pa·s", 0.0, 1e9)
+    falling = in_reach(
+        viscosity_temperature_coefficient, "viscosity_temperature_coefficient", "1/K", 0.0, 1e3
+    )
+    u = in_reach(entrainment_speed, "entrainment_speed", "m/s", 0.0, 1e6)
+    conductivity = in_reach(thermal_conductivity, "thermal_conductivity", "W/(m·K)", 1e-6, 1e6)
+    return np.asarray(eta * falling * u**2 / conductivity)
 
 
 def murch_wilson(loading: ArrayLike) -> FloatArray:
     """Share of the film that is left, 3.94/(3.94 + L^0.62); at most 1.
 
-    Parameters: L, array. Returns its shape. Murch and Wilson (1975), for rolling.
+    Parameters: L, array, at least 0. Returns its shape. Murch and Wilson (1975), for rolling.
     """
-    return np.asarray(3.94 / (3.94 + np.asarray(loading, dtype=np.float64) ** 0.62))
+    return np.asarray(3.94 / (3.94 + in_reach(loading, "loading", "", 0.0, 1e40) ** 0.62))
 
 
 def gupta_cheng(
@@ -48,7 +55,9 @@ def gupta_cheng(
     Gupta, Cheng, Zhu, Forster and Schrand (1992):
     (1 - 13.2 (p_0/E') L^0.42) / (1 + 0.213 (1 + 2.23 S^0.83) L^0.64).
     """
-    loading = np.asarray(loading, dtype=np.float64)
-    strained = 1.0 - 13.2 * np.divide(max_pressure, modulus) * loading**0.42
-    sliding = 1.0 + 2.23 * np.asarray(slide_to_roll, dtype=np.float64) ** 0.83
+    loading = in_reach(loading, "loading", "", 0.0, 1e40)
+    pressure = in_reach(max_pressure, "max_pressure", "Pa", 0.0, 1e15)
+    modulus = in_reach(modulus, "modulus", "Pa", 1.0, 1e15)
+    strained = 1.0 - 13.2 * pressure / modulus * loading**0.42
+    sliding = 1.0 + 2.23 * in_reach(slide_to_roll, "slide_to_roll", "", 0.0, 1e40) ** 0.83
     return np.asarray(np.maximum(strained, 0.0) / (1.0 + 0.213 * sliding * loading**0.64))

@@ -7,6 +7,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rolamento._reach import in_reach
 from rolamento.numerics import FloatArray
 
 _SLOW: Final = 1000.0 * (1.0 - 1e-9)
@@ -29,10 +30,10 @@ def reference_viscosity(speed: ArrayLike, pitch_diameter: ArrayLike) -> FloatArr
 
     ISO 281:2007, 9.3.3.
     """
-    n = np.abs(np.asarray(speed, dtype=np.float64)) * 30.0 / np.pi
+    n = np.abs(in_reach(speed, "speed", "rad/s", -1e9, 1e9)) * 30.0 / np.pi
     with np.errstate(divide="ignore"):
         slow, fast = 45000.0 * n**-0.83, 4500.0 * n**-0.5
-    root = np.sqrt(np.asarray(pitch_diameter, dtype=np.float64) * 1e3)
+    root = np.sqrt(in_reach(pitch_diameter, "pitch_diameter", "m", 1e-9, 1e3) * 1e3)
     return np.asarray(np.where(n < _SLOW, slow, fast) / root * 1e-6)
 
 
@@ -44,4 +45,5 @@ def viscosity_ratio(
     Parameters: arrays that broadcast; m²/s, rad/s, m. Returns the broadcast shape.
     ISO 281:2007, 9.3.3.
     """
-    return np.asarray(np.asarray(viscosity) / reference_viscosity(speed, pitch_diameter))
+    nu = in_reach(viscosity, "viscosity", "m²/s", 0.0, 1e6)
+    return np.asarray(nu / reference_viscosity(speed, pitch_diameter))

@@ -8,6 +8,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rolamento._reach import in_reach
 from rolamento.numerics import FloatArray
 
 
@@ -17,9 +18,8 @@ def wooster(dynamic_viscosity: ArrayLike) -> FloatArray:
     Parameters: dynamic viscosity at the temperature in question, array; Pa·s. Returns its shape.
     Wooster, in Hutchings (1992); Campanha (2008) eq. 4.4.1.
     """
-    return np.asarray(
-        (0.6 + 0.965 * np.log10(np.asarray(dynamic_viscosity, dtype=np.float64) * 1e3)) * 1e-8
-    )
+    eta = in_reach(dynamic_viscosity, "dynamic_viscosity", "Pa·s", 1e-9, 1e9)
+    return np.asarray((0.6 + 0.965 * np.log10(eta * 1e3)) * 1e-8)
 
 
 def so_klaus(kinematic_viscosity: ArrayLike, density: ArrayLike, slope: ArrayLike) -> FloatArray:
@@ -38,10 +38,10 @@ def so_klaus(kinematic_viscosity: ArrayLike, density: ArrayLike, slope: ArrayLik
     So and Klaus (1980): with s = log10 ν in mm²/s, ρ in g/cm³, α in 10⁻⁸/Pa,
     1.216 + 4.143 s^3.0627 + 2.848e-4 B^5.1903 s^1.5976 - 3.999 s^3.0975 ρ^0.1162.
     """
-    s = np.log10(np.asarray(kinematic_viscosity, dtype=np.float64) * 1e6)
+    s = np.log10(in_reach(kinematic_viscosity, "kinematic_viscosity", "m²/s", 1e-12, 1e6) * 1e6)
     s = np.where(s >= 0.0, s, np.nan)
-    rho = np.asarray(density, dtype=np.float64) * 1e-3
-    steep = np.asarray(slope, dtype=np.float64)
+    rho = in_reach(density, "density", "kg/m^3", 0.0, 1e6) * 1e-3
+    steep = in_reach(slope, "slope", "", 0.0, 1e6)
     return np.asarray(
         1e-8
         * (

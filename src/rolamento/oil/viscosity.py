@@ -14,6 +14,8 @@ from typing import Final
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rolamento._reach import in_reach
+from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 
 LEAST_VISCOSITY: Final = 2e-6
@@ -48,10 +50,19 @@ def astm_d341_line(
     -------
     ViscosityLine of the broadcast shape.
 
+    Raises
+    ------
+    InputError
+        If the temperatures are alike, or a number is out of range.
+
     ASTM D341; Ubbelohde (1935), Walther (1931).
     """
-    one, other = _ordinate(first_viscosity), _ordinate(second_viscosity)
-    abscissa, further = np.log10(first_temperature), np.log10(second_temperature)
+    one = _ordinate(first_viscosity, "first_viscosity")
+    other = _ordinate(second_viscosity, "second_viscosity")
+    abscissa = np.log10(_kelvin(first_temperature, "first_temperature"))
+    further = np.log10(_kelvin(second_temperature, "second_temperature"))
+    if np.any(abscissa == further):
+        raise InputError("must differ from the first", field="second_temperature")
     slope = (one - other) / (further - abscissa)
     return ViscosityLine(np.asarray(one + slope * abscissa), np.asarray(slope))
 
@@ -75,16 +86,22 @@ def viscosity_temperature_coefficient(temperature: ArrayLike, line: ViscosityLin
 
 def dynamic_viscosity(kinematic_viscosity: ArrayLike, density: ArrayLike) -> FloatArray:
     """Dynamic viscosity η = ρ ν; Pa·s. Parameters: arrays that broadcast; m²/s, kg/m³."""
-    return np.asarray(np.multiply(kinematic_viscosity, density, dtype=np.float64))
+    nu = in_reach(kinematic_viscosity, "kinematic_viscosity", "m²/s", 0.0, 1e6)
+    return np.asarray(nu * in_reach(density, "density", "kg/m^3", 0.0, 1e6))
 
 
-def _ordinate(viscosity: ArrayLike) -> FloatArray:
-    z = np.asarray(viscosity, dtype=np.float64) * _MM2 + _SHIFT
+def _kelvin(temperature: ArrayLike, field: str) -> FloatArray:
+    return in_reach(temperature, field, "K", 1.0, 1e4)
+
+
+def _ordinate(viscosity: ArrayLike, field: str) -> FloatArray:
+    least = (1.0 - _SHIFT) / _MM2
+    z = in_reach(viscosity, field, "m²/s", least, 1e6, least_too=False) * _MM2 + _SHIFT
     return np.asarray(np.log10(np.log10(z)))
 
 
 def _shifted(temperature: ArrayLike, line: ViscosityLine) -> FloatArray:
     """ν + 0.7, in mm²/s."""
     with np.errstate(over="ignore"):
-        exponent = line.intercept - line.slope * np.log10(temperature)
+        exponent = line.intercept - line.slope * np.log10(_kelvin(temperature, "temperature"))
         return np.asarray(10.0 ** (10.0**exponent))

@@ -8,6 +8,8 @@ from __future__ import annotations
 from math import inf, log10
 from typing import Final
 
+from rolamento._reach import in_reach
+
 LEAST_VISCOSITY: Final = 2e-6
 """m²/s at 100 °C; the index is not defined below."""
 GREATEST_INDEX: Final = 400.0
@@ -41,7 +43,8 @@ def viscosity_index(viscosity_40: float, viscosity_100: float) -> float:
     NaN below 2 mm²/s at 100 °C. ISO 2909, ASTM D2270, with the polynomials that the latter gives
     for its table: good to about a unit of the index.
     """
-    u, y = viscosity_40 * _MM2, viscosity_100 * _MM2
+    u = float(in_reach(viscosity_40, "viscosity_40", "m²/s", 1e-9, 1.0)) * _MM2
+    y = float(in_reach(viscosity_100, "viscosity_100", "m²/s", 1e-9, 1.0)) * _MM2
     if not y >= LEAST_VISCOSITY * _MM2:
         return float("nan")
     low, high = reference_viscosities(y)
@@ -56,7 +59,7 @@ def reference_viscosities(viscosity_100: float) -> tuple[float, float]:
 
     ASTM D2270, appendix X2.
     """
-    y = viscosity_100
+    y = float(in_reach(viscosity_100, "viscosity_100", "mm²/s", LEAST_VISCOSITY * _MM2, 1e6))
     a, b, c, d, e, f = next(line[1:] for line in reversed(_COEFFICIENTS) if y >= line[0])
     return (a * y + b) * y + c, (d * y + e) * y + f
 

@@ -126,6 +126,14 @@ _SENTENCES: Final = (
         "Um número deste caso não é finito.",
     ),
     (
+        "An overspeed: the rings turn at n d_m = NUMBER million mm r/min, and no ball bearing is"
+        " known to have run beyond some NUMBER2 million: centrifugal force presses the balls out of"
+        " all elastic contact. Check the unit of the speed, or lower it.",
+        "Rotação excessiva: os anéis giram a n d_m = {number} milhões de mm·rpm, e não se conhece"
+        " rolamento de esferas que tenha passado de cerca de {number2} milhões: a força centrífuga"
+        " tira as esferas de todo contato elástico. Verifique a unidade da rotação ou reduza-a.",
+    ),
+    (
         "The solver stopped at a residual of NUMBER of the loads, above NUMBER2, so it shows no"
         " result. Vary a load or the speed a little, hold the tilts, or approach the duty in"
         " steps; and please report the case.",

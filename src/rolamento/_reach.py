@@ -1,0 +1,49 @@
+"""Numbers that a formula takes: what lies beyond is refused by name, before it overflows."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from rolamento.errors import InputError
+from rolamento.numerics import FloatArray
+
+__all__ = ["in_reach"]
+
+
+def in_reach(
+    value: ArrayLike, field: str, unit: str, least: float, most: float, *, least_too: bool = True
+) -> FloatArray:
+    """Return numbers as an array; NaN, no result, passes.
+
+    Parameters
+    ----------
+    value
+        Array of any shape.
+    field, unit
+        What it is, for the message.
+    least, most
+        What it may be: far beyond what occurs, so that nothing overflows.
+    least_too
+        Whether the least is allowed itself.
+
+    Raises
+    ------
+    InputError
+        If one is outside.
+    """
+    try:
+        array = np.asarray(value, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise InputError("must be a number, or an array of them", field=field) from None
+    low = array < least if least_too else array <= least
+    outside = low | (array > most)
+    if np.any(outside):
+        start = "from" if least_too else "above"
+        end = f" {unit}" if unit else ""
+        raise InputError(
+            f"must be {start} {least:g} to {most:g}{end}",
+            field=field,
+            value=float(array[outside].flat[0]),
+        )
+    return array
