@@ -16,6 +16,7 @@ from rolamento import (
     LifeModel,
     Load,
     Temperature,
+    analyse,
     load_case,
     override,
     solve,
@@ -34,6 +35,7 @@ from rolamento.report.life import life_report
 from rolamento.report.life_curves import curves_report
 from rolamento.report.life_spectrum import spectrum_report
 from rolamento.report.shaft import shaft_report
+from rolamento.report.terminal import terminal_report
 from rolamento.studies.life_curves import life_curve, read_range
 from rolamento.studies.shaft import life_of_shaft
 from rolamento.studies.spectrum import life_under, read_spectrum
@@ -128,7 +130,7 @@ def test_no_load_no_life() -> None:
         assert not record.holds[0]
     assert found.headline.reason[0] == "unloaded"
     assert found.limit.ball[0] == -1
-    assert "There is no rating life." in life_report(solve(deep(fz=0.0)), found)
+    assert "there is no rating life" in life_report(solve(deep(fz=0.0)), found)
 
 
 def test_a_pure_moment_is_nothing_for_iso_281() -> None:
@@ -294,3 +296,16 @@ def test_a_bound_of_the_life_bounds_the_reliability() -> None:
     assert wanted["below"]
     assert wanted["reliability"] == pytest.approx(0.239, abs=5e-4)
     assert NOTES[found.to_mapping()["headline"]["reason"]]
+
+
+def test_the_report_of_a_state_has_the_same_rule() -> None:
+    def report(*settings: str) -> str:
+        found = analyse(set_to(*settings))
+        return terminal_report(found.state, analysis=found)
+
+    thin = report("life.viscosity_ratio=0.05")
+    assert "reaches less than 917 h" in " ".join(thin.split())
+    assert "ISO/TS 16281, modified: <917 h" in " ".join(thin.split())
+    idle = report("duty.load.fz=0 N", "duty.load.fx=0 N")
+    section = idle.split("\nLife\n")[1].split("\n\n")[0]
+    assert "there is no rating life" in " ".join(section.split())

@@ -203,7 +203,7 @@ def test_the_statement_goes_by_the_life_that_leads() -> None:
         ("dirty", "reaches less than 917 h"),
         ("dirty", "wear, not fatigue, ends the life"),
         ("at rest", "nothing turns, so there are no hours"),
-        ("unloaded", "There is no rating life. No ball carries load"),
+        ("unloaded", "No ball carries load from ring to ring: there is no rating life."),
         ("sure", "With 99.99 % reliability"),
         ("sure", "wanted have a reliability of 100 %"),
     ],

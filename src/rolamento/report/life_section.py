@@ -12,7 +12,7 @@ from rolamento.report.life_statement import statement
 from rolamento.report.page import Lines, Page
 
 if TYPE_CHECKING:
-    from rolamento.life import LifeSummary
+    from rolamento.life import Life, LifeSummary
     from rolamento.state import State
 
 __all__ = ["life_notes", "life_part"]
@@ -28,7 +28,7 @@ def life_part(page: Page, state: State, summary: LifeSummary) -> Lines:
     said, loads = said_of(page), summary.loads
     turns = any(not isnan(life.hours[0]) for life in summary.theories.values())
     numbers = [
-        f"{said.names[name]}: {life_text(page, float(value[0]))} {unit}"
+        f"{said.names[name]}: {_bounded(page, life, float(value[0]))} {unit}"
         for name, life in ((name, summary[name]) for name in _SHOWN if name in summary.theories)
         for value, unit in [(life.hours, said.hour) if turns else (life.life, said.million)]
         if not isnan(value[0])
@@ -40,8 +40,14 @@ def life_part(page: Page, state: State, summary: LifeSummary) -> Lines:
     if isfinite(loads.safety[0]):
         numbers.append(said.static_safety.format(safety=factor_text(page, float(loads.safety[0]))))
     lines = [page.heading(said.life), *statement(page, state, summary)]
-    lines += page.hanging(Text("  "), "; ".join(numbers))
+    if numbers:
+        lines += page.hanging(Text("  "), "; ".join(numbers))
     return lines + page.hanging(Text("  "), said.all_lives, "dim")
+
+
+def _bounded(page: Page, life: Life, value: float) -> str:
+    """Write a life, with a sign where it is below the number."""
+    return f"<{life_text(page, value)}" if life.below[0] else life_text(page, value)
 
 
 def life_notes(page: Page, summary: LifeSummary) -> list[str]:

@@ -177,7 +177,7 @@ def _warning(page: Page, summary: LifeSummary) -> list[Sentence]:
     said, best = said_of(page), summary[_MODIFIED if _MODIFIED in summary.theories else _BASIC]
     reasons = [said.notes[name] for name in best.notes_of() if name in OUTSIDE - BOUNDS]
     if "unloaded" in best.notes_of():
-        return [(said.no_rating_life, "bold"), (said.notes["unloaded"], "")]
+        return [(said.notes["unloaded"], "bold")]
     found = [(said.none_holds, "bold red"), *((reason, "") for reason in reasons)]
     if any(isfinite(float(life.life[0])) for life in summary.theories.values()):
         found.append((said.not_to_be_used, "bold"))

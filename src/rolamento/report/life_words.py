@@ -48,7 +48,6 @@ class LifeWords:
     less_than: str
     lubrication_left_out: str
     none_holds: str
-    no_rating_life: str
     not_to_be_used: str
     no_life: str
 
@@ -175,7 +174,6 @@ _ENGLISH: Final = LifeWords(
         " instance)."
     ),
     none_holds="No theory that counts the load of every ball holds for this case.",
-    no_rating_life="There is no rating life.",
     not_to_be_used="The numbers below are what the formulas give; do not rely on them.",
     no_life="There is no equilibrium to find a life from.",
     theories="Life by theory",
@@ -313,7 +311,6 @@ _PORTUGUESE: Final = LifeWords(
         " sua temperatura, ou life.viscosity_ratio) e da limpeza (life.cleanliness, por exemplo)."
     ),
     none_holds="Nenhuma teoria que conte a carga de cada esfera vale para este caso.",
-    no_rating_life="Não há vida nominal.",
     not_to_be_used="Os números abaixo são o que as fórmulas dão; não confie neles.",
     no_life="Não há equilíbrio de que se possa achar uma vida.",
     theories="Vida por teoria",
