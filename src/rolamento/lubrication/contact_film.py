@@ -134,7 +134,8 @@ def _starvation_factors(
     if model.starvation != "inlet_distance":
         return refill, refill
     assert model.inlet_distance is not None
-    radius, b = 1.0 / contacts.rolling_curvature, contacts.semi_minor
+    radius = 1.0 / contacts.rolling_curvature
+    b = np.where(contacts.semi_minor > 0.0, contacts.semi_minor, np.nan)
     with np.errstate(divide="ignore", invalid="ignore"):
         distance = model.inlet_distance / b
         return (
