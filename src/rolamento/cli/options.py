@@ -12,6 +12,7 @@ __all__ = [
     "BearingArgument",
     "CaseArgument",
     "ChannelOption",
+    "DecimalMarkOption",
     "DurationOption",
     "JsonOption",
     "LagOption",
@@ -96,7 +97,7 @@ ChannelOption = Annotated[
 RateOption = Annotated[
     str | None,
     typer.Option(
-        "--rate", metavar="RATE", help="Of sampling, such as '50 kHz', if the file is silent."
+        "--rate", metavar="RATE", help="Of sampling, such as '50 kHz', over what the file tells."
     ),
 ]
 ScaleOption = Annotated[
@@ -110,4 +111,15 @@ StartOption = Annotated[
 DurationOption = Annotated[
     str | None,
     typer.Option("--duration", metavar="TIME", help="To look at from there; by default all."),
+]
+
+# --- a table of text -------------------------------------------------------------------------
+
+DecimalMarkOption = Annotated[
+    str | None,
+    typer.Option(
+        "--decimal-mark",
+        metavar="MARK",
+        help="point or comma, of a table in which 12.500 may be 12.5 or 12500.",
+    ),
 ]

@@ -10,6 +10,7 @@ from rich.text import Text
 from rolamento.report.diagnosis_data import CSV_COLUMNS, diagnosis_csv, diagnosis_json
 from rolamento.report.diagnosis_result import DiagnosisResult, ShaftSpeed
 from rolamento.report.diagnosis_sentences import (
+    said_choice,
     said_note,
     said_own_note,
     said_reasons,
@@ -229,6 +230,7 @@ def _notes(page: Page, said: DiagnosisWords, found: DiagnosisResult) -> Lines:
     code = page.words.code
     sentences = [said_note(note, found.diagnosis, code) for note in found.diagnosis.notes]
     sentences += [said_own_note(name, found, code) for name in found.own_notes]
+    sentences += [said_choice(note, code) for note in found.choices]
     sentences += [FREQUENCY_WORDS[code].note[name] for name in found.frequencies.notes]
     if not sentences:
         return []

@@ -36,6 +36,9 @@ class DiagnosisWords:
     stronger_lines: str
     untested: str
     no_verdict: str
+    no_verdict_without: str
+    rest: str
+    too_short: str
     no_change: str
     no_speed: str
 
@@ -120,6 +123,10 @@ _ENGLISH: Final = DiagnosisWords(
     stronger_lines="Stronger lines fit no part of this bearing: check speed and bearing.",
     untested="Not tested: {parts}.",
     no_verdict="No verdict: this signal does not tell of any part of the bearing.",
+    no_verdict_without="No verdict: not tested: {parts}.",
+    rest="Nothing stands out of the noise for: {parts}.",
+    too_short="No verdict: the record is too short. It spans {turns} revolutions of the shaft,"
+    " {duration} s; of any race nothing can be told below {least} revolutions, {seconds} s.",
     no_change="No verdict: the signal does not change.",
     no_speed="No verdict: the speed was not found in the vibration, and at a steady one nothing"
     " stands out of the noise.",
@@ -218,6 +225,11 @@ _ENGLISH: Final = DiagnosisWords(
         " {tolerance} % off: those were not looked for.",
         "other_rows": "The orders of {rows} are others, and were not looked for: allow more slip,"
         " or give that row as a bearing of its own.",
+        "rate_over_file": "The sampling rate is {rate} as given; the file says {file}.",
+        "rate_over_doubt": "The sampling rate is {rate} as given; in the file {doubt}.",
+        "rate_aside": "The sampling rate is {rate}; {name} = {value} of the file is not taken for"
+        " one.",
+        "speed_over_file": "The speed is {speed} as given; the file says {file}.",
         "unexplained_lines": "The envelope's spectrum has lines that no part of this bearing and no"
         " multiple of the shaft explains.",
     },
@@ -274,6 +286,10 @@ _PORTUGUESE: Final = DiagnosisWords(
     " e o rolamento.",
     untested="Não foi possível testar: {parts}.",
     no_verdict="Sem veredito: este sinal nada diz de nenhuma parte do rolamento.",
+    no_verdict_without="Sem veredito: não foi possível testar: {parts}.",
+    rest="Nada se destaca do ruído em: {parts}.",
+    too_short="Sem veredito: o registro é curto demais. Ele abrange {turns} voltas do eixo,"
+    " {duration} s; abaixo de {least} voltas, {seconds} s, nada se pode dizer de nenhuma pista.",
     no_change="Sem veredito: o sinal não varia.",
     no_speed="Sem veredito: a rotação não foi encontrada na vibração, e a uma constante nada"
     " se destaca do ruído.",
@@ -372,6 +388,12 @@ _PORTUGUESE: Final = DiagnosisWords(
         " {tolerance} %: essas não foram procuradas.",
         "other_rows": "As ordens de {rows} são outras e não foram procuradas: permita mais"
         " escorregamento, ou dê essa carreira como um rolamento próprio.",
+        "rate_over_file": "A taxa de amostragem é {rate}, como dada; o arquivo diz {file}.",
+        "rate_over_doubt": "A taxa de amostragem é {rate}, como dada; no arquivo há mais de uma"
+        " ({doubt}).",
+        "rate_aside": "A taxa de amostragem é {rate}; {name} = {value}, do arquivo, não é tomada"
+        " por ela.",
+        "speed_over_file": "A rotação é {speed}, como dada; o arquivo diz {file}.",
         "unexplained_lines": "O espectro do envelope tem linhas que nenhuma parte deste rolamento e"
         " nenhum múltiplo do eixo explicam.",
     },
