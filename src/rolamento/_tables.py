@@ -12,11 +12,11 @@ import csv
 import os
 import re
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Final, Literal, get_args
 
 from rolamento._reading import STANDARD_INPUT, read_bytes
-from rolamento.errors import ABSENT, FileError, InputError, shown
+from rolamento.errors import ABSENT, FileError, InputError
 
 __all__ = [
     "DecimalMark",
@@ -43,6 +43,7 @@ _PLAIN: Final = re.compile(rf"[+-]?(?:\d+(?:\.\d*)?|\.\d+){_EXPONENT}")
 _IN_THOUSANDS: Final = re.compile(rf"[+-]?[1-9]\d{{0,2}}(?:\.\d{{3}})+(?:,\d*)?{_EXPONENT}")
 """A number whose points may part thousands; one with a leading zero never does."""
 _MARKED: Final = re.compile(r"[+-]?[\d.,]*[.,][\d.,]*(?:[eE][+-]?\d{1,3})?")
+_LEAD: Final = re.compile(r"[+-]?(?=[.,]?\d)[\d.,]+(?:[eE][+-]?\d{1,3})?(?=\s|%|[A-Za-zµμ°]|$)")
 _POINTS_AND_COMMAS: Final = str.maketrans(".,", ",.")
 
 
@@ -66,6 +67,11 @@ class Numerals:
 
     def number(self, cell: str) -> float | None:
         """Return the number of a cell; None if it is none."""
+        text = self.plain(cell)
+        return None if text is None else float(text)
+
+    def plain(self, cell: str) -> str | None:
+        """Return the number of a cell as text with a decimal point; None if it is none."""
         text = cell
         if len(text) > _LONGEST_NUMBER:
             return None
@@ -78,14 +84,16 @@ class Numerals:
                 text = text.replace(",", "") if _IN_THOUSANDS.fullmatch(grouped) else ""
             else:
                 text = grouped
-        return float(text) if _PLAIN.fullmatch(text) else None
+        return text if _PLAIN.fullmatch(text) else None
 
     def readings(self) -> tuple[float, float]:
         """Return what the cell in doubt is with a decimal point, and with a decimal comma."""
         return float(self.doubt), float(self.doubt.replace(".", ""))
 
-    def check(self, field: str) -> None:
+    def check(self, field: str, *, argument: bool = True) -> None:
         """Refuse numbers that may be read in two ways.
+
+        argument: whether the reader takes the mark as an argument, besides the line in the file.
 
         Raises
         ------
@@ -95,13 +103,18 @@ class Numerals:
         if not self.doubt:
             return
         point, comma = (f"{value:.9g}" for value in self.readings())
+        example = f'"# {_MARK}: point" above the table for {point}, "# {_MARK}: comma" for {comma}'
+        if argument:
+            example = (
+                f'decimal_mark="point" for {point}, decimal_mark="comma" for {comma}; or a line '
+                f'"# {_MARK}: comma" above the table'
+            )
         raise InputError(
             f"is {point} if the point is a decimal one, and {comma} if it parts thousands, and the"
-            f' table does not tell; say so in a line "# {_MARK}: point" or "# {_MARK}: comma" above'
-            " it, or",
+            " table does not tell",
             field=field,
             value=self.doubt,
-            example=f'decimal_mark="point" for {point}, decimal_mark="comma" for {comma}',
+            example=example,
         )
 
 
@@ -165,7 +178,9 @@ class Table:
         line = self.header_line if row is None else self.lines[row]
         return error.with_details(source=self.source, line=line)
 
-    def numerals(self, columns: Sequence[int], mark: object = None) -> Numerals:
+    def numerals(
+        self, columns: Sequence[int], mark: object = None, *, argument: bool = True
+    ) -> Numerals:
         """Tell how the numbers of some columns are written.
 
         Parameters
@@ -174,6 +189,8 @@ class Table:
             Their places.
         mark
             ``"point"`` or ``"comma"``, over what the file says.
+        argument
+            Whether the mark can be given as an argument.
 
         Raises
         ------
@@ -182,20 +199,47 @@ class Table:
         """
         said = self.said.get(_MARK) if mark is None else mark
         chosen = None if said is None else checked_mark(said, self.source)
-        cells = (row[column] for row in self.rows for column in columns)
-        found = numerals_of(cells, commas=self.separator != ",", mark=chosen)
+        leads = (_lead(row[column]) for row in self.rows for column in columns)
+        found = numerals_of(leads, commas=self.separator != ",", mark=chosen)
         if found.doubt:
             place, column = next(
                 (number, column)
                 for number, row in enumerate(self.rows)
                 for column in columns
-                if row[column] == found.doubt
+                if _lead(row[column]) == found.doubt
             )
             try:
-                found.check(self.header[column])
+                found.check(self.header[column], argument=argument)
             except InputError as error:
                 raise self.placed(error, place) from None
         return found
+
+    def plain(self, mark: object = None) -> Table:
+        """Return the table with decimal points, and no marks in thousands, in all its numbers.
+
+        Raises
+        ------
+        InputError
+            As `numerals`, of all columns.
+        """
+        if self.separator == ",":
+            return self
+        numerals = self.numerals(range(len(self.header)), mark)
+        rows = tuple(tuple(_rewritten(cell, numerals) for cell in row) for row in self.rows)
+        header = tuple(_rewritten(cell, numerals) for cell in self.header)
+        return replace(self, header=header, rows=rows)
+
+
+def _lead(cell: str) -> str:
+    """The number with which a cell begins, a unit or a per cent behind it or not."""
+    found = _LEAD.match(cell)
+    return "" if found is None else found[0]
+
+
+def _rewritten(cell: str, numerals: Numerals) -> str:
+    lead = _lead(cell)
+    text = numerals.plain(lead) if lead else None
+    return cell if text is None else text + cell[len(lead) :]
 
 
 def checked_mark(mark: object, source: str = "") -> DecimalMark:
@@ -250,7 +294,9 @@ def table_text(path: str | os.PathLike[str]) -> tuple[str, str]:
         return content.decode("cp1252", errors="replace"), source
 
 
-def parse_table(text: str, source: str, *, most_rows: int, example: str) -> Table:
+def parse_table(
+    text: str, source: str, *, most_rows: int, example: str, least_rows: int = 1
+) -> Table:
     """Take a table apart.
 
     Parameters
@@ -259,7 +305,7 @@ def parse_table(text: str, source: str, *, most_rows: int, example: str) -> Tabl
         As the module tells. Lines without anything count nothing.
     source
         What to call it in messages.
-    most_rows
+    most_rows, least_rows
         Below the header.
     example
         Of a header, for messages.
@@ -292,7 +338,7 @@ def parse_table(text: str, source: str, *, most_rows: int, example: str) -> Tabl
     if not found:
         raise FileError("holds no table", source=source, example=example)
     (header_line, header), *rows = found
-    if not rows:
+    if len(rows) < least_rows:
         raise FileError("has a header and no rows below it", source=source, example=example)
     return Table(
         source,
@@ -315,7 +361,7 @@ def _cells(line: str, separator: str, source: str, number: int) -> tuple[str, ..
 
 
 def _check_row(found: Sequence[tuple[int, tuple[str, ...]]], separator: str, source: str) -> None:
-    """Refuse a row that is too large or not as long as the header, and a header that repeats."""
+    """Refuse a row that is too large, or not as long as the header."""
     line, cells = found[-1]
     header = found[0][1]
     if len(cells) > _MOST_COLUMNS:
@@ -327,7 +373,3 @@ def _check_row(found: Sequence[tuple[int, tuple[str, ...]]], separator: str, sou
         advice = "; with decimal commas part the cells by semicolons" if separator == "," else ""
         rule = f"has {len(cells)} cells where the header has {len(header)}{advice}"
         raise FileError(rule, source=source, line=line)
-    repeated = [name for name in header if name and header.count(name) > 1]
-    if len(found) == 1 and repeated:
-        rule = f"names the column {shown(repeated[0])} twice"
-        raise FileError(rule, field=repeated[0], source=source, line=line)

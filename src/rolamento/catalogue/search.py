@@ -13,6 +13,7 @@ from itertools import chain, islice
 from typing import Final
 
 from rolamento._reading import read_text
+from rolamento._tables import table_text
 from rolamento.catalogue.designation import (
     Designation,
     folded,
@@ -69,7 +70,7 @@ class Catalogue:
         Parameters
         ----------
         paths
-            Files that end in .csv or .toml, of 1 MB at most.
+            Files that end in .csv, of 5 MB at most, or .toml, of 1 MB.
 
         Raises
         ------
@@ -78,12 +79,14 @@ class Catalogue:
         """
         added: list[CatalogueBearing] = []
         for path in paths:
-            text, source = read_text(path)
-            ending = os.path.splitext(source)[1].lower()
+            name = os.fspath(path)
+            ending = os.path.splitext(name)[1].lower()
             if ending not in (".csv", ".toml"):
-                raise FileError("must end in .csv or .toml", source=source, example="bearings.csv")
-            read = records_of_csv if ending == ".csv" else records_of_toml
-            added += read(text, source)
+                raise FileError("must end in .csv or .toml", source=name, example="bearings.csv")
+            if ending == ".csv":
+                added += records_of_csv(*table_text(path))
+            else:
+                added += records_of_toml(*read_text(path))
         return Catalogue((*self.bearings, *added))
 
     def search(self, text: str, most: int = 50) -> tuple[CatalogueBearing, ...]:

@@ -36,7 +36,6 @@ from rolamento.cli.diagnose_options import (
 )
 from rolamento.cli.options import (
     ChannelOption,
-    DecimalMarkOption,
     DurationOption,
     JsonOption,
     LanguageOption,
@@ -48,6 +47,7 @@ from rolamento.cli.options import (
 )
 from rolamento.cli.outputs import check_outputs
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
+from rolamento.cli.table_options import DecimalMarkOption
 from rolamento.errors import InputError
 
 if TYPE_CHECKING:

@@ -12,7 +12,6 @@ __all__ = [
     "BearingArgument",
     "CaseArgument",
     "ChannelOption",
-    "DecimalMarkOption",
     "DurationOption",
     "JsonOption",
     "LagOption",
@@ -111,15 +110,4 @@ StartOption = Annotated[
 DurationOption = Annotated[
     str | None,
     typer.Option("--duration", metavar="TIME", help="To look at from there; by default all."),
-]
-
-# --- a table of text -------------------------------------------------------------------------
-
-DecimalMarkOption = Annotated[
-    str | None,
-    typer.Option(
-        "--decimal-mark",
-        metavar="MARK",
-        help="point or comma, of a table in which 12.500 may be 12.5 or 12500.",
-    ),
 ]
