@@ -77,7 +77,7 @@ def records_of_csv(text: str, source: str) -> tuple[CatalogueBearing, ...]:
     for number, cells in enumerate(table.rows):
         given = {name: cells[place] for place, name in enumerate(table.header)}
         try:
-            texts = {**defaults, **{name: given[name] for name in _TEXTS if given.get(name)}}
+            texts = defaults | {name: given[name] for name in _TEXTS if given.get(name)}
             figures = {
                 _COLUMNS[name][0]: _number(cell, name, numerals) * _COLUMNS[name][1]
                 for name, cell in given.items()
