@@ -23,6 +23,7 @@ __all__ = [
     "Numerals",
     "Table",
     "checked_mark",
+    "mark_said",
     "numerals_of",
     "parse_table",
     "read_table",
@@ -134,7 +135,7 @@ def numerals_of(cells: Iterable[str], *, commas: bool, mark: DecimalMark | None 
         return Numerals(commas, mark)
     doubt = ""
     for cell in cells:
-        if "." not in cell or not _MARKED.fullmatch(cell):
+        if "." not in cell or len(cell) > _LONGEST_NUMBER or not _MARKED.fullmatch(cell):
             continue
         if not _IN_THOUSANDS.fullmatch(cell):
             return Numerals(commas)  # 0.25, 12.5, 1,234.5: a decimal point
@@ -240,6 +241,12 @@ def _rewritten(cell: str, numerals: Numerals) -> str:
     lead = _lead(cell)
     text = numerals.plain(lead) if lead else None
     return cell if text is None else text + cell[len(lead) :]
+
+
+def mark_said(line: str) -> str | None:
+    """Return what a comment above a table says of its decimal mark; None if it says nothing."""
+    name, colon, value = line.lstrip("#% \t").partition(":")
+    return value.strip() if colon and name.strip().casefold() == _MARK else None
 
 
 def checked_mark(mark: object, source: str = "") -> DecimalMark:

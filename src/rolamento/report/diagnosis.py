@@ -10,7 +10,6 @@ from rich.text import Text
 from rolamento.report.diagnosis_data import CSV_COLUMNS, diagnosis_csv, diagnosis_json
 from rolamento.report.diagnosis_result import DiagnosisResult, ShaftSpeed
 from rolamento.report.diagnosis_sentences import (
-    said_choice,
     said_note,
     said_own_note,
     said_reasons,
@@ -22,6 +21,7 @@ from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium
 from rolamento.report.numbers import ABSENT
 from rolamento.report.page import Lines, Page
+from rolamento.report.reading_words import said_choice
 from rolamento.report.terminal import rendered
 from rolamento.vibration.diagnosis import ComponentVerdict, Diagnosis
 from rolamento.vibration.fault_lines import FaultFrequencies

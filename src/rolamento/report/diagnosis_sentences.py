@@ -19,12 +19,10 @@ from rolamento.vibration.diagnosis.orders import COMPONENTS
 if TYPE_CHECKING:
     from rolamento.report.diagnosis_result import DiagnosisResult
     from rolamento.vibration.diagnosis import Component, ComponentVerdict, Diagnosis, Reason
-    from rolamento.vibration.reading import ReadingNote
 
 __all__ = [
     "listed",
     "said_chance",
-    "said_choice",
     "said_note",
     "said_own_note",
     "said_reasons",
@@ -76,13 +74,6 @@ def said_too_short(turns: float, least: float, duration: float, language: str) -
         least=digits.short(least, 2),
         seconds=digits.short(duration * least / turns, 2),
     )
-
-
-def said_choice(note: ReadingNote, language: str) -> str:
-    """Return what was taken for the rate or the speed where a file tells it in several ways."""
-    said, _ = _of(language)
-    template = said.note.get(note.name)
-    return note.text if template is None else template.format(**note.numbers)
 
 
 def said_statements(diagnosis: Diagnosis, language: str, *, still: bool = False) -> list[str]:

@@ -225,11 +225,6 @@ _ENGLISH: Final = DiagnosisWords(
         " {tolerance} % off: those were not looked for.",
         "other_rows": "The orders of {rows} are others, and were not looked for: allow more slip,"
         " or give that row as a bearing of its own.",
-        "rate_over_file": "The sampling rate is {rate} as given; the file says {file}.",
-        "rate_over_doubt": "The sampling rate is {rate} as given; in the file {doubt}.",
-        "rate_aside": "The sampling rate is {rate}; {name} = {value} of the file is not taken for"
-        " one.",
-        "speed_over_file": "The speed is {speed} as given; the file says {file}.",
         "unexplained_lines": "The envelope's spectrum has lines that no part of this bearing and no"
         " multiple of the shaft explains.",
     },
@@ -388,12 +383,6 @@ _PORTUGUESE: Final = DiagnosisWords(
         " {tolerance} %: essas não foram procuradas.",
         "other_rows": "As ordens de {rows} são outras e não foram procuradas: permita mais"
         " escorregamento, ou dê essa carreira como um rolamento próprio.",
-        "rate_over_file": "A taxa de amostragem é {rate}, como dada; o arquivo diz {file}.",
-        "rate_over_doubt": "A taxa de amostragem é {rate}, como dada; no arquivo há mais de uma"
-        " ({doubt}).",
-        "rate_aside": "A taxa de amostragem é {rate}; {name} = {value}, do arquivo, não é tomada"
-        " por ela.",
-        "speed_over_file": "A rotação é {speed}, como dada; o arquivo diz {file}.",
         "unexplained_lines": "O espectro do envelope tem linhas que nenhuma parte deste rolamento e"
         " nenhum múltiplo do eixo explicam.",
     },

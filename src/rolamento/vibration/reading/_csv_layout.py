@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final
 
-from rolamento._tables import DecimalMark, Numerals, numerals_of
+from rolamento._tables import DecimalMark, Numerals, checked_mark, mark_said, numerals_of
 from rolamento.errors import FileError, InputError
 from rolamento.vibration.reading._limits import MOST_CHANNELS
 from rolamento.vibration.reading._metadata import label_parts, short_name, time_scale
@@ -120,6 +120,9 @@ def layout_of(head: bytes, source: str, mark: DecimalMark | None = None) -> CsvL
     names, units = _headings(above, separator, len(cells))
     dates = tuple(not _is_number(cell, separator) for cell in cells)
     rows = [_cells(line, separator) for line in lines[number:]]
+    said = next((found for found in map(mark_said, above) if found is not None), None)
+    if mark is None and said is not None:
+        mark = checked_mark(said, source)
     numerals = numerals_of(
         (cell for row in rows for cell, date in zip(row, dates, strict=False) if not date),
         commas=separator != ",",
