@@ -121,13 +121,46 @@ def test_a_short_record_is_told_before_it_is_read(
     code, out, _ = run(*known)
     assert code == 1
     assert out == (
-        "No verdict: the record is too short. It spans 0.4 revolutions of the shaft, 0.8 s; of any "
-        "race nothing can be told below 1.7 revolutions, 3.4 s."
+        "No verdict: the record is too short. It spans 0.4 revolutions of the shaft, 0.8 s; below "
+        "1.7 revolutions, 3.4 s, nothing can be told of any race."
     )
     code, out, error = run(*known, "--json")
     assert code == 1
     assert json.loads(out)["reason"] == "record_too_short"
     assert error.startswith("rolamento: No verdict: the record is too short.")
+
+
+@pytest.mark.parametrize("language", ["en", "pt"])
+def test_a_shaft_too_slow_for_its_rate_is_told_before_it_is_read(
+    run: Run, monkeypatch: pytest.MonkeyPatch, language: str
+) -> None:
+    """Two million samples are judged at once: 42 s at 50 kHz, in which 2 rpm is 1.4 turns."""
+
+    def never(*_: object) -> None:
+        raise AssertionError("the record was diagnosed")
+
+    np.save("a.npy", np.zeros(3_000_000, dtype=np.float32))
+    monkeypatch.setattr("rolamento.vibration.diagnosis.diagnose", never)
+    code, out, _ = run("a.npy", "--speed", "2 rpm", "--rate", "50 kHz", "--lang", language)
+    assert code == 1
+    said = {"en": "spans 1.4 revolutions", "pt": "abrange 1,4 voltas"}
+    assert said[language] in out
+    data = json.loads(run("a.npy", "--speed", "2 rpm", "--rate", "50 kHz", "--json")[1])
+    assert data["reason"] == "shaft_too_slow"
+
+
+def test_tracking_a_short_record_is_refused_before_it_is_read(
+    run: Run, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def never(*_: object) -> None:
+        raise AssertionError("the record was read")
+
+    np.save("a.npy", NOISE)
+    monkeypatch.setattr("rolamento.vibration.reading.SignalFile.read", never)
+    code, _, error = run("a.npy", "--speed", "600 rpm", "--rate", "12000", "--track")
+    assert code == 2
+    assert "50 revolutions" in error
+    assert "must be at least 96 revolutions of the shaft at its nominal speed, 9.6 s" in error
 
 
 def test_decimal_marks_are_asked_about(run: Run) -> None:

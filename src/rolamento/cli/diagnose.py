@@ -210,14 +210,16 @@ def _found(asked: _Asked, words: Words, lang: Language | None) -> DiagnosisResul
 
 
 class _TooShortError(Exception):
-    """A record that spans too few revolutions for any race: told before it is read.
+    """A record in which no race can be told, by its length: said before it is read.
 
-    turns, least: revolutions that it has, and from which on it tells something; duration: s.
+    turns, least: revolutions that it has, or that the longest stretch has which is judged at once,
+    and from which on it tells something; duration: of that, s.
     """
 
-    def __init__(self, turns: float, least: float, duration: float) -> None:
+    def __init__(self, turns: float, least: float, duration: float, *, is_stretch: bool) -> None:
         super().__init__(turns, least, duration)
         self.turns, self.least, self.duration = turns, least, duration
+        self.is_stretch = is_stretch
 
     def show(self, json: str | None, language: str) -> None:
         """Write JSON where it was asked for, and say it to the person."""
@@ -226,16 +228,17 @@ class _TooShortError(Exception):
 
         numbers = (self.turns, self.least, self.duration)
         if json is not None:
+            statement = said_too_short(*numbers, "en", is_stretch=self.is_stretch)
             data = {
                 "verdict": "no_verdict",
-                "statement": [said_too_short(*numbers, "en")],
-                "reason": "record_too_short",
+                "statement": [statement],
+                "reason": "shaft_too_slow" if self.is_stretch else "record_too_short",
                 "revolutions": self.turns,
                 "least_revolutions": self.least,
                 "duration": self.duration,
             }
             put(json_text(data) + "\n", json)
-        said = said_too_short(*numbers, language)
+        said = said_too_short(*numbers, language, is_stretch=self.is_stretch)
         if json == STANDARD_STREAM:
             complain(said)
         else:
@@ -248,13 +251,16 @@ def _check_length(
     """Refuse a record in whose spectrum both races lie where no level of noise is known."""
     from math import ceil, pi
 
+    from rolamento.vibration.diagnosis.blocks import MOST_SAMPLES
     from rolamento.vibration.noise_floor import LOWEST_LINE
 
     orders = [frequencies.of_fault(race).order for race in ("outer_race", "inner_race")]
     least = (LOWEST_LINE + 1) / max(orders)
-    turns = samples / rate * abs(speed.shaft.mean) / (2.0 * pi)
+    block = min(samples, MOST_SAMPLES) / rate
+    turns = block * max(abs(speed.shaft.least), abs(speed.shaft.most)) / (2.0 * pi)
     if turns < least:
-        raise _TooShortError(turns, ceil(10.0 * least) / 10.0, samples / rate)
+        is_stretch = samples > MOST_SAMPLES
+        raise _TooShortError(turns, ceil(10.0 * least) / 10.0, block, is_stretch=is_stretch)
 
 
 def _draw(found: DiagnosisResult, plot: str | None, kurtogram: str | None, language: str) -> None:

@@ -219,6 +219,15 @@ def found_in_vibration(
     """
     count = part.stop - part.start
     per_turn = 2.0 * pi * source.rate / abs(nominal)
+    if count < _LEAST * per_turn:  # told before anything is read
+        raise InputError(
+            f"must be at least {_LEAST:g} revolutions of the shaft at its nominal speed,"
+            f" {_LEAST * per_turn / source.rate:.3g} s",
+            source="--track",
+            field="record",
+            value=f"{count / per_turn:.4g} revolutions",
+            example="--speed-channel rpm",
+        )
     stretches = _stretches(count, per_turn)
     margin = ceil(_MARGIN * per_turn)
     step = max(1, int(per_turn / _KNOTS))

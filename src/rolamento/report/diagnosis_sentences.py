@@ -62,17 +62,21 @@ def _said_untested(diagnosis: Diagnosis, language: str) -> list[str]:
     return [first, *reasons, *rest]
 
 
-def said_too_short(turns: float, least: float, duration: float, language: str) -> str:
-    """Return that a record is too short for any race.
+def said_too_short(
+    turns: float, least: float, duration: float, language: str, *, is_stretch: bool
+) -> str:
+    """Return that a record is too short for any race, or its shaft too slow for its rate.
 
     turns, least: revolutions that it spans, and from which on something can be told; duration: s.
+    is_stretch: whether they are of the longest stretch that is judged at once.
     """
     said, digits = _of(language)
-    return said.too_short.format(
+    return (said.too_slow if is_stretch else said.too_short).format(
         turns=digits.short(turns, 2),
         duration=digits.short(duration, 3),
         least=digits.short(least, 2),
         seconds=digits.short(duration * least / turns, 2),
+        times=digits.short(least / turns, 2),
     )
 
 
