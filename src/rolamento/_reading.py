@@ -24,6 +24,7 @@ __all__ = [
     "format_of_path",
     "format_of_text",
     "parse_mapping",
+    "read_bytes",
     "read_text",
     "write_text",
 ]
@@ -50,9 +51,32 @@ def read_text(path: str | os.PathLike[str]) -> tuple[str, str]:
         is not UTF-8 text.
     """
     source = os.fspath(path)
+    content = read_bytes(path, _LARGEST_FILE, "a case file")
+    source = STANDARD_INPUT if source == "-" else source
+    return _decoded(content, source), source
+
+
+def read_bytes(path: str | os.PathLike[str], most: int, what: str) -> bytes:
+    """Return the content of a regular file, or of standard input for ``"-"``, bounded.
+
+    Parameters
+    ----------
+    path
+        Of the file.
+    most
+        Bytes; of what is larger one byte more is returned.
+    what
+        To give in place of a directory.
+
+    Raises
+    ------
+    FileError
+        If there is no such regular file, or it cannot be read.
+    """
+    source = os.fspath(path)
     if source == "-":
-        return _decoded(_attempt(_standard_input, STANDARD_INPUT), STANDARD_INPUT), STANDARD_INPUT
-    return _decoded(_attempt(lambda: _regular_file(source), source), source), source
+        return _attempt(lambda: _standard_input(most), STANDARD_INPUT)
+    return _attempt(lambda: _regular_file(source, most, what), source)
 
 
 def write_text(text: str, path: str | os.PathLike[str]) -> None:
@@ -116,24 +140,24 @@ def _attempt(action: Callable[[], Result], source: str) -> Result:
     except OSError as error:
         reason = (error.strerror or str(error)).lower()
         raise FileError(f"cannot be opened: {reason}", source=source) from None
-    except ValueError:
+    except (TypeError, ValueError):
         raise FileError("is not a possible file name", source=source) from None
 
 
-def _regular_file(source: str) -> bytes:
+def _regular_file(source: str, most: int, what: str) -> bytes:
     kind = os.stat(source).st_mode
     if stat.S_ISDIR(kind):
-        raise FileError("is a directory; give a case file", source=source)
+        raise FileError(f"is a directory; give {what}", source=source)
     if not stat.S_ISREG(kind):
         raise FileError("is not a regular file; use - for standard input", source=source)
     with open(source, "rb") as file:
-        return file.read(_LARGEST_FILE + 1)
+        return file.read(most + 1)
 
 
-def _standard_input() -> bytes:
+def _standard_input(most: int) -> bytes:
     if sys.stdin is None:
         raise FileError("is closed", source=STANDARD_INPUT)
-    return sys.stdin.buffer.read(_LARGEST_FILE + 1)
+    return sys.stdin.buffer.read(most + 1)
 
 
 def _decoded(content: bytes, source: str) -> str:

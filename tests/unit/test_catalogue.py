@@ -76,6 +76,132 @@ def test_suffixes_are_told_and_the_unknown_is_named() -> None:
     assert parse_designation("6205-Q").unknown == ("Q",)
 
 
+@pytest.mark.parametrize(
+    ("text", "meanings", "unknown"),
+    [
+        ("6205 SKF", ("SKF",), ()),
+        ("SKF 6310", ("SKF",), ()),
+        ("6205 NTN", ("NTN",), ()),
+        ("6205 FAG", ("FAG",), ()),
+        ("6205SNR", ("SNR",), ()),
+        ("skf6205", ("SKF",), ()),
+        ("6205/C3 (Koyo)", ("KOYO",), ()),
+        ("SKF E2.6205-2Z", ("SKF", "E2", "2Z"), ()),
+        ("6205ZZCM", ("ZZ", "CM"), ()),
+        ("6205-2Z/C3GJN", ("2Z", "GJN"), ()),
+        ("6205/C3WT", ("WT",), ()),
+        ("6205 K", ("K",), ()),
+        ("6205-XYZ", (), ("XYZ",)),
+        ("6205-C3Q", (), ("Q",)),
+        ("7205ACDGA/P4A", ("DGA", "P4A"), ()),
+    ],
+)
+def test_words_are_not_read_as_suffix_letters(
+    text: str, meanings: tuple[str, ...], unknown: tuple[str, ...]
+) -> None:
+    parts = parse_designation(text)
+    assert tuple(part for part, _ in parts.meanings) == meanings
+    assert parts.unknown == unknown
+    assert catalogue().find(text).bearing.bore == pytest.approx(parts.bore)
+
+
+@pytest.mark.parametrize(
+    ("text", "number", "clearance"),
+    [
+        ("UC204", "6204", "C3"),
+        ("UCP 204", "6204", "C3"),
+        ("UCF205 NSK", "6205", "C3"),
+        ("UCFL 206/C4", "6206", "C4"),
+        ("UCT305", "6305", "C3"),
+        ("UC205-16", "6205", "C3"),
+        ("UK 206", "6206", "C4"),
+        ("UCX05", "6206", "C3"),
+        ("NA205", "6205", "C3"),
+        ("YAR 205-2F", "6205", "C3"),
+        ("SY 25 TF", "6205", "C3"),
+        ("GYE25-KRR-B", "6205", "C3"),
+    ],
+)
+def test_insert_bearings_have_the_inside_of_a_deep_groove_one(
+    text: str, number: str, clearance: str
+) -> None:
+    inside, plain = geometry_of(text), geometry_of(f"{number}/{clearance}")
+    assert (inside.designation.number, inside.designation.insert) == (number, True)
+    assert inside.fields == plain.fields
+    assert inside.clearance_class == clearance
+
+
+def test_small_insert_bearings_depend_on_the_maker() -> None:
+    with pytest.raises(InputError, match="inside of 6203 or of 6204, by its maker: give that"):
+        geometry_of("UC202")
+
+
+@pytest.mark.parametrize(
+    ("text", "kind"),
+    [
+        ("NU 210", "a cylindrical roller bearing, a type that is not known here"),
+        ("NJ 2210 ECP", "a cylindrical roller bearing"),
+        ("NUP210 NSK", "a cylindrical roller bearing"),
+        ("N 210", "a cylindrical roller bearing"),
+        ("30206", "a tapered roller bearing"),
+        ("22216 EK/C3", "a spherical roller bearing"),
+        ("HK 2020", "a needle roller bearing"),
+        ("NA 4905", "a needle roller bearing"),
+        ("51210", "a thrust ball bearing"),
+        ("QJ 210", "a four-point contact ball bearing"),
+        ("2210", "a self-aligning ball bearing"),
+        ("1210", "a self-aligning ball bearing"),
+        ("3205", "a double-row angular-contact ball bearing"),
+        ("5205-2RS", "a double-row angular-contact ball bearing"),
+        ("4205", "a double-row deep-groove ball bearing"),
+        ("C 2212", "a toroidal roller bearing"),
+        ("29412", "a spherical roller thrust bearing"),
+        ("62205-2RS1", "wider rings; its inside is that of the same number without the third"),
+        ("608-2Z", "a deep-groove ball bearing of a series in no list; give its balls"),
+        ("SNL 510", "a split plummer-block housing; give the bearing in it"),
+        ("P204", "a housing of an insert bearing; give the insert"),
+        ("NUTR 20", "a track roller"),
+    ],
+)
+def test_other_types_are_named(text: str, kind: str) -> None:
+    with pytest.raises(InputError) as caught:
+        geometry_of(text)
+    assert f"is {kind}" in str(caught.value) or kind in str(caught.value)
+    assert "did you mean" not in str(caught.value)
+
+
+def test_a_suffix_leaves_an_entry_of_ones_own(tmp_path: Path) -> None:
+    """With a class, a seal or a maker behind it, a bearing of one's own is still that one."""
+    path = tmp_path / "own.csv"
+    rows = "6205-XL,25,52,20000,9000\nQ-17,17,40,9000,4500\nS6205,25,52,13000,7000\n"
+    path.write_text(HEADER.replace("_kN", "_N") + rows, "utf-8")
+    own = catalogue().beside([path])
+    for text, name in (
+        ("6205-XL/C3", "6205-XL"),
+        ("6205-XL-2RS1/C3 SKF", "6205-XL"),
+        ("6205 XL", "6205-XL"),
+        ("Q-17/C3", "Q-17"),
+        ("Q-17-2RS", "Q-17"),
+        ("Q 17 NTN", "Q-17"),
+        ("S6205/C3", "S6205"),
+    ):
+        found = own.find(text)
+        assert (found.bearing.designation, text) == (name, text)
+        assert found.designation.clearance_class == ("C3" if "C3" in text else None)
+    assert own.find("6205/C3").bearing.designation == "6205"
+    with pytest.raises(InputError, match="in no catalogue"):
+        catalogue().find("EX 70")
+
+
+def test_a_number_of_ones_own_with_the_letters_of_its_angle(tmp_path: Path) -> None:
+    path = tmp_path / "own.csv"
+    text = "designation,bore_mm,outside_diameter_mm,contact_angle_deg,ball_count,ball_diameter_mm\n"
+    path.write_text(text + "7205,25,52,40,13,7.938\n", "utf-8")
+    own = catalogue().beside([path])
+    assert own.find("7205B").bearing.ball_count == 13
+    assert own.find("7205C").bearing.ball_count is None  # 15 degrees: another bearing
+
+
 @pytest.mark.parametrize("text", ["", "   ", "x" * 61])
 def test_no_designation(text: str) -> None:
     with pytest.raises(InputError, match="1 to 60 characters"):
@@ -175,7 +301,8 @@ def test_toml_of_a_user_takes_the_place_of_the_built_in(tmp_path: Path) -> None:
         ("designation,bore_mm,bore_mm\n", "is there twice"),
         (HEADER + "A,25,52,14\n", "line 2: has 4 cells where the header has 5"),
         (HEADER + "A,25,52,14,x\n", "must be a number"),
-        (HEADER + "A,25,52,14,nan\n", "must be between"),
+        (HEADER + "A,25,52,14,nan\n", "must be a number"),
+        (HEADER + "A,25,52,14,1e99\n", "must be between"),
         (HEADER + "A,52,25,14,1\n", "greater than the bore"),
         (HEADER + ",25,52,14,1\n", "designation: is missing"),
         (HEADER + "A,,52,14,1\n", "bore: is missing"),
@@ -216,7 +343,7 @@ def test_wrong_files(tmp_path: Path) -> None:
     with pytest.raises(UnknownKeyError):
         records_of_csv("colour\nred\n", "own.csv")
     many = HEADER + "A,25,52,14,1\n" * 20_001
-    with pytest.raises(FileError, match="more than 20000 bearings"):
+    with pytest.raises(FileError, match="more than 20000 rows"):
         records_of_csv(many, "own.csv")
 
 

@@ -138,7 +138,8 @@ def test_pages_in_every_language_and_encoding(language: str, encoding: str) -> N
 def test_every_meaning_is_translated() -> None:
     file = resources.files("rolamento") / "data" / "designations.toml"
     data = tomllib.loads(file.read_text(encoding="utf-8"))
-    meanings = {*data["prefixes"].values(), *data["suffixes"].values()}
+    tables = ("prefixes", "suffixes", "inserts", "insert_housings", "phrases")
+    meanings = {meaning for table in tables for meaning in data[table].values()}
     assert CATALOGUE_WORDS["pt"].translated.keys() == meanings
     inside = geometry_of("6305ZZ/C3")
     page = bearing_report(inside, inside.bearing, words_for("pt"))

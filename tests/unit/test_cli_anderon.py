@@ -109,6 +109,12 @@ class TestLevels:
         assert signal["bands"][1]["velocity"] == pytest.approx(100e-6, rel=2e-3)
         assert quantity in [note["name"] for note in signal["notes"]]
 
+    def test_rate_of_the_option_goes_before_that_of_the_file(self, run: Run) -> None:
+        code, out, _ = run("t60.npz", "--unit", "um/s", "--rate", "25600")
+        assert code == 0
+        said = "The sampling rate is 25600 Hz as given; the file says 51200 Hz."
+        assert said in " ".join(out.split())
+
     def test_speed_of_the_option_goes_before_that_of_the_file(self, run: Run) -> None:
         at_1800 = json.loads(run("t60.npz", "--unit", "um/s", "--json")[1])["signals"][0]
         at_900 = json.loads(run("t60.npz", "--unit", "um/s", "--speed", "900 rpm", "--json")[1])

@@ -263,8 +263,11 @@ def test_times_give_the_rate(tmp_path: Path, name: str) -> None:
     assert channel.name in ("x", "run.x", "run/x")
     assert channel.rate == pytest.approx(RATE, rel=1e-9)
     np.testing.assert_allclose(read_signal(tmp_path / name).samples, SAMPLES)
-    with pytest.raises(FileError, match=r"rate = 1990.0: contradicts the file, which says 2000"):
-        read_signal(tmp_path / name, rate=1990.0)
+    with open_signal(tmp_path / name, rate=1990.0) as file:
+        assert (file.rate, file.notes) == (
+            1990.0,
+            ("The sampling rate is 1990 Hz as given; the file says 2000 Hz.",),
+        )
 
 
 @pytest.mark.parametrize("name", FORMATS)
@@ -308,9 +311,15 @@ def test_a_sample_missing_in_a_block_that_is_not_read(tmp_path: Path, name: str)
 
 @pytest.mark.parametrize("name", ["a.npz", "a.mat", "a.h5"])
 def test_times_and_rates_that_contradict(tmp_path: Path, name: str) -> None:
+    """Nobody knows which is right: the user is asked."""
     write_times(tmp_path / name, TIMES, {"fs": 2500.0})
-    with pytest.raises(FileError, match=r"rate = 2500.0: contradicts the file, which says 2000 Hz"):
-        channels_of(tmp_path / name)
+    doubt = '"fs" says 2500 Hz and the column of times says 2000 Hz'
+    (channel,) = channels_of(tmp_path / name)
+    assert (channel.rate, channel.rate_doubt) == (None, doubt)
+    with pytest.raises(InputError, match=f"rate: is in doubt: in the file {doubt}; give it"):
+        read_signal(tmp_path / name)
+    with open_signal(tmp_path / name, rate=2500.0) as file:
+        assert file.notes == (f"The sampling rate is 2500 Hz as given; in the file {doubt}.",)
     write_times(tmp_path / name, TIMES, {"fs": 2000.5})
     assert read_signal(tmp_path / name).rate == 2000.5
 

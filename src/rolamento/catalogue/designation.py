@@ -3,29 +3,32 @@
 from __future__ import annotations
 
 import re
-import tomllib
 from dataclasses import dataclass
 from functools import lru_cache
-from importlib import resources
 from math import radians
-from typing import Any, Final, Literal
+from typing import Final, Literal, NamedTuple, cast
 
+from rolamento.catalogue.designation_data import designation_data as _data
+from rolamento.catalogue.other_types import insert_of
 from rolamento.errors import InputError
 
-__all__ = ["ClearanceClass", "Designation", "folded", "parse_designation"]
+__all__ = ["ClearanceClass", "Designation", "folded", "parse_designation", "suffix_groups"]
 
 ClearanceClass = Literal["C2", "CN", "C3", "C4", "C5"]
 
 _LONGEST: Final = 60
 _NUMBER: Final = re.compile(
-    r"(?P<prefix>[A-Z0-9]*?[A-Z])?"
-    r"(?P<series>6[02389]|61[89]|7[0239]|71[89])"
+    r"(?P<prefix>[A-Z0-9]*?[A-Z]|E2)?\|?"
+    r"(?P<series>6[02389]|61[89]|7[0239]|71[89])\|?"
     r"(?P<bore>\d{2})"
-    r"(?P<rest>(?:2[RZ]|\D).*)?"
+    r"(?P<rest>(?:\|?2[RZ]|\D).*)?"
 )
+"""Of a text whose blanks, hyphens, strokes and points are one stroke each."""
 _ANGLE: Final = re.compile(r"(?<=[\s/-])(?P<angle>\d{1,2}(?:\.\d+)?)\s*(?:DEG|°)(?![A-Z])")
 _CLASS: Final = re.compile(r"C[0-9N]")
 _MILLIMETRE: Final = 1e-3
+_MOST_LETTERS: Final = 2
+"""Suffixes of one letter in a row; more of them are a word that nobody meant so."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -36,10 +39,16 @@ class Designation:
     ----------
     text
         As it was given.
+    name
+        The same without a maker's name.
+    maker
+        Whose name stands before or behind it; empty if none does.
     number
         The basic number, such as ``"6205"`` or ``"7218"``; empty if it is of another system.
     series
         Such as ``"62"``; empty likewise.
+    insert
+        Whether it is an insert bearing or a unit with one, with the inside of that number.
     bore
         In m, by the code; None likewise.
     dimension_series
@@ -55,8 +64,11 @@ class Designation:
     """
 
     text: str
+    name: str = ""
+    maker: str = ""
     number: str = ""
     series: str = ""
+    insert: bool = False
     bore: float | None = None
     dimension_series: str = ""
     contact_angle: float | None = None
@@ -73,12 +85,12 @@ class Designation:
     def keys(self) -> tuple[str, ...]:
         """What to look for in a catalogue, folded, the most telling first."""
         angle = self.contact_angle
-        keys = [folded(self.text)]
+        keys = [folded(self.text), folded(self.name)]
         if self.number:
             letters = [key for key, value in _data()["angles"].items() if angle == radians(value)]
             keys += [folded(self.number + letter) for letter in letters] if angle else []
             keys += [folded(self.number)] if angle is None else []
-        return tuple(dict.fromkeys(keys))
+        return tuple(dict.fromkeys(key for key in keys if key))
 
 
 def folded(text: str) -> str:
@@ -106,41 +118,82 @@ def parse_designation(text: str) -> Designation:
             value=text,
             example='designation = "6205"',
         )
-    given = text.strip().upper()
+    name, maker = _without_maker(text.strip())
+    meanings = [(maker, _data()["phrases"]["maker"])] if maker else []
+    given = name.upper()
     written = _ANGLE.search(given)
     plain = given if written is None else given[: written.start()] + given[written.end() :]
     angle = None if written is None else radians(float(written["angle"]))
-    parts = _NUMBER.fullmatch(_compact(plain))
-    if parts is None or (parts["prefix"] or "W") not in _data()["prefixes"]:
-        return _of_another_system(text, plain, angle)
-    meanings: list[tuple[str, str]] = []
-    unknown: list[str] = []
-    prefix = parts["prefix"] or ""
+    parts = _NUMBER.fullmatch("|".join(suffix_groups(plain)))
+    prefix = "" if parts is None else parts["prefix"] or ""
+    if parts is None or (prefix and prefix not in _data()["prefixes"]):
+        insert = insert_of(plain)
+        if insert is None:
+            return _of_another_system(text, name, maker, plain, angle)
+        suffixes = _suffixes(suffix_groups(insert.rest), text)
+        return Designation(
+            text=text.strip(),
+            name=name,
+            maker=maker,
+            number=insert.number,
+            series=insert.number[:2],
+            insert=True,
+            bore=_bore(insert.number[2:]),
+            dimension_series=insert.number[:2],
+            clearance_class=suffixes.clearance or cast("ClearanceClass", insert.clearance_class),
+            meanings=(*meanings, *insert.meanings, *suffixes.meanings),
+            unknown=suffixes.unknown,
+        )
     if prefix:
         meanings.append((prefix, _data()["prefixes"][prefix]))
-    rest = parts["rest"] or ""
-    if angle is None and parts["series"].startswith("7"):
-        angle, rest = _angle(rest)
-    clearance = _suffixes(rest, meanings, unknown, text)
+    groups = suffix_groups(parts["rest"] or "")
+    if angle is None and parts["series"].startswith("7") and groups:
+        angle, groups[0] = _angle(groups[0])
+    suffixes = _suffixes(groups, text)
     series = parts["series"]
     return Designation(
         text=text.strip(),
+        name=name,
+        maker=maker,
         number=series + parts["bore"],
         series=series,
         bore=_bore(parts["bore"]),
         dimension_series=_data()["dimension_series"].get(series, series),
         contact_angle=angle,
-        clearance_class=clearance,
-        meanings=tuple(meanings),
-        unknown=tuple(unknown),
+        clearance_class=suffixes.clearance,
+        meanings=(*meanings, *suffixes.meanings),
+        unknown=suffixes.unknown,
     )
 
 
-def _of_another_system(text: str, plain: str, angle: float | None) -> Designation:
+def suffix_groups(text: str) -> list[str]:
+    """Return what blanks, hyphens, strokes and points part in a designation."""
+    return [group for group in re.split(r"[\s\-/.|]+", text) if group]
+
+
+def _without_maker(text: str) -> tuple[str, str]:
+    """Part a designation from the name of a maker before or behind it."""
+    names = "|".join(sorted(map(re.escape, _data()["makers"]["names"]), key=len, reverse=True))
+    before = re.match(rf"\(?({names})\)?[\s\-/:]*(?=[^\s\-/:)]*\d)(?![A-Z])", text, re.IGNORECASE)
+    spaced = re.match(rf"\(?({names})\)?[\s\-/:]+(?=\S)", text, re.IGNORECASE)
+    first = spaced or before
+    if first is not None:
+        return text[first.end() :].strip(), first[1].upper()
+    behind = re.search(rf"(?:[\s\-/(]+|(?<=\d))({names})\)?$", text, re.IGNORECASE)
+    if behind is not None and behind.start() > 0:
+        return text[: behind.start()].strip(), behind[1].upper()
+    return text, ""
+
+
+def _of_another_system(
+    text: str, name: str, maker: str, plain: str, angle: float | None
+) -> Designation:
     """Makers' own numbers: only an angle and a class at the end are understood."""
     given = re.search(r"[/\s-](C[2-5N])\s*$", plain)
     clearance: ClearanceClass | None = None if given is None else _data()["clearance"][given[1]]
-    return Designation(text=text.strip(), contact_angle=angle, clearance_class=clearance)
+    return Designation(
+        text=text.strip(), name=name, maker=maker, contact_angle=angle, clearance_class=clearance
+    )
 
 
 def _bore(code: str) -> float:
@@ -156,39 +209,65 @@ def _angle(rest: str) -> tuple[float | None, str]:
     return None, rest
 
 
-def _suffixes(
-    rest: str, meanings: list[tuple[str, str]], unknown: list[str], text: str
-) -> ClearanceClass | None:
-    """Take the suffixes apart, the longest known one first."""
+class _Suffixes(NamedTuple):
+    """What suffixes say."""
+
+    clearance: ClearanceClass | None
+    meanings: tuple[tuple[str, str], ...]
+    unknown: tuple[str, ...]
+
+
+def _suffixes(groups: list[str], text: str) -> _Suffixes:
+    """Take suffixes apart, group by group."""
     classes, known = _data()["clearance"], _data()["suffixes"]
-    by_length = sorted(known, key=len, reverse=True)
     clearance: ClearanceClass | None = None
-    while rest:
-        if _CLASS.match(rest):
-            if rest[:2] not in classes:
-                raise InputError(
-                    f"names no clearance class of ISO 5753-1 with {rest[:2]}; they are"
-                    " C2, CN, C3, C4 and C5",
-                    field="designation",
-                    value=text,
-                    example='designation = "6205/C3"',
-                )
-            clearance, rest = classes[rest[:2]], rest[2:]
-            continue
-        found = next((suffix for suffix in by_length if rest.startswith(suffix)), "")
-        if found:
-            meanings.append((found, known[found]))
-        else:
-            unknown.append(rest[0])
-        rest = rest[len(found) or 1 :]
-    return clearance
+    meanings: list[tuple[str, str]] = []
+    unknown: list[str] = []
+    for group in groups:
+        parts = _parts(group)
+        if parts is None:  # what is not understood is one word, not some of its letters
+            parts = tuple(re.findall(_longer(), group))
+        for part in parts:
+            if _CLASS.fullmatch(part):
+                if part not in classes:
+                    raise InputError(
+                        f"names no clearance class of ISO 5753-1 with {part}; they are"
+                        " C2, CN, C3, C4 and C5",
+                        field="designation",
+                        value=text,
+                        example='designation = "6205/C3"',
+                    )
+                clearance = classes[part]
+            elif part in known:
+                meanings.append((part, known[part]))
+            else:
+                unknown.append(part)
+    return _Suffixes(clearance, tuple(meanings), tuple(unknown))
 
 
-def _compact(text: str) -> str:
-    return re.sub(r"[\s\-/]", "", text).upper()
+@lru_cache(maxsize=1024)
+def _parts(group: str, letters: int = 0) -> tuple[str, ...] | None:
+    """Known suffixes that make up a group, the longest first; None if none do.
+
+    letters: how many suffixes of one letter stand before it.
+    """
+    if not group:
+        return ()
+    if _CLASS.match(group):
+        rest = _parts(group[2:])
+        return None if rest is None else (group[:2], *rest)
+    known = _data()["suffixes"]
+    for length in range(len(group), 0, -1):
+        if group[:length] in known and (length > 1 or letters < _MOST_LETTERS):
+            rest = _parts(group[length:], letters + 1 if length == 1 else 0)
+            if rest is not None:
+                return (group[:length], *rest)
+    return None
 
 
 @lru_cache(maxsize=1)
-def _data() -> dict[str, Any]:
-    file = resources.files("rolamento") / "data" / "designations.toml"
-    return tomllib.loads(file.read_text(encoding="utf-8"))
+def _longer() -> re.Pattern[str]:
+    """Classes and suffixes of more than one sign, and what is between them."""
+    known = sorted((re.escape(s) for s in _data()["suffixes"] if len(s) > 1), key=len, reverse=True)
+    named = "|".join(("C[0-9N]", *known))
+    return re.compile(rf"{named}|(?:(?!{named}).)+")

@@ -13,7 +13,14 @@ from itertools import chain, islice
 from typing import Final
 
 from rolamento._reading import read_text
-from rolamento.catalogue.designation import Designation, folded, parse_designation
+from rolamento._tables import table_text
+from rolamento.catalogue.designation import (
+    Designation,
+    folded,
+    parse_designation,
+    suffix_groups,
+)
+from rolamento.catalogue.other_types import other_type
 from rolamento.catalogue.record import CatalogueBearing
 from rolamento.catalogue.tables import records_of_csv, records_of_toml
 from rolamento.errors import FileError, InputError
@@ -63,7 +70,7 @@ class Catalogue:
         Parameters
         ----------
         paths
-            Files that end in .csv or .toml, of 1 MB at most.
+            Files that end in .csv, of 5 MB at most, or .toml, of 1 MB.
 
         Raises
         ------
@@ -72,12 +79,14 @@ class Catalogue:
         """
         added: list[CatalogueBearing] = []
         for path in paths:
-            text, source = read_text(path)
-            ending = os.path.splitext(source)[1].lower()
+            name = os.fspath(path)
+            ending = os.path.splitext(name)[1].lower()
             if ending not in (".csv", ".toml"):
-                raise FileError("must end in .csv or .toml", source=source, example="bearings.csv")
-            read = records_of_csv if ending == ".csv" else records_of_toml
-            added += read(text, source)
+                raise FileError("must end in .csv or .toml", source=name, example="bearings.csv")
+            if ending == ".csv":
+                added += records_of_csv(*table_text(path))
+            else:
+                added += records_of_toml(*read_text(path))
         return Catalogue((*self.bearings, *added))
 
     def search(self, text: str, most: int = 50) -> tuple[CatalogueBearing, ...]:
@@ -123,19 +132,47 @@ class Catalogue:
         InputError
             If nothing is known of it; the message names the nearest designations.
         """
-        designation = parse_designation(text)
         own = self._by_key.get(folded(text))
-        if own is not None and folded(designation.number) == folded(text):
-            return Found(own, replace(designation, contact_angle=own.contact_angle))
-        if own is not None:  # a maker's letters need not mean what they mean to others
-            return Found(own, Designation(text=text.strip(), contact_angle=own.contact_angle))
-        for key in _keys(designation):
+        if own is not None:
+            return self._own(own, text)
+        designation = parse_designation(text)
+        named = self._by_shorter_name(designation)
+        if named is not None:
+            return Found(named, replace(designation, contact_angle=named.contact_angle))
+        for key in designation.keys:
             if key in self._by_key:
                 return Found(self._by_key[key], designation)
+        plain = self._by_key.get(folded(designation.number))
+        if plain is not None and _same_angle(plain, designation):
+            return Found(plain, designation)
         by_sizes = self._of_dimension_series(designation)
         if by_sizes is not None:
             return Found(by_sizes, designation)
         raise self._unknown(text)
+
+    def _own(self, bearing: CatalogueBearing, text: str) -> Found:
+        """A bearing that is listed by that very text: its letters need not mean what others do."""
+        plain = Designation(text=text.strip(), name=text.strip())
+        if folded(text).isdecimal():
+            plain = parse_designation(text)
+        return Found(bearing, replace(plain, contact_angle=bearing.contact_angle))
+
+    def _by_shorter_name(self, designation: Designation) -> CatalogueBearing | None:
+        """The bearing whose whole name stands before the last suffixes, as ``Q-17`` in Q-17/C3.
+
+        A plain number is none: its letters may tell another contact angle.
+        """
+        groups = suffix_groups(designation.name)
+        for count in range(len(groups) - 1, 0, -1):
+            key = folded("".join(groups[:count]))
+            found = self._by_key.get(key)
+            if found is None or key == folded(designation.number):
+                continue
+            if designation.number or designation.contact_angle is None:
+                return found
+            if _same_angle(found, designation):
+                return found
+        return None
 
     def _of_sizes(self, sizes: list[float]) -> tuple[CatalogueBearing, ...]:
         bore, outside, *width = sizes
@@ -168,6 +205,9 @@ class Catalogue:
         )
 
     def _unknown(self, text: str) -> InputError:
+        other = other_type(parse_designation(text).name)
+        if other:
+            raise InputError(other, field="designation", value=text, example='designation = "6205"')
         near = self.nearest(text)
         advice = f"; did you mean {' or '.join(near)}?" if near else ""
         return InputError(
@@ -199,10 +239,6 @@ def catalogue() -> Catalogue:
     return Catalogue(tuple(bearing for bearings in found for bearing in bearings))
 
 
-def _keys(designation: Designation) -> tuple[str, ...]:
-    """Return the keys of a designation, and those without its clearance class."""
-    keys = designation.keys
-    if designation.number or designation.clearance_class is None:
-        return keys
-    plain = re.sub(r"[/\s-]C[2-5N]\s*$", "", designation.text, flags=re.IGNORECASE)
-    return (*keys, *replace(designation, text=plain).keys)
+def _same_angle(bearing: CatalogueBearing, designation: Designation) -> bool:
+    angle, wanted = bearing.contact_angle, designation.contact_angle
+    return angle is not None and wanted is not None and abs(angle - wanted) < _ROUNDING

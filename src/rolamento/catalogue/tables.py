@@ -1,19 +1,18 @@
 """From the text of a catalogue to its records: CSV or TOML, the built-in ones and a user's.
 
-A CSV file has one bearing in a line; the units are in the names of the columns. Lines that
-begin with ``#`` are comments, and ``# maker: NSK``, ``# kind:`` and ``# source:`` before the
-header hold for all lines. A TOML file has one ``[[bearing]]`` a bearing, quantities with units.
+A CSV file has one bearing in a line, as `rolamento._tables` reads it; the units are in the names of
+the columns. ``# maker: NSK``, ``# kind:`` and ``# source:`` before the header hold for all lines. A
+TOML file has one ``[[bearing]]`` a bearing, quantities with units.
 """
 
 from __future__ import annotations
 
-import csv
 import tomllib
-from collections.abc import Mapping
-from io import StringIO
+from collections.abc import Mapping, Sequence
 from math import isfinite, pi, radians
 from typing import Any, Final, get_args
 
+from rolamento._tables import Numerals, parse_table
 from rolamento.catalogue.record import FIGURES, CatalogueBearing, Kind
 from rolamento.errors import FileError, InputError, UnknownKeyError, nearest
 from rolamento.units import Dimension, to_si
@@ -66,32 +65,27 @@ def records_of_csv(text: str, source: str) -> tuple[CatalogueBearing, ...]:
     InputError
         With the line, if a column is not known, a figure is missing or out of range.
     """
-    defaults, lines = _split(text)
-    if not lines:
-        raise FileError("holds no table", source=source, example=_EXAMPLE)
-    header = [name.strip() for name in _cells(lines[0], source)]
-    _check_header(header, source, lines[0][0])
+    table = parse_table(text, source, most_rows=MOST_BEARINGS, example=_EXAMPLE, least_rows=0)
+    defaults = {name: table.said[name] for name in _TEXTS[1:] if name in table.said}
+    try:
+        _check_header(table.header)
+    except InputError as error:
+        raise table.placed(error) from None
+    columns = [place for place, name in enumerate(table.header) if name in _COLUMNS]
+    numerals = table.numerals(columns, argument=False)
     found: list[CatalogueBearing] = []
-    for line in lines[1:]:
-        _check_number(len(found), source)
-        cells = _cells(line, source)
-        if len(cells) != len(header):
-            raise FileError(
-                f"has {len(cells)} cells where the header has {len(header)}",
-                source=source,
-                line=line[0],
-            )
-        given = {name: cell.strip() for name, cell in zip(header, cells, strict=True)}
+    for number, cells in enumerate(table.rows):
+        given = {name: cells[place] for place, name in enumerate(table.header)}
         try:
-            texts = {**defaults, **{name: given[name] for name in _TEXTS if given.get(name)}}
+            texts = defaults | {name: given[name] for name in _TEXTS if given.get(name)}
             figures = {
-                _COLUMNS[name][0]: _number(cell, name) * _COLUMNS[name][1]
+                _COLUMNS[name][0]: _number(cell, name, numerals) * _COLUMNS[name][1]
                 for name, cell in given.items()
                 if name in _COLUMNS and cell
             }
             found.append(_record(texts, figures, source))
         except InputError as error:
-            raise error.with_details(source=source, line=line[0]) from None
+            raise table.placed(error, number) from None
     return tuple(found)
 
 
@@ -164,37 +158,14 @@ def _record(
     )
 
 
-def _split(text: str) -> tuple[dict[str, str], list[tuple[int, str]]]:
-    """Part what the comments say from the numbered lines of the table."""
-    defaults: dict[str, str] = {}
-    lines = []
-    for number, line in enumerate(text.splitlines(), start=1):
-        if not line.strip():
-            continue
-        if not line.startswith("#"):
-            lines.append((number, line))
-            continue
-        name, colon, value = line.lstrip("# ").partition(":")
-        if colon and not lines and name.strip() in _TEXTS[1:]:
-            defaults[name.strip()] = value.strip()[:_LONGEST_TEXT]
-    return defaults, lines
-
-
-def _cells(line: tuple[int, str], source: str) -> list[str]:
-    try:
-        return next(csv.reader(StringIO(line[1]), strict=True))
-    except (csv.Error, StopIteration):
-        raise FileError("is not a line of a CSV table", source=source, line=line[0]) from None
-
-
-def _check_header(header: list[str], source: str, line: int) -> None:
+def _check_header(header: Sequence[str]) -> None:
     known = (*_TEXTS, *_COLUMNS)
     for name in header:
         if name not in known or header.count(name) > 1:
             near = nearest(name, known)
             advice = f"did you mean {near}?" if near else f"known here: {', '.join(known)}"
             rule = "is there twice" if name in known else f"is not a known column; {advice}"
-            raise UnknownKeyError(rule, field=name, source=source, line=line)
+            raise UnknownKeyError(rule, field=name)
 
 
 def _check_keys(table: Mapping[str, Any], known: tuple[str, ...], source: str) -> None:
@@ -210,11 +181,11 @@ def _check_number(number: int, source: str) -> None:
         raise FileError(f"holds more than {MOST_BEARINGS} bearings", source=source)
 
 
-def _number(cell: str, name: str) -> float:
-    try:
-        return float(cell)
-    except ValueError:
-        raise InputError("must be a number", field=name, value=cell) from None
+def _number(cell: str, name: str, numerals: Numerals) -> float:
+    value = numerals.number(cell)
+    if value is None:
+        raise InputError("must be a number", field=name, value=cell)
+    return value
 
 
 def _text(value: object, name: str) -> str:

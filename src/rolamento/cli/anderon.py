@@ -27,6 +27,7 @@ from rolamento.cli.options import (
 )
 from rolamento.cli.outputs import check_outputs
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
+from rolamento.cli.table_options import DecimalMarkOption
 from rolamento.errors import InputError
 
 if TYPE_CHECKING:
@@ -45,7 +46,7 @@ class AnderonCommand(GroupedCommand):
     """`rolamento anderon`, its help in groups."""
 
     groups: ClassVar[Groups] = {
-        "Signal": ("channel", "rate", "unit", "scale", "start", "duration"),
+        "Signal": ("channel", "rate", "unit", "scale", "start", "duration", "decimal_mark"),
         "Bearing": ("speed", "bearing", "hours"),
         "Acceptance": ("full_scale", "accepted"),
         "Output": ("plot", "record", "json", "csv", "lang", "help"),
@@ -96,6 +97,7 @@ def anderon(
     rate: RateOption = None,
     start: StartOption = None,
     duration: DurationOption = None,
+    decimal_mark: DecimalMarkOption = None,
     hours: Annotated[
         str | None,
         typer.Option(
@@ -130,7 +132,7 @@ def anderon(
         from rolamento.cli.signal_source import choice_of
 
         words = words_of(lang)
-        choice = choice_of(channel, rate, unit, scale, start, duration)
+        choice = choice_of(channel, rate, unit, scale, start, duration, decimal_mark)
         found = _found(signals, choice, speed, hours, full_scale or [], accepted, bearing, words)
         if plot is not None:
             _draw(found, plot, words.code)

@@ -67,6 +67,7 @@ def measured_noise(
             scaled_unit=_unit_of_full_scale(source, choice),
             sensitivity=choice.scale or "",
             reading_notes=source.notes,
+            choices=source.choices,
         )
 
 

@@ -47,15 +47,17 @@ from rolamento.cli.options import (
 )
 from rolamento.cli.outputs import check_outputs
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
+from rolamento.cli.table_options import DecimalMarkOption
 from rolamento.errors import InputError
 
 if TYPE_CHECKING:
     from rolamento.cli.diagnose_bearing import GivenBearing
-    from rolamento.cli.diagnose_speed import AskedSpeed
+    from rolamento.cli.diagnose_speed import AskedSpeed, KnownSpeed
     from rolamento.cli.signal_source import SignalChoice
     from rolamento.report.diagnosis import DiagnosisResult
     from rolamento.report.language import Words
     from rolamento.vibration.diagnosis import DiagnosisSettings
+    from rolamento.vibration.fault_lines import FaultFrequencies
 
 __all__ = ["diagnose"]
 
@@ -96,6 +98,7 @@ def diagnose(
     scale: ScaleOption = None,
     start: StartOption = None,
     duration: DurationOption = None,
+    decimal_mark: DecimalMarkOption = None,
     slip: SlipOption = _SLIP,
     false_alarm: FalseAlarmOption = _FALSE_ALARM,
     plot: PlotOption = None,
@@ -118,7 +121,7 @@ def diagnose(
 
         asked = _Asked(
             path=signal,
-            choice=choice_of(channel, rate, unit, scale, start, duration),
+            choice=choice_of(channel, rate, unit, scale, start, duration, decimal_mark),
             speed=AskedSpeed(
                 inner=speed_given(speed, "--speed"),
                 outer=speed_given(outer_speed, "--outer-speed"),
@@ -135,7 +138,11 @@ def diagnose(
             settings=_settings(slip, false_alarm),
         )
         words = words_of(lang)
-        found = _found(asked, words, lang)
+        try:
+            found = _found(asked, words, lang)
+        except _TooShortError as short:
+            short.show(json, words.code)
+            raise typer.Exit(NO_RESULT) from None
         _draw(found, plot, kurtogram, words.code)
         _show(found, json, csv, words)
     raise typer.Exit(NO_RESULT if found.verdict == "no_verdict" else SOLVED)
@@ -175,6 +182,7 @@ def _found(asked: _Asked, words: Words, lang: Language | None) -> DiagnosisResul
                 given, speed.inner, speed.outer, nominal=asked.nominal, angle=asked.angle
             )
         search = searched(looked.frequencies, asked.settings)
+        _check_length(looked.frequencies, speed, part.stop - part.start, source.rate)
         with progress_of(said.reading) as progress:
             pieces = (source.read(place, min(part.step, part.stop - place)) for place in part)
             held = streamed(
@@ -191,13 +199,68 @@ def _found(asked: _Asked, words: Words, lang: Language | None) -> DiagnosisResul
             settings=search.settings,
             signal=held.first,
             duration=held.duration,
-            reading_notes=source.notes,
+            reading_notes=(*source.notes, *(note.text for note in speed.choices)),
+            choices=(*source.choices, *speed.choices),
             speed=speed.shaft,
             state=looked.state,
             slip=search.slip,
             covers_balls=search.covers_balls,
             other_rows=search.other_rows,
         )
+
+
+class _TooShortError(Exception):
+    """A record in which no race can be told, by its length: said before it is read.
+
+    turns, least: revolutions that it has, or that the longest stretch has which is judged at once,
+    and from which on it tells something; duration: of that, s.
+    """
+
+    def __init__(self, turns: float, least: float, duration: float, *, is_stretch: bool) -> None:
+        super().__init__(turns, least, duration)
+        self.turns, self.least, self.duration = turns, least, duration
+        self.is_stretch = is_stretch
+
+    def show(self, json: str | None, language: str) -> None:
+        """Write JSON where it was asked for, and say it to the person."""
+        from rolamento.report.diagnosis_sentences import said_too_short
+        from rolamento.report.plain_data import json_text
+
+        numbers = (self.turns, self.least, self.duration)
+        if json is not None:
+            statement = said_too_short(*numbers, "en", is_stretch=self.is_stretch)
+            data = {
+                "verdict": "no_verdict",
+                "statement": [statement],
+                "reason": "shaft_too_slow" if self.is_stretch else "record_too_short",
+                "revolutions": self.turns,
+                "least_revolutions": self.least,
+                "duration": self.duration,
+            }
+            put(json_text(data) + "\n", json)
+        said = said_too_short(*numbers, language, is_stretch=self.is_stretch)
+        if json == STANDARD_STREAM:
+            complain(said)
+        else:
+            print_text(said + "\n")
+
+
+def _check_length(
+    frequencies: FaultFrequencies, speed: KnownSpeed, samples: int, rate: float
+) -> None:
+    """Refuse a record in whose spectrum both races lie where no level of noise is known."""
+    from math import ceil, pi
+
+    from rolamento.vibration.diagnosis.blocks import MOST_SAMPLES
+    from rolamento.vibration.noise_floor import LOWEST_LINE
+
+    orders = [frequencies.of_fault(race).order for race in ("outer_race", "inner_race")]
+    least = (LOWEST_LINE + 1) / max(orders)
+    block = min(samples, MOST_SAMPLES) / rate
+    turns = block * max(abs(speed.shaft.least), abs(speed.shaft.most)) / (2.0 * pi)
+    if turns < least:
+        is_stretch = samples > MOST_SAMPLES
+        raise _TooShortError(turns, ceil(10.0 * least) / 10.0, block, is_stretch=is_stretch)
 
 
 def _draw(found: DiagnosisResult, plot: str | None, kurtogram: str | None, language: str) -> None:

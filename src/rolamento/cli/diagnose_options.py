@@ -40,7 +40,7 @@ class DiagnoseCommand(GroupedCommand):
             *("speed", "outer_speed", "speed_channel", "speed_unit"),
             *("tacho", "pulses", "track", "within"),
         ),
-        "Signal": ("channel", "rate", "unit", "scale", "start", "duration"),
+        "Signal": ("channel", "rate", "unit", "scale", "start", "duration", "decimal_mark"),
         "Search": ("slip", "false_alarm"),
         "Output": ("plot", "kurtogram", "json", "csv", "lang", "help"),
     }

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from rolamento.cli.diagnose_signal import AtSpeed
     from rolamento.cli.diagnose_tracking import Along
     from rolamento.report.diagnosis_result import ShaftSpeed, SpeedSource
-    from rolamento.vibration.reading import SignalFile
+    from rolamento.vibration.reading import ReadingNote, SignalFile
     from rolamento.vibration.signal import Signal
 
 __all__ = ["AskedSpeed", "KnownSpeed", "known_speed"]
@@ -21,6 +21,9 @@ __all__ = ["AskedSpeed", "KnownSpeed", "known_speed"]
 WITHIN: Final = 0.1
 _EXAMPLE: Final = "--speed '1797 rpm'"
 _RPM: Final = 30.0 / pi
+_SAME_SPEED: Final = 1e-3
+"""Part by which two statements of a speed may differ: it is not known better."""
+_MOST_OFFERED: Final = 5
 
 Rings = tuple[float | None, float | None]
 Progress = Callable[[int, int], None]
@@ -104,12 +107,15 @@ class KnownSpeed:
         mean speeds of the rings; rad/s
     at
         gives a piece of the signal its speed, from the number of its first sample in the part on
+    choices
+        what a person should know where the options and the file tell different speeds
     """
 
     shaft: ShaftSpeed
     inner: float
     outer: float
     at: AtSpeed
+    choices: tuple[ReadingNote, ...] = ()
 
 
 def known_speed(
@@ -137,7 +143,7 @@ def known_speed(
         return _of_channel(asked, of_case, source, part, progress)
     if asked.tacho is not None:
         return _of_tacho(asked, asked.tacho, of_case, source, part)
-    steady = _steady(asked, of_case, source.speed)
+    steady = _steady(asked, of_case, source)
     if not asked.track:
         return steady
     from rolamento.cli.diagnose_tracking import found_in_vibration
@@ -153,12 +159,12 @@ def known_speed(
     return _measured(shaft, (steady.inner, steady.outer), _interpolated(along))
 
 
-def _steady(asked: AskedSpeed, of_case: Rings, of_file: float | None) -> KnownSpeed:
+def _steady(asked: AskedSpeed, of_case: Rings, source: SignalFile) -> KnownSpeed:
     """Return the rings' speeds of the options, of the signal's file, of the case.
 
     What the file tells is the shaft's: the inner ring's, unless the outer one alone is given.
     """
-    inner, outer = asked.inner, asked.outer
+    inner, outer, of_file = asked.inner, asked.outer, source.speed
     by: SpeedSource = "given"
     if inner is None and outer is None:
         by = "case"
@@ -171,12 +177,35 @@ def _steady(asked: AskedSpeed, of_case: Rings, of_file: float | None) -> KnownSp
     if outer is None:
         outer = of_case[1]
     if inner is None and outer is None:
-        rule = "is missing, and neither the file nor the case tells it"
-        raise InputError(rule, source="--speed", example=_EXAMPLE)
+        raise _missing(source)
     if not inner and not outer:
         rule = "is that of both rings: a bearing that does not turn tells nothing"
         raise InputError(rule, source="--speed", value="0 rpm", example=_EXAMPLE)
-    return _of_numbers(by, inner or 0.0, outer or 0.0)
+    known = _of_numbers(by, inner or 0.0, outer or 0.0)
+    return replace(known, choices=_over_file(known.shaft.mean, of_file)) if by == "given" else known
+
+
+def _over_file(given: float, of_file: float | None) -> tuple[ReadingNote, ...]:
+    """Say that the file tells another speed than the one that was given, if it does; rad/s."""
+    from rolamento.vibration.reading import ReadingNote
+
+    if of_file is None or abs(abs(given) - abs(of_file)) <= _SAME_SPEED * abs(of_file):
+        return ()
+    numbers = {"speed": f"{_RPM * given:.6g} rpm", "file": f"{_RPM * of_file:.6g} rpm"}
+    text = "The speed is {speed} as given; the file says {file}.".format(**numbers)
+    return (ReadingNote("speed_over_file", text, numbers),)
+
+
+def _missing(source: SignalFile) -> InputError:
+    """Ask for the speed, and offer the numbers of the file that may be it."""
+    rule, example = "is missing, and neither the file nor the case tells it", _EXAMPLE
+    if source.speeds_perhaps:
+        entries = [f"{name} = {value:.6g}" for name, value in source.speeds_perhaps.items()]
+        name = next(iter(source.speeds_perhaps))
+        rule += f"; its {', '.join(entries[:_MOST_OFFERED])} may be it, in a unit that it does not"
+        rule += " say"
+        example += f", or --speed-channel {name} --speed-unit Hz"
+    return InputError(rule, source="--speed", example=example)
 
 
 def _of_numbers(by: SpeedSource, inner: float, outer: float) -> KnownSpeed:

@@ -122,16 +122,25 @@ def of_tacho(source: SignalFile, part: range, channel: str, pulses: int) -> tupl
 
 
 def _opened(source: SignalFile, channel: str) -> SignalFile:
-    """Open the channel of pulses; of a file that tells no rate, it has that of the signal."""
+    """Open the channel of pulses; of a file that tells no rate, it has that of the signal.
+
+    Where the signal's rate was given over that of the file, the channel's goes with it.
+    """
     given: dict[str, float | None] = {"rate": None}
+    mark = source.decimal_mark
     try:
         try:
-            tacho = open_signal(source.path, channel=channel)
+            tacho = open_signal(source.path, channel=channel, decimal_mark=mark)
         except InputError as error:
             if error.field != "rate":
                 raise
             given["rate"] = source.rate
-            tacho = open_signal(source.path, channel=channel, rate=source.rate)
+            tacho = open_signal(source.path, channel=channel, rate=source.rate, decimal_mark=mark)
+        of_file = source.channel.rate
+        if of_file is not None and of_file != source.rate and given["rate"] is None:
+            rate = tacho.rate * source.rate / of_file
+            tacho.close()
+            tacho = open_signal(source.path, channel=channel, rate=rate, decimal_mark=mark)
     except InputError as error:
         raise in_options(error, {"channel": "--tacho"}) from None
     if _place(tacho) == _place(source):
@@ -210,6 +219,15 @@ def found_in_vibration(
     """
     count = part.stop - part.start
     per_turn = 2.0 * pi * source.rate / abs(nominal)
+    if count < _LEAST * per_turn:  # told before anything is read
+        raise InputError(
+            f"must be at least {_LEAST:g} revolutions of the shaft at its nominal speed,"
+            f" {_LEAST * per_turn / source.rate:.3g} s",
+            source="--track",
+            field="record",
+            value=f"{count / per_turn:.4g} revolutions",
+            example="--speed-channel rpm",
+        )
     stretches = _stretches(count, per_turn)
     margin = ceil(_MARGIN * per_turn)
     step = max(1, int(per_turn / _KNOTS))

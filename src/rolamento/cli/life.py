@@ -29,6 +29,7 @@ from rolamento.cli.over_field import (
     show_curves,
 )
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
+from rolamento.cli.table_options import DecimalMarkOption, told_in_options
 from rolamento.cli.waiting import waiting
 from rolamento.errors import InputError
 
@@ -88,6 +89,7 @@ def life(
         str | None, csv_option("With --over or --spectrum: write points or steps")
     ] = None,
     plot: CurvesPlotOption = None,
+    decimal_mark: DecimalMarkOption = None,
     settings: SettingsOption = None,
     lang: LanguageOption = None,
 ) -> None:
@@ -104,14 +106,14 @@ def life(
         if reliability is not None:
             own.append(_setting_of(reliability))
         cases = [rolamento.load_case(path, own) for path in case]
-        table = _factor_table(nsk_table, cases)
+        table = _factor_table(nsk_table, cases, decimal_mark)
         if over is not None:
             curves = _curves(cases[0], over, points, log, variants or [], table, lang)
             from rolamento.report import life_curves
 
             solved = show_curves(curves, life_curves, _figure, (json, csv, plot), lang)
         elif spectrum is not None:
-            solved = _spectrum(cases[0], spectrum, table, json, csv, lang)
+            solved = _spectrum(cases[0], spectrum, decimal_mark, table, json, csv, lang)
         elif len(cases) > 1:
             solved = _shaft(case, cases, table, json, lang)
         else:
@@ -176,7 +178,9 @@ def _check_files(
         )
 
 
-def _factor_table(path: str | None, cases: list[rolamento.Case]) -> FactorTable | None:
+def _factor_table(
+    path: str | None, cases: list[rolamento.Case], decimal_mark: str | None
+) -> FactorTable | None:
     """Read the user's a_NSK, which means nothing without a_c."""
     if path is None:
         return None
@@ -189,7 +193,8 @@ def _factor_table(path: str | None, cases: list[rolamento.Case]) -> FactorTable 
             )
     from rolamento.studies.factor_table import read_factor_table
 
-    return read_factor_table(path)
+    with told_in_options():
+        return read_factor_table(path, decimal_mark=decimal_mark)
 
 
 def _one(
@@ -243,6 +248,7 @@ def _shaft(
 def _spectrum(
     case: rolamento.Case,
     path: str,
+    decimal_mark: str | None,
     table: FactorTable | None,
     json: str | None,
     csv: str | None,
@@ -252,7 +258,8 @@ def _spectrum(
     from rolamento.report.life_spectrum import spectrum_csv, spectrum_json, spectrum_report
     from rolamento.studies.spectrum import life_under, read_spectrum
 
-    steps = read_spectrum(path)
+    with told_in_options():
+        steps = read_spectrum(path, decimal_mark=decimal_mark)
     with waiting(lang):
         found = life_under(case, steps, nsk_table=table)
     words = words_of(lang)

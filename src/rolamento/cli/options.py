@@ -96,7 +96,7 @@ ChannelOption = Annotated[
 RateOption = Annotated[
     str | None,
     typer.Option(
-        "--rate", metavar="RATE", help="Of sampling, such as '50 kHz', if the file is silent."
+        "--rate", metavar="RATE", help="Of sampling, such as '50 kHz', over what the file tells."
     ),
 ]
 ScaleOption = Annotated[

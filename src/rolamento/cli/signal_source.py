@@ -19,7 +19,7 @@ _OPTIONS: Final = {
     name: f"--{name.replace('_', '-')}"
     for name in (
         *("channel", "rate", "unit", "scale", "start", "duration"),
-        *("speed_channel", "speed_unit"),
+        *("speed_channel", "speed_unit", "decimal_mark"),
     )
 }
 _ARGUMENT: Final = re.compile(rf'\b({"|".join(_OPTIONS)})=("[^"]*"|[\d.]+)')
@@ -39,6 +39,8 @@ class SignalChoice:
         of the samples, and sensitivity of the sensor
     start, duration
         of the part; s
+    decimal_mark
+        point or comma, of a table of text
     """
 
     channel: str | None = None
@@ -47,6 +49,7 @@ class SignalChoice:
     scale: str | None = None
     start: float = 0.0
     duration: float | None = None
+    decimal_mark: str | None = None
 
 
 def choice_of(
@@ -56,6 +59,7 @@ def choice_of(
     scale: str | None,
     start: str | None,
     duration: str | None,
+    decimal_mark: str | None = None,
 ) -> SignalChoice:
     """Return what the options of these names say.
 
@@ -71,6 +75,7 @@ def choice_of(
         scale=scale,
         start=number_given(start, "--start", "time", "--start '2 s'") or 0.0,
         duration=number_given(duration, "--duration", "time", "--duration '10 s'"),
+        decimal_mark=decimal_mark,
     )
 
 
@@ -111,6 +116,7 @@ def opened(
             scale=choice.scale,
             speed_channel=speed_channel,
             speed_unit=speed_unit,
+            decimal_mark=choice.decimal_mark,
             start=choice.start if part else 0.0,
             duration=choice.duration if part else None,
         )
@@ -126,7 +132,8 @@ def in_options(error: InputError, names: Mapping[str, str] | None = None) -> Inp
     options = {**_OPTIONS, **(names or {})}
 
     def option(match: re.Match[str]) -> str:
-        return f"{options[match[1]]} {match[2]}"
+        value = match[2].strip('"') if match[1] == "decimal_mark" else match[2]
+        return f"{options[match[1]]} {value}"
 
     return type(error)(
         _ARGUMENT.sub(option, error.rule),

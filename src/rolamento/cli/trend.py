@@ -12,6 +12,7 @@ from rolamento.cli.options import LanguageOption, PlotOption, json_option
 from rolamento.cli.outputs import check_outputs
 from rolamento.cli.shipped_data import check_one_given, data_and_json, known_example
 from rolamento.cli.streams import STANDARD_STREAM, print_text, put
+from rolamento.cli.table_options import DecimalMarkOption, TimeColumnOption, told_in_options
 from rolamento.errors import InputError
 
 if TYPE_CHECKING:
@@ -49,6 +50,14 @@ def trend(
             " the first quantity is a length.",
         ),
     ] = None,
+    time_column: TimeColumnOption = None,
+    bearing_column: Annotated[
+        str | None,
+        typer.Option(
+            "--bearing-column", metavar="COLUMN", help="Column that names the bearing, if another."
+        ),
+    ] = None,
+    decimal_mark: DecimalMarkOption = None,
     plot: PlotOption = None,
     json: Annotated[str | None, json_option("Write everything as JSON")] = None,
     lang: LanguageOption = None,
@@ -60,7 +69,8 @@ def trend(
     with plain_endings(lang):
         data, json = data_and_json(data, example, json)
         check_outputs({"--json": json, "--plot": plot}, data, rule="is the file of the data itself")
-        record = _record(data, example)
+        with told_in_options():
+            record = _record(data, example, time_column, bearing_column, decimal_mark)
         fits = _fits(record, law)
         words = words_of(lang)
         if plot is not None:
@@ -78,13 +88,19 @@ def trend(
     raise typer.Exit(SOLVED)
 
 
-def _record(data: str | None, example: str | None) -> Trend:
+def _record(
+    data: str | None,
+    example: str | None,
+    time: str | None,
+    bearing: str | None,
+    decimal_mark: str | None,
+) -> Trend:
     from rolamento.reliability.trend import published_trend, read_trend
 
     check_one_given(data, example, "trend", EXAMPLES)
     if example is None:
         assert data is not None
-        return read_trend(data)
+        return read_trend(data, time=time, bearing=bearing, decimal_mark=decimal_mark)
     return published_trend(known_example(example, EXAMPLES).replace("-", "_"))
 
 

@@ -19,6 +19,11 @@ from rolamento.cli.options import LanguageOption, SeedOption, json_option, plot_
 from rolamento.cli.outputs import check_outputs
 from rolamento.cli.shipped_data import data_and_json, known_example
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put, put_new
+from rolamento.cli.table_options import (
+    DecimalMarkOption,
+    StatusColumnOption,
+    TimeColumnOption,
+)
 from rolamento.cli.weibull_options import (
     EXAMPLES,
     life_test,
@@ -43,7 +48,10 @@ class WeibullCommand(GroupedCommand):
     """`rolamento weibull`, its help in groups."""
 
     groups: ClassVar[Groups] = {
-        "Data": ("example", "write", "unit", "group", "by_group", "only"),
+        "Data": (
+            *("example", "write", "unit", "time_column", "status_column", "decimal_mark"),
+            *("group", "by_group", "only"),
+        ),
         "Fit": ("method", "three_parameter", "shape", "bayes"),
         "Bounds": ("bounds", "confidence", "sides", "samples", "seed"),
         "Wanted": ("reliability", "time", "calculated_life"),
@@ -151,6 +159,9 @@ def weibull(
         str | None,
         typer.Option("--unit", metavar="UNIT", help="Of the times, if the file says another."),
     ] = None,
+    time_column: TimeColumnOption = None,
+    status_column: StatusColumnOption = None,
+    decimal_mark: DecimalMarkOption = None,
     samples: Annotated[
         int | None,
         typer.Option(
@@ -187,7 +198,16 @@ def weibull(
         if write is not None:
             print_text(_written(data, example, write, words_of(lang)))
             return
-        test = only_groups(life_test(data, example, group, unit), only or ())
+        test = life_test(
+            data,
+            example,
+            group=group,
+            unit=unit,
+            time=time_column,
+            status=status_column,
+            decimal_mark=decimal_mark,
+        )
+        test = only_groups(test, only or ())
         asked = wanted(
             test.unit,
             methods=method or (),

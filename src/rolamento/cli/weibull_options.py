@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Final, cast
 
 from rolamento.cli.life_units import life_in, named_life
 from rolamento.cli.shipped_data import check_one_given, known_example
+from rolamento.cli.table_options import told_in_options
 from rolamento.errors import InputError
 
 if TYPE_CHECKING:
@@ -30,7 +31,14 @@ _PRIOR: Final = re.compile(r"(?:(lognormal|uniform):)?([^:]{1,30})\.\.([^:]{1,30
 
 
 def life_test(
-    data: str | None, example: str | None, group: str | None, unit: str | None
+    data: str | None,
+    example: str | None,
+    *,
+    group: str | None,
+    unit: str | None,
+    time: str | None = None,
+    status: str | None = None,
+    decimal_mark: str | None = None,
 ) -> LifeTest:
     """Read the data, or a shipped example.
 
@@ -42,12 +50,14 @@ def life_test(
     from rolamento.reliability import parse_life_test, published_text, read_life_test
 
     check_one_given(data, example, "weibull", EXAMPLES)
-    if example is not None:
-        name = known_example(example, EXAMPLES)
-        text = published_text(name.replace("-", "_"))
-        return parse_life_test(text, f"{name}.csv", group=group, unit=unit)
-    assert data is not None
-    return read_life_test(data, group=group, unit=unit)
+    columns = {"group": group, "unit": unit, "time": time, "status": status}
+    with told_in_options():
+        if example is not None:
+            name = known_example(example, EXAMPLES)
+            text = published_text(name.replace("-", "_"))
+            return parse_life_test(text, f"{name}.csv", decimal_mark=decimal_mark, **columns)
+        assert data is not None
+        return read_life_test(data, decimal_mark=decimal_mark, **columns)
 
 
 def only_groups(test: LifeTest, names: Sequence[str]) -> LifeTest:

@@ -2,32 +2,41 @@
 
 from __future__ import annotations
 
+import difflib
 import re
 import unicodedata
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Final
 
-from rolamento.errors import FileError, InputError, UnknownKeyError, nearest
+from rolamento._tables import Numerals
+from rolamento.errors import InputError, UnknownKeyError
 from rolamento.reliability._columns import LEAST_TIME, LONGEST_LABEL, MOST_TIME, MOST_UNITS
 
-__all__ = ["Header", "Row", "header_of", "row_of"]
+__all__ = ["Header", "Row", "check_status", "header_of", "place_of", "row_of", "word_and_unit"]
 
 
 def _words(text: str) -> frozenset[str]:
     return frozenset(text.split())
 
 
-_MOST_COLUMNS: Final = 100
 _NAMES: Final = {
     "time": (
         "time times t life lives lifetime duration end time_to_failure age tempo tempos vida vidas"
-        " duracao idade fim to ate"
+        " duracao idade fim to ate ttf tbf run_time running_time runtime operating_time"
+        " service_life"
+        " hours_run run_hours running_hours operating_hours hours_to_failure time_on_test"
+        " tempo_de_operacao tempo_operacao tempo_ate_falha tempo_ate_a_falha tempo_de_vida"
+        " tempo_de_funcionamento tempo_de_teste tempo_de_ensaio vida_util horimetro"
+        " horas_de_operacao horas_operacao horas_de_trabalho horas_trabalhadas horas_ate_falha"
+        " horas_ate_a_falha horas_de_funcionamento horas_rodadas"
     ),
     "status": "status state event outcome estado situacao evento resultado",
-    "failed": "failed failure fail is_failed falhou falha falhado avaria",
+    "failed": "failed failure fail is_failed broken falhou falha falhado avaria avariado quebrou",
     "suspended": (
-        "suspended suspension censored censoring runout suspenso suspensao censurado censura"
+        "suspended suspension censored censoring right_censored runout survived unfailed suspenso"
+        " suspensao censurado censura sobreviveu"
     ),
     "lower": (
         "lower lower_bound last_inspection inspection from start previous inferior"
@@ -59,13 +68,18 @@ _UNITS: Final = {
     ),
     "rev": "rev revs revolutions rotacoes revolucoes voltas",
     "cycles": "cycles ciclos",
+    "d": "d day days dia dias",
 }
 _COLUMN_OF: Final = {word: column for column, words in _NAMES.items() for word in words.split()}
 _UNIT_OF: Final = {word: unit for unit, words in _UNITS.items() for word in words.split()}
-_FAILED: Final = _words("failed failure fail f x 1 true yes y falha falhou falhado sim")
+_FAILED: Final = _words(
+    "failed failure fail f x 1 true yes y broken dead falha falhou falhado sim quebrou quebrado"
+    " avaria avariado avariou"
+)
 _SUSPENDED: Final = _words(
     "suspended suspension censored s c 0 false no n nao suspenso suspensao censurado runout running"
-    " survived sem_falha nao_falhou"
+    " survived unfailed removed in_service in_operation ok sem_falha nao_falhou em_operacao"
+    " operando rodando em_servico em_funcionamento sobreviveu retirado suspensa censurada"
 )
 _YES: Final = _words("1 true yes y x sim s v verdadeiro")
 _NO: Final = _words("0 false no n nao f falso") | {""}
@@ -75,8 +89,9 @@ _SAYINGS: Final = {
     "suspended": (_NO | {"failed"}, _YES | _SUSPENDED - _NO, "yes, no"),
 }
 """Words for failed and for suspended in a column of each kind, and examples."""
-_NUMBER: Final = re.compile(r"[+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d{1,3})?")
-_LONGEST_NUMBER: Final = 40
+_KINDS_OF_STATUS: Final = ("status", "failed", "suspended")
+_NEAR: Final = 0.8
+"""Likeness of a name to a known one from which on it is a slip of the pen, not another column."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,12 +99,14 @@ class Header:
     """Which cell holds what, by column.
 
     titles: of all cells. names: titles by column. unit: that the header tells, or an empty text.
+    passed_over: titles of what is not known.
     """
 
     places: dict[str, int]
     titles: tuple[str, ...]
     names: dict[str, str]
     unit: str
+    passed_over: tuple[str, ...] = ()
 
     @property
     def has_size(self) -> bool:
@@ -118,41 +135,63 @@ class Row:
         return [failed] * self.failed + [suspended] * (others > 0)
 
 
-def header_of(cells: list[str], group: str | None) -> Header:
-    """Find the columns by the cells of the header."""
-    if len(cells) > _MOST_COLUMNS:
-        raise FileError(f"has more than {_MOST_COLUMNS} columns")
+def header_of(cells: Sequence[str], wanted: Mapping[str, str]) -> Header:
+    """Find the columns by the cells of the header.
+
+    wanted: titles of the columns ``time``, ``status`` and ``group``, over the usual names.
+    """
+    chosen = _chosen(cells, wanted)
     places: dict[str, int] = {}
     unit = ""
-    wanted = None if group is None else _folded(group)
+    unknown: list[int] = []
     for place, title in enumerate(cells):
-        word, said = _word_and_unit(title)
-        if wanted is not None and _folded(title) == wanted:
-            column = "group"
-        elif wanted is not None and _COLUMN_OF.get(word) == "group":
+        word, said = word_and_unit(title)
+        column = _column(word)
+        if place in chosen:
+            kind = chosen[place]
+            column = column if kind == "status" and column in _KINDS_OF_STATUS else kind
+        elif column is None or (column and _kind_of(column) in wanted):
+            unknown.append(place)
             continue
-        else:
-            column = _column(title, word)
         if column == "time":
             unit = said
         if not column:
             continue
         if column in places:
-            raise InputError("is there twice, perhaps by another name", field=title)
+            example = f'{_kind_of(column)}="{title}"' if column in _CHOICES else ""
+            raise InputError(
+                "is there twice, perhaps by another name", field=title, example=example
+            )
         places[column] = place
-    _check(places, wanted, group)
+    _refuse_slips(cells, unknown, places)
+    _check(places)
     names = {column: cells[place] for column, place in places.items()}
-    return Header(places, tuple(cells), names, unit)
+    return Header(places, tuple(cells), names, unit, tuple(cells[place] for place in unknown))
 
 
-def row_of(cells: list[str], header: Header, decimal_comma: bool) -> Row:
+def check_status(header: Header, rows: Sequence[Sequence[str]]) -> None:
+    """Refuse a test without a status that has it in a column that was passed over.
+
+    All bearings would count as failed.
+    """
+    if any(kind in header.places for kind in _KINDS_OF_STATUS):
+        return
+    known = {word for word in _FAILED | _SUSPENDED if len(word) > 1 and not word.isdecimal()}
+    for place, title in enumerate(header.titles):
+        if title in header.passed_over and {folded_name(row[place]) for row in rows} <= known:
+            raise InputError(
+                "seems to say what failed, by a name that is not known; say that it does, or"
+                " leave it out",
+                field=title,
+                example=f'status="{title}"',
+            )
+
+
+def row_of(cells: Sequence[str], header: Header, numerals: Numerals) -> Row:
     """Read one row."""
-    if len(cells) != len(header.titles):
-        advice = "" if decimal_comma else "; with decimal commas part the cells by semicolons"
-        raise FileError(f"has {len(cells)} cells where the header has {len(header.titles)}{advice}")
     given = {column: cells[place] for column, place in header.places.items()}
     titles = header.names
-    time = _number(given["time"], titles["time"], decimal_comma)
+    time = _number(given["time"], titles["time"], numerals)
     if not LEAST_TIME <= time <= MOST_TIME:
         raise InputError(
             f"must be above zero, and {MOST_TIME:g} at most",
@@ -164,7 +203,7 @@ def row_of(cells: list[str], header: Header, decimal_comma: bool) -> Row:
     return Row(
         time,
         failed,
-        _lower(given, titles, time, failed, decimal_comma),
+        _lower(given, titles, time, failed, numerals),
         _whole(given, titles, "count"),
         _text(given, titles, "group"),
         _text(given, titles, "rig"),
@@ -172,48 +211,104 @@ def row_of(cells: list[str], header: Header, decimal_comma: bool) -> Row:
     )
 
 
-def _column(title: str, word: str) -> str:
+_CHOICES: Final = ("time", "group", *_KINDS_OF_STATUS)
+
+
+def _kind_of(column: str) -> str:
+    """The column that can be chosen in its place."""
+    return "status" if column in _KINDS_OF_STATUS else column
+
+
+def _chosen(cells: Sequence[str], wanted: Mapping[str, str]) -> dict[int, str]:
+    """Columns that were chosen, by their places."""
+    chosen: dict[int, str] = {}
+    for column, title in wanted.items():
+        place = place_of(cells, title)
+        if place in chosen:
+            raise InputError("is chosen for two things", field=title)
+        chosen[place] = column
+    return chosen
+
+
+def place_of(cells: Sequence[str], title: str) -> int:
+    """Place of a column by its name as written, or else without accents, case and unit.
+
+    Raises
+    ------
+    InputError
+        If there is none.
+    """
+    wanted = folded_name(title)
+    for names in (
+        [cell.casefold() == title.strip().casefold() for cell in cells],
+        [wanted == folded_name(cell) for cell in cells],
+        [wanted == word_and_unit(cell)[0] for cell in cells],
+    ):
+        if True in names:
+            return names.index(True)
+    rule = f"is not a column of the file; there are: {', '.join(filter(None, cells))}"
+    raise InputError(rule, field=title)
+
+
+def _column(word: str) -> str | None:
+    """What a column holds by its name; empty for remarks and blanks, None if nobody knows."""
     if word in _COLUMN_OF:
         return _COLUMN_OF[word]
     if word in _UNIT_OF or word.rpartition("_")[0] in _NAMES["time"].split():
         return "time"
-    if not word:
-        return ""
-    near = nearest(word, _COLUMN_OF)
-    known = ", ".join(name for name in _NAMES if name not in ("", "failed", "suspended"))
-    advice = f"did you mean {near}?" if near else f"known here: {known} (note is passed over)"
-    raise UnknownKeyError(f"is not a known column; {advice}", field=title)
+    return None if word else ""
 
 
-def _check(places: dict[str, int], wanted: str | None, group: str | None) -> None:
+def _refuse_slips(cells: Sequence[str], unknown: Sequence[int], places: Mapping[str, int]) -> None:
+    """Refuse names that are nearly those of a column that is not there: they are misspelt."""
+    there = {_kind_of(column) for column in places}
+    for place in unknown:
+        word, _ = word_and_unit(cells[place])
+        near = difflib.get_close_matches(word[:60], _COLUMN_OF, n=1, cutoff=_NEAR)
+        column = _COLUMN_OF[near[0]] if near else ""
+        if column and _kind_of(column) not in there:
+            raise UnknownKeyError(
+                f"is not a known column; did you mean {near[0]}?", field=cells[place]
+            )
+
+
+def _check(places: Mapping[str, int]) -> None:
     if "time" not in places:
-        raise InputError("has no column of times", field="header", example="time,status")
-    if sum(name in places for name in ("status", "failed", "suspended")) > 1:
-        raise InputError("tells in two columns whether a bearing failed", field="header")
+        raise InputError(
+            "has no column of times by a usual name",
+            field="header",
+            example='time,status; or time="name of the column"',
+        )
+    if sum(name in places for name in _KINDS_OF_STATUS) > 1:
+        raise InputError(
+            "tells in two columns whether a bearing failed",
+            field="header",
+            example='status="name of the column"',
+        )
     if "size" in places and ("count" in places or "lower" in places):
         raise InputError("has sizes of rigs beside counts or inspections", field="header")
-    if wanted is not None and "group" not in places:
-        raise InputError("is not a column of the file", field=str(group))
 
 
-def _word_and_unit(title: str) -> tuple[str, str]:
+def word_and_unit(title: str) -> tuple[str, str]:
     """Return the folded name of a column, and the unit that it tells."""
     match = re.fullmatch(r"(.*?)[\[(]([^\[\]()]{1,40})[\])]\s*", title)
     name, said = (match[1], match[2].strip()) if match else (title, "")
-    word = _folded(name)
+    word = folded_name(name)
     if said:
-        return word, _UNIT_OF.get(_folded(said), said)
+        return word, _UNIT_OF.get(folded_name(said), said)
     if word in _UNIT_OF:
         return word, _UNIT_OF[word]
-    head, _, tail = word.partition("_")
-    return (word, _UNIT_OF[tail]) if head in _COLUMN_OF and tail in _UNIT_OF else (word, "")
+    head, _, tail = word.rpartition("_")
+    if head in _COLUMN_OF and tail in _UNIT_OF:
+        return word, _UNIT_OF[tail]
+    return word, "h" if set(word.split("_")) & {"hours", "horas", "horimetro"} else ""
 
 
 def _failed(given: dict[str, str], titles: dict[str, str]) -> bool:
     for column, (failed, not_failed, examples) in _SAYINGS.items():
         if column not in given:
             continue
-        word = _folded(given[column])
+        word = folded_name(given[column])
         if word in failed or word in not_failed:
             return word in failed
         raise InputError(
@@ -226,12 +321,12 @@ def _failed(given: dict[str, str], titles: dict[str, str]) -> bool:
 
 
 def _lower(
-    given: dict[str, str], titles: dict[str, str], time: float, failed: bool, decimal_comma: bool
+    given: dict[str, str], titles: dict[str, str], time: float, failed: bool, numerals: Numerals
 ) -> float:
     cell = given.get("lower", "")
     if not cell:
         return float("nan")
-    lower = _number(cell, titles["lower"], decimal_comma)
+    lower = _number(cell, titles["lower"], numerals)
     if not failed:
         raise InputError(
             "must be empty for a bearing that did not fail", field=titles["lower"], value=cell
@@ -241,28 +336,19 @@ def _lower(
     return lower
 
 
-def _number(cell: str, title: str, decimal_comma: bool) -> float:
-    example = "120,5" if decimal_comma else "120.5"
-    if len(cell) > _LONGEST_NUMBER or not _NUMBER.fullmatch(cell):
-        raise InputError(
-            "must be a number, without unit and without marks between thousands",
-            field=title,
-            value=cell,
-            example=example,
-        )
-    if "," in cell and not decimal_comma:
-        raise InputError(
-            "must have a decimal point where commas part the cells",
-            field=title,
-            value=cell,
-            example="120.5",
-        )
-    return float(cell.replace(",", "."))
+def _number(cell: str, title: str, numerals: Numerals) -> float:
+    value = numerals.number(cell)
+    if value is None:
+        rule = "must be a number, without unit"
+        if "," in cell and not numerals.commas:
+            rule = "must have a decimal point where commas part the cells"
+        raise InputError(rule, field=title, value=cell, example="120.5")
+    return value
 
 
 def _whole(given: dict[str, str], titles: dict[str, str], column: str) -> int:
     cell = given.get(column, "1")
-    number = _number(cell, titles.get(column, column), True)
+    number = _number(cell, titles.get(column, column), Numerals(commas=True))
     if not 1.0 <= number <= MOST_UNITS or number != int(number):
         raise InputError(
             f"must be a whole number from 1 to {MOST_UNITS}",
@@ -285,7 +371,7 @@ def _text(given: dict[str, str], titles: dict[str, str], column: str) -> str:
 
 
 @lru_cache(maxsize=4096)
-def _folded(word: str) -> str:
+def folded_name(word: str) -> str:
     """Return a name without accents and case, its words joined by underscores."""
     plain = unicodedata.normalize("NFKD", word[:200])
     plain = "".join(c for c in plain if not unicodedata.combining(c)).casefold()

@@ -10,6 +10,7 @@ Times have no unit of their own but a label that goes with every result.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Final, Literal
 
@@ -51,6 +52,8 @@ class LifeTest:
         label of the times: "h", "Mrev" (millions of revolutions), "rev"
     title, source
         what the data are, and where they come from
+    passed_over
+        columns of their file that were not read, as nobody knows what they are
 
     Raises
     ------
@@ -67,6 +70,7 @@ class LifeTest:
     unit: str
     title: str
     source: str
+    passed_over: tuple[str, ...]
 
     def __init__(
         self,
@@ -80,6 +84,7 @@ class LifeTest:
         unit: str = "h",
         title: str = "",
         source: str = "",
+        passed_over: Sequence[str] = (),
     ) -> None:
         t = columns.numbers(times, "times")
         rows = len(t)
@@ -93,6 +98,7 @@ class LifeTest:
             "unit": columns.label(unit, "unit") or "h",
             "title": str(title),
             "source": str(source),
+            "passed_over": tuple(passed_over),
         }
         columns.check_times(t, put["failed"], put["lower"])
         columns.check_rigs(t, put["failed"], put["lower"], put["counts"], put["rig"])
@@ -211,6 +217,7 @@ class LifeTest:
             unit=self.unit,
             title=self.title,
             source=self.source,
+            passed_over=self.passed_over,
         )
 
     def by_group(self) -> dict[str, LifeTest]:

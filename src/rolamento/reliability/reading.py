@@ -20,35 +20,36 @@ sim; suspended, censored, s, c, 0, false, no, suspenso, nao. In a column named f
 means sim; in one named censored or suspenso 1 means suspended. With `size`, a row is a rig of so
 many bearings that stopped at its first failure (sudden death): the others are suspended.
 
-Commas, semicolons or tabs part the cells; with the latter two a decimal comma is understood. Lines
-that begin with # are comments; ``# unit: Mrev``, ``# title:`` and ``# source:`` are read. Columns
-named bearing, id, note, comment, procedure and their like are passed over.
+Tables are read as `rolamento._tables` tells: any separator, either decimal mark. Of the comments
+``# unit: Mrev``, ``# title:`` and ``# source:`` are read. Columns named bearing, id, note, comment,
+procedure and their like are passed over, and all others that are not known, which are told.
 """
 
 from __future__ import annotations
 
-import csv
 import os
-import stat
-import sys
+from collections.abc import Mapping
 from typing import Final
 
-from rolamento.errors import FileError, InputError
+from rolamento._tables import Table, parse_table, table_text
+from rolamento.errors import InputError
 from rolamento.reliability._columns import MOST_ROWS
-from rolamento.reliability.csv_cells import Row, header_of, row_of
+from rolamento.reliability.csv_cells import Header, Row, check_status, header_of, row_of
 from rolamento.reliability.life_test import LifeTest
 
 __all__ = ["parse_life_test", "read_life_test"]
 
-_LARGEST_FILE: Final = 5_000_000
-_LONGEST_LINE: Final = 5000
-_STANDARD_INPUT: Final = "standard input"
 _EXAMPLE: Final = "time,status"
-_COMMENTS: Final = ("unit", "title", "source")
 
 
 def read_life_test(
-    path: str | os.PathLike[str], *, group: str | None = None, unit: str | None = None
+    path: str | os.PathLike[str],
+    *,
+    group: str | None = None,
+    unit: str | None = None,
+    time: str | None = None,
+    status: str | None = None,
+    decimal_mark: str | None = None,
 ) -> LifeTest:
     """Read a life test from a CSV file.
 
@@ -56,24 +57,38 @@ def read_life_test(
     ----------
     path
         Of the file, of 5 MB and 100 000 rows at most; ``"-"`` for standard input.
-    group
-        Name of the column that holds the groups, in place of the usual ones.
+    group, time, status
+        Names of the columns that hold the groups, the times, and whether a bearing failed, in place
+        of the usual ones.
     unit
         Label of the times, in place of what the file says; "h" where it says nothing.
+    decimal_mark
+        ``"point"`` or ``"comma"``, where nothing in the file tells whether 12.500 is 12.5.
 
     Raises
     ------
     FileError, InputError
         With line, column and an example, if the file cannot be read or is no life test.
     """
-    source = os.fspath(path)
-    if source == "-":
-        return parse_life_test(_standard_input(), _STANDARD_INPUT, group=group, unit=unit)
-    return parse_life_test(_decoded(_content(source), source), source, group=group, unit=unit)
+    return parse_life_test(
+        *table_text(path),
+        group=group,
+        unit=unit,
+        time=time,
+        status=status,
+        decimal_mark=decimal_mark,
+    )
 
 
 def parse_life_test(
-    text: str, source: str = "", *, group: str | None = None, unit: str | None = None
+    text: str,
+    source: str = "",
+    *,
+    group: str | None = None,
+    unit: str | None = None,
+    time: str | None = None,
+    status: str | None = None,
+    decimal_mark: str | None = None,
 ) -> LifeTest:
     """Read a life test from the text of a CSV file.
 
@@ -83,7 +98,7 @@ def parse_life_test(
         As the module tells.
     source
         What to call the text in messages.
-    group, unit
+    group, unit, time, status, decimal_mark
         As of `read_life_test`.
 
     Raises
@@ -91,33 +106,38 @@ def parse_life_test(
     FileError, InputError
         If it is no life test.
     """
-    said, lines = _split(text, source)
-    if not lines:
-        raise FileError("holds no table", source=source, example=_EXAMPLE)
-    line, first = lines[0]
-    separator = next((mark for mark in ";\t" if mark in first), ",")
-    rows: list[Row] = []
+    table = parse_table(text, source, most_rows=MOST_ROWS, example=_EXAMPLE)
+    wanted = {"group": group, "time": time, "status": status}
     try:
-        header = header_of(_cells(first, separator), group)
-        for number, cells in lines[1:]:
-            line = number
-            rows.append(row_of(_cells(cells, separator), header, separator != ","))
-            if len(rows) > MOST_ROWS:
-                raise FileError(f"holds more than {MOST_ROWS} rows")
+        header = header_of(table.header, {name: t for name, t in wanted.items() if t is not None})
+        check_status(header, table.rows)
     except InputError as error:
-        raise error.with_details(source=source, line=line) from None
-    if not rows:
-        raise FileError("has a header and no rows", source=source, example="120.5,failed")
-    label = unit or said.get("unit") or header.unit or "h"
+        raise table.placed(error) from None
+    rows = _rows(table, header, decimal_mark)
+    label = unit or table.said.get("unit") or header.unit or "h"
     try:
-        return _test(rows, header.has_size, label, said, source)
+        return _test(rows, header, label, table.said, source)
     except InputError as error:
         raise error.with_details(source=source) from None
 
 
-def _test(rows: list[Row], by_rig: bool, unit: str, said: dict[str, str], source: str) -> LifeTest:
+def _rows(table: Table, header: Header, decimal_mark: str | None) -> list[Row]:
+    numbers = [header.places[name] for name in ("time", "lower") if name in header.places]
+    numerals = table.numerals(numbers, decimal_mark)
+    rows: list[Row] = []
+    for number, cells in enumerate(table.rows):
+        try:
+            rows.append(row_of(cells, header, numerals))
+        except InputError as error:
+            raise table.placed(error, number) from None
+    return rows
+
+
+def _test(
+    rows: list[Row], header: Header, unit: str, said: Mapping[str, str], source: str
+) -> LifeTest:
     """Put the rows together; a row of a rig with a size becomes two."""
-    if by_rig:
+    if header.has_size:
         rows = [part for i, row in enumerate(rows) for part in row.parted(f"rig {i + 1}")]
     return LifeTest(
         [row.time for row in rows],
@@ -129,69 +149,5 @@ def _test(rows: list[Row], by_rig: bool, unit: str, said: dict[str, str], source
         unit=unit,
         title=said.get("title", ""),
         source=said.get("source", source),
+        passed_over=header.passed_over,
     )
-
-
-def _split(text: str, source: str) -> tuple[dict[str, str], list[tuple[int, str]]]:
-    """Part what the comments say from the numbered lines of the table."""
-    said: dict[str, str] = {}
-    lines: list[tuple[int, str]] = []
-    for number, line in enumerate(text.replace("\r\n", "\n").replace("\r", "\n").split("\n"), 1):
-        if len(line) > _LONGEST_LINE:
-            raise FileError(
-                f"is longer than {_LONGEST_LINE} characters", source=source, line=number
-            )
-        if line.startswith("#"):
-            name, colon, value = line.lstrip("# ").partition(":")
-            name = name.strip().casefold()
-            if colon and name in _COMMENTS and not lines:
-                said.setdefault(name, value.strip())
-        elif line.strip(" \t;,"):
-            lines.append((number, line))
-    return said, lines
-
-
-def _cells(line: str, separator: str) -> list[str]:
-    try:
-        cells = next(csv.reader([line], delimiter=separator, strict=True))
-    except csv.Error:
-        raise FileError("is not a line of a CSV table; look for a lone quotation mark") from None
-    return [cell.strip() for cell in cells]
-
-
-def _content(source: str) -> bytes:
-    try:
-        kind = os.stat(source).st_mode
-        if stat.S_ISDIR(kind):
-            raise FileError("is a directory; give a CSV file", source=source)
-        if not stat.S_ISREG(kind):
-            raise FileError("is not a regular file; use - for standard input", source=source)
-        with open(source, "rb") as file:
-            return file.read(_LARGEST_FILE + 1)
-    except OSError as error:
-        reason = (error.strerror or str(error)).lower()
-        raise FileError(f"cannot be opened: {reason}", source=source) from None
-    except (TypeError, ValueError) as error:
-        if isinstance(error, FileError):
-            raise
-        raise FileError("is not a possible file name", source=source) from None
-
-
-def _standard_input() -> str:
-    if sys.stdin is None:
-        raise FileError("is closed", source=_STANDARD_INPUT)
-    return _decoded(sys.stdin.buffer.read(_LARGEST_FILE + 1), _STANDARD_INPUT)
-
-
-def _decoded(content: bytes, source: str) -> str:
-    """Return the text: UTF-8, or else what Windows writes in Western languages."""
-    if len(content) > _LARGEST_FILE:
-        raise FileError("is larger than 5 MB", source=source)
-    if content[:2] in (b"\xff\xfe", b"\xfe\xff"):
-        raise FileError("is UTF-16 text; save it as CSV in UTF-8", source=source)
-    if b"\0" in content:
-        raise FileError("is a binary file; save the table as CSV", source=source)
-    try:
-        return content.decode("utf-8-sig")
-    except UnicodeDecodeError:
-        return content.decode("cp1252", errors="replace")

@@ -260,6 +260,7 @@ class LifeTestSummary:
         return {
             "title": test.title,
             "source": test.source,
+            "passed_over": list(test.passed_over),
             "unit": test.unit,
             "size": test.size,
             "failures": test.failures,

@@ -1,8 +1,9 @@
 """What was measured again and again while bearings ran: clearance, noise and the like.
 
 A record comes from a CSV file: a column of running times, one that names the bearing, and one for
-each quantity, all with their units in brackets. ``x`` stands for a measurement that was off the
-scale or rejected, an empty cell for none.
+each quantity, with their units in brackets; other columns are passed over. ``x`` stands for a
+measurement that was off the scale or rejected, an empty cell for none. Tables are read as
+`rolamento._tables` tells: any separator, either decimal mark.
 
     # title: Radial clearance of two bearings
     time (h),bearing,radial clearance (µm)
@@ -12,9 +13,9 @@ scale or rejected, an empty cell for none.
 
 from __future__ import annotations
 
-import csv
 import os
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 from importlib import resources
 from math import isfinite
@@ -22,12 +23,13 @@ from typing import Any, Final
 
 import numpy as np
 
-from rolamento._reading import read_text
+from rolamento._tables import Numerals, parse_table, table_text
 from rolamento.clearance.wear import WearFit, WearLaw, fit_wear
-from rolamento.errors import FileError, InputError
+from rolamento.errors import InputError
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.reliability._checks import one_of
 from rolamento.reliability._columns import LONGEST_LABEL, TextArray
+from rolamento.reliability.csv_cells import header_of, place_of, word_and_unit
 
 __all__ = [
     "PUBLISHED_TRENDS",
@@ -41,14 +43,15 @@ __all__ = [
 
 PUBLISHED_TRENDS: Final = ("campanha_2008_clearance", "campanha_2008_anderon")
 _HEAD: Final = re.compile(r"(.*?)\s*[\[(]([^\[\]()]{1,20})[\])]")
-_NUMBER: Final = re.compile(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d{1,3})?")
-_TIMES: Final = ("time", "tempo", "running time", "hours", "horas")
-_BEARINGS: Final = ("bearing", "rolamento", "id")
+_BEARINGS: Final = (
+    *("bearing", "bearings", "id", "specimen", "item", "serial", "machine", "position"),
+    *("rolamento", "rolamentos", "identificacao", "peca", "amostra", "maquina", "posicao", "tag"),
+)
+_EXAMPLE: Final = "time (h),bearing,radial clearance (µm)"
 _REJECTED: Final = ("x", "×")
 _MOST_ROWS: Final = 10_000
 _MOST_QUANTITIES: Final = 8
 _MOST_BEARINGS: Final = 50
-_LONGEST_LINE: Final = 2000
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -69,6 +72,8 @@ class Trend:
         of the times
     title, source
         what the record is, and where it comes from
+    passed_over
+        columns of its file that were not read: they have no unit
     """
 
     times: FloatArray
@@ -80,6 +85,7 @@ class Trend:
     time_unit: str
     title: str
     source: str
+    passed_over: tuple[str, ...] = ()
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -98,6 +104,7 @@ class Trend:
             "title": self.title,
             "source": self.source,
             "time_unit": self.time_unit,
+            "passed_over": list(self.passed_over),
             "quantities": [
                 {"name": name, "unit": unit}
                 for name, unit in zip(self.quantities, self.units, strict=True)
@@ -116,15 +123,31 @@ class Trend:
         }
 
 
-def read_trend(path: str | os.PathLike[str]) -> Trend:
-    """Read a record from a CSV file of 1 MB at most; ``"-"`` for standard input.
+def read_trend(
+    path: str | os.PathLike[str],
+    *,
+    time: str | None = None,
+    bearing: str | None = None,
+    decimal_mark: str | None = None,
+) -> Trend:
+    """Read a record from a CSV file of 5 MB at most; ``"-"`` for standard input.
+
+    Parameters
+    ----------
+    path
+        Of the file.
+    time, bearing
+        Names of the columns that hold the running times and name the bearing, in place of the usual
+        ones.
+    decimal_mark
+        ``"point"`` or ``"comma"``, where nothing in the file tells whether 12.500 is 12.5.
 
     Raises
     ------
     FileError, InputError
         With the line, if the file cannot be read or is no such record.
     """
-    return parse_trend(*read_text(path))
+    return parse_trend(*table_text(path), time=time, bearing=bearing, decimal_mark=decimal_mark)
 
 
 def published_trend(name: str) -> Trend:
@@ -139,37 +162,42 @@ def published_trend_text(name: str) -> str:
     return file.read_text(encoding="utf-8")
 
 
-def parse_trend(text: str, source: str = "") -> Trend:
+def parse_trend(
+    text: str,
+    source: str = "",
+    *,
+    time: str | None = None,
+    bearing: str | None = None,
+    decimal_mark: str | None = None,
+) -> Trend:
     """Read a record from the text of a CSV file.
+
+    Parameters
+    ----------
+    text
+        As the module tells.
+    source
+        What to call the text in messages.
+    time, bearing, decimal_mark
+        As of `read_trend`.
 
     Raises
     ------
     FileError, InputError
         If it is no such record.
     """
-    said: dict[str, str] = {}
-    rows: list[tuple[int, list[str]]] = []
-    for number, line in enumerate(text.splitlines(), 1):
-        if line.startswith("#"):
-            key, _, value = line.lstrip("# ").partition(":")
-            said.setdefault(key.strip().casefold(), value.strip())
-        elif line.strip():
-            rows.append((number, _cells(line, source, number)))
-        if len(rows) > _MOST_ROWS + 1:
-            raise FileError(f"holds more than {_MOST_ROWS} rows", source=source)
-    if len(rows) < 2:
-        raise FileError(
-            "holds no table", source=source, example="time (h),bearing,radial clearance (µm)"
-        )
-    place = rows[0][0]
-    parsed = []
+    table = parse_table(text, source, most_rows=_MOST_ROWS, example=_EXAMPLE)
     try:
-        columns = _Columns.of(rows[0][1])
-        for number, cells in rows[1:]:
-            place = number
-            parsed.append(columns.row(cells))
+        columns = _Columns.of(table.header, time, bearing)
     except InputError as error:
-        raise error.with_details(source=source, line=place) from None
+        raise table.placed(error) from None
+    numerals = table.numerals((columns.time, *columns.places), decimal_mark)
+    parsed = []
+    for number, cells in enumerate(table.rows):
+        try:
+            parsed.append(columns.row(cells, numerals))
+        except InputError as error:
+            raise table.placed(error, number) from None
     times, bearings, values, rejected = zip(*parsed, strict=True)
     if len(set(bearings)) > _MOST_BEARINGS:
         raise InputError(f"has more than {_MOST_BEARINGS} bearings", source=source)
@@ -181,8 +209,9 @@ def parse_trend(text: str, source: str = "") -> Trend:
         np.array(values),
         np.array(rejected, dtype=np.bool_),
         columns.time_unit,
-        said.get("title", ""),
-        said.get("source", source),
+        table.said.get("title", ""),
+        table.said.get("source", source),
+        columns.passed_over,
     )
 
 
@@ -218,59 +247,77 @@ class _Columns:
     quantities: tuple[str, ...]
     units: tuple[str, ...]
     time_unit: str
+    passed_over: tuple[str, ...]
 
     @classmethod
-    def of(cls, header: list[str]) -> _Columns:
+    def of(cls, header: Sequence[str], time: str | None, bearing: str | None) -> _Columns:
         """Find the columns by the cells of the header."""
         heads = [_head(cell) for cell in header]
-        names = [name.casefold() for name, _ in heads]
-        time = next((i for i, name in enumerate(names) if name in _TIMES), None)
-        bearing = next((i for i, name in enumerate(names) if name in _BEARINGS), None)
-        if time is None or bearing is None:
+        by_name = {"time": _place_of_time(header), "bearing": _place_of_bearing(header)}
+        for column, title in (("time", time), ("bearing", bearing)):
+            if title is not None:
+                by_name[column] = place_of(header, title)
+        first, name = by_name["time"], by_name["bearing"]
+        if first is None or name is None or first == name:
             raise InputError(
                 "must have a column of times and one of bearings",
                 field="header",
-                example="time (h),bearing,radial clearance (µm)",
+                example=f'{_EXAMPLE}; or time="name of the column", bearing="name of the column"',
             )
-        places = tuple(i for i in range(len(header)) if i not in (time, bearing))
-        if not 1 <= len(places) <= _MOST_QUANTITIES:
-            raise InputError(
-                f"must have 1 to {_MOST_QUANTITIES} columns of quantities", field="header"
-            )
-        missing = [header[i] for i in (time, *places) if not heads[i][1]]
-        if missing:
-            raise InputError(
-                "needs its unit in brackets",
-                field=missing[0],
-                example="time (h),bearing,radial clearance (µm)",
-            )
+        time_unit = heads[first][1] or word_and_unit(header[first])[1]
+        others = [i for i in range(len(header)) if i not in (first, name)]
+        places = tuple(i for i in others if heads[i][1])
+        if not time_unit or not places:
+            missing = header[first] if not time_unit else header[others[0]] if others else "header"
+            rule = "needs its unit in brackets" if others else "has no column of a quantity"
+            raise InputError(rule, field=missing, example=_EXAMPLE)
+        if len(places) > _MOST_QUANTITIES:
+            rule = f"must have 1 to {_MOST_QUANTITIES} columns of quantities"
+            raise InputError(rule, field="header")
         return cls(
-            time,
-            bearing,
+            first,
+            name,
             places,
             tuple(heads[i][0] for i in places),
             tuple(heads[i][1] for i in places),
-            heads[time][1],
+            time_unit,
+            tuple(header[i] for i in others if i not in places and header[i]),
         )
 
-    def row(self, cells: list[str]) -> tuple[float, str, list[float], list[bool]]:
+    def row(
+        self, cells: Sequence[str], numerals: Numerals
+    ) -> tuple[float, str, list[float], list[bool]]:
         """Read one row: time, bearing, values, which of them were rejected."""
-        if len(cells) != len(self.places) + 2:
-            raise FileError(f"has {len(cells)} cells where the header has {len(self.places) + 2}")
         name = cells[self.bearing]
         if not name or len(name) > LONGEST_LABEL or not name.isprintable():
             raise InputError(
                 f"must be a name of {LONGEST_LABEL} characters at most", field="bearing", value=name
             )
-        time = _number(cells[self.time], "time")
+        time = _number(cells[self.time], "time", numerals)
         if time < 0.0:
             raise InputError("must not be negative", field="time", value=cells[self.time])
         rejected = [cells[place].casefold() in _REJECTED for place in self.places]
         values = [
-            np.nan if bad or not cells[place] else _number(cells[place], quantity)
+            np.nan if bad or not cells[place] else _number(cells[place], quantity, numerals)
             for place, bad, quantity in zip(self.places, rejected, self.quantities, strict=True)
         ]
         return time, name, values, rejected
+
+
+def _place_of_time(header: Sequence[str]) -> int | None:
+    """The first column that a life test would take for times."""
+    for place, title in enumerate(header):
+        try:
+            if header_of([title], {}).places:
+                return place
+        except InputError:  # it is another column
+            continue
+    return None
+
+
+def _place_of_bearing(header: Sequence[str]) -> int | None:
+    names = [word_and_unit(title)[0] for title in header]
+    return next((place for place, name in enumerate(names) if name in _BEARINGS), None)
 
 
 def _head(cell: str) -> tuple[str, str]:
@@ -283,16 +330,8 @@ def _head(cell: str) -> tuple[str, str]:
     return name, unit
 
 
-def _number(cell: str, field: str) -> float:
-    if len(cell) > LONGEST_LABEL or not _NUMBER.fullmatch(cell) or not isfinite(float(cell)):
+def _number(cell: str, field: str, numerals: Numerals) -> float:
+    value = numerals.number(cell)
+    if value is None or not isfinite(value):
         raise InputError("must be a number", field=field, value=cell, example="36.5")
-    return float(cell)
-
-
-def _cells(line: str, source: str, number: int) -> list[str]:
-    if len(line) > _LONGEST_LINE:
-        raise FileError(f"is longer than {_LONGEST_LINE} characters", source=source, line=number)
-    try:
-        return [cell.strip() for cell in next(csv.reader([line], strict=True))]
-    except (csv.Error, StopIteration):
-        raise FileError("is not a line of a CSV table", source=source, line=number) from None
+    return value

@@ -14,6 +14,7 @@ from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium
 from rolamento.report.numbers import ABSENT, Digits
 from rolamento.report.page import Lines, Page
+from rolamento.report.reading_words import said_choice
 from rolamento.report.terminal import rendered
 from rolamento.report.weibull_numbers import one_line, shortened, table
 from rolamento.vibration.anderon import BANDS, BandNoise, velocity_of_anderons
@@ -215,8 +216,9 @@ def _notes(page: Page, said: NoiseWords, found: NoiseResult) -> Lines:
     """Show every note once; of several signals, with those that it is about."""
     about: dict[str, list[str]] = {}
     for one in found.measured:
-        for name in one.names_of_notes:
-            text = one.note(name, said, page.digits)
+        texts = [one.note(name, said, page.digits) for name in one.names_of_notes]
+        texts += [said_choice(note, page.words.code) for note in one.choices]
+        for text in texts:
             about.setdefault(text, []).append(shortened(one_line(one.title), _LONGEST_NAME))
     if not about:
         return []

@@ -24,6 +24,7 @@ from rolamento.vibration.anderon import (
     anderons_of_velocity,
 )
 from rolamento.vibration.anderon_trend import AnderonRecord, AnderonTrend, trend_of
+from rolamento.vibration.reading import ReadingNote
 
 __all__ = [
     "CSV_COLUMNS",
@@ -84,6 +85,8 @@ class MeasuredNoise:
         by which the samples were scaled; "" if none was given
     reading_notes
         how the samples were taken from their file
+    choices
+        those of them that tell what was taken for the rate where it is told twice
     """
 
     title: str
@@ -92,6 +95,7 @@ class MeasuredNoise:
     scaled_unit: str = ""
     sensitivity: str = ""
     reading_notes: tuple[str, ...] = ()
+    choices: tuple[ReadingNote, ...] = ()
 
     @property
     def at_test_speed(self) -> bool:

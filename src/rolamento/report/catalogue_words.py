@@ -99,6 +99,34 @@ _PORTUGUESE: Final = {
     "for universal pairing, large clearance": "para pareamento universal, folga grande",
     "reinforced interior": "interior reforçado",
     "changed dimensions, by maker": "dimensões alteradas, conforme o fabricante",
+    "grease of the maker": "graxa do fabricante",
+    "quiet, for electric motors": "silencioso, para motores elétricos",
+    "for universal pairing, medium preload": "para pareamento universal, pré-carga média",
+    "for universal pairing, heavy preload": "para pareamento universal, pré-carga pesada",
+    "flingers on both sides": "defletores dos dois lados",
+    "insert bearing, set screws": "rolamento de inserção, parafusos de fixação",
+    "insert bearing of stainless steel, set screws": (
+        "rolamento de inserção de aço inoxidável, parafusos de fixação"
+    ),
+    "insert bearing, tapered bore on an adapter sleeve": (
+        "rolamento de inserção, furo cônico sobre bucha de fixação"
+    ),
+    "insert bearing, eccentric collar": "rolamento de inserção, anel excêntrico",
+    "insert bearing, cylindrical outside": "rolamento de inserção, exterior cilíndrico",
+    "insert bearing without lock": "rolamento de inserção sem fixação",
+    "pillow block": "mancal de pedestal",
+    "pressed-steel pillow block": "mancal de pedestal de chapa estampada",
+    "square flange": "flange quadrado",
+    "oval flange": "flange oval",
+    "round flange": "flange redondo",
+    "flange": "flange",
+    "pressed-steel flange": "flange de chapa estampada",
+    "take-up housing": "mancal esticador",
+    "cartridge housing": "mancal cartucho",
+    "hanger housing": "mancal suspenso",
+    "maker, whose own figures may differ": "fabricante, cujos dados podem ser outros",
+    "insert bearing or unit, bore in mm": "rolamento de inserção ou mancal, furo em mm",
+    "bore in sixteenths of an inch": "furo em dezesseis avos de polegada",
 }
 
 CATALOGUE_WORDS: Final[Mapping[str, CatalogueWords]] = {

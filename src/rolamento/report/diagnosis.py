@@ -21,6 +21,7 @@ from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium
 from rolamento.report.numbers import ABSENT
 from rolamento.report.page import Lines, Page
+from rolamento.report.reading_words import said_choice
 from rolamento.report.terminal import rendered
 from rolamento.vibration.diagnosis import ComponentVerdict, Diagnosis
 from rolamento.vibration.fault_lines import FaultFrequencies
@@ -229,6 +230,7 @@ def _notes(page: Page, said: DiagnosisWords, found: DiagnosisResult) -> Lines:
     code = page.words.code
     sentences = [said_note(note, found.diagnosis, code) for note in found.diagnosis.notes]
     sentences += [said_own_note(name, found, code) for name in found.own_notes]
+    sentences += [said_choice(note, code) for note in found.choices]
     sentences += [FREQUENCY_WORDS[code].note[name] for name in found.frequencies.notes]
     if not sentences:
         return []

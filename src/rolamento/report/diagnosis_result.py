@@ -12,6 +12,7 @@ from rolamento.state import State
 from rolamento.vibration.diagnosis import ComponentVerdict, Diagnosis, DiagnosisSettings
 from rolamento.vibration.fault_lines import FaultFrequencies
 from rolamento.vibration.indicators import Indicators, indicators
+from rolamento.vibration.reading import ReadingNote
 from rolamento.vibration.signal import Signal
 
 __all__ = ["DiagnosisResult", "ShaftSpeed", "SpeedSource", "Tracking"]
@@ -112,6 +113,8 @@ class DiagnosisResult:
         of all; s
     reading_notes
         how the samples were taken from their file
+    choices
+        those of them that tell what was taken for the rate or the speed where it is told twice
     speed
         of the shaft; None if all that is known are the frequencies
     state
@@ -134,6 +137,7 @@ class DiagnosisResult:
     signal: Signal
     duration: float
     reading_notes: tuple[str, ...] = ()
+    choices: tuple[ReadingNote, ...] = ()
     speed: ShaftSpeed | None = None
     state: State | None = None
     slip: float | None = None
@@ -164,8 +168,15 @@ class DiagnosisResult:
         """What it comes to."""
         if self.diagnosis.faults:
             return "fault"
-        found = any(part.verdict == "nothing_found" for part in self.diagnosis.components)
-        return "nothing_found" if found and not self.still and not self.speed_lost else "no_verdict"
+        tested = self.races_tested and not self.still and not self.speed_lost
+        return "nothing_found" if tested else "no_verdict"
+
+    @property
+    def races_tested(self) -> bool:
+        """Whether all races that are looked for were tested: else nothing found is no verdict."""
+        sought = [part for part in self.diagnosis.components if not _has(part, "no_order")]
+        parts = [part for part in sought if part.component in _RACES] or sought
+        return bool(parts) and all(part.verdict != "not_tested" for part in parts)
 
     @property
     def own_notes(self) -> tuple[str, ...]:
@@ -183,9 +194,16 @@ class DiagnosisResult:
         return tuple(name for name, is_so in holds.items() if is_so)
 
 
+_RACES: Final = ("outer_race", "inner_race")
+"""Most damage begins on them: a record that is silent about one is not one of a healthy bearing."""
+
+
 def _is_still(part: ComponentVerdict) -> bool:
-    names = [reason.name for reason in part.reasons]
-    return part.verdict == "not_tested" and "no_change" in names
+    return part.verdict == "not_tested" and _has(part, "no_change")
+
+
+def _has(part: ComponentVerdict, reason: str) -> bool:
+    return any(one.name == reason for one in part.reasons)
 
 
 def _highest_line(part: ComponentVerdict) -> float:

@@ -28,6 +28,7 @@ __all__ = [
     "said_reasons",
     "said_result",
     "said_statements",
+    "said_too_short",
 ]
 
 _DIGITS: Final = 15.0
@@ -42,7 +43,41 @@ def said_result(found: DiagnosisResult, language: str) -> list[str]:
     """Return what all comes to, sentence by sentence."""
     if found.speed_lost and not found.still and not found.diagnosis.faults:
         return [_of(language)[0].no_speed]
+    if found.verdict == "no_verdict" and not found.still:
+        return _said_untested(found.diagnosis, language)
     return said_statements(found.diagnosis, language, still=found.still)
+
+
+def _said_untested(diagnosis: Diagnosis, language: str) -> list[str]:
+    """Return what could not be tested, why, and that nothing stands out of the rest."""
+    said, _ = _of(language)
+    tested = [said.parts[p.component] for p in diagnosis.components if p.verdict != "not_tested"]
+    untested = [part for part in diagnosis.components if part.verdict == "not_tested"]
+    reasons = dict.fromkeys(text for p in untested for text in said_reasons(p, diagnosis, language))
+    first = said.no_verdict
+    if tested:
+        parts = listed((said.parts[part.component] for part in untested), said)
+        first = said.no_verdict_without.format(parts=parts)
+    rest = [said.rest.format(parts=listed(tested, said))] if tested else []
+    return [first, *reasons, *rest]
+
+
+def said_too_short(
+    turns: float, least: float, duration: float, language: str, *, is_stretch: bool
+) -> str:
+    """Return that a record is too short for any race, or its shaft too slow for its rate.
+
+    turns, least: revolutions that it spans, and from which on something can be told; duration: s.
+    is_stretch: whether they are of the longest stretch that is judged at once.
+    """
+    said, digits = _of(language)
+    return (said.too_slow if is_stretch else said.too_short).format(
+        turns=digits.short(turns, 2),
+        duration=digits.short(duration, 3),
+        least=digits.short(least, 2),
+        seconds=digits.short(duration * least / turns, 2),
+        times=digits.short(least / turns, 2),
+    )
 
 
 def said_statements(diagnosis: Diagnosis, language: str, *, still: bool = False) -> list[str]:

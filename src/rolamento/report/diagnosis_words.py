@@ -36,6 +36,10 @@ class DiagnosisWords:
     stronger_lines: str
     untested: str
     no_verdict: str
+    no_verdict_without: str
+    rest: str
+    too_short: str
+    too_slow: str
     no_change: str
     no_speed: str
 
@@ -120,6 +124,13 @@ _ENGLISH: Final = DiagnosisWords(
     stronger_lines="Stronger lines fit no part of this bearing: check speed and bearing.",
     untested="Not tested: {parts}.",
     no_verdict="No verdict: this signal does not tell of any part of the bearing.",
+    no_verdict_without="No verdict: not tested: {parts}.",
+    rest="Nothing stands out of the noise for: {parts}.",
+    too_slow="No verdict: the shaft is too slow for this sampling rate. The longest stretch that is"
+    " judged at once, {duration} s, spans {turns} revolutions; below {least} nothing can be told of"
+    " any race. Give the signal at a rate at least {times} times lower.",
+    too_short="No verdict: the record is too short. It spans {turns} revolutions of the shaft,"
+    " {duration} s; below {least} revolutions, {seconds} s, nothing can be told of any race.",
     no_change="No verdict: the signal does not change.",
     no_speed="No verdict: the speed was not found in the vibration, and at a steady one nothing"
     " stands out of the noise.",
@@ -274,6 +285,13 @@ _PORTUGUESE: Final = DiagnosisWords(
     " e o rolamento.",
     untested="Não foi possível testar: {parts}.",
     no_verdict="Sem veredito: este sinal nada diz de nenhuma parte do rolamento.",
+    no_verdict_without="Sem veredito: não foi possível testar: {parts}.",
+    rest="Nada se destaca do ruído em: {parts}.",
+    too_slow="Sem veredito: o eixo é lento demais para esta taxa de amostragem. O trecho mais longo"
+    " julgado de uma vez, {duration} s, abrange {turns} voltas; abaixo de {least} nada se pode"
+    " dizer de nenhuma pista. Dê o sinal a uma taxa pelo menos {times} vezes menor.",
+    too_short="Sem veredito: o registro é curto demais. Ele abrange {turns} voltas do eixo,"
+    " {duration} s; abaixo de {least} voltas, {seconds} s, nada se pode dizer de nenhuma pista.",
     no_change="Sem veredito: o sinal não varia.",
     no_speed="Sem veredito: a rotação não foi encontrada na vibração, e a uma constante nada"
     " se destaca do ruído.",

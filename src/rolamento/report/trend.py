@@ -34,6 +34,7 @@ class _Words:
     bearing: str
     quantities: Mapping[str, str]
     rejected: str
+    passed_over: str
     more: str
     law: str
     laws: Mapping[str, str]
@@ -50,6 +51,7 @@ _WORDS: Final[Mapping[str, _Words]] = {
         bearing="bearing",
         quantities={},
         rejected="× rejected",
+        passed_over="Columns of the table that were passed over, as they have no unit: {columns}.",
         more="{count} measurements; the first {shown} are shown.",
         law="Law of wear: {law}",
         laws={
@@ -77,6 +79,7 @@ _WORDS: Final[Mapping[str, _Words]] = {
         bearing="rolamento",
         quantities={"radial clearance": "folga radial"},
         rejected="× reprovado",
+        passed_over="Colunas da tabela que não foram lidas, pois não têm unidade: {columns}.",
         more="{count} medições; são mostradas as primeiras {shown}.",
         law="Lei de desgaste: {law}",
         laws={
@@ -134,6 +137,9 @@ def trend_report(
     head.append(page.rule(page.medium.width))
     head += page.hanging(page.text(f"{said.source}  ", "dim"), one_line(trend.source))
     parts = [head, _measured(page, said, trend)]
+    if trend.passed_over:
+        columns = ", ".join(shortened(one_line(name), 30) for name in trend.passed_over)
+        parts.append(page.hanging(Text("  "), said.passed_over.format(columns=columns), "dim"))
     if fits:
         parts.append(_wear(page, said, trend, fits))
     return rendered(page.medium, parts)

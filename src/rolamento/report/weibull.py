@@ -296,6 +296,9 @@ def _notes(page: Page, said: WeibullWords, found: LifeTestSummary) -> Lines:
     for noted in (*(one.notes for one in found.comparisons), *(one.notes for one in found.ratios)):
         names |= dict.fromkeys(noted)
     sentences = [said_note(name, page.words.code) for name in names]
+    if found.test.passed_over:
+        columns = ", ".join(shortened(one_line(name), 30) for name in found.test.passed_over)
+        sentences.insert(0, said.passed_over.format(columns=columns))
     if found.test.inspected:
         sentences.append(said.no_ranks)
         if len(found.groups) > 1:

@@ -94,6 +94,7 @@ class WeibullWords:
     notes: str
     no_ranks: str
     too_many_for_ranks: str
+    passed_over: str
     working: str
     written: str
 
@@ -204,6 +205,7 @@ WEIBULL_WORDS: Final[Mapping[str, WeibullWords]] = {
         notes="Notes",
         no_ranks="Failures were found at inspections: there is no rank regression and there are no"
         " points.",
+        passed_over="Columns of the table that were passed over: {columns}.",
         too_many_for_ranks="So many failures get no ranks: there is no rank regression and there"
         " are no points.",
         working="Drawing tests and fitting them …",
@@ -314,6 +316,7 @@ WEIBULL_WORDS: Final[Mapping[str, WeibullWords]] = {
         not_compared="As falhas foram encontradas em inspeções: os grupos não são comparados.",
         notes="Observações",
         no_ranks="As falhas foram encontradas em inspeções: não há regressão de postos nem pontos.",
+        passed_over="Colunas da tabela que não foram lidas: {columns}.",
         too_many_for_ranks="Tantas falhas não recebem postos: não há regressão de postos nem"
         " pontos.",
         working="Sorteando ensaios e ajustando-os …",

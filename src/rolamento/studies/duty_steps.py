@@ -10,9 +10,9 @@ from typing import Final, Literal
 
 import numpy as np
 
+from rolamento._tables import Table, read_table
 from rolamento.errors import FileError, InputError
 from rolamento.numerics import FloatArray
-from rolamento.studies.csv_tables import CsvTable, read_csv_table
 from rolamento.studies.fields import Field, Value, read_field, refuse_rivals
 
 __all__ = ["MOST_STEPS", "DutySteps", "read_spectrum"]
@@ -65,7 +65,7 @@ class DutySteps:
         return len(self.shares)
 
 
-def read_spectrum(path: str | os.PathLike[str]) -> DutySteps:
+def read_spectrum(path: str | os.PathLike[str], *, decimal_mark: str | None = None) -> DutySteps:
     """Read the steps of a duty.
 
     Parameters
@@ -74,6 +74,8 @@ def read_spectrum(path: str | os.PathLike[str]) -> DutySteps:
         Comma-separated values: a column ``share`` (of the time) or ``revolutions`` (shares of
         them), as numbers or per cent, and columns by the dotted names of a case's fields, with
         units in their cells as in a case file.
+    decimal_mark
+        ``"point"`` or ``"comma"``, where nothing in the table tells whether 12.500 is 12.5.
 
     Raises
     ------
@@ -81,7 +83,8 @@ def read_spectrum(path: str | os.PathLike[str]) -> DutySteps:
         If it is not such a file, a cell is refused, or the shares do not sum to 1; with line,
         column and an example.
     """
-    table = read_csv_table(path, MOST_STEPS, _EXAMPLE)
+    table = read_table(path, most_rows=MOST_STEPS, example=_EXAMPLE).plain(decimal_mark)
+    _check_header(table)
     kind = _kind(table)
     column = table.header.index(kind)
     shares = np.array([_share(table, row, column) for row in range(len(table.rows))])
@@ -107,7 +110,15 @@ def read_spectrum(path: str | os.PathLike[str]) -> DutySteps:
     )
 
 
-def _kind(table: CsvTable) -> Kind:
+def _check_header(table: Table) -> None:
+    for name in table.header:
+        if name and table.header.count(name) > 1:
+            raise FileError(
+                "names a column twice", field=name, source=table.source, line=table.header_line
+            )
+
+
+def _kind(table: Table) -> Kind:
     kinds: tuple[Kind, Kind] = ("share", "revolutions")
     given = [kind for kind in kinds if kind in table.header]
     if len(given) != 1:
@@ -122,7 +133,7 @@ def _kind(table: CsvTable) -> Kind:
     return given[0]
 
 
-def _share(table: CsvTable, row: int, column: int) -> float:
+def _share(table: Table, row: int, column: int) -> float:
     text = table.rows[row][column]
     try:
         value = float(text.removesuffix("%")) / (100.0 if text.endswith("%") else 1.0)
@@ -141,7 +152,7 @@ def _share(table: CsvTable, row: int, column: int) -> float:
     return value
 
 
-def _fields(table: CsvTable) -> tuple[Field, ...]:
+def _fields(table: Table) -> tuple[Field, ...]:
     """The fields that the columns name."""
     try:
         names = [name for name in table.header if name not in ("share", "revolutions")]
@@ -161,7 +172,7 @@ def _fields(table: CsvTable) -> tuple[Field, ...]:
     return fields
 
 
-def _checked(table: CsvTable, field: Field, cells: Sequence[str]) -> tuple[Value, ...]:
+def _checked(table: Table, field: Field, cells: Sequence[str]) -> tuple[Value, ...]:
     known: dict[str, Value] = {}
     for row, text in enumerate(cells):
         if text not in known:

@@ -8,9 +8,9 @@ from typing import Final
 
 import numpy as np
 
+from rolamento._tables import read_table
 from rolamento.errors import FileError, InputError
 from rolamento.life.l_able import FactorTable
-from rolamento.studies.csv_tables import read_csv_table
 
 __all__ = ["read_factor_table"]
 
@@ -23,7 +23,9 @@ _NAMES: Final = {
 _EXAMPLE: Final = "kappa,0.01,0.05,0.2"
 
 
-def read_factor_table(path: str | os.PathLike[str]) -> FactorTable:
+def read_factor_table(
+    path: str | os.PathLike[str], *, decimal_mark: str | None = None
+) -> FactorTable:
     """Read a table of a_NSK.
 
     Parameters
@@ -31,13 +33,15 @@ def read_factor_table(path: str | os.PathLike[str]) -> FactorTable:
     path
         Comma-separated values. The header has any word, then the load parameters (P - P_u)/(C a_c)
         of the columns, rising; every row below has κ, rising from row to row, and a_NSK.
+    decimal_mark
+        ``"point"`` or ``"comma"``, where nothing in the table tells whether 1.500 is 1.5.
 
     Raises
     ------
     FileError
         If it is not such a file; with line and column.
     """
-    table = read_csv_table(path, _MOST_ROWS, _EXAMPLE)
+    table = read_table(path, most_rows=_MOST_ROWS, example=_EXAMPLE).plain(decimal_mark)
     loads = [_number(text, table.source, table.header_line, text) for text in table.header[1:]]
     rows = [
         [

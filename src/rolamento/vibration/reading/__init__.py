@@ -4,8 +4,16 @@
 what a file holds. `formats` finds the reader of a file; there is one module for each format.
 """
 
-from rolamento.vibration.reading._channel import Channel
+from rolamento.vibration.reading._channel import Channel, ReadingNote
 from rolamento.vibration.reading._units import checked_unit
 from rolamento.vibration.reading.opened import SignalFile, channels_of, open_signal, read_signal
 
-__all__ = ["Channel", "SignalFile", "channels_of", "checked_unit", "open_signal", "read_signal"]
+__all__ = [
+    "Channel",
+    "ReadingNote",
+    "SignalFile",
+    "channels_of",
+    "checked_unit",
+    "open_signal",
+    "read_signal",
+]

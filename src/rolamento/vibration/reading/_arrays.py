@@ -10,8 +10,9 @@ from typing import Final
 import numpy as np
 
 from rolamento.numerics import FloatArray
-from rolamento.vibration.reading._channel import Source, checked_channels
-from rolamento.vibration.reading._timeline import Timeline, agreed_rate
+from rolamento.vibration.reading._channel import Channel, Source, checked_channels
+from rolamento.vibration.reading._metadata import rate_of
+from rolamento.vibration.reading._timeline import Timeline
 from rolamento.vibration.reading._variables import Column, Place, Variable, columns_of
 
 __all__ = ["ArraysSource"]
@@ -41,7 +42,7 @@ class ArraysSource(Source):
         found = checked_channels((c.channel for c in self._columns), source, kind)
         self._timelines: dict[Place, Timeline] = {}
         self.channels = tuple(
-            replace(channel, rate=self._rate(column))
+            channel if column.times is None else self._timed(channel, column)
             for channel, column in zip(found, self._columns, strict=True)
         )
 
@@ -61,15 +62,14 @@ class ArraysSource(Source):
                 self._timelines[times.place].check(piece, first, self._name)
         return samples
 
-    def _rate(self, column: Column) -> float | None:
-        """Rate by the array of times and by name, if they agree."""
+    def _timed(self, channel: Channel, column: Column) -> Channel:
+        """Return a channel with its rate by the array of times and by name."""
         times = column.times
-        if times is None:
-            return column.channel.rate
+        assert times is not None
         if times.place not in self._timelines:
-            count = column.channel.length
-            first, last = (self._samples(times.place, row, 1)[0] for row in (0, count - 1))
+            first, last = (self._samples(times.place, row, 1)[0] for row in (0, channel.length - 1))
             self._timelines[times.place] = Timeline.between(
-                float(first), float(last), count, times.scale, self._name
+                float(first), float(last), channel.length, times.scale, self._name
             )
-        return agreed_rate(self._timelines[times.place].rate, column.channel.rate, self._name)
+        rate = rate_of(column.rates, self._timelines[times.place].rate)
+        return replace(channel, rate=rate.value, rate_doubt=rate.doubt, rate_aside=rate.aside)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import Self
 
@@ -13,7 +13,26 @@ from rolamento.numerics import FloatArray
 from rolamento.vibration.reading._limits import MOST_CHANNELS
 from rolamento.vibration.signal import Quantity
 
-__all__ = ["Channel", "Source", "checked_channels"]
+__all__ = ["Channel", "ReadingNote", "Source", "checked_channels"]
+
+
+@dataclass(frozen=True, slots=True)
+class ReadingNote:
+    """What was taken for what of two numbers that differ.
+
+    Attributes
+    ----------
+    name
+        for a program
+    text
+        a sentence for a person
+    numbers
+        in the sentence, by name, as text with their units
+    """
+
+    name: str
+    text: str
+    numbers: Mapping[str, str] = field(default_factory=dict, hash=False)
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,13 +46,17 @@ class Channel:
     length
         number of samples
     rate
-        sampling rate, Hz; None if the file does not say
+        sampling rate, Hz; None if the file does not say, or is in doubt
     unit
         of the samples in the file; "" if the file does not say
     quantity
         that the unit belongs to, or that the file names; unknown otherwise
     speed
         of the shaft, rad/s; None if the file does not say
+    rate_doubt
+        the ways in which the file says its rate, if they contradict each other
+    rate_aside
+        name and value of a number that could be the rate, and is taken for something else
     """
 
     name: str
@@ -42,6 +65,8 @@ class Channel:
     unit: str = ""
     quantity: Quantity = "unknown"
     speed: float | None = None
+    rate_doubt: str = ""
+    rate_aside: tuple[str, float] | None = None
 
 
 class Source(ABC):

@@ -8,9 +8,9 @@ import numpy as np
 
 from rolamento.errors import InputError, nearest
 from rolamento.vibration._checks import checked_number
-from rolamento.vibration.reading._channel import Channel
+from rolamento.vibration.reading._channel import Channel, ReadingNote
 from rolamento.vibration.reading._scale import checked_scale
-from rolamento.vibration.reading._timeline import agreed_rate
+from rolamento.vibration.reading._timeline import SAME_RATE
 from rolamento.vibration.reading._units import checked_unit, is_raw, is_unit, quantity_of_unit
 from rolamento.vibration.signal import SI_UNITS, Quantity, unit_scale
 
@@ -33,6 +33,8 @@ class Meaning:
         by which samples of the file are multiplied
     notes
         that say so, or that the samples are not calibrated
+    choices
+        what was taken for the rate where the file says several
     """
 
     def __init__(
@@ -42,9 +44,9 @@ class Meaning:
         unit: str | None,
         quantity: Quantity | None,
         scale: float | str | None,
-        source: str,
     ) -> None:
-        self.rate = _rate(channel, rate, source)
+        self.rate = _rate(channel, rate)
+        self.choices = _choices(channel, self.rate, is_given=rate is not None)
         before = channel.unit if unit is None else _given_unit(channel, unit)
         if scale is None:
             self.quantity, self.unit, self.scale = _unit(channel, before, quantity)
@@ -97,18 +99,39 @@ def _example(channels: tuple[Channel, ...], number: int) -> str:
     return f'channel="{name}"' if name else f"channel={number + 1}"
 
 
-def _rate(channel: Channel, given: float | None, source: str) -> float:
-    """Sampling rate by the file, by the user, or by both if they agree."""
-    if given is not None:
-        checked_number(given, "rate", above=0.0, most=_HIGHEST_RATE, example="rate=51200.0")
-    rate = agreed_rate(channel.rate, given, source)
-    if rate is None:
-        raise InputError(
-            "is not in the file and is to be given, in Hz", field="rate", example="rate=51200.0"
+def _rate(channel: Channel, given: float | None) -> float:
+    """Sampling rate by the user, or else by the file if it is sure of it."""
+    if given is None and channel.rate is None:
+        doubt = channel.rate_doubt
+        rule = (
+            f"is in doubt: in the file {doubt}; give it" if doubt else "is not in the file and is"
         )
-    return checked_number(
-        float(rate), "rate", above=0.0, most=_HIGHEST_RATE, example="rate=51200.0"
-    )
+        rule += ", in Hz" if doubt else " to be given, in Hz"
+        raise InputError(rule, field="rate", example="rate=51200.0")
+    rate = channel.rate if given is None else given
+    return checked_number(rate, "rate", above=0.0, most=_HIGHEST_RATE, example="rate=51200.0")
+
+
+def _choices(channel: Channel, rate: float, *, is_given: bool) -> tuple[ReadingNote, ...]:
+    """What a person should know of how the rate was chosen."""
+    hertz = f"{rate:.9g} Hz"
+    if is_given:
+        of_file = channel.rate
+        if of_file is not None and abs(of_file - rate) > SAME_RATE * of_file:
+            text = f"The sampling rate is {hertz} as given; the file says {of_file:.9g} Hz."
+            numbers = {"rate": hertz, "file": f"{of_file:.9g} Hz"}
+            return (ReadingNote("rate_over_file", text, numbers),)
+        if channel.rate_doubt:
+            text = f"The sampling rate is {hertz} as given; in the file {channel.rate_doubt}."
+            numbers = {"rate": hertz, "doubt": channel.rate_doubt}
+            return (ReadingNote("rate_over_doubt", text, numbers),)
+        return ()
+    if channel.rate_aside is None:
+        return ()
+    name, value = channel.rate_aside
+    text = f"The sampling rate is {hertz}; {name} = {value:.9g} of the file is not taken for one."
+    numbers = {"rate": hertz, "name": name, "value": f"{value:.9g}"}
+    return (ReadingNote("rate_aside", text, numbers),)
 
 
 def _unit(channel: Channel, unit: str, quantity: Quantity | None) -> tuple[Quantity, str, float]:

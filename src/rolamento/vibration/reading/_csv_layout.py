@@ -8,7 +8,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final
 
-from rolamento.errors import FileError
+from rolamento._tables import DecimalMark, Numerals, checked_mark, mark_said, numerals_of
+from rolamento.errors import FileError, InputError
 from rolamento.vibration.reading._limits import MOST_CHANNELS
 from rolamento.vibration.reading._metadata import label_parts, short_name, time_scale
 from rolamento.vibration.reading._units import plain_unit
@@ -18,9 +19,15 @@ __all__ = ["CsvLayout", "layout_of"]
 _NUMBER: Final = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|[+-]?(?:nan|inf)", re.I)
 _DATE: Final = re.compile(r"\d{1,4}[-/.:]\d{1,2}[-/.:]\d{1,4}[\dT :.,Z+-]*")
 _PAIR: Final = re.compile(
-    r"\W*([^\W\d][^:=;,\t]{0,60}?)\s*[:=;,\t]\s*([+-]?\d[\d.,eE+-]{0,30})\s*(?:hz|rpm|s)?[\s;,]*",
+    r"\W*([^\W\d][^:=;,\t]{0,60}?)\s*[:=;,\t]\s*([+-]?\d[\d.,eE+-]{0,30})\s*(k?hz|rpm|s)?[\s;,]*",
     re.I,
 )
+_GROUPED: Final = {
+    "comma": re.compile(rb"(?<![\d.,])[1-9]\d{0,2}(?:\.\d{3})+(?![\d.])"),
+    "point": re.compile(rb"(?<![\d.,])[1-9]\d{0,2}(?:,\d{3})+(?![\d,])"),
+}
+"""Whole numbers whose thousands are parted, by the decimal mark."""
+_WRONG: Final = "·".encode("latin-1")
 _SEPARATORS: Final = (";", "\t", "|", ",", None)
 _ROWS_COMPARED: Final = 5
 
@@ -42,7 +49,14 @@ class CsvLayout:
     dates
         whether a column holds dates or nothing in the first row: it is no channel
     numbers
-        that stand above the table by name, such as a sampling rate
+        that stand above the table by name, such as a sampling rate; in Hz where they are in kHz
+    number_units
+        of those that have one: Hz or rpm
+    two_ways
+        what a number above the table is with a decimal point, and with a decimal comma, by name and
+        text, if nothing tells which
+    numerals
+        how the numbers of the table are written
     """
 
     separator: str | None
@@ -52,11 +66,22 @@ class CsvLayout:
     units: tuple[str, ...]
     dates: tuple[bool, ...]
     numbers: dict[str, float]
+    number_units: dict[str, str]
+    two_ways: dict[str, tuple[str, float, float]]
+    numerals: Numerals
 
-    @property
-    def decimal_comma(self) -> bool:
-        """Whether a comma can only be a decimal one."""
-        return self.separator != ","
+    def plain(self, content: bytes) -> bytes:
+        """Return rows whose numbers have decimal points and no marks between thousands."""
+        if not self.numerals.commas:
+            return content
+        if self.numerals.mark is not None:
+            other, mark = (b".", b",") if self.numerals.mark == "comma" else (b",", b".")
+            grouped = _GROUPED[self.numerals.mark]
+            content = grouped.sub(lambda match: match[0].replace(other, b""), content)
+            # what is left parts no thousands: a number that it stands in is none
+            content = content.replace(other, _WRONG).replace(mark, b".")
+            return content
+        return content.replace(b",", b".")
 
     def time_column(self) -> tuple[int, float] | None:
         """Number of the column of times, and its unit in seconds; None if there is none."""
@@ -67,13 +92,17 @@ class CsvLayout:
         return None
 
 
-def layout_of(head: bytes, source: str) -> CsvLayout:
+def layout_of(head: bytes, source: str, mark: DecimalMark | None = None) -> CsvLayout:
     """Return the layout of a table from its first lines.
+
+    mark: the decimal one, if it is given.
 
     Raises
     ------
     FileError
         If no row of numbers is among them.
+    InputError
+        If nothing tells whether their points are decimal marks.
     """
     raw = head.split(b"\n")
     lines = [_text(line) for line in raw]
@@ -89,14 +118,35 @@ def layout_of(head: bytes, source: str) -> CsvLayout:
         rule = f"must be at most {MOST_CHANNELS}"
         raise FileError(rule, field="number of columns", value=len(cells), source=source)
     names, units = _headings(above, separator, len(cells))
+    dates = tuple(not _is_number(cell, separator) for cell in cells)
+    rows = [_cells(line, separator) for line in lines[number:]]
+    said = next((found for found in map(mark_said, above) if found is not None), None)
+    if mark is None and said is not None:
+        mark = checked_mark(said, source)
+    numerals = numerals_of(
+        (cell for row in rows for cell, date in zip(row, dates, strict=False) if not date),
+        commas=separator != ",",
+        mark=mark,
+    )
+    try:
+        numerals.check(next((name for name in names if name), "table"))
+    except InputError as error:
+        raise error.with_details(source=source) from None
+    comma = numerals.mark == "comma" or (
+        numerals.commas and mark is None and any("," in cell for row in rows for cell in row)
+    )
+    numbers, number_units, two_ways = _pairs(above, "comma" if comma else mark)
     return CsvLayout(
         separator=separator,
         offset=sum(len(line) + 1 for line in raw[:number]),
         first_line=number + 1,
         names=names,
         units=units,
-        dates=tuple(not _is_number(cell, separator) for cell in cells),
-        numbers=_pairs(above),
+        dates=dates,
+        numbers=numbers,
+        number_units=number_units,
+        two_ways=two_ways,
+        numerals=numerals,
     )
 
 
@@ -139,7 +189,11 @@ def _is_row(line: str, separator: str | None) -> bool:
 
 def _is_number(cell: str, separator: str | None) -> bool:
     text = cell if separator == "," else cell.replace(",", ".")
-    return len(text) < 60 and _NUMBER.fullmatch(text) is not None
+    if len(text) >= 60:
+        return False
+    if _NUMBER.fullmatch(text):
+        return True
+    return separator != "," and numerals_of([cell], commas=True).number(cell) is not None
 
 
 def _headings(
@@ -158,11 +212,31 @@ def _headings(
     return names, units
 
 
-def _pairs(above: Sequence[str]) -> dict[str, float]:
-    """Numbers given by name above the table."""
+def _pairs(
+    above: Sequence[str], mark: DecimalMark | None
+) -> tuple[dict[str, float], dict[str, str], dict[str, tuple[str, float, float]]]:
+    """Numbers given by name above the table, units of some, and those that nobody can be sure of.
+
+    mark: the decimal one, if the table or the user tells it.
+    """
     found: dict[str, float] = {}
+    units: dict[str, str] = {}
+    two_ways: dict[str, tuple[str, float, float]] = {}
     for line in above[:100]:
         match = _PAIR.fullmatch(line[:200])
-        if match and _NUMBER.fullmatch(text := match[2].rstrip(",").replace(",", ".")):
-            found[match[1].strip()] = float(text)
-    return found
+        if not match:
+            continue
+        name, text, unit = match[1].strip(), match[2].rstrip(","), (match[3] or "").lower()
+        numerals = numerals_of([text], commas=True, mark=mark)
+        value = numerals.number(text)
+        scale = 1e3 if unit == "khz" else 1.0
+        if value is None:
+            continue
+        if numerals.doubt and unit != "khz":
+            point, comma = numerals.readings()
+            two_ways[name] = (text, point, comma)
+        else:
+            found[name] = scale * value
+        if unit in ("hz", "khz", "rpm"):
+            units[name] = unit.removeprefix("k")
+    return found, units, two_ways

@@ -1,34 +1,65 @@
-"""What files call sampling rates, speeds and time, and where they write units."""
+"""What files call sampling rates, speeds and time, and where they write units.
+
+Of several numbers that a file gives, one may be no sampling rate at all: ``rate`` beside ``sr`` or
+beside times is often the shaft's. What is left and disagrees is a doubt that the user decides.
+"""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+import unicodedata
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from math import isfinite, pi
-from typing import Final
+from typing import Final, NamedTuple
 
 from rolamento.vibration.reading._limits import LONGEST_NAME
-from rolamento.vibration.reading._units import is_unit, plain_unit, spelled
+from rolamento.vibration.reading._timeline import SAME_RATE
+from rolamento.vibration.reading._units import SPEED_UNITS, is_unit, plain_unit, spelled
 
 __all__ = [
+    "FileRate",
+    "RateClaim",
+    "RateClaims",
     "label_parts",
     "positive",
-    "rate_among",
+    "rate_of",
+    "rates_among",
     "short_name",
     "speed_among",
+    "speeds_perhaps",
     "time_scale",
     "unit_among",
 ]
 
 _RATE: Final = (
-    *("fs", "sr", "rate", "sps", "fsamp", "fsample", "abtastrate", "taxadeamostragem"),
+    *("fs", "sr", "sps", "fsamp", "fsample", "abtastrate", "taxadeamostragem"),
     *("samplingrate", "samplerate", "samplingfrequency", "samplefrequency", "samplingfreq"),
+    *("frequenciadeamostragem", "freqamostragem", "taxaamostragem", "abtastfrequenz"),
 )
+_LOOSE_RATE: Final = ("rate", "taxa")
+"""The sampling rate where nothing else is; the shaft's speed in Hz in other files."""
 _STEP: Final = (
     *("dt", "dx", "deltat", "tdelta", "timestep", "timeincrement", "wfincrement", "xincrement"),
     *("samplingperiod", "sampleperiod", "samplinginterval", "sampleinterval"),
 )
-_SPEED: Final = ("rpm", "shaftrpm", "speedrpm", "rotationspeedrpm", "rotationalspeedrpm")
+_SHAFT: Final = re.compile(
+    r"(?:shaft|rotation|rotational|rotating|motor|running|rotor|eixo|rotacao|derotacao|velocidade)*"
+    r"(?:speed|velocity|freq|frequency|rate|rotacao|velocidade|frequencia)?"
+)
+"""What stands before the unit of a number that is a speed, folded: shaft speed, motor, nothing."""
+_IN_HERTZ: Final = re.compile(
+    r"(?:shaft|rotation|rotational|rotor)(?:rate|freq|frequency)|frequenciaderotacao"
+)
+"""Names of a speed that is turns per second without a unit."""
+_PERHAPS_SPEED: Final = (
+    *("rate", "speed", "shaft", "shaftspeed", "motorspeed", "rotationspeed", "rotationalspeed"),
+    *("velocidade", "rotacao", "drehzahl", "freq", "frequency", "fr"),
+)
+_FASTEST_SHAFT: Final = 1000.0
+"""Turns per second: no sampling rate of a vibration is as low, and hardly a shaft is as fast."""
+_CLEARLY_BELOW: Final = 20.0
+"""Times that a sampling rate is above the shaft's: a record with less tells of no bearing."""
 _UNIT: Final = ("unit", "units", "unitstring", "yunit", "yunits", "engunits")
 _TIME: Final = (
     *("t", "time", "times", "timestamp", "seconds", "elapsed", "xtime", "zeit", "tempo", "temps"),
@@ -73,23 +104,143 @@ def time_scale(name: str, unit: str) -> float | None:
     return None
 
 
-def rate_among(numbers: Mapping[str, float]) -> float | None:
-    """Sampling rate by the name of one of the numbers that a file gives; Hz."""
-    for name, value in numbers.items():
-        if _folded(name) in _RATE and positive(value):
-            return value
-    for name, value in numbers.items():
-        if _folded(name) in _STEP and positive(value) and positive(1.0 / value):
-            return 1.0 / value
-    return None
+class RateClaim(NamedTuple):
+    """A number that a file gives for its sampling rate: by which name, and what it comes to; Hz."""
+
+    name: str
+    value: float
+
+    def __str__(self) -> str:
+        return f"{self.name} says {self.value:.9g} Hz"
+
+
+class RateClaims(NamedTuple):
+    """Numbers of a file that are sampling rates, and such as may be something else; Hz."""
+
+    clear: tuple[RateClaim, ...] = ()
+    loose: tuple[RateClaim, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class FileRate:
+    """What a file says of its sampling rate, all in all.
+
+    Attributes
+    ----------
+    value
+        Hz; None if the file does not say, or says it in several ways
+    doubt
+        the ways, as the end of a sentence; empty if there is none
+    aside
+        number that is taken for something else, with its name; None if there is none
+    """
+
+    value: float | None = None
+    doubt: str = ""
+    aside: RateClaim | None = None
+
+
+def rates_among(levels: Sequence[Mapping[str, float]]) -> RateClaims:
+    """Sampling rates by the names of the numbers that a file gives.
+
+    Parameters
+    ----------
+    levels
+        Numbers of the channel itself, of its group, of the file: the nearest hold.
+    """
+    clear: tuple[RateClaim, ...] = ()
+    loose: tuple[RateClaim, ...] = ()
+    for numbers in levels:
+        if not clear:
+            clear = (
+                *(RateClaim(f'"{short_name(name)}"', value) for name, value in numbers.items()
+                  if _folded(name) in _RATE and positive(value)),
+                *(RateClaim(f'"{short_name(name)}" = {value:.9g} s', 1.0 / value)
+                  for name, value in numbers.items()
+                  if _folded(name) in _STEP and positive(value) and positive(1.0 / value)),
+            )  # fmt: skip
+        if not loose:
+            loose = tuple(
+                RateClaim(f'"{short_name(name)}"', value)
+                for name, value in numbers.items()
+                if _folded(name) in _LOOSE_RATE and positive(value)
+            )
+    return RateClaims(clear, loose)
+
+
+def rate_of(claims: RateClaims, times: float | None = None) -> FileRate:
+    """Weigh what a file says of its sampling rate.
+
+    Parameters
+    ----------
+    claims
+        Numbers by their names.
+    times
+        Rate of the samples' times, if the file has them; Hz.
+    """
+    stated = (*(() if times is None else (RateClaim("the column of times", times),)), *claims.clear)
+    if not stated:
+        return _of_loose(claims.loose)
+    # what is written down holds over times of few digits, if they agree
+    value = (claims.clear or stated)[0].value
+    rivals = [claim for claim in stated if not _same(claim.value, value)]
+    aside = None
+    for claim in claims.loose:
+        if _same(claim.value, value):
+            continue
+        if claim.value <= min(_FASTEST_SHAFT, value / _CLEARLY_BELOW):
+            aside = claim
+        else:
+            rivals.append(claim)
+    if rivals:
+        first = next(claim for claim in stated if _same(claim.value, value))
+        return FileRate(None, " and ".join(map(str, (first, *rivals))))
+    return FileRate(value, "", aside)
+
+
+def _of_loose(loose: Sequence[RateClaim]) -> FileRate:
+    """Weigh a number that is called a rate, and nothing more."""
+    if not loose:
+        return FileRate()
+    first = loose[0]
+    if not all(_same(claim.value, first.value) for claim in loose):
+        return FileRate(None, " and ".join(map(str, loose)))
+    if first.value <= _FASTEST_SHAFT:
+        doubt = f"{first}, which may be the speed of the shaft as well"
+        return FileRate(None, doubt)
+    return FileRate(first.value)
+
+
+def _same(one: float, other: float) -> bool:
+    return abs(one - other) <= SAME_RATE * other
 
 
 def speed_among(numbers: Mapping[str, float]) -> float | None:
     """Speed of the shaft by the name of one of the numbers that a file gives; rad/s."""
     for name, value in numbers.items():
-        if _folded(name) in _SPEED and isfinite(value):
+        plain = _plain(name)
+        if not isfinite(value):
+            continue
+        if plain.endswith("rpm") and _SHAFT.fullmatch(plain.removesuffix("rpm")):
             return value * pi / 30.0
+        turns = plain.removesuffix("hz")
+        if _IN_HERTZ.fullmatch(turns) or (turns != plain and turns and _SHAFT.fullmatch(turns)):
+            return value * SPEED_UNITS["Hz"]
     return None
+
+
+def speeds_perhaps(numbers: Mapping[str, float], rate: float) -> dict[str, float]:
+    """Numbers of a file that may be the speed of the shaft, and do not say in which unit.
+
+    rate: of sampling, which is none; Hz.
+    """
+    return {
+        name: value
+        for name, value in numbers.items()
+        if _folded(re.split(r"[./]", name)[-1]) in _PERHAPS_SPEED
+        and positive(value)
+        and not _same(value, rate)
+    }
 
 
 def unit_among(texts: Mapping[str, str]) -> str:
@@ -104,5 +255,11 @@ def positive(value: float) -> bool:
 
 def _folded(name: str) -> str:
     """Letters and digits only, in lower case: Sampling_Rate and "sampling rate" are one."""
-    plain = re.sub(r"[\[(]\s*(?:hz|s|rpm|1/min)\s*[\])]", "", name[:LONGEST_NAME].lower())
-    return re.sub(r"[^a-z0-9]", "", plain)  # of "fs (kHz)" the kHz is left: not a rate in Hz
+    without = re.sub(r"[\[(]\s*(?:hz|s|rpm|1/min)\s*[\])]", "", name[:LONGEST_NAME].lower())
+    return _plain(without)  # of "fs (kHz)" the kHz is left: not a rate in Hz
+
+
+def _plain(name: str) -> str:
+    """Letters and digits of a name with its unit, in lower case and without accents."""
+    parts = unicodedata.normalize("NFKD", name[:LONGEST_NAME].lower())
+    return re.sub(r"[^a-z0-9]", "", parts)

@@ -10,7 +10,7 @@ import numpy as np
 from rolamento.errors import FileError
 from rolamento.numerics import FloatArray
 
-__all__ = ["SAME_RATE", "Timeline", "agreed_rate"]
+__all__ = ["SAME_RATE", "Timeline"]
 
 SAME_RATE: Final = 1e-3
 """Part by which two statements of a sampling rate may differ: files round the step of time."""
@@ -86,23 +86,3 @@ class Timeline:
                 value=float(times[number]),
                 source=source,
             )
-
-
-def agreed_rate(of_file: float | None, given: float | None, source: str) -> float | None:
-    """Sampling rate on which two sources agree; the second holds where both are the same.
-
-    Raises
-    ------
-    FileError
-        If they differ by more than a thousandth.
-    """
-    if of_file is None or given is None:
-        return of_file if given is None else given
-    if not abs(of_file - given) <= SAME_RATE * of_file:
-        raise FileError(
-            f"contradicts the file, which says {of_file:.9g} Hz; leave one of them out",
-            field="rate",
-            value=given,
-            source=source,
-        )
-    return given

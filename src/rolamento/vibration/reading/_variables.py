@@ -10,9 +10,11 @@ from typing import Final, NamedTuple
 from rolamento.errors import FileError
 from rolamento.vibration.reading._channel import Channel
 from rolamento.vibration.reading._metadata import (
+    RateClaims,
     label_parts,
     positive,
-    rate_among,
+    rate_of,
+    rates_among,
     short_name,
     speed_among,
     time_scale,
@@ -85,11 +87,12 @@ class Times(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Column:
-    """A channel and where its samples lie, and their times if the file has them."""
+    """A channel and where its samples lie, their times if the file has them, and its rates."""
 
     channel: Channel
     place: Place
     times: Times | None
+    rates: RateClaims
 
 
 def columns_of(variables: Sequence[Variable]) -> Iterator[Column]:
@@ -100,10 +103,13 @@ def columns_of(variables: Sequence[Variable]) -> Iterator[Column]:
     times beside channels of its length is none itself.
     """
     singles = {v.name: v.value for v in variables if v.value is not None}
-    # what stands at the top, and the number of a group, are looked up for each channel
-    groups = {_group(name) for name in singles} | {_group(v.name) for v in variables}
-    rates = {group: rate_among(_within(singles, group)) for group in groups}
+    within: dict[str, dict[str, float]] = {"": {}, **{_group(v.name): {} for v in variables}}
+    for name, value in singles.items():
+        group = _group(name)
+        within[group][name[len(group) + 1 if group else 0 :]] = value
+    rates = {group: rates_among((numbers, within[""])) for group, numbers in within.items()}
     speeds = _Speeds(singles)
+    shafts = {group: speed_among(numbers) for group, numbers in within.items()}
     layouts = [_layout(variable.shape) for variable in variables]
     times = _times_of(variables, layouts)
     stamps = {found.place.variable for found in times.values()}
@@ -113,17 +119,25 @@ def columns_of(variables: Sequence[Variable]) -> Iterator[Column]:
         axis, columns = layout
         group = _group(variable.name)
         unit = unit_among(variable.texts)
+        claims = rates[group]
+        if variable.numbers:
+            claims = rates_among((variable.numbers, within[group], within[""]))
+        rate = rate_of(claims)
+        by_name = (speed_among(variable.numbers), shafts[group], speeds.of(variable.name))
+        speed = next((found for found in by_name if found is not None), shafts[""])
         for row in range(columns):
             name = short_name(variable.name) + (f"[{row + 1}]" if columns > 1 else "")
             channel = Channel(
                 name,
                 variable.shape[axis],
-                rate_among(variable.numbers) or rates[group] or rates.get(""),
+                rate.value,
                 unit,
                 quantity_of_unit(unit),
-                _first(speed_among(variable.numbers), speeds.of(variable.name)),
+                speed,
+                rate.doubt,
+                rate.aside,
             )
-            yield Column(channel, Place(number, row, axis), times.get(number))
+            yield Column(channel, Place(number, row, axis), times.get(number), claims)
 
 
 def check_shape(shape: Sequence[int], item_size: int, size: int, source: str) -> None:
@@ -203,12 +217,3 @@ def _layout(shape: Sequence[int]) -> tuple[int, int] | None:
 def _group(name: str) -> str:
     """What stands before the last dot or stroke of a name."""
     return name[: max(name.rfind("."), name.rfind("/"), 0)]
-
-
-def _within(singles: Mapping[str, float], group: str) -> dict[str, float]:
-    cut = len(group) + 1 if group else 0
-    return {name[cut:]: value for name, value in singles.items() if _group(name) == group}
-
-
-def _first(one: float | None, other: float | None) -> float | None:
-    return other if one is None else one

@@ -12,13 +12,20 @@ from typing import BinaryIO, Final
 
 import numpy as np
 
+from rolamento._tables import DecimalMark
 from rolamento.errors import FileError
 from rolamento.numerics import FloatArray
 from rolamento.vibration.reading._channel import Channel, Source, checked_channels
 from rolamento.vibration.reading._csv_layout import CsvLayout, layout_of
 from rolamento.vibration.reading._limits import file_size, guarded, opened
-from rolamento.vibration.reading._metadata import rate_among, speed_among
-from rolamento.vibration.reading._timeline import Timeline, agreed_rate
+from rolamento.vibration.reading._metadata import (
+    RateClaim,
+    RateClaims,
+    rate_of,
+    rates_among,
+    speed_among,
+)
+from rolamento.vibration.reading._timeline import Timeline
 from rolamento.vibration.reading._units import quantity_of_unit
 
 __all__ = ["CsvSource"]
@@ -37,7 +44,7 @@ class CsvSource(Source):
     The file is run through once for the places of its rows; numbers are read as they are wanted.
     """
 
-    def __init__(self, path: Path) -> None:
+    def __init__(self, path: Path, mark: DecimalMark | None = None) -> None:
         self._source = str(path)
         size = file_size(path)
         if size > _LARGEST:
@@ -46,7 +53,8 @@ class CsvSource(Source):
         self._file = opened(path)
         try:
             with guarded(self._source, "table"):
-                self._layout = layout_of(_head(self._file, size, self._source), self._source)
+                head = _head(self._file, size, self._source)
+                self._layout = layout_of(head, self._source, mark)
                 self._rows = _Rows(self._file, self._layout.offset, self._source)
                 self._timeline = self._times()
                 self._columns = self._columns_of_channels()
@@ -93,17 +101,22 @@ class CsvSource(Source):
 
     def _channel(self, number: int) -> Channel:
         layout = self._layout
-        rate = rate_among(layout.numbers)
-        if self._timeline is not None:
-            rate = agreed_rate(self._timeline[1].rate, rate, self._source)
+        times = None if self._timeline is None else self._timeline[1].rate
+        rate = rate_of(_claims(layout, times), times)
+        named = {
+            f"{name} {layout.number_units.get(name, '')}": value
+            for name, value in layout.numbers.items()
+        }
         unit = layout.units[number]
         return Channel(
             layout.names[number],
             self._rows.count,
-            rate,
+            rate.value,
             unit,
             quantity_of_unit(unit),
-            speed_among(layout.numbers),
+            speed_among(named),
+            rate.doubt,
+            rate.aside,
         )
 
     def _block(self, start: int, count: int, columns: list[int]) -> FloatArray:
@@ -111,8 +124,7 @@ class CsvSource(Source):
         layout = self._layout
         line = layout.first_line + start
         content = self._rows.take(start, count)
-        if layout.decimal_comma:
-            content = content.replace(b",", b".")
+        content = layout.plain(content)
         if not content.strip():
             raise FileError("is blank within the table", source=self._source, line=line)
         try:
@@ -130,6 +142,23 @@ class CsvSource(Source):
             rule = f"has blank or joined lines among the next {count}"
             raise FileError(rule, source=self._source, line=line)
         return np.asarray(block)
+
+
+def _claims(layout: CsvLayout, times: float | None) -> RateClaims:
+    """Sampling rates above the table; of one that is two, that which the times bear out."""
+    found = rates_among([layout.numbers])
+    doubtful = []
+    for name, (text, *readings) in layout.two_ways.items():
+        for value, reading in zip(readings, ("decimal", "thousands"), strict=True):
+            claims = rates_among([{name: value}])
+            if times is not None and rate_of(claims, times).value is not None:
+                doubtful = [*claims.clear]
+                break
+            doubtful += [
+                RateClaim(f'"{name}: {text}" with a {reading} point', claim.value)
+                for claim in (*claims.clear, *claims.loose)
+            ]
+    return RateClaims((*found.clear, *doubtful), found.loose)
 
 
 class _Rows:

@@ -8,6 +8,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import BinaryIO, Final
 
+from rolamento._tables import DecimalMark
 from rolamento.errors import FileError
 from rolamento.vibration.reading._channel import Source
 from rolamento.vibration.reading._limits import file_size, guarded, opened
@@ -30,8 +31,10 @@ _HDF5_PLACES: Final = (0, 512, 1024, 2048, 4096)
 _UFF: Final = re.compile(rb"\s{0,200}-1[ \r]*\n *\d{1,5}[bB]?[ \d]*\r?\n")
 
 
-def open_source(path: str | os.PathLike[str]) -> Source:
+def open_source(path: str | os.PathLike[str], mark: DecimalMark | None = None) -> Source:
     """Open a file with the reader of its format.
+
+    mark: the decimal one of a table of text, over what the table tells.
 
     Raises
     ------
@@ -47,7 +50,7 @@ def open_source(path: str | os.PathLike[str]) -> Source:
     if not kind:
         raise _unknown(file.suffix.lower(), source)
     with guarded(source, "signal file"):
-        return _READERS[kind](file)
+        return _csv(file, mark) if kind == "csv" else _READERS[kind](file)
 
 
 def _path(path: str | os.PathLike[str]) -> Path:
@@ -136,10 +139,10 @@ def _uff(path: Path) -> Source:
     return UffSource(path)
 
 
-def _csv(path: Path) -> Source:
+def _csv(path: Path, mark: DecimalMark | None) -> Source:
     from rolamento.vibration.reading.csv_file import CsvSource
 
-    return CsvSource(path)
+    return CsvSource(path, mark)
 
 
 _READERS: Final[dict[str, Callable[[Path], Source]]] = {
@@ -150,5 +153,4 @@ _READERS: Final[dict[str, Callable[[Path], Source]]] = {
     "hdf5": _hdf5,
     "matlab": _matlab,
     "uff": _uff,
-    "csv": _csv,
 }

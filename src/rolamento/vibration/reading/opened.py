@@ -9,12 +9,14 @@ from typing import Self
 
 import numpy as np
 
+from rolamento._tables import checked_mark
 from rolamento.errors import FileError, InputError
 from rolamento.numerics import FloatArray
 from rolamento.vibration._checks import checked_count, checked_number
-from rolamento.vibration.reading._channel import Channel, Source
+from rolamento.vibration.reading._channel import Channel, ReadingNote, Source
 from rolamento.vibration.reading._choice import Meaning, chosen_channel
 from rolamento.vibration.reading._limits import MOST_SAMPLES, guarded
+from rolamento.vibration.reading._metadata import speeds_perhaps
 from rolamento.vibration.reading._speed import ShaftSpeed, channel_beside, chosen_speed
 from rolamento.vibration.reading.formats import open_source
 from rolamento.vibration.signal import Quantity, Signal
@@ -31,6 +33,8 @@ class SignalFile:
     ----------
     path
         of the file
+    decimal_mark
+        of a table of text, if it was given
     channels
         all that the file holds
     channel
@@ -47,6 +51,10 @@ class SignalFile:
         channel of the file that tells the speed sample by sample; None if there is none
     notes
         how the samples were taken from the file
+    choices
+        those of the notes that tell what was taken for what where the file says several things
+    speeds_perhaps
+        numbers of the file by name that may be the shaft's speed and do not say their unit
     """
 
     def __init__(
@@ -57,8 +65,10 @@ class SignalFile:
         meaning: Meaning,
         speed: ShaftSpeed,
         part: tuple[int, int],
+        decimal_mark: str | None = None,
     ) -> None:
         self.path = path
+        self.decimal_mark = decimal_mark
         self.channels = source.channels
         self.channel = source.channels[number]
         self.rate = meaning.rate
@@ -67,7 +77,9 @@ class SignalFile:
         self.unit = meaning.unit
         self.speed = speed.value
         self.speed_channel = None if speed.channel is None else source.channels[speed.channel]
-        self.notes = (*source.notes, *meaning.notes)
+        self.choices: tuple[ReadingNote, ...] = meaning.choices
+        self.notes = (*source.notes, *meaning.notes, *(note.text for note in meaning.choices))
+        self.speeds_perhaps = speeds_perhaps(source.numbers, meaning.rate)
         self._source = source
         self._wanted = (number,) if speed.channel is None else (number, speed.channel)
         self._scales = (meaning.scale, speed.scale)
@@ -179,6 +191,7 @@ def open_signal(
     scale: float | str | None = None,
     speed_channel: str | int | None = None,
     speed_unit: str | None = None,
+    decimal_mark: str | None = None,
     start: float = 0.0,
     duration: float | None = None,
 ) -> SignalFile:
@@ -191,7 +204,8 @@ def open_signal(
     channel
         its name, or its number counted from 1; not needed if there is only one
     rate
-        sampling rate, Hz; needed if the file does not say
+        sampling rate, Hz; needed if the file does not say, or says it in several ways; over what
+        it says, with a note
     unit
         of the samples in the file, such as "g", "m/s^2", "mm/s" or "um"; or "V", "mV", "uV",
         "counts" and "1" before calibration
@@ -206,6 +220,8 @@ def open_signal(
         that is the speed. By default what the file says by itself
     speed_unit
         rpm, rad/s, deg/s or Hz; not needed if the file says so, or the name ends in rpm or Hz
+    decimal_mark
+        "point" or "comma", of a table of text in which nothing tells whether 12.500 is 12.5
     start
         of the part that is wanted, from the beginning of the file; s
     duration
@@ -217,10 +233,10 @@ def open_signal(
         If the file cannot be read.
     InputError
         If there is no such channel or several to choose from, the rate or the unit of the speed is
-        not known, unit or scale is none, what is given contradicts the file, or the part does not
-        lie within it.
+        not known or in doubt, unit or scale is none, a unit contradicts the file, or the part does
+        not lie within it.
     """
-    source = open_source(path)
+    source = open_source(path, None if decimal_mark is None else checked_mark(decimal_mark))
     name = os.fspath(path)
     try:
         with guarded(str(name), "signal file"):
@@ -229,10 +245,10 @@ def open_signal(
             chosen = source.channels[number]
             if chosen.length == 0:
                 raise FileError("holds no samples in this channel", field=chosen.name)
-            meaning = Meaning(chosen, rate, unit, quantity, scale, str(name))
+            meaning = Meaning(chosen, rate, unit, quantity, scale)
             part = _part(chosen.length, meaning.rate, start, duration)
             speed = chosen_speed(source, number, speed_channel, speed_unit)
-            return SignalFile(Path(name), source, number, meaning, speed, part)
+            return SignalFile(Path(name), source, number, meaning, speed, part, decimal_mark)
     except BaseException:
         source.close()
         raise
@@ -248,6 +264,7 @@ def read_signal(
     scale: float | str | None = None,
     speed_channel: str | int | None = None,
     speed_unit: str | None = None,
+    decimal_mark: str | None = None,
     start: float = 0.0,
     duration: float | None = None,
 ) -> Signal:
@@ -255,7 +272,9 @@ def read_signal(
 
     Parameters
     ----------
-    path, channel, rate, unit, quantity, scale, speed_channel, speed_unit, start, duration
+    path, channel, rate, unit, quantity, scale, speed_channel, speed_unit, decimal_mark, start
+        As `open_signal`.
+    duration
         As `open_signal`.
 
     Raises
@@ -275,6 +294,7 @@ def read_signal(
         scale=scale,
         speed_channel=speed_channel,
         speed_unit=speed_unit,
+        decimal_mark=decimal_mark,
         start=start,
         duration=duration,
     ) as file:

@@ -22,12 +22,13 @@ from rolamento.vibration.reading._limits import (
 )
 from rolamento.vibration.reading._metadata import (
     label_parts,
-    rate_among,
+    rate_of,
+    rates_among,
     speed_among,
     time_scale,
     unit_among,
 )
-from rolamento.vibration.reading._timeline import Timeline, agreed_rate
+from rolamento.vibration.reading._timeline import Timeline
 from rolamento.vibration.reading._units import quantity_of_unit
 
 __all__ = ["ParquetSource"]
@@ -139,13 +140,21 @@ class ParquetSource(Source):
     def _channel(self, field: Any) -> Channel:
         texts = {**self._texts, **_texts(field.metadata)}
         numbers = _numbers_among(texts)
-        rate = rate_among(numbers)
-        if self._timeline is not None:
-            rate = agreed_rate(self._timeline.rate, rate, self._source)
+        times = None if self._timeline is None else self._timeline.rate
+        rate = rate_of(rates_among([numbers]), times)
         name, unit = label_parts(field.name)
         unit = unit_among(_texts(field.metadata)) or unit
         count = sum(self._groups)
-        return Channel(name, count, rate, unit, quantity_of_unit(unit), speed_among(numbers))
+        return Channel(
+            name,
+            count,
+            rate.value,
+            unit,
+            quantity_of_unit(unit),
+            speed_among(numbers),
+            rate.doubt,
+            rate.aside,
+        )
 
     def _seek(self, channels: Sequence[int], start: int) -> None:
         names = [self._fields[channel].name for channel in channels]

@@ -1,0 +1,382 @@
+"""Tables that people write: comma-separated values with a header, one reader for all of them.
+
+Commas, semicolons or tabs part the cells. Lines that begin with # are comments; ``# name: value``
+above the header is read. A table may be of a spreadsheet that writes decimal commas: then points
+part thousands, and ``12.500`` is 12500. Where nothing in the table tells, the user is asked; a line
+``# decimal mark: point`` or ``# decimal mark: comma`` above the header answers, or an argument.
+"""
+
+from __future__ import annotations
+
+import csv
+import os
+import re
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+from typing import Any, Final, Literal, get_args
+
+from rolamento._reading import STANDARD_INPUT, read_bytes
+from rolamento.errors import ABSENT, FileError, InputError
+
+__all__ = [
+    "DecimalMark",
+    "Numerals",
+    "Table",
+    "checked_mark",
+    "mark_said",
+    "numerals_of",
+    "parse_table",
+    "read_table",
+    "table_text",
+]
+
+DecimalMark = Literal["point", "comma"]
+
+_LONGEST_LINE: Final = 5000
+_LONGEST_CELL: Final = 200
+_MOST_COLUMNS: Final = 1000
+_LONGEST_NUMBER: Final = 40
+_LARGEST: Final = 5_000_000
+_MARK: Final = "decimal mark"
+
+_EXPONENT: Final = r"(?:[eE][+-]?\d{1,3})?"
+_PLAIN: Final = re.compile(rf"[+-]?(?:\d+(?:\.\d*)?|\.\d+){_EXPONENT}")
+_IN_THOUSANDS: Final = re.compile(rf"[+-]?[1-9]\d{{0,2}}(?:\.\d{{3}})+(?:,\d*)?{_EXPONENT}")
+"""A number whose points may part thousands; one with a leading zero never does."""
+_MARKED: Final = re.compile(r"[+-]?[\d.,]*[.,][\d.,]*(?:[eE][+-]?\d{1,3})?")
+_LEAD: Final = re.compile(r"[+-]?(?=[.,]?\d)[\d.,]+(?:[eE][+-]?\d{1,3})?(?=\s|%|[A-Za-zµμ°]|$)")
+_POINTS_AND_COMMAS: Final = str.maketrans(".,", ",.")
+
+
+@dataclass(frozen=True, slots=True)
+class Numerals:
+    """How the numbers of a table are written.
+
+    Attributes
+    ----------
+    commas
+        whether a comma can be part of a number: none parts the cells
+    mark
+        the decimal mark, if it is known; then the other one parts thousands
+    doubt
+        a cell that is one number with a point and another with a comma; empty if there is none
+    """
+
+    commas: bool
+    mark: DecimalMark | None = None
+    doubt: str = ""
+
+    def number(self, cell: str) -> float | None:
+        """Return the number of a cell; None if it is none."""
+        text = self.plain(cell)
+        return None if text is None else float(text)
+
+    def plain(self, cell: str) -> str | None:
+        """Return the number of a cell as text with a decimal point; None if it is none."""
+        text = cell
+        if len(text) > _LONGEST_NUMBER:
+            return None
+        if self.commas and self.mark == "comma":
+            text = text.translate(_POINTS_AND_COMMAS)
+        if self.commas and "," in text:
+            # 1,234.5 in thousands; else the comma is the decimal one, as there is no other mark
+            grouped = text.translate(_POINTS_AND_COMMAS)
+            if self.mark is not None or "." in text:
+                text = text.replace(",", "") if _IN_THOUSANDS.fullmatch(grouped) else ""
+            else:
+                text = grouped
+        return text if _PLAIN.fullmatch(text) else None
+
+    def readings(self) -> tuple[float, float]:
+        """Return what the cell in doubt is with a decimal point, and with a decimal comma."""
+        return float(self.doubt), float(self.doubt.replace(".", ""))
+
+    def check(self, field: str, *, argument: bool = True) -> None:
+        """Refuse numbers that may be read in two ways.
+
+        argument: whether the reader takes the mark as an argument, besides the line in the file.
+
+        Raises
+        ------
+        InputError
+            With both readings, and how to say which it is.
+        """
+        if not self.doubt:
+            return
+        point, comma = (f"{value:.9g}" for value in self.readings())
+        example = f'"# {_MARK}: point" above the table for {point}, "# {_MARK}: comma" for {comma}'
+        if argument:
+            example = (
+                f'decimal_mark="point" for {point}, decimal_mark="comma" for {comma}; or a line '
+                f'"# {_MARK}: comma" above the table'
+            )
+        raise InputError(
+            f"is {point} if the point is a decimal one, and {comma} if it parts thousands, and the"
+            " table does not tell",
+            field=field,
+            value=self.doubt,
+            example=example,
+        )
+
+
+def numerals_of(cells: Iterable[str], *, commas: bool, mark: DecimalMark | None = None) -> Numerals:
+    """Tell how the numbers of a table are written, by all of them together.
+
+    Parameters
+    ----------
+    cells
+        Those that hold numbers; others count nothing.
+    commas
+        Whether a comma can be part of a number: none parts the cells.
+    mark
+        What the user says, which holds.
+    """
+    if not commas or mark is not None:
+        return Numerals(commas, mark)
+    doubt = ""
+    for cell in cells:
+        if "." not in cell or len(cell) > _LONGEST_NUMBER or not _MARKED.fullmatch(cell):
+            continue
+        if not _IN_THOUSANDS.fullmatch(cell):
+            return Numerals(commas)  # 0.25, 12.5, 1,234.5: a decimal point
+        if "," in cell or cell.count(".") > 1:
+            return Numerals(commas, "comma")
+        if "e" not in cell.lower():
+            doubt = doubt or cell
+    return Numerals(commas, None, doubt)
+
+
+@dataclass(frozen=True, slots=True)
+class Table:
+    """Cells as text.
+
+    Attributes
+    ----------
+    source
+        what to call the file in messages
+    said
+        what comments above the header say, by name in lower case
+    header
+        names of the columns
+    header_line, lines
+        of the header and of the rows in the file, counted from 1
+    rows
+        cells, as many in each row as there are columns
+    separator
+        between the cells
+    """
+
+    source: str
+    said: dict[str, str]
+    header: tuple[str, ...]
+    header_line: int
+    rows: tuple[tuple[str, ...], ...]
+    lines: tuple[int, ...]
+    separator: str
+
+    def placed(self, error: InputError, row: int | None = None) -> InputError:
+        """Return an error with the place of its row, or of the header."""
+        line = self.header_line if row is None else self.lines[row]
+        return error.with_details(source=self.source, line=line)
+
+    def numerals(
+        self, columns: Sequence[int], mark: object = None, *, argument: bool = True
+    ) -> Numerals:
+        """Tell how the numbers of some columns are written.
+
+        Parameters
+        ----------
+        columns
+            Their places.
+        mark
+            ``"point"`` or ``"comma"``, over what the file says.
+        argument
+            Whether the mark can be given as an argument.
+
+        Raises
+        ------
+        InputError
+            If nothing tells, and it matters; or the mark is none.
+        """
+        said = self.said.get(_MARK) if mark is None else mark
+        chosen = None if said is None else checked_mark(said, self.source)
+        leads = (_lead(row[column]) for row in self.rows for column in columns)
+        found = numerals_of(leads, commas=self.separator != ",", mark=chosen)
+        if found.doubt:
+            place, column = next(
+                (number, column)
+                for number, row in enumerate(self.rows)
+                for column in columns
+                if _lead(row[column]) == found.doubt
+            )
+            try:
+                found.check(self.header[column], argument=argument)
+            except InputError as error:
+                raise self.placed(error, place) from None
+        return found
+
+    def plain(self, mark: object = None) -> Table:
+        """Return the table with decimal points, and no marks in thousands, in all its numbers.
+
+        Raises
+        ------
+        InputError
+            As `numerals`, of all columns.
+        """
+        if self.separator == ",":
+            return self
+        numerals = self.numerals(range(len(self.header)), mark)
+        rows = tuple(tuple(_rewritten(cell, numerals) for cell in row) for row in self.rows)
+        header = tuple(_rewritten(cell, numerals) for cell in self.header)
+        return replace(self, header=header, rows=rows)
+
+
+def _lead(cell: str) -> str:
+    """The number with which a cell begins, a unit or a per cent behind it or not."""
+    found = _LEAD.match(cell)
+    return "" if found is None else found[0]
+
+
+def _rewritten(cell: str, numerals: Numerals) -> str:
+    lead = _lead(cell)
+    text = numerals.plain(lead) if lead else None
+    return cell if text is None else text + cell[len(lead) :]
+
+
+def mark_said(line: str) -> str | None:
+    """Return what a comment above a table says of its decimal mark; None if it says nothing."""
+    name, colon, value = line.lstrip("#% \t").partition(":")
+    return value.strip() if colon and name.strip().casefold() == _MARK else None
+
+
+def checked_mark(mark: object, source: str = "") -> DecimalMark:
+    """Return a decimal mark by its name, or as the sign itself.
+
+    Raises
+    ------
+    InputError
+        If it is none.
+    """
+    known: dict[Any, DecimalMark] = {"point": "point", "comma": "comma", ".": "point", ",": "comma"}
+    known |= {"ponto": "point", "vírgula": "comma", "virgula": "comma"}
+    word = mark.strip().casefold() if isinstance(mark, str) else None
+    if word not in known:
+        raise InputError(
+            f"must be {' or '.join(get_args(DecimalMark))}",
+            field="decimal_mark",
+            value=ABSENT if mark is None else mark,
+            example='decimal_mark="comma"',
+            source=source,
+        )
+    return known[word]
+
+
+def read_table(path: str | os.PathLike[str], *, most_rows: int, example: str) -> Table:
+    """Read a table from a file, or from standard input for ``"-"``; see `parse_table`."""
+    return parse_table(*table_text(path), most_rows=most_rows, example=example)
+
+
+def table_text(path: str | os.PathLike[str]) -> tuple[str, str]:
+    """Return the text of a table and what to call it; ``"-"`` is standard input.
+
+    UTF-8, or else what Windows writes in Western languages; 5 MB at most.
+
+    Raises
+    ------
+    FileError
+        If it cannot be read, or is no text.
+    """
+    source = os.fspath(path)
+    source = STANDARD_INPUT if source == "-" else source
+    content = read_bytes(path, _LARGEST, "a table in CSV")
+    if len(content) > _LARGEST:
+        raise FileError(f"is larger than {_LARGEST // 1_000_000} MB", source=source)
+    if content[:2] in (b"\xff\xfe", b"\xfe\xff"):
+        raise FileError("is UTF-16 text; save it as CSV in UTF-8", source=source)
+    if b"\0" in content:
+        raise FileError("is a binary file; save the table as CSV", source=source)
+    try:
+        return content.decode("utf-8-sig"), source
+    except UnicodeDecodeError:
+        return content.decode("cp1252", errors="replace"), source
+
+
+def parse_table(
+    text: str, source: str, *, most_rows: int, example: str, least_rows: int = 1
+) -> Table:
+    """Take a table apart.
+
+    Parameters
+    ----------
+    text
+        As the module tells. Lines without anything count nothing.
+    source
+        What to call it in messages.
+    most_rows, least_rows
+        Below the header.
+    example
+        Of a header, for messages.
+
+    Raises
+    ------
+    FileError
+        If it is no such table, or is too large.
+    """
+    said: dict[str, str] = {}
+    found: list[tuple[int, tuple[str, ...]]] = []
+    separator = ","
+    for number, line in enumerate(text.replace("\r\n", "\n").replace("\r", "\n").split("\n"), 1):
+        if len(line) > _LONGEST_LINE:
+            rule = f"is longer than {_LONGEST_LINE} characters"
+            raise FileError(rule, source=source, line=number)
+        if line.lstrip().startswith("#"):
+            name, colon, value = line.lstrip("# \t").partition(":")
+            if colon and not found:
+                said.setdefault(name.strip().casefold(), value.strip()[:_LONGEST_CELL])
+            continue
+        if not line.strip(" \t;,"):
+            continue
+        if not found:
+            separator = next((mark for mark in ";\t" if mark in line), ",")
+        if len(found) > most_rows:
+            raise FileError(f"holds more than {most_rows} rows", source=source)
+        found.append((number, _cells(line, separator, source, number)))
+        _check_row(found, separator, source)
+    if not found:
+        raise FileError("holds no table", source=source, example=example)
+    (header_line, header), *rows = found
+    if len(rows) < least_rows:
+        raise FileError("has a header and no rows below it", source=source, example=example)
+    return Table(
+        source,
+        said,
+        header,
+        header_line,
+        tuple(cells for _, cells in rows),
+        tuple(line for line, _ in rows),
+        separator,
+    )
+
+
+def _cells(line: str, separator: str, source: str, number: int) -> tuple[str, ...]:
+    try:
+        cells = next(csv.reader([line], delimiter=separator, strict=True))
+    except (csv.Error, StopIteration):
+        rule = "is not a line of a CSV table; look for a lone quotation mark"
+        raise FileError(rule, source=source, line=number) from None
+    return tuple(cell.strip() for cell in cells)
+
+
+def _check_row(found: Sequence[tuple[int, tuple[str, ...]]], separator: str, source: str) -> None:
+    """Refuse a row that is too large, or not as long as the header."""
+    line, cells = found[-1]
+    header = found[0][1]
+    if len(cells) > _MOST_COLUMNS:
+        raise FileError(f"has more than {_MOST_COLUMNS} columns", source=source, line=line)
+    if max(map(len, cells)) > _LONGEST_CELL:
+        rule = f"has a cell of more than {_LONGEST_CELL} characters"
+        raise FileError(rule, source=source, line=line)
+    if len(cells) != len(header):
+        advice = "; with decimal commas part the cells by semicolons" if separator == "," else ""
+        rule = f"has {len(cells)} cells where the header has {len(header)}{advice}"
+        raise FileError(rule, source=source, line=line)

@@ -1,0 +1,67 @@
+"""Options of tables that a user brings, and what is wrong with them in the words of options."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Annotated, Final
+
+import typer
+
+from rolamento.errors import InputError
+
+__all__ = ["DecimalMarkOption", "StatusColumnOption", "TimeColumnOption", "told_in_options"]
+
+_OPTIONS: Final = {
+    "decimal_mark": "--decimal-mark",
+    "time": "--time-column",
+    "status": "--status-column",
+    "bearing": "--bearing-column",
+    "group": "--group",
+}
+_ARGUMENT: Final = re.compile(rf'\b({"|".join(_OPTIONS)})="([^"]*)"')
+
+DecimalMarkOption = Annotated[
+    str | None,
+    typer.Option(
+        "--decimal-mark",
+        metavar="MARK",
+        help="point or comma, of a table in which 12.500 may be 12.5 or 12500.",
+    ),
+]
+TimeColumnOption = Annotated[
+    str | None,
+    typer.Option("--time-column", metavar="COLUMN", help="Column of the times, if another."),
+]
+StatusColumnOption = Annotated[
+    str | None,
+    typer.Option(
+        "--status-column", metavar="COLUMN", help="Column that tells what failed, if another."
+    ),
+]
+
+
+@contextmanager
+def told_in_options() -> Iterator[None]:
+    """Tell what is wrong with a table in the words of the command."""
+    try:
+        yield
+    except InputError as error:
+        raise _told(error) from None
+
+
+def _told(error: InputError) -> InputError:
+    def option(match: re.Match[str]) -> str:
+        value = f"'{match[2]}'" if " " in match[2] else match[2]
+        return f"{_OPTIONS[match[1]]} {value}"
+
+    of_mark = error.field == "decimal_mark"
+    return type(error)(
+        _ARGUMENT.sub(option, error.rule),
+        field="--decimal-mark" if of_mark else error.field,
+        value=error.value,
+        example=_ARGUMENT.sub(option, error.example),
+        source=error.source,
+        line=error.line,
+    )

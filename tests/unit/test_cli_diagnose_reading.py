@@ -1,0 +1,176 @@
+"""What `rolamento diagnose` makes of files: whose rate, whose speed, and what cannot be tested."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+import scipy.io
+import typer
+from typer.testing import CliRunner
+
+from rolamento.cli.diagnose import diagnose
+from rolamento.cli.diagnose_options import DiagnoseCommand
+
+app = typer.Typer(rich_markup_mode=None, add_completion=False)
+app.command(cls=DiagnoseCommand)(diagnose)
+
+Run = Callable[..., tuple[int, str, str]]
+NOISE = np.random.default_rng(5).normal(size=60_000)
+
+
+@pytest.fixture
+def run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Run:
+    """Run the command in a directory of its own, in English."""
+    monkeypatch.chdir(tmp_path)
+
+    def runner(*arguments: str) -> tuple[int, str, str]:
+        given = (*arguments, "--bearing", "6205")
+        result = CliRunner().invoke(app, given, env={"LC_ALL": "C.UTF-8"})
+        if result.exception and not isinstance(result.exception, SystemExit):
+            raise result.exception
+        squeezed = (" ".join(text.split()) for text in (result.stdout, result.stderr))
+        return (result.exit_code, *squeezed)
+
+    return runner
+
+
+def mfpt(path: str = "a.mat", **changed: float) -> None:
+    fields = {"sr": 12_000.0, "gs": NOISE[:, None], "load": 270.0, "rate": 25.0}
+    scipy.io.savemat(path, {"bearing": {**fields, **changed}})
+
+
+def test_a_speed_that_does_not_say_its_unit_is_offered(run: Run) -> None:
+    mfpt()
+    code, _, error = run("a.mat")
+    assert code == 2
+    assert "its bearing.rate = 25 may be it, in a unit that it does not say" in error
+    assert "--speed-channel bearing.rate --speed-unit Hz" in error
+    code, out, _ = run("a.mat", "--speed-channel", "bearing.rate", "--speed-unit", "Hz")
+    assert code == 0
+    assert "5 s at 12 000 Hz, 125 revolutions" in out
+    assert 'The sampling rate is 12000 Hz; "rate" = 25 of the file is not taken for one.' in out
+
+
+def test_the_rate_of_the_option_wins(run: Run) -> None:
+    mfpt()
+    code, out, _ = run("a.mat", "--speed", "1500 rpm", "--rate", "24 kHz")
+    assert code == 0
+    assert "The sampling rate is 24000 Hz as given; the file says 12000 Hz." in out
+    out = run("a.mat", "--speed", "1500 rpm", "--rate", "24 kHz", "--lang", "pt")[1]
+    assert "A taxa de amostragem é 24000 Hz, como dada; o arquivo diz 12000 Hz." in out
+
+
+def test_rates_that_disagree_name_the_option(run: Run) -> None:
+    mfpt(rate=51_200.0)
+    code, _, error = run("a.mat", "--speed", "1500 rpm")
+    assert code == 2
+    assert '"sr" says 12000 Hz and "rate" says 51200 Hz; give it, in Hz' in error
+    assert "--rate: is in doubt" in error
+    code, out, _ = run("a.mat", "--speed", "1500 rpm", "--rate", "12 kHz", "--json")
+    choices = json.loads(out)["signal"]["reading_notes"]
+    assert any("as given; in the file" in note for note in choices)
+    assert code == 0
+
+
+def test_the_speed_of_the_option_wins(run: Run) -> None:
+    np.savez("a.npz", x=NOISE, fs=12_000.0, rpm=1797.0)
+    out = run("a.npz", "--speed", "1500 rpm")[1]
+    assert "The speed is 1500 rpm as given; the file says 1797 rpm." in out
+    out = run("a.npz", "--speed", "1500 rpm", "--lang", "pt")[1]
+    assert "A rotação é 1500 rpm, como dada; o arquivo diz 1797 rpm." in out
+    assert "as given; the file" not in run("a.npz", "--speed", "1797 rpm")[1]
+
+
+def test_pulses_go_with_the_rate_that_is_given(run: Run) -> None:
+    """Both channels of a WAV header that is wrong by two are as fast as is said."""
+    pulses = (np.arange(len(NOISE)) * 25.0 / 12_000.0 % 1.0 < 0.1).astype(float)
+    np.savez("a.npz", x=NOISE, tacho=pulses, fs=6000.0)
+    out = run("a.npz", "--channel", "x", "--tacho", "tacho", "--rate", "12 kHz")[1]
+    assert "mean 1500 rpm" in out or "1500 rpm (25 Hz)" in out
+
+
+@pytest.mark.parametrize("language", ["en", "pt"])
+def test_a_rate_too_low_for_the_races_is_no_verdict(run: Run, language: str) -> None:
+    """At 25 Hz the cage is all that is left; that nothing is found of it is not "nothing found"."""
+    np.save("a.npy", NOISE)
+    code, out, _ = run("a.npy", "--speed", "1500 rpm", "--rate", "100", "--lang", language)
+    assert code == 1
+    start = {
+        "en": "No verdict: not tested: outer race, inner race and ball. The sampling rate is too "
+        "low for its frequency. Nothing stands out of the noise for: cage.",
+        "pt": "Sem veredito: não foi possível testar: pista externa, pista interna e esfera. A "
+        "taxa de amostragem é baixa demais para sua frequência. Nada se destaca do ruído em: "
+        "gaiola.",
+    }
+    assert out.startswith(start[language])
+
+
+def test_a_short_record_is_told_before_it_is_read(
+    run: Run, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def never(*_: object) -> None:
+        raise AssertionError("the record was diagnosed")
+
+    np.save("a.npy", NOISE[:40_000])
+    monkeypatch.setattr("rolamento.vibration.diagnosis.diagnose", never)
+    known = ("a.npy", "--speed", "30 rpm", "--rate", "50 kHz")
+    code, out, _ = run(*known)
+    assert code == 1
+    assert out == (
+        "No verdict: the record is too short. It spans 0.4 revolutions of the shaft, 0.8 s; below "
+        "1.7 revolutions, 3.4 s, nothing can be told of any race."
+    )
+    code, out, error = run(*known, "--json")
+    assert code == 1
+    assert json.loads(out)["reason"] == "record_too_short"
+    assert error.startswith("rolamento: No verdict: the record is too short.")
+
+
+@pytest.mark.parametrize("language", ["en", "pt"])
+def test_a_shaft_too_slow_for_its_rate_is_told_before_it_is_read(
+    run: Run, monkeypatch: pytest.MonkeyPatch, language: str
+) -> None:
+    """Two million samples are judged at once: 42 s at 50 kHz, in which 2 rpm is 1.4 turns."""
+
+    def never(*_: object) -> None:
+        raise AssertionError("the record was diagnosed")
+
+    np.save("a.npy", np.zeros(3_000_000, dtype=np.float32))
+    monkeypatch.setattr("rolamento.vibration.diagnosis.diagnose", never)
+    code, out, _ = run("a.npy", "--speed", "2 rpm", "--rate", "50 kHz", "--lang", language)
+    assert code == 1
+    said = {"en": "spans 1.4 revolutions", "pt": "abrange 1,4 voltas"}
+    assert said[language] in out
+    data = json.loads(run("a.npy", "--speed", "2 rpm", "--rate", "50 kHz", "--json")[1])
+    assert data["reason"] == "shaft_too_slow"
+
+
+def test_tracking_a_short_record_is_refused_before_it_is_read(
+    run: Run, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def never(*_: object) -> None:
+        raise AssertionError("the record was read")
+
+    np.save("a.npy", NOISE)
+    monkeypatch.setattr("rolamento.vibration.reading.SignalFile.read", never)
+    code, _, error = run("a.npy", "--speed", "600 rpm", "--rate", "12000", "--track")
+    assert code == 2
+    assert "50 revolutions" in error
+    assert "must be at least 96 revolutions of the shaft at its nominal speed, 9.6 s" in error
+
+
+def test_decimal_marks_are_asked_about(run: Run) -> None:
+    Path("a.csv").write_text("load;speed\n" + "7;1.234\n" * 9, "utf-8")
+    known = ("a.csv", "--speed", "1500 rpm", "--rate", "100", "--channel", "2")
+    code, _, error = run(*known)
+    assert code == 2
+    assert "--decimal-mark point for 1.234, --decimal-mark comma for 1234" in error
+    rows = "\n".join(f"7;{1.0 + n % 9 / 1000:.3f}" for n in range(9000))
+    Path("a.csv").write_text(f"load;speed\n{rows}\n", "utf-8")
+    assert run(*known)[0] == 2
+    assert run(*known, "--decimal-mark", "comma")[0] in (0, 1)
+    assert "must be point or comma" in run(*known, "--decimal-mark", "x")[2]
