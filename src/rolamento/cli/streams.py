@@ -8,11 +8,11 @@ from collections.abc import Callable
 from contextlib import suppress
 from typing import Final, TextIO
 
-from rolamento._reading import write_text
+from rolamento._writing import write_text
 from rolamento.errors import FileError
 from rolamento.report.medium import Medium
 
-__all__ = ["STANDARD_STREAM", "complain", "print_data", "print_text", "put", "put_new"]
+__all__ = ["STANDARD_STREAM", "complain", "print_data", "print_text", "put"]
 
 STANDARD_STREAM: Final = "-"
 _STANDARD_OUTPUT: Final = "standard output"
@@ -52,24 +52,6 @@ def put(text: str, path: str) -> None:
         print_data(text)
     else:
         write_text(text, path)
-
-
-def put_new(text: str, path: str) -> None:
-    """Write to a file that is not there yet.
-
-    Raises
-    ------
-    FileError
-        If there is a file of that name already, or it cannot be written.
-    """
-    try:
-        with open(path, "x", encoding="utf-8", newline="\n") as file:
-            file.write(text)
-    except FileExistsError:
-        raise FileError("exists already; choose another name", source=path) from None
-    except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or str(error)
-        raise FileError(f"cannot be written: {reason.lower()}", source=path) from None
 
 
 def complain(text: str) -> None:
