@@ -184,6 +184,41 @@ def test_ctrl_c_of_a_process(run: Run, examples: Path) -> None:
     assert list(parts.glob("*.npz"))
 
 
+@pytest.mark.skipif(os.name != "posix", reason="needs POSIX signals")
+@pytest.mark.slow
+def test_ctrl_c_among_slow_cases(run: Run) -> None:
+    """A friction sweep on one thread, stopped in the middle: at once, and with parts to go on from.
+
+    A third of a million cases of some 4 ms, which the first chunk of 16 384 took over a minute of.
+    """
+    scatter = (
+        'case = "case.toml"\noutputs = ["x"]\n[scatter]\ncount = 300000\n'
+        '[scatter.fields."duty.load.fx"]\ndistribution = "uniform"\nleast = "20 kN"\n'
+        'greatest = "40 kN"\n'
+    )
+    Path("slow.toml").write_text(scatter, "utf-8")
+    settings = ["model.raceway_control=friction", "lubricant=ISO VG 68",
+                "lubricant.friction_coefficient=0.07"]  # fmt: skip
+    program = "import typer; from rolamento.cli.sweep import sweep; typer.run(sweep)"
+    process = subprocess.Popen(
+        [sys.executable, "-c", program, "slow.toml", "--threads", "1",
+         *(word for setting in settings for word in ("--set", setting))],
+        stderr=subprocess.PIPE,
+        text=True,
+        env={**os.environ, "PYTHONPATH": str(Path(rolamento.__file__).parents[1])},
+    )  # fmt: skip
+    parts = Path("slow.nc.parts")
+    deadline = time.monotonic() + 240.0  # kernels may have to be compiled
+    while not list(parts.glob("*.npz")) and time.monotonic() < deadline:
+        assert process.poll() is None
+        time.sleep(0.05)
+    process.send_signal(signal.SIGINT)
+    _, errors = process.communicate(timeout=30)
+    assert process.returncode == 130, errors
+    assert "of 300000 cases are kept in slow.nc.parts" in errors
+    assert "Traceback" not in errors
+
+
 class TestProgress:
     def test_lines_where_there_is_no_terminal(self, capsys: pytest.CaptureFixture[str]) -> None:
         seconds = iter([0.0, 1.0, 5.0, 11.0, 11.0, 11.0, 11.0])

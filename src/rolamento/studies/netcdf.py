@@ -27,7 +27,7 @@ class _NetCDF:
         self._plan, self._file, self._layout = plan, file, layout
 
     def put(self, part: Part) -> None:
-        first, last = self._plan.bounds(part.index)
+        first, last = self._plan.bounds_of(part)
         pieces = list(slabs(first, last, self._plan.study.shape))
         for variable in self._layout.outputs:
             target, values = self._file.variables[variable.name], part.arrays[variable.name]
