@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import json
 from pathlib import Path
+from random import Random
 
 import h5netcdf
 import numpy as np
@@ -13,6 +14,7 @@ import pytest
 import xarray as xr
 
 from rolamento import Case
+from rolamento._foreign import child
 from rolamento.errors import FileError
 from rolamento.studies import (
     Axis,
@@ -119,6 +121,60 @@ def test_only_a_study_s_result_is_loaded(tmp_path: Path) -> None:
         load_result(tmp_path / "none.nc")
     with pytest.raises(FileError):
         load_result(tmp_path)
+
+
+@pytest.mark.parametrize("storage", [{}, {"zlib": True}])
+def test_what_is_loaded_is_what_xarray_reads(
+    study: Study, tmp_path: Path, storage: dict[str, bool]
+) -> None:
+    run_to_file(study, tmp_path / "r.nc")
+    with xr.open_dataset(tmp_path / "r.nc", engine="h5netcdf") as opened:
+        whole = opened.load()
+    whole.to_netcdf(tmp_path / "again.nc", engine="h5netcdf", encoding={"x": storage})
+    loaded = load_result(tmp_path / "again.nc")
+    xr.testing.assert_identical(loaded, whole)
+    for name, variable in whole.variables.items():
+        assert loaded[name].dtype.kind.replace("U", "O") == variable.dtype.kind.replace("U", "O")
+        for key, value in variable.attrs.items():
+            assert type(loaded[name].attrs[key]) is type(value)
+
+
+@pytest.mark.slow
+def test_a_damaged_result_is_refused_in_one_sentence(
+    study: Study, tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    """Wrong bytes, holes and missing ends: no traceback of a library, and an end."""
+    run_to_file(study, tmp_path / "r.nc")
+    whole, random = (tmp_path / "r.nc").read_bytes(), Random(5)
+    refused = 0
+    for _ in range(30):
+        content = bytearray(whole)
+        for _ in range(random.choice((1, 4, 20))):
+            place = random.randrange(random.choice((300, 5000, len(whole) - 8)))
+            content[place : place + 1] = random.randbytes(1)
+        if random.random() < 0.2:
+            del content[random.randrange(8, len(content)) :]
+        (tmp_path / "damaged.nc").write_bytes(content)
+        try:
+            load_result(tmp_path / "damaged.nc")
+        except FileError as error:
+            refused += 1
+            assert str(error).isprintable()
+            assert len(str(error)) < 500
+    assert refused > 10
+    assert capfd.readouterr() == ("", "")
+
+
+def test_a_reader_that_comes_to_no_end(
+    study: Study, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    run_to_file(study, tmp_path / "r.nc")
+    monkeypatch.setattr(child, "PATIENCE", 0.5)
+    for text in ("import time; time.sleep(60)", "import os; os.abort()"):
+        (tmp_path / "worker.py").write_text(text, "utf-8")
+        monkeypatch.setattr(child, "_SCRIPT", tmp_path / "worker.py")
+        with pytest.raises(FileError, match="broke off, or came to no end"):
+            load_result(tmp_path / "r.nc")
 
 
 def test_a_small_file_that_claims_to_be_large_is_not_loaded(tmp_path: Path) -> None:

@@ -14,10 +14,10 @@ from typing import Any, Final
 import h5netcdf
 import numpy as np
 
-from rolamento.studies.layout import Layout, Variable
+from rolamento.studies.layout import Layout, Variable, slabs
 from rolamento.studies.plan import Part, Plan
 
-__all__ = ["netcdf_writer", "slabs"]
+__all__ = ["netcdf_writer"]
 
 _SAMPLES_AT_ONCE: Final = 2**16
 
@@ -54,42 +54,6 @@ def netcdf_writer(
                 file.variables[variable.name].attrs["coordinates"] = layout.coordinates
         _write_samples(file, plan, layout)
         yield _NetCDF(file, plan, layout)
-
-
-def slabs(
-    first: int, last: int, shape: tuple[int, ...]
-) -> Iterator[tuple[tuple[slice, ...], slice]]:
-    """Cut a run of cases into boxes of the grid: each with its place and its part of the run.
-
-    At most one box less than twice the dimensions: a ragged beginning, whole rows, a ragged end.
-    """
-    yield from _slabs(first, last, shape, (), 0)
-
-
-def _slabs(
-    first: int, last: int, shape: tuple[int, ...], fixed: tuple[slice, ...], offset: int
-) -> Iterator[tuple[tuple[slice, ...], slice]]:
-    if first >= last:
-        return
-    length = int(np.prod(shape[1:], dtype=np.int64))
-    if len(shape) == 1:
-        yield (*fixed, slice(first, last)), slice(offset, offset + last - first)
-        return
-    row, begin = divmod(first, length)
-    end_row, end = divmod(last, length)
-    if row == end_row:
-        yield from _slabs(begin, end, shape[1:], (*fixed, slice(row, row + 1)), offset)
-        return
-    if begin:
-        yield from _slabs(begin, length, shape[1:], (*fixed, slice(row, row + 1)), offset)
-        offset += length - begin
-        row += 1
-    if row < end_row:
-        whole = (end_row - row) * length
-        place = (*fixed, slice(row, end_row), *(slice(0, size) for size in shape[1:]))
-        yield place, slice(offset, offset + whole)
-        offset += whole
-    yield from _slabs(0, end, shape[1:], (*fixed, slice(end_row, end_row + 1)), offset)
 
 
 def _create(file: Any, variable: Variable) -> Any:
