@@ -4,6 +4,10 @@ from __future__ import annotations
 
 import csv
 import json
+import os
+import shutil
+import subprocess
+import sys
 from pathlib import Path
 from random import Random
 
@@ -13,6 +17,7 @@ import pyarrow.parquet
 import pytest
 import xarray as xr
 
+import rolamento
 from rolamento import Case
 from rolamento._foreign import child
 from rolamento.errors import FileError
@@ -25,6 +30,7 @@ from rolamento.studies import (
     parse_study,
     run,
     run_to_file,
+    study_to_toml,
 )
 from rolamento.studies.plan import Part, Plan
 from rolamento.studies.writing import writer_for
@@ -195,3 +201,65 @@ def test_what_the_disk_refuses_is_told(study: Study, tmp_path: Path, ending: str
         writer_for(place)(place, plan, {}, ()) as file,
     ):
         file.put(Part(0, plan.empty(48)))
+
+
+PROGRAM = """
+import resource, sys
+from pathlib import Path
+from rolamento.errors import FileError
+from rolamento.studies import load_study, run_to_file, runner
+
+runner._LONGEST_UNWRITTEN = -1.0  # parts in small files
+most = int(sys.argv[2])
+resource.setrlimit(resource.RLIMIT_FSIZE, (most, resource.RLIM_INFINITY))
+try:
+    run_to_file(load_study("study.toml"), sys.argv[1], chunk=500)
+except FileError as error:
+    print(error)
+"""
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(os.name != "posix", reason="needs limits of POSIX")
+@pytest.mark.parametrize("ending", [".nc", ".csv", ".parquet"])
+def test_a_disk_that_fills_up(study: Study, tmp_path: Path, ending: str) -> None:
+    """A limit on the size of files stands for a full disk: one sentence, and nothing is lost.
+
+    The HDF5 library used to bring the process down.
+    """
+    law = Distribution(distribution="uniform", least="20 kN", greatest="40 kN")
+    scatter = Scatter(count=5000, fields={"duty.load.fx": law})
+    small = Study(case=study.case, outputs=("x", "z"), scatter=scatter)
+    (tmp_path / "study.toml").write_text(study_to_toml(small), "utf-8")
+
+    def ended(most: int) -> subprocess.CompletedProcess[str]:
+        return subprocess.run(
+            [sys.executable, "-c", PROGRAM, f"r{ending}", str(most)],
+            cwd=tmp_path,
+            env={**os.environ, "PYTHONPATH": str(Path(rolamento.__file__).parents[1])},
+            capture_output=True,
+            text=True,
+        )
+
+    for most in (40_000, 80_000):
+        full = ended(most)
+        assert (full.returncode, full.stderr) == (0, "")
+        assert full.stdout.startswith(f"r{ending}: cannot be written: ")
+        assert full.stdout.endswith(f"what was solved is kept in r{ending}.parts\n")
+        assert full.stdout.count("\n") == 1
+        names = sorted(path.name for path in tmp_path.iterdir())
+        assert names == [f"r{ending}.parts", "study.toml"]
+        assert len(list((tmp_path / f"r{ending}.parts").glob("part-*.npz"))) == 10
+    assert ended(10**9).stdout == ""
+    run_to_file(small, tmp_path / f"straight{ending}", chunk=500)
+    straight = (tmp_path / f"straight{ending}").read_bytes()
+    assert (tmp_path / f"r{ending}").read_bytes() == straight
+
+
+def test_a_result_larger_than_the_disk(
+    study: Study, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    usage = shutil.disk_usage(tmp_path)
+    monkeypatch.setattr(shutil, "disk_usage", lambda path: usage._replace(free=1000))
+    with pytest.raises(FileError, match=r"it takes .* MB, and 0.001 MB are free; what"):
+        run_to_file(study, tmp_path / "r.nc")

@@ -170,7 +170,7 @@ def run_to_file(
                     shelf.add(part)
                     tally.add(part)
             seconds = time.perf_counter() - began
-            ranges = _assembled(plan, store, writer, tally)
+            ranges = _assembled(plan, store, writer, tally, result)
             _move(store.result, result)
         except KeyboardInterrupt:
             raise Interrupted(tally.done, plan.cases, store.folder) from None
@@ -293,15 +293,24 @@ class _Shelf:
         self._written = time.monotonic()
 
 
-def _assembled(plan: Plan, store: Store, writer: Writer, tally: _Tally) -> tuple[OutputRange, ...]:
+def _assembled(
+    plan: Plan, store: Store, writer: Writer, tally: _Tally, result: Path
+) -> tuple[OutputRange, ...]:
     """Put the parts together in one file, in order, and gather the ranges of the outputs."""
     spreads = Spreads(plan)
-    with writer(store.result, plan, tally.counts, tally.some_messages) as file:
-        for first in range(0, plan.chunks, plan.chunks_together):
-            last = min(first + plan.chunks_together, plan.chunks)
-            part = Part.joined([store.get(index) for index in range(first, last)])
-            file.put(part)
-            spreads.add(part)
+    try:
+        with writer(store.result, plan, tally.counts, tally.some_messages) as file:
+            for first in range(0, plan.chunks, plan.chunks_together):
+                last = min(first + plan.chunks_together, plan.chunks)
+                part = Part.joined([store.get(index) for index in range(first, last)])
+                file.put(part)
+                spreads.add(part)
+    except FileError as error:
+        if error.source != str(store.result):
+            raise
+        store.result.unlink(missing_ok=True)  # room for whoever is asked to make some
+        kept = f"{error.rule}; what was solved is kept in {store.folder}"
+        raise FileError(kept, source=str(result)) from None
     return spreads.ranges()
 
 
