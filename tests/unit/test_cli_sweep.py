@@ -105,6 +105,7 @@ def test_none_with_a_result(run: Run) -> None:
         (("case.toml",), "bearing: is not a known key"),
         (("study.toml", "-o", "out.txt"), "must end in"),
         (("study.toml", "-o", "study.toml"), "is the study file itself"),
+        (("study.toml", "-o", "./case.toml"), "is the study's case file; choose another name"),
         (("study.toml", "-o", "none/out.nc"), "no such directory"),
         (("study.toml", "--set", "duty.load.fy=1"), "needs its unit"),
         (("study.toml", "--set", "duty.lod.fy=1 N"), "did you mean load"),
