@@ -104,7 +104,11 @@ def _swept(
     check_outputs({"--output": result}, path, rule="is the study file itself")
     if path != STANDARD_STREAM:  # which is there to be read once
         case = case_file_of(path)
-        check_outputs({"--output": result}, case and str(case), rule="is the study's case file")
+        check_outputs(
+            {"--output": result},
+            None if case is None else str(case),
+            rule="is the study's case file",
+        )
     loaded = load_study(path, settings)
     summary = _run(loaded, result, where, restart, lang)
     _print_report(loaded, summary, lang)

@@ -20,6 +20,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from functools import cache, cached_property, update_wrapper
 from hashlib import sha256
+from importlib import import_module
 from pathlib import Path
 from typing import Any, Generic, ParamSpec, TypeVar
 
@@ -124,9 +125,9 @@ def _checked_cache() -> Any:
     Numba takes what it finds for whole: a damaged file raises whatever its bytes lead to, or ends
     the process, and one that cannot be written is an error of the function that was called.
     """
-    from numba.core.caching import FunctionCache, IndexDataCacheFile
+    caching: Any = import_module("numba.core.caching")
 
-    class CheckedFiles(IndexDataCacheFile):  # type: ignore[misc]
+    class CheckedFiles(caching.IndexDataCacheFile):  # type: ignore[misc]
         @contextmanager
         def _open_for_write(self, filepath: str) -> Iterator[io.BytesIO]:
             with super()._open_for_write(filepath) as file:
@@ -143,12 +144,12 @@ def _checked_cache() -> Any:
             _check(self._data_path(name))
             return super()._load_data(name)
 
-    class CheckedCache(FunctionCache):  # type: ignore[misc]
+    class CheckedCache(caching.FunctionCache):  # type: ignore[misc]
         def __init__(self, function: Callable[..., Any]) -> None:
             super().__init__(function)
-            numba_own = self._cache_file
-            self._cache_file = CheckedFiles.__new__(CheckedFiles)
-            vars(self._cache_file).update(vars(numba_own))
+            self._cache_file: Any = CheckedFiles(
+                self._cache_path, self._impl.filename_base, self._impl.locator.get_source_stamp()
+            )
 
         def load_overload(self, sig: Any, target_context: Any) -> Any:
             try:
