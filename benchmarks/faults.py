@@ -210,16 +210,16 @@ def _caches(folder: Path, rng: random.Random) -> Tried:
     kept = folder / "kernels"
     os.environ["NUMBA_CACHE_DIR"] = str(kept)
     try:
-        command(folder, "sweep", "study.toml", "-o", "r.nc")
+        command(folder, "sweep", "study.toml", "-o", "k.nc")
         for ending in ("nbi", "nbc"):
             for _ in range(2):
                 files = sorted(kept.rglob(f"*.{ending}"), key=lambda p: p.stat().st_size)
                 content = bytearray(files[-1].read_bytes())
                 content[rng.randrange(len(content))] ^= 0xFF
                 files[-1].write_bytes(content[: rng.choice((len(content), len(content) // 2))])
-                ended = command(folder, "sweep", "study.toml", "-o", "r.nc")
+                ended = command(folder, "sweep", "study.toml", "-o", "k.nc")
                 tried.take(f"exit code {ended.code}", ended, LONGEST["faults"], ending)
-        ended = command(folder, "sweep", "study.toml", "-o", "r.nc")
+        ended = command(folder, "sweep", "study.toml", "-o", "k.nc")
         tried.take(f"exit code {ended.code}", ended, LONGEST["faults"], "mended")
         if ended.said:
             tried.bad.append(f"mended: {ended.said}")

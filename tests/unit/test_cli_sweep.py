@@ -119,6 +119,14 @@ def test_wrong_input(run: Run, arguments: tuple[str, ...], says: str) -> None:
     assert "study.nc" not in os.listdir()
 
 
+def test_a_sweep_does_not_write_over_its_case(run: Run) -> None:
+    Path("case.csv").write_bytes(Path("case.toml").read_bytes())
+    Path("study.toml").write_text(STUDY.replace("case.toml", "case.csv"), "utf-8")
+    result = run("study.toml", "-o", "./case.csv")
+    assert (result.exit_code, "is the study's case file" in result.stderr) == (2, True)
+    assert Path("case.csv").read_bytes() == Path("case.toml").read_bytes()
+
+
 def test_lists(run: Run) -> None:
     fields, outputs = run("--list", "fields").stdout, run("--list", "outputs").stdout
     assert "duty.load.fx" in fields

@@ -367,6 +367,26 @@ class TestToFile:
             store.remove()
         assert (store.folder / "diary.txt").exists()
 
+    @pytest.mark.parametrize("restart", [False, True])
+    def test_a_foreign_file_is_named_with_what_to_do(
+        self, study: Study, tmp_path: Path, restart: bool
+    ) -> None:
+        folder = tmp_path / "result.nc.parts"
+        folder.mkdir()
+        (folder / "diary.txt").write_text("dear diary")
+        said = 'holds "diary.txt", which Rolamento did not write and does not remove; move it away'
+        with pytest.raises(FileError, match=said):
+            run_to_file(study, self.file(tmp_path), restart=restart)
+        assert (folder / "diary.txt").read_text() == "dear diary"
+        (folder / "diary.txt").unlink()
+        assert run_to_file(study, self.file(tmp_path), restart=restart).cases == 60
+
+    def test_a_file_in_the_place_of_the_folder(self, study: Study, tmp_path: Path) -> None:
+        (tmp_path / "result.nc.parts").write_text("mine")
+        with pytest.raises(FileError, match="no folder; move it away, or give another name"):
+            run_to_file(study, self.file(tmp_path), restart=True)
+        assert (tmp_path / "result.nc.parts").read_text() == "mine"
+
     def test_a_manifest_that_is_nonsense(self, study: Study, tmp_path: Path) -> None:
         folder = tmp_path / "result.nc.parts"
         folder.mkdir()
