@@ -13,7 +13,6 @@ import stat
 import sys
 import tomllib
 from collections.abc import Callable
-from pathlib import Path
 from typing import Any, Final, Literal, NoReturn, TypeVar
 
 from rolamento.errors import FileError, shown
@@ -26,7 +25,6 @@ __all__ = [
     "parse_mapping",
     "read_bytes",
     "read_text",
-    "write_text",
 ]
 
 TextFormat = Literal["toml", "json"]
@@ -77,18 +75,6 @@ def read_bytes(path: str | os.PathLike[str], most: int, what: str) -> bytes:
     if source == "-":
         return _attempt(lambda: _standard_input(most), STANDARD_INPUT)
     return _attempt(lambda: _regular_file(source, most, what), source)
-
-
-def write_text(text: str, path: str | os.PathLike[str]) -> None:
-    """Write a text as UTF-8.
-
-    Raises
-    ------
-    FileError
-        If the file cannot be written.
-    """
-    source = os.fspath(path)
-    _attempt(lambda: Path(source).write_text(text, encoding="utf-8", newline="\n"), source)
 
 
 def format_of_path(path: str | os.PathLike[str]) -> TextFormat | None:
@@ -189,9 +175,11 @@ def _parsed_json(text: str) -> object:
 def _without_repetition(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     mapping = dict(pairs)
     if len(mapping) < len(pairs):
-        names = [name for name, _ in pairs]
-        repeated = next(name for name in names if names.count(name) > 1)
-        raise FileError(f"gives the key {shown(repeated)} twice")
+        seen: set[str] = set()
+        for name, _ in pairs:
+            if name in seen:
+                raise FileError(f"gives the key {shown(name)} twice")
+            seen.add(name)
     return mapping
 
 

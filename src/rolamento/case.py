@@ -19,9 +19,9 @@ from rolamento._reading import (
     format_of_text,
     parse_mapping,
     read_text,
-    write_text,
 )
 from rolamento._record import Record
+from rolamento._writing import write_text
 from rolamento.bearing import Bearing
 from rolamento.duty import Duty
 from rolamento.errors import FileError, InputError

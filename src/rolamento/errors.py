@@ -14,6 +14,7 @@ A solve that finds no equilibrium raises nothing: its result carries a status.
 from __future__ import annotations
 
 import difflib
+import re
 from collections.abc import Iterable
 from typing import Any, Final, Self
 
@@ -24,10 +25,14 @@ __all__ = [
     "UnitError",
     "UnknownKeyError",
     "nearest",
+    "printable",
     "shown",
 ]
 
 _LONGEST_VALUE: Final = 60
+_ACTING: Final = re.compile(
+    "[\x00-\x08\x0b-\x1f\x7f-\x9f\u200e\u200f\u2028-\u202e\u2066-\u2069\ud800-\udfff]"
+)
 
 
 class _Absent:
@@ -93,7 +98,7 @@ class InputError(RolamentoError, ValueError):
     def __str__(self) -> str:
         example = f" (example: {self.example})" if self.example else ""
         subject = f"{self._subject()}: " if self._subject() else ""
-        return f"{self._place()}{subject}{self.rule}{example}"
+        return printable(f"{self._place()}{subject}{self.rule}{example}")
 
     def _place(self) -> str:
         line = "" if self.line is None else f"line {self.line}"
@@ -152,6 +157,15 @@ def shown(value: object) -> str:
     if isinstance(value, int) and value.bit_length() > 200:
         return "a very long whole number"
     return _shortened(_escaped(str(value)), _LONGEST_VALUE)
+
+
+def printable(text: str) -> str:
+    """Return a text with what a terminal would act on written as an escape.
+
+    Those are control characters, but for ends of lines and tabs, and what turns the direction of
+    writing. Texts of files come through here before they are shown.
+    """
+    return _ACTING.sub(lambda found: found[0].encode("unicode_escape").decode(), text)
 
 
 def nearest(word: str, known: Iterable[str]) -> str:

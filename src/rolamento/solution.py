@@ -13,6 +13,7 @@ from rolamento.case import Case
 from rolamento.equilibrium import BatchState
 from rolamento.equilibrium.columns import DutyFields, batch_arrays, bounded, spread
 from rolamento.equilibrium.record import state_of
+from rolamento.numerics.threads import thread_count
 from rolamento.state import State
 
 __all__ = ["solve", "solve_batch"]
@@ -80,9 +81,11 @@ def solve_batch(
     Raises
     ------
     InputError
-        For an unknown field, arrays of different lengths, or fields that exclude each other. A
-        value that the case would refuse is that case's affair: its status is "invalid_input".
+        For an unknown field, arrays of different lengths, fields that exclude each other, or
+        fewer threads than one. A value that the case would refuse is that case's affair: its
+        status is "invalid_input"; so is that of a case with a masked value.
     """
+    thread_count(threads)
     given = {**(values or {}), **cast("dict[str, ArrayLike]", fields)}
     if case.mounting is not None:
         case, given = _mounted(case, given)

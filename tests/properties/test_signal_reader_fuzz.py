@@ -26,8 +26,9 @@ import scipy.io.wavfile
 from hypothesis import HealthCheck, given, note, settings
 from hypothesis import strategies as st
 
+from rolamento._foreign import child
 from rolamento.errors import InputError
-from rolamento.vibration.reading import hdf5, open_signal
+from rolamento.vibration.reading import open_signal
 from rolamento.vibration.signal import Signal
 
 SAMPLES = np.random.default_rng(3).normal(size=150)
@@ -228,7 +229,7 @@ def test_any_table(tmp_path: Path, text: str) -> None:
 @given(seed=SEEDS)
 def test_damaged_hdf5(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, seed: int) -> None:
     """Each takes a process; some bring the HDF5 library down or round in circles."""
-    monkeypatch.setattr(hdf5, "_PATIENCE", 2.0)
+    monkeypatch.setattr(child, "PATIENCE", 2.0)
     check(written(tmp_path, ".h5", damaged(hdf5_seed(), seed, most=2)))
 
 

@@ -20,7 +20,7 @@ from rolamento.studies import (
     study_to_json,
     study_to_toml,
 )
-from rolamento.studies.netcdf import slabs
+from rolamento.studies.layout import slabs
 from rolamento.studies.plan import Plan
 from rolamento.studies.sampling import factor_of
 

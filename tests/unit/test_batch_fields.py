@@ -7,7 +7,16 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rolamento import Bearing, Case, Duty, InputError, Load, UnknownKeyError, solve_batch
+from rolamento import (
+    Bearing,
+    Case,
+    Duty,
+    InputError,
+    Load,
+    UnknownKeyError,
+    analyse_batch,
+    solve_batch,
+)
 from rolamento.equilibrium.fields import BATCH_FIELDS, SHORT_NAMES, batch_fields, within_bounds
 from rolamento.equilibrium.preload import preload_of
 
@@ -238,3 +247,15 @@ def test_a_batch_of_preloads_is_the_preload_of_each() -> None:
         found = preload_of(one)
         assert found is not None
         assert found.at_rest == pytest.approx(force)
+
+
+def test_a_masked_value_is_no_value(case_218: Case) -> None:
+    """What lies below a mask is not solved, nor is the rest of the batch touched."""
+    whole = solve_batch(case_218, fx=[2e4, 3e4, 4e4])
+    load = np.ma.array([20_000, 30_000, 40_000], mask=[False, True, False])
+    batch = solve_batch(case_218, fx=load)
+    assert list(batch.status) == ["converged", "invalid_input", "converged"]
+    assert np.isnan(batch.displacement[1]).all()
+    np.testing.assert_allclose(batch.displacement[[0, 2]], whole.displacement[[0, 2]], rtol=1e-9)
+    with pytest.raises(InputError, match="absolute zero"):
+        analyse_batch(case_218, whole, lubricant_temperature=np.ma.masked_less([1e3] * 3, 2e3))

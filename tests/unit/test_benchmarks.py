@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import importlib
 import json
+import os
+from dataclasses import replace
 from pathlib import Path
+from random import Random
 from types import ModuleType
 from typing import Any
 
@@ -118,3 +121,24 @@ def test_table_and_file(module: Any, tmp_path: Path) -> None:
     main.write_json(findings, True, tmp_path / "figures.json")
     row = json.loads((tmp_path / "figures.json").read_text(encoding="utf-8"))["figures"][0]
     assert (row["target"], row["reached"]) == (100.0, False)
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(os.name != "posix", reason="needs processes of POSIX")
+def test_faults(module: Any, tmp_path: Path) -> None:
+    """One trial of a damaged file, and what is counted as a bad end."""
+    faults = module("faults")
+    random = Random(1)
+    assert len({faults.damaged(bytes(range(256)), random) for _ in range(20)}) > 15
+    ended = faults.command(tmp_path, "solve", "nothing.toml")
+    assert (ended.code, ended.wrong(60.0)) == (2, "")
+    assert replace(ended, code=-11).wrong(60.0) == "crash (-11)"
+    assert replace(ended, said="Exception ignored in: …\n").wrong(60.0) == "traceback"
+    assert replace(ended, said="one\ntwo\n").wrong(60.0) == "not one message"
+    assert replace(ended, seconds=61.0).wrong(60.0) == "late"
+    assert replace(ended, memory=1e10).wrong(60.0) == "memory"
+    tried = faults.Tried("a kind")
+    tried.take("message", ended, 60.0, "it")
+    tried.take("message", replace(ended, code=-11), 60.0, "it")
+    assert (tried.trials, len(tried.bad)) == (2, 1)
+    assert "| a kind | 2 | crash (-11): 1, message: 1 | 1 |" in faults.page([tried], "")

@@ -302,3 +302,12 @@ def test_importing_the_package_imports_nothing_heavy() -> None:
     )
     result = subprocess.run([sys.executable, "-c", script], capture_output=True, check=True)
     assert result.stdout.strip() == b"[]"
+
+
+def test_repeated_names_are_found_at_once() -> None:
+    """Whoever counts each name in all of them takes a minute for these."""
+    names = [f'"k{n:07d}": 1' for n in range(52_000)]
+    begin = time.monotonic()
+    with pytest.raises(InputError, match='gives the key "k0051999" twice'):
+        parse_case("{" + ", ".join([*names, names[-1]]) + "}")
+    assert time.monotonic() - begin < 20.0

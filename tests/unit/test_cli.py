@@ -10,6 +10,7 @@ import re
 import subprocess
 import sys
 from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
 from typing import Any, ClassVar
 
@@ -225,13 +226,14 @@ def test_without_equilibrium_csv_is_written_all_the_same(run: Run) -> None:
         (("case.toml", "--set", "duty.load.fz=10"), "needs its unit"),
         (("case.toml", "--set", "duty.load.fq=10 N"), "duty.load.fq: is not a known key"),
         (("case.toml", "--set", "nonsense"), "must be KEY=VALUE"),
-        (("case.toml", "--json", "no/such/place.json"), "no/such/place.json: cannot be opened"),
-        (("case.toml", "--csv", "no/such/place.csv"), "no/such/place.csv: cannot be opened"),
-        (("case.toml", "--json="), "cannot be opened"),
+        (("case.toml", "--json", "no/such/place.json"), "no/such/place.json: cannot be written"),
+        (("case.toml", "--csv", "no/such/place.csv"), "no/such/place.csv: cannot be written"),
+        (("case.toml", "--json="), "cannot be written: no name is given"),
         (("case.toml", "--json", "case.toml"), "is the case file itself"),
         (("case.toml", "--csv", "./case.toml"), "is the case file itself"),
         (("case.toml", "--json", "--csv", "-"), "only one of --json and --csv can go there"),
         (("case.toml", "--json", "a", "--csv", "a"), "only one of --json and --csv can go there"),
+        (("case.toml", "--json", "a", "--csv", "./a"), "only one of --json and --csv can go there"),
         ((".",), "is a directory"),
     ],
 )
@@ -559,11 +561,79 @@ def test_a_reader_that_goes_away_is_no_error() -> None:
 
 @needs_sh
 @pytest.mark.skipif(not os.path.exists("/dev/full"), reason="needs /dev/full")
-def test_a_full_disk_is_told() -> None:
-    done = process('ROLAMENTO solve "$CASE" --json >/dev/full')
+@pytest.mark.parametrize(
+    "arguments",
+    ['solve "$CASE" --json', "--help", "solve --help", "--version", "sweep --list fields"],
+)
+def test_a_full_disk_is_told(arguments: str) -> None:
+    done = process(f"ROLAMENTO {arguments} >/dev/full")
     assert done.returncode == 2
     expected = b"rolamento: standard output: cannot be written: no space left on device\n"
     assert done.stderr == expected
+
+
+HOSTILE = "\x1b]0;owned\x07\x1b[2J\x9b31m\u202egnp"
+"""A new title of the window, an empty screen, red, and letters from right to left."""
+
+
+def shown_on_a_terminal(directory: Path, *arguments: str) -> str:
+    """What a command writes to a terminal with colours, without those colours."""
+    import pty  # POSIX only
+
+    main, end = pty.openpty()
+    code = f"from rolamento.cli.app import app; app({list(arguments)!r})"
+    environment = {**os.environ, **ENGLISH, "TERM": "xterm-256color"}
+    with subprocess.Popen(
+        [sys.executable, "-c", code], cwd=directory, stdout=end, stderr=end, env=environment
+    ) as done:
+        os.close(end)
+        pieces = []
+        with suppress(OSError):  # the other end is closed
+            while piece := os.read(main, 2**16):
+                pieces.append(piece)
+        done.wait(60)
+    os.close(main)
+    return re.sub(r"\x1b\[[0-9;]*m", "", b"".join(pieces).decode()).replace("\r\n", "\n")
+
+
+@needs_sh
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("solve", "bad.json"),
+        ("catalogue", "show", "Z9", "--catalogue", "own.csv"),
+        ("catalogue", "search", "Z9", "--catalogue", "own.csv"),
+        ("trend", "cells.csv"),
+        ("weibull", "lives.csv"),
+        ("weibull", "cells.csv"),
+        ("diagnose", "signal.csv", "--bearing", "6205", "--speed", "1797 rpm"),
+        ("plot", "state.json", "-o", "a.png"),
+        ("life", "case.json", "--spectrum", "cells.csv"),
+    ],
+)
+def test_a_file_cannot_speak_to_the_terminal(tmp_path: Path, arguments: tuple[str, ...]) -> None:
+    case = rolamento.load_case(EXAMPLE)
+    (tmp_path / "case.json").write_text(rolamento.case_to_json(case), "utf-8")
+    (tmp_path / "bad.json").write_text(json.dumps({HOSTILE: 1}), "utf-8")
+    (tmp_path / "state.json").write_text(
+        json.dumps({**rolamento.solve(case).to_mapping(), "title": HOSTILE}), "utf-8"
+    )
+    (tmp_path / "lives.csv").write_text(
+        f"# title: {HOSTILE}\nlife,{HOSTILE}\n1,a\n2,{HOSTILE}\n3,b\n", "utf-8"
+    )
+    (tmp_path / "cells.csv").write_text(f"{HOSTILE},share\n{HOSTILE},0.5\n1,{HOSTILE}\n", "utf-8")
+    (tmp_path / "own.csv").write_text(
+        "designation,maker,kind,bore_mm,outside_diameter_mm,width_mm,contact_angle_deg,ball_count,"
+        "ball_diameter_mm,pitch_diameter_mm,inner_conformity,outer_conformity,source\n"
+        f"Z9,{HOSTILE},angular_contact,90,160,30,40,16,22.23,125.26,0.5232,0.5232,{HOSTILE}\n",
+        "utf-8",
+    )
+    rows = "".join(f"{n / 1e3},{(n * 7919) % 101}\n" for n in range(3000))
+    (tmp_path / "signal.csv").write_text(f"time (s),{HOSTILE} (g)\n{rows}", "utf-8")
+    text = shown_on_a_terminal(tmp_path, *arguments)
+    assert text
+    assert "Traceback" not in text
+    assert text.replace("\n", "").isprintable()
 
 
 @needs_sh

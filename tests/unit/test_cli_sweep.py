@@ -105,6 +105,7 @@ def test_none_with_a_result(run: Run) -> None:
         (("case.toml",), "bearing: is not a known key"),
         (("study.toml", "-o", "out.txt"), "must end in"),
         (("study.toml", "-o", "study.toml"), "is the study file itself"),
+        (("study.toml", "-o", "./case.toml"), "is the study's case file; choose another name"),
         (("study.toml", "-o", "none/out.nc"), "no such directory"),
         (("study.toml", "--set", "duty.load.fy=1"), "needs its unit"),
         (("study.toml", "--set", "duty.lod.fy=1 N"), "did you mean load"),
@@ -116,6 +117,14 @@ def test_wrong_input(run: Run, arguments: tuple[str, ...], says: str) -> None:
     assert says in result.stderr
     assert result.stderr.count("\n") == 1
     assert "study.nc" not in os.listdir()
+
+
+def test_a_sweep_does_not_write_over_its_case(run: Run) -> None:
+    Path("case.csv").write_bytes(Path("case.toml").read_bytes())
+    Path("study.toml").write_text(STUDY.replace("case.toml", "case.csv"), "utf-8")
+    result = run("study.toml", "-o", "./case.csv")
+    assert (result.exit_code, "is the study's case file" in result.stderr) == (2, True)
+    assert Path("case.csv").read_bytes() == Path("case.toml").read_bytes()
 
 
 def test_lists(run: Run) -> None:
@@ -182,6 +191,41 @@ def test_ctrl_c_of_a_process(run: Run, examples: Path) -> None:
     assert "of 3000000 cases are kept in long.nc.parts" in errors
     assert "Traceback" not in errors
     assert list(parts.glob("*.npz"))
+
+
+@pytest.mark.skipif(os.name != "posix", reason="needs POSIX signals")
+@pytest.mark.slow
+def test_ctrl_c_among_slow_cases(run: Run) -> None:
+    """A friction sweep on one thread, stopped in the middle: at once, and with parts to go on from.
+
+    A third of a million cases of some 4 ms, which the first chunk of 16 384 took over a minute of.
+    """
+    scatter = (
+        'case = "case.toml"\noutputs = ["x"]\n[scatter]\ncount = 300000\n'
+        '[scatter.fields."duty.load.fx"]\ndistribution = "uniform"\nleast = "20 kN"\n'
+        'greatest = "40 kN"\n'
+    )
+    Path("slow.toml").write_text(scatter, "utf-8")
+    settings = ["model.raceway_control=friction", "lubricant=ISO VG 68",
+                "lubricant.friction_coefficient=0.07"]  # fmt: skip
+    program = "import typer; from rolamento.cli.sweep import sweep; typer.run(sweep)"
+    process = subprocess.Popen(
+        [sys.executable, "-c", program, "slow.toml", "--threads", "1",
+         *(word for setting in settings for word in ("--set", setting))],
+        stderr=subprocess.PIPE,
+        text=True,
+        env={**os.environ, "PYTHONPATH": str(Path(rolamento.__file__).parents[1])},
+    )  # fmt: skip
+    parts = Path("slow.nc.parts")
+    deadline = time.monotonic() + 240.0  # kernels may have to be compiled
+    while not list(parts.glob("*.npz")) and time.monotonic() < deadline:
+        assert process.poll() is None
+        time.sleep(0.05)
+    process.send_signal(signal.SIGINT)
+    _, errors = process.communicate(timeout=30)
+    assert process.returncode == 130, errors
+    assert "of 300000 cases are kept in slow.nc.parts" in errors
+    assert "Traceback" not in errors
 
 
 class TestProgress:

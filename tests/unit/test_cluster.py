@@ -4,14 +4,20 @@ from __future__ import annotations
 
 import os
 import signal
+import socket
+import socketserver
+import subprocess
 import sys
+import threading
+import time
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 import pytest
 
+import rolamento
 from rolamento import studies
 from rolamento.cli.app import app
 from rolamento.studies.cluster import ClusterError, dask_cluster
@@ -149,7 +155,7 @@ def _workers(cluster: Any) -> list[dict[str, Any]]:
 
 @pytest.mark.parametrize("address", ["tcp://127.0.0.1:9", "nonsense://x", "127.0.0.1"])
 def test_no_scheduler(address: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("rolamento.studies.cluster.PATIENCE", "1 s")
+    monkeypatch.setattr("rolamento.studies.cluster.PATIENCE", 1.0)
     plan = studies.plan.Plan(studies.parse_study(STUDY), CHUNK)
     with pytest.raises(ClusterError, match="cannot be reached"):
         next(dask_cluster(address)(plan, [0]))
@@ -165,7 +171,7 @@ def test_without_dask(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_the_command_says_what_is_wrong(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr("rolamento.studies.cluster.PATIENCE", "1 s")
+    monkeypatch.setattr("rolamento.studies.cluster.PATIENCE", 1.0)
     study = tmp_path / "study.toml"
     study.write_text(STUDY, encoding="utf-8")
     arguments = ["sweep", str(study), "-o", str(tmp_path / "r.nc"), "--scheduler", "127.0.0.1:9"]
@@ -174,3 +180,122 @@ def test_the_command_says_what_is_wrong(
             app([*arguments, *more])
         assert end.value.code == 2
         assert said in capsys.readouterr().err
+
+
+# --- what answers there is no scheduler, or goes away ----------------------------------------
+
+LONGEST = 15.0
+"""Seconds until a message; each takes half of it where nothing else runs."""
+
+
+def swept(folder: Path, address: str) -> subprocess.Popen[str]:
+    """The command in a process of its own: its exit code and all that it says matter."""
+    (folder / "study.toml").write_text(STUDY.replace("count = 3000", "count = 400000"), "utf-8")
+    code = (
+        "from rolamento.cli.app import app;"
+        f"app(['sweep', 'study.toml', '-o', 'r.nc', '--scheduler', {address!r}])"
+    )
+    return subprocess.Popen(
+        [sys.executable, "-c", code],
+        cwd=folder,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        env={**os.environ, "PYTHONPATH": str(Path(rolamento.__file__).parents[1])},
+    )
+
+
+def check_end(process: subprocess.Popen[str], says: str, since: float | None = None) -> None:
+    """One message and the code 2, soon after the command has begun or something has happened."""
+    begin = time.monotonic() if since is None else since
+    out, errors = process.communicate(timeout=120)
+    seconds = time.monotonic() - begin
+    assert (process.returncode, out) == (2, "")
+    assert errors.startswith("rolamento: scheduler: ")
+    assert says in errors
+    assert errors.count("\n") == 1
+    assert seconds < 2.0 * LONGEST  # twice, for the machine may be busy
+
+
+class Stranger(socketserver.BaseRequestHandler):
+    """Takes a connection, and says what it has to say."""
+
+    greeting: ClassVar[bytes | None] = None
+
+    def handle(self) -> None:
+        if self.greeting is None:
+            time.sleep(60.0)
+        else:
+            self.request.sendall(self.greeting)
+
+
+class Web(Stranger):
+    greeting = b"HTTP/1.1 400 Bad Request\r\nConnection: close\r\n\r\n"
+
+
+class Closing(Stranger):
+    greeting = b""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("handler", [Stranger, Web, Closing])
+def test_something_else_at_the_address(tmp_path: Path, handler: type[Stranger]) -> None:
+    with socketserver.ThreadingTCPServer(("127.0.0.1", 0), handler) as server:
+        server.daemon_threads = True
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        port = server.server_address[1]
+        check_end(swept(tmp_path, f"tcp://127.0.0.1:{port}"), "cannot be reached")
+        server.shutdown()
+
+
+@pytest.mark.parametrize("address", ["abc", "ftp://127.0.0.1:1", "tcp://"])
+def test_an_address_that_is_none(tmp_path: Path, address: str) -> None:
+    check_end(swept(tmp_path, address), "cannot be reached")
+
+
+@pytest.fixture
+def dask_processes() -> Iterator[tuple[str, subprocess.Popen[bytes]]]:
+    """A scheduler and a worker as a user starts them: the address, and the scheduler."""
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        address = f"tcp://127.0.0.1:{free.getsockname()[1]}"
+    quiet: dict[str, Any] = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
+    environment = {**os.environ, "PYTHONPATH": str(Path(rolamento.__file__).parents[1])}
+
+    def started(command: str, *arguments: str) -> subprocess.Popen[bytes]:
+        code = f"from distributed.cli.dask_{command} import main; main()"
+        return subprocess.Popen([sys.executable, "-c", code, *arguments], env=environment, **quiet)
+
+    host, port = address.removeprefix("tcp://").split(":")
+    scheduler = started("scheduler", "--host", host, "--port", port, "--no-dashboard")
+    worker = started("worker", address, "--nthreads", "1", "--no-dashboard", "--no-nanny")
+    try:
+        with distributed.Client(address, timeout="60 s", set_as_default=False) as client:
+            client.wait_for_workers(1, timeout=60)
+        yield address, scheduler
+    finally:
+        for process in (worker, scheduler):
+            process.kill()
+            process.wait()
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(os.name != "posix", reason="needs POSIX signals")
+@pytest.mark.filterwarnings("ignore::DeprecationWarning", "ignore::ResourceWarning")
+@pytest.mark.parametrize("how", [signal.SIGKILL, signal.SIGSTOP])
+def test_a_scheduler_that_is_lost(
+    tmp_path: Path, dask_processes: tuple[str, subprocess.Popen[bytes]], how: signal.Signals
+) -> None:
+    """Killed, or there and silent: said, with all that was solved kept."""
+    address, scheduler = dask_processes
+    process = swept(tmp_path, address)
+    parts, deadline = tmp_path / "r.nc.parts", time.monotonic() + 120.0
+    while not list(parts.glob("*.npz")) and time.monotonic() < deadline:
+        assert process.poll() is None
+        time.sleep(0.05)
+    scheduler.send_signal(how)
+    try:
+        check_end(process, "what was solved is kept", time.monotonic())
+    finally:
+        scheduler.send_signal(signal.SIGCONT)
+    assert list(parts.glob("*.npz"))

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
 
+import rolamento
 from rolamento.case import Case
 from rolamento.equilibrium import rows
 from rolamento.equilibrium.batch import solve_cases
@@ -49,3 +52,86 @@ def test_one_case_does_not_load_the_compiler() -> None:
     )
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
     assert (done.returncode, done.stderr) == (0, "")
+
+
+KERNEL = """
+import logging, sys
+from rolamento.numerics.compiled import kernel
+
+logging.basicConfig(format="%(message)s")
+
+@kernel
+def doubled(x: float) -> float:
+    return 2.0 * x
+
+if __name__ == "__main__":
+    if len(sys.argv) > 1:
+        import resource
+        resource.setrlimit(resource.RLIMIT_FSIZE, (int(sys.argv[1]), resource.RLIM_INFINITY))
+    compiled = doubled.compiled
+    print(compiled(21.0), sum(compiled.stats.cache_hits.values()))
+"""
+
+
+@pytest.fixture
+def script(tmp_path: Path) -> Path:
+    """A program with a kernel of its own, kept in a folder of its own."""
+    path = tmp_path / "program.py"
+    path.write_text(KERNEL, "utf-8")
+    return path
+
+
+def ran(script: Path, *arguments: str) -> tuple[str, str]:
+    """Output and messages of a process, which has to end well."""
+    environment = {
+        **os.environ,
+        "NUMBA_CACHE_DIR": str(script.with_name("kept")),
+        "PYTHONPATH": str(Path(rolamento.__file__).parents[1]),
+    }
+    done = subprocess.run(
+        [sys.executable, str(script), *arguments], capture_output=True, text=True, env=environment
+    )
+    assert done.returncode == 0, done.stderr
+    return done.stdout, done.stderr
+
+
+def kept(script: Path, ending: str) -> Path:
+    (file,) = script.with_name("kept").rglob(f"*.{ending}")
+    return file
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("ending", ["nbi", "nbc"])
+@pytest.mark.parametrize("damage", ["emptied", "cut", "changed", "replaced"])
+def test_damaged_compiled_code_is_discarded(script: Path, ending: str, damage: str) -> None:
+    assert ran(script) == ("42.0 0\n", "")
+    assert ran(script) == ("42.0 1\n", "")
+    file = kept(script, ending)
+    content = file.read_bytes()
+    middle = len(content) // 2
+    file.write_bytes(
+        {
+            "emptied": b"",
+            "cut": content[:middle],
+            "changed": content[:middle] + bytes([content[middle] ^ 1]) + content[middle + 1 :],
+            "replaced": bytes(range(256)) * 20,
+        }[damage]
+    )
+    output, said = ran(script)
+    assert output == "42.0 0\n"
+    assert said.count("\n") == 1
+    assert "is damaged: compiling it anew" in said
+    assert ran(script) == ("42.0 1\n", "")
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(os.name != "posix", reason="needs limits of POSIX")
+def test_compiled_code_on_a_full_disk(script: Path) -> None:
+    for most in ("0", "2000"):
+        output, said = ran(script, most)
+        assert output == "42.0 0\n"
+        assert said.count("\n") <= 1
+        assert not said or "cannot be kept" in said
+    assert "cannot be kept" in ran(script, "2000")[1]
+    assert ran(script) == ("42.0 0\n", "")
+    assert ran(script) == ("42.0 1\n", "")

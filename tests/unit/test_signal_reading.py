@@ -19,8 +19,9 @@ import pytest
 import scipy.io
 import scipy.io.wavfile
 
+from rolamento._foreign import bounds, child
 from rolamento.errors import FileError, InputError
-from rolamento.vibration.reading import channels_of, hdf5, npy, open_signal, read_signal
+from rolamento.vibration.reading import channels_of, open_signal, read_signal
 
 RATE = 12000.0
 COUNT = 1500
@@ -203,7 +204,7 @@ def test_npz(tmp_path: Path) -> None:
 
 def test_npz_that_inflates_too_far(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     np.savez_compressed(tmp_path / "a.npz", acc=np.zeros(200_000))
-    monkeypatch.setattr(npy, "LARGEST_WHOLE_FILE", 1_000_000)
+    monkeypatch.setattr(bounds, "LARGEST_WHOLE", 1_000_000)
     with pytest.raises(FileError, match="inflates to more than"):
         read_signal(tmp_path / "a.npz", rate=RATE)
 
@@ -332,9 +333,9 @@ def test_hdf5_process_that_does_not_answer(tmp_path: Path, monkeypatch: pytest.M
     write_hdf5(tmp_path / "a.h5")
     (tmp_path / "sleeper.py").write_text("import time\ntime.sleep(60)\n", "utf-8")
     (tmp_path / "dead.py").write_text("import os\nos.abort()\n", "utf-8")
-    monkeypatch.setattr(hdf5, "_PATIENCE", 0.5)
+    monkeypatch.setattr(child, "PATIENCE", 0.5)
     for script in ("sleeper.py", "dead.py"):
-        monkeypatch.setattr(hdf5, "_SCRIPT", tmp_path / script)
+        monkeypatch.setattr(child, "_SCRIPT", tmp_path / script)
         with pytest.raises(FileError, match="the HDF5 library broke off, or came to no end"):
             channels_of(tmp_path / "a.h5")
 

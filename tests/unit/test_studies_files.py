@@ -4,7 +4,12 @@ from __future__ import annotations
 
 import csv
 import json
+import os
+import shutil
+import subprocess
+import sys
 from pathlib import Path
+from random import Random
 
 import h5netcdf
 import numpy as np
@@ -12,7 +17,9 @@ import pyarrow.parquet
 import pytest
 import xarray as xr
 
+import rolamento
 from rolamento import Case
+from rolamento._foreign import child
 from rolamento.errors import FileError
 from rolamento.studies import (
     Axis,
@@ -23,6 +30,7 @@ from rolamento.studies import (
     parse_study,
     run,
     run_to_file,
+    study_to_toml,
 )
 from rolamento.studies.plan import Part, Plan
 from rolamento.studies.writing import writer_for
@@ -121,6 +129,60 @@ def test_only_a_study_s_result_is_loaded(tmp_path: Path) -> None:
         load_result(tmp_path)
 
 
+@pytest.mark.parametrize("storage", [{}, {"zlib": True}])
+def test_what_is_loaded_is_what_xarray_reads(
+    study: Study, tmp_path: Path, storage: dict[str, bool]
+) -> None:
+    run_to_file(study, tmp_path / "r.nc")
+    with xr.open_dataset(tmp_path / "r.nc", engine="h5netcdf") as opened:
+        whole = opened.load()
+    whole.to_netcdf(tmp_path / "again.nc", engine="h5netcdf", encoding={"x": storage})
+    loaded = load_result(tmp_path / "again.nc")
+    xr.testing.assert_identical(loaded, whole)
+    for name, variable in whole.variables.items():
+        assert loaded[name].dtype.kind.replace("U", "O") == variable.dtype.kind.replace("U", "O")
+        for key, value in variable.attrs.items():
+            assert type(loaded[name].attrs[key]) is type(value)
+
+
+@pytest.mark.slow
+def test_a_damaged_result_is_refused_in_one_sentence(
+    study: Study, tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    """Wrong bytes, holes and missing ends: no traceback of a library, and an end."""
+    run_to_file(study, tmp_path / "r.nc")
+    whole, random = (tmp_path / "r.nc").read_bytes(), Random(5)
+    refused = 0
+    for _ in range(30):
+        content = bytearray(whole)
+        for _ in range(random.choice((1, 4, 20))):
+            place = random.randrange(random.choice((300, 5000, len(whole) - 8)))
+            content[place : place + 1] = random.randbytes(1)
+        if random.random() < 0.2:
+            del content[random.randrange(8, len(content)) :]
+        (tmp_path / "damaged.nc").write_bytes(content)
+        try:
+            load_result(tmp_path / "damaged.nc")
+        except FileError as error:
+            refused += 1
+            assert str(error).isprintable()
+            assert len(str(error)) < 500
+    assert refused > 10
+    assert capfd.readouterr() == ("", "")
+
+
+def test_a_reader_that_comes_to_no_end(
+    study: Study, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    run_to_file(study, tmp_path / "r.nc")
+    monkeypatch.setattr(child, "PATIENCE", 0.5)
+    for text in ("import time; time.sleep(60)", "import os; os.abort()"):
+        (tmp_path / "worker.py").write_text(text, "utf-8")
+        monkeypatch.setattr(child, "_SCRIPT", tmp_path / "worker.py")
+        with pytest.raises(FileError, match="broke off, or came to no end"):
+            load_result(tmp_path / "r.nc")
+
+
 def test_a_small_file_that_claims_to_be_large_is_not_loaded(tmp_path: Path) -> None:
     with h5netcdf.File(tmp_path / "r.nc", "w") as file:
         file.dimensions = {"n": 10**12}
@@ -139,3 +201,65 @@ def test_what_the_disk_refuses_is_told(study: Study, tmp_path: Path, ending: str
         writer_for(place)(place, plan, {}, ()) as file,
     ):
         file.put(Part(0, plan.empty(48)))
+
+
+PROGRAM = """
+import resource, sys
+from pathlib import Path
+from rolamento.errors import FileError
+from rolamento.studies import load_study, run_to_file, runner
+
+runner._LONGEST_UNWRITTEN = -1.0  # parts in small files
+most = int(sys.argv[2])
+resource.setrlimit(resource.RLIMIT_FSIZE, (most, resource.RLIM_INFINITY))
+try:
+    run_to_file(load_study("study.toml"), sys.argv[1], chunk=500)
+except FileError as error:
+    print(error)
+"""
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(os.name != "posix", reason="needs limits of POSIX")
+@pytest.mark.parametrize("ending", [".nc", ".csv", ".parquet"])
+def test_a_disk_that_fills_up(study: Study, tmp_path: Path, ending: str) -> None:
+    """A limit on the size of files stands for a full disk: one sentence, and nothing is lost.
+
+    The HDF5 library used to bring the process down.
+    """
+    law = Distribution(distribution="uniform", least="20 kN", greatest="40 kN")
+    scatter = Scatter(count=5000, fields={"duty.load.fx": law})
+    small = Study(case=study.case, outputs=("x", "z"), scatter=scatter)
+    (tmp_path / "study.toml").write_text(study_to_toml(small), "utf-8")
+
+    def ended(most: int) -> subprocess.CompletedProcess[str]:
+        return subprocess.run(
+            [sys.executable, "-c", PROGRAM, f"r{ending}", str(most)],
+            cwd=tmp_path,
+            env={**os.environ, "PYTHONPATH": str(Path(rolamento.__file__).parents[1])},
+            capture_output=True,
+            text=True,
+        )
+
+    for most in (40_000, 80_000):
+        full = ended(most)
+        assert (full.returncode, full.stderr) == (0, "")
+        assert full.stdout.startswith(f"r{ending}: cannot be written: ")
+        assert full.stdout.endswith(f"what was solved is kept in r{ending}.parts\n")
+        assert full.stdout.count("\n") == 1
+        names = sorted(path.name for path in tmp_path.iterdir())
+        assert names == [f"r{ending}.parts", "study.toml"]
+        assert len(list((tmp_path / f"r{ending}.parts").glob("part-*.npz"))) == 10
+    assert ended(10**9).stdout == ""
+    run_to_file(small, tmp_path / f"straight{ending}", chunk=500)
+    straight = (tmp_path / f"straight{ending}").read_bytes()
+    assert (tmp_path / f"r{ending}").read_bytes() == straight
+
+
+def test_a_result_larger_than_the_disk(
+    study: Study, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    usage = shutil.disk_usage(tmp_path)
+    monkeypatch.setattr(shutil, "disk_usage", lambda path: usage._replace(free=1000))
+    with pytest.raises(FileError, match=r"it takes .* MB, and 0.001 MB are free; what"):
+        run_to_file(study, tmp_path / "r.nc")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import pickle
+import threading
 import tracemalloc
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
@@ -12,7 +13,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rolamento import Bearing, Case, Duty, Load, override, solve
+from rolamento import Bearing, Case, Duty, Load, override, solve, solve_batch
 from rolamento.errors import FileError, InputError
 from rolamento.studies import (
     Axis,
@@ -227,7 +228,14 @@ class TestChunks:
     def test_a_chunk_is_smaller_with_many_balls(self, study: Study, case_218: Case) -> None:
         bearing = case_218.bearing.replace(ball_count=400, pitch_diameter="5 m")
         many = Plan(study.replace(case=case_218.replace(bearing=bearing)))
-        assert many.chunk < Plan(study).chunk == 16_384
+        assert many.chunk < Plan(study).chunk == 512
+
+    def test_a_chunk_is_small_where_cases_are_slow(self, study: Study) -> None:
+        control = Axis(field="model.raceway_control", values=["outer", "friction"])
+        assert Plan(study.replace(axes=[control], scatter=None)).chunk == 32
+        case = override(study.case, ["lubricant=ISO VG 68", "lubricant.friction_coefficient=0.1"])
+        for output, chunk in (("friction_torque_jones_full", 32), ("friction_torque_todd", 512)):
+            assert Plan(study.replace(case=case, outputs=("x", output))).chunk == chunk
 
     def test_the_executor_may_answer_in_any_order(self, study: Study) -> None:
         def backwards(plan: Plan, indices: Sequence[int]) -> Iterator[Part]:
@@ -308,7 +316,10 @@ class TestToFile:
         run_to_file(other, path, chunk=7, restart=True)
         assert load_result(path).attrs["seed"] == 4
 
-    def test_a_damaged_part_is_solved_again(self, study: Study, tmp_path: Path) -> None:
+    def test_a_damaged_part_is_solved_again(
+        self, study: Study, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        monkeypatch.setattr(runner, "_LONGEST_UNWRITTEN", -1.0)  # each chunk in a file of its own
         path = self.file(tmp_path)
         with pytest.raises(Interrupted):
             run_to_file(study, path, chunk=7, progress=self.stop_after(3))
@@ -356,6 +367,26 @@ class TestToFile:
             store.remove()
         assert (store.folder / "diary.txt").exists()
 
+    @pytest.mark.parametrize("restart", [False, True])
+    def test_a_foreign_file_is_named_with_what_to_do(
+        self, study: Study, tmp_path: Path, restart: bool
+    ) -> None:
+        folder = tmp_path / "result.nc.parts"
+        folder.mkdir()
+        (folder / "diary.txt").write_text("dear diary")
+        said = 'holds "diary.txt", which Rolamento did not write and does not remove; move it away'
+        with pytest.raises(FileError, match=said):
+            run_to_file(study, self.file(tmp_path), restart=restart)
+        assert (folder / "diary.txt").read_text() == "dear diary"
+        (folder / "diary.txt").unlink()
+        assert run_to_file(study, self.file(tmp_path), restart=restart).cases == 60
+
+    def test_a_file_in_the_place_of_the_folder(self, study: Study, tmp_path: Path) -> None:
+        (tmp_path / "result.nc.parts").write_text("mine")
+        with pytest.raises(FileError, match="no folder; move it away, or give another name"):
+            run_to_file(study, self.file(tmp_path), restart=True)
+        assert (tmp_path / "result.nc.parts").read_text() == "mine"
+
     def test_a_manifest_that_is_nonsense(self, study: Study, tmp_path: Path) -> None:
         folder = tmp_path / "result.nc.parts"
         folder.mkdir()
@@ -401,7 +432,42 @@ def test_memory_does_not_grow_with_the_number_of_cases(
 
     monkeypatch.setattr("rolamento.studies.summary._MOST_KEPT", 1000)
     peak(2000)  # what is imported and made once
-    assert peak(40_000) < peak(4_000) + 600_000  # all of them: 40 000 × 18 × 8 B = 5.8 MB
+    # 16 parts are written together; all of them: 160 000 × 18 × 8 B = 23 MB
+    assert peak(160_000) < peak(48_000) + 600_000
+
+
+def test_a_stop_waits_for_no_chunk(
+    study: Study, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """One thread is in a chunk that never ends; what was solved before is kept all the same."""
+    monkeypatch.setattr(runner, "_PATIENCE", 0.1)
+    held, original = threading.Event(), Plan.solve
+
+    def solved(plan: Plan, index: int, threads: int | None = 1) -> Part:
+        if index == 3:
+            held.wait()
+        return original(plan, index, threads)
+
+    def stop(done: int, total: int, failed: int) -> None:
+        if done == 21:
+            raise KeyboardInterrupt
+
+    monkeypatch.setattr(Plan, "solve", solved)
+    try:
+        with pytest.raises(Interrupted) as stopped:
+            run_to_file(study, tmp_path / "r.nc", chunk=7, threads=1, progress=stop)
+    finally:
+        held.set()
+    assert stopped.value.done == 21
+    assert len(Store(tmp_path / "r.nc", Plan(study, 7)).open()) == 3
+
+
+@pytest.mark.parametrize("threads", [0, -1, 1.5, True])
+def test_threads_that_are_none(study: Study, threads: int) -> None:
+    with pytest.raises(InputError, match="threads"):
+        run(study, threads=threads)
+    with pytest.raises(InputError, match="threads"):
+        solve_batch(study.case, fx=[1e4, 2e4], threads=threads)
 
 
 def test_few_parts_are_solved_ahead(study: Study) -> None:

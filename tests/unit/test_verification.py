@@ -426,7 +426,7 @@ def test_the_page_may_go_to_standard_output(command: Command) -> None:
         ),
         (("--json", "--markdown", "-"), "standard output: only one of --json and --markdown"),
         (("--json", "x", "--markdown", "x"), "x: only one of --json and --markdown"),
-        (("--source", "iso_16281", "--json", "no/such/place"), "no/such/place: cannot be opened"),
+        (("--source", "iso_16281", "--json", "no/such/place"), "no/such/place: cannot be written"),
     ],
 )
 def test_wrong_input_is_told_in_one_line(

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import fields, replace
 from typing import TYPE_CHECKING, Final
@@ -15,6 +14,8 @@ from rolamento.analysis.needs import coefficient, has_friction, has_life, has_oi
 from rolamento.analysis.one import DEFAULT_HYSTERESIS
 from rolamento.case import Case
 from rolamento.errors import InputError
+from rolamento.numerics.masked import filled
+from rolamento.numerics.threads import thread_count
 
 if TYPE_CHECKING:
     from rolamento.equilibrium import BatchState
@@ -92,10 +93,11 @@ def analyse_batch(
         )
 
     blocks = range(0, max(cases, 1), _BLOCK)
-    if len(blocks) == 1 or threads == 1:
+    workers = min(thread_count(threads), len(blocks))
+    if workers == 1:
         parts = [part(first) for first in blocks]
     else:
-        with ThreadPoolExecutor(threads or os.cpu_count()) as pool:
+        with ThreadPoolExecutor(workers) as pool:
             parts = list(pool.map(part, blocks))
     return replace(joined(parts), life=_lives(case, batch, warm))
 
@@ -155,7 +157,7 @@ def least_film_parameter(film: FilmTable) -> NDArray[np.float64]:
 def _over_cases(given: ArrayLike | None, name: str, cases: int) -> NDArray[np.float64] | None:
     if given is None:
         return None
-    array = np.asarray(given, dtype=np.float64)
+    array = filled(given)
     if array.shape not in ((), (cases,)):
         raise InputError(f"must be one number, or one for each of the {cases} cases", field=name)
     return np.broadcast_to(array, (cases,)).copy()

@@ -14,6 +14,7 @@ from rolamento.cli.clearance import clearance
 from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
+    WRONG_INPUT,
     Language,
     complain_of,
     plain_endings,
@@ -36,7 +37,7 @@ from rolamento.cli.options import (
 from rolamento.cli.outputs import check_outputs
 from rolamento.cli.plot import plot
 from rolamento.cli.reproduce import reproduce
-from rolamento.cli.streams import STANDARD_STREAM, print_text, put
+from rolamento.cli.streams import STANDARD_STREAM, end_of_output, print_text, put
 from rolamento.cli.sweep import sweep
 from rolamento.cli.synthesise import SynthesiseCommand, synthesise
 from rolamento.cli.tolerance import tolerance
@@ -82,12 +83,19 @@ app = typer.Typer(
 
 def main() -> None:
     """Run the command line."""
-    app(prog_name="rolamento")
+    try:
+        app(prog_name="rolamento")
+    except OSError as error:
+        if error.filename is not None:  # no stream, but a file that somebody should have guarded
+            raise
+        end_of_output(error)  # the help, which Typer writes
+        sys.exit(WRONG_INPUT)
 
 
 def _print_version(wanted: bool) -> None:
     if wanted:
-        print_text(f"rolamento {rolamento.__version__}\n")
+        with plain_endings(None):
+            print_text(f"rolamento {rolamento.__version__}\n")
         raise typer.Exit(SOLVED)
 
 

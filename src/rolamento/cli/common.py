@@ -76,8 +76,12 @@ def words_of(lang: Language | None) -> Words:
 
 
 def same_file(path: str, other: str) -> bool:
-    """Tell whether two paths lead to one file."""
+    """Tell whether two paths lead to one file, whether it is there or not."""
+    if STANDARD_STREAM in (path, other):
+        return path == other
     try:
-        return path != STANDARD_STREAM and os.path.samefile(path, other)
+        if os.path.realpath(path) == os.path.realpath(other):
+            return True
+        return os.path.samefile(path, other)
     except (OSError, ValueError):
         return False

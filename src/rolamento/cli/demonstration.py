@@ -8,8 +8,8 @@ import sys
 from importlib import resources
 from typing import Final
 
+from rolamento._writing import write_text
 from rolamento.case import Case, parse_case
-from rolamento.cli.streams import put_new
 from rolamento.report.language import Words
 
 __all__ = ["example_case", "what_next", "written"]
@@ -31,7 +31,7 @@ def written(path: str, words: Words) -> str:
     FileError
         If there is a file of that name already, or it cannot be written.
     """
-    put_new(_text(), path)
+    write_text(_text(), path, new=True)
     return words.demo_written.format(path=path, command=_command()) + "\n"
 
 

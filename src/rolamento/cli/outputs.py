@@ -35,10 +35,10 @@ def check_outputs(
     """
     given = {option: path for option, path in outputs.items() if path is not None}
     for option, path in given.items():
-        if sum(path == other or same_file(path, other) for other in given.values()) > 1:
+        if sum(same_file(path, other) for other in given.values()) > 1:
             where = "standard output" if path == STANDARD_STREAM else path
             raise InputError(f"only one of {_listed(outputs)} can go there", source=where)
-        if any(other is not None and same_file(path, other) for other in read):
+        if path != STANDARD_STREAM and any(other and same_file(path, other) for other in read):
             raise FileError(f"{rule}; choose another name", source=path)
         if option in _PICTURES:
             from rolamento.plots.saving import check_name

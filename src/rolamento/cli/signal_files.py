@@ -10,11 +10,11 @@ from __future__ import annotations
 import os
 import struct
 from math import isfinite, pi
-from pathlib import Path
 from typing import TYPE_CHECKING, BinaryIO, Final
 
 import numpy as np
 
+from rolamento._writing import written_whole
 from rolamento.errors import FileError, InputError
 
 if TYPE_CHECKING:
@@ -71,12 +71,8 @@ def write_signal(signal: Signal, path: str) -> None:
     """
     ending = check_signal_name(path, len(signal.samples), signal.rate)
     write = {".wav": _write_wav, ".csv": _write_csv, ".npz": _write_npz}[ending]
-    try:
-        with Path(path).open("wb") as file:
-            write(signal, file)
-    except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or str(error)
-        raise FileError(f"cannot be written: {reason.lower()}", source=path) from None
+    with written_whole(path) as place, place.open("wb") as file:
+        write(signal, file)
 
 
 def _write_wav(signal: Signal, file: BinaryIO) -> None:

@@ -3,19 +3,21 @@
 from __future__ import annotations
 
 import os
+import re
 import sys
 from collections.abc import Callable
 from contextlib import suppress
 from typing import Final, TextIO
 
-from rolamento._reading import write_text
-from rolamento.errors import FileError
+from rolamento._writing import write_text
+from rolamento.errors import FileError, printable
 from rolamento.report.medium import Medium
 
-__all__ = ["STANDARD_STREAM", "complain", "print_data", "print_text", "put", "put_new"]
+__all__ = ["STANDARD_STREAM", "complain", "end_of_output", "print_data", "print_text", "put"]
 
 STANDARD_STREAM: Final = "-"
 _STANDARD_OUTPUT: Final = "standard output"
+_COLOURS: Final = re.compile(r"(\x1b\[[0-9;]*m)")
 
 
 def print_text(text: str) -> None:
@@ -32,12 +34,15 @@ def print_text(text: str) -> None:
 def print_data(text: str) -> None:
     """Write for a program to standard output, in UTF-8 whatever the locale.
 
+    A terminal gets escapes for what it would act on.
+
     Raises
     ------
     FileError
         As `print_text`.
     """
-    _write(sys.stdout, lambda: text.encode("utf-8"), _STANDARD_OUTPUT)
+    shown = printable(text) if sys.stdout is not None and sys.stdout.isatty() else text
+    _write(sys.stdout, lambda: shown.encode("utf-8"), _STANDARD_OUTPUT)
 
 
 def put(text: str, path: str) -> None:
@@ -54,33 +59,28 @@ def put(text: str, path: str) -> None:
         write_text(text, path)
 
 
-def put_new(text: str, path: str) -> None:
-    """Write to a file that is not there yet.
-
-    Raises
-    ------
-    FileError
-        If there is a file of that name already, or it cannot be written.
-    """
-    try:
-        with open(path, "x", encoding="utf-8", newline="\n") as file:
-            file.write(text)
-    except FileExistsError:
-        raise FileError("exists already; choose another name", source=path) from None
-    except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or str(error)
-        raise FileError(f"cannot be written: {reason.lower()}", source=path) from None
-
-
 def complain(text: str) -> None:
     """Write one line to standard error, if there is one."""
     with suppress(FileError):
         _write(sys.stderr, lambda: _encoded(f"rolamento: {text}\n", sys.stderr), "standard error")
 
 
+def end_of_output(error: OSError) -> None:
+    """Say that what a library wrote to standard output, such as a help, has not arrived."""
+    if sys.stdout is not None:
+        _silence(sys.stdout)
+    if not isinstance(error, BrokenPipeError):
+        complain(f"{_STANDARD_OUTPUT}: cannot be written: {(error.strerror or str(error)).lower()}")
+
+
 def _encoded(text: str, stream: TextIO) -> bytes:
     encoding = stream.encoding or "utf-8"
-    return Medium(encoding=encoding).fitted(text).encode(encoding)
+    medium = Medium(encoding=encoding)
+    # a report has its colours already; what it took from files was fitted before them
+    pieces = _COLOURS.split(text) if stream.isatty() else [text]
+    return "".join(
+        piece if place % 2 else medium.fitted(piece) for place, piece in enumerate(pieces)
+    ).encode(encoding)
 
 
 def _write(stream: TextIO | None, content: Callable[[], bytes], name: str) -> None:

@@ -98,9 +98,17 @@ def _swept(
     lang: Language | None,
 ) -> Summary:
     from rolamento.studies import load_study
+    from rolamento.studies.reading import case_file_of
 
     result = output or _default_name(path)
     check_outputs({"--output": result}, path, rule="is the study file itself")
+    if path != STANDARD_STREAM:  # which is there to be read once
+        case = case_file_of(path)
+        check_outputs(
+            {"--output": result},
+            None if case is None else str(case),
+            rule="is the study's case file",
+        )
     loaded = load_study(path, settings)
     summary = _run(loaded, result, where, restart, lang)
     _print_report(loaded, summary, lang)

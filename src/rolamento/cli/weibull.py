@@ -18,7 +18,7 @@ from rolamento.cli.grouped_help import GroupedCommand, Groups
 from rolamento.cli.options import LanguageOption, SeedOption, json_option, plot_option
 from rolamento.cli.outputs import check_outputs
 from rolamento.cli.shipped_data import data_and_json, known_example
-from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put, put_new
+from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
 from rolamento.cli.table_options import (
     DecimalMarkOption,
     StatusColumnOption,
@@ -245,13 +245,14 @@ def _enough(size: int) -> int:
 
 def _written(data: str | None, example: str | None, path: str, words: Words) -> str:
     """Write an example's CSV under a new name, and return what to say about it."""
+    from rolamento._writing import write_text
     from rolamento.reliability import published_text
     from rolamento.report.weibull_words import WEIBULL_WORDS
 
     if example is None or data is not None:
         raise InputError("goes with --example alone", source="--write", value=path)
     text = published_text(known_example(example, EXAMPLES).replace("-", "_"))
-    put_new(text, path)
+    write_text(text, path, new=True)
     return WEIBULL_WORDS[words.code].written.format(path=path) + "\n"
 
 

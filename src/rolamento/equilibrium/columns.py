@@ -32,6 +32,7 @@ from rolamento.equilibrium.problem import (
     ring_arms,
 )
 from rolamento.errors import InputError, UnknownKeyError, nearest
+from rolamento.numerics.masked import filled
 
 _GEOMETRY_RIVALS: Final = {
     "contact_angle": "diametral_clearance",
@@ -188,7 +189,7 @@ def batch_arrays(values: Mapping[str, ArrayLike]) -> dict[str, Floats]:
             )
         if field in arrays:
             raise InputError("is given twice", field=name, example="fx=[1e3, 2e3]")
-        arrays[field] = np.asarray(value, dtype=np.float64)
+        arrays[field] = filled(value)
     lengths = {array.shape for array in arrays.values() if array.ndim}
     if len(lengths) > 1 or any(len(shape) != 1 for shape in lengths):
         raise InputError(

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import logging
-import os
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from typing import Any, Final, Self
@@ -15,6 +14,7 @@ from rolamento.equilibrium import accept, rows
 from rolamento.equilibrium.batch import solve_cases
 from rolamento.equilibrium.detail import ball_table, criterion
 from rolamento.equilibrium.problem import Floats
+from rolamento.numerics.threads import thread_count
 
 _log = logging.getLogger("rolamento")
 
@@ -136,7 +136,7 @@ def _run_threads(
         last = min(first + CHUNK, cases)
         solve_cases.compiled(p, control, cosines, sines, moving, first, last, fast, out)
 
-    workers = min(threads or os.cpu_count() or 1, -(-cases // CHUNK))
+    workers = min(thread_count(threads), -(-cases // CHUNK))
     if workers == 1:
         for first in range(0, cases, CHUNK):
             run(first)

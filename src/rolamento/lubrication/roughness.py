@@ -19,6 +19,7 @@ from numpy.typing import ArrayLike
 
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
+from rolamento.numerics.masked import filled
 
 SAMPLING_LENGTHS: Final = 5
 """By ISO 4288."""
@@ -154,7 +155,7 @@ def rms_of_mean_roughness(mean_roughness: ArrayLike) -> FloatArray:
 
 def _profile(heights: ArrayLike) -> FloatArray:
     try:
-        profile = np.asarray(heights, dtype=np.float64)
+        profile = filled(heights)
     except (TypeError, ValueError):
         raise InputError("must be numbers", field="heights") from None
     if profile.ndim != 1 or not 0 < profile.size <= _MOST_POINTS:

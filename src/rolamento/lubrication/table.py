@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, fields
 from typing import Any, Final
@@ -27,6 +26,8 @@ from rolamento.lubrication.running import (
 from rolamento.lubrication.starvation import replenishment
 from rolamento.lubrication.viscosity_ratio import reference_viscosity
 from rolamento.numerics import FloatArray
+from rolamento.numerics.masked import filled
+from rolamento.numerics.threads import thread_count
 
 BLOCK: Final = 4096
 """Cases at a time."""
@@ -92,7 +93,7 @@ def film_of_batch(
     blocks = range(0, max(len(batch), 1), BLOCK)
     if len(blocks) == 1:
         return films(0)
-    with ThreadPoolExecutor(threads or os.cpu_count()) as pool:
+    with ThreadPoolExecutor(thread_count(threads)) as pool:
         whole: FilmTable = _stacked(list(pool.map(films, blocks)))
     return whole
 
@@ -202,7 +203,7 @@ def _temperatures(case: Case, given: ArrayLike | None, cases: int) -> FloatArray
     """Return the lubricant's temperature of each case, (cases,)."""
     if given is None:
         return np.full(cases, lubricant_temperature_of(case))
-    array = np.asarray(given, dtype=np.float64)
+    array = filled(given)
     if array.shape not in ((), (cases,)) or not np.all(array > 0.0):
         raise InputError(
             f"must be one temperature in K, or one for each of the {cases} cases",

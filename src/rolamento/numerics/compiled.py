@@ -14,14 +14,22 @@ that NaN does not happen: a NaN is how a case says that it has failed.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import io
+import logging
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
 from functools import cache, cached_property, update_wrapper
+from hashlib import sha256
+from importlib import import_module
 from pathlib import Path
 from typing import Any, Generic, ParamSpec, TypeVar
 
 P = ParamSpec("P")
 R = TypeVar("R")
 
+_log = logging.getLogger("rolamento")
+
+_DIGEST = sha256().digest_size
 _VECTORISABLE = {"reassoc", "arcp", "contract", "afn", "nsz"}
 _ROOMS = ("numerics", "equilibrium", "equilibrium/traction")  # where kernels and formulas live
 _CONSTANTS = frozenset({"compiled", "rows"})  # files without kernels that shape them
@@ -47,10 +55,11 @@ class Kernel(Generic[P, R]):
         if not options.pop("cache", False):
             return numba.njit(**options)(self.python)  # type: ignore[no-any-return]
         _discard_stale_caches()
-        try:
-            return numba.njit(cache=True, **options)(self.python)  # type: ignore[no-any-return]
-        except RuntimeError:  # no folder for the cache: compile anew in each process
-            return numba.njit(**options)(self.python)  # type: ignore[no-any-return]
+        compiled = numba.njit(**options)(self.python)
+        # no folder for the cache: compile anew in each process
+        with suppress(RuntimeError):
+            compiled._cache = _checked_cache()(self.python)
+        return compiled  # type: ignore[no-any-return]
 
     @property
     def is_loaded(self) -> bool:
@@ -107,6 +116,84 @@ def _numba() -> Any:
         return types.Dispatcher(value.compiled)
 
     return numba
+
+
+@cache
+def _checked_cache() -> Any:
+    """Numba's cache on disk, with a checksum behind each file.
+
+    Numba takes what it finds for whole: a damaged file raises whatever its bytes lead to, or ends
+    the process, and one that cannot be written is an error of the function that was called.
+    """
+    caching: Any = import_module("numba.core.caching")
+
+    class CheckedFiles(caching.IndexDataCacheFile):  # type: ignore[misc]
+        @contextmanager
+        def _open_for_write(self, filepath: str) -> Iterator[io.BytesIO]:
+            with super()._open_for_write(filepath) as file:
+                content = io.BytesIO()
+                yield content
+                # what reads a pickle stops at its end
+                file.write(content.getvalue() + sha256(content.getvalue()).digest())
+
+        def _load_index(self) -> Any:
+            _check(self._index_path)
+            return super()._load_index()
+
+        def _load_data(self, name: str) -> Any:
+            _check(self._data_path(name))
+            return super()._load_data(name)
+
+    class CheckedCache(caching.FunctionCache):  # type: ignore[misc]
+        def __init__(self, function: Callable[..., Any]) -> None:
+            super().__init__(function)
+            self._cache_file: Any = CheckedFiles(
+                self._cache_path, self._impl.filename_base, self._impl.locator.get_source_stamp()
+            )
+
+        def load_overload(self, sig: Any, target_context: Any) -> Any:
+            try:
+                return super().load_overload(sig, target_context)
+            except Exception:  # whatever the bytes led to
+                _log.warning(
+                    "the compiled solver that is kept in %s is damaged: compiling it anew",
+                    self.cache_path,
+                )
+                self._discard()
+                return None
+
+        def save_overload(self, sig: Any, data: Any) -> None:
+            try:
+                super().save_overload(sig, data)
+            except OSError as error:
+                _tell_once(
+                    f"the compiled solver cannot be kept in {self.cache_path} "
+                    f"({(error.strerror or str(error)).lower()}): each process compiles it anew"
+                )
+
+        def _discard(self) -> None:
+            for file in Path(self.cache_path).glob(f"{self._impl.filename_base}.*nb[ic]"):
+                try:
+                    file.unlink()
+                except OSError:  # a folder that is only read: never mind what is in it
+                    self.disable()
+
+    return CheckedCache
+
+
+def _check(path: str) -> None:
+    """Raise ValueError for a file whose end is not the checksum of what stands before it."""
+    try:
+        content = Path(path).read_bytes()
+    except FileNotFoundError:  # nothing is kept yet
+        return
+    if sha256(content[:-_DIGEST]).digest() != content[-_DIGEST:]:
+        raise ValueError(path)
+
+
+@cache
+def _tell_once(message: str) -> None:
+    _log.warning(message)
 
 
 @cache

@@ -5,13 +5,13 @@ from __future__ import annotations
 import io
 import os
 import warnings
-from pathlib import Path
 from typing import Any, Final
 
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
+from rolamento._writing import write_bytes
 from rolamento.errors import FileError
 from rolamento.plots.frame import figure_of
 from rolamento.plots.style import in_style
@@ -52,11 +52,7 @@ def save_figure(figure: Figure | Axes, path: str | os.PathLike[str]) -> None:
         # A title may hold letters that the font lacks; a box stands for them.
         warnings.filterwarnings("ignore", "Glyph .* missing from font")
         drawn.savefig(content, format=kind, metadata=_METADATA[kind])
-    try:
-        Path(path).write_bytes(content.getvalue())
-    except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or str(error)
-        raise FileError(f"cannot be written: {reason.lower()}", source=os.fspath(path)) from None
+    write_bytes(content.getvalue(), path)
 
 
 def check_name(path: str | os.PathLike[str]) -> str:

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
+from rolamento.numerics.masked import filled
 
 MOST_SAMPLES: Final = 1_000_000
 MOST_SHAPE: Final = 1000.0
@@ -28,7 +29,7 @@ def share(value: object, field: str, example: str = "0.9") -> float:
 def shares(value: ArrayLike, field: str, example: str = "0.9") -> FloatArray:
     """Return numbers between 0 and 1, both excluded, as an array."""
     try:
-        array = np.asarray(value, dtype=np.float64)
+        array = filled(value)
     except (TypeError, ValueError):
         array = np.asarray(np.nan)
     bad = ~((array > 0.0) & (array < 1.0))

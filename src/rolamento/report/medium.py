@@ -7,6 +7,8 @@ import unicodedata
 from dataclasses import dataclass
 from typing import Final, Literal, TextIO
 
+from rolamento.errors import printable
+
 __all__ = ["Medium"]
 
 ColorSystem = Literal["auto", "standard", "256", "truecolor", "windows"]
@@ -72,7 +74,11 @@ class Medium:
         return True
 
     def fitted(self, text: str) -> str:
-        """Return the text with what cannot be shown replaced by something like it."""
+        """Return the text with what cannot be shown replaced by something like it.
+
+        What a terminal would act on is shown as an escape: colours are put on later.
+        """
+        text = printable(text)
         if self.shows(text):
             return text
         return "".join(c if self.shows(c) else self._replacement(c) for c in text)

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import suppress
 from pathlib import Path
 from typing import Final, Literal
 
+from rolamento._writing import write_bytes
 from rolamento.errors import FileError
 from rolamento.reproduction.data_files import errata_csv, figure_csv, table_csv
 from rolamento.reproduction.errata import ERRATA_STEM, Errata
@@ -163,18 +163,7 @@ def _is_ours(folder: Path, source: Source) -> bool:
 
 def _put(folder: Path, name: str, content: bytes) -> None:
     """Write a file whole or not at all; a link of that name is replaced, not followed."""
-    path = folder / name
-    unfinished = folder / f".{name}.unfinished"
-    try:
-        with suppress(FileNotFoundError):
-            unfinished.unlink()
-        with open(unfinished, "xb") as file:
-            file.write(content)
-        os.replace(unfinished, path)
-    except OSError as error:
-        with suppress(OSError):
-            unfinished.unlink()
-        raise _refused(error, str(path)) from None
+    write_bytes(content, folder / name, through_links=False)
 
 
 def _remove(folder: Path, name: str) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
+from math import prod
 from pathlib import Path
 from typing import Any, Final
 
@@ -11,14 +12,19 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
+from rolamento._foreign.bounds import check_declared
+from rolamento._foreign.child import Child
 from rolamento.errors import FileError
-from rolamento.studies.layout import Layout, Variable
+from rolamento.studies.layout import Layout, Variable, slabs
 from rolamento.studies.plan import Plan
 from rolamento.studies.study import SAMPLE
 
 __all__ = ["dataset", "load_result"]
 
 _MOST_BYTES: Final = 4 * 2**30
+_PIECE: Final = 1_000_000
+"""Values asked for at once."""
+_TEXT: Final = "text"
 
 
 def dataset(
@@ -57,27 +63,74 @@ def load_result(path: str | os.PathLike[str]) -> xr.Dataset:
     Raises
     ------
     FileError
-        If the file cannot be read, is no NetCDF file of a study, or takes more than 4 GB.
+        If the file cannot be read, is damaged, is no NetCDF file of a study, takes more than 4 GB,
+        or declares far more than it has.
     """
     source = os.fspath(path)
     if not Path(source).is_file():
         raise FileError("cannot be opened: no such file", source=source)
     try:
-        with xr.open_dataset(source, engine="h5netcdf") as opened:
-            if opened.nbytes > _MOST_BYTES:
-                raise FileError(
-                    f"holds {opened.nbytes / 1e9:.1f} GB; xarray.open_dataset reads parts of it",
-                    source=source,
-                )
-            loaded = opened.load()
+        with Child(Path(source), "dataset") as child:
+            loaded = xr.decode_cf(_read(child, source)).load()
     except FileError:
         raise
-    except Exception as error:  # whatever HDF5 and its readers make of a file that is none
+    except Exception as error:  # whatever xarray makes of variables that do not go together
         reason = type(error).__name__
         raise FileError(f"is not a readable NetCDF file ({reason})", source=source) from None
     if "status" not in loaded or "study" not in loaded.attrs:
         raise FileError("is not the result of a study", source=source)
     return loaded
+
+
+def _read(child: Child, source: str) -> xr.Dataset:
+    """The variables of a NetCDF file, as they are stored."""
+    about = child.ask({})
+    needed = sum(prod(v["shape"]) * _item_size(v["dtype"]) for v in about["variables"])
+    check_declared(needed, os.path.getsize(source), source)
+    if needed > _MOST_BYTES:
+        raise FileError(
+            f"holds {needed / 1e9:.1f} GB; xarray.open_dataset reads parts of it", source=source
+        )
+    variables = {
+        found["name"]: xr.Variable(
+            found["dims"], _values(child, found, source), _attributes(found["attributes"])
+        )
+        for found in about["variables"]
+    }
+    return xr.Dataset(variables, attrs=_attributes(about["attributes"]))
+
+
+def _values(child: Child, found: Mapping[str, Any], source: str) -> NDArray[Any]:
+    """All of a variable, a piece at a time."""
+    shape, is_text = tuple(found["shape"]), found["dtype"] == _TEXT
+    values = np.empty(prod(shape), object if is_text else np.dtype(found["dtype"]))
+    for first in range(0, len(values), _PIECE):
+        last = min(first + _PIECE, len(values))
+        for box, run in slabs(first, last, shape or (1,)):
+            bounds = [[piece.start, piece.stop] for piece in box] if shape else []
+            answer = child.ask({"variable": found["name"], "box": bounds})
+            piece = values[first + run.start : first + run.stop]
+            held = answer["texts"] if is_text else np.frombuffer(answer["content"], values.dtype)
+            if len(held) != len(piece):
+                raise FileError("ends before its last value", source=source)
+            piece[:] = held
+    return values.reshape(shape)
+
+
+def _attributes(found: Mapping[str, Any]) -> dict[str, Any]:
+    """Texts as they are; numbers with their types, one alone without a list."""
+    attributes: dict[str, Any] = {}
+    for name, value in found.items():
+        if isinstance(value, dict):
+            numbers = np.array(value["values"], np.dtype(value["dtype"]))
+            attributes[name] = numbers[()] if numbers.ndim == 0 else numbers
+        else:
+            attributes[name] = value
+    return attributes
+
+
+def _item_size(dtype: str) -> int:
+    return 8 if dtype == _TEXT else np.dtype(dtype).itemsize
 
 
 def _coordinate(variable: Variable, values: NDArray[Any] | None) -> xr.Variable:

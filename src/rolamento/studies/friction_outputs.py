@@ -31,6 +31,7 @@ _MODELS: Final[tuple[tuple[ContactModel, str], ...]] = (
     ("jones_full", "Jones's full model"),
     ("harris_1971", "Harris's model of 1971"),
 )
+_CLOSED_FORMS: Final = ("jones_simplified", "todd")
 _POINTS: Final = 41
 _ZOOMS: Final = 4
 _SHRINKING: Final = 0.1
@@ -70,6 +71,7 @@ def _of_models() -> Iterator[Output]:
                 f"friction {name} by {words}",
                 _total(model, attribute),
                 needs=_COEFFICIENT,
+                slow=model not in _CLOSED_FORMS,
             )
 
 

@@ -19,7 +19,7 @@ from rolamento.studies.reading import study_to_toml
 from rolamento.studies.solving import status_names
 from rolamento.studies.study import SAMPLE, coordinate_names
 
-__all__ = ["BALL", "Layout", "Variable"]
+__all__ = ["BALL", "Layout", "Variable", "slabs"]
 
 BALL: Final = "ball"
 _UNIT: Final = re.compile(r"[\d.+-]+(?:[eE][+-]?\d+)?\s*(.*)", re.DOTALL)
@@ -138,3 +138,39 @@ def _given_unit(axis: Axis, name: str) -> dict[str, str]:
     unit = units.pop() if len(units) == 1 else ""
     known = read_field(name)
     return {"given_in": unit} if unit and known.dimension and unit != known.unit else {}
+
+
+def slabs(
+    first: int, last: int, shape: tuple[int, ...]
+) -> Iterator[tuple[tuple[slice, ...], slice]]:
+    """Cut a run of cases into boxes of the grid: each with its place and its part of the run.
+
+    At most one box less than twice the dimensions: a ragged beginning, whole rows, a ragged end.
+    """
+    yield from _slabs(first, last, shape, (), 0)
+
+
+def _slabs(
+    first: int, last: int, shape: tuple[int, ...], fixed: tuple[slice, ...], offset: int
+) -> Iterator[tuple[tuple[slice, ...], slice]]:
+    if first >= last:
+        return
+    length = int(np.prod(shape[1:], dtype=np.int64))
+    if len(shape) == 1:
+        yield (*fixed, slice(first, last)), slice(offset, offset + last - first)
+        return
+    row, begin = divmod(first, length)
+    end_row, end = divmod(last, length)
+    if row == end_row:
+        yield from _slabs(begin, end, shape[1:], (*fixed, slice(row, row + 1)), offset)
+        return
+    if begin:
+        yield from _slabs(begin, length, shape[1:], (*fixed, slice(row, row + 1)), offset)
+        offset += length - begin
+        row += 1
+    if row < end_row:
+        whole = (end_row - row) * length
+        place = (*fixed, slice(row, end_row), *(slice(0, size) for size in shape[1:]))
+        yield place, slice(offset, offset + whole)
+        offset += whole
+    yield from _slabs(0, end, shape[1:], (*fixed, slice(end_row, end_row + 1)), offset)

@@ -91,7 +91,12 @@ def _of_theories() -> Iterator[Output]:
         ):
             get = _life(theory, attribute)
             yield Output(
-                f"{name}{end}", unit, f"{what}, {words}", _number(get, stress), needs=needs
+                f"{name}{end}",
+                unit,
+                f"{what}, {words}",
+                _number(get, stress),
+                needs=needs,
+                slow=stress,
             )
         yield Output(
             f"life_holds{end}",
@@ -100,6 +105,7 @@ def _of_theories() -> Iterator[Output]:
             _holds(theory, stress),
             kind="whole",
             needs=needs,
+            slow=stress,
         )
 
 

@@ -8,32 +8,35 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
+from math import prod
 from pathlib import Path
 from typing import Any, Final
 
 import h5netcdf
 import numpy as np
 
-from rolamento.studies.layout import Layout, Variable
+from rolamento._writing import check_space
+from rolamento.studies.layout import Layout, Variable, slabs
 from rolamento.studies.plan import Part, Plan
 
-__all__ = ["netcdf_writer", "slabs"]
+__all__ = ["netcdf_writer"]
 
 _SAMPLES_AT_ONCE: Final = 2**16
 
 
 class _NetCDF:
-    def __init__(self, file: Any, plan: Plan, layout: Layout) -> None:
-        self._plan, self._file, self._layout = plan, file, layout
+    def __init__(self, file: Any, plan: Plan, layout: Layout, disk: _Disk) -> None:
+        self._plan, self._file, self._layout, self._disk = plan, file, layout, disk
 
     def put(self, part: Part) -> None:
-        first, last = self._plan.bounds(part.index)
+        first, last = self._plan.bounds_of(part)
         pieces = list(slabs(first, last, self._plan.study.shape))
         for variable in self._layout.outputs:
             target, values = self._file.variables[variable.name], part.arrays[variable.name]
             for place, run in pieces:
                 shape = tuple(s.stop - s.start for s in place) + values.shape[1:]
                 target[place] = values[run].reshape(shape)
+        self._disk.check()
 
 
 @contextmanager
@@ -42,7 +45,8 @@ def netcdf_writer(
 ) -> Iterator[_NetCDF]:
     """Open a NetCDF file for the parts of a result; coordinates are written at once."""
     layout = Layout(plan)
-    with h5netcdf.File(path, "w") as file:
+    check_space(_size(layout), path)
+    with _Disk(path) as disk, h5netcdf.File(disk, "w") as file:
         file.attrs.update(_plain(layout.attrs(counts, messages)))
         file.dimensions = dict(layout.sizes)
         for variable in layout.axes:
@@ -53,43 +57,82 @@ def netcdf_writer(
             for variable in layout.outputs:
                 file.variables[variable.name].attrs["coordinates"] = layout.coordinates
         _write_samples(file, plan, layout)
-        yield _NetCDF(file, plan, layout)
+        disk.check()
+        yield _NetCDF(file, plan, layout, disk)
 
 
-def slabs(
-    first: int, last: int, shape: tuple[int, ...]
-) -> Iterator[tuple[tuple[slice, ...], slice]]:
-    """Cut a run of cases into boxes of the grid: each with its place and its part of the run.
+class _Disk:
+    """A file that never fails while HDF5 writes to it: over a full disk the library crashes.
 
-    At most one box less than twice the dimensions: a ragged beginning, whole rows, a ragged end.
+    What goes wrong is kept, and raised between two variables and at the end.
     """
-    yield from _slabs(first, last, shape, (), 0)
+
+    def __init__(self, path: Path) -> None:
+        self._file = path.open("w+b", buffering=0)
+        self._error: OSError | None = None
+        self.seek, self.tell = self._file.seek, self._file.tell
+
+    def __enter__(self) -> _Disk:
+        return self
+
+    def __exit__(self, kind: object, *_: object) -> None:
+        try:
+            self._file.close()
+        except OSError as error:
+            self._error = self._error or error
+        if kind is None:
+            self.check()
+
+    def check(self) -> None:
+        """Raise what has gone wrong."""
+        if self._error is not None:
+            raise self._error
+
+    def write(self, content: Any) -> int:
+        """Write all of it, or nothing once something has gone wrong."""
+        view = memoryview(content).cast("B")
+        done = 0
+        try:
+            while done < len(view) and self._error is None:
+                done += self._file.write(view[done:]) or 0
+        except OSError as error:
+            self._error = error
+        return len(view)
+
+    def readinto(self, buffer: Any) -> int:
+        """Read what was written; nothing that was not."""
+        view = memoryview(buffer).cast("B")
+        try:
+            read = self._file.readinto(view) or 0
+        except OSError as error:
+            self._error, read = error, 0
+        view[read:] = bytes(len(view) - read)
+        return len(view)
+
+    def read(self, count: int) -> bytes:
+        """Read as `readinto`."""
+        buffer = bytearray(count)
+        self.readinto(buffer)
+        return bytes(buffer)
+
+    def truncate(self, size: int | None = None) -> int:
+        """Set the length."""
+        try:
+            return self._file.truncate(size)
+        except OSError as error:
+            self._error = error
+            return size or 0
+
+    def flush(self) -> None:
+        """Nothing is held back."""
 
 
-def _slabs(
-    first: int, last: int, shape: tuple[int, ...], fixed: tuple[slice, ...], offset: int
-) -> Iterator[tuple[tuple[slice, ...], slice]]:
-    if first >= last:
-        return
-    length = int(np.prod(shape[1:], dtype=np.int64))
-    if len(shape) == 1:
-        yield (*fixed, slice(first, last)), slice(offset, offset + last - first)
-        return
-    row, begin = divmod(first, length)
-    end_row, end = divmod(last, length)
-    if row == end_row:
-        yield from _slabs(begin, end, shape[1:], (*fixed, slice(row, row + 1)), offset)
-        return
-    if begin:
-        yield from _slabs(begin, length, shape[1:], (*fixed, slice(row, row + 1)), offset)
-        offset += length - begin
-        row += 1
-    if row < end_row:
-        whole = (end_row - row) * length
-        place = (*fixed, slice(row, end_row), *(slice(0, size) for size in shape[1:]))
-        yield place, slice(offset, offset + whole)
-        offset += whole
-    yield from _slabs(0, end, shape[1:], (*fixed, slice(end_row, end_row + 1)), offset)
+def _size(layout: Layout) -> int:
+    """Bytes of the numbers of a result; what HDF5 says of them is little beside a large one."""
+    return sum(
+        prod(layout.sizes[name] for name in variable.dims) * variable.dtype.itemsize
+        for variable in (*layout.samples, *layout.outputs)
+    )
 
 
 def _create(file: Any, variable: Variable) -> Any:

@@ -209,6 +209,8 @@ class Output:
         ``"whole"`` of a whole number that every case has, solved or not
     needs
         fields or tables that the case must have, or that must vary
+    slow
+        whether a case takes some milliseconds
     """
 
     name: str
@@ -218,6 +220,7 @@ class Output:
     per_ball: bool = False
     kind: Literal["real", "whole"] = "real"
     needs: tuple[str, ...] = ()
+    slow: bool = False
 
     @property
     def dtype(self) -> np.dtype[Any]:

@@ -2,13 +2,13 @@
 
 Cases are counted with the last dimension the fastest. A chunk is a run of cases whose length
 follows from the study alone, so that whoever solves it, and with however many threads, gets the
-same numbers.
+same numbers. It is short enough that a run can be stopped after any of them.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from typing import Any, Final
@@ -31,10 +31,14 @@ __all__ = ["Part", "Plan", "Task", "solve_task"]
 Indices = NDArray[np.intp]
 Floats = NDArray[np.float64]
 
-_MOST_CELLS: Final = 2**18
-"""Cases times balls of a chunk: some 2 MB for each array over the balls."""
-_FEWEST_CASES: Final = 256
-_MOST_CASES: Final = 2**14
+_CELLS: Final = 2**13
+"""Cases times balls of a chunk: some 10 ms of the solver."""
+_FEWEST_CASES: Final = 32
+"""In a chunk, and all of them where a case takes milliseconds; a call of the solver takes 1 ms."""
+_MOST_CASES: Final = 512
+_CELLS_TOGETHER: Final = 2**18
+"""Cases times balls of chunks that are written together: 2 MB for each array over balls."""
+_MOST_CASES_TOGETHER: Final = 2**14
 _MOST_MESSAGES: Final = 5
 _MOST_GROUPS: Final = 64
 """Base cases in a chunk: each takes some 10 ms."""
@@ -54,15 +58,29 @@ class Task:
 
 @dataclass(frozen=True, slots=True)
 class Part:
-    """A solved chunk.
+    """A solved chunk, or several that follow each other, of which index is the first.
 
-    arrays: "status" and the outputs, over the cases of the chunk. messages: why some of its
-    cases are not valid.
+    arrays: "status" and the outputs, over the cases. messages: why some of them are not valid.
     """
 
     index: int
     arrays: Mapping[str, NDArray[Any]]
     messages: tuple[str, ...] = ()
+
+    @property
+    def cases(self) -> int:
+        """How many it holds."""
+        return len(self.arrays["status"])
+
+    @classmethod
+    def joined(cls, parts: Sequence[Part]) -> Part:
+        """Return one part of several that follow each other."""
+        if len(parts) == 1:
+            return parts[0]
+        first = parts[0]
+        arrays = {name: np.concatenate([p.arrays[name] for p in parts]) for name in first.arrays}
+        messages = dict.fromkeys(text for part in parts for text in part.messages)
+        return cls(first.index, arrays, tuple(messages))
 
 
 class Plan:
@@ -105,6 +123,17 @@ class Plan:
         """Cases in a chunk."""
         first, last = self.bounds(index)
         return last - first
+
+    def bounds_of(self, part: Part) -> tuple[int, int]:
+        """First case of a part, and the first after it."""
+        first, _ = self.bounds(part.index)
+        return first, first + part.cases
+
+    @property
+    def chunks_together(self) -> int:
+        """Chunks that are best written together: what follows from a file does not depend on it."""
+        cases = min(_CELLS_TOGETHER // self.balls, _MOST_CASES_TOGETHER)
+        return max(cases // self.chunk, 1)
 
     def places(self, first: int, last: int) -> tuple[Indices, ...]:
         """Place of each case along each dimension."""
@@ -218,8 +247,17 @@ class Plan:
         return max(*own, *(int(count) for count in counts)) * max(rows)
 
     def _bounded_chunk(self) -> int:
-        bounded = min(max(_MOST_CELLS // self.balls, _FEWEST_CASES), _MOST_CASES)
+        bounded = min(max(_CELLS // self.balls, _FEWEST_CASES), _MOST_CASES)
+        if self._is_slow():
+            bounded = _FEWEST_CASES
         return min(bounded, _MOST_GROUPS * self._in_a_group) if self._groups_shape else bounded
+
+    def _is_slow(self) -> bool:
+        """Whether a case takes milliseconds, as far as the study tells."""
+        controls: set[object] = {self.study.case.model.raceway_control}
+        for columns in self.columns:
+            controls.update(columns.get("model.raceway_control", ()))
+        return "friction" in controls or any(output.slow for output in self.outputs)
 
 
 def solve_task(task: Task, threads: int | None = 1) -> Part:

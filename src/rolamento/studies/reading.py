@@ -23,10 +23,23 @@ from rolamento.case import Case, load_case
 from rolamento.errors import InputError, shown
 from rolamento.studies.study import Study
 
-__all__ = ["load_study", "parse_study", "study_to_json", "study_to_toml"]
+__all__ = ["case_file_of", "load_study", "parse_study", "study_to_json", "study_to_toml"]
 
 _LIST_HEADER: Final = re.compile(r"^([ \t]*)\[\[[ \t]*([A-Za-z_.]{1,60})[ \t]*\]\]", re.MULTILINE)
 _PLAIN_KEY: Final = re.compile(r"[A-Za-z0-9_-]+")
+
+
+def case_file_of(path: str | os.PathLike[str]) -> Path | None:
+    """Return the case file that a study file names, if it does.
+
+    Raises
+    ------
+    FileError
+        As `load_study`.
+    """
+    text, source = read_text(path)
+    case = parse_mapping(text, format_of_path(path) or format_of_text(text), source).get("case")
+    return Path(path).parent / case if isinstance(case, str) and case else None
 
 
 def load_study(path: str | os.PathLike[str], overrides: Iterable[str] = ()) -> Study:

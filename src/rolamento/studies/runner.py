@@ -8,16 +8,19 @@ order.
 from __future__ import annotations
 
 import os
+import queue
+import stat
+import threading
 import time
-from collections import Counter, deque
+from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from concurrent.futures import Future, ThreadPoolExecutor
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
 from rolamento.errors import FileError, InputError
+from rolamento.numerics.threads import thread_count
 from rolamento.studies.plan import Part, Plan
 from rolamento.studies.solving import CONVERGED, status_names
 from rolamento.studies.store import Store
@@ -40,6 +43,10 @@ beginning, then after every chunk."""
 _MOST_BYTES: Final = 4 * 2**30
 """Of a result in memory."""
 _MOST_MESSAGES: Final = 5
+_LONGEST_UNWRITTEN: Final = 2.0
+"""Seconds that a solved chunk waits for others before it is written."""
+_PATIENCE: Final = 2.0
+"""Seconds that threads are given to end in when a run stops; they end by themselves later."""
 
 
 class Interrupted(KeyboardInterrupt):
@@ -123,13 +130,14 @@ def run_to_file(
     Parameters
     ----------
     study, threads, executor, progress
-        As in `run`.
+        As in `run`. What was solved is on the disk some two seconds later.
     path
         Of the result; ``.nc`` (NetCDF), ``.csv`` or ``.parquet``.
     restart
         Throw away what an earlier run has kept.
     chunk
-        Cases in a chunk; by default 16 384, or fewer for bearings with many balls.
+        Cases in a chunk, after each of which a run can be stopped; by default some 10 ms of the
+        solver, or 32 where a case takes milliseconds. The last digits depend on it.
 
     Returns
     -------
@@ -156,12 +164,13 @@ def run_to_file(
         for part in kept.values():
             tally.keep(part)
         try:
-            tally.tell()
-            for part in _solved(plan, kept, executor or local_threads(threads)):
-                store.put(part)
-                tally.add(part)
+            with _Shelf(store, plan) as shelf:
+                tally.tell()
+                for part in _solved(plan, kept, executor or local_threads(threads)):
+                    shelf.add(part)
+                    tally.add(part)
             seconds = time.perf_counter() - began
-            ranges = _assembled(plan, store, writer, tally)
+            ranges = _assembled(plan, store, writer, tally, result)
             _move(store.result, result)
         except KeyboardInterrupt:
             raise Interrupted(tally.done, plan.cases, store.folder) from None
@@ -180,43 +189,128 @@ def run_to_file(
 def local_threads(threads: int | None = None) -> Executor:
     """Return an executor that solves chunks in threads of this process.
 
-    A few chunks are solved ahead, not more: memory stays bounded however slow the writer is.
+    A few chunks are solved ahead, not more: memory stays bounded however slow the writer is. The
+    thread that asks never solves, so that it hears Ctrl-C; threads that are in the middle of a
+    chunk then are not waited for longer than a moment.
+
+    Raises
+    ------
+    InputError
+        If the number of threads is none.
     """
-    workers = threads or os.cpu_count() or 1
+    workers = thread_count(threads)
 
     def execute(plan: Plan, indices: Sequence[int]) -> Iterator[Part]:
-        if len(indices) < 2 or workers == 1:
-            yield from (plan.solve(index, threads=workers) for index in indices)
-            return
-        pool = ThreadPoolExecutor(min(workers, len(indices)))
+        team = _Team(plan, indices, workers)
         try:
-            yield from _in_turn(pool, plan, indices, ahead=2 * workers)
+            yield from team.parts()
         finally:
-            pool.shutdown(wait=True, cancel_futures=True)
+            team.stop()
 
     return execute
 
 
-def _in_turn(
-    pool: ThreadPoolExecutor, plan: Plan, indices: Iterable[int], ahead: int
-) -> Iterator[Part]:
-    waiting: deque[Future[Part]] = deque()
-    for index in indices:
-        waiting.append(pool.submit(plan.solve, index, 1))
-        if len(waiting) >= ahead:
-            yield waiting.popleft().result()
-    while waiting:
-        yield waiting.popleft().result()
+class _Team:
+    """Threads that solve chunks, which come in order, until they are told to stop.
+
+    They are daemons: a program that ends does not wait for the chunks that they are at.
+    """
+
+    def __init__(self, plan: Plan, indices: Sequence[int], workers: int) -> None:
+        self._plan = plan
+        self._left = iter(enumerate(indices))
+        self._count = len(indices)
+        self._taking = threading.Lock()
+        self._room = threading.Semaphore(2 * workers)
+        self._solved: queue.SimpleQueue[tuple[int, Part | BaseException]] = queue.SimpleQueue()
+        self._stopped = threading.Event()
+        self._threads = [
+            threading.Thread(target=self._work, daemon=True)
+            for _ in range(min(workers, self._count))
+        ]
+
+    def parts(self) -> Iterator[Part]:
+        for thread in self._threads:
+            thread.start()
+        early: dict[int, Part | BaseException] = {}
+        for place in range(self._count):
+            while place not in early:
+                found, solved = self._solved.get()
+                early[found] = solved
+            part = early.pop(place)
+            self._room.release()
+            if isinstance(part, BaseException):
+                raise part
+            yield part
+
+    def stop(self) -> None:
+        self._stopped.set()
+        self._room.release(len(self._threads) or 1)
+        latest = time.monotonic() + _PATIENCE
+        for thread in self._threads:
+            if thread.ident is not None:
+                thread.join(max(latest - time.monotonic(), 0.0))
+
+    def _work(self) -> None:
+        while True:
+            self._room.acquire()
+            with self._taking:
+                taken = None if self._stopped.is_set() else next(self._left, None)
+            if taken is None:
+                return
+            place, index = taken
+            try:
+                self._solved.put((place, self._plan.solve(index, 1)))
+            except BaseException as error:  # raised again by the thread that asks
+                self._solved.put((place, error))
+                return
 
 
-def _assembled(plan: Plan, store: Store, writer: Writer, tally: _Tally) -> tuple[OutputRange, ...]:
+class _Shelf:
+    """Solved chunks that wait to be written together: neither many small files nor much lost."""
+
+    def __init__(self, store: Store, plan: Plan) -> None:
+        self._store, self._most = store, plan.chunks_together
+        self._parts: list[Part] = []
+        self._written = time.monotonic()
+
+    def add(self, part: Part) -> None:
+        self._parts.append(part)
+        late = time.monotonic() - self._written > _LONGEST_UNWRITTEN
+        if late or len(self._parts) >= self._most:
+            self._write()
+
+    def __enter__(self) -> _Shelf:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._write()
+
+    def _write(self) -> None:
+        if self._parts:
+            self._store.put(*self._parts)
+        self._parts = []
+        self._written = time.monotonic()
+
+
+def _assembled(
+    plan: Plan, store: Store, writer: Writer, tally: _Tally, result: Path
+) -> tuple[OutputRange, ...]:
     """Put the parts together in one file, in order, and gather the ranges of the outputs."""
     spreads = Spreads(plan)
-    with writer(store.result, plan, tally.counts, tally.some_messages) as file:
-        for index in range(plan.chunks):
-            part = store.get(index)
-            file.put(part)
-            spreads.add(part)
+    try:
+        with writer(store.result, plan, tally.counts, tally.some_messages) as file:
+            for first in range(0, plan.chunks, plan.chunks_together):
+                last = min(first + plan.chunks_together, plan.chunks)
+                part = Part.joined([store.get(index) for index in range(first, last)])
+                file.put(part)
+                spreads.add(part)
+    except FileError as error:
+        if error.source != str(store.result):
+            raise
+        store.result.unlink(missing_ok=True)  # room for whoever is asked to make some
+        kept = f"{error.rule}; what was solved is kept in {store.folder}"
+        raise FileError(kept, source=str(result)) from None
     return spreads.ranges()
 
 
@@ -280,6 +374,8 @@ def _check_place(result: Path) -> None:
     """Refuse a place that cannot take the result before anything is solved."""
     if result.is_dir():
         raise FileError("is a directory; give a file", source=str(result))
+    if result.exists() and not stat.S_ISREG(result.stat().st_mode):
+        raise FileError("is not a regular file; give another name", source=str(result))
     if not result.parent.is_dir():
         raise FileError("cannot be written: there is no such directory", source=str(result))
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
 import re
 import zipfile
 from collections.abc import Callable, Iterator
@@ -15,7 +14,8 @@ from typing import Any, Final, TypeVar
 import numpy as np
 
 import rolamento
-from rolamento.errors import FileError
+from rolamento._writing import UNFINISHED, write_bytes, written_whole
+from rolamento.errors import FileError, shown
 from rolamento.studies.plan import Part, Plan
 
 try:
@@ -27,19 +27,22 @@ __all__ = ["Store"]
 
 T = TypeVar("T")
 
-_FORMAT: Final = 1
+_FORMAT: Final = 2
 _MANIFEST: Final = "manifest.json"
 _LOCK: Final = "lock"
 _MESSAGES: Final = "_messages"
-_OURS: Final = re.compile(r"manifest\.json|part-\d{7,10}\.npz|result|[a-z0-9.-]+\.tmp")
+_CHUNKS: Final = "_chunks"
+_OURS: Final = re.compile(rf"manifest\.json|part-\d{{7,10}}\.npz|result|{UNFINISHED}")
 _LONGEST_MANIFEST: Final = 10_000
+_OPEN_AT_ONCE: Final = 3
+"""Files of parts in memory: neighbours lie in one, but for those that were overtaken."""
 
 
 class Store:
     """Parts of a result, in a folder beside it.
 
-    A manifest says what they are parts of. Each part is written under another name and then
-    renamed: it is there whole or not at all.
+    A manifest says what they are parts of. Each file holds some chunks, in the order in which
+    they came, and is there whole or not at all.
 
     Parameters
     ----------
@@ -53,6 +56,8 @@ class Store:
         self.plan = plan
         self.folder = result.with_name(f"{result.name}.parts")
         self.result = self.folder / "result"
+        self._files: dict[int, int] = {}
+        self._read: dict[int, dict[int, Part]] = {}
 
     @contextmanager
     def held(self) -> Iterator[None]:
@@ -63,6 +68,12 @@ class Store:
         FileError
             If the folder cannot be made, or another run is at work in it.
         """
+        if self.folder.exists() and not self.folder.is_dir():
+            raise FileError(
+                "is where parts of the result would be kept, and no folder; move it away, or give "
+                "another name to the result",
+                source=str(self.folder),
+            )
         self._attempt(lambda: self.folder.mkdir(exist_ok=True))
         if fcntl is None:  # no such locks on this system: runs have to keep apart by themselves
             yield
@@ -75,17 +86,19 @@ class Store:
             yield
 
     def open(self, *, restart: bool = False) -> dict[int, Part]:
-        """Find what is in the folder; return the statuses of the parts at hand.
+        """Find what is in the folder; return the statuses of the chunks at hand.
 
         Raises
         ------
         FileError
             If the folder cannot be used, or holds parts of something else.
         """
+        self._refuse_foreign()
         if restart:
             self._clear()
+        self._files, self._read = {}, {}
         if not any(path.name != _LOCK for path in self._contents()):
-            self._write(_MANIFEST, json.dumps(self._manifest(), indent=2).encode())
+            write_bytes(json.dumps(self._manifest(), indent=2).encode(), self.folder / _MANIFEST)
             return {}
         if self._found_manifest() != self._manifest():
             raise FileError(
@@ -95,44 +108,64 @@ class Store:
             )
         return self._kept()
 
-    def put(self, part: Part) -> None:
-        """Write a part.
+    def put(self, *parts: Part) -> None:
+        """Write chunks to one file.
 
         Raises
         ------
         FileError
             If it cannot be written.
         """
-        messages = np.array(part.messages, dtype=np.str_)
+        about = {
+            _MESSAGES: np.array([t for part in parts for t in part.messages], dtype=np.str_),
+            _CHUNKS: np.array([part.index for part in parts], dtype=np.int64),
+        }
+        arrays = Part.joined(parts).arrays
+        number = max(self._files.values(), default=-1) + 1
+        with written_whole(self._path(number)) as place, place.open("wb") as file:
+            np.savez(file, **about, **arrays)  # type: ignore[arg-type]
+        self._files.update((part.index, number) for part in parts)
 
-        def write(path: Path) -> None:
-            with path.open("wb") as file:
-                np.savez(file, **{_MESSAGES: messages}, **part.arrays)  # type: ignore[arg-type]
-
-        self._replace(self._name(part.index), write)
-
-    def get(self, index: int, *, only: str | None = None) -> Part:
-        """Read a part, or one of its arrays.
+    def get(self, index: int) -> Part:
+        """Read a chunk.
 
         Raises
         ------
         FileError
             If it cannot be read, or is not what was written.
         """
-        path = self.folder / self._name(index)
+        number = self._files[index]
+        if number not in self._read:
+            if len(self._read) >= _OPEN_AT_ONCE:
+                del self._read[next(iter(self._read))]
+            self._read[number] = self._chunks_of(number)
+        chunks = self._read[number]
+        if index not in chunks:
+            raise self._damaged(self._path(number))
+        return chunks[index]
+
+    def _chunks_of(self, number: int, *, only: str | None = None) -> dict[int, Part]:
+        """Chunks of a file, or of each one of its arrays."""
+        path = self._path(number)
         try:
             # Opened here: NumPy leaves a file that it cannot read open.
             with path.open("rb") as raw, np.load(raw, allow_pickle=False) as file:
-                arrays = {
-                    name: file[name] for name in (file.files if only is None else (only, _MESSAGES))
-                }
+                wanted = file.files if only is None else (only, _MESSAGES, _CHUNKS)
+                arrays = {name: file[name] for name in wanted}
+            messages = tuple(str(text) for text in arrays.pop(_MESSAGES))
+            indices = [int(index) for index in arrays.pop(_CHUNKS)]
         except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile):
             raise self._damaged(path) from None
-        messages = tuple(str(text) for text in arrays.pop(_MESSAGES))
-        part = Part(index, arrays, messages)
-        if any(len(array) != self.plan.size(index) for array in arrays.values()):
+        if not all(0 <= index < self.plan.chunks for index in indices):
             raise self._damaged(path)
-        return part
+        ends = np.cumsum([self.plan.size(index) for index in indices])
+        if not len(ends) or any(len(array) != ends[-1] for array in arrays.values()):
+            raise self._damaged(path)
+        pieces = {name: np.split(array, ends[:-1]) for name, array in arrays.items()}
+        return {
+            index: Part(index, {name: pieces[name][place] for name in pieces}, messages)
+            for place, index in enumerate(indices)
+        }
 
     def remove(self) -> None:
         """Remove the folder, but nothing in it that is not ours.
@@ -151,19 +184,33 @@ class Store:
             if _OURS.fullmatch(path.name):
                 self._attempt(path.unlink)
 
+    def _refuse_foreign(self) -> None:
+        """Refuse a folder with files in it that are not ours, which nothing here will remove."""
+        foreign = [p.name for p in self._contents() if p.name != _LOCK and not _is_ours(p)]
+        if foreign:
+            raise FileError(
+                f"holds {shown(foreign[0])}, which Rolamento did not write and does not remove; "
+                "move it away, or give another name to the result",
+                source=str(self.folder),
+            )
+
     def _contents(self) -> list[Path]:
         return sorted(self._attempt(lambda: list(self.folder.iterdir())))
 
     def _kept(self) -> dict[int, Part]:
-        """Statuses of the parts that are whole; the others will be solved again."""
-        kept = {}
-        for index in range(self.plan.chunks):
-            if not (self.folder / self._name(index)).is_file():
+        """Statuses of the chunks in files that are whole; the others will be solved again."""
+        kept: dict[int, Part] = {}
+        for path in self._contents():
+            if not path.name.startswith("part-"):
                 continue
+            number = int(path.stem.removeprefix("part-"))
             try:
-                kept[index] = self.get(index, only="status")
+                found = self._chunks_of(number, only="status")
             except FileError:
+                self._attempt(path.unlink)
                 continue
+            kept.update(found)
+            self._files.update(dict.fromkeys(found, number))
         return kept
 
     def _manifest(self) -> dict[str, Any]:
@@ -183,19 +230,8 @@ class Store:
         except (OSError, ValueError, RecursionError):
             return None
 
-    def _name(self, index: int) -> str:
-        return f"part-{index:07d}.npz"
-
-    def _write(self, name: str, content: bytes) -> None:
-        def write(path: Path) -> None:
-            path.write_bytes(content)
-
-        self._replace(name, write)
-
-    def _replace(self, name: str, write: Callable[[Path], None]) -> None:
-        unfinished = self.folder / f"{name}.tmp"
-        self._attempt(lambda: write(unfinished))
-        self._attempt(lambda: os.replace(unfinished, self.folder / name))
+    def _path(self, number: int) -> Path:
+        return self.folder / f"part-{number:07d}.npz"
 
     def _attempt(self, action: Callable[..., T], *arguments: Any, **options: Any) -> T:
         try:
@@ -206,3 +242,7 @@ class Store:
 
     def _damaged(self, path: Path) -> FileError:
         return FileError("is damaged; remove it and run the study again", source=str(path))
+
+
+def _is_ours(path: Path) -> bool:
+    return bool(_OURS.fullmatch(path.name)) and not path.is_dir()

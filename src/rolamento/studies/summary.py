@@ -83,7 +83,7 @@ class Spreads:
 
     def add(self, part: Part) -> None:
         """Take in a part."""
-        first, _ = self._plan.bounds(part.index)
+        first, _ = self._plan.bounds_of(part)
         chosen = slice(-first % self._every, None, self._every)
         solved = part.arrays["status"] == status_names()[CONVERGED]
         for output in self._plan.outputs:

@@ -34,7 +34,7 @@ class _Table:
         self._plan, self._layout, self._schema, self._write = plan, layout, schema, write
 
     def put(self, part: Part) -> None:
-        first, last = self._plan.bounds(part.index)
+        first, last = self._plan.bounds_of(part)
         columns = [*self._inputs(first, last), *self._outputs(part)]
         arrays = [
             pa.array(c, t.type, from_pandas=True)

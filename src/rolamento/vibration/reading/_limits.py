@@ -15,10 +15,10 @@ from typing import BinaryIO, Final
 
 import numpy as np
 
+from rolamento._foreign.bounds import LARGEST_WHOLE
 from rolamento.errors import FileError, InputError, shown
 
 __all__ = [
-    "LARGEST_WHOLE_FILE",
     "LONGEST_NAME",
     "LONGEST_UNIT",
     "MOST_CHANNELS",
@@ -30,8 +30,6 @@ __all__ = [
     "opened",
 ]
 
-LARGEST_WHOLE_FILE: Final = 512 * 2**20
-"""Bytes of a file that has to be held whole, and of what it inflates to."""
 MOST_SAMPLES: Final = 100_000_000
 """Of one channel in memory at once: 0.8 GB."""
 MOST_CHANNELS: Final = 1000
@@ -67,9 +65,9 @@ def check_size(size: int, source: str, what: str = "file") -> None:
     FileError
         If it is.
     """
-    if size > LARGEST_WHOLE_FILE:
+    if size > LARGEST_WHOLE:
         raise FileError(
-            f"this kind of {what} is read whole, up to {LARGEST_WHOLE_FILE // 2**20} MB; "
+            f"this kind of {what} is read whole, up to {LARGEST_WHOLE // 2**20} MB; "
             "store it as WAV, .npy, HDF5 or Parquet, which are read in blocks",
             field="size in bytes",
             value=size,

@@ -8,6 +8,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import BinaryIO, Final
 
+from rolamento._foreign.bounds import check_declared
 from rolamento._tables import DecimalMark
 from rolamento.errors import FileError
 from rolamento.vibration.reading._channel import Source
@@ -28,6 +29,7 @@ ENDINGS: Final = {
 
 _HDF5: Final = b"\x89HDF\r\n\x1a\n"
 _HDF5_PLACES: Final = (0, 512, 1024, 2048, 4096)
+_DOUBLE: Final = 8
 _UFF: Final = re.compile(rb"\s{0,200}-1[ \r]*\n *\d{1,5}[bB]?[ \d]*\r?\n")
 
 
@@ -39,7 +41,7 @@ def open_source(path: str | os.PathLike[str], mark: DecimalMark | None = None) -
     Raises
     ------
     FileError
-        If it cannot be opened, is of no known format, or is damaged.
+        If it cannot be opened, is of no known format, is damaged, or declares far more than it has.
     """
     file = _path(path)
     source = str(file)
@@ -50,7 +52,14 @@ def open_source(path: str | os.PathLike[str], mark: DecimalMark | None = None) -
     if not kind:
         raise _unknown(file.suffix.lower(), source)
     with guarded(source, "signal file"):
-        return _csv(file, mark) if kind == "csv" else _READERS[kind](file)
+        opened_source = _csv(file, mark) if kind == "csv" else _READERS[kind](file)
+        try:
+            for channel in opened_source.channels:
+                check_declared(_DOUBLE * channel.length, size, source)
+        except FileError:
+            opened_source.close()
+            raise
+        return opened_source
 
 
 def _path(path: str | os.PathLike[str]) -> Path:

@@ -18,11 +18,11 @@ from typing import Final, NamedTuple
 
 import numpy as np
 
+from rolamento._foreign.bounds import check_inflated
 from rolamento.errors import FileError
 from rolamento.numerics import FloatArray
 from rolamento.vibration.reading._arrays import ArraysSource
 from rolamento.vibration.reading._limits import (
-    LARGEST_WHOLE_FILE,
     check_size,
     file_size,
     guarded,
@@ -143,9 +143,7 @@ class _Reader:
             raise FileError("is cut off", source=self._source)
         size = struct.unpack(f"{self._order}II", tag)[1]
         self._inflated += size
-        if self._inflated > LARGEST_WHOLE_FILE:
-            limit = LARGEST_WHOLE_FILE // 2**20
-            raise FileError(f"inflates to more than {limit} MB", source=self._source)
+        check_inflated(self._inflated, len(self._content), self._source)
         return tag + (inflater.decompress(inflater.unconsumed_tail, size) if size else b"")
 
     def _matrix(self, content: memoryview, parent: str, depth: int) -> Iterator[_Numbers]:

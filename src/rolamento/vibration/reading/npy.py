@@ -15,12 +15,12 @@ from typing import Any, BinaryIO, Final, cast
 
 import numpy as np
 
+from rolamento._foreign.bounds import check_inflated
 from rolamento.errors import FileError
 from rolamento.numerics import FloatArray
 from rolamento.vibration.reading._arrays import ArraysSource
 from rolamento.vibration.reading._channel import Source, checked_channels
 from rolamento.vibration.reading._limits import (
-    LARGEST_WHOLE_FILE,
     check_size,
     exactly,
     file_size,
@@ -133,7 +133,8 @@ class NpzSource(ArraysSource):
 
     def __init__(self, path: Path) -> None:
         self._source = str(path)
-        check_size(file_size(path), self._source)
+        self._size = file_size(path)
+        check_size(self._size, self._source)
         self._held: dict[int, np.ndarray[Any, Any]] = {}
         self._file = opened(path)
         try:
@@ -164,9 +165,7 @@ class NpzSource(ArraysSource):
         members = self._zip.infolist()
         if len(members) > MOST_VARIABLES:
             raise FileError(f"holds more than {MOST_VARIABLES} arrays", source=self._source)
-        if sum(member.file_size for member in members) > LARGEST_WHOLE_FILE:
-            limit = LARGEST_WHOLE_FILE // 2**20
-            raise FileError(f"inflates to more than {limit} MB", source=self._source)
+        check_inflated(sum(member.file_size for member in members), self._size, self._source)
         if any(member.compress_type not in _COMPRESSIONS for member in members):
             rule = "is compressed in another way than numpy.savez_compressed does"
             raise FileError(rule, source=self._source)

@@ -10,11 +10,11 @@ import numpy as np
 import pyarrow as pa
 import pyarrow.parquet as pq
 
+from rolamento._foreign.bounds import LARGEST_WHOLE
 from rolamento.errors import FileError
 from rolamento.numerics import FloatArray
 from rolamento.vibration.reading._channel import Channel, Source, checked_channels
 from rolamento.vibration.reading._limits import (
-    LARGEST_WHOLE_FILE,
     MOST_CHANNELS,
     MOST_SAMPLES,
     file_size,
@@ -57,7 +57,7 @@ class ParquetSource(Source):
                 path,
                 memory_map=False,
                 pre_buffer=False,
-                buffer_size=_BUFFER if size > LARGEST_WHOLE_FILE else 0,
+                buffer_size=_BUFFER if size > LARGEST_WHOLE else 0,
                 thrift_string_size_limit=16 * _MOST_TEXT,
                 thrift_container_size_limit=_MOST_TEXT,
             )

@@ -1,9 +1,8 @@
-"""Reads HDF5 in a process of its own; run as a script by `hdf5`, never imported.
+"""Reads HDF5 in a process of its own; run as a script by `child`, never imported.
 
-The HDF5 library is not made for damaged files: one wrong byte may send it into memory that is not
-its own, or round in circles. Here that ends a child, not the program. The child is asked over its
-standard input, one line of JSON a question, and answers with a line of JSON and the bytes that it
-announces. It knows nothing but h5py and NumPy, so that it starts soon.
+It is told how to read, within which bounds and what file, and asked over its standard input, one
+line of JSON a question. It answers with a line of JSON and the bytes that it announces. It knows
+nothing but h5py and NumPy, and h5netcdf for data sets, so that it starts soon.
 
 Only what lies in the file itself is followed: soft and external links, virtual and externally
 stored data sets and references are passed over. Chunks are inflated here, up to the size that the
@@ -24,10 +23,10 @@ import numpy as np
 
 _MOST_OBJECTS: Final = 10_000
 _DEEPEST: Final = 10
-_LARGEST_CHUNK: Final = 256 * 2**20
 _MOST_HELD: Final = 3
 """Chunks kept, one a data set: of samples, speed and time."""
-_MOST_MEMORY: Final = 3 * 2**30
+_LONGEST_SECONDS: Final = 3600
+"""Of work, should nobody be left to end it."""
 _LONGEST_TEXT: Final = 200
 _MOST_ATTRIBUTES: Final = 100
 _DEFLATE, _SHUFFLE, _CHECKSUM = 1, 2, 3
@@ -38,18 +37,25 @@ class _RefusedError(Exception):
     """A sentence for the user."""
 
 
-class _Worker:
-    def __init__(self, path: str) -> None:
+class _Signals:
+    """The arrays of a file, as channels of a signal."""
+
+    def __init__(self, path: str, bounds: dict[str, int]) -> None:
         self._file = h5py.File(path, "r")
+        self._bounds = bounds
         self._sets: list[Any] = []
         self._held: dict[int, tuple[tuple[int, ...], Any]] = {}
 
-    def variables(self) -> dict[str, Any]:
+    def answer(self, question: dict[str, Any]) -> tuple[dict[str, Any], bytes]:
+        """What the file holds, or numbers of it."""
+        return ({}, self._numbers(**question)) if question else (self._variables(), b"")
+
+    def _variables(self) -> dict[str, Any]:
         """All arrays of real numbers."""
         found = list(self._walk(self._file, "", {}, {}, set(), 0))
         return {"variables": found}
 
-    def numbers(self, variable: int, axis: int, place: int, start: int, count: int) -> bytes:
+    def _numbers(self, variable: int, axis: int, place: int, start: int, count: int) -> bytes:
         """Samples of one channel as little-endian doubles."""
         data = self._sets[variable]
         row = [slice(place, place + 1)] * len(data.shape)
@@ -85,6 +91,7 @@ class _Worker:
                     yield from self._walk(entry, inner, numbers, texts, seen, depth + 1)
             elif isinstance(entry, h5py.Dataset) and _is_plain(entry):
                 self._sets.append(entry)
+                _check_filters(entry, inner, self._bounds["chunk"])
                 yield _described(entry, inner, numbers, texts)
 
     def _chunked(self, variable: int, row: list[slice], axis: int) -> Any:
@@ -147,7 +154,6 @@ def _described(
     data: Any, path: str, numbers: dict[str, float], texts: dict[str, str]
 ) -> dict[str, Any]:
     own = _attributes(data)
-    _check_filters(data, path)
     single = data.size == 1 and data.chunks is None
     value = float(np.asarray(data[()]).reshape(-1)[0]) if single else None
     return {
@@ -159,7 +165,7 @@ def _described(
     }
 
 
-def _check_filters(data: Any, path: str) -> None:
+def _check_filters(data: Any, path: str, largest: int) -> None:
     """Refuse compression that is not inflated here, and chunks that are too large."""
     if data.chunks is None:
         return
@@ -169,8 +175,8 @@ def _check_filters(data: Any, path: str) -> None:
         if code not in (_DEFLATE, _SHUFFLE, _CHECKSUM):
             kind = bytes(name)[:40].decode("latin-1") or str(code)
             raise _RefusedError(f'"{path[:60]}" is compressed with {kind}; only gzip is read')
-    if math.prod(data.chunks) * data.dtype.itemsize > _LARGEST_CHUNK:
-        limit = _LARGEST_CHUNK // 2**20
+    if math.prod(data.chunks) * data.dtype.itemsize > largest:
+        limit = largest // 2**20
         raise _RefusedError(f'"{path[:60]}" has chunks of more than {limit} MB')
 
 
@@ -218,13 +224,92 @@ def _attributes(entry: Any) -> tuple[dict[str, float], dict[str, str]]:
     return numbers, texts
 
 
-def _bound_memory() -> None:
-    """Let the system refuse more memory than a file may ask for, where it can."""
+class _Dataset:
+    """The variables of a NetCDF file, with their dimensions and attributes."""
+
+    def __init__(self, path: str, bounds: dict[str, int]) -> None:
+        import h5netcdf
+
+        # h5py decodes what is no text with surrogates, which JSON takes
+        self._file = h5netcdf.File(path, "r", decode_vlen_strings=True)
+        self._bounds = bounds
+
+    def answer(self, question: dict[str, Any]) -> tuple[dict[str, Any], bytes]:
+        """What the file holds, or a box of a variable: bytes, or texts."""
+        if not question:
+            return self._described(), b""
+        variable = self._file.variables[question["variable"]]
+        box = tuple(slice(first, last) for first, last in question["box"])
+        values = np.asarray(variable[box])
+        if values.dtype.kind in "OSU":
+            texts = [_plain_text(text) for text in values.reshape(-1)]
+            return {"texts": texts}, b""
+        return {}, np.ascontiguousarray(values).tobytes()
+
+    def _described(self) -> dict[str, Any]:
+        if len(self._file.variables) > _MOST_OBJECTS:
+            raise _RefusedError(f"holds more than {_MOST_OBJECTS} variables")
+        return {
+            "attributes": _all_attributes(self._file.attrs),
+            "variables": [
+                self._variable(name, variable) for name, variable in self._file.variables.items()
+            ],
+        }
+
+    def _variable(self, name: str, variable: Any) -> dict[str, Any]:
+        kind = variable.dtype
+        text = kind is str or h5py.check_string_dtype(np.dtype(kind)) is not None
+        if not text and (np.dtype(kind).kind not in "iufb" or np.dtype(kind).itemsize > 8):
+            raise _RefusedError(f'"{name[:60]}" holds neither numbers nor texts')
+        chunks = variable.chunks
+        size = 8 if text else np.dtype(kind).itemsize
+        if chunks is not None and math.prod(chunks) * size > self._bounds["chunk"]:
+            limit = self._bounds["chunk"] // 2**20
+            raise _RefusedError(f'"{name[:60]}" has chunks of more than {limit} MB')
+        return {
+            "name": name,
+            "dims": list(variable.dimensions),
+            "shape": [int(length) for length in variable.shape],
+            "dtype": "text" if text else np.dtype(kind).str,
+            "attributes": _all_attributes(variable.attrs),
+        }
+
+
+def _all_attributes(attrs: Any) -> dict[str, Any]:
+    """Texts as they are, numbers with their types."""
+    found: dict[str, Any] = {}
+    for count, name in enumerate(attrs):
+        if count == _MOST_ATTRIBUTES:
+            raise _RefusedError(f"holds more than {_MOST_ATTRIBUTES} attributes in one place")
+        value = attrs[name]
+        if isinstance(value, str | bytes):
+            found[name] = _plain_text(value)
+            continue
+        values = np.asarray(value)
+        if values.dtype.kind in "OSU":
+            found[name] = [_plain_text(text) for text in values.reshape(-1)]
+        elif values.dtype.kind in "iufb" and values.ndim <= 1:
+            found[name] = {"dtype": values.dtype.str, "values": values.tolist()}
+        else:
+            raise _RefusedError(f'"{name[:60]}" is neither numbers nor a text')
+    return found
+
+
+def _plain_text(text: Any) -> str:
+    return text.decode("utf-8", "replace") if isinstance(text, bytes) else str(text)
+
+
+def _bound(memory: int) -> None:
+    """Let the system refuse more than a file may ask for, where it can."""
     try:
         import resource
     except ImportError:
         return
-    for limit, most in ((resource.RLIMIT_AS, _MOST_MEMORY), (resource.RLIMIT_CORE, 0)):
+    for limit, most in (
+        (resource.RLIMIT_AS, memory),
+        (resource.RLIMIT_CORE, 0),
+        (resource.RLIMIT_CPU, _LONGEST_SECONDS),
+    ):
         try:
             resource.setrlimit(limit, (most, resource.getrlimit(limit)[1]))
         except (ValueError, OSError):
@@ -237,24 +322,24 @@ def _answer(reply: dict[str, Any], content: bytes = b"") -> None:
     sys.stdout.buffer.flush()
 
 
-def _serve(path: str) -> None:
-    worker: _Worker | None = None
+def _serve(kind: str, bounds: dict[str, int], path: str) -> None:
+    reader: _Signals | _Dataset | None = None
     for line in sys.stdin:
         try:
-            if worker is None:
-                worker = _Worker(path)
-                _answer(worker.variables())
-            else:
-                _answer({}, worker.numbers(**json.loads(line)))
+            if reader is None:
+                reader = (_Dataset if kind == "dataset" else _Signals)(path, bounds)
+            _answer(*reader.answer(json.loads(line)))
         except _RefusedError as refusal:
             _answer({"refusal": str(refusal)})
         except MemoryError:
             _answer({"refusal": "asks for more memory than a file may"})
         except Exception as error:
             reason = (str(error) or type(error).__name__).partition("\n")[0][:120]
-            _answer({"refusal": f"is not a readable HDF5 file: {reason.lower()}"})
+            name = "NetCDF" if kind == "dataset" else "HDF5"
+            _answer({"refusal": f"is not a readable {name} file: {reason.lower()}"})
 
 
 if __name__ == "__main__":
-    _bound_memory()
-    _serve(sys.argv[1])
+    _bounds = json.loads(sys.argv[2])
+    _bound(_bounds["memory"])
+    _serve(sys.argv[1], _bounds, sys.argv[3])
