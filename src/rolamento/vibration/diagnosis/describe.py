@@ -110,7 +110,7 @@ def _why_untested(nominal: float | None, field: Field) -> str:
 
 def _at_edge(finding: Finding) -> bool:
     """Whether a fundamental is the first or last that was tried of many."""
-    step = max(1.0, 0.5 * finding.hypothesis.width) / finding.hypothesis.highest
+    step = finding.hypothesis.step
     to_edge = min(finding.fundamental - finding.low, finding.high - finding.fundamental)
     return finding.high - finding.low > 6.0 * step and to_edge < 1.5 * step
 

@@ -16,7 +16,6 @@ from rolamento.vibration.diagnosis.masks import (
     filled,
     lines_about,
     lines_connected,
-    shaft_places,
 )
 from rolamento.vibration.diagnosis.orders import Component, FaultOrders
 from rolamento.vibration.diagnosis.search import Finding, Scores, search
@@ -101,11 +100,9 @@ class Field:
 def field_of(spectra: BandSpectra, orders: FaultOrders, settings: DiagnosisSettings) -> Field:
     """Leave out lines of what turns and those too fast for a band, and take the noise's level."""
     lines = spectra.power.shape[1]
-    uncertainty = settings.speed_uncertainty if spectra.steady else 0.0
-    places = shaft_places((1.0, *orders.known), spectra.turns, lines, uncertainty)
     plain_level = mean_over_median(spectra.blocks) * running_medians(spectra.plain)
-    left_out = lines_about(spectra.plain, plain_level, places)
-    left_out |= lines_connected(spectra.spreads, places, spectra.turns, lines)
+    left_out = lines_about(spectra.plain, plain_level, spectra.regular)
+    left_out |= lines_connected(spectra.spreads, spectra.regular, spectra.turns, lines)
     medians = running_medians(filled(spectra.power, left_out))
     frequency = np.arange(lines) * (spectra.shaft_frequency / spectra.turns)
     widths = np.array([high - low for low, high in spectra.bands])

@@ -16,18 +16,20 @@ from scipy import special
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.vibration.diagnosis.leakage import envelope_leakage, reach
 from rolamento.vibration.diagnosis.orders import Component, FaultOrders
+from rolamento.vibration.diagnosis.runs import runs
 from rolamento.vibration.diagnosis.search import Finding
 
 __all__ = ["Place", "fault_places", "filled", "lines_about", "lines_connected", "shaft_places"]
 
 _SIDEBANDS: Final = 6
+"""That a fault may have at its own spacing."""
 _OF_SHAFT: Final = 3
-"""Sidebands that a fault may have: at its own spacing, and about each at the shaft's."""
+"""And about each of those at the shaft's."""
 _SPREAD_TO: Final = 0.3
 """Of the noise: what a line may add to its neighbours before they are left out."""
-
-
 _MULTIPLES: Final = 6
+_BEYOND: Final = 4.0
+"""Multiples of a fault that are put aside: so many, or so many times the highest that was matched."""
 _KNOWN: Final = 0.25
 """Of the distance between multiples: farther off, a multiple is not known."""
 _CONNECTED: Final = 3.0
@@ -120,9 +122,9 @@ def fault_places(
     of_spacing = 0.0
     if component == "ball":
         of_spacing = 1.0 if finding.spacing else tolerance * spacing
-    doubt = max(1.0, 0.5 * hypothesis.width) / hypothesis.highest / fundamental
+    doubt = hypothesis.step / fundamental
     places = []
-    highest = max(_MULTIPLES, 4.0 * hypothesis.highest) * fundamental
+    highest = max(_MULTIPLES, _BEYOND * hypothesis.highest) * fundamental
     farthest = max(offset for offset, _ in sides)
     for number in range(int(min(lines + farthest, highest) / step) + 1):
         width = hypothesis.width * number * step / (fundamental * hypothesis.highest)
@@ -201,8 +203,7 @@ def filled(power: FloatArray, left_out: BoolArray) -> FloatArray:
     found = power.copy()
     lines = power.shape[1]
     for band, out in enumerate(left_out):
-        edges = np.flatnonzero(np.diff(np.concatenate([[0], out.astype(np.int8), [0]])))
-        for start, end in zip(edges[::2], edges[1::2], strict=True):
+        for start, end in zip(*runs(out), strict=True):
             after = np.arange(end, min(lines, end + end - start))
             before = np.arange(max(0, start - (end - start)), start)
             neighbours = np.concatenate([before[~out[before]], after[~out[after]]])
