@@ -25,7 +25,7 @@ from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.vibration._checks import Band
 from rolamento.vibration.diagnosis.blocks import Block
-from rolamento.vibration.diagnosis.masks import Place, shaft_places
+from rolamento.vibration.diagnosis.masks import Place, most_spread, shaft_places
 from rolamento.vibration.diagnosis.modulation import (
     fastest_line,
     limited,
@@ -82,6 +82,8 @@ class BandSpectra:
         (bands, lines), of the squared envelopes as they are, in arbitrary units
     power
         (bands, lines), of the squared envelopes with their regular part divided out
+    depth
+        (bands, lines), mean square of the modulation depth
     regular
         places of multiples of what turns
     spreads
@@ -107,6 +109,7 @@ class BandSpectra:
 
     plain: FloatArray
     power: FloatArray
+    depth: FloatArray
     regular: tuple[Place, ...]
     spreads: NDArray[np.int64]
     bands: tuple[Band, ...]
@@ -146,6 +149,7 @@ def band_spectra(blocks: Iterable[Block], plan: Plan) -> BandSpectra:
     return BandSpectra(
         plain=sums.powers[0] / number,
         power=sums.powers[1] / number,
+        depth=sums.depths / number,
         regular=sums.regular,
         spreads=sums.spreads,
         bands=sums.bands,
@@ -177,6 +181,7 @@ class _Sums:
         self._slow = max(1, int(plan.slow_order * turns))
         self._remove_tones = plan.remove_tones
         self.powers = np.zeros((2, len(self.bands), lines))
+        self.depths = np.zeros((len(self.bands), lines))
         self.spreads = np.full((len(self.bands), 1 + len(self.regular)), -1, dtype=np.int64)
         self.number = self.samples = 0
 
@@ -195,8 +200,11 @@ class _Sums:
             envelope = over_angle(limited(squared), block.places, lines)
             # the sum over products of carriers, however many steps it was taken in
             scale = float(size) ** 4 / float(len(envelope)) ** 2
-            powers = modulation_powers(envelope, self._slow, self.regular, lines)
+            powers = modulation_powers(
+                envelope, self._slow, self.regular, lines, most_spread(self.turns)
+            )
             self.powers[0, number] += powers.plain * scale
+            self.depths[number] += powers.depth
             self.powers[1, number] += powers.even * scale
             self.spreads[number] = np.maximum(self.spreads[number], powers.spreads)
         self.number += 1
