@@ -62,10 +62,13 @@ class Field:
 
     @cached_property
     def depths(self) -> FloatArray:
-        """Mean squares of the modulation depth, less those of noise about each; (bands, lines)."""
+        """Mean squares of the modulation depth, less those of noise about each; (bands, lines).
+
+        0 where lines are left out.
+        """
         squares = self.spectra.depth
         levels = running_medians(squares) * mean_over_median(self.spectra.blocks)
-        return squares - np.nan_to_num(levels)
+        return np.where(self.left_out, 0.0, squares - np.nan_to_num(levels))
 
     def window(self, component: Component) -> tuple[float, float]:
         """Orders between which a component's is looked for."""

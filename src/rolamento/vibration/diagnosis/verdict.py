@@ -87,9 +87,10 @@ def judge(
     trials = sum(finding.trials for finding in findings.values() if finding)
     found = _candidates(whole, findings, trials)
     hidden: set[Component] = set()
+    with_shaft = whole.with_shaft()
     for part in COMPONENTS:
         if part not in found or found[part].depth < DAMAGE:
-            by_shaft = _by_shaft(whole, part, trials)
+            by_shaft = _by_shaft(with_shaft, part, trials)
             if isinstance(by_shaft, _Candidate):
                 found[part] = by_shaft
             elif by_shaft and part not in found:
@@ -202,15 +203,15 @@ def _by_shaft(field: Field, part: Component, trials: int) -> _Candidate | bool:
     numbers = range(max(2, ceil(low - _FOOT / field.turns)), floor(high + _FOOT / field.turns) + 1)
     if part == "cage" or not numbers or not _is_deep(field, low, high):
         return False
-    open_field = field.with_shaft()
-    one = _candidates(open_field, open_field.findings([part]), trials).get(part)
+    one = _candidates(field, field.findings([part]), trials).get(part)
     if one is None or one.depth < DAMAGE:
         return False
     number = round(one.order)
     of_shaft = [field.depth(one.finding.band, n * field.turns) for n in range(1, number + 1)]
     if number not in numbers or abs(one.order - number) > max(_FOOT / field.turns, _BESIDE):
-        beside = number not in numbers or one.depth >= of_shaft[-1]
-        return one if beside else True
+        # a hump that reaches the multiple has what that has
+        narrow = field.depth(one.finding.band, one.order * field.turns)
+        return one if number not in numbers or narrow >= of_shaft[-1] else True
     stands_out = one.depth >= _ABOVE_SHAFT * max(of_shaft[:-1])
     return replace(one, shaft=number) if stands_out else True
 
