@@ -33,7 +33,7 @@ from rolamento.vibration.diagnosis.modulation import (
     over_angle,
 )
 from rolamento.vibration.diagnosis.tones import Comb
-from rolamento.vibration.diagnosis.watch import Watch
+from rolamento.vibration.diagnosis.watch import MOST_GAPS, Watch
 from rolamento.vibration.diagnosis.whitening import whitened
 from rolamento.vibration.noise_floor import HALF_WIDTH
 
@@ -103,6 +103,10 @@ class BandSpectra:
         Hz
     slow_order
         up to which the modulation is divided out
+    bare
+        likewise because they hold nothing but tones
+    dropouts
+        whether samples only repeat the one before, again and again
     repeats_after
         samples after which the record begins anew, one by one the same; None if it does not
     """
@@ -119,6 +123,8 @@ class BandSpectra:
     samples: int
     rate: float
     slow_order: float
+    bare: int
+    dropouts: bool
     repeats_after: int | None
 
     @property
@@ -159,6 +165,8 @@ def band_spectra(blocks: Iterable[Block], plan: Plan) -> BandSpectra:
         samples=samples,
         rate=sums.rate,
         slow_order=plan.slow_order,
+        bare=sums.bare,
+        dropouts=watch.gaps > MOST_GAPS,
         repeats_after=watch.repeats_after,
     )
 
@@ -183,11 +191,14 @@ class _Sums:
         self.powers = np.zeros((2, len(self.bands), lines))
         self.depths = np.zeros((len(self.bands), lines))
         self.spreads = np.full((len(self.bands), 1 + len(self.regular)), -1, dtype=np.int64)
-        self.number = self.samples = 0
+        self.number = self.samples = self.bare = 0
 
     def add(self, block: Block) -> None:
         """Add a block's powers, plain and with the regular part divided out."""
         white = whitened(block, remove_tones=self._remove_tones, combs=self._combs)
+        if white is None:
+            self.bare += 1
+            return
         lines = self.powers.shape[2]
         per_hertz = len(white) / (0.5 * block.rate)
         fastest = fastest_line(block.places, lines) + 1

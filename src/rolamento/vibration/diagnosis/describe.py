@@ -115,7 +115,7 @@ def _why_untested(nominal: float | None, field: Field) -> str:
     if nominal is None:
         return "no_order"
     if not np.any(field.spectra.power):
-        return "no_change"
+        return "only_tones" if field.spectra.bare else "no_change"
     if nominal * field.turns < LOWEST_LINE + 1:
         return "record_too_short"
     widest = max(high - low for low, high in field.spectra.bands)

@@ -23,6 +23,7 @@ from scipy import fft
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.vibration.diagnosis.blocks import Block
 from rolamento.vibration.diagnosis.leakage import taper
+from rolamento.vibration.diagnosis.mains import MAINS, is_near_mains
 from rolamento.vibration.diagnosis.modulation import limited
 from rolamento.vibration.diagnosis.tones import local_level
 from rolamento.vibration.diagnosis.whitening import even_places, whitened
@@ -90,7 +91,10 @@ def shaft_lines(block: Block, tolerance: float) -> ShaftLines:
     if block.turns < _MULTIPLES or not np.any(np.diff(block.samples)):
         return ShaftLines(1.0, 0.0, False)
     factors = _factors(block.turns)
-    heights = [_heights(power, block, factors) for power in _powers(block)]
+    on_mains = _on_mains(factors, block) & (np.abs(factors - 1.0) > _APART)
+    heights = [
+        np.where(on_mains, 0.0, _heights(power, block, factors)) for power in _powers(block)
+    ]
     clearness = np.sum([_clearness(height, _HALF) for height in heights], axis=0)
     few = np.sum([_clearness(height, _FEW) for height in heights], axis=0)
     off = np.abs(factors - 1.0)
@@ -126,6 +130,13 @@ def _factors(turns: float) -> FloatArray:
     return 1.0 + step * np.arange(-count, count + 1)
 
 
+def _on_mains(factors: FloatArray, block: Block) -> BoolArray:
+    """Which multiples lie on those of a mains' frequency; (multiples, speeds)."""
+    resolution = block.rate / len(block.samples)
+    hertz = np.arange(1, _MULTIPLES + 1)[:, None] * factors * block.turns * resolution
+    return np.any([is_near_mains(hertz, resolution, mains) for mains in MAINS], axis=0)
+
+
 def _powers(block: Block) -> tuple[FloatArray, FloatArray]:
     """Of the lines of a block's samples, and of the squared envelope of what is whitened."""
     count = len(block.samples)
@@ -133,6 +144,8 @@ def _powers(block: Block) -> tuple[FloatArray, FloatArray]:
         fft.rfft((block.samples - np.mean(block.samples)) * taper(even_places(count)))
     )
     white = whitened(block, remove_tones=True, combs=[])
+    if white is None:
+        return np.square(np.abs(spectrum)), np.zeros(len(spectrum))
     squared = np.square(np.abs(fft.ifft(white, fft.next_fast_len(2 * len(white)))))
     return np.square(np.abs(spectrum)), np.square(np.abs(fft.rfft(limited(squared))))
 

@@ -19,6 +19,7 @@ from rolamento.vibration.diagnosis import describe, wording
 from rolamento.vibration.diagnosis.band_spectra import BandSpectra
 from rolamento.vibration.diagnosis.family import explained
 from rolamento.vibration.diagnosis.field import Field, field_of
+from rolamento.vibration.diagnosis.mains import MAINS, is_near_mains
 from rolamento.vibration.diagnosis.orders import COMPONENTS, Component, FaultOrders
 from rolamento.vibration.diagnosis.record import (
     ComponentVerdict,
@@ -53,10 +54,11 @@ _MULTIPLES: Final = 5
 """Of a first part's order, near which a second part's lines tell nothing."""
 _CLOSE_CALL: Final = 1.3
 """Depth over the limit of damage, up to which the verdict is a close one."""
-_MAINS: Final = (50.0, 60.0)
-_MOST_MAINS: Final = 6
-_OF_MAINS: Final = 0.001
-"""Part by which the mains' frequency may be off."""
+_HIGHEST_MAINS: Final = 360.0
+"""Hz; higher harmonics of a supply are hardly felt, and every line is near one of them."""
+_DISCRETE: Final = 0.95
+"""Depth of a line alone over that of all lines about it: from there on it is discrete."""
+_HUMP: Final = 16
 _FEW_REVOLUTIONS: Final = 100.0
 
 
@@ -97,7 +99,7 @@ def judge(
                 hidden.add(part)
     first = _first(found)
     unexplained = unexplained_lines(whole, first and (first.part, first.order, first.depth))
-    verdict = _verdict_of(first, unexplained)
+    verdict = _verdict_of(first, unexplained, spectra.dropouts)
     second = _seconds(first, found) if verdict == "fault" else []
     if first is not None:
         found[first.part] = first
@@ -290,23 +292,28 @@ def _cage_slip(one: _Candidate) -> float:
 # --- verdicts --------------------------------------------------------------------------------
 
 
-def _verdict_of(first: _Candidate | None, unexplained: Sequence[UnexplainedLine]) -> Verdict:
+def _verdict_of(
+    first: _Candidate | None, unexplained: Sequence[UnexplainedLine], dropouts: bool
+) -> Verdict:
     """Of the cause: what is stronger and not of it, or of the mains, leaves it undecided."""
     if first is None:
         return "nothing_found"
-    stronger = any(line.depth >= first.depth for line in unexplained) or _on_mains(first)
+    stronger = any(line.depth >= first.depth for line in unexplained)
+    stronger = stronger or dropouts or _on_mains(first)
     if first.depth < DAMAGE:
         return "nothing_found" if stronger else "watch"
     return "undecided" if stronger else "fault"
 
 
 def _on_mains(one: _Candidate) -> bool:
-    """Whether a line is discrete and of the mains: a bearing slips, a grid hardly."""
-    field, hypothesis = one.field, one.finding.hypothesis
-    hertz = one.order * field.spectra.shaft_frequency
-    near = max(1.5 * field.spectra.shaft_frequency / field.turns, _OF_MAINS * hertz)
-    return hypothesis.width <= 2 and any(
-        abs(hertz - n * mains) <= near for mains in _MAINS for n in range(1, _MOST_MAINS + 1)
+    """Whether a line is of the mains and discrete: a bearing slips, a grid hardly."""
+    field, line = one.field, one.order * one.field.turns
+    per_line = field.spectra.shaft_frequency / field.turns
+    hertz = np.array([line * per_line])
+    near = any(is_near_mains(hertz, per_line, mains)[0] for mains in MAINS)
+    narrow = field.depth(one.finding.band, line)
+    return near and line * per_line <= _HIGHEST_MAINS and (
+        narrow >= _DISCRETE * field.depth(one.finding.band, line, _HUMP)
     )
 
 
@@ -323,6 +330,8 @@ def _stated(
         doubts.append(wording.stronger_line(unexplained[0], one.depth))
     if _on_mains(one):
         doubts.append(wording.on_mains(one.order * one.field.spectra.shaft_frequency))
+    if one.field.spectra.dropouts:
+        doubts.append(wording.dropouts())
     if one.shaft:
         doubts.append(wording.on_shaft(one.shaft))
     if not shaft.confirmed:
@@ -407,6 +416,8 @@ def _notes(spectra: BandSpectra) -> tuple[Note, ...]:
                 "hardly change and were left out.",
             )
         )
+    if spectra.dropouts:
+        notes.append(wording.dropouts())
     if spectra.repeats_after is not None:
         notes.append(
             Note(

@@ -20,6 +20,7 @@ __all__ = [
     "chance_of_noise",
     "close_call",
     "deep",
+    "dropouts",
     "not_strongest",
     "nothing_above_noise",
     "of_ball",
@@ -45,6 +46,7 @@ PART: Final[dict[Component, str]] = {
 _UNTESTED: Final = {
     "no_order": "Its order is not given.",
     "no_change": "The signal does not change: most samples only repeat the one before.",
+    "only_tones": "The signal holds tones, and beside them nothing.",
     "hidden": (
         "Its lines coincide with multiples of the shaft or of what else is known to turn."
     ),
@@ -129,6 +131,15 @@ def on_mains(frequency: float) -> Reason:
         "on_mains",
         f"{frequency:.4g} Hz is a multiple of 50 or 60 Hz, and the line does not slip: the mains "
         "give the same.",
+    )
+
+
+def dropouts() -> Reason:
+    """Return that the record has gaps."""
+    return Reason(
+        "dropouts",
+        "Again and again some samples only repeat the one before: gaps of a transmission, or a "
+        "signal that is clipped, make lines of their own.",
     )
 
 
