@@ -169,7 +169,10 @@ class TestLoadedBearing:
         assert back["state"] is None
         true = loaded.ball_pass_outer.order / FREQUENCIES.ball_pass_outer.order - 1.0
         assert true > 0.01
-        assert back["faults"] == [] or back["components"][0]["deviation"] < 0.5 * true
+        # the speed may make up for it, unless it is certain
+        certain = json.loads(run(*given, "--nominal", "--speed-tolerance", "0")[1])
+        assert certain["faults"] == [] or certain["components"][0]["deviation"] < 0.5 * true
+        assert certain["speed_factor"] == 1.0
 
     def test_it_is_solved_at_the_speed_of_the_signal(self, run: Run) -> None:
         fast = ("--speed", "9000 rpm", "--set", "duty.load.fx=200 N")

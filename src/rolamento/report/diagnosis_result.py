@@ -160,19 +160,25 @@ class DiagnosisResult:
         return self.speed is not None and self.speed.lost
 
     @property
-    def verdict(self) -> Literal["fault", "nothing_found", "no_verdict"]:
+    def verdict(self) -> Literal["fault", "undecided", "watch", "nothing_found", "no_verdict"]:
         """What it comes to."""
-        if self.diagnosis.faults:
+        verdicts = {part.verdict for part in self.diagnosis.components}
+        if "fault" in verdicts:
             return "fault"
-        found = any(part.verdict == "nothing_found" for part in self.diagnosis.components)
-        return "nothing_found" if found and not self.still and not self.speed_lost else "no_verdict"
+        if self.still:
+            return "no_verdict"
+        if "undecided" in verdicts or self.diagnosis.undecided:
+            return "undecided"
+        if "watch" in verdicts:
+            return "watch"
+        return "nothing_found" if "nothing_found" in verdicts and not self.speed_lost else "no_verdict"
 
     @property
     def own_notes(self) -> tuple[str, ...]:
         """Names of what is to be known beside the engine's notes."""
         faults = [part for part in self.diagnosis.components if part.verdict == "fault"]
         holds = {
-            "not_a_certificate": self.verdict == "nothing_found",
+            "not_a_certificate": self.verdict in ("nothing_found", "watch"),
             "weak_lines": any(_highest_line(part) < _CLEAR for part in faults),
             "speed_not_found": self.speed_lost,
             "no_loaded_frequencies": self.state is not None and self.frequencies.source != "loaded",

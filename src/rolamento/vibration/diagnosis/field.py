@@ -37,6 +37,8 @@ class Field:
         (bands, lines), of the noise about each line
     left_out
         (bands, lines)
+    shaft
+        (bands, lines), of those the lines of what turns, and those too fast for a band
     orders, settings
         as given
     freedom
@@ -46,6 +48,7 @@ class Field:
     spectra: BandSpectra
     medians: FloatArray
     left_out: BoolArray
+    shaft: BoolArray
     orders: FaultOrders
     settings: DiagnosisSettings
     freedom: float
@@ -64,11 +67,11 @@ class Field:
     def depths(self) -> FloatArray:
         """Mean squares of the modulation depth, less those of noise about each; (bands, lines).
 
-        0 where lines are left out.
+        0 at lines of what turns.
         """
         squares = self.spectra.depth
         levels = running_medians(squares) * mean_over_median(self.spectra.blocks)
-        return np.where(self.left_out, 0.0, squares - np.nan_to_num(levels))
+        return np.where(self.shaft, 0.0, squares - np.nan_to_num(levels))
 
     def window(self, component: Component) -> tuple[float, float]:
         """Orders between which a component's is looked for."""
@@ -93,6 +96,7 @@ class Field:
             spectra=spectra,
             medians=running_medians(spectra.power),
             left_out=_too_fast(spectra),
+            shaft=_too_fast(spectra),
         )
 
     def _finding(self, scores: Scores, component: Component) -> Finding | None:
@@ -113,10 +117,11 @@ def field_of(
     """Leave out lines of what turns and those too fast for a band, and take the noise's level."""
     lines = spectra.power.shape[1]
     plain_level = mean_over_median(spectra.blocks) * running_medians(spectra.plain)
-    left_out = lines_about(spectra.plain, plain_level, spectra.regular, most_spread(spectra.turns))
-    left_out |= lines_connected(spectra.spreads, spectra.regular, spectra.turns, lines)
+    shaft = lines_about(spectra.plain, plain_level, spectra.regular, most_spread(spectra.turns))
+    left_out = shaft | lines_connected(spectra.spreads, spectra.regular, spectra.turns, lines)
     medians = running_medians(filled(spectra.power, left_out))
-    return Field(spectra, medians, left_out | _too_fast(spectra), orders, settings, freedom)
+    fast = _too_fast(spectra)
+    return Field(spectra, medians, left_out | fast, shaft | fast, orders, settings, freedom)
 
 
 def _too_fast(spectra: BandSpectra) -> BoolArray:

@@ -27,6 +27,10 @@ _APART: Final = 0.01
 """Of a line's order: nearer ones are of the same origin."""
 _MULTIPLES: Final = 20
 """Of a fault's order, and sidebands of them, that are not unexplained."""
+_SIDEBAND: Final = 2.0
+"""Depth of a sideband over that of the deepest multiple, at most."""
+_SAME: Final = 0.004
+"""Of an order: as near, a line is a multiple."""
 _NEAR_SPEED: Final = 0.25
 """By which a speed may be wrong for the part to be told whose line it would then be."""
 
@@ -48,9 +52,14 @@ def unexplained_lines(
     left_out = field.left_out.copy()
     orders = np.arange(left_out.shape[1]) / field.turns
     if fault is not None:
-        left_out |= explained(
+        of_fault = explained(
             orders, *fault[:2], field.orders, field.turns, multiples=_MULTIPLES, cage=True
         )
+        near = np.maximum(2.0 / field.turns, _SAME * orders)
+        step = 0.5 * fault[1] if fault[0] == "ball" else fault[1]
+        multiples = np.abs(orders - np.rint(orders / step) * step) <= near
+        deepest = np.max(field.depths[:, multiples], initial=fault[2] ** 2)
+        left_out |= multiples | of_fault & (field.depths <= _SIDEBAND**2 * deepest)
     scores = Scores(field.spectra.power, left_out, field.medians, field.spectra.blocks)
     lines = np.arange(scores.lines)
     clearness = np.maximum.reduce([scores.about(lines, width)[0] for width in _WIDTHS])

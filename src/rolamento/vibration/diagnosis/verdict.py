@@ -43,6 +43,8 @@ _FAIR_SHARE: Final = 0.5
 """Of the first part's depth, which a second one needs."""
 _SAME_CAGE: Final = 0.005
 """Of the cage's speed, by which two parts may differ: slip on two races need not be the same."""
+_CLEAR_BAND: Final = 0.5
+"""Evidence in a band over that in the clearest one, from which on the depth there counts."""
 _ABOVE_SHAFT: Final = 2.0
 """Depth of a line on a multiple of the shaft over that of all lower multiples, from which on it is
 not the shaft's alone: what turns with the shaft has its own first multiples."""
@@ -111,7 +113,9 @@ def judge(
         elif one is not None and one in second:
             verdicts.append(_stated(one, "fault", trials, shaft, unexplained))
         else:
-            why = wording.untested("hidden") if part in hidden else _why_not(one, first, whole)
+            why = _why_not(part, findings[part], found, first, whole, trials)
+            if part in hidden:
+                why = wording.untested("hidden")
             verdicts.append(
                 describe.no_fault(
                     part, findings[part], whole, trials, why, untested=part in hidden
@@ -151,7 +155,13 @@ def _candidates(
         probability, evidence = chance(finding.evidence, trials)
         if probability <= field.settings.false_alarm:
             fundamental = describe.refined(finding, field)
-            depth = _depth(part, finding, fundamental, field)
+            clear = _CLEAR_BAND * finding.evidence
+            depth, band = max(
+                (_depth(part, finding, fundamental, field, band), band)
+                for band, value in enumerate(finding.per_band)
+                if value >= clear
+            )
+            finding = replace(finding, band=band)
             one = _Candidate(part, finding, field, fundamental / field.turns, depth, evidence)
             if not _is_of_others(one):
                 found[part] = one
@@ -179,7 +189,9 @@ def _is_of_others(one: _Candidate) -> bool:
     return by_shaft >= max(by_cage, _FAIR_SHARE * one.depth)
 
 
-def _depth(part: Component, finding: Finding, fundamental: float, field: Field) -> float:
+def _depth(
+    part: Component, finding: Finding, fundamental: float, field: Field, band: int
+) -> float:
     """Depth at the fundamental; of a ball or at its spin, of a cage of three multiples together.
 
     Damage to a ball strikes twice a turn, and harder on one race; what a cage does comes but once in
@@ -188,7 +200,7 @@ def _depth(part: Component, finding: Finding, fundamental: float, field: Field) 
     multiples = {"ball": (1.0, 0.5), "cage": (1.0, 2.0, 3.0)}.get(part, (1.0,))
     width = finding.hypothesis.width / finding.hypothesis.highest
     depths = [
-        field.depth(finding.band, multiple * fundamental, round(width * multiple))
+        field.depth(band, multiple * fundamental, round(width * multiple))
         for multiple in multiples
     ]
     return hypot(*depths) if part == "cage" else max(depths)
@@ -354,17 +366,26 @@ def _stated(
     )
 
 
-def _why_not(one: _Candidate | None, first: _Candidate | None, field: Field) -> Reason | None:
+def _why_not(
+    part: Component,
+    finding: Finding | None,
+    found: dict[Component, _Candidate],
+    first: _Candidate | None,
+    field: Field,
+    trials: int,
+) -> Reason | None:
     """Why lines that noise does not give are not stated; None if there are none."""
+    one = found.get(part)
     if one is None or first is None:
-        return None
+        clear = finding is not None and (
+            chance(finding.evidence, trials)[0] <= field.settings.false_alarm
+        )
+        return wording.of_others() if clear else None
     if one is first:
-        return wording.not_strongest(one.depth)
-    if first.part == "ball" and one.part == "cage":
+        return wording.not_strongest()
+    if first.part == "ball" and part == "cage":
         return wording.of_ball()
-    if _explains(first, one):
-        return wording.of_first(first.part)
-    return wording.beside_first(one.depth, first.part)
+    return wording.of_first(first.part) if _explains(first, one) else wording.beside_first(first.part)
 
 
 def _other_speeds(

@@ -25,6 +25,7 @@ __all__ = [
     "nothing_above_noise",
     "of_ball",
     "of_first",
+    "of_others",
     "of_sidebands",
     "off_nominal",
     "on_mains",
@@ -85,21 +86,30 @@ def of_first(first: Component) -> Reason:
     )
 
 
-def beside_first(depth: float, first: Component) -> Reason:
+def beside_first(first: Component) -> Reason:
     """Return that lines of a part are too small to be stated beside another's."""
     return Reason(
         "beside_first",
-        f"Its lines stand out, with a modulation depth of {depth:.0%}: too little beside the "
-        f"{PART[first]}, or of another cage speed, to be stated as well.",
+        f"What stands out at its lines is too little beside the {PART[first]}, or of another cage "
+        "speed, to be stated as well.",
     )
 
 
-def not_strongest(depth: float) -> Reason:
+def of_others() -> Reason:
+    """Return that lines are likely the foot, or a sideband, of what lies outside of a window."""
+    return Reason(
+        "of_others",
+        "What stands out at its lines is at the edge of where they are looked for, or has "
+        "sidebands of the shaft: it is likely of something else.",
+    )
+
+
+def not_strongest() -> Reason:
     """Return that lines are small, and that there are stronger ones that are of no part."""
     return Reason(
         "not_strongest",
-        f"Its lines stand out, with a modulation depth of {depth:.0%}: many healthy bearings have "
-        "as much, and lines of another origin are as deep.",
+        "What stands out at its lines is as small as in many healthy bearings, and lines of "
+        "another origin are as deep.",
     )
 
 
@@ -110,7 +120,7 @@ def deep(depth: float, grade: Grade) -> Reason:
         "damage": "more than healthy bearings have",
         "severe": "the band holds hardly more than blows",
     }
-    return Reason("depth", f"Modulation depth {depth:.0%}: {worth.get(grade, 'nothing')}.")
+    return Reason("depth", f"Modulation depth {100.0 * depth:.0f} %: {worth.get(grade, 'nothing')}.")
 
 
 # --- what speaks against it ------------------------------------------------------------------
@@ -121,7 +131,7 @@ def stronger_line(line: UnexplainedLine, depth: float) -> Reason:
     return Reason(
         "stronger_line",
         f"A line at order {line.order:.4g} ({line.frequency:.4g} Hz) that the part does not "
-        f"explain is as deep: {line.depth:.0%} against {depth:.0%}.",
+        f"explain is as deep: {100.0 * line.depth:.0f} % against {100.0 * depth:.0f} %.",
     )
 
 
@@ -157,7 +167,7 @@ def speed_open(deviation: float) -> Reason:
     return Reason(
         "speed_open",
         "The shaft's own lines do not tell its speed; with the expected slip it would be "
-        f"{deviation:+.1%} off the given one.",
+        f"{100.0 * deviation:+.1f} % off the given one.",
     )
 
 
@@ -165,7 +175,7 @@ def other_speed(rpm: float, factor: float) -> Reason:
     """Return that the shaft's lines tell another speed than was given."""
     return Reason(
         "other_speed",
-        f"By its own lines the shaft ran at {rpm:.0f} rpm, {factor - 1.0:+.1%} off the given "
+        f"By its own lines the shaft ran at {rpm:.0f} rpm, {100.0 * (factor - 1.0):+.1f} % off the given "
         "speed; at the given one the part would not be named.",
     )
 
@@ -174,7 +184,7 @@ def close_call(depth: float) -> Reason:
     """Return that the depth is near the limit."""
     return Reason(
         "close_call",
-        f"A depth of {depth:.0%} is near the limit of {DAMAGE:.0%}: a few healthy bearings reach "
+        f"A depth of {100.0 * depth:.0f} % is near the limit of {100.0 * DAMAGE:.0f} %: a few healthy bearings reach "
         "it, above all beside a damaged one.",
     )
 
