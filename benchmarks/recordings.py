@@ -4,9 +4,9 @@ FOLDER holds WAV files and `recordings.csv`, a table of them with at least the c
 
     file, rig, bearing, nominal_rpm, truth
 
-where `truth` is outer_race, inner_race, ball, cage or healthy. `damaged_elsewhere` tells of a healthy
-bearing that another part of the machine is damaged. Of a rig's name the part before the first "-"
-is the rig that limits are left out for: "CWRU-12k_DE" and "CWRU-normal" are both of CWRU.
+where `truth` is outer_race, inner_race, ball, cage or healthy. `damaged_elsewhere` tells of a
+healthy bearing that another part of the machine is damaged. Of a rig's name the part before the
+first "-" is the rig that limits are left out for: "CWRU-12k_DE" and "CWRU-normal" are of CWRU.
 
 Beside the diagnosis stands what a user would write instead: cepstrum pre-whitening, squared
 envelope, and the mean of three harmonics over the noise; its limit is set on the very recordings
@@ -133,13 +133,14 @@ def tried(folder: Path, recording: Recording, length: float) -> Outcome:
 
 def outcome(found: Diagnosis, seconds: float, baseline: tuple[float, str]) -> Outcome:
     """What a diagnosis comes to."""
-    named = [part for part in found.components if part.depth > 0.0]
-    undecided = [part.component for part in named if part.verdict == "undecided"]
+    seen = [part for part in found.components if part.depth > 0.0]
+    stated = [part for part in seen if part.verdict in ("fault", "undecided", "watch")]
+    undecided = [part.component for part in stated if part.verdict == "undecided"]
     return Outcome(
         stated=found.causes,
         undecided=undecided[0] if undecided else "",
         watched=found.watched[0] if found.watched else "",
-        depth=max((part.depth for part in named), default=0.0),
+        depth=max((part.depth for part in stated or seen), default=0.0),
         grade=found.grade,
         speed_factor=found.speed_factor,
         seconds=seconds,
@@ -238,11 +239,11 @@ def _wrong(result: Result) -> bool:
 def limit_of(results: Iterable[Result]) -> float:
     """Depth between healthy bearings and damaged races.
 
-    The geometric mean of the depth that 95 % of the healthy ones stay under, and of what 90 % of
-    the races reach of those whose damage is named first.
+    The geometric mean of the depth that 95 % of the healthy ones with any line stay under, and of
+    what 90 % of the races reach of those whose damage is named first.
     """
     kept = list(results)
-    sound = [r[1].depth for r in kept if r[0].truth == "healthy" and not r[1].undecided]
+    sound = [r[1].depth for r in kept if r[0].truth == "healthy" and r[1].depth > 0.0]
     races = [r[1].depth for r in kept if r[0].kind == "race" and is_right(r[1].first, r[0].truth)]
     if not sound or not races:
         return float("nan")
@@ -358,7 +359,6 @@ def main(arguments: Sequence[str] | None = None) -> None:
     if options.markdown is not None:
         options.markdown.write_text(page, encoding="utf-8")
     print(page)
-
 
 
 if __name__ == "__main__":

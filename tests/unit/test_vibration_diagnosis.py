@@ -443,9 +443,7 @@ def modulated(hertz: float, depth: float, seed: int = 11) -> Signal:
     """Noise that rises and falls."""
     time = np.arange(int(8 * RATE)) / RATE
     noise = np.random.default_rng(seed).normal(size=len(time))
-    return Signal(
-        noise * np.sqrt(1.0 + depth * np.cos(2 * pi * hertz * time)), RATE, speed=SPEED
-    )
+    return Signal(noise * np.sqrt(1.0 + depth * np.cos(2 * pi * hertz * time)), RATE, speed=SPEED)
 
 
 def test_depth_is_what_was_put_in(orders: FaultOrders) -> None:
@@ -458,9 +456,7 @@ def test_depth_is_what_was_put_in(orders: FaultOrders) -> None:
 
 
 @pytest.mark.parametrize(("hertz", "part"), [(100.0, "outer_race"), (120.0, "inner_race")])
-def test_the_mains_are_not_a_bearing(
-    hertz: float, part: Component, orders: FaultOrders
-) -> None:
+def test_the_mains_are_not_a_bearing(hertz: float, part: Component, orders: FaultOrders) -> None:
     """Noise of a converter at twice the mains, where a part is looked for."""
     speed = 2 * pi * hertz / (orders.fundamental(part) or nan)
     signal = modulated(hertz, 0.6)

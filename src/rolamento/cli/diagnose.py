@@ -110,7 +110,8 @@ def diagnose(
 ) -> None:
     """Say which parts a vibration signal shows to be damaged.
 
-    Says how badly, why, and what speaks against it. A long signal is read block by block, in bounded memory.
+    Says how badly, why, and what speaks against it. A long signal is read block by block, in
+    bounded memory.
     """
     with plain_endings(lang):
         outputs = {"--json": json, "--csv": csv, "--plot": plot, "--kurtogram": kurtogram}

@@ -171,7 +171,9 @@ class DiagnosisResult:
             return "undecided"
         if "watch" in verdicts:
             return "watch"
-        return "nothing_found" if "nothing_found" in verdicts and not self.speed_lost else "no_verdict"
+        return (
+            "nothing_found" if "nothing_found" in verdicts and not self.speed_lost else "no_verdict"
+        )
 
     @property
     def own_notes(self) -> tuple[str, ...]:

@@ -193,11 +193,11 @@ _ENGLISH: Final = DiagnosisWords(
         "nothing_found": "nothing",
         "not_tested": "untested",
     },
-    legend="Depth: how far the squared envelope swings at that frequency, over its mean; damage from"
-    " {damage} % on, severe from {severe} %. Evidence: -log10 of the probability that noise without"
-    " such lines gives them, all {trials} trials counted; from {least} on it is a finding. Healthy"
-    " bearings have such lines too: depth decides. Band: where it rings most clearly. Ball: its"
-    " damage strikes twice a turn.",
+    legend="Depth: how far the squared envelope swings at that frequency, over its mean; damage"
+    " from {damage} % on, severe from {severe} %. Evidence: -log10 of the probability that noise"
+    " without such lines gives them, all {trials} trials counted; from {least} on it is a finding."
+    " Healthy bearings have such lines too: depth decides. Band: where it rings most clearly. Ball:"
+    " its damage strikes twice a turn.",
     why="Why",
     reason={
         "harmonics_above_noise": "At {multiples} times order {order} ({frequency} Hz) the squared"
@@ -230,16 +230,16 @@ _ENGLISH: Final = DiagnosisWords(
         " has sidebands of the shaft: it is likely of something else.",
         "not_strongest": "What stands out at its lines is as small as in many healthy bearings, and"
         " lines of another origin are as deep.",
-        "stronger_line": "A line at {line} Hz (order {line_order}) that the part does not explain is"
-        " as deep: {line_depth} %.",
+        "stronger_line": "A line at {line} Hz (order {line_order}) that the part does not explain"
+        " is as deep: {line_depth} %.",
         "on_mains": "{frequency} Hz is a multiple of 50 or 60 Hz, and the line does not slip: the"
         " mains give the same.",
         "dropouts": "Again and again some samples only repeat the one before: gaps of a"
         " transmission, or clipping, make lines of their own.",
         "on_shaft": "It lies on {multiple} times the shaft's frequency, though it stands out of all"
         " lower multiples: what has as many lobes and turns with the shaft gives the same.",
-        "speed_open": "The shaft's own lines do not tell its speed; without slip it would be {off} %"
-        " off the given one.",
+        "speed_open": "The shaft's own lines do not tell its speed; without slip it would be {off}"
+        " % off the given one.",
         "other_speed": "By its own lines the shaft ran at {speed} rpm, {factor} % off the given"
         " speed: check it.",
         "close_call": "The depth is near the limit of {damage} %, which a few healthy bearings"
@@ -332,8 +332,8 @@ _PORTUGUESE: Final = DiagnosisWords(
     severe="{subject} está gravemente danificada: {lines}, profundidade de modulação {depth} %.",
     watched="Nenhum dano afirmado. Acompanhe {part}: {lines}, profundidade de modulação {depth} %,"
     " como muitos rolamentos sadios têm.",
-    undecided="Não decidido: {lines}, profundidade de modulação {depth} %, indicaria dano em {part},"
-    " mas algo fala contra com a mesma força.",
+    undecided="Não decidido: {lines}, profundidade de modulação {depth} %, indicaria dano em"
+    " {part}, mas algo fala contra com a mesma força.",
     undecided_speed="Não decidido: dano em {parts}.",
     if_speed="{part} se o eixo girou a {speed} rpm",
     to_do={
@@ -400,11 +400,11 @@ _PORTUGUESE: Final = DiagnosisWords(
         "nothing_found": "nada",
         "not_tested": "sem teste",
     },
-    legend="Profundidade (prof.): quanto o envelope ao quadrado oscila nessa frequência, sobre a sua"
-    " média; dano a partir de {damage} %, grave a partir de {severe} %. Evidência (evid.): -log10"
-    " da probabilidade de que ruído sem tais linhas as dê, contadas todas as {trials} tentativas; a"
-    " partir de {least} é um achado. Rolamentos sadios também têm tais linhas: decide a"
-    " profundidade. Faixa: onde ela soa mais clara. Esfera: seu dano bate duas vezes por volta.",
+    legend="Profundidade (prof.): quanto o envelope ao quadrado oscila nessa frequência, sobre a"
+    " sua média; dano a partir de {damage} %, grave a partir de {severe} %. Evidência (evid.):"
+    " -log10 da probabilidade de que ruído sem tais linhas as dê, contadas todas as {trials}"
+    " tentativas; a partir de {least} é um achado. Rolamentos sadios também têm tais linhas: decide"
+    " a profundidade. Faixa: onde ela soa mais clara. Esfera: seu dano bate duas vezes por volta.",
     why="Por quê",
     reason={
         "harmonics_above_noise": "Em {multiples} vezes a ordem {order} ({frequency} Hz) o envelope"

@@ -79,10 +79,11 @@ def no_fault(
     why: Reason | None = None,
     *,
     untested: bool = False,
+    depth: float = nan,
 ) -> ComponentVerdict:
     """Return the verdict that nothing was found, or that nothing can be told.
 
-    why: nothing can be told, or its lines are there without telling of it.
+    why: nothing can be told, or its lines are there without telling of it; depth: of those.
     """
     nominal = field.orders.fundamental(component)
     probability, evidence = (nan, nan) if finding is None else chance(finding.evidence, trials)
@@ -97,7 +98,7 @@ def no_fault(
         component=component,
         verdict="nothing_found" if nothing else "not_tested",
         grade="nothing",
-        depth=nan,
+        depth=depth,
         probability=probability,
         evidence=evidence,
         nominal_order=nan if nominal is None else nominal,

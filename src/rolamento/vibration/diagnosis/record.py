@@ -116,7 +116,7 @@ class ComponentVerdict:
         "severe", "damage", "watch" or "nothing": what the depth is worth
     depth
         modulation depth of the squared envelope at the order found, in the band named, over its
-        mean; NaN if nothing is found
+        mean; NaN if nothing is found there
     probability
         that noise without lines of the bearing gives as clear a finding anywhere in the search, at
         most; not that of a healthy bearing, which has such lines; NaN if not tested
@@ -235,7 +235,7 @@ class Diagnosis:
 
     @property
     def faults(self) -> tuple[Component, ...]:
-        """Parts that are damaged by this verdict, the deepest modulation first; none if no part is."""
+        """Parts that are damaged by this verdict, the deepest modulation first."""
         return self._with("fault")
 
     @property
@@ -249,7 +249,7 @@ class Diagnosis:
         return tuple(self.cause(part) for part in self.faults)
 
     def cause(self, component: Component) -> Cause:
-        """What lines of a part speak for: a ball goes through the load once in a turn of its cage."""
+        """What lines of a part speak for: those of a cage may be of a ball that it carries."""
         ball = self.of("ball")
         unknown = component == "cage" and ball.verdict != "fault" and ball.nominal_order > 0.0
         return "ball_or_cage" if unknown else component

@@ -5,10 +5,11 @@ Of the spectrum's power over the noise about each line, R, the first ten multipl
 
     L(f) = Σ min(ℓₙ, ℓ₍₅₎),   ℓₙ = max(ln(R(n f)/ln(100)), 0),   n = 1 … 10,
 
-where ℓ₍₅₎ is the fifth largest of the ten: what counts are lines that one of a hundred lines of noise
-reaches, and half of the multiples have to be there. A comb of blows whose frequency is near three
-times the shaft's has three of the ten, and counts for nothing. L is the sum of that of the samples
-and of that of the squared envelope of all the band. The given speed needs less: a third multiple, ℓ₍₃₎.
+where ℓ₍₅₎ is the fifth largest of the ten: what counts are lines that one of a hundred lines of
+noise reaches, and half of the multiples have to be there. A comb of blows whose frequency is near
+three times the shaft's has three of the ten, and counts for nothing. L is the sum of that of the
+samples and of that of the squared envelope of all the band. The given speed needs less: a third
+multiple, ℓ₍₃₎.
 """
 
 from __future__ import annotations
@@ -42,8 +43,8 @@ _FEW: Final = 3
 _STEPS: Final = 4
 """In which a line at the highest multiple is divided."""
 _CLEAR: Final = 3.0
-"""L from which on a comb is clear. In noise it takes five of ten lines of a chance of 1 % each to be
-above 0 at all: some 1e-4, all speeds that are tried counted."""
+"""L from which on a comb is clear. In noise it takes five of ten lines of a chance of 1 % each to
+be above 0 at all: some 1e-4, all speeds that are tried counted."""
 _MARGIN: Final = 1.2
 """Of L over that of any other speed."""
 _FAR_MARGIN: Final = 2.0
@@ -92,9 +93,7 @@ def shaft_lines(block: Block, tolerance: float) -> ShaftLines:
         return ShaftLines(1.0, 0.0, False)
     factors = _factors(block.turns)
     on_mains = _on_mains(factors, block) & (np.abs(factors - 1.0) > _APART)
-    heights = [
-        np.where(on_mains, 0.0, _heights(power, block, factors)) for power in _powers(block)
-    ]
+    heights = [np.where(on_mains, 0.0, _heights(power, block, factors)) for power in _powers(block)]
     clearness = np.sum([_clearness(height, _HALF) for height in heights], axis=0)
     few = np.sum([_clearness(height, _FEW) for height in heights], axis=0)
     off = np.abs(factors - 1.0)
@@ -127,14 +126,15 @@ def _factors(turns: float) -> FloatArray:
     """Speeds to try, over the given one."""
     step = 1.0 / (_STEPS * _MULTIPLES * turns)
     count = int(LOOKED_AT / step)
-    return 1.0 + step * np.arange(-count, count + 1)
+    return np.asarray(1.0 + step * np.arange(-count, count + 1), dtype=np.float64)
 
 
 def _on_mains(factors: FloatArray, block: Block) -> BoolArray:
     """Which multiples lie on those of a mains' frequency; (multiples, speeds)."""
     resolution = block.rate / len(block.samples)
     hertz = np.arange(1, _MULTIPLES + 1)[:, None] * factors * block.turns * resolution
-    return np.any([is_near_mains(hertz, resolution, mains) for mains in MAINS], axis=0)
+    near = [is_near_mains(hertz, resolution, mains) for mains in MAINS]
+    return np.asarray(np.any(near, axis=0))
 
 
 def _powers(block: Block) -> tuple[FloatArray, FloatArray]:

@@ -100,7 +100,9 @@ def judge(
             elif by_shaft and part not in found:
                 hidden.add(part)
     first = _first(found)
-    unexplained = unexplained_lines(whole, first and (first.part, first.order, first.depth))
+    unexplained = unexplained_lines(
+        whole, None if first is None else (first.part, first.order, first.depth)
+    )
     verdict = _verdict_of(first, unexplained, spectra.dropouts)
     second = _seconds(first, found) if verdict == "fault" else []
     if first is not None:
@@ -118,7 +120,13 @@ def judge(
                 why = wording.untested("hidden")
             verdicts.append(
                 describe.no_fault(
-                    part, findings[part], whole, trials, why, untested=part in hidden
+                    part,
+                    findings[part],
+                    whole,
+                    trials,
+                    why,
+                    untested=part in hidden,
+                    depth=nan if one is None else one.depth,
                 )
             )
     undecided = _other_speeds(verdict, unexplained, whole)
@@ -189,19 +197,16 @@ def _is_of_others(one: _Candidate) -> bool:
     return by_shaft >= max(by_cage, _FAIR_SHARE * one.depth)
 
 
-def _depth(
-    part: Component, finding: Finding, fundamental: float, field: Field, band: int
-) -> float:
+def _depth(part: Component, finding: Finding, fundamental: float, field: Field, band: int) -> float:
     """Depth at the fundamental; of a ball or at its spin, of a cage of three multiples together.
 
-    Damage to a ball strikes twice a turn, and harder on one race; what a cage does comes but once in
-    some turns of the shaft, and the depth of rare blows is spread over many multiples.
+    Damage to a ball strikes twice a turn, and harder on one race; what a cage does comes but once
+    in some turns of the shaft, and the depth of rare blows is spread over many multiples.
     """
     multiples = {"ball": (1.0, 0.5), "cage": (1.0, 2.0, 3.0)}.get(part, (1.0,))
     width = finding.hypothesis.width / finding.hypothesis.highest
     depths = [
-        field.depth(band, multiple * fundamental, round(width * multiple))
-        for multiple in multiples
+        field.depth(band, multiple * fundamental, round(width * multiple)) for multiple in multiples
     ]
     return hypot(*depths) if part == "cage" else max(depths)
 
@@ -243,11 +248,11 @@ def _first(found: dict[Component, _Candidate]) -> _Candidate | None:
         return max(found.values(), key=lambda one: one.evidence, default=None)
     first = max(deep, key=lambda one: one.depth)
     ball = found.get("ball")
-    if first.part == "cage" and ball is not None and not _explains(first, ball):
-        # the lines of the cage that carries it are the ball's as well
-        if ball.depth >= _FAIR_SHARE * first.depth:
-            return replace(ball, depth=max(ball.depth, first.depth))
-    return first
+    if first.part != "cage" or ball is None or _explains(first, ball):
+        return first
+    # the lines of the cage that carries it are the ball's as well
+    own = ball.depth >= _FAIR_SHARE * first.depth
+    return replace(ball, depth=max(ball.depth, first.depth)) if own else first
 
 
 def _explains(first: _Candidate, other: _Candidate) -> bool:
@@ -324,8 +329,10 @@ def _on_mains(one: _Candidate) -> bool:
     hertz = np.array([line * per_line])
     near = any(is_near_mains(hertz, per_line, mains)[0] for mains in MAINS)
     narrow = field.depth(one.finding.band, line)
-    return near and line * per_line <= _HIGHEST_MAINS and (
-        narrow >= _DISCRETE * field.depth(one.finding.band, line, _HUMP)
+    return (
+        near
+        and line * per_line <= _HIGHEST_MAINS
+        and (narrow >= _DISCRETE * field.depth(one.finding.band, line, _HUMP))
     )
 
 
@@ -346,7 +353,8 @@ def _stated(
         doubts.append(wording.dropouts())
     if one.shaft:
         doubts.append(wording.on_shaft(one.shaft))
-    if not shaft.confirmed:
+    slip = one.field.orders.tolerance(one.part, one.field.settings.tolerance)
+    if not shaft.confirmed and abs(deviation) > slip:
         doubts.append(wording.speed_open(deviation))
     elif abs(shaft.factor - 1.0) > one.field.settings.speed_tolerance:
         doubts.append(wording.other_speed(60.0 * one.field.spectra.shaft_frequency, shaft.factor))
@@ -385,7 +393,9 @@ def _why_not(
         return wording.not_strongest()
     if first.part == "ball" and part == "cage":
         return wording.of_ball()
-    return wording.of_first(first.part) if _explains(first, one) else wording.beside_first(first.part)
+    return (
+        wording.of_first(first.part) if _explains(first, one) else wording.beside_first(first.part)
+    )
 
 
 def _other_speeds(

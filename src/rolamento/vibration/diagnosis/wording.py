@@ -48,9 +48,7 @@ _UNTESTED: Final = {
     "no_order": "Its order is not given.",
     "no_change": "The signal does not change: most samples only repeat the one before.",
     "only_tones": "The signal holds tones, and beside them nothing.",
-    "hidden": (
-        "Its lines coincide with multiples of the shaft or of what else is known to turn."
-    ),
+    "hidden": ("Its lines coincide with multiples of the shaft or of what else is known to turn."),
     "record_too_short": "The record is too short to tell its lines from the shaft's.",
     "rate_too_low": "The sampling rate is too low for its frequency.",
 }
@@ -120,7 +118,9 @@ def deep(depth: float, grade: Grade) -> Reason:
         "damage": "more than healthy bearings have",
         "severe": "the band holds hardly more than blows",
     }
-    return Reason("depth", f"Modulation depth {100.0 * depth:.0f} %: {worth.get(grade, 'nothing')}.")
+    return Reason(
+        "depth", f"Modulation depth {100.0 * depth:.0f} %: {worth.get(grade, 'nothing')}."
+    )
 
 
 # --- what speaks against it ------------------------------------------------------------------
@@ -175,8 +175,8 @@ def other_speed(rpm: float, factor: float) -> Reason:
     """Return that the shaft's lines tell another speed than was given."""
     return Reason(
         "other_speed",
-        f"By its own lines the shaft ran at {rpm:.0f} rpm, {100.0 * (factor - 1.0):+.1f} % off the given "
-        "speed; at the given one the part would not be named.",
+        f"By its own lines the shaft ran at {rpm:.0f} rpm, {100.0 * (factor - 1.0):+.1f} % off the "
+        "given speed: check it.",
     )
 
 
@@ -184,8 +184,8 @@ def close_call(depth: float) -> Reason:
     """Return that the depth is near the limit."""
     return Reason(
         "close_call",
-        f"A depth of {100.0 * depth:.0f} % is near the limit of {100.0 * DAMAGE:.0f} %: a few healthy bearings reach "
-        "it, above all beside a damaged one.",
+        f"A depth of {100.0 * depth:.0f} % is near the limit of {100.0 * DAMAGE:.0f} %: a few "
+        "healthy bearings reach it, above all beside a damaged one.",
     )
 
 
