@@ -215,7 +215,7 @@ def test_a_gear_is_no_bearing(orders: FaultOrders) -> None:
     assert kept.of("outer_race").evidence >= 0.0
 
 
-@pytest.mark.parametrize("number", range(8))
+@pytest.mark.parametrize("number", range(10))
 def test_machines_in_order_keep_the_false_alarm_rate(
     number: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
