@@ -43,7 +43,6 @@ class DiagnosisWords:
     chance_below: str
     nothing_found: str
     other_lines: str
-    stronger_lines: str
     untested: str
     no_verdict: str
     no_change: str
@@ -147,7 +146,6 @@ _ENGLISH: Final = DiagnosisWords(
     nothing_found="Nothing found: no lines of {parts} stand out of the noise more than chance"
     " explains.",
     other_lines="Other lines do: see the notes.",
-    stronger_lines="Stronger lines fit no part of this bearing: check speed and bearing.",
     untested="Not tested: {parts}.",
     no_verdict="No verdict: this signal does not tell of any part of the bearing.",
     no_change="No verdict: the signal does not change.",
@@ -353,8 +351,6 @@ _PORTUGUESE: Final = DiagnosisWords(
     nothing_found="Nada encontrado; examinadas: {parts}. Nenhuma linha se destaca do ruído além"
     " do que o acaso explica.",
     other_lines="Outras linhas se destacam: veja as observações.",
-    stronger_lines="Linhas mais fortes não são de nenhuma peça deste rolamento: confira a rotação"
-    " e o rolamento.",
     untested="Não foi possível testar: {parts}.",
     no_verdict="Sem veredito: este sinal nada diz de nenhuma parte do rolamento.",
     no_change="Sem veredito: o sinal não varia.",
