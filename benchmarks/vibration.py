@@ -47,7 +47,7 @@ DURATION: Final = 10.0
 SPEED: Final = 1797.0 * np.pi / 30.0
 """rad/s"""
 SECONDS: Final = 1.0
-NOISE: Final = -20.0
+NOISE: Final = -8.0
 """Ratio of the fault to the noise; dB."""
 DIVISIONS: Final = (1, 2, 3, 4, 6, 8)
 """Of half the rate, in bands: those of the diagnosis."""

@@ -130,6 +130,12 @@ class TestVerdicts:
         assert "outer race is damaged" in squeezed(out)
         assert "1797 rpm (29.95 Hz)" in squeezed(out)
 
+    def test_tolerance_of_the_speed_is_a_part_or_in_percent(self, run: Run) -> None:
+        for given, part in (("1 %", 0.01), ("0.01", 0.01), ("0", 0.0), ("5%", 0.05)):
+            found = json.loads(run("outer.npy", *KNOWN, "--speed-tolerance", given, "--json")[1])
+            assert found["speed_tolerance"] == pytest.approx(part)
+            assert found["faults"] == ["outer_race"]
+
     def test_slip_widens_the_search(self, run: Run) -> None:
         true = 1797 / 1680 - 1
         off = ("--bearing", "6205", "--speed", "1680 rpm", *KNOWN[4:], "--json")
@@ -169,7 +175,10 @@ class TestLoadedBearing:
         assert back["state"] is None
         true = loaded.ball_pass_outer.order / FREQUENCIES.ball_pass_outer.order - 1.0
         assert true > 0.01
-        assert back["faults"] == [] or back["components"][0]["deviation"] < 0.5 * true
+        # the speed may make up for it, unless it is certain
+        certain = json.loads(run(*given, "--nominal", "--speed-tolerance", "0")[1])
+        assert certain["faults"] == [] or certain["components"][0]["deviation"] < 0.5 * true
+        assert certain["speed_factor"] == 1.0
 
     def test_it_is_solved_at_the_speed_of_the_signal(self, run: Run) -> None:
         fast = ("--speed", "9000 rpm", "--set", "duty.load.fx=200 N")
@@ -357,6 +366,8 @@ class TestWrongInput:
             (("outer.npy", *KNOWN, "--rate", "12 apples"), "--rate"),
             (("outer.npy", *KNOWN, "--rate", "nan"), "--rate"),
             (("outer.npy", *KNOWN, "--channel", "9"), "channel"),
+            (("outer.npy", *KNOWN, "--speed-tolerance", "much"), "--speed-tolerance"),
+            (("outer.npy", *KNOWN, "--speed-tolerance", "20 %"), "--speed-tolerance"),
             (("outer.npy", *KNOWN, "--plot", "a.gif"), "a.gif"),
             (("outer.npy", *KNOWN, "--csv", "outer.npy"), "is a file that is read"),
             (("outer.npy", *KNOWN[2:], "--bearing", "fan.toml", "--json", "fan.toml"), "fan.toml"),

@@ -16,6 +16,7 @@ from rolamento import Bearing
 from rolamento.errors import InputError
 from rolamento.vibration.diagnosis import (
     COMPONENTS,
+    DAMAGE,
     Component,
     Diagnosis,
     DiagnosisSettings,
@@ -54,7 +55,7 @@ def orders(frequencies: FaultFrequencies) -> FaultOrders:
 def planted(
     frequencies: FaultFrequencies,
     *kinds: Component,
-    ratio: float = -15.0,
+    ratio: float = -8.0,
     duration: float = 6.0,
     jitter: float = 0.01,
     speed: SpeedProfile | None = None,
@@ -80,6 +81,10 @@ def reasons(found: Diagnosis, component: Component) -> set[str]:
     return {reason.name for reason in found.of(component).reasons}
 
 
+def doubts(found: Diagnosis, component: Component) -> set[str]:
+    return {reason.name for reason in found.of(component).doubts}
+
+
 @pytest.mark.parametrize("component", COMPONENTS)
 def test_a_planted_fault_is_found(
     component: Component, frequencies: FaultFrequencies, orders: FaultOrders
@@ -103,7 +108,36 @@ def test_a_planted_fault_is_found(
     for other in COMPONENTS:
         if other != component:
             assert found.of(other).verdict == "nothing_found"
-            assert reasons(found, other) <= {"nothing_above_noise", "carries_the_ball"}
+            assert reasons(found, other) <= {
+                "nothing_above_noise",
+                "carries_the_ball",
+                "of_first",
+                "of_others",
+                "beside_first",
+            }
+
+
+@pytest.mark.parametrize("component", COMPONENTS)
+def test_a_weak_fault_is_watched(
+    component: Component, frequencies: FaultFrequencies, orders: FaultOrders
+) -> None:
+    """Its lines are certain, and as small as many healthy bearings have them."""
+    found = diagnose(planted(frequencies, component, ratio=-18.0), orders)
+    assert found.faults == ()
+    assert found.watched == (component,)
+    assert found.grade == "watch"
+    assert found.of(component).depth < DAMAGE
+    assert found.of(component).evidence > 2.0
+
+
+def test_the_deeper_the_worse(frequencies: FaultFrequencies, orders: FaultOrders) -> None:
+    """Depth and grade rise with the ratio to noise; a train of blows alone has a depth of 2."""
+    found = [
+        diagnose(planted(frequencies, "outer_race", ratio=ratio), orders).of("outer_race")
+        for ratio in (-18.0, -8.0, 10.0)
+    ]
+    assert [part.grade for part in found] == ["watch", "damage", "severe"]
+    assert 0.0 < found[0].depth < found[1].depth < found[2].depth < 2.0
 
 
 def test_a_ring_that_turns_through_the_load_has_sidebands(
@@ -127,20 +161,23 @@ def test_slip_within_the_tolerance_is_followed(
     found = diagnose(planted(off, "outer_race"), orders)
     assert found.faults == ("outer_race",)
     assert found.of("outer_race").deviation == pytest.approx(-0.015, abs=2e-3)
-    tight = DiagnosisSettings(tolerance=0.005)
+    tight = DiagnosisSettings(tolerance=0.005, speed_tolerance=0.0)
     assert diagnose(planted(off, "outer_race"), orders, tight).faults == ()
 
 
 def test_two_faults_of_one_cage(frequencies: FaultFrequencies, orders: FaultOrders) -> None:
     found = diagnose(planted(frequencies, "outer_race", "inner_race", ratio=-5.0), orders)
     assert set(found.faults) == {"outer_race", "inner_race"}
-    assert "cage_agrees" in reasons(found, "outer_race")
+
+
+def test_two_faults_of_two_cages_are_not_both_stated(
+    frequencies: FaultFrequencies, orders: FaultOrders
+) -> None:
     mixed = planted(frequencies, "outer_race", ratio=-5.0).samples
     off = nominal_frequencies(Bearing.named("6205"), SPEED, slip=0.018)
-    mixed = mixed + planted(off, "inner_race", ratio=-5.0).samples
+    mixed = mixed + 0.9 * planted(off, "inner_race", ratio=-5.0).samples
     found = diagnose(Signal(mixed, RATE, speed=SPEED), orders)
-    assert set(found.faults) == {"outer_race", "inner_race"}
-    assert "cage_disagrees" in reasons(found, "inner_race")
+    assert len(found.faults) <= 1
 
 
 def test_speed_that_swings_by_a_third(frequencies: FaultFrequencies, orders: FaultOrders) -> None:
@@ -178,7 +215,7 @@ def test_a_gear_is_no_bearing(orders: FaultOrders) -> None:
     assert kept.of("outer_race").evidence >= 0.0
 
 
-@pytest.mark.parametrize("number", range(8))
+@pytest.mark.parametrize("number", range(10))
 def test_machines_in_order_keep_the_false_alarm_rate(
     number: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -264,9 +301,9 @@ def test_averaging_many_blocks_finds_weaker_faults(
         for duration in (3.0, 40.0)
     ]
     short, long = (diagnose(s, orders, DiagnosisSettings(block_revolutions=80.0)) for s in weak)
-    assert short.faults == ()
+    assert short.watched == ()
     assert long.blocks == 15
-    assert long.faults == ("outer_race",)
+    assert long.watched == ("outer_race",)
 
 
 def test_what_is_known_to_turn_is_left_out(
@@ -324,7 +361,7 @@ def test_a_record_copied_end_to_end_is_named(orders: FaultOrders) -> None:
     assert "repeated_data" not in {note.name for note in alone.notes}
 
 
-@pytest.mark.parametrize("rpm", [1500, 1650, 1740, 1900, 2100])
+@pytest.mark.parametrize("rpm", [1500, 1650, 1900, 2100])
 def test_a_wrong_speed_is_seen(rpm: int, frequencies: FaultFrequencies) -> None:
     """No part is blamed; the line that nothing explains tells whose it is at which speed."""
     signal = planted(frequencies, "outer_race", ratio=-8.0)
@@ -336,17 +373,149 @@ def test_a_wrong_speed_is_seen(rpm: int, frequencies: FaultFrequencies) -> None:
     assert 60.0 * speeds["outer_race"] == pytest.approx(SPEED * 30.0 / pi, rel=5e-3)
     assert found.unexplained[0].probability < 0.01
     assert found.unexplained[0].above_noise > 15.0
+    assert dict(found.undecided) == speeds
 
 
-def test_a_part_that_only_a_wrong_speed_brings_near_is_doubted(
+@pytest.mark.parametrize("rpm", [1740, 1760, 1850])
+def test_a_speed_somewhat_wrong_is_borne(
+    rpm: int, frequencies: FaultFrequencies, orders: FaultOrders
+) -> None:
+    """Up to 3 % and what slip may add; unless the speed is certain."""
+    signal = planted(frequencies, "outer_race", ratio=-8.0)
+    wrong = Signal(signal.samples, RATE, speed=rpm * pi / 30.0)
+    found = diagnose(wrong, orders)
+    assert found.faults == ("outer_race",)
+    assert found.speed_confirmed or "speed_open" in doubts(found, "outer_race")
+    assert found.of("outer_race").frequency == pytest.approx(
+        frequencies.of_fault("outer_race").frequency, rel=5e-3
+    )
+    certain = diagnose(wrong, orders, DiagnosisSettings(speed_tolerance=0.0))
+    assert certain.faults == () or abs(certain.of("outer_race").deviation) < 0.021
+
+
+@pytest.mark.parametrize("off", [-0.065, -0.02, 0.015, 0.07])
+def test_the_shaft_tells_its_speed(
+    off: float, frequencies: FaultFrequencies, orders: FaultOrders
+) -> None:
+    """By ten multiples of its own, within the tolerance and beyond; beyond, that is a doubt."""
+    signal = planted(frequencies, "inner_race")
+    angle = SPEED * np.arange(len(signal.samples)) / RATE
+    size = float(np.std(signal.samples))
+    lines = sum(0.3 * size * np.cos(n * angle + n * n) for n in range(1, 11))
+    given = SPEED / (1.0 + off)
+    found = diagnose(Signal(signal.samples + lines, RATE, speed=given), orders)
+    assert found.speed_confirmed
+    assert found.speed_source == "shaft_lines"
+    assert found.speed_factor == pytest.approx(1.0 + off, rel=1e-3)
+    assert found.faults == ("inner_race",)
+    assert abs(found.of("inner_race").deviation) < 3e-3
+    assert ("other_speed" in doubts(found, "inner_race")) == (abs(off) > 0.03)
+
+
+def test_a_part_that_only_a_wrong_speed_brings_near_is_not_stated(
     frequencies: FaultFrequencies, orders: FaultOrders
 ) -> None:
     """At 4/3 of the speed twice the outer race's order is near the inner's: half of it is not."""
     signal = planted(frequencies, "outer_race", ratio=-8.0)
     found = diagnose(Signal(signal.samples, RATE, speed=SPEED * 4.0 / 3.0), orders)
-    assert found.faults == ("inner_race",)
+    assert found.faults == ()
+    assert found.of("inner_race").verdict == "undecided"
+    assert "stronger_line" in doubts(found, "inner_race")
     half = 0.5 * found.of("inner_race").order
     assert found.unexplained[0].order == pytest.approx(half, rel=5e-3)
+    speeds = dict(found.undecided)
+    assert 2.0 * pi * speeds["outer_race"] == pytest.approx(SPEED, rel=5e-3)
+
+
+def test_a_stronger_neighbour_leaves_it_undecided(
+    frequencies: FaultFrequencies, orders: FaultOrders
+) -> None:
+    """Another bearing on the shaft, of eight balls: its outer race is at order 3.06."""
+    other = planted(nominal_frequencies(Bearing.named("6203"), SPEED), "outer_race", ratio=-2.0)
+    own = planted(frequencies, "ball", ratio=-6.0)
+    mixed = Signal(other.samples + 0.7 * own.samples, RATE, speed=SPEED)
+    found = diagnose(mixed, orders)
+    assert found.faults == found.watched == ()
+    assert found.unexplained[0].order == pytest.approx(3.06, abs=0.02)
+
+
+def modulated(hertz: float, depth: float, seed: int = 11) -> Signal:
+    """Noise that rises and falls."""
+    time = np.arange(int(8 * RATE)) / RATE
+    noise = np.random.default_rng(seed).normal(size=len(time))
+    return Signal(noise * np.sqrt(1.0 + depth * np.cos(2 * pi * hertz * time)), RATE, speed=SPEED)
+
+
+def test_depth_is_what_was_put_in(orders: FaultOrders) -> None:
+    """Noise whose power is modulated by a part d has a squared envelope of that depth."""
+    line = (orders.outer_race or nan) * SPEED / (2 * pi)
+    for depth, verdict in ((0.1, "watch"), (0.2, "watch"), (0.4, "fault"), (0.8, "fault")):
+        part = diagnose(modulated(line, depth), orders).of("outer_race")
+        assert part.depth == pytest.approx(depth, rel=0.1)
+        assert part.verdict == verdict
+
+
+@pytest.mark.parametrize(("hertz", "part"), [(100.0, "outer_race"), (120.0, "inner_race")])
+def test_the_mains_are_not_a_bearing(hertz: float, part: Component, orders: FaultOrders) -> None:
+    """Noise of a converter at twice the mains, where a part is looked for."""
+    speed = 2 * pi * hertz / (orders.fundamental(part) or nan)
+    signal = modulated(hertz, 0.6)
+    found = diagnose(Signal(signal.samples, RATE, speed=speed), orders)
+    assert found.faults == ()
+    assert doubts(found, part) >= {"on_mains"}
+    time = np.arange(int(8 * RATE)) / RATE
+    comb = sum(np.sin(pi * hertz * n * time + n * n) / n for n in range(1, 13))
+    noise = 0.1 * np.random.default_rng(12).normal(size=len(time))
+    for samples in (comb, comb + noise):
+        assert diagnose(Signal(samples, RATE, speed=speed), orders).faults == ()
+
+
+@pytest.mark.parametrize("held", [True, False])
+def test_gaps_of_a_transmission_are_not_blows(held: bool, orders: FaultOrders) -> None:
+    samples = np.random.default_rng(13).normal(size=int(8 * RATE))
+    period = 2 * pi * RATE / SPEED / (orders.inner_race or nan)
+    for start in np.arange(0.0, len(samples) - 100.0, period).astype(int):
+        samples[start : start + 20] = samples[start] if held else 0.0
+    found = diagnose(Signal(samples, RATE, speed=SPEED), orders)
+    assert found.faults == ()
+    assert "dropouts" in {note.name for note in found.notes}
+    assert found.of("inner_race").evidence > 100.0
+
+
+@pytest.mark.parametrize("kind", ["tone", "unbalance", "ramp", "modulated tone"])
+def test_what_holds_no_noise_tells_nothing(kind: str, orders: FaultOrders) -> None:
+    time = np.arange(int(6 * RATE)) / RATE
+    line = (orders.outer_race or nan) * SPEED
+    samples = {
+        "tone": np.sin(2 * pi * 1000.0 * time),
+        "unbalance": np.sin(SPEED * time) + 0.3 * np.sin(2 * SPEED * time),
+        "ramp": time,
+        "modulated tone": (1.0 + 0.5 * np.cos(line * time)) * np.sin(2 * pi * 3000.0 * time),
+    }[kind]
+    found = diagnose(Signal(samples, RATE, speed=SPEED), orders)
+    assert [part.verdict for part in found.components] == ["not_tested"] * 4
+    assert reasons(found, "outer_race") == {"only_tones"}
+
+
+def test_a_race_on_a_multiple_of_the_shaft() -> None:
+    """An outer race at order 3: damage stands out of the lower multiples, looseness does not."""
+    sought = FaultOrders(outer_race=3.02, inner_race=4.98, ball=2.1, cage=0.3775)
+    time = np.arange(int(8 * RATE)) / RATE
+    shaft = SPEED * time
+    random = np.random.default_rng(14)
+
+    def seen(*depths: float) -> Diagnosis:
+        level = 1.0 + sum(d * np.cos(n * shaft) for n, d in enumerate(depths, 1))
+        noise = random.normal(size=len(time))
+        return diagnose(Signal(noise * np.sqrt(level), RATE, speed=SPEED), sought)
+
+    found = seen(0.1, 0.05, 0.6, 0.0, 0.0, 0.15)
+    assert found.faults == ("outer_race",)
+    assert doubts(found, "outer_race") >= {"on_shaft"}
+    found = seen(0.45, 0.05, 0.35)
+    assert found.faults == ()
+    assert found.of("outer_race").verdict == "not_tested"
+    assert reasons(found, "outer_race") == {"hidden"}
 
 
 @pytest.mark.parametrize("component", COMPONENTS)
@@ -365,7 +534,8 @@ def test_slip_beyond_what_is_allowed_is_told_at_the_edge(orders: FaultOrders) ->
     found = diagnose(planted(off, "outer_race", ratio=5.0, jitter=0.03), orders)
     verdict = found.of("outer_race")
     assert verdict.deviation <= 0.02
-    assert verdict.verdict == "nothing_found" or "at_edge" in reasons(found, "outer_race")
+    assert found.faults == ()
+    assert verdict.verdict == "nothing_found" or "at_edge" in doubts(found, "outer_race")
     assert found.unexplained
 
 
@@ -384,7 +554,7 @@ def test_a_damaged_cage_blames_no_other(frequencies: FaultFrequencies, orders: F
     for ratio in (-15.0, 5.0):
         found = diagnose(planted(frequencies, "cage", ratio=ratio, duration=9.0), orders)
         assert found.faults == ("cage",)
-        assert found.unexplained == ()
+        assert found.causes == ("ball_or_cage",)
 
 
 def test_a_cage_beside_a_damaged_ball_is_not_told(
@@ -394,7 +564,10 @@ def test_a_cage_beside_a_damaged_ball_is_not_told(
     both = planted(frequencies, "ball", "cage", ratio=-5.0)
     found = diagnose(both, orders)
     assert found.faults == ("ball",)
+    assert found.causes == ("ball",)
     assert reasons(found, "cage") == {"carries_the_ball"}
+    without = FaultOrders(cage=orders.cage)
+    assert diagnose(planted(frequencies, "cage"), without).causes == ("cage",)
 
 
 def test_a_few_great_shocks_are_nothing(orders: FaultOrders) -> None:
@@ -429,6 +602,8 @@ def test_orders_that_are_refused(wrong: dict[str, Any], field: str) -> None:
         ("false_alarm", 0.9),
         ("tolerance", -0.1),
         ("tolerance", 0.5),
+        ("speed_tolerance", -0.1),
+        ("speed_tolerance", 0.2),
         ("speed_uncertainty", 1.0),
         ("block_revolutions", 5.0),
         ("remove_tones", "yes"),

@@ -28,6 +28,7 @@ from rolamento.cli.diagnose_options import (
     SlipOption,
     SpeedChannelOption,
     SpeedOption,
+    SpeedToleranceOption,
     SpeedUnitOption,
     TachoOption,
     TrackOption,
@@ -62,7 +63,9 @@ if TYPE_CHECKING:
 __all__ = ["diagnose"]
 
 _FALSE_ALARM: Final = 0.01
+_NO_VERDICT: Final = ("no_verdict", "undecided")
 _SLIP: Final = 0.02
+_SPEED_TOLERANCE: Final = "3 %"
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,6 +103,7 @@ def diagnose(
     duration: DurationOption = None,
     decimal_mark: DecimalMarkOption = None,
     slip: SlipOption = _SLIP,
+    speed_tolerance: SpeedToleranceOption = _SPEED_TOLERANCE,
     false_alarm: FalseAlarmOption = _FALSE_ALARM,
     plot: PlotOption = None,
     kurtogram: KurtogramOption = None,
@@ -109,7 +113,8 @@ def diagnose(
 ) -> None:
     """Say which parts a vibration signal shows to be damaged.
 
-    Says how sure that is, and why. A long signal is read block by block, in bounded memory.
+    Says how badly, why, and what speaks against it. A long signal is read block by block, in
+    bounded memory.
     """
     with plain_endings(lang):
         outputs = {"--json": json, "--csv": csv, "--plot": plot, "--kurtogram": kurtogram}
@@ -135,7 +140,7 @@ def diagnose(
             bearing=bearing_of(bearing, settings or []),
             nominal=nominal,
             angle=angle,
-            settings=_settings(slip, false_alarm),
+            settings=_settings(slip, false_alarm, speed_tolerance),
         )
         words = words_of(lang)
         try:
@@ -145,19 +150,45 @@ def diagnose(
             raise typer.Exit(NO_RESULT) from None
         _draw(found, plot, kurtogram, words.code)
         _show(found, json, csv, words)
-    raise typer.Exit(NO_RESULT if found.verdict == "no_verdict" else SOLVED)
+    raise typer.Exit(NO_RESULT if found.verdict in _NO_VERDICT else SOLVED)
 
 
-def _settings(slip: float, false_alarm: float) -> DiagnosisSettings:
+def _settings(slip: float, false_alarm: float, speed_tolerance: str) -> DiagnosisSettings:
     from rolamento.vibration.diagnosis import DiagnosisSettings
 
-    options = {"tolerance": "--slip", "false_alarm": "--false-alarm"}
+    options = {
+        "tolerance": ("--slip", _SLIP),
+        "false_alarm": ("--false-alarm", _FALSE_ALARM),
+        "speed_tolerance": ("--speed-tolerance", f"'{_SPEED_TOLERANCE}'"),
+    }
     try:
-        return DiagnosisSettings(false_alarm=false_alarm, tolerance=slip)
+        return DiagnosisSettings(
+            false_alarm=false_alarm,
+            tolerance=slip,
+            speed_tolerance=_part(speed_tolerance, "--speed-tolerance"),
+        )
     except InputError as error:
-        option = options.get(error.field or "", "")
-        example = f"{option} {_SLIP if option == '--slip' else _FALSE_ALARM}"
+        if error.field not in options:
+            raise
+        option, usual = options[error.field]
+        example = f"{option} {usual}"
         raise InputError(error.rule, source=option, value=error.value, example=example) from None
+
+
+def _part(text: str, option: str) -> float:
+    """Return a part of one, given as a number or in percent."""
+    number = text.strip()
+    percent = number.endswith("%")
+    try:
+        value = float(number.removesuffix("%"))
+    except ValueError:
+        raise InputError(
+            "must be a part such as 0.03, or in percent",
+            source=option,
+            value=text,
+            example=f"{option} '{_SPEED_TOLERANCE}'",
+        ) from None
+    return value / 100.0 if percent else value
 
 
 def _found(asked: _Asked, words: Words, lang: Language | None) -> DiagnosisResult:
@@ -293,7 +324,7 @@ def _show(found: DiagnosisResult, json: str | None, csv: str | None, words: Word
         from rolamento.report.medium import Medium
 
         print_text(diagnosis_report(found, words, Medium.of(sys.stdout)))
-    elif found.verdict == "no_verdict":
+    elif found.verdict in _NO_VERDICT:
         from rolamento.report.diagnosis_sentences import said_result
 
         complain(" ".join(said_result(found, words.code)))

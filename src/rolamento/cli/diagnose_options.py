@@ -23,6 +23,7 @@ __all__ = [
     "SlipOption",
     "SpeedChannelOption",
     "SpeedOption",
+    "SpeedToleranceOption",
     "SpeedUnitOption",
     "TachoOption",
     "TrackOption",
@@ -41,7 +42,7 @@ class DiagnoseCommand(GroupedCommand):
             *("tacho", "pulses", "track", "within"),
         ),
         "Signal": ("channel", "rate", "unit", "scale", "start", "duration", "decimal_mark"),
-        "Search": ("slip", "false_alarm"),
+        "Search": ("slip", "speed_tolerance", "false_alarm"),
         "Output": ("plot", "kurtogram", "json", "csv", "lang", "help"),
     }
 
@@ -157,12 +158,21 @@ SlipOption = Annotated[
         help="By which the cage may be off the expected speed, 0 to 0.1.",
     ),
 ]
+SpeedToleranceOption = Annotated[
+    str,
+    typer.Option(
+        "--speed-tolerance",
+        metavar="PART",
+        help="By which a steady speed may be wrong, such as '3 %', up to 10 %; 0 if it is certain."
+        " The shaft's own lines tell by how much.",
+    ),
+]
 FalseAlarmOption = Annotated[
     float,
     typer.Option(
         "--false-alarm",
         metavar="P",
-        help="Probability that a sound bearing gets any fault, up to 0.5.",
+        help="Probability that noise without lines of the bearing gives any finding, up to 0.5.",
     ),
 ]
 

@@ -71,7 +71,7 @@ def clearest_band(diagnosis: Diagnosis) -> int:
 
 
 def line_threshold(diagnosis: Diagnosis) -> float:
-    """Power over the mean of the noise from which one line alone is told to be a fault; dB.
+    """Power over the mean of the noise from which one line alone is told not to be noise; dB.
 
     All trials of the search are counted, as in the verdict.
     """
@@ -186,7 +186,7 @@ def _mark(
 ) -> None:
     hertz, level, words, mark = drawn
     verdict, name = diagnosis.of(part), words.parts[part]
-    if verdict.verdict == "fault":
+    if verdict.band is not None:
         keywords: dict[str, Any] = {"color": look.color, "linestyle": "", "marker": look.marker}
         lines = [(line.frequency, f"{line.multiple:g}×") for line in verdict.lines]
         tops = [_top(place, hertz, level) for place, _ in lines]

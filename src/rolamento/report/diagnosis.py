@@ -10,6 +10,7 @@ from rich.text import Text
 from rolamento.report.diagnosis_data import CSV_COLUMNS, diagnosis_csv, diagnosis_json
 from rolamento.report.diagnosis_result import DiagnosisResult, ShaftSpeed
 from rolamento.report.diagnosis_sentences import (
+    said_advice,
     said_note,
     said_own_note,
     said_reasons,
@@ -23,7 +24,7 @@ from rolamento.report.numbers import ABSENT
 from rolamento.report.page import Lines, Page
 from rolamento.report.reading_words import said_choice
 from rolamento.report.terminal import rendered
-from rolamento.vibration.diagnosis import ComponentVerdict, Diagnosis
+from rolamento.vibration.diagnosis import DAMAGE, SEVERE, ComponentVerdict, Diagnosis
 from rolamento.vibration.fault_lines import FaultFrequencies
 
 __all__ = [
@@ -39,7 +40,20 @@ _RPM: Final = 30.0 / pi
 _MM: Final = 1e3
 _KILO: Final = 1e-3
 _UNITS: Final = {"m/s^2": "m/s²", "mm/s^2": "mm/s²", "um": "µm", "um/s": "µm/s", "1": ""}
-_STYLES: Final = {"fault": "bold red", "nothing_found": "green", "not_tested": "dim"}
+_STYLES: Final = {
+    "fault": "bold red",
+    "undecided": "bold yellow",
+    "watch": "yellow",
+    "nothing_found": "green",
+    "not_tested": "dim",
+}
+_HEADLINES: Final = {
+    "fault": "bold red",
+    "undecided": "bold yellow",
+    "watch": "bold green",
+    "nothing_found": "bold green",
+    "no_verdict": "bold yellow",
+}
 
 
 def diagnosis_report(
@@ -66,10 +80,13 @@ def diagnosis_report(
 
 
 def _statement(page: Page, found: DiagnosisResult) -> Lines:
-    style = {"fault": "bold red", "nothing_found": "bold green", "no_verdict": "bold yellow"}
+    """Show the verdict, what to do, and what speaks against it."""
     lines: Lines = []
     for text in said_result(found, page.words.code):
-        lines += page.hanging(Text(), text, style[found.verdict])
+        lines += page.hanging(Text(), text, _HEADLINES[found.verdict])
+    if found.verdict != "no_verdict":
+        for text in said_advice(found.diagnosis, page.words.code):
+            lines += page.hanging(Text(), text)
     return lines
 
 
@@ -127,11 +144,24 @@ def _speed(page: Page, said: DiagnosisWords, found: DiagnosisResult) -> str:
         most=digits.short(_RPM * known.most, 5) if known else "",
     )
     if known is not None:
-        text += ", " + _speed_source(page, said, known)
+        text += ", " + _by_whom(page, said, found, known)
     outer = found.frequencies.outer_speed
     if outer != 0.0:
         text += "; " + said.outer_speed.format(speed=digits.short(_RPM * outer, 6))
     return text
+
+
+def _by_whom(page: Page, said: DiagnosisWords, found: DiagnosisResult, known: ShaftSpeed) -> str:
+    """Say who tells the speed: what was given or measured, or the shaft's own lines."""
+    digits, diagnosis, source = page.digits, found.diagnosis, _speed_source(page, said, known)
+    tolerance = found.settings.speed_tolerance
+    if diagnosis.speed_factor != 1.0:
+        off = digits.fixed(100.0 * (1.0 / diagnosis.speed_factor - 1.0), 1)
+        given = digits.short(_RPM * abs(known.mean), 6)
+        return said.speed_by_lines.format(source=source, given=given, off=off)
+    if diagnosis.speed_confirmed or found.still or not known.is_steady:
+        return source
+    return f"{source}; " + said.speed_open.format(tolerance=digits.short(100.0 * tolerance, 3))
 
 
 def _speed_source(page: Page, said: DiagnosisWords, known: ShaftSpeed) -> str:
@@ -181,10 +211,12 @@ def _table(page: Page, said: DiagnosisWords, found: DiagnosisResult) -> Lines:
     legend = said.legend.format(
         trials=found.diagnosis.trials,
         least=page.digits.short(-log10(found.diagnosis.false_alarm), 3),
+        damage=page.digits.fixed(100.0 * DAMAGE, 0),
+        severe=page.digits.fixed(100.0 * SEVERE, 0),
     )
     return [
         page.heading(said.table),
-        *page.columns(rows, "lrrrrlr"),
+        *page.columns(rows, "lrrrrrlr"),
         *(page.hanging(Text("  "), legend, "dim") if found.diagnosis.trials else []),
     ]
 
@@ -202,19 +234,22 @@ def _row(
         digits.fixed(part.nominal_order * diagnosis.shaft_frequency, 2),
         digits.fixed(part.frequency, 2),
         digits.fixed(100.0 * part.deviation, 2),
+        digits.fixed(100.0 * part.depth, 0),
         digits.fixed(part.evidence, 1),
         said.verdicts[part.verdict],
         band,
     ]
     return [
-        page.text(cell, _STYLES[part.verdict] if i == 5 else "") for i, cell in enumerate(cells)
+        page.text(cell, _STYLES[part.verdict] if i == 6 else "") for i, cell in enumerate(cells)
     ]
 
 
 def _why(page: Page, said: DiagnosisWords, found: DiagnosisResult) -> Lines:
     """Give the reasons, those of faults first; parts that have the same stand together."""
     diagnosis, code = found.diagnosis, page.words.code
-    by_evidence = sorted(diagnosis.components, key=lambda part: part.verdict != "fault")
+    by_evidence = sorted(
+        diagnosis.components, key=lambda part: part.verdict in ("nothing_found", "not_tested")
+    )
     entries: dict[str, list[str]] = {}
     for part in by_evidence:
         text = "\n".join(said_reasons(part, diagnosis, code))

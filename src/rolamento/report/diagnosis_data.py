@@ -11,7 +11,7 @@ from typing import Any, Final
 import numpy as np
 
 from rolamento.report.diagnosis_result import DiagnosisResult, ShaftSpeed
-from rolamento.report.diagnosis_sentences import said_own_note, said_result
+from rolamento.report.diagnosis_sentences import said_advice, said_own_note, said_result
 from rolamento.report.plain_data import csv_number, json_text
 
 __all__ = ["CSV_COLUMNS", "diagnosis_csv", "diagnosis_json"]
@@ -31,8 +31,15 @@ def diagnosis_json(found: DiagnosisResult) -> str:
             "kind": "diagnosis",
             "title": found.title,
             "verdict": found.verdict,
-            "faults": list(diagnosis.faults),
+            "grade": diagnosis.grade,
+            "faults": list(diagnosis.causes),
+            "watched": list(diagnosis.watched),
+            "undecided": [
+                {"component": part, "shaft_frequency": frequency}
+                for part, frequency in diagnosis.undecided
+            ],
             "statement": said_result(found, "en"),
+            "advice": said_advice(diagnosis, "en"),
             "components": [asdict(part) for part in diagnosis.components],
             "unexplained": [asdict(line) for line in diagnosis.unexplained],
             "false_alarm": diagnosis.false_alarm,
@@ -40,6 +47,10 @@ def diagnosis_json(found: DiagnosisResult) -> str:
             "slip": diagnosis.tolerance if found.slip is None else found.slip,
             "trials": diagnosis.trials,
             "shaft_frequency": diagnosis.shaft_frequency,
+            "speed_tolerance": found.settings.speed_tolerance,
+            "speed_factor": diagnosis.speed_factor,
+            "speed_source": diagnosis.speed_source,
+            "speed_confirmed": diagnosis.speed_confirmed,
             "speed": None if found.speed is None else _speed(found.speed),
             "revolutions": diagnosis.revolutions,
             "blocks": diagnosis.blocks,

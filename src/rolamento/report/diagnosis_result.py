@@ -164,12 +164,19 @@ class DiagnosisResult:
         return self.speed is not None and self.speed.lost
 
     @property
-    def verdict(self) -> Literal["fault", "nothing_found", "no_verdict"]:
+    def verdict(self) -> Literal["fault", "undecided", "watch", "nothing_found", "no_verdict"]:
         """What it comes to."""
-        if self.diagnosis.faults:
+        verdicts = {part.verdict for part in self.diagnosis.components}
+        if "fault" in verdicts:
             return "fault"
-        tested = self.races_tested and not self.still and not self.speed_lost
-        return "nothing_found" if tested else "no_verdict"
+        if self.still:
+            return "no_verdict"
+        if "undecided" in verdicts or self.diagnosis.undecided:
+            return "undecided"
+        if "watch" in verdicts:
+            return "watch"
+        nothing = "nothing_found" in verdicts and self.races_tested and not self.speed_lost
+        return "nothing_found" if nothing else "no_verdict"
 
     @property
     def races_tested(self) -> bool:
@@ -183,7 +190,7 @@ class DiagnosisResult:
         """Names of what is to be known beside the engine's notes."""
         faults = [part for part in self.diagnosis.components if part.verdict == "fault"]
         holds = {
-            "not_a_certificate": self.verdict == "nothing_found",
+            "not_a_certificate": self.verdict in ("nothing_found", "watch"),
             "weak_lines": any(_highest_line(part) < _CLEAR for part in faults),
             "speed_not_found": self.speed_lost,
             "no_loaded_frequencies": self.state is not None and self.frequencies.source != "loaded",

@@ -14,15 +14,17 @@ from rolamento.report.diagnosis_words import DIAGNOSIS_WORDS, DiagnosisWords
 from rolamento.report.frequencies_words import FREQUENCY_WORDS
 from rolamento.report.language import words_for
 from rolamento.report.numbers import Digits
-from rolamento.vibration.diagnosis.orders import COMPONENTS
+from rolamento.vibration.diagnosis.size import DAMAGE
 
 if TYPE_CHECKING:
     from rolamento.report.diagnosis_result import DiagnosisResult
-    from rolamento.vibration.diagnosis import Component, ComponentVerdict, Diagnosis, Reason
+    from rolamento.vibration.diagnosis import ComponentVerdict, Diagnosis, Reason
 
 __all__ = [
     "listed",
+    "said_advice",
     "said_chance",
+    "said_doubts",
     "said_note",
     "said_own_note",
     "said_reasons",
@@ -33,7 +35,6 @@ __all__ = [
 
 _DIGITS: Final = 15.0
 """Evidence beyond which a probability is no more than small: no noise is known so well."""
-_TELL_CAGE: Final = ("outer_race", "inner_race", "cage")
 _MOST_LINES: Final = 5
 """Unexplained lines that are said one by one."""
 _RPM: Final = 30.0 / pi
@@ -41,7 +42,7 @@ _RPM: Final = 30.0 / pi
 
 def said_result(found: DiagnosisResult, language: str) -> list[str]:
     """Return what all comes to, sentence by sentence."""
-    if found.speed_lost and not found.still and not found.diagnosis.faults:
+    if found.speed_lost and not found.still and not _stated(found.diagnosis):
         return [_of(language)[0].no_speed]
     if found.verdict == "no_verdict" and not found.still:
         return _said_untested(found.diagnosis, language)
@@ -81,7 +82,7 @@ def said_too_short(
 
 
 def said_statements(diagnosis: Diagnosis, language: str, *, still: bool = False) -> list[str]:
-    """Return what the diagnosis comes to: a sentence for each fault, or that there is none.
+    """Return what the diagnosis comes to: the verdict, what to do, and what speaks against it.
 
     still: whether the signal does not change at all, of which the spectra tell nothing.
     """
@@ -89,19 +90,44 @@ def said_statements(diagnosis: Diagnosis, language: str, *, still: bool = False)
     parts = diagnosis.components
     if still and not diagnosis.faults:
         return [said.no_change]
-    faults = sorted((p for p in parts if p.verdict == "fault"), key=lambda p: -p.evidence)
-    tested = [said.parts[p.component] for p in parts if p.verdict == "nothing_found"]
+    tested = [said.parts[p.component] for p in parts if p.verdict not in ("not_tested", "fault")]
     untested = [said.parts[p.component] for p in parts if p.verdict == "not_tested"]
-    if not faults and not tested:
+    stated = _stated(diagnosis)
+    if not stated and not tested:
         return [said.no_verdict]
-    sentences = [_damaged(part, said, digits) for part in faults]
-    if not faults:
+    sentences = [_verdict(part, diagnosis, said, digits) for part in stated]
+    if diagnosis.undecided:
+        sentences.append(_at_speeds(diagnosis, said, digits))
+    elif not stated:
         sentences.append(said.nothing_found.format(parts=listed(tested, said)))
-    if diagnosis.unexplained:
-        sentences.append(said.stronger_lines if faults else said.other_lines)
+    if diagnosis.unexplained and not stated:
+        sentences.append(said.other_lines)
     if untested:
         sentences.append(said.untested.format(parts=listed(untested, said)))
     return sentences
+
+
+def said_advice(diagnosis: Diagnosis, language: str) -> list[str]:
+    """Return what to do, and what speaks against a verdict; nothing where nothing is found."""
+    said, _ = _of(language)
+    stated = _stated(diagnosis)
+    if diagnosis.undecided:
+        return [said.to_do["undecided_speed"]]
+    if not stated:
+        return []
+    first = stated[0]
+    doubts: list[str] = []
+    for part in stated:
+        for doubt in said_doubts(part, diagnosis, language):
+            doubts += [doubt] if doubt not in doubts else []
+    key = "undecided" if first.verdict == "undecided" else diagnosis.grade
+    against = said.against.format(doubts=" ".join(doubts)) if doubts else said.nothing_against
+    return [said.to_do[key], against]
+
+
+def said_doubts(part: ComponentVerdict, diagnosis: Diagnosis, language: str) -> list[str]:
+    """Return what speaks against a part's verdict, sentence by sentence."""
+    return [_reason(doubt, part, diagnosis, language) for doubt in part.doubts]
 
 
 def said_chance(evidence: float, said: DiagnosisWords) -> str:
@@ -152,12 +178,12 @@ def said_own_note(name: str, found: DiagnosisResult, language: str) -> str:
     return said.note[name].format(**numbers)
 
 
-def listed(items: Iterable[str], said: DiagnosisWords) -> str:
-    """Return words one after the other, the last two with "and"."""
+def listed(items: Iterable[str], said: DiagnosisWords, last: str | None = None) -> str:
+    """Return words one after the other, the last two with "and", or as a template has them."""
     words = list(items)
     if len(words) < 2:
         return "".join(words)
-    return said.all_of.format(list=", ".join(words[:-1]), last=words[-1])
+    return (last or said.all_of).format(list=", ".join(words[:-1]), last=words[-1])
 
 
 def _of(language: str) -> tuple[DiagnosisWords, Digits]:
@@ -165,24 +191,52 @@ def _of(language: str) -> tuple[DiagnosisWords, Digits]:
     return DIAGNOSIS_WORDS[words.code], Digits(words.decimal_mark)
 
 
-def _damaged(part: ComponentVerdict, said: DiagnosisWords, digits: Digits) -> str:
+def _stated(diagnosis: Diagnosis) -> list[ComponentVerdict]:
+    """Parts that are named by the verdict, the deepest first."""
+    named = [p for p in diagnosis.components if p.verdict in ("fault", "undecided", "watch")]
+    return sorted(named, key=lambda part: -part.depth)
+
+
+def _verdict(
+    part: ComponentVerdict, diagnosis: Diagnosis, said: DiagnosisWords, digits: Digits
+) -> str:
     seen = sum(line.multiple != 1.0 and isfinite(line.above_noise) for line in part.lines)
-    template = {0: said.one_line, 1: said.line_and_multiple}.get(seen, said.line_and_multiples)
-    return said.damaged.format(
-        subject=said.subjects[part.component],
-        lines=template.format(frequency=_hertz(part.frequency, digits), count=seen),
-        chance=said_chance(part.evidence, said),
+    lines = {0: said.one_line, 1: said.line_and_multiple}.get(seen, said.line_and_multiples)
+    cause = diagnosis.cause(part.component)
+    whole = f"{said.subjects[cause][0].lower()}{said.subjects[cause][1:]}"
+    template = said.severe if part.grade == "severe" else said.damaged
+    if part.verdict != "fault":
+        template = said.undecided if part.verdict == "undecided" else said.watched
+    return template.format(
+        subject=said.subjects[cause],
+        part=whole,
+        lines=lines.format(frequency=_hertz(part.frequency, digits), count=seen),
+        depth=_percent(part.depth, digits),
     )
+
+
+def _at_speeds(diagnosis: Diagnosis, said: DiagnosisWords, digits: Digits) -> str:
+    """Say whose damage it would be at which speed."""
+    each = [
+        said.if_speed.format(part=said.the_parts[part], speed=digits.fixed(60.0 * frequency, 0))
+        for part, frequency in diagnosis.undecided
+    ]
+    return said.undecided_speed.format(parts=listed(each, said, last=said.any_of))
+
+
+def _percent(part: float, digits: Digits) -> str:
+    return digits.fixed(100.0 * part, 0)
 
 
 def _unexplained(diagnosis: Diagnosis, said: DiagnosisWords, digits: Digits) -> str:
     """Say the clearest of the lines that nothing explains."""
-    lines = sorted(diagnosis.unexplained, key=lambda line: -line.above_noise)
+    lines = sorted(diagnosis.unexplained, key=lambda line: -line.depth)
     entries = [
         said.unexplained_line.format(
             frequency=_hertz(line.frequency, digits),
             order=digits.short(line.order, 4),
             level=digits.fixed(line.above_noise, 0),
+            depth=_percent(line.depth, digits),
             low=digits.fixed(line.band[0], 0),
             high=digits.fixed(line.band[1], 0),
         )
@@ -225,9 +279,11 @@ def _reason(reason: Reason, part: ComponentVerdict, diagnosis: Diagnosis, langua
     template = said.reason.get(reason.name)
     if template is None:
         return reason.text
-    if part.verdict != "fault":
+    if part.verdict in ("nothing_found", "not_tested"):
         chance = digits.short(min(part.probability, 1.0), 2)
-        return template.format(trials=diagnosis.trials, probability=chance)
+        stated = _stated(diagnosis)
+        first = said.the_parts[stated[0].component] if stated else ""
+        return template.format(trials=diagnosis.trials, probability=chance, first=first)
     low, high = part.band or (0.0, 0.0)
     plain = [line for line in part.lines if isfinite(line.above_noise)]
     deviation = digits.fixed(100.0 * abs(part.deviation), 2)
@@ -236,7 +292,18 @@ def _reason(reason: Reason, part: ComponentVerdict, diagnosis: Diagnosis, langua
     if reason.name == "off_nominal" and not any(digit in "123456789" for digit in deviation):
         template = said.at_expected
     spacing = _spacing(part) if part.sidebands else 0.0
+    other = diagnosis.unexplained[0] if diagnosis.unexplained else None
     return template.format(
+        depth=_percent(part.depth, digits),
+        worth=said.worth.get(part.grade, ""),
+        damage=_percent(DAMAGE, digits),
+        line=_hertz(other.frequency, digits) if other else "",
+        line_order=digits.short(other.order, 4) if other else "",
+        line_depth=_percent(other.depth, digits) if other else "",
+        multiple=round(part.order),
+        off=_signed(100.0 * part.deviation, digits),
+        speed=digits.fixed(60.0 * diagnosis.shaft_frequency, 0),
+        factor=_signed(100.0 * (diagnosis.speed_factor - 1.0), digits),
         multiples=listed((digits.short(line.multiple) for line in plain), said),
         levels=listed((digits.fixed(line.above_noise, 0) for line in plain), said),
         order=digits.short(part.order),
@@ -251,7 +318,6 @@ def _reason(reason: Reason, part: ComponentVerdict, diagnosis: Diagnosis, langua
         trials=diagnosis.trials,
         deviation=deviation,
         side=said.sides[0 if part.deviation > 0.0 else 1],
-        others=listed((said.the_parts[other] for other in _others(part, diagnosis)), said),
     )
 
 
@@ -272,11 +338,6 @@ def _strongest(part: ComponentVerdict, said: DiagnosisWords, digits: Digits) -> 
     return said.strongest.format(level=digits.fixed(max(levels), 0)) if levels else ""
 
 
-def _others(part: ComponentVerdict, diagnosis: Diagnosis) -> list[Component]:
-    """Return the other faults that tell of the cage's speed."""
-    faults = diagnosis.faults
-    return [
-        other
-        for other in COMPONENTS
-        if other in faults and other in _TELL_CAGE and other != part.component
-    ]
+def _signed(number: float, digits: Digits) -> str:
+    sign = "+" if number >= 0.0 else "-"
+    return f"{sign}{digits.fixed(abs(number), 1)}"

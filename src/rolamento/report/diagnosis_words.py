@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Final
 
 if TYPE_CHECKING:
     from rolamento.vibration.diagnosis import Component
-    from rolamento.vibration.diagnosis.record import Verdict
+    from rolamento.vibration.diagnosis.record import Cause, Verdict
 
 __all__ = ["DIAGNOSIS_WORDS", "DiagnosisWords"]
 
@@ -18,14 +18,24 @@ class DiagnosisWords:
     """The words of one language; `{…}` are filled in by the one who says it.
 
     subjects begin a sentence, parts stand in tables, the_parts within a sentence. Of two words, one
-    is for one of a kind, the other for more; one_below: the number below which it counts as one.
+    is for one of a kind, the other for more; one_below: the number below which it counts as one;
+    to_do: by grade, or what is not decided; worth: of a depth, by grade.
     """
 
-    subjects: Mapping[Component, str]
+    subjects: Mapping[Cause, str]
     parts: Mapping[Component, str]
     the_parts: Mapping[Component, str]
     all_of: str
+    any_of: str
     damaged: str
+    severe: str
+    watched: str
+    undecided: str
+    undecided_speed: str
+    if_speed: str
+    to_do: Mapping[str, str]
+    against: str
+    nothing_against: str
     one_line: str
     line_and_multiple: str
     line_and_multiples: str
@@ -33,7 +43,6 @@ class DiagnosisWords:
     chance_below: str
     nothing_found: str
     other_lines: str
-    stronger_lines: str
     untested: str
     no_verdict: str
     no_verdict_without: str
@@ -54,6 +63,8 @@ class DiagnosisWords:
     speed: str
     speed_range: str
     speed_source: Mapping[str, str]
+    speed_by_lines: str
+    speed_open: str
     outer_speed: str
     signal: str
     samples: str
@@ -71,6 +82,7 @@ class DiagnosisWords:
 
     why: str
     reason: Mapping[str, str]
+    worth: Mapping[str, str]
     one_harmonic: str
     at_expected: str
     order_words: tuple[str, str]
@@ -97,6 +109,7 @@ _ENGLISH: Final = DiagnosisWords(
         "inner_race": "The inner race",
         "ball": "A ball",
         "cage": "The cage",
+        "ball_or_cage": "A ball or the cage",
     },
     parts={
         "outer_race": "outer race",
@@ -107,12 +120,28 @@ _ENGLISH: Final = DiagnosisWords(
     the_parts={
         "outer_race": "the outer race",
         "inner_race": "the inner race",
-        "ball": "the balls",
+        "ball": "a ball",
         "cage": "the cage",
     },
     all_of="{list} and {last}",
-    damaged="{subject} is damaged: {lines}. Probability that a sound bearing looks like this:"
-    " {chance}.",
+    any_of="{list} or {last}",
+    damaged="{subject} is damaged: {lines}, modulation depth {depth} %.",
+    severe="{subject} is severely damaged: {lines}, modulation depth {depth} %.",
+    watched="No damage stated. Watch {part}: {lines}, modulation depth {depth} %, as many healthy"
+    " bearings have.",
+    undecided="Not decided: {lines}, modulation depth {depth} %, would mean damage to {part}, but"
+    " something speaks against it as strongly.",
+    undecided_speed="Not decided: damage to {parts}.",
+    if_speed="{part} if the shaft ran at {speed} rpm",
+    to_do={
+        "severe": "Do: replace the bearing at the next stop; do not let it wait.",
+        "damage": "Do: measure again soon, and plan to replace the bearing.",
+        "watch": "Do: nothing now; measure again as usual, and compare the depth.",
+        "undecided": "Do: remove what speaks against it, or measure elsewhere, and measure again.",
+        "undecided_speed": "Do: find out the speed of the shaft, and give it with --speed.",
+    },
+    against="Against it: {doubts}",
+    nothing_against="Against it: nothing in this record.",
     one_line="a line at {frequency} Hz",
     line_and_multiple="lines at {frequency} Hz and 1 multiple",
     line_and_multiples="lines at {frequency} Hz and {count} multiples",
@@ -121,7 +150,6 @@ _ENGLISH: Final = DiagnosisWords(
     nothing_found="Nothing found: no lines of {parts} stand out of the noise more than chance"
     " explains.",
     other_lines="Other lines do: see the notes.",
-    stronger_lines="Stronger lines fit no part of this bearing: check speed and bearing.",
     untested="Not tested: {parts}.",
     no_verdict="No verdict: this signal does not tell of any part of the bearing.",
     no_verdict_without="No verdict: not tested: {parts}.",
@@ -153,22 +181,32 @@ _ENGLISH: Final = DiagnosisWords(
         "vibration": "found in the vibration within {within} % of {nominal} rpm",
         "lost": "taken as steady: it was not found in the vibration",
     },
+    speed_by_lines="by the shaft's own lines; {given} rpm {source}, {off} %",
+    speed_open="the shaft's own lines do not tell it: lines were looked for within {tolerance} %",
     outer_speed="outer ring {speed} rpm",
     signal="signal",
     samples="{duration} s at {rate} Hz, {turns} revolutions",
     of_part="first {duration} s: ",
     indicators="RMS {rms}{unit}, crest factor {crest}, kurtosis {kurtosis} (3 for noise)",
     search="search",
-    searched="cage within {tolerance} % of {expected}{wider}; false alarms in at most {alarm} %"
-    " of sound bearings",
+    searched="cage within {tolerance} % of {expected}{wider}; noise alone gives a finding in at"
+    " most {alarm} % of records",
     expected=("its nominal speed", "its speed under load"),
     wider=", wider than --slip to cover the range over the balls",
     table="Parts",
-    heads=("", "expected Hz", "found", "off %", "evidence", "verdict", "band kHz"),
-    verdicts={"fault": "damaged", "nothing_found": "nothing", "not_tested": "untested"},
-    legend="Evidence: -log10 of the probability that a sound bearing gives as clear a finding, all"
-    " {trials} trials counted; from {least} on a part counts as damaged. Band: where it rings most"
-    " clearly. Ball: its damage strikes twice a turn.",
+    heads=("", "expected Hz", "found", "off %", "depth %", "evidence", "verdict", "band kHz"),
+    verdicts={
+        "fault": "damaged",
+        "undecided": "undecided",
+        "watch": "watch",
+        "nothing_found": "nothing",
+        "not_tested": "untested",
+    },
+    legend="Depth: how far the squared envelope swings at that frequency, over its mean; damage"
+    " from {damage} % on, severe from {severe} %. Evidence: -log10 of the probability that noise"
+    " without such lines gives them, all {trials} trials counted; from {least} on it is a finding."
+    " Healthy bearings have such lines too: depth decides. Band: where it rings most clearly. Ball:"
+    " its damage strikes twice a turn.",
     why="Why",
     reason={
         "harmonics_above_noise": "At {multiples} times order {order} ({frequency} Hz) the squared"
@@ -176,17 +214,16 @@ _ENGLISH: Final = DiagnosisWords(
         "sidebands": "Sidebands at a spacing of {spacing} {orders}{strongest}: the damage goes"
         " through the load as {carries}.",
         "band": "Clearest between {low} and {high} Hz.",
-        "improbable_in_noise": "Without damage anything as clear has a probability {chance}, all"
-        " {trials} trials counted.",
+        "improbable_in_noise": "Noise without such lines gives anything as clear with a probability"
+        " {chance}, all {trials} trials counted.",
+        "depth": "Modulation depth {depth} %: {worth}.",
         "off_nominal": "{deviation} % {side} the expected order.",
-        "cage_agrees": "It tells of the same cage speed as {others}.",
-        "cage_disagrees": "It tells of another cage speed than {others}: one of the two may have"
-        " another cause.",
         "nothing_above_noise": "The best of {trials} trials is what noise gives with a probability"
         " of {probability}.",
         "no_order": "Its order is not given.",
-        "hidden": "All its lines coincide with multiples of the shaft or of what else is known to"
-        " turn, or with those of a fault that was found.",
+        "hidden": "Its lines coincide with multiples of the shaft or of what else is known to"
+        " turn: nothing can be told.",
+        "only_tones": "The signal holds tones, and beside them nothing.",
         "record_too_short": "The record is too short to tell its lines from the shaft's.",
         "rate_too_low": "The sampling rate is too low for its frequency.",
         "no_change": "The signal does not change: most samples only repeat the one before.",
@@ -194,8 +231,33 @@ _ENGLISH: Final = DiagnosisWords(
         " check the speed, the bearing and the contact angle.",
         "carries_the_ball": "Its lines stand out as those of the ball do: a damaged ball goes in"
         " and out of the load once in each turn of the cage. Nothing more tells of the cage.",
-        "weak_beside_cage": "What stands out at its lines is weak beside the cage, whose multiples"
-        " lie on them or near. Nothing more tells of the part.",
+        "of_first": "What stands out at its lines lies on multiples of those of {first}, or on"
+        " sidebands of them. Nothing more tells of the part.",
+        "beside_first": "What stands out at its lines is too little beside {first}, or of another"
+        " cage speed, to be stated as well.",
+        "of_others": "What stands out at its lines is at the edge of where they are looked for, or"
+        " has sidebands of the shaft: it is likely of something else.",
+        "not_strongest": "What stands out at its lines is as small as in many healthy bearings, and"
+        " lines of another origin are as deep.",
+        "stronger_line": "A line at {line} Hz (order {line_order}) that the part does not explain"
+        " is as deep: {line_depth} %.",
+        "on_mains": "{frequency} Hz is a multiple of 50 or 60 Hz, and the line does not slip: the"
+        " mains give the same.",
+        "dropouts": "Again and again some samples only repeat the one before: gaps of a"
+        " transmission, or clipping, make lines of their own.",
+        "on_shaft": "It lies on {multiple} times the shaft's frequency, though it stands out of all"
+        " lower multiples: what has as many lobes and turns with the shaft gives the same.",
+        "speed_open": "The shaft's own lines do not tell its speed; without slip it would be {off}"
+        " % off the given one.",
+        "other_speed": "By its own lines the shaft ran at {speed} rpm, {factor} % off the given"
+        " speed: check it.",
+        "close_call": "The depth is near the limit of {damage} %, which a few healthy bearings"
+        " reach, above all beside a damaged one.",
+    },
+    worth={
+        "watch": "as many healthy bearings have",
+        "damage": "more than healthy bearings have",
+        "severe": "the band holds hardly more than blows",
     },
     one_harmonic="At order {order} ({frequency} Hz) the squared envelope rises {levels} dB above"
     " the noise about it.",
@@ -211,6 +273,8 @@ _ENGLISH: Final = DiagnosisWords(
         " faults can be told.",
         "one_band": "The sampling rate leaves one band for the modulations that are looked for; a"
         " higher one tells where a fault rings.",
+        "dropouts": "Again and again some samples only repeat the one before: gaps of a"
+        " transmission, or clipping, make lines of their own.",
         "still_blocks": "Stretches of the record that hardly change were left out; used: {blocks}.",
         "repeated_data": "The record begins anew, sample by sample the same: copies hold no noise"
         " of their own, and the probabilities do not hold. Give one copy alone.",
@@ -238,8 +302,8 @@ _ENGLISH: Final = DiagnosisWords(
         "No part of this bearing and no multiple of the shaft explains lines that stand out of the"
         " envelope's spectrum: {lines}. Check the speed and the bearing.",
     ),
-    unexplained_line="{frequency} Hz (order {order}), {level} dB above the noise between {low} and"
-    " {high} Hz",
+    unexplained_line="{frequency} Hz (order {order}), depth {depth} %, {level} dB above the noise"
+    " between {low} and {high} Hz",
     more_lines="{count} more",
     lowest_line=(
         "It would be the lowest line of: {parts}.",
@@ -257,6 +321,7 @@ _PORTUGUESE: Final = DiagnosisWords(
         "inner_race": "A pista interna",
         "ball": "Uma esfera",
         "cage": "A gaiola",
+        "ball_or_cage": "Uma esfera ou a gaiola",
     },
     parts={
         "outer_race": "pista externa",
@@ -267,12 +332,28 @@ _PORTUGUESE: Final = DiagnosisWords(
     the_parts={
         "outer_race": "a pista externa",
         "inner_race": "a pista interna",
-        "ball": "as esferas",
+        "ball": "uma esfera",
         "cage": "a gaiola",
     },
     all_of="{list} e {last}",
-    damaged="{subject} está danificada: {lines}. Probabilidade de que um rolamento sadio se mostre"
-    " assim: {chance}.",
+    any_of="{list} ou {last}",
+    damaged="{subject} está danificada: {lines}, profundidade de modulação {depth} %.",
+    severe="{subject} está gravemente danificada: {lines}, profundidade de modulação {depth} %.",
+    watched="Nenhum dano afirmado. Acompanhe {part}: {lines}, profundidade de modulação {depth} %,"
+    " como muitos rolamentos sadios têm.",
+    undecided="Não decidido: {lines}, profundidade de modulação {depth} %, indicaria dano em"
+    " {part}, mas algo fala contra com a mesma força.",
+    undecided_speed="Não decidido: dano em {parts}.",
+    if_speed="{part} se o eixo girou a {speed} rpm",
+    to_do={
+        "severe": "Faça: troque o rolamento na próxima parada; não deixe esperar.",
+        "damage": "Faça: meça de novo em breve e planeje a troca do rolamento.",
+        "watch": "Faça: nada agora; meça de novo como de costume e compare a profundidade.",
+        "undecided": "Faça: elimine o que fala contra, ou meça em outro ponto, e meça de novo.",
+        "undecided_speed": "Faça: descubra a rotação do eixo e dê-a com --speed.",
+    },
+    against="Contra: {doubts}",
+    nothing_against="Contra: nada neste registro.",
     one_line="uma linha em {frequency} Hz",
     line_and_multiple="linhas em {frequency} Hz e 1 múltiplo",
     line_and_multiples="linhas em {frequency} Hz e {count} múltiplos",
@@ -281,8 +362,6 @@ _PORTUGUESE: Final = DiagnosisWords(
     nothing_found="Nada encontrado; examinadas: {parts}. Nenhuma linha se destaca do ruído além"
     " do que o acaso explica.",
     other_lines="Outras linhas se destacam: veja as observações.",
-    stronger_lines="Linhas mais fortes não são de nenhuma peça deste rolamento: confira a rotação"
-    " e o rolamento.",
     untested="Não foi possível testar: {parts}.",
     no_verdict="Sem veredito: este sinal nada diz de nenhuma parte do rolamento.",
     no_verdict_without="Sem veredito: não foi possível testar: {parts}.",
@@ -314,22 +393,32 @@ _PORTUGUESE: Final = DiagnosisWords(
         "vibration": "encontrada na vibração a até {within} % de {nominal} rpm",
         "lost": "tomada como constante: não foi encontrada na vibração",
     },
+    speed_by_lines="pelas linhas do próprio eixo; {given} rpm {source}, {off} %",
+    speed_open="as linhas do próprio eixo não a mostram: procurou-se a até {tolerance} %",
     outer_speed="anel externo {speed} rpm",
     signal="sinal",
     samples="{duration} s a {rate} Hz, {turns} voltas",
     of_part="primeiros {duration} s: ",
     indicators="RMS {rms}{unit}, fator de crista {crest}, curtose {kurtosis} (3 no ruído)",
     search="busca",
-    searched="gaiola a até {tolerance} % {expected}{wider}; alarmes falsos em no máximo"
-    " {alarm} % dos rolamentos sadios",
+    searched="gaiola a até {tolerance} % {expected}{wider}; só ruído dá um achado em no máximo"
+    " {alarm} % dos registros",
     expected=("da rotação nominal", "da sua rotação sob carga"),
     wider=", mais do que --slip, para cobrir a variação entre as esferas",
     table="Partes",
-    heads=("", "esperada Hz", "achada", "desvio %", "evidência", "veredito", "faixa kHz"),
-    verdicts={"fault": "danificada", "nothing_found": "nada", "not_tested": "sem teste"},
-    legend="Evidência: -log10 da probabilidade de que um rolamento sadio dê um achado tão claro,"
-    " contadas todas as {trials} tentativas; a partir de {least} a parte conta como danificada."
-    " Faixa: onde ela soa mais clara. Esfera: seu dano bate duas vezes por volta.",
+    heads=("", "esper. Hz", "achada", "desv.%", "prof.%", "evid.", "veredito", "faixa kHz"),
+    verdicts={
+        "fault": "danificada",
+        "undecided": "indecisa",
+        "watch": "acompanhar",
+        "nothing_found": "nada",
+        "not_tested": "sem teste",
+    },
+    legend="Profundidade (prof.): quanto o envelope ao quadrado oscila nessa frequência, sobre a"
+    " sua média; dano a partir de {damage} %, grave a partir de {severe} %. Evidência (evid.):"
+    " -log10 da probabilidade de que ruído sem tais linhas as dê, contadas todas as {trials}"
+    " tentativas; a partir de {least} é um achado. Rolamentos sadios também têm tais linhas: decide"
+    " a profundidade. Faixa: onde ela soa mais clara. Esfera: seu dano bate duas vezes por volta.",
     why="Por quê",
     reason={
         "harmonics_above_noise": "Em {multiples} vezes a ordem {order} ({frequency} Hz) o envelope"
@@ -337,17 +426,16 @@ _PORTUGUESE: Final = DiagnosisWords(
         "sidebands": "Bandas laterais a um espaçamento de {spacing} {orders}{strongest}: o dano"
         " atravessa a carga enquanto {carries}.",
         "band": "Mais clara entre {low} e {high} Hz.",
-        "improbable_in_noise": "Sem dano, algo tão claro tem probabilidade {chance}, contadas"
-        " todas as {trials} tentativas.",
+        "improbable_in_noise": "Ruído sem tais linhas dá algo tão claro com probabilidade"
+        " {chance}, contadas todas as {trials} tentativas.",
+        "depth": "Profundidade de modulação {depth} %: {worth}.",
         "off_nominal": "{deviation} % {side} da ordem esperada.",
-        "cage_agrees": "Indica a mesma rotação da gaiola que {others}.",
-        "cage_disagrees": "Indica outra rotação da gaiola que {others}: uma das duas pode ter"
-        " outra causa.",
         "nothing_above_noise": "A melhor de {trials} tentativas é o que o ruído dá com"
         " probabilidade {probability}.",
         "no_order": "Sua ordem não é dada.",
-        "hidden": "Todas as suas linhas coincidem com múltiplos do eixo ou de algo mais que se sabe"
-        " que gira, ou com as de uma falha encontrada.",
+        "hidden": "Suas linhas coincidem com múltiplos do eixo ou de algo mais que se sabe que"
+        " gira: nada se pode dizer.",
+        "only_tones": "O sinal tem tons e, ao lado deles, nada.",
         "record_too_short": "O registro é curto demais para separar suas linhas das do eixo.",
         "rate_too_low": "A taxa de amostragem é baixa demais para sua frequência.",
         "no_change": "O sinal não varia: a maioria das amostras só repete a anterior.",
@@ -355,8 +443,33 @@ _PORTUGUESE: Final = DiagnosisWords(
         " confira a rotação, o rolamento e o ângulo de contato.",
         "carries_the_ball": "Suas linhas se destacam como as da esfera: uma esfera danificada entra"
         " na carga e sai dela uma vez por volta da gaiola. Nada mais fala da gaiola.",
-        "weak_beside_cage": "O que se destaca em suas linhas é fraco ao lado da gaiola, cujos"
-        " múltiplos caem nelas ou perto. Nada mais fala da peça.",
+        "of_first": "O que se destaca em suas linhas cai em múltiplos das linhas de {first}, ou em"
+        " bandas laterais deles. Nada mais fala da peça.",
+        "beside_first": "O que se destaca em suas linhas é pouco ao lado de {first}, ou de outra"
+        " rotação da gaiola, para ser afirmado também.",
+        "of_others": "O que se destaca em suas linhas está na borda de onde são procuradas, ou tem"
+        " bandas laterais do eixo: é provavelmente de outra coisa.",
+        "not_strongest": "O que se destaca em suas linhas é tão pequeno como em muitos rolamentos"
+        " sadios, e linhas de outra origem são tão profundas quanto.",
+        "stronger_line": "Uma linha em {line} Hz (ordem {line_order}) que a peça não explica é tão"
+        " profunda quanto: {line_depth} %.",
+        "on_mains": "{frequency} Hz é múltiplo de 50 ou 60 Hz, e a linha não escorrega: a rede"
+        " elétrica dá o mesmo.",
+        "dropouts": "Repetidas vezes algumas amostras só repetem a anterior: falhas de transmissão,"
+        " ou corte, fazem linhas próprias.",
+        "on_shaft": "Cai em {multiple} vezes a frequência do eixo, embora se destaque de todos os"
+        " múltiplos menores: o que tem tantos lóbulos e gira com o eixo dá o mesmo.",
+        "speed_open": "As linhas do próprio eixo não mostram a sua rotação; sem escorregamento ela"
+        " estaria {off} % fora da dada.",
+        "other_speed": "Pelas suas próprias linhas o eixo girou a {speed} rpm, {factor} % fora da"
+        " rotação dada: confira-a.",
+        "close_call": "A profundidade está perto do limite de {damage} %, que uns poucos rolamentos"
+        " sadios alcançam, sobretudo ao lado de um danificado.",
+    },
+    worth={
+        "watch": "como muitos rolamentos sadios têm",
+        "damage": "mais do que rolamentos sadios têm",
+        "severe": "a faixa quase só tem batidas",
     },
     one_harmonic="Na ordem {order} ({frequency} Hz) o envelope ao quadrado sobe {levels} dB acima"
     " do ruído em volta.",
@@ -372,6 +485,8 @@ _PORTUGUESE: Final = DiagnosisWords(
         " podem ser percebidas.",
         "one_band": "A taxa de amostragem deixa uma só faixa para as modulações procuradas; uma"
         " maior diz onde a falha soa.",
+        "dropouts": "Repetidas vezes algumas amostras só repetem a anterior: falhas de transmissão,"
+        " ou corte, fazem linhas próprias.",
         "still_blocks": "Trechos do registro que quase não variam ficaram de fora; usados:"
         " {blocks}.",
         "repeated_data": "O registro recomeça, amostra por amostra igual: cópias não têm ruído"
@@ -399,8 +514,8 @@ _PORTUGUESE: Final = DiagnosisWords(
         "Nenhuma parte deste rolamento e nenhum múltiplo do eixo explicam linhas que se destacam no"
         " espectro do envelope: {lines}. Confira a rotação e o rolamento.",
     ),
-    unexplained_line="{frequency} Hz (ordem {order}), {level} dB acima do ruído entre {low} e"
-    " {high} Hz",
+    unexplained_line="{frequency} Hz (ordem {order}), profundidade {depth} %, {level} dB acima do"
+    " ruído entre {low} e {high} Hz",
     more_lines="mais {count}",
     lowest_line=(
         "Seria a linha mais baixa de: {parts}.",

@@ -27,6 +27,7 @@ __all__ = [
     "order_spectrum",
     "order_tracked",
     "revolutions_of",
+    "turns_per_sample",
 ]
 
 _TURN: Final = 2.0 * pi
@@ -79,6 +80,20 @@ def revolutions_of(signal: Signal) -> FloatArray:
         return np.arange(len(signal.samples), dtype=np.float64) * (float(speed) / signal.rate)
     steps = 0.5 * (speed[1:] + speed[:-1]) / signal.rate
     return np.concatenate([[0.0], np.cumsum(steps)])
+
+
+def turns_per_sample(signal: Signal) -> float:
+    """Revolutions of the shaft from one sample to the next, on the mean.
+
+    Raises
+    ------
+    InputError
+        As `revolutions_of`.
+    """
+    speed = _turning(signal)
+    if speed.ndim == 0 or len(speed) == 1:
+        return float(np.mean(speed)) / signal.rate
+    return float(revolutions_of(signal)[-1]) / (len(speed) - 1)
 
 
 def order_tracked(signal: Signal, samples_per_revolution: float | None = None) -> AngularSignal:

@@ -25,7 +25,7 @@ from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.vibration._checks import Band
 from rolamento.vibration.diagnosis.blocks import Block
-from rolamento.vibration.diagnosis.masks import shaft_places
+from rolamento.vibration.diagnosis.masks import Place, most_spread, shaft_places
 from rolamento.vibration.diagnosis.modulation import (
     fastest_line,
     limited,
@@ -33,7 +33,7 @@ from rolamento.vibration.diagnosis.modulation import (
     over_angle,
 )
 from rolamento.vibration.diagnosis.tones import Comb
-from rolamento.vibration.diagnosis.watch import Watch
+from rolamento.vibration.diagnosis.watch import MOST_GAPS, Watch
 from rolamento.vibration.diagnosis.whitening import whitened
 from rolamento.vibration.noise_floor import HALF_WIDTH
 
@@ -71,10 +71,6 @@ class Plan:
     combs: tuple[tuple[float, float, float], ...]
     speed_uncertainty: float
 
-    def uncertainty(self, *, steady: bool) -> float:
-        """Part by which the orders may be off: none where the speed was measured all along."""
-        return self.speed_uncertainty if steady else 0.0
-
 
 @dataclass(frozen=True, slots=True, eq=False)
 class BandSpectra:
@@ -86,9 +82,13 @@ class BandSpectra:
         (bands, lines), of the squared envelopes as they are, in arbitrary units
     power
         (bands, lines), of the squared envelopes with their regular part divided out
+    depth
+        (bands, lines), mean square of the modulation depth
+    regular
+        places of multiples of what turns
     spreads
-        (bands, 1 + places), greatest number of lines on either side of zero and of each place of
-        the shaft that were taken for regular in any block; -1 for none
+        (bands, 1 + regular), greatest number of lines on either side of zero and of each of these
+        that were taken for regular in any block; -1 for none
     bands
         Hz
     turns
@@ -101,16 +101,20 @@ class BandSpectra:
         how many were used
     rate
         Hz
-    steady
-        whether the speed was given as one number
     slow_order
         up to which the modulation is divided out
+    bare
+        likewise because they hold nothing but tones
+    dropouts
+        whether samples only repeat the one before, again and again
     repeats_after
         samples after which the record begins anew, one by one the same; None if it does not
     """
 
     plain: FloatArray
     power: FloatArray
+    depth: FloatArray
+    regular: tuple[Place, ...]
     spreads: NDArray[np.int64]
     bands: tuple[Band, ...]
     turns: float
@@ -118,8 +122,9 @@ class BandSpectra:
     still: int
     samples: int
     rate: float
-    steady: bool
     slow_order: float
+    bare: int
+    dropouts: bool
     repeats_after: int | None
 
     @property
@@ -150,6 +155,8 @@ def band_spectra(blocks: Iterable[Block], plan: Plan) -> BandSpectra:
     return BandSpectra(
         plain=sums.powers[0] / number,
         power=sums.powers[1] / number,
+        depth=sums.depths / number,
+        regular=sums.regular,
         spreads=sums.spreads,
         bands=sums.bands,
         turns=sums.turns,
@@ -157,8 +164,9 @@ def band_spectra(blocks: Iterable[Block], plan: Plan) -> BandSpectra:
         still=watch.still,
         samples=samples,
         rate=sums.rate,
-        steady=sums.steady,
         slow_order=plan.slow_order,
+        bare=sums.bare,
+        dropouts=watch.gaps > MOST_GAPS,
         repeats_after=watch.repeats_after,
     )
 
@@ -169,23 +177,28 @@ class _Sums:
     def __init__(self, first: Block, plan: Plan) -> None:
         turns, rate = first.turns, first.rate
         lines = ceil(plan.highest_order * turns) + 1 + HALF_WIDTH
-        self.turns, self.rate, self.steady = turns, rate, first.places is None
+        self.turns, self.rate = turns, rate
         self.bands = _bands(rate, plan.highest_order * turns * rate / len(first.samples))
-        uncertainty = plan.uncertainty(steady=self.steady)
+        # where the speed was measured all along, orders are as they are
+        uncertainty = plan.speed_uncertainty if first.places is None else 0.0
         self._combs = [
             Comb(low * turns, high * turns, spacing * turns, turns, uncertainty)
             for low, high, spacing in plan.combs
         ]
-        self._regular = shaft_places(plan.regular, turns, lines, uncertainty)
+        self.regular = tuple(shaft_places(plan.regular, turns, lines, uncertainty))
         self._slow = max(1, int(plan.slow_order * turns))
         self._remove_tones = plan.remove_tones
         self.powers = np.zeros((2, len(self.bands), lines))
-        self.spreads = np.full((len(self.bands), 1 + len(self._regular)), -1, dtype=np.int64)
-        self.number = self.samples = 0
+        self.depths = np.zeros((len(self.bands), lines))
+        self.spreads = np.full((len(self.bands), 1 + len(self.regular)), -1, dtype=np.int64)
+        self.number = self.samples = self.bare = 0
 
     def add(self, block: Block) -> None:
         """Add a block's powers, plain and with the regular part divided out."""
         white = whitened(block, remove_tones=self._remove_tones, combs=self._combs)
+        if white is None:
+            self.bare += 1
+            return
         lines = self.powers.shape[2]
         per_hertz = len(white) / (0.5 * block.rate)
         fastest = fastest_line(block.places, lines) + 1
@@ -198,8 +211,11 @@ class _Sums:
             envelope = over_angle(limited(squared), block.places, lines)
             # the sum over products of carriers, however many steps it was taken in
             scale = float(size) ** 4 / float(len(envelope)) ** 2
-            powers = modulation_powers(envelope, self._slow, self._regular, lines)
+            powers = modulation_powers(
+                envelope, self._slow, self.regular, lines, most_spread(self.turns)
+            )
             self.powers[0, number] += powers.plain * scale
+            self.depths[number] += powers.depth
             self.powers[1, number] += powers.even * scale
             self.spreads[number] = np.maximum(self.spreads[number], powers.spreads)
         self.number += 1

@@ -12,7 +12,7 @@ from scipy import fft
 
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
-from rolamento.vibration.order_tracking import revolutions_of
+from rolamento.vibration.order_tracking import revolutions_of, turns_per_sample
 from rolamento.vibration.signal import Signal
 
 __all__ = ["MOST_SAMPLES", "Block", "blocks_of"]
@@ -68,25 +68,35 @@ def blocks_of(pieces: Signal | Iterable[Signal], wanted: float) -> Iterator[Bloc
     if isinstance(pieces, Signal):
         if len(pieces.samples) < 2:
             raise InputError("must be at least 2", field="number of samples", value=1)
-        angle = revolutions_of(pieces)
-        total = float(angle[-1])
-        samples = len(pieces.samples)
-        count = max(1, round(total / wanted), -(-samples // MOST_SAMPLES))
         if _steady(pieces):
-            yield from _steady_blocks([pieces], _good_length(samples // count))
-        elif count == 1:
-            end = float(angle[_good_length(samples) - 1])
-            yield from _varying_blocks([pieces], end * (1.0 + _STEADY))
+            samples = len(pieces.samples)
+            turns = (samples - 1) * turns_per_sample(pieces)
+            length = _good_length(samples // _count(turns, samples, wanted))
+            yield from _steady_blocks([pieces], length)
         else:
-            yield from _varying_blocks([pieces], total / count * (1.0 - _STEADY))
+            yield from _varying_blocks([pieces], _turns_of_block(revolutions_of(pieces), wanted))
         return
     first, pieces = _peeked(pieces)
     if _steady(first):
-        samples = int(min(wanted / _turns_per_sample(first), MOST_SAMPLES))
+        samples = int(min(wanted / turns_per_sample(first), MOST_SAMPLES))
         yield from _steady_blocks(pieces, _good_length(samples))
     else:
-        turns = min(wanted, MOST_SAMPLES * _turns_per_sample(first))
+        turns = min(wanted, MOST_SAMPLES * turns_per_sample(first))
         yield from _varying_blocks(pieces, turns)
+
+
+def _count(turns: float, samples: int, wanted: float) -> int:
+    """Into how many blocks a record in one piece is cut."""
+    return max(1, round(turns / wanted), -(-samples // MOST_SAMPLES))
+
+
+def _turns_of_block(angle: FloatArray, wanted: float) -> float:
+    """Revolutions of each block of a record in one piece whose shaft changes its speed."""
+    samples, total = len(angle), float(angle[-1])
+    count = _count(total, samples, wanted)
+    if count == 1:
+        return float(angle[_good_length(samples) - 1]) * (1.0 + _STEADY)
+    return total / count * (1.0 - _STEADY)
 
 
 def _steady_blocks(pieces: Iterable[Signal], samples: int) -> Iterator[Block]:
@@ -94,7 +104,7 @@ def _steady_blocks(pieces: Iterable[Signal], samples: int) -> Iterator[Block]:
     rate = turns = 0.0
     found = 0
     for piece in _alike(pieces, steady=True):
-        rate, turns = piece.rate, _turns_per_sample(piece)
+        rate, turns = piece.rate, turns_per_sample(piece)
         left = np.concatenate([left, piece.samples]) if len(left) else piece.samples
         while len(left) >= samples:
             yield Block(left[:samples], rate, samples * turns, None)
@@ -115,13 +125,13 @@ def _varying_blocks(pieces: Iterable[Signal], turns: float) -> Iterator[Block]:
         start = angle[-1] + abs(float(piece.speed[0])) / (2.0 * pi * rate) if len(angle) else 0.0
         left = np.concatenate([left, piece.samples])
         angle = np.concatenate([angle, start + revolutions_of(piece)])
-        while angle[-1] >= turns:
-            end = int(np.searchsorted(angle, turns))
-            yield Block(left[:end], rate, turns, angle[:end] / turns)
-            left, angle = left[end:], angle[end:] - turns
-            found += 1
-            if len(angle) == 0:
-                break
+        begin = number = 0
+        while angle[-1] >= (number + 1) * turns:
+            end = begin + int(np.searchsorted(angle[begin:], (number + 1) * turns))
+            yield Block(left[begin:end], rate, turns, angle[begin:end] / turns - number)
+            begin, number = end, number + 1
+        left, angle = left[begin:].copy(), angle[begin:] - number * turns
+        found += number
     if found == 0 and len(left) > 1:
         yield Block(left, rate, float(angle[-1]), angle / angle[-1])
 
@@ -154,14 +164,6 @@ def _peeked(pieces: Iterable[Signal]) -> tuple[Signal, Iterable[Signal]]:
 
 def _steady(signal: Signal) -> bool:
     return signal.speed is None or signal.speed.ndim == 0
-
-
-def _turns_per_sample(signal: Signal) -> float:
-    """Of the first samples: the mean of a piece."""
-    turns = revolutions_of(signal)
-    if len(turns) == 1:
-        return abs(signal.mean_speed) / (2.0 * pi * signal.rate)
-    return float(turns[-1]) / (len(turns) - 1)
 
 
 def _good_length(samples: int) -> int:

@@ -11,28 +11,38 @@ from rolamento.vibration.diagnosis import wording
 from rolamento.vibration.diagnosis.field import SEEN, Field
 from rolamento.vibration.diagnosis.hypotheses import SearchedLine
 from rolamento.vibration.diagnosis.orders import Component
-from rolamento.vibration.diagnosis.record import ComponentVerdict, MatchedLine, Reason
+from rolamento.vibration.diagnosis.record import ComponentVerdict, MatchedLine, Reason, Verdict
 from rolamento.vibration.diagnosis.search import Finding, chance
+from rolamento.vibration.diagnosis.size import Grade
 from rolamento.vibration.noise_floor import LOWEST_LINE
 
-__all__ = ["fault", "no_fault"]
+__all__ = ["at_edge", "no_fault", "refined", "stated"]
 
 _CLEAR_SIDEBAND: Final = 9.0
 """dB above the noise from which a sideband is worth telling of; noise alone is above it once in
 three thousand lines."""
 
 
-def fault(component: Component, finding: Finding, field: Field, trials: int) -> ComponentVerdict:
-    """Return the verdict of a fault that was found."""
+def stated(
+    component: Component,
+    finding: Finding,
+    field: Field,
+    trials: int,
+    verdict: Verdict,
+    grade: Grade,
+    depth: float,
+    doubts: tuple[Reason, ...],
+) -> ComponentVerdict:
+    """Return the verdict of a part whose lines noise does not give."""
     probability, evidence = chance(finding.evidence, trials)
     nominal = field.orders.fundamental(component) or nan
-    fundamental = _refined(finding, field)
+    fundamental = refined(finding, field)
     order = fundamental / field.turns
     frequency = order * field.spectra.shaft_frequency
     lines = tuple(_matched(line, fundamental, finding, field) for line in finding.hypothesis.lines)
     sidebands = _sidebands(component, fundamental, finding, field)
     band = field.spectra.bands[finding.band]
-    reasons = [wording.above_noise(order, frequency, lines)]
+    reasons = [wording.deep(depth, grade), wording.above_noise(order, frequency, lines)]
     if sidebands:
         reasons.append(
             wording.of_sidebands(component, _spacing(component, finding, field), sidebands)
@@ -42,11 +52,11 @@ def fault(component: Component, finding: Finding, field: Field, trials: int) -> 
         wording.chance_of_noise(probability, evidence, trials),
         wording.off_nominal(order / nominal - 1.0),
     ]
-    if _at_edge(finding):
-        reasons.append(wording.at_edge())
     return ComponentVerdict(
         component=component,
-        verdict="fault",
+        verdict=verdict,
+        grade=grade,
+        depth=depth,
         probability=probability,
         evidence=evidence,
         nominal_order=nominal,
@@ -57,6 +67,7 @@ def fault(component: Component, finding: Finding, field: Field, trials: int) -> 
         lines=tuple(line for line in lines if line.sideband == 0),
         sidebands=sidebands,
         reasons=tuple(reasons),
+        doubts=doubts,
     )
 
 
@@ -65,24 +76,29 @@ def no_fault(
     finding: Finding | None,
     field: Field,
     trials: int,
-    of_another: Reason | None = None,
+    why: Reason | None = None,
+    *,
+    untested: bool = False,
+    depth: float = nan,
 ) -> ComponentVerdict:
     """Return the verdict that nothing was found, or that nothing can be told.
 
-    of_another: why its lines are there, if they are another part's.
+    why: nothing can be told, or its lines are there without telling of it; depth: of those.
     """
     nominal = field.orders.fundamental(component)
     probability, evidence = (nan, nan) if finding is None else chance(finding.evidence, trials)
-    if of_another is not None:
-        reason = of_another
+    if why is not None:
+        reason = why
     elif finding is None:
         reason = wording.untested(_why_untested(nominal, field))
     else:
         reason = wording.nothing_above_noise(probability, trials)
-    nothing = finding is not None or of_another is not None
+    nothing = (finding is not None or why is not None) and not untested
     return ComponentVerdict(
         component=component,
         verdict="nothing_found" if nothing else "not_tested",
+        grade="nothing",
+        depth=depth,
         probability=probability,
         evidence=evidence,
         nominal_order=nan if nominal is None else nominal,
@@ -100,7 +116,7 @@ def _why_untested(nominal: float | None, field: Field) -> str:
     if nominal is None:
         return "no_order"
     if not np.any(field.spectra.power):
-        return "no_change"
+        return "only_tones" if field.spectra.bare else "no_change"
     if nominal * field.turns < LOWEST_LINE + 1:
         return "record_too_short"
     widest = max(high - low for low, high in field.spectra.bands)
@@ -108,14 +124,14 @@ def _why_untested(nominal: float | None, field: Field) -> str:
     return "rate_too_low" if too_high else "hidden"
 
 
-def _at_edge(finding: Finding) -> bool:
+def at_edge(finding: Finding) -> bool:
     """Whether a fundamental is the first or last that was tried of many."""
-    step = max(1.0, 0.5 * finding.hypothesis.width) / finding.hypothesis.highest
+    step = finding.hypothesis.step
     to_edge = min(finding.fundamental - finding.low, finding.high - finding.fundamental)
     return finding.high - finding.low > 6.0 * step and to_edge < 1.5 * step
 
 
-def _refined(finding: Finding, field: Field) -> float:
+def refined(finding: Finding, field: Field) -> float:
     """Fundamental as the middle of the power above noise of the lines that were matched."""
     power, level = field.spectra.power[finding.band], field.level[finding.band]
     weighted = weights = 0.0

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
+from itertools import chain
 from typing import Final
 
 import numpy as np
@@ -14,6 +16,7 @@ from rolamento.vibration.diagnosis.hypotheses import highest_order
 from rolamento.vibration.diagnosis.orders import COMPONENTS, FaultOrders
 from rolamento.vibration.diagnosis.record import Diagnosis
 from rolamento.vibration.diagnosis.settings import DiagnosisSettings
+from rolamento.vibration.diagnosis.shaft import shaft_lines
 from rolamento.vibration.diagnosis.verdict import judge
 from rolamento.vibration.signal import Signal
 
@@ -21,6 +24,8 @@ __all__ = ["diagnose"]
 
 _SLOW: Final = 0.25
 """Of the lowest order that is looked for: modulations up to there are of the load."""
+_SPARE: Final = 1.0
+"""Orders beyond the highest that is looked for, in which the noise about that is seen."""
 
 
 def diagnose(
@@ -30,10 +35,10 @@ def diagnose(
 ) -> Diagnosis:
     """Tell which parts of a bearing a vibration signal shows to be damaged.
 
-    The probability that a signal without damage gets any fault is at most
-    ``settings.false_alarm``: the search counts all that it tries. "Nothing found" is a verdict
-    about this record, not a certificate: see docs/diagnosis-rates.md for what is found at which
-    ratio of fault to noise.
+    Two things decide. The probability that noise without lines of the bearing gives any finding is
+    at most ``settings.false_alarm``: the search counts all that it tries. And the modulation is as
+    deep as healthy bearings do not have it: see `size`. "Nothing found" is a verdict about this
+    record, not a certificate: docs/diagnosis-rates.md tells what is found how often.
 
     Parameters
     ----------
@@ -43,7 +48,7 @@ def diagnose(
     orders
         Of the bearing's faults.
     settings
-        By default a false-alarm probability of 1 % and ±2 % for slip.
+        By default a false-alarm probability of 1 %, ±2 % for slip and ±3 % for the speed.
 
     Raises
     ------
@@ -56,24 +61,36 @@ def diagnose(
         raise InputError(
             "must be FaultOrders", field="orders", example="FaultOrders(outer_race=3.585)"
         )
+    blocks = iter(blocks_of(signal, chosen.block_revolutions))
+    first = next(blocks, None)
+    if first is None:
+        raise InputError("holds no samples", field="signal")
+    shaft = shaft_lines(first, chosen.speed_tolerance)
+    freedom = 0.0 if shaft.confirmed else chosen.speed_tolerance
     present = [part for part in COMPONENTS if orders.fundamental(part) is not None]
     plan = Plan(
-        highest_order=max(highest_order(orders, part, chosen.tolerance) for part in present),
+        highest_order=_SPARE
+        + max(highest_order(orders, part, chosen.tolerance + freedom) for part in present),
         slow_order=_SLOW * min(orders.fundamental(part) or np.inf for part in present),
         regular=(1.0, *orders.known),
         remove_tones=chosen.remove_tones,
-        combs=_combs(orders, chosen.tolerance),
+        combs=_combs(orders, chosen.tolerance, freedom),
         speed_uncertainty=chosen.speed_uncertainty,
     )
-    return judge(band_spectra(blocks_of(signal, chosen.block_revolutions), plan), orders, chosen)
+    at_speed = (
+        replace(block, turns=block.turns * shaft.factor) for block in chain([first], blocks)
+    )
+    return judge(band_spectra(at_speed, plan), orders, chosen, shaft)
 
 
-def _combs(orders: FaultOrders, tolerance: float) -> tuple[tuple[float, float, float], ...]:
+def _combs(
+    orders: FaultOrders, tolerance: float, freedom: float
+) -> tuple[tuple[float, float, float], ...]:
     combs = []
     for part in COMPONENTS:
         nominal = orders.fundamental(part)
         if nominal is not None and part != "cage":
-            allowed = orders.tolerance(part, tolerance)
+            allowed = orders.tolerance(part, tolerance) + freedom
             low, high = nominal * (1.0 - allowed), nominal * (1.0 + allowed)
             combs.append((low, high, orders.spacing(part)))
     return tuple(combs)

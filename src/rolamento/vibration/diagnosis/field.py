@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Final
 
 import numpy as np
@@ -11,27 +12,20 @@ import numpy as np
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.vibration.diagnosis.band_spectra import BandSpectra
 from rolamento.vibration.diagnosis.hypotheses import hypotheses_of
-from rolamento.vibration.diagnosis.masks import (
-    fault_places,
-    filled,
-    lines_about,
-    lines_connected,
-    shaft_places,
-)
+from rolamento.vibration.diagnosis.masks import filled, lines_about, lines_connected, most_spread
 from rolamento.vibration.diagnosis.orders import Component, FaultOrders
 from rolamento.vibration.diagnosis.search import Finding, Scores, search
 from rolamento.vibration.diagnosis.settings import DiagnosisSettings
+from rolamento.vibration.diagnosis.size import depth_of
 from rolamento.vibration.noise_floor import mean_over_median, running_medians
 
 __all__ = ["SEEN", "Field", "field_of"]
 
 SEEN: Final = 0.8
 """Of a band's width: up to there the noise of its squared envelope falls slowly."""
-_STANDS_OUT: Final = 0.9
-"""Quantile of noise below which a line that a fault may make is no more than noise."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, eq=False)
 class Field:
     """The lines that are searched, and what is known of them.
 
@@ -43,15 +37,21 @@ class Field:
         (bands, lines), of the noise about each line
     left_out
         (bands, lines)
+    shaft
+        (bands, lines), of those the lines of what turns, and those too fast for a band
     orders, settings
         as given
+    freedom
+        part by which the speed may still be off
     """
 
     spectra: BandSpectra
     medians: FloatArray
     left_out: BoolArray
+    shaft: BoolArray
     orders: FaultOrders
     settings: DiagnosisSettings
+    freedom: float
 
     @property
     def turns(self) -> float:
@@ -63,51 +63,69 @@ class Field:
         """Mean power of the noise about each line; (bands, lines)."""
         return self.medians * mean_over_median(self.spectra.blocks)
 
+    @cached_property
+    def depths(self) -> FloatArray:
+        """Mean squares of the modulation depth, less those of noise about each; (bands, lines).
+
+        0 at lines of what turns.
+        """
+        squares = self.spectra.depth
+        levels = running_medians(squares) * mean_over_median(self.spectra.blocks)
+        return np.where(self.shaft, 0.0, squares - np.nan_to_num(levels))
+
+    def window(self, component: Component) -> tuple[float, float]:
+        """Orders between which a component's is looked for."""
+        nominal = self.orders.fundamental(component) or 0.0
+        within = self.orders.tolerance(component, self.settings.tolerance) + self.freedom
+        return nominal * (1.0 - within), nominal * (1.0 + within)
+
+    def depth(self, band: int, line: float, width: int = 1) -> float:
+        """Modulation depth of a band at a line."""
+        return depth_of(self.depths[band], line, width)
+
     def findings(self, parts: Iterable[Component]) -> dict[Component, Finding | None]:
         """Return the best match for each of some components among the lines that are left."""
         scores = Scores(self.spectra.power, self.left_out, self.medians, self.spectra.blocks)
         return {part: self._finding(scores, part) for part in parts}
 
-    def without(self, component: Component, finding: Finding) -> Field:
-        """Return the field without the lines of a fault that stand out."""
-        lines = self.left_out.shape[1]
-        places = fault_places(
-            component, finding, self.orders, self.turns, lines, self.settings.tolerance
+    def with_shaft(self) -> Field:
+        """Return the field with the lines of what turns, as they are."""
+        spectra = replace(self.spectra, power=self.spectra.plain)
+        return replace(
+            self,
+            spectra=spectra,
+            medians=running_medians(spectra.power),
+            left_out=_too_fast(spectra),
+            shaft=_too_fast(spectra),
         )
-        about = lines_about(
-            self.spectra.power,
-            self.level,
-            places,
-            stands_out=_STANDS_OUT,
-            averages=self.spectra.blocks,
-        )
-        return replace(self, left_out=self.left_out | about)
 
     def _finding(self, scores: Scores, component: Component) -> Finding | None:
-        nominal = self.orders.fundamental(component)
-        if nominal is None:
+        if self.orders.fundamental(component) is None:
             return None
-        tolerance = self.orders.tolerance(component, self.settings.tolerance)
         return search(
             scores,
             hypotheses_of(self.orders, component),
             self.turns,
-            nominal * (1.0 - tolerance),
-            nominal * (1.0 + tolerance),
+            *self.window(component),
             self.settings.tolerance if component == "ball" else 0.0,
         )
 
 
-def field_of(spectra: BandSpectra, orders: FaultOrders, settings: DiagnosisSettings) -> Field:
+def field_of(
+    spectra: BandSpectra, orders: FaultOrders, settings: DiagnosisSettings, freedom: float
+) -> Field:
     """Leave out lines of what turns and those too fast for a band, and take the noise's level."""
     lines = spectra.power.shape[1]
-    uncertainty = settings.speed_uncertainty if spectra.steady else 0.0
-    places = shaft_places((1.0, *orders.known), spectra.turns, lines, uncertainty)
     plain_level = mean_over_median(spectra.blocks) * running_medians(spectra.plain)
-    left_out = lines_about(spectra.plain, plain_level, places)
-    left_out |= lines_connected(spectra.spreads, places, spectra.turns, lines)
+    shaft = lines_about(spectra.plain, plain_level, spectra.regular, most_spread(spectra.turns))
+    left_out = shaft | lines_connected(spectra.spreads, spectra.regular, spectra.turns, lines)
     medians = running_medians(filled(spectra.power, left_out))
-    frequency = np.arange(lines) * (spectra.shaft_frequency / spectra.turns)
+    fast = _too_fast(spectra)
+    return Field(spectra, medians, left_out | fast, shaft | fast, orders, settings, freedom)
+
+
+def _too_fast(spectra: BandSpectra) -> BoolArray:
+    """Lines beyond what a band's width shows; (bands, lines)."""
+    frequency = np.arange(spectra.power.shape[1]) * (spectra.shaft_frequency / spectra.turns)
     widths = np.array([high - low for low, high in spectra.bands])
-    left_out |= frequency[None] > SEEN * widths[:, None]
-    return Field(spectra, medians, left_out, orders, settings)
+    return np.asarray(frequency[None] > SEEN * widths[:, None])

@@ -69,6 +69,11 @@ class Hypothesis:
         """Highest multiple."""
         return max(line.multiple for line in self.lines)
 
+    @property
+    def step(self) -> float:
+        """How well a fundamental is told: a line, or half of the width, at the highest multiple."""
+        return max(1.0, 0.5 * self.width) / self.highest
+
 
 def hypotheses_of(orders: FaultOrders, component: Component) -> tuple[Hypothesis, ...]:
     """Return all hypotheses for a component; none if it is not looked for."""
@@ -117,7 +122,7 @@ def trials_grid(
     spacing_freedom
         Part by which the spacing may be off.
     """
-    step = max(1.0, 0.5 * hypothesis.width) / hypothesis.highest
+    step = hypothesis.step
     inside = 0.5 * max(0, hypothesis.width - 2) / hypothesis.highest
     count = max(0, int((high - low - 2.0 * inside) / step + 1.0))
     fundamentals = low + inside + step * np.arange(count, dtype=np.float64)

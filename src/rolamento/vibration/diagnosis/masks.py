@@ -1,49 +1,45 @@
-"""Lines left out of the search, each with as many neighbours as it spreads to.
-
-They are those of the shaft, of what else is known to turn, and of faults that were found already.
-"""
+"""Lines of what turns, left out of the search, each with as many neighbours as it spreads to."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from math import ceil, sqrt
+from math import ceil
 from typing import Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import special
 
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.vibration.diagnosis.leakage import envelope_leakage, reach
-from rolamento.vibration.diagnosis.orders import Component, FaultOrders
-from rolamento.vibration.diagnosis.search import Finding
+from rolamento.vibration.diagnosis.runs import runs
 
-__all__ = ["Place", "fault_places", "filled", "lines_about", "lines_connected", "shaft_places"]
+__all__ = ["Place", "filled", "lines_about", "lines_connected", "most_spread", "shaft_places"]
 
-_SIDEBANDS: Final = 6
-_OF_SHAFT: Final = 3
-"""Sidebands that a fault may have: at its own spacing, and about each at the shaft's."""
 _SPREAD_TO: Final = 0.3
 """Of the noise: what a line may add to its neighbours before they are left out."""
-
-
-_MULTIPLES: Final = 6
-_KNOWN: Final = 0.25
-"""Of the distance between multiples: farther off, a multiple is not known."""
 _CONNECTED: Final = 3.0
 """Orders between which a modulation carries noise; farther, less than a hundredth of it."""
+_LEAST_SPREAD: Final = 2
+_MOST_SPREAD: Final = 6
+_SPREAD_ORDERS: Final = 0.02
+
+
+def most_spread(turns: float) -> int:
+    """Lines on either side of one of the shaft's that are left out with it at most.
+
+    Farther off, what its taper leaves is small beside damage; and damage at an order near a
+    multiple of the shaft's (3.05 of many bearings of eight balls) would go with it.
+
+    turns: lines per order.
+    """
+    return max(_LEAST_SPREAD, min(_MOST_SPREAD, round(_SPREAD_ORDERS * turns)))
 
 
 class Place(NamedTuple):
-    """A line to leave out.
-
-    line: where; within: how far it may be from there; width: of a hump that slip makes of it, 0 for
-    a discrete line. In lines of the spectrum.
-    """
+    """A line to leave out: where, and how far it may be from there; lines of the spectrum."""
 
     line: float
     within: float
-    width: float = 0.0
 
 
 def shaft_places(
@@ -94,64 +90,8 @@ def lines_connected(
     return found
 
 
-def fault_places(
-    component: Component,
-    finding: Finding,
-    orders: FaultOrders,
-    turns: float,
-    lines: int,
-    tolerance: float,
-) -> list[Place]:
-    """Lines that a fault which was found may make: multiples, and sidebands of each and of 0.
-
-    The order is known to a line, or half of its width, of the highest multiple that was matched:
-    far beyond it, nothing is known of where its multiples lie. A ball's sidebands are one turn of
-    the cage away, which is known to a line if they were matched, else to the tolerance.
-    """
-    fundamental, hypothesis = finding.fundamental, finding.hypothesis
-    step = 0.5 * fundamental if component == "ball" else fundamental
-    spacing = finding.spacing or orders.spacing(component) * turns
-    # what the shaft does to the noise of a machine it does to the blows as well
-    sides = {
-        (side * spacing + of_shaft * turns, abs(side))
-        for side in range(-_SIDEBANDS, _SIDEBANDS + 1)
-        for of_shaft in range(-_OF_SHAFT, _OF_SHAFT + 1)
-    }
-    of_spacing = 0.0
-    if component == "ball":
-        of_spacing = 1.0 if finding.spacing else tolerance * spacing
-    doubt = max(1.0, 0.5 * hypothesis.width) / hypothesis.highest / fundamental
-    places = []
-    highest = max(_MULTIPLES, 4.0 * hypothesis.highest) * fundamental
-    farthest = max(offset for offset, _ in sides)
-    for number in range(int(min(lines + farthest, highest) / step) + 1):
-        width = hypothesis.width * number * step / (fundamental * hypothesis.highest)
-        for offset, side in sides:
-            line = number * step + offset
-            if 0.0 < line < lines:
-                within = 1.0 + doubt * number * step + 0.5 * width + side * of_spacing
-                places.append(Place(line, within, width))
-    if component == "cage":
-        places += _far_multiples(step, doubt, lines)
-    return places
-
-
-def _far_multiples(step: float, doubt: float, lines: int) -> list[Place]:
-    """All multiples that are known well enough: blows of the cage are felt up to its hundredth.
-
-    Among them some lie where those of a ball are looked for.
-    """
-    last = min(int(lines / step), int(_KNOWN / doubt))
-    return [Place(n * step, 1.0 + doubt * n * step) for n in range(1, last + 1)]
-
-
 def lines_about(
-    power: FloatArray,
-    level: FloatArray,
-    places: Iterable[Place],
-    *,
-    stands_out: float = 0.0,
-    averages: int = 1,
+    power: FloatArray, level: FloatArray, places: Iterable[Place], most: int
 ) -> BoolArray:
     """Lines at some places, in each band as far about them as the strongest there spreads.
 
@@ -161,11 +101,8 @@ def lines_about(
         (bands, lines); mean of the noise about each line.
     places
         To leave out.
-    stands_out
-        Quantile of the strongest line of noise at a place, from which on lines are left out; 0 for
-        all.
-    averages
-        Of how many independent spectra the powers are means.
+    most
+        Lines on either side of a place that are left out with it at most.
 
     Returns
     -------
@@ -181,14 +118,8 @@ def lines_about(
         last = min(lines, int(place.line + place.within) + 1)
         if first >= last:
             continue
-        peaks = np.max(ratio[:, first:last], axis=1)
-        quantile = stands_out ** (1.0 / (last - first)) if stands_out > 0.0 else 0.0
-        least = float(special.gammaincinv(averages, quantile)) / averages
-        for band in np.flatnonzero(peaks >= least):
-            over = float(peaks[band]) / _SPREAD_TO
-            # a hump falls off with the square of the distance
-            hump = min(0.5 * place.width * sqrt(over), 0.1 * place.line)
-            spread = max(reach(leakage, over), int(hump))
+        for band, peak in enumerate(np.max(ratio[:, first:last], axis=1)):
+            spread = min(reach(leakage, float(peak) / _SPREAD_TO), most)
             found[band, max(0, first - spread) : last + spread] = True
     return found
 
@@ -201,8 +132,7 @@ def filled(power: FloatArray, left_out: BoolArray) -> FloatArray:
     found = power.copy()
     lines = power.shape[1]
     for band, out in enumerate(left_out):
-        edges = np.flatnonzero(np.diff(np.concatenate([[0], out.astype(np.int8), [0]])))
-        for start, end in zip(edges[::2], edges[1::2], strict=True):
+        for start, end in zip(*runs(out), strict=True):
             after = np.arange(end, min(lines, end + end - start))
             before = np.arange(max(0, start - (end - start)), start)
             neighbours = np.concatenate([before[~out[before]], after[~out[after]]])

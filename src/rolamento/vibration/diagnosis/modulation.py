@@ -52,13 +52,15 @@ _SPREAD_TO: Final = 0.3
 class ModulationPowers(NamedTuple):
     """Powers of the lines of a squared envelope, and what was divided out of it.
 
-    plain, even: (lines,), as it is and without its regular part, of sums over the steps; spreads:
-    (1 + regular places,), lines on either side of 0 and of each place that were taken for regular,
-    -1 for none.
+    plain, even: (lines,), as it is and without its regular part, of sums over the steps; depth:
+    (lines,), squares of the modulation depth as it is: of e² = mean (1 + d cos(nθ + φ)) that is d²,
+    and a train of short blows alone has d = 2 at each multiple; spreads: (1 + regular places,),
+    lines on either side of 0 and of each place that were taken for regular, -1 for none.
     """
 
     plain: FloatArray
     even: FloatArray
+    depth: FloatArray
     spreads: NDArray[np.int64]
 
 
@@ -105,7 +107,7 @@ def over_angle(squared: FloatArray, places: FloatArray | None, lines: int) -> Fl
 
 
 def modulation_powers(
-    envelope: FloatArray, slow: int, regular: Sequence[Place], lines: int
+    envelope: FloatArray, slow: int, regular: Sequence[Place], lines: int, most: int
 ) -> ModulationPowers:
     """Powers of the lines of a squared envelope: as it is, and with its regular part divided out.
 
@@ -119,6 +121,8 @@ def modulation_powers(
         Where lines of what turns are.
     lines
         How many are wanted.
+    most
+        Lines on either side that are taken with a regular one at most.
     """
     steps = len(envelope)
     window = np.square(taper(even_places(steps)))
@@ -127,18 +131,19 @@ def modulation_powers(
     plain = np.square(np.abs(spectrum - mean * of_window))[:lines]
     spreads = np.full(1 + len(regular), -1, dtype=np.int64)
     if mean <= 0.0:
-        return ModulationPowers(plain, plain.copy(), spreads)
+        return ModulationPowers(plain, plain.copy(), np.zeros(lines), spreads)
     spreads[0] = min(slow, _slow_spread(plain, slow))
     level = _part(spectrum, 0, int(spreads[0]), steps) / _base(of_window, int(spreads[0]), steps)
     for number, place in enumerate(regular, 1):
-        spread = _spread(plain, place)
+        spread = _spread(plain, place, most)
         if spread is not None:
             part = _part(spectrum, round(place.line), spread, steps)
             level += part / _base(of_window, spread, steps)
             spreads[number] = spread
     even = envelope / np.maximum(level / mean, _LEAST)
     even -= window * (np.sum(even) / np.sum(window))
-    return ModulationPowers(plain, np.square(np.abs(fft.rfft(even)))[:lines], spreads)
+    power = np.square(np.abs(fft.rfft(even)))[:lines]
+    return ModulationPowers(plain, power, plain * (2.0 / spectrum[0].real) ** 2, spreads)
 
 
 def _at_steps(spectrum: ComplexArray, size: int, steps: int) -> FloatArray:
@@ -147,7 +152,7 @@ def _at_steps(spectrum: ComplexArray, size: int, steps: int) -> FloatArray:
     return np.asarray(fft.irfft(spectrum[:count], steps)) * (steps / size)
 
 
-def _spread(power: FloatArray, place: Place) -> int | None:
+def _spread(power: FloatArray, place: Place, most: int) -> int | None:
     """Lines on either side that a regular line rises above the noise; None if it does not."""
     first = max(1, ceil(place.line - place.within))
     last = min(len(power), int(place.line + place.within) + 1)
@@ -158,7 +163,7 @@ def _spread(power: FloatArray, place: Place) -> int | None:
     ratio = float(np.max(power[first:last])) / noise if noise > 0.0 else 0.0
     if ratio < log(len(power) / _CHANCE):
         return None
-    return reach(envelope_leakage(), ratio / _SPREAD_TO) + int(place.within)
+    return min(reach(envelope_leakage(), ratio / _SPREAD_TO), most) + int(place.within)
 
 
 def _slow_spread(power: FloatArray, slow: int) -> int:

@@ -8,19 +8,29 @@ from typing import Literal
 from rolamento.numerics import FloatArray
 from rolamento.vibration._checks import Band
 from rolamento.vibration.diagnosis.orders import Component
+from rolamento.vibration.diagnosis.size import GRADES, Grade
 
 __all__ = [
+    "Cause",
     "ComponentVerdict",
     "Diagnosis",
     "EnvelopeSpectra",
     "MatchedLine",
     "Note",
     "Reason",
+    "SpeedSource",
     "UnexplainedLine",
     "Verdict",
 ]
 
-Verdict = Literal["fault", "nothing_found", "not_tested"]
+Verdict = Literal["fault", "undecided", "watch", "nothing_found", "not_tested"]
+"""Of a part: damaged; damaged or not, what speaks against it is as strong; lines as many healthy
+bearings have; none, or none of its own; nothing can be told."""
+
+SpeedSource = Literal["given", "shaft_lines", "fault_lines"]
+"""What tells the speed of the shaft: what was given, its own lines, or those of the fault."""
+
+Cause = Literal["outer_race", "inner_race", "ball", "cage", "ball_or_cage"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,6 +83,8 @@ class UnexplainedLine:
         at the shaft's mean speed; Hz
     above_noise
         power over the mean of the noise about it; dB
+    depth
+        modulation depth of the squared envelope there
     band
         in which it is clearest; Hz
     probability
@@ -84,6 +96,7 @@ class UnexplainedLine:
     order: float
     frequency: float
     above_noise: float
+    depth: float
     band: Band
     probability: float
     shaft_frequencies: tuple[tuple[Component, float], ...]
@@ -98,14 +111,19 @@ class ComponentVerdict:
     component
         which part
     verdict
-        "fault", "nothing_found" or "not_tested"
+        "fault", "undecided", "watch", "nothing_found" or "not_tested"
+    grade
+        "severe", "damage", "watch" or "nothing": what the depth is worth
+    depth
+        modulation depth of the squared envelope at the order found, in the band named, over its
+        mean; NaN if nothing is found there
     probability
-        that a bearing without damage gives as clear a finding anywhere in the search, at most; NaN
-        if not tested
+        that noise without lines of the bearing gives as clear a finding anywhere in the search, at
+        most; not that of a healthy bearing, which has such lines; NaN if not tested
     evidence
         -log10 of that, also where it is too small for a number
     order, nominal_order
-        of the fault as found, and as expected; order is NaN unless a fault was found
+        as found, and as expected; order is NaN unless something was found
     deviation
         order over the nominal one, less 1
     frequency
@@ -118,10 +136,14 @@ class ComponentVerdict:
         about them that are clear, in the squared envelope as it is
     reasons
         why
+    doubts
+        what speaks against it
     """
 
     component: Component
     verdict: Verdict
+    grade: Grade
+    depth: float
     probability: float
     evidence: float
     nominal_order: float
@@ -132,6 +154,7 @@ class ComponentVerdict:
     lines: tuple[MatchedLine, ...]
     sidebands: tuple[MatchedLine, ...]
     reasons: tuple[Reason, ...]
+    doubts: tuple[Reason, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -165,13 +188,21 @@ class Diagnosis:
     components
         a verdict for each
     false_alarm
-        probability that was allowed for any fault in a bearing without damage
+        probability that was allowed for any finding in noise without lines of the bearing
     tolerance
         part by which the cage was allowed to be off its nominal order
     trials
         how many hypotheses, orders and bands were tried together
     shaft_frequency
-        mean; Hz
+        mean, as it was taken; Hz
+    speed_factor
+        of that over the given one
+    speed_source
+        "given", "shaft_lines" or "fault_lines": what tells it
+    speed_confirmed
+        whether the shaft's own lines tell or agree with it, or it was certain
+    undecided
+        parts that would be damaged if the shaft ran at another speed, and that speed; Hz
     revolutions
         of the shaft that were used
     blocks
@@ -191,6 +222,10 @@ class Diagnosis:
     tolerance: float
     trials: int
     shaft_frequency: float
+    speed_factor: float
+    speed_source: SpeedSource
+    speed_confirmed: bool
+    undecided: tuple[tuple[Component, float], ...]
     revolutions: float
     blocks: int
     resolution: float
@@ -200,8 +235,34 @@ class Diagnosis:
 
     @property
     def faults(self) -> tuple[Component, ...]:
-        """Parts that are damaged by this verdict; none if nothing was found."""
-        return tuple(part.component for part in self.components if part.verdict == "fault")
+        """Parts that are damaged by this verdict, the deepest modulation first."""
+        return self._with("fault")
+
+    @property
+    def watched(self) -> tuple[Component, ...]:
+        """Parts with lines as many healthy bearings have, the deepest modulation first."""
+        return self._with("watch")
+
+    @property
+    def causes(self) -> tuple[Cause, ...]:
+        """What is damaged, the deepest modulation first: lines of the cage may be a ball's."""
+        return tuple(self.cause(part) for part in self.faults)
+
+    def cause(self, component: Component) -> Cause:
+        """What lines of a part speak for: those of a cage may be of a ball that it carries."""
+        ball = self.of("ball")
+        unknown = component == "cage" and ball.verdict != "fault" and ball.nominal_order > 0.0
+        return "ball_or_cage" if unknown else component
+
+    @property
+    def grade(self) -> Grade:
+        """Of the worst part that is stated."""
+        stated = [part.grade for part in self.components if part.verdict in ("fault", "watch")]
+        return max(stated, key=GRADES.index, default="nothing")
+
+    def _with(self, verdict: Verdict) -> tuple[Component, ...]:
+        parts = [part for part in self.components if part.verdict == verdict]
+        return tuple(p.component for p in sorted(parts, key=lambda part: -part.depth))
 
     def of(self, component: Component) -> ComponentVerdict:
         """Return the verdict for a component."""

@@ -4,7 +4,8 @@ The mean power within a line's width has a score against the noise about it (see
 noise an exponential variable. A hypothesis has n lines, each at its multiple of the order that is
 tried, and none of them counts for more than the median one, so that a few lines of another origin
 do not pass for all. Of the scores s₁ ≤ … ≤ sₙ the spacings (n - j + 1)(sⱼ - sⱼ₋₁) are independent
-exponential variables (Rényi, Acta Mathematica Hungarica 4 (1953), 191-231), therefore
+exponential variables (Rényi, Acta Mathematica Academiae Scientiarum Hungaricae 4 (1953), 191-231),
+therefore
 
     Σ min(sᵢ, sₘ) = Σ (n - j + 1)(sⱼ - sⱼ₋₁),  j = 1 … m,   m = n - ⌊n/2⌋
 

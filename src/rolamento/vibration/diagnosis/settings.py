@@ -17,12 +17,16 @@ class DiagnosisSettings:
     Attributes
     ----------
     false_alarm
-        probability that a signal of a bearing without damage gets any verdict of a fault
+        probability that noise without lines of the bearing gives any finding; what a finding is
+        worth is decided by its size
     tolerance
         part by which the cage may turn faster or slower than its nominal order: slip, and a
         contact angle that is not quite known
+    speed_tolerance
+        part by which a speed that was given as one number may be wrong: all lines move alike, and
+        the shaft's own lines tell by how much; 0 if it is certain
     speed_uncertainty
-        part by which a speed that was given as one number may be off or wander
+        part by which a speed that is known may still be off or wander
     block_revolutions
         revolutions of the shaft of which one spectrum is made; longer records are averaged
     remove_tones
@@ -37,6 +41,7 @@ class DiagnosisSettings:
 
     false_alarm: float = 0.01
     tolerance: float = 0.02
+    speed_tolerance: float = 0.03
     speed_uncertainty: float = 0.001
     block_revolutions: float = 400.0
     remove_tones: bool = True
@@ -46,6 +51,13 @@ class DiagnosisSettings:
             self.false_alarm, "false_alarm", above=0.0, most=0.5, example="false_alarm = 0.01"
         )
         checked_number(self.tolerance, "tolerance", least=0.0, most=0.1, example="tolerance = 0.02")
+        checked_number(
+            self.speed_tolerance,
+            "speed_tolerance",
+            least=0.0,
+            most=0.1,
+            example="speed_tolerance = 0.03",
+        )
         checked_number(
             self.speed_uncertainty,
             "speed_uncertainty",

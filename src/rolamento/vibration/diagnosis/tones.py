@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.vibration.diagnosis.leakage import reach, tone_leakage
+from rolamento.vibration.diagnosis.runs import runs
 
 __all__ = ["Comb", "Discrete", "discrete_lines", "local_level"]
 
@@ -88,7 +89,7 @@ def discrete_lines(
     """
     ratio = np.square(np.abs(spectrum)) / level
     limit = log(len(ratio) / _CHANCE)
-    starts, ends = _runs(ratio > limit)
+    starts, ends = runs(ratio > limit)
     peaks = np.array(
         [start + int(np.argmax(ratio[start:end])) for start, end in zip(starts, ends, strict=True)],
         dtype=np.int64,
@@ -104,12 +105,6 @@ def discrete_lines(
         width = reach(leakage, ratio[tone])
         found[1 if of_comb else 0][max(0, tone - width) : tone + width + 1] = True
     return found
-
-
-def _runs(above: BoolArray) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """First places of runs of true values, and the places after their last."""
-    edges = np.flatnonzero(np.diff(np.concatenate([[0], above.astype(np.int8), [0]])))
-    return edges[::2], edges[1::2]
 
 
 def _teeth(tones: NDArray[np.int64], comb: Comb) -> BoolArray:

@@ -1,9 +1,15 @@
-"""From spectra to verdicts: the clearest fault first, its lines put aside, then the next."""
+"""From spectra to verdicts: one cause that explains most, then only what has evidence of its own.
+
+A part is a candidate where its lines stand out of the noise as noise does not; among several, the
+deepest modulation is the cause. What that explains (its multiples, and sidebands of them) is no
+evidence of another part. A stronger line that it does not explain leaves the verdict undecided.
+"""
 
 from __future__ import annotations
 
-from dataclasses import replace
-from math import nan
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from math import ceil, floor, hypot, nan
 from typing import Final
 
 import numpy as np
@@ -11,131 +17,403 @@ import numpy as np
 from rolamento.numerics import FloatArray
 from rolamento.vibration.diagnosis import describe, wording
 from rolamento.vibration.diagnosis.band_spectra import BandSpectra
+from rolamento.vibration.diagnosis.family import explained
 from rolamento.vibration.diagnosis.field import Field, field_of
+from rolamento.vibration.diagnosis.mains import MAINS, is_near_mains
 from rolamento.vibration.diagnosis.orders import COMPONENTS, Component, FaultOrders
 from rolamento.vibration.diagnosis.record import (
     ComponentVerdict,
     Diagnosis,
     EnvelopeSpectra,
     Note,
+    Reason,
+    SpeedSource,
+    UnexplainedLine,
+    Verdict,
 )
 from rolamento.vibration.diagnosis.search import Finding, chance
 from rolamento.vibration.diagnosis.settings import DiagnosisSettings
+from rolamento.vibration.diagnosis.shaft import ShaftLines
+from rolamento.vibration.diagnosis.size import DAMAGE, grade_of
 from rolamento.vibration.diagnosis.unexplained import unexplained_lines
 
 __all__ = ["judge"]
 
-_BALL_OVER_CAGE: Final = 0.5
-"""Evidence of a ball over the cage's. Damage to a ball marks both, its own lines more; damage to
-the cage hardly marks a ball's: synthetic faults had over 0.8 and under 0.3."""
-_BESIDE_CAGE: Final = 0.1
-"""Evidence of another part over the cage's, below which it counts for nothing: multiples of the
-cage's order lie on those of the outer race and near those of all parts."""
+_FAIR_SHARE: Final = 0.5
+"""Of the first part's depth, which a second one needs."""
+_SAME_CAGE: Final = 0.005
+"""Of the cage's speed, by which two parts may differ: slip on two races need not be the same."""
+_CLEAR_BAND: Final = 0.5
+"""Evidence in a band over that in the clearest one, from which on the depth there counts."""
+_ABOVE_SHAFT: Final = 2.0
+"""Depth of a line on a multiple of the shaft over that of all lower multiples, from which on it is
+not the shaft's alone: what turns with the shaft has its own first multiples."""
+_FOOT: Final = 3.0
+"""Lines within which one counts as lying on a multiple of the shaft."""
+_BESIDE: Final = 0.01
+"""Orders likewise."""
+_MULTIPLES: Final = 5
+"""Of a first part's order, near which a second part's lines tell nothing."""
+_CLOSE_CALL: Final = 1.3
+"""Depth over the limit of damage, up to which the verdict is a close one."""
+_HIGHEST_MAINS: Final = 360.0
+"""Hz; higher harmonics of a supply are hardly felt, and every line is near one of them."""
+_DISCRETE: Final = 0.95
+"""Depth of a line alone over that of all lines about it: from there on it is discrete."""
+_HUMP: Final = 16
 _FEW_REVOLUTIONS: Final = 100.0
-_DOUBT: Final = 0.003
-"""Of the cage's speed by a single fault: slip on two races need not be the same to the last."""
 
 
-def judge(spectra: BandSpectra, orders: FaultOrders, settings: DiagnosisSettings) -> Diagnosis:
-    """Judge a bearing by its squared-envelope spectra."""
-    whole = field_of(spectra, orders, settings)
+@dataclass(frozen=True, slots=True, eq=False)
+class _Candidate:
+    """A part whose lines noise does not give.
+
+    field: in which they were found; order; depth; evidence: -log10 of the chance in noise; shaft:
+    the multiple of the shaft on which they lie, 0 for none.
+    """
+
+    part: Component
+    finding: Finding
+    field: Field
+    order: float
+    depth: float
+    evidence: float
+    shaft: int = 0
+
+
+def judge(
+    spectra: BandSpectra, orders: FaultOrders, settings: DiagnosisSettings, shaft: ShaftLines
+) -> Diagnosis:
+    """Judge a bearing by its squared-envelope spectra, at the speed that its shaft's lines tell."""
+    freedom = 0.0 if shaft.confirmed else settings.speed_tolerance
+    whole = field_of(spectra, orders, settings, freedom)
     findings = whole.findings(COMPONENTS)
     trials = sum(finding.trials for finding in findings.values() if finding)
-    per_band = {part: np.array(f.per_band) for part, f in findings.items() if f}
-    found, field, others = _found(whole, findings, trials)
-    verdicts = {part: describe.fault(part, best, whole, trials) for part, best in found.items()}
-    for part, finding in others.items():
-        why = None
-        if _is_clear(finding, trials, settings):
-            why = wording.of_cage()
-        elif part == "cage" and "ball" in found and _is_clear(findings["cage"], trials, settings):
-            why = wording.of_ball()
-        verdicts[part] = describe.no_fault(part, finding, field, trials, why)
-    verdicts = _with_cage_agreement(verdicts, orders)
-    unexplained = unexplained_lines(whole, verdicts.values())
+    found = _candidates(whole, findings, trials)
+    hidden: set[Component] = set()
+    with_shaft = whole.with_shaft()
+    for part in COMPONENTS:
+        if part not in found or found[part].depth < DAMAGE:
+            by_shaft = _by_shaft(with_shaft, part, trials)
+            if isinstance(by_shaft, _Candidate):
+                found[part] = by_shaft
+            elif by_shaft and part not in found:
+                hidden.add(part)
+    first = _first(found)
+    unexplained = unexplained_lines(
+        whole, None if first is None else (first.part, first.order, first.depth)
+    )
+    verdict = _verdict_of(first, unexplained, spectra.dropouts)
+    second = _seconds(first, found) if verdict == "fault" else []
+    if first is not None:
+        found[first.part] = first
+    verdicts = []
+    for part in COMPONENTS:
+        one = found.get(part)
+        if one is not None and one is first and verdict != "nothing_found":
+            verdicts.append(_stated(one, verdict, trials, shaft, unexplained))
+        elif one is not None and one in second:
+            verdicts.append(_stated(one, "fault", trials, shaft, unexplained))
+        else:
+            why = _why_not(part, findings[part], found, first, whole, trials)
+            if part in hidden:
+                why = wording.untested("hidden")
+            verdicts.append(
+                describe.no_fault(
+                    part,
+                    findings[part],
+                    whole,
+                    trials,
+                    why,
+                    untested=part in hidden,
+                    depth=nan if one is None else one.depth,
+                )
+            )
+    undecided = _other_speeds(verdict, unexplained, whole)
+    notes = [*_notes(spectra), *map(wording.unexplained, unexplained[:1])]
     return Diagnosis(
-        components=tuple(verdicts[part] for part in COMPONENTS),
+        components=tuple(verdicts),
         false_alarm=settings.false_alarm,
         tolerance=settings.tolerance,
         trials=trials,
         shaft_frequency=spectra.shaft_frequency,
+        speed_factor=shaft.factor,
+        speed_source=_speed_source(shaft, first),
+        speed_confirmed=shaft.confirmed,
+        undecided=undecided,
         revolutions=spectra.turns * spectra.blocks,
         blocks=spectra.blocks,
         resolution=1.0 / spectra.turns,
-        spectra=_pictured(whole, per_band),
+        spectra=_pictured(whole, {part: np.array(f.per_band) for part, f in findings.items() if f}),
         unexplained=unexplained,
-        notes=(*_notes(spectra), *map(wording.unexplained, unexplained[:1])),
+        notes=tuple(notes),
     )
 
 
-def _found(
+# --- candidates ------------------------------------------------------------------------------
+
+
+def _candidates(
     field: Field, findings: dict[Component, Finding | None], trials: int
-) -> tuple[dict[Component, Finding], Field, dict[Component, Finding | None]]:
-    """Faults, the clearest first; the field without their lines, and the others' findings in it."""
-    found: dict[Component, Finding] = {}
-    while findings:
-        clearest = _clearest(findings, trials, field.settings)
-        best = findings[clearest]
-        if best is None or not _is_clear(best, trials, field.settings):
-            break
-        if _is_of_cage(best, found):
-            break
-        found[clearest] = best
-        field = field.without(clearest, best)
-        findings = field.findings([part for part in findings if part != clearest])
-    return found, field, findings
+) -> dict[Component, _Candidate]:
+    found = {}
+    for part, finding in findings.items():
+        if finding is None:
+            continue
+        probability, evidence = chance(finding.evidence, trials)
+        if probability <= field.settings.false_alarm:
+            fundamental = describe.refined(finding, field)
+            clear = _CLEAR_BAND * finding.evidence
+            depth, band = max(
+                (_depth(part, finding, fundamental, field, band), band)
+                for band, value in enumerate(finding.per_band)
+                if value >= clear
+            )
+            finding = replace(finding, band=band)
+            one = _Candidate(part, finding, field, fundamental / field.turns, depth, evidence)
+            if not _is_of_others(one):
+                found[part] = one
+    return found
 
 
-def _clearest(
-    findings: dict[Component, Finding | None], trials: int, settings: DiagnosisSettings
-) -> Component:
-    """The part with the most evidence; a clear ball before its cage, if it has half as much."""
-    evidence = {part: f.evidence if f else -1.0 for part, f in findings.items()}
-    clearest = max(evidence, key=lambda part: evidence[part])
-    ball = findings.get("ball")
-    if clearest == "cage" and ball is not None and _is_clear(ball, trials, settings):
-        return "ball" if ball.evidence >= _BALL_OVER_CAGE * evidence["cage"] else "cage"
-    return clearest
+def _is_of_others(one: _Candidate) -> bool:
+    """Whether lines are likely the foot, or a sideband, of what lies outside of a part's window.
+
+    A race's sidebands at the shaft's spacing fall into the windows of ball and cage, and hardly
+    ever into the other race's; a ball's own sidebands are at the spacing of its cage.
+    """
+    small = one.depth < DAMAGE or one.part in ("ball", "cage")
+    if small and describe.at_edge(one.finding):
+        return True
+    if one.part != "ball" or not one.field.orders.cage:
+        return False
+    by_shaft, by_cage = (
+        max(
+            one.field.depth(one.finding.band, (one.order + side) * one.field.turns)
+            for side in (-spacing, spacing)
+        )
+        for spacing in (1.0, one.field.orders.cage)
+    )
+    return by_shaft >= max(by_cage, _FAIR_SHARE * one.depth)
 
 
-def _is_of_cage(finding: Finding, found: dict[Component, Finding]) -> bool:
-    """Whether a finding is so weak beside the cage's that it may be of the cage's multiples."""
-    cage = found.get("cage")
-    return cage is not None and finding.evidence < _BESIDE_CAGE * cage.evidence
+def _depth(part: Component, finding: Finding, fundamental: float, field: Field, band: int) -> float:
+    """Depth at the fundamental; of a ball or at its spin, of a cage of three multiples together.
+
+    Damage to a ball strikes twice a turn, and harder on one race; what a cage does comes but once
+    in some turns of the shaft, and the depth of rare blows is spread over many multiples.
+    """
+    multiples = {"ball": (1.0, 0.5), "cage": (1.0, 2.0, 3.0)}.get(part, (1.0,))
+    width = finding.hypothesis.width / finding.hypothesis.highest
+    depths = [
+        field.depth(band, multiple * fundamental, round(width * multiple)) for multiple in multiples
+    ]
+    return hypot(*depths) if part == "cage" else max(depths)
 
 
-def _is_clear(finding: Finding | None, trials: int, settings: DiagnosisSettings) -> bool:
-    return finding is not None and chance(finding.evidence, trials)[0] <= settings.false_alarm
+def _by_shaft(field: Field, part: Component, trials: int) -> _Candidate | bool:
+    """Look for a part at or beside a multiple of the shaft that its window holds.
+
+    Returns the candidate, if it stands beside a multiple and is no foot of it, or on one and stands
+    out of all lower ones; else whether a line lies there that is deep enough for damage, so that
+    nothing can be told of the part.
+    """
+    low, high = field.window(part)
+    numbers = range(max(2, ceil(low - _FOOT / field.turns)), floor(high + _FOOT / field.turns) + 1)
+    if part == "cage" or not numbers or not _is_deep(field, low, high):
+        return False
+    one = _candidates(field, field.findings([part]), trials).get(part)
+    if one is None or one.depth < DAMAGE:
+        return False
+    number = round(one.order)
+    of_shaft = [field.depth(one.finding.band, n * field.turns) for n in range(1, number + 1)]
+    if number not in numbers or abs(one.order - number) > max(_FOOT / field.turns, _BESIDE):
+        # a hump that reaches the multiple has what that has
+        narrow = field.depth(one.finding.band, one.order * field.turns)
+        return one if number not in numbers or narrow >= of_shaft[-1] else True
+    stands_out = one.depth >= _ABOVE_SHAFT * max(of_shaft[:-1])
+    return replace(one, shaft=number) if stands_out else True
 
 
-def _with_cage_agreement(
-    verdicts: dict[Component, ComponentVerdict], orders: FaultOrders
-) -> dict[Component, ComponentVerdict]:
-    """Add whether faults that were found together tell of one cage speed."""
-    slips = {
-        part: slip
-        for part, verdict in verdicts.items()
-        if verdict.verdict == "fault" and not np.isnan(slip := _cage_slip(verdict, orders))
-    }
-    described = dict(verdicts)
-    for part, slip in slips.items():
-        others = [other for other in COMPONENTS if other in slips and other != part]
-        if others:
-            agrees = all(abs(slip - slips[other]) <= _DOUBT for other in others)
-            reasons = (*verdicts[part].reasons, wording.cage_agreement(agrees, others))
-            described[part] = replace(verdicts[part], reasons=reasons)
-    return described
+def _is_deep(field: Field, low: float, high: float) -> bool:
+    """Whether any line between two orders may be deep enough for damage, or half of a hump is."""
+    lines = slice(max(1, int(low * field.turns)), ceil(high * field.turns) + 1)
+    return bool(np.max(field.depths[:, lines], initial=0.0) >= (_FAIR_SHARE * DAMAGE) ** 2)
 
 
-def _cage_slip(verdict: ComponentVerdict, orders: FaultOrders) -> float:
-    """Part by which the cage is faster than nominal, by one fault; NaN if it does not tell."""
-    if verdict.component == "cage" and orders.outer_spacing > 0.0:
+def _first(found: dict[Component, _Candidate]) -> _Candidate | None:
+    """The cause: the deepest if any is deep, else the clearest; a ball before the cage it is in."""
+    deep = [one for one in found.values() if one.depth >= DAMAGE]
+    if not deep:
+        return max(found.values(), key=lambda one: one.evidence, default=None)
+    first = max(deep, key=lambda one: one.depth)
+    ball = found.get("ball")
+    if first.part != "cage" or ball is None or _explains(first, ball):
+        return first
+    # the lines of the cage that carries it are the ball's as well
+    own = ball.depth >= _FAIR_SHARE * first.depth
+    return replace(ball, depth=max(ball.depth, first.depth)) if own else first
+
+
+def _explains(first: _Candidate, other: _Candidate) -> bool:
+    """Whether a part's line is a multiple or a sideband of the first's."""
+    # the cage carries what it makes to all orders: twelve of it are near the ball's
+    multiples = 15 if first.part == "cage" else _MULTIPLES
+    return bool(
+        explained(
+            np.array([other.order]),
+            first.part,
+            first.order,
+            first.field.orders,
+            first.field.turns,
+            multiples=multiples,
+            cage=first.part == "ball",
+        )[0]
+    )
+
+
+def _seconds(first: _Candidate | None, found: dict[Component, _Candidate]) -> list[_Candidate]:
+    """Parts that are damaged beside the first: deep, not explained by it, of the same cage."""
+    if first is None:
+        return []
+    return [
+        one
+        for one in found.values()
+        if one is not first
+        and one.depth >= max(DAMAGE, _FAIR_SHARE * first.depth)
+        and not describe.at_edge(one.finding)
+        and {one.part, first.part} != {"ball", "cage"}
+        and not _explains(first, one)
+        and _same_cage(first, one)
+    ]
+
+
+def _same_cage(first: _Candidate, other: _Candidate) -> bool:
+    slips = [_cage_slip(one) for one in (first, other)]
+    return not abs(slips[0] - slips[1]) > _SAME_CAGE
+
+
+def _cage_slip(one: _Candidate) -> float:
+    """Part by which the cage is faster than nominal, by one part; NaN if it does not tell."""
+    orders = one.field.orders
+    deviation = one.order / (orders.fundamental(one.part) or nan) - 1.0
+    if one.part == "cage" and orders.outer_spacing > 0.0:
         return nan  # the outer ring carries the cage along
-    if verdict.component in ("outer_race", "cage"):
-        return verdict.deviation
-    if verdict.component == "inner_race" and orders.outer_race and orders.inner_race:
-        return -verdict.deviation * orders.inner_race / orders.outer_race
+    if one.part in ("outer_race", "cage"):
+        return deviation
+    if one.part == "inner_race" and orders.outer_race and orders.inner_race:
+        return -deviation * orders.inner_race / orders.outer_race
     return nan
+
+
+# --- verdicts --------------------------------------------------------------------------------
+
+
+def _verdict_of(
+    first: _Candidate | None, unexplained: Sequence[UnexplainedLine], dropouts: bool
+) -> Verdict:
+    """Of the cause: what is stronger and not of it, or of the mains, leaves it undecided."""
+    if first is None:
+        return "nothing_found"
+    stronger = any(line.depth >= first.depth for line in unexplained)
+    stronger = stronger or dropouts or _on_mains(first)
+    if first.depth < DAMAGE:
+        return "nothing_found" if stronger else "watch"
+    return "undecided" if stronger else "fault"
+
+
+def _on_mains(one: _Candidate) -> bool:
+    """Whether a line is of the mains and discrete: a bearing slips, a grid hardly."""
+    field, line = one.field, one.order * one.field.turns
+    per_line = field.spectra.shaft_frequency / field.turns
+    hertz = np.array([line * per_line])
+    near = any(is_near_mains(hertz, per_line, mains)[0] for mains in MAINS)
+    narrow = field.depth(one.finding.band, line)
+    return (
+        near
+        and line * per_line <= _HIGHEST_MAINS
+        and (narrow >= _DISCRETE * field.depth(one.finding.band, line, _HUMP))
+    )
+
+
+def _stated(
+    one: _Candidate,
+    verdict: Verdict,
+    trials: int,
+    shaft: ShaftLines,
+    unexplained: Sequence[UnexplainedLine],
+) -> ComponentVerdict:
+    deviation = one.order / (one.field.orders.fundamental(one.part) or nan) - 1.0
+    doubts: list[Reason] = []
+    if any(line.depth >= one.depth for line in unexplained):
+        doubts.append(wording.stronger_line(unexplained[0], one.depth))
+    if _on_mains(one):
+        doubts.append(wording.on_mains(one.order * one.field.spectra.shaft_frequency))
+    if one.field.spectra.dropouts:
+        doubts.append(wording.dropouts())
+    if one.shaft:
+        doubts.append(wording.on_shaft(one.shaft))
+    slip = one.field.orders.tolerance(one.part, one.field.settings.tolerance)
+    if not shaft.confirmed and abs(deviation) > slip:
+        doubts.append(wording.speed_open(deviation))
+    elif abs(shaft.factor - 1.0) > one.field.settings.speed_tolerance:
+        doubts.append(wording.other_speed(60.0 * one.field.spectra.shaft_frequency, shaft.factor))
+    if describe.at_edge(one.finding):
+        doubts.append(wording.at_edge())
+    if verdict == "fault" and one.depth < _CLOSE_CALL * DAMAGE:
+        doubts.append(wording.close_call(one.depth))
+    return describe.stated(
+        one.part,
+        one.finding,
+        one.field,
+        trials,
+        verdict,
+        grade_of(one.depth),
+        one.depth,
+        tuple(doubts),
+    )
+
+
+def _why_not(
+    part: Component,
+    finding: Finding | None,
+    found: dict[Component, _Candidate],
+    first: _Candidate | None,
+    field: Field,
+    trials: int,
+) -> Reason | None:
+    """Why lines that noise does not give are not stated; None if there are none."""
+    one = found.get(part)
+    if one is None or first is None:
+        clear = finding is not None and (
+            chance(finding.evidence, trials)[0] <= field.settings.false_alarm
+        )
+        return wording.of_others() if clear else None
+    if one is first:
+        return wording.not_strongest()
+    if first.part == "ball" and part == "cage":
+        return wording.of_ball()
+    return (
+        wording.of_first(first.part) if _explains(first, one) else wording.beside_first(first.part)
+    )
+
+
+def _other_speeds(
+    verdict: Verdict, unexplained: Sequence[UnexplainedLine], field: Field
+) -> tuple[tuple[Component, float], ...]:
+    """Whose damage it would be at which speed, if what stands out is deep and the speed open."""
+    if verdict == "fault" or not field.freedom:
+        return ()
+    for line in unexplained:
+        if line.depth >= DAMAGE and line.shaft_frequencies:
+            return line.shaft_frequencies
+    return ()
+
+
+def _speed_source(shaft: ShaftLines, first: _Candidate | None) -> SpeedSource:
+    if shaft.confirmed:
+        return "shaft_lines" if shaft.factor != 1.0 else "given"
+    return "fault_lines" if first is not None and first.depth >= DAMAGE else "given"
 
 
 def _pictured(field: Field, per_band: dict[Component, FloatArray]) -> EnvelopeSpectra:
@@ -169,6 +447,8 @@ def _notes(spectra: BandSpectra) -> tuple[Note, ...]:
                 "hardly change and were left out.",
             )
         )
+    if spectra.dropouts:
+        notes.append(wording.dropouts())
     if spectra.repeats_after is not None:
         notes.append(
             Note(

@@ -7,11 +7,18 @@ from typing import Final
 import numpy as np
 
 from rolamento.numerics import FloatArray
+from rolamento.vibration.diagnosis.runs import runs
 
-__all__ = ["Watch"]
+__all__ = ["MOST_GAPS", "Watch"]
 
 _BEGINNING: Final = 64
 """Samples that noise does not give twice."""
+
+
+_GAP: Final = 8
+"""Equal samples that follow each other, from which on they are a gap."""
+MOST_GAPS: Final = 20
+"""That a record may have: more may well be periodic."""
 
 
 class Watch:
@@ -23,10 +30,13 @@ class Watch:
         blocks that hardly change
     repeats_after
         samples after which the record begins anew, one by one the same; None if it does not
+    gaps
+        runs of samples that only repeat the one before, in blocks that do change
     """
 
     def __init__(self) -> None:
         self.still = 0
+        self.gaps = 0
         self.repeats_after: int | None = None
         self._beginning: FloatArray | None = None
         self._read = 0
@@ -38,6 +48,8 @@ class Watch:
         self._read += len(samples)
         still = _still(samples)
         self.still += still
+        if not still:
+            self.gaps += _gaps(samples)
         return not still
 
     def _look_for_beginning(self, samples: FloatArray) -> None:
@@ -48,6 +60,12 @@ class Watch:
         again = _place_of(self._beginning, samples[1:] if first else samples)
         if again is not None:
             self.repeats_after = self._read + first + again
+
+
+def _gaps(samples: FloatArray) -> int:
+    """How often so many samples follow each other that are equal."""
+    starts, ends = runs(np.diff(samples) == 0.0)
+    return int(np.count_nonzero(ends - starts >= _GAP))
 
 
 def _still(samples: FloatArray) -> bool:

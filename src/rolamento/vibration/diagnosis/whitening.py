@@ -26,6 +26,8 @@ ComplexArray = NDArray[np.complex128]
 
 _NOTHING: Final = 1e-20
 """Of the greatest level: rounding."""
+_BARE: Final = 1e-9
+"""Of the power: what noise has less of beside tones may be the rounding of 16 bits."""
 _LARGEST: Final = log(50.0)
 """Power of a line over the noise's, which one of fifty lines of noise exceeds."""
 _MEDIAN_OF_NOISE: Final = 0.6745
@@ -36,12 +38,13 @@ _SHOCK: Final = 2.0
 """Times that: what gears, which are not noise, do not reach either."""
 
 
-def whitened(block: Block, *, remove_tones: bool, combs: list[Comb]) -> ComplexArray:
+def whitened(block: Block, *, remove_tones: bool, combs: list[Comb]) -> ComplexArray | None:
     """Spectrum of the tapered block over the level of its noise, and 0 where there were tones.
 
     No line is larger than one of noise hardly ever is, so that what is left of tones weighs little;
     and then no sample, so that a few great shocks do not weigh more than all the rest: a few
-    instants always have some period in common.
+    instants always have some period in common. None if there is nothing beside the tones: what is
+    left of a computed tone is rounding, and has any line.
 
     combs: of faults, whose discrete lines stay and keep their size over the noise.
     """
@@ -56,9 +59,12 @@ def whitened(block: Block, *, remove_tones: bool, combs: list[Comb]) -> ComplexA
         if remove_tones:
             tapered -= _turning_tones(samples, block.places, resolution, combs)
         spectrum = np.asarray(fft.rfft(tapered))
+    power = np.square(np.abs(spectrum))
+    level = local_level(power, resolution)
+    if float(np.median(level)) * len(level) < _BARE * float(np.sum(power)):
+        return None
     teeth = None
     if remove_tones and block.places is None:
-        level = local_level(np.square(np.abs(spectrum)), resolution)
         tones, teeth = discrete_lines(spectrum, level, combs)
     white = _even(spectrum, resolution, teeth)
     if teeth is not None:

@@ -9,19 +9,30 @@ from typing import Final
 from rolamento.vibration._checks import Band
 from rolamento.vibration.diagnosis.orders import Component
 from rolamento.vibration.diagnosis.record import MatchedLine, Reason, UnexplainedLine
+from rolamento.vibration.diagnosis.size import DAMAGE, Grade
 
 __all__ = [
     "PART",
     "above_noise",
     "at_band",
     "at_edge",
-    "cage_agreement",
+    "beside_first",
     "chance_of_noise",
+    "close_call",
+    "deep",
+    "dropouts",
+    "not_strongest",
     "nothing_above_noise",
     "of_ball",
-    "of_cage",
+    "of_first",
+    "of_others",
     "of_sidebands",
     "off_nominal",
+    "on_mains",
+    "on_shaft",
+    "other_speed",
+    "speed_open",
+    "stronger_line",
     "unexplained",
     "untested",
 ]
@@ -36,10 +47,8 @@ PART: Final[dict[Component, str]] = {
 _UNTESTED: Final = {
     "no_order": "Its order is not given.",
     "no_change": "The signal does not change: most samples only repeat the one before.",
-    "hidden": (
-        "All its lines coincide with multiples of the shaft or of what else is known to turn, or "
-        "with those of a fault that was found."
-    ),
+    "only_tones": "The signal holds tones, and beside them nothing.",
+    "hidden": ("Its lines coincide with multiples of the shaft or of what else is known to turn."),
     "record_too_short": "The record is too short to tell its lines from the shaft's.",
     "rate_too_low": "The sampling rate is too low for its frequency.",
 }
@@ -66,12 +75,117 @@ def of_ball() -> Reason:
     )
 
 
-def of_cage() -> Reason:
-    """Return that lines of a part may be multiples of the cage's."""
+def of_first(first: Component) -> Reason:
+    """Return that lines of a part are multiples of another's, or sidebands of them."""
     return Reason(
-        "weak_beside_cage",
-        "What stands out at its lines is weak beside the cage, whose multiples lie on them or "
-        "near: nothing more tells of the part itself.",
+        "of_first",
+        f"What stands out at its lines lies on multiples of the {PART[first]}'s, or on sidebands "
+        "of them: nothing more tells of the part itself.",
+    )
+
+
+def beside_first(first: Component) -> Reason:
+    """Return that lines of a part are too small to be stated beside another's."""
+    return Reason(
+        "beside_first",
+        f"What stands out at its lines is too little beside the {PART[first]}, or of another cage "
+        "speed, to be stated as well.",
+    )
+
+
+def of_others() -> Reason:
+    """Return that lines are likely the foot, or a sideband, of what lies outside of a window."""
+    return Reason(
+        "of_others",
+        "What stands out at its lines is at the edge of where they are looked for, or has "
+        "sidebands of the shaft: it is likely of something else.",
+    )
+
+
+def not_strongest() -> Reason:
+    """Return that lines are small, and that there are stronger ones that are of no part."""
+    return Reason(
+        "not_strongest",
+        "What stands out at its lines is as small as in many healthy bearings, and lines of "
+        "another origin are as deep.",
+    )
+
+
+def deep(depth: float, grade: Grade) -> Reason:
+    """Return how deep the modulation is, and what that is worth."""
+    worth = {
+        "watch": "as many healthy bearings have",
+        "damage": "more than healthy bearings have",
+        "severe": "the band holds hardly more than blows",
+    }
+    return Reason(
+        "depth", f"Modulation depth {100.0 * depth:.0f} %: {worth.get(grade, 'nothing')}."
+    )
+
+
+# --- what speaks against it ------------------------------------------------------------------
+
+
+def stronger_line(line: UnexplainedLine, depth: float) -> Reason:
+    """Return that something else is as strong."""
+    return Reason(
+        "stronger_line",
+        f"A line at order {line.order:.4g} ({line.frequency:.4g} Hz) that the part does not "
+        f"explain is as deep: {100.0 * line.depth:.0f} % against {100.0 * depth:.0f} %.",
+    )
+
+
+def on_mains(frequency: float) -> Reason:
+    """Return that a line is one of the mains'."""
+    return Reason(
+        "on_mains",
+        f"{frequency:.4g} Hz is a multiple of 50 or 60 Hz, and the line does not slip: the mains "
+        "give the same.",
+    )
+
+
+def dropouts() -> Reason:
+    """Return that the record has gaps."""
+    return Reason(
+        "dropouts",
+        "Again and again some samples only repeat the one before: gaps of a transmission, or a "
+        "signal that is clipped, make lines of their own.",
+    )
+
+
+def on_shaft(multiple: int) -> Reason:
+    """Return that a line lies on a multiple of the shaft."""
+    return Reason(
+        "on_shaft",
+        f"It lies on {multiple} times the shaft's frequency, but stands out of all lower "
+        "multiples: what has as many lobes and turns with the shaft would give the same.",
+    )
+
+
+def speed_open(deviation: float) -> Reason:
+    """Return that nothing tells the speed."""
+    return Reason(
+        "speed_open",
+        "The shaft's own lines do not tell its speed; with the expected slip it would be "
+        f"{100.0 * deviation:+.1f} % off the given one.",
+    )
+
+
+def other_speed(rpm: float, factor: float) -> Reason:
+    """Return that the shaft's lines tell another speed than was given."""
+    return Reason(
+        "other_speed",
+        f"By its own lines the shaft ran at {rpm:.0f} rpm, {100.0 * (factor - 1.0):+.1f} % off the "
+        "given speed: check it.",
+    )
+
+
+def close_call(depth: float) -> Reason:
+    """Return that the depth is near the limit."""
+    return Reason(
+        "close_call",
+        f"A depth of {100.0 * depth:.0f} % is near the limit of {100.0 * DAMAGE:.0f} %: a few "
+        "healthy bearings reach it, above all beside a damaged one.",
     )
 
 
@@ -97,8 +211,8 @@ def chance_of_noise(probability: float, evidence: float, trials: int) -> Reason:
     text = f"{probability:.1g}" if evidence < 15.0 else f"10^-{evidence:.0f}"
     return Reason(
         "improbable_in_noise",
-        f"Without damage anything as clear has a probability of at most {text}, all {trials} "
-        "trials counted.",
+        f"Noise without such lines gives anything as clear with a probability of at most {text}, "
+        f"all {trials} trials counted.",
     )
 
 
@@ -114,17 +228,6 @@ def at_edge() -> Reason:
         "at_edge",
         "It lies at the edge of what the allowed slip reaches, and may go on beyond: check speed, "
         "bearing and contact angle.",
-    )
-
-
-def cage_agreement(agrees: bool, others: Sequence[Component]) -> Reason:
-    """Return whether faults tell of the same cage speed."""
-    names = _listed(f"the {PART[other]}" for other in others)
-    if agrees:
-        return Reason("cage_agrees", f"It tells of the same cage speed as {names}.")
-    return Reason(
-        "cage_disagrees",
-        f"It tells of another cage speed than {names}: one of the two may have another cause.",
     )
 
 

@@ -1,0 +1,64 @@
+"""How large a modulation is, and what that is worth: significance admits a finding, size decides.
+
+The modulation depth d of a band's squared envelope e² = mean · (1 + d cos(nθ + φ) + …) is twice the
+size of its line at n over its mean, here of the pre-whitened band, with the noise about the line
+taken off. Any healthy bearing has lines at the frequencies of its parts, from load that varies and
+from waviness; a long record makes the smallest of them certain. What they do not have is size.
+
+A modulation without blows has no depth over 4/3 (e² = (1 + cos)²) and hardly any over 1 (where e²
+comes to nothing once in each period); a train of short blows alone has 2.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from math import sqrt
+from typing import Final, Literal
+
+import numpy as np
+
+from rolamento.numerics import FloatArray
+from rolamento.vibration.diagnosis.leakage import taper
+
+__all__ = ["DAMAGE", "GRADES", "SEVERE", "Grade", "depth_of", "grade_of"]
+
+Grade = Literal["nothing", "watch", "damage", "severe"]
+
+GRADES: Final[tuple[Grade, ...]] = ("nothing", "watch", "damage", "severe")
+"""The least first; "watch" are lines as many healthy bearings have."""
+
+DAMAGE: Final = 0.30
+"""Depth from which on a part counts as damaged; docs/adr/0012 tells how it was found."""
+SEVERE: Final = 1.0
+"""From there on the band holds hardly more than blows."""
+_REACH: Final = 2
+"""Lines on either side of a discrete one that the taper spreads it over."""
+
+
+def grade_of(depth: float) -> Grade:
+    """Return what the depth of a line that noise does not give is worth."""
+    return "severe" if depth >= SEVERE else "damage" if depth >= DAMAGE else "watch"
+
+
+def depth_of(squares: FloatArray, line: float, width: int) -> float:
+    """Modulation depth of a line that slip may have made a hump of.
+
+    Parameters
+    ----------
+    squares
+        (lines,), mean squares of the depth in a band, less those of noise.
+    line
+        Where.
+    width
+        Of the hump; lines.
+    """
+    reach = max(_REACH, width // 2 + 1)
+    first, last = max(1, round(line) - reach), round(line) + reach + 1
+    return sqrt(float(np.sum(np.clip(squares[first:last], 0.0, None))) / _bandwidth())
+
+
+@cache
+def _bandwidth() -> float:
+    """Lines over which the taper spreads the square of a discrete line: its noise bandwidth."""
+    window = np.square(taper((np.arange(4096) + 0.5) / 4096))
+    return float(np.mean(np.square(window)) / np.mean(window) ** 2)
