@@ -81,10 +81,20 @@ def test_palmgren_as_a_torque() -> None:
     np.testing.assert_allclose(found.power, found.total * [0.0, 100.0])
 
 
-def test_skf_angular_contact_constants_are_those_of_the_catalogue() -> None:
-    """A 7210 B by hand: d_m = 70 mm, F_r = 2 kN, F_a = 1 kN, 3000 r/min, 30 mm²/s."""
+@pytest.mark.parametrize(
+    ("design", "r", "s", "k_z"),
+    [
+        ("single_row", (5.03e-7, 1.97, 1.90e-12), (1.30e-2, 0.68, 1.91e-12), 4.4),
+        ("double_row", (6.34e-7, 1.41, 7.83e-13), (7.56e-3, 1.21, 7.83e-13), 3.1),
+        ("four_point", (4.78e-7, 2.42, 1.40e-12), (1.20e-2, 0.9, 1.40e-12), 3.1),
+    ],
+)
+def test_skf_angular_contact_constants_are_those_of_the_catalogue(
+    design: str, r: tuple[float, ...], s: tuple[float, ...], k_z: float
+) -> None:
+    """A bearing of size 210 by hand: d_m = 70 mm, 2 and 1 kN, 3000 r/min, 30 mm²/s."""
     found = skf_moment(
-        angular_contact_constants(),
+        angular_contact_constants(design),
         speed=3000 * RPM,
         bore_diameter=50e-3,
         outside_diameter=90e-3,
@@ -94,34 +104,50 @@ def test_skf_angular_contact_constants_are_those_of_the_catalogue() -> None:
         supply="low_oil_bath",
     )
     thrown = 70.0**4 * 3000.0**2
-    g_rr = 5.03e-7 * 70**1.97 * (2000 + 1.90e-12 * thrown + 1.97 * 1000) ** 0.54
-    g_sl = 1.30e-2 * 70**0.26 * ((2000 + 1.91e-12 * thrown) ** (4 / 3) + 0.68 * 1000 ** (4 / 3))
+    g_rr = r[0] * 70**1.97 * (2000 + r[2] * thrown + r[1] * 1000) ** 0.54
+    g_sl = s[0] * 70**0.26 * ((2000 + s[2] * thrown) ** (4 / 3) + s[1] * 1000 ** (4 / 3))
     heating = 1.0 / (1.0 + 1.84e-9 * (3000 * 70) ** 1.28 * 30**0.64)
-    starved = np.exp(-3e-8 * 30 * 3000 * (50 + 90) * np.sqrt(4.4 / (2 * (90 - 50))))
+    starved = np.exp(-3e-8 * 30 * 3000 * (50 + 90) * np.sqrt(k_z / (2 * (90 - 50))))
     share = np.exp(-2.6e-8 * (3000 * 30) ** 1.4 * 70)
     mu = share * 0.12 + (1 - share) * 0.05
     assert found.rolling == pytest.approx(1e-3 * heating * starved * g_rr * 90000**0.6)
     assert found.sliding == pytest.approx(1e-3 * mu * g_sl)
 
 
-def test_skf_angular_contact_constants_are_for_40_degrees() -> None:
-    case = load_case(EXAMPLES / "218_combined.toml")
-    state = solve(case)
-    for degrees, holds in ((40.0, True), (25.0, False)):
-        machine = MachineBearing(
-            kind="angular_contact",
-            bore_diameter=90e-3,
-            outside_diameter=160e-3,
-            kinematic_viscosity=20 * CST,
-            static_load_rating=120e3,
-            contact_angle=float(np.radians(degrees)),
-            constants=angular_contact_constants(),
-        )
-        found = friction(state, friction_coefficient=0.1, machine=machine, film_parameter=5.0)
-        (verdict,) = (own for own in found.verdicts if own.model == "skf")
-        assert bool(verdict.holds[0]) is holds
-        assert ("other_angle" in verdict.notes) is not holds
-        assert found.models["skf"].total[0] > 0.0
+def test_skf_refuses_an_unknown_design() -> None:
+    with pytest.raises(InputError, match="single_row, double_row, four_point"):
+        angular_contact_constants("triple_row")
+
+
+@pytest.mark.parametrize(
+    ("constants", "degrees", "valid"),
+    [
+        (angular_contact_constants(), 40.0, True),
+        (angular_contact_constants(), 25.0, False),
+        (angular_contact_constants("double_row"), 30.0, True),
+        (angular_contact_constants("double_row"), 40.0, False),
+        (angular_contact_constants("four_point"), 35.0, True),
+        (SkfConstants("angular_contact", 5e-7, 2.0, 1e-2, 0.7), 25.0, True),
+    ],
+)
+def test_skf_angular_contact_constants_are_for_one_contact_angle(
+    constants: SkfConstants, degrees: float, valid: bool
+) -> None:
+    state = solve(load_case(EXAMPLES / "218_combined.toml"))
+    machine = MachineBearing(
+        kind="angular_contact",
+        bore_diameter=90e-3,
+        outside_diameter=160e-3,
+        kinematic_viscosity=20 * CST,
+        static_load_rating=120e3,
+        contact_angle=float(np.radians(degrees)),
+        constants=constants,
+    )
+    found = friction(state, friction_coefficient=0.1, machine=machine, film_parameter=5.0)
+    (verdict,) = (own for own in found.verdicts if own.model == "skf")
+    assert bool(verdict.holds[0]) is valid
+    assert ("other_angle" in verdict.notes) is not valid
+    assert found.models["skf"].total[0] > 0.0
 
 
 @pytest.mark.parametrize(

@@ -10,7 +10,7 @@ import numpy as np
 from rolamento.equilibrium import BatchState
 from rolamento.friction.loaded_balls import LoadedBalls
 from rolamento.friction.palmgren import BearingKind, Lubrication, palmgren
-from rolamento.friction.skf import CONTACT_ANGLE, SkfConstants, SkfMoment, Supply, skf_moment
+from rolamento.friction.skf import SkfConstants, SkfMoment, Supply, skf_moment
 from rolamento.friction.torque import Torque
 from rolamento.numerics import FloatArray
 from rolamento.state import State
@@ -43,9 +43,8 @@ class MachineBearing:
     @property
     def skf_angle_differs(self) -> bool:
         """Whether SKF's constants for angular-contact bearings are for another contact angle."""
-        if self.constants is None or self.constants.kind != "angular_contact":
-            return False
-        return abs(self.contact_angle - CONTACT_ANGLE) > _SAME_ANGLE
+        own = None if self.constants is None else self.constants.contact_angle
+        return own is not None and abs(self.contact_angle - own) > _SAME_ANGLE
 
     @property
     def mean_diameter(self) -> float:

@@ -14,15 +14,15 @@ Deep-groove ball bearings, with α_F = 24.6° (F_a/C_0)^0.24:
     G_sl = S1 d_m^-0.145 (F_r^5 + S2 d_m^1.5 F_a^4/sin α_F)^(1/3)
     without axial load  G_rr = R1 d_m^1.96 F_r^0.54,  G_sl = S1 d_m^-0.26 F_r^(5/3)
 
-Angular-contact ball bearings, with F_g = R3 d_m⁴ n² and S3 d_m⁴ n² in the two lines:
+Angular-contact and four-point contact ball bearings, with F_g = R3 d_m⁴ n² and S3 d_m⁴ n² in the
+two lines:
 
     G_rr = R1 d_m^1.97 (F_r + F_g + R2 F_a)^0.54
     G_sl = S1 d_m^0.26 ((F_r + F_g)^(4/3) + S2 F_a^(4/3))
 
 Source: SKF, Rolling bearings (catalogue 10000 EN, 2013), "The SKF model for calculating the
-frictional moment", equations and table 2a; the constants of deep-groove series and of single-row
-angular-contact bearings (of 40°) from table 2b, in data/skf_friction.toml. Those of double-row and
-four-point-contact bearings are not shipped: take them from the catalogue and pass them.
+frictional moment", equations and table 2a; the constants of deep-groove series and of single-row,
+double-row and four-point contact angular-contact bearings from table 2b, in data/skf_friction.toml.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
 from importlib import resources
-from math import pi
+from math import pi, radians
 from typing import Any, Final, Literal
 
 import numpy as np
@@ -75,8 +75,8 @@ class SkfConstants:
     """Geometry constants of a bearing series, as SKF tabulates them.
 
     kind: "deep_groove" or "angular_contact", which chooses the formulas. r3 and s3 are used by
-    angular-contact bearings only. k_z: 3.1 for single-row deep-groove, 4.4 for single-row
-    angular-contact bearings.
+    angular-contact bearings only. k_z: 4.4 for single-row angular-contact bearings, 3.1 for the
+    others. contact_angle: nominal, of the bearings that the constants are for (rad), if known.
     """
 
     kind: Kind
@@ -87,10 +87,7 @@ class SkfConstants:
     r3: float = 0.0
     s3: float = 0.0
     k_z: float = 3.1
-
-
-CONTACT_ANGLE: Final = float(np.radians(40.0))
-"""Of the angular-contact bearings that the constants are for; rad."""
+    contact_angle: float | None = None
 
 
 @cache
@@ -104,22 +101,50 @@ def deep_groove_series() -> Mapping[str, SkfConstants]:
     """Return the constants by bearing series, such as "62" of 6205."""
     k_z = _table()["K_Z"]["deep_groove"]
     return {
-        name: _constants("deep_groove", row, k_z)
+        name: SkfConstants("deep_groove", **_numbers(row), k_z=k_z)
         for row in _table()["deep_groove"]
         for name in row["series"]
     }
 
 
 @cache
-def angular_contact_constants() -> SkfConstants:
-    """Return the constants of single-row angular-contact bearings, of 40°."""
-    k_z = _table()["K_Z"]["angular_contact_single_row"]
-    return _constants("angular_contact", _table()["angular_contact"]["single_row"], k_z)
+def _angular_contact_designs() -> Mapping[str, SkfConstants]:
+    return {
+        name: SkfConstants(
+            "angular_contact",
+            **_numbers(row),
+            k_z=row["K_Z"],
+            contact_angle=radians(row["contact_angle_deg"]),
+        )
+        for name, row in _table()["angular_contact"].items()
+    }
 
 
-def _constants(kind: Kind, row: Mapping[str, Any], k_z: float) -> SkfConstants:
-    numbers = {key.lower(): row[key] for key in ("R1", "R2", "R3", "S1", "S2", "S3") if key in row}
-    return SkfConstants(kind, **numbers, k_z=k_z)
+def angular_contact_constants(design: str = "single_row") -> SkfConstants:
+    """Return the constants of angular-contact bearings.
+
+    Parameters
+    ----------
+    design : "single_row" (40°), "double_row" (30°), or "four_point" (35°).
+
+    Raises
+    ------
+    InputError
+        If the design is not in the table.
+    """
+    designs = _angular_contact_designs()
+    if design not in designs:
+        raise InputError(
+            f"must be one of {', '.join(designs)}",
+            field="design",
+            value=design,
+            example='"double_row"',
+        )
+    return designs[design]
+
+
+def _numbers(row: Mapping[str, Any]) -> dict[str, float]:
+    return {key.lower(): row[key] for key in ("R1", "R2", "R3", "S1", "S2", "S3") if key in row}
 
 
 _RPM = 30.0 / pi
