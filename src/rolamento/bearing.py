@@ -89,8 +89,8 @@ class Bearing(Record):
     ball_material
         Likewise; the rings' material if not given.
     inner_shoulder_height, outer_shoulder_height
-        Height of the shoulder above the bottom of the groove, in m; without it, nobody
-        checks whether the contact runs over the shoulder.
+        Height of the shoulder above the bottom of the groove, in m; without it the groove is
+        taken as a half circle, whose edges are at a contact angle of 90°.
     arrangement
         Of a set of equal bearings that share the shaft: ``"DB"``, ``"DF"``, ``"DT"`` … (see
         `rolamento.arrangement.ARRANGEMENTS`); x = 0 is then in the middle of the set.

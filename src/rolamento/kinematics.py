@@ -11,6 +11,15 @@ s, γ' = D/d_m, and σ = +1 for outer control, -1 for inner control:
     Ω   = ω_c x + κ t_c                                      the ball, absolute
     Ω - ω_m x = ω_R (cos β, -sin β)                          the ball, seen from the cage
 
+A ball that the inner ring hardly presses on is driven by the cage instead: it takes the cage's
+speed, the mean of the orbits of the balls that are held weighted by their loads, and rolls on the
+race that it lies on, the outer. In between, with h from 0 to 1 for how firmly the ring holds it,
+
+    ω_m = ω_cage + h (ω_own - ω_cage),    ω_cage = Σ h Q_i ω_own / Σ h Q_i
+
+Under inner control the ball's angular velocity passes over in the same way, to rolling on the
+inner race from turning about an axis along the shaft, as a ball does at the bottom of the outer.
+
 The signed gyroscopic moment on the ball is M_g = J ω_R ω_m sin β, about y = r × x at ψ = 0.
 Speeds are signed about +x; both rings may turn. The pure-rolling radius is D/2.
 
@@ -101,6 +110,9 @@ def ball_motion(
     inner_speed: ArrayLike,
     outer_speed: ArrayLike = 0.0,
     control: ControlName | ArrayLike = "outer",
+    *,
+    orbit: ArrayLike | None = None,
+    hold: ArrayLike = 1.0,
 ) -> BallMotion:
     """Orbit, ball speed and attitude, and spin and roll at both contacts.
 
@@ -110,6 +122,9 @@ def ball_motion(
     diameter_ratio : array, γ' = D/d_m; dimensionless.
     inner_speed, outer_speed : arrays, of the rings about +x; rad/s.
     control : "outer", "inner", "none", or an array of `RacewayControl` codes.
+    orbit : array, the balls' speed about the shaft, if the cage has a part in it; rad/s.
+        By default raceway control alone decides.
+    hold : array from 0 to 1, how firmly the inner ring holds the balls, from `grip`.
         All broadcast against each other.
 
     Returns
@@ -119,22 +134,27 @@ def ball_motion(
 
     Radaelli (2013) eqs. 43 to 46 for outer control and one ring turning; see the module's head.
     """
-    sigma = _sigma(control)
     inner, outer = np.asarray(inner_contact_angle), np.asarray(outer_contact_angle)
     ratio = np.asarray(diameter_ratio, dtype=np.float64)
     inner_ring, outer_ring = np.asarray(inner_speed), np.asarray(outer_speed)
-    angle = np.where(sigma > 0, outer, inner)
-    control_ring = np.where(sigma > 0, outer_ring, inner_ring)
+    own = orbital_speed(inner, outer, ratio, inner_ring, outer_ring, control)
+    orbit = own if orbit is None else np.asarray(orbit, dtype=np.float64)
+    on_inner = np.where(_sigma(control) > 0, 0.0, hold)
 
-    share = _slave_share(inner, outer, ratio, sigma)
-    orbit = control_ring + sigma * (inner_ring - outer_ring) * share
-    rolling = sigma * (control_ring - orbit) / ratio
-    ball_x = control_ring + rolling * np.cos(angle)
-    ball_r = -rolling * np.sin(angle)
-    axis_x, axis_r = np.cos(angle) + sigma * ratio, np.sin(angle)
+    # what each ring turns faster or slower than the ball orbits, over the difference of both
+    relative = np.asarray(outer_ring - inner_ring, dtype=np.float64)
+    alike = relative == 0.0
+    divisor = np.where(alike, 1.0, relative)
+    ahead = np.where(alike, 1.0, (outer_ring - orbit) / divisor)
+    behind = np.where(alike, 1.0, (orbit - inner_ring) / divisor)
+    ahead, behind = (1.0 - on_inner) * ahead, on_inner * behind
+    axis_x = ahead * (np.cos(outer) + ratio) + behind * (np.cos(inner) - ratio)
+    axis_r = np.where(_sigma(control) > 0, ahead * np.sin(outer), behind * np.sin(inner))
+    ball_x = orbit + relative / ratio * axis_x
+    ball_r = -relative / ratio * axis_r
     fields = np.broadcast_arrays(
         orbit,
-        rolling * np.hypot(axis_x, axis_r),
+        relative / ratio * np.hypot(axis_x, axis_r),
         np.arctan2(axis_r, axis_x),
         (ball_x - inner_ring) * np.sin(inner) + ball_r * np.cos(inner),
         -(ball_x - outer_ring) * np.sin(outer) - ball_r * np.cos(outer),
@@ -163,6 +183,55 @@ def orbital_speed(
     )
     control_ring = np.where(sigma > 0, outer_ring, inner_ring)
     return np.asarray(control_ring + sigma * (inner_ring - outer_ring) * share)
+
+
+def nominal_orbit(ratio: ArrayLike, inner_speed: ArrayLike, outer_speed: ArrayLike) -> FloatArray:
+    """Speed of the cage where both contact angles are alike, ½ ω_i (1 - γ) + ½ ω_o (1 + γ); rad/s.
+
+    Parameters: arrays that broadcast; γ = (D/d_m) cos α, and the rings' speeds in rad/s.
+    Harris (1991), eqs. 8.9 and 8.10.
+    """
+    ratio = np.asarray(ratio, dtype=np.float64)
+    inner, outer = np.asarray(inner_speed), np.asarray(outer_speed)
+    return np.asarray(0.5 * (inner * (1.0 - ratio) + outer * (1.0 + ratio)))
+
+
+def grip(load: ArrayLike, rate: ArrayLike, offset: ArrayLike = 0.0) -> FloatArray:
+    """How firmly the inner ring holds a ball, from 0 to 1: g² (3 - 2 g) with g = Q_i rate + offset.
+
+    Parameters
+    ----------
+    load : array, of the inner contact; N.
+    rate : array, one over the load that holds firmly; 1/N.
+    offset : array; 1 where every ball counts as held.
+
+    Returns
+    -------
+    Array of the broadcast shape; its slope has no jumps where a ball touches or is held firmly.
+    """
+    share = np.clip(np.asarray(load) * np.asarray(rate) + np.asarray(offset), 0.0, 1.0)
+    return np.asarray(share * share * (3.0 - 2.0 * share))
+
+
+def cage_speed(
+    load: ArrayLike, orbit: ArrayLike, nominal: ArrayLike, weight: ArrayLike
+) -> FloatArray:
+    """Speed of the cage: the balls' own orbits weighted by their loads; rad/s.
+
+    Parameters
+    ----------
+    load, orbit : arrays (…, balls), h Q_i (N) and the speed under raceway control (rad/s).
+    nominal, weight : arrays (…), the speed that counts with a load of so much (N), so that a
+        cage that no ball drives has a speed.
+
+    Returns
+    -------
+    Array (…).
+    """
+    load, nominal = np.asarray(load), np.asarray(nominal, dtype=np.float64)
+    lag = (load * (np.asarray(orbit) - nominal[..., np.newaxis])).sum(axis=-1)
+    total = load.sum(axis=-1) + np.asarray(weight)
+    return np.asarray(nominal + np.divide(lag, total, where=total != 0.0, out=np.zeros_like(lag)))
 
 
 def ball_mass(ball_diameter: ArrayLike, density: ArrayLike) -> FloatArray:

@@ -9,9 +9,10 @@ from pydantic import Field
 from rolamento._quantity import Quantity
 from rolamento._record import Record
 
-__all__ = ["Mesh", "Model", "RacewayControl", "Traction"]
+__all__ = ["CageKind", "Mesh", "Model", "RacewayControl", "Traction"]
 
 RacewayControl = Literal["outer", "inner", "jones", "none", "friction"]
+CageKind = Literal["loose", "rigid", "none"]
 Mesh = Literal["coarse", "fine"]
 Traction = Literal["coulomb", "film"]
 
@@ -27,6 +28,12 @@ class Model(Record):
         both races share the gyroscopic moment; ``"friction"``, where nothing is assumed
         and the friction at both contacts decides (it takes the friction coefficient of
         the case's lubricant).
+    cage
+        What drives a ball that the inner ring does not hold: ``"loose"``, pockets with play: a
+        ball that the inner ring presses on has an orbit of its own, and the cage, with the mean of
+        those, takes the others along; ``"rigid"``, pockets without play: all balls orbit with the
+        cage; ``"none"``: raceway control alone, even where the inner ring does not touch the ball.
+        Under friction control the cage is rigid.
     centrifugal_force
         Whether the balls feel their centrifugal force.
     gyroscopic_moment
@@ -53,6 +60,7 @@ class Model(Record):
     """
 
     raceway_control: RacewayControl = Field("outer", examples=["outer"])
+    cage: CageKind = Field("loose", examples=["rigid"])
     centrifugal_force: bool = Field(True, strict=True, examples=[True])
     gyroscopic_moment: bool = Field(True, strict=True, examples=[True])
     cage_drag: Annotated[float, Quantity("moment", at_least="0 N m", at_most="1e6 N m")] = Field(

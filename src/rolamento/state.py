@@ -43,8 +43,9 @@ class Status:
     """How the solution ended.
 
     code: "converged", or why there is no result: "no_equilibrium", "not_converged", "overloaded",
-    "unheld_ball" (docs/theory/equilibrium.md). residual: the greatest unbalanced load of ring and
-    balls, each over the scale of its own loads. advice: what a person can do, or None.
+    "unheld_ball", "over_shoulder" (docs/theory/equilibrium.md). residual: the greatest unbalanced
+    load of ring and balls, each over the scale of its own loads. advice: what a person can do, or
+    None.
     """
 
     code: str

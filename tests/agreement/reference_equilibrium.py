@@ -6,9 +6,11 @@ complete elliptic integrals at every loaded angle; at rest the ring is left to
 one system for Newton's method with a Jacobian by differences.
 
 In the radial plane of a ball, (x, r) with r outward, the outer groove's centre is the origin,
-the ball's at X and the inner groove's at A. Sources: Harris, Rolling Bearing Analysis, 3rd ed.
-(1991), chapter 8; Jones (1960); Radaelli (2013), chapter 4, extended to both rings turning and
-to inner control by swapping the roles of the races.
+the ball's at X and the inner groove's at A. A ball's orbit passes from the cage's, the mean of
+the held balls' own, to its own as the inner ring presses on it (docs/theory/kinematics.md).
+Sources: Harris, Rolling Bearing Analysis, 3rd ed. (1991), chapter 8; Jones (1960); Radaelli
+(2013), chapter 4, extended to both rings turning and to inner control by swapping the roles of
+the races.
 """
 
 from __future__ import annotations
@@ -98,6 +100,7 @@ class Bearing:
             assert bearing.diametral_clearance is not None
             angle = np.arccos(min(1.0, 1.0 - bearing.diametral_clearance / (2.0 * distance)))
             self.a10, self.a20 = 0.0, distance - bearing.diametral_clearance / 2.0
+        self.free_angle = angle
         self.arm = self.pitch / 2.0 + self.li * np.cos(angle)
         self.psi = duty.first_ball_azimuth + 2.0 * np.pi * np.arange(self.balls) / self.balls
         self.speeds = np.array([duty.inner_speed, duty.outer_speed])
@@ -107,6 +110,7 @@ class Bearing:
         self.control = model.raceway_control
         self.has_force, self.has_moment = model.centrifugal_force, model.gyroscopic_moment
         self.lambda_i = {"outer": 0.0, "inner": 2.0, "none": 1.0}[self.control]
+        self.cage = model.cage
 
     def groove(self, u: Floats) -> tuple[Floats, Floats]:
         x, y, z, ry, rz = u
@@ -120,33 +124,42 @@ class Bearing:
         return hertz_stiffness(rolling, across, self.modulus)
 
     def contact(self, v1: Floats, v2: Floats, inner: bool) -> Contacts:
-        angle, length = np.arctan2(v1, v2), np.hypot(v1, v2)
+        up = np.maximum(v2, 0.0)  # a groove is open toward its own ring's axis
+        angle, length = np.arctan2(v1, up), np.hypot(v1, up)
         deflection = np.maximum(length - (self.li if inner else self.lo), 0.0)
         return Contacts(self.stiffness(angle, inner) * deflection**1.5, angle, deflection)
 
-    def inertia(self, ai: Floats, ao: Floats, speeds: Floats) -> tuple[Floats, Floats, Floats]:
+    def inertia(
+        self, ai: Floats, ao: Floats, qi: Floats, speeds: Floats
+    ) -> tuple[Floats, Floats, Floats]:
         """F_c, signed M_g, and ω_m."""
         gamma = self.d / self.pitch
         wi, wo = speeds
         divisor = 1.0 + np.cos(ai - ao)
         if self.control == "inner":
-            beta = np.arctan2(np.sin(ai), np.cos(ai) - gamma)
             share_i = (np.cos(ai - ao) - gamma * np.cos(ao)) / divisor
             share_o = (1.0 + gamma * np.cos(ao)) / divisor
-            # (cos α_i - γ')/cos β = sin α_i/sin β: the root of the sum of squares
-            axis = np.hypot(np.cos(ai) - gamma, np.sin(ai))
-            spin = (1.0 + gamma * np.cos(ao)) * axis / (gamma * divisor)
         else:
-            beta = np.arctan2(np.sin(ao), np.cos(ao) + gamma)
             share_i = (1.0 - gamma * np.cos(ai)) / divisor
             share_o = (np.cos(ai - ao) + gamma * np.cos(ai)) / divisor
-            axis = np.hypot(np.cos(ao) + gamma, np.sin(ao))
-            spin = (1.0 - gamma * np.cos(ai)) * axis / (gamma * divisor)
-        orbit = share_i * wi + share_o * wo
-        ball = spin * (wo - wi)
+        own = share_i * wi + share_o * wo
+
+        free = np.cos(self.free_angle) * gamma
+        idle = 0.5 * (wi * (1.0 - free) + wo * (1.0 + free))
+        firm = 0.5 * self.mass * self.pitch * max(abs(idle), 0.25 * (abs(wi) + abs(wo))) ** 2
+        grip = np.clip(qi / (0.8 * firm), 0.0, 1.0) if firm > 0.0 else np.ones_like(qi)
+        hold = np.ones_like(qi) if self.cage == "none" else grip**2 * (3.0 - 2.0 * grip)
+        cage = (np.sum(hold * qi * own) + 1e-2 * firm * idle) / (np.sum(hold * qi) + 1e-2 * firm)
+        orbit = cage + (self.cage != "rigid") * hold * (own - cage)
+
+        # the radial part of the ball's ω, rolling on the race in control as far as that holds it
+        if self.control == "inner":
+            outward = -hold * (orbit - wi) / gamma * np.sin(ai)
+        else:
+            outward = -(wo - orbit) / gamma * np.sin(ao)
         force = 0.5 * self.mass * self.pitch * orbit**2 * self.has_force
         polar = self.mass * self.d**2 / 10.0
-        return force, polar * ball * orbit * np.sin(beta) * self.has_moment, orbit
+        return force, -polar * orbit * outward * self.has_moment, orbit
 
     def ring_load(self, inner: Contacts, moment: Floats) -> Floats:
         """What the shaft must put on the ring."""
@@ -220,7 +233,7 @@ def solve_reference(case: Case) -> Solution:
     u, inner, outer = solve_at_rest(bearing)
     if not bearing.speeds.any() or not (bearing.has_force or bearing.has_moment):
         zero = np.zeros(bearing.balls)
-        orbit = bearing.inertia(inner.angle, outer.angle, bearing.speeds)[2]
+        orbit = bearing.inertia(inner.angle, outer.angle, inner.load, bearing.speeds)[2]
         return Solution(u, bearing.ring_load(inner, zero), inner, outer, zero, zero, orbit, 0.0)
 
     free = bearing.free
@@ -234,7 +247,8 @@ def solve_reference(case: Case) -> Solution:
         a1, a2 = bearing.groove(u)
         inner = bearing.contact(a1 - x1, a2 - x2, True)
         outer = bearing.contact(x1, x2, False)
-        return u, inner, outer, *bearing.inertia(inner.angle, outer.angle, share * bearing.speeds)
+        inertia = bearing.inertia(inner.angle, outer.angle, inner.load, share * bearing.speeds)
+        return u, inner, outer, *inertia
 
     def unbalanced(v: Floats, share: float, ball_scale: Floats) -> Floats:
         _, inner, outer, force, moment, _ = parts(v, share)
@@ -249,7 +263,7 @@ def solve_reference(case: Case) -> Solution:
     def thrown(share: float) -> tuple[Floats, Floats]:
         """Centrifugal force of a ball at the bottom of its groove, and how far it throws it."""
         zero = np.zeros(bearing.balls)
-        force = bearing.inertia(zero, zero, share * bearing.speeds)[0]
+        force = bearing.inertia(zero, zero, zero, share * bearing.speeds)[0]
         ko = bearing.stiffness(zero, False)
         return force, bearing.lo + (force / ko) ** (2 / 3)
 

@@ -117,6 +117,26 @@ CASES = [
         "ceramic, shared, moments", SPINDLE, {"fx": "800 N", "fz": "500 N", "my": "2 N m", "mz": 0},
         model=SHARED, inner_speed="24000 rpm",
     ),
+    case("free balls", ANGULAR, {"fx": "5 kN", "fz": "25 kN"}, inner_speed="15000 rpm"),
+    case(
+        "free balls, rigid cage", ANGULAR, {"fx": "5 kN", "fz": "25 kN"}, model={"cage": "rigid"},
+        inner_speed="15000 rpm",
+    ),
+    case(
+        "no cage", ANGULAR, {"fx": "10 kN", "fz": "12 kN"}, model={"cage": "none"},
+        inner_speed="10000 rpm",
+    ),
+    case(
+        "free balls, outer turns", ANGULAR, {"fx": "5 kN", "fz": "15 kN"}, outer_speed="8000 rpm"
+    ),
+    case(
+        "free balls, inner control", ANGULAR, {"fx": "8 kN", "fz": "20 kN"}, model=INNER,
+        inner_speed="10000 rpm",
+    ),
+    case(
+        "free balls, shared", ANGULAR, {"fx": "8 kN", "fz": "20 kN"}, model=SHARED,
+        inner_speed="10000 rpm",
+    ),
     case("clearance", DEEP_GROOVE, {"fx": "1 kN", "fz": "4 kN"}, inner_speed="8000 rpm"),
     case(
         "clearance, negative axial", DEEP_GROOVE, {"fx": "-1 kN", "fz": "3 kN", "my": 0, "mz": 0},

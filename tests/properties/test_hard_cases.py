@@ -25,7 +25,9 @@ from rolamento.geometry import ring_geometry
 Floats = NDArray[np.float64]
 RPM = math.pi / 30.0
 BEARINGS = 36
-STATUSES = {"converged", "no_equilibrium", "not_converged", "overloaded", "unheld_ball"}
+STATUSES = {
+    "converged", "no_equilibrium", "not_converged", "over_shoulder", "overloaded", "unheld_ball",
+}  # fmt: skip
 PROMISED = 1e-8
 ORDINARY_WITHOUT_RESULT = 0.003
 ANY_WITHOUT_RESULT = 0.04

@@ -9,9 +9,10 @@ import pytest
 
 from rolamento.case import Case
 from rolamento.equilibrium import rows
+from rolamento.equilibrium.ball import contact_exact
 from rolamento.equilibrium.problem import case_parameters
-from rolamento.equilibrium.single import contacts, linearised
-from rolamento.kinematics import ball_motion
+from rolamento.equilibrium.single import linearised, races
+from rolamento.kinematics import BallMotion, ball_motion, grip, orbital_speed
 
 CONTROLS = [(1.0, 0.0), (1.0, 1.0), (-1.0, 0.0)]
 """(sigma, lambda_i under outer control): outer, shared, inner."""
@@ -43,82 +44,105 @@ def places(p: np.ndarray, count: int = 20) -> np.ndarray:
     return np.stack([a1, a2, x1, x2], axis=1)
 
 
-def at(p: np.ndarray, sigma: float, place: np.ndarray) -> tuple:
-    return linearised(p, 0, sigma, *place.tolist())
+CAGE = 420.0
+"""rad/s, near the balls' own orbits but not the same."""
 
 
-def residual_and_force(p: np.ndarray, sigma: float, place: np.ndarray) -> np.ndarray:
-    """r1, r2, f1, f2, h at a place, without any step: from the contacts alone."""
-    s_i, c_i, _, q_i, s_o, c_o, _, q_o, f_c, t = contacts(p, 0, sigma, *place.tolist())
-    lambda_i = p[rows.LAMBDA_INNER, 0] if sigma > 0 else 2.0
-    lambda_o = 2.0 - lambda_i
-    f = np.array([q_i * s_i - lambda_i * t * c_i, q_i * c_i + lambda_i * t * s_i])
-    g = np.array([q_o * s_o - lambda_o * t * c_o, q_o * c_o + lambda_o * t * s_o])
+def at(p: np.ndarray, sigma: float, place: np.ndarray, cage: float = CAGE) -> tuple:
+    return linearised(p, 0, cage, sigma, *place.tolist())
+
+
+def moves(
+    p: np.ndarray, sigma: float, a_i: float, a_o: float, q_i: float, cage: float
+) -> tuple[BallMotion, float, float]:
+    """A ball's motion as `kinematics` has it, how firmly it is held, and its own orbit."""
+    rings = (
+        a_i, a_o, p[rows.GAMMA, 0], p[rows.INNER_SPEED, 0], p[rows.OUTER_SPEED, 0],
+        "inner" if sigma < 0 else "outer",
+    )  # fmt: skip
+    hold = float(grip(q_i, p[rows.HOLD_RATE, 0], p[rows.HOLD_OFFSET, 0]))
+    own = float(orbital_speed(*rings))
+    orbit = cage + p[rows.OWN_ORBIT, 0] * hold * (own - cage)
+    return ball_motion(*rings, orbit=orbit, hold=hold), hold, own
+
+
+def balance(p: np.ndarray, sigma: float, place: np.ndarray, cage: float) -> np.ndarray:
+    """r1, r2, f1, f2, h and the cage's lag at a place, without any step, from `kinematics`."""
+    a1, a2, x1, x2 = place
+    inner, outer = races(p, 0, 1.0)
+    s_i, c_i, _, _, q_i, _, _ = contact_exact(a1 - x1, a2 - x2, *inner)
+    s_o, c_o, _, _, q_o, _, _ = contact_exact(x1, x2, *outer)
+    motion, hold, own = moves(p, sigma, np.arctan2(s_i, c_i), np.arctan2(s_o, c_o), q_i, cage)
+    f_c = p[rows.CENTRIFUGAL, 0] * motion.orbital_speed**2
+    t = p[rows.GYROSCOPIC, 0] * p[rows.GAMMA, 0]  # J / D
+    t *= motion.ball_speed * motion.orbital_speed * np.sin(motion.attitude)
+    share = p[rows.LAMBDA_INNER, 0] if sigma > 0 else 2.0
+    m_i, m_o = share * t, (2.0 - share) * t
+    f = np.array([q_i * s_i - m_i * c_i, q_i * c_i + m_i * s_i])
+    g = np.array([q_o * s_o - m_o * c_o, q_o * c_o + m_o * s_o])
     r = f - g + np.array([0.0, f_c])
-    return np.array([*r, *f, f[0] + p[rows.FRICTION_ARM, 0] * lambda_i * t])
+    return np.array([*r, *f, f[0] + p[rows.FRICTION_ARM, 0] * m_i, hold * q_i * (own - cage)])
 
 
+@pytest.mark.parametrize("firm", [1e-3, 0.3, 30.0], ids=["held", "half held", "hardly held"])
 def test_derivatives_equal_finite_differences(
-    parameters: np.ndarray, control: tuple[float, float]
+    parameters: np.ndarray, control: tuple[float, float], firm: float
 ) -> None:
-    """S, P, k and h of the elimination are rebuilt from differences of r, f and h."""
+    """All of the elimination is rebuilt from differences of r, f, h and the lag."""
     sigma = control[0]
-    step = 1e-10
+    parameters[rows.HOLD_RATE] /= firm
     for place in places(parameters):
-        jacobian = np.empty((5, 4))
-        for i in range(4):
-            ahead, behind = place.copy(), place.copy()
-            ahead[i] += step
-            behind[i] -= step
-            difference = residual_and_force(parameters, sigma, ahead) - residual_and_force(
-                parameters, sigma, behind
-            )
-            jacobian[:, i] = difference / (2.0 * step)
-        by_a, by_x = jacobian[:, :2], jacobian[:, 2:]
+        jacobian = np.empty((6, 5))
+        for i, step in enumerate((1e-10, 1e-10, 1e-10, 1e-10, 1e-3)):
+            change = np.zeros(5)
+            change[i] = step
+            ahead = balance(parameters, sigma, place + change[:4], CAGE + change[4])
+            behind = balance(parameters, sigma, place - change[:4], CAGE - change[4])
+            jacobian[:, i] = (ahead - behind) / (2.0 * step)
+        by_a, by_x, by_cage = jacobian[:, :2], jacobian[:, 2:4], jacobian[:, 4]
         w = -np.linalg.solve(by_x[:2], by_a[:2])  # dX/dA with r = 0
-        now = residual_and_force(parameters, sigma, place)
+        z = -np.linalg.solve(by_x[:2], by_cage[:2])
+        now = balance(parameters, sigma, place, CAGE)
         q = -np.linalg.solve(by_x[:2], now[:2])
         stiffness = by_a[2:] + by_x[2:] @ w
+        drive = by_cage[2:] + by_x[2:] @ z
         force = now[2:] + by_x[2:] @ q
 
-        residual, follow, ring_force, ring_stiffness, _, _ = at(parameters, sigma, place)
+        residual, follow, ring_force, ring_stiffness, _, _, cage, before = at(
+            parameters, sigma, place
+        )
         np.testing.assert_allclose(residual, now[:2], rtol=1e-9, atol=1e-7)
+        np.testing.assert_allclose(before[:4], now[2:], rtol=1e-9, atol=1e-7)
         np.testing.assert_allclose(follow[:2], q, rtol=1e-5, atol=1e-11)
         np.testing.assert_allclose(
-            np.reshape(follow[2:], (2, 2)), w, rtol=1e-5, atol=1e-5 * np.abs(w).max()
+            np.reshape(follow[2:6], (2, 2)), w, rtol=1e-5, atol=1e-5 * np.abs(w).max()
         )
-        np.testing.assert_allclose(ring_force, force, rtol=1e-5, atol=1e-4)
+        np.testing.assert_allclose(follow[6:], z, rtol=1e-4, atol=1e-5 * np.abs(z).max() + 1e-15)
+        np.testing.assert_allclose(ring_force, force[:3], rtol=1e-5, atol=1e-4)
+        np.testing.assert_allclose(cage[3], force[3], rtol=1e-4, atol=1e-4 * abs(before[4]))
         np.testing.assert_allclose(
             np.reshape(ring_stiffness, (3, 2)),
-            stiffness,
+            stiffness[:3],
             rtol=1e-4,
-            atol=1e-5 * np.abs(stiffness).max(),
+            atol=1e-5 * np.abs(stiffness[:3]).max(),
         )
+        scale = np.abs(stiffness[3]).max()
+        np.testing.assert_allclose(cage[4:6], stiffness[3], rtol=1e-4, atol=1e-5 * scale)
+        np.testing.assert_allclose([*cage[:3], cage[6]], drive, rtol=1e-4, atol=1e-6)
 
 
-def test_inertia_is_that_of_the_kinematics(
-    parameters: np.ndarray, control: tuple[float, float], case_218: Case
-) -> None:
-    """F_c and T = M_g/D of the kernel against the speeds worked out in `kinematics`."""
-    bearing = case_218.bearing
-    sigma = control[0]
-    mass = np.pi / 6.0 * bearing.ball_material.density * bearing.ball_diameter**3
-    for place in places(parameters):
-        s_i, c_i, _, _, s_o, c_o, _, _, f_c, t = contacts(parameters, 0, sigma, *place.tolist())
-        motion = ball_motion(
-            np.arctan2(s_i, c_i),
-            np.arctan2(s_o, c_o),
-            bearing.ball_diameter / bearing.pitch_diameter,
-            parameters[rows.INNER_SPEED, 0],
-            parameters[rows.OUTER_SPEED, 0],
-            "inner" if sigma < 0 else "outer",
-        )
-        moment = (
-            mass * bearing.ball_diameter**2 / 10.0
-            * motion.ball_speed * motion.orbital_speed * np.sin(motion.attitude)
-        )  # fmt: skip
-        assert f_c == pytest.approx(0.5 * mass * bearing.pitch_diameter * motion.orbital_speed**2)
-        assert t == pytest.approx(moment / bearing.ball_diameter, rel=1e-9)
+def test_a_contact_has_a_bottom_and_two_flanks(parameters: np.ndarray) -> None:
+    """No force from a groove that is open upward; beyond 90° a flank presses along the axis."""
+    length, stiffness = races(parameters, 0, 1.0)[0]
+    for y2 in (-0.1, -1.0, -3.0):
+        for y1 in (-0.9, 0.0, 0.9):
+            assert contact_exact(y1 * length, y2 * length, length, stiffness)[4] == 0.0
+    s, c, _, delta, q, _, _ = contact_exact(1.01 * length, -length, length, stiffness)
+    assert (s, c) == (1.0, 0.0)
+    assert delta == pytest.approx(0.01 * length)
+    assert q > 0.0
+    loads = [contact_exact(1.001 * length, y * length, length, stiffness)[4] for y in (1e-9, -1e-9)]
+    assert loads[0] == pytest.approx(loads[1], rel=1e-6)
 
 
 def test_newton_settles_a_ball_quadratically(
@@ -129,7 +153,7 @@ def test_newton_settles_a_ball_quadratically(
     place = places(parameters)[0]
     errors = []
     for _ in range(7):
-        residual, follow, _, _, scale, _ = at(parameters, sigma, place)
+        residual, follow, _, _, scale, *_ = at(parameters, sigma, place)
         errors.append(np.hypot(*residual) / scale)
         place = place + np.array([0.0, 0.0, follow[0], follow[1]])
     assert errors[-1] < 1e-12

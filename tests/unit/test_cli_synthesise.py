@@ -161,7 +161,7 @@ class TestSignal:
             "fan.toml", "--set", "duty.load.fz='1e9 N'", "--fault", "ball", "-o", "a.wav"
         )
         assert (code, out) == (1, "")
-        assert err.startswith("rolamento: not converged")
+        assert err.startswith("rolamento: overloaded")
         assert not Path("a.wav").exists()
 
 

@@ -198,6 +198,7 @@ def test_every_code_has_a_name() -> None:
         "overloaded",
         "invalid_input",
         "unheld_ball",
+        "over_shoulder",
     }
 
 
@@ -209,11 +210,44 @@ def test_an_empty_batch_has_no_cases() -> None:
 
 def test_friction_alone_carries_nothing() -> None:
     """Inner control at speed under a light thrust: in balance only by friction without load."""
-    model = {"raceway_control": "inner"}
+    model = {"raceway_control": "inner", "cage": "none"}
     state = solved(ANGULAR, {"fx": "1 kN"}, model=model, inner_speed="10000 rpm")
     assert state.status.code in {"unheld_ball", "not_converged"}
     assert "raceway control cannot hold" in (state.status.advice or "")
     assert_no_numbers(state)
+
+
+def test_the_cage_and_the_outer_race_take_over_from_an_inner_race_without_load() -> None:
+    model = {"raceway_control": "inner"}
+    state = solved(ANGULAR, {"fx": "1 kN"}, model=model, inner_speed="10000 rpm")
+    assert state.status.converged
+    for ball in state.balls:  # the inner contact alone could not hold this moment
+        assert ball.inner.load * 22.23e-3 < 20.0 * abs(ball.gyroscopic_moment)
+
+
+@pytest.mark.parametrize("race", ["inner", "outer"])
+def test_a_contact_beyond_the_edge_of_its_groove(race: str) -> None:
+    """40 kN of thrust bring the contact to 42.7°; a groove may end below it."""
+    radius = 0.5232 * 22.23e-3
+    angle = solved(ANGULAR, {"fx": "40 kN"}).balls[0].inner.contact_angle
+    for edge, converges in ((angle + 1e-3, True), (angle - 1e-3, False)):
+        height = radius * (1.0 - math.cos(edge))
+        state = solved(ANGULAR | {f"{race}_shoulder_height": height}, {"fx": "40 kN"})
+        assert state.status.converged is converges
+    assert state.status.code == "over_shoulder"
+    assert f"the {race} " in (state.status.advice or "")
+    assert f"{math.degrees(edge):.1f}°" in (state.status.advice or "")
+    assert_no_numbers(state)
+
+
+def test_a_groove_without_a_height_is_a_half_circle() -> None:
+    """Thrown outward through a large clearance, the balls stand beside the inner flank."""
+    tight = DEEP_GROOVE | {"inner_conformity": 0.505, "diametral_clearance": "0.13 mm"}
+    assert solved(tight, {"fx": "50 N"}).status.converged
+    state = solved(tight, {"fx": "50 N"}, inner_speed="10000 rpm")
+    assert state.status.code == "over_shoulder"
+    assert state.status.advice is not None
+    assert state.status.advice.count("90.0°") == 2
 
 
 # --- notes --------------------------------------------------------------------------------------
@@ -228,7 +262,13 @@ def test_balls_without_inner_contact() -> None:
     state = solved(ANGULAR, {"fx": "5 kN", "fz": "9 kN"}, inner_speed="500 rpm")
     loose = sum(ball.inner.load == 0.0 for ball in state.balls)
     assert 0 < loose < 16
-    assert has_note(state, f"{loose} balls without inner contact")
+    assert has_note(state, f"{loose} balls without inner contact", "they orbit with the cage")
+    assert not has_note(state, "a guess")
+    alone = {"cage": "none"}
+    left = solved(ANGULAR, {"fx": "5 kN", "fz": "9 kN"}, model=alone, inner_speed="500 rpm")
+    assert has_note(left, "balls without inner contact")
+    assert not has_note(left, "they orbit with the cage")
+    assert has_note(left, "a guess")
     idle = solved(DEEP_GROOVE)
     assert idle.status.converged
     assert has_note(idle, "No ball", "the inner ring")
@@ -269,6 +309,16 @@ def test_shoulder_overrun(race: str) -> None:
     edge = math.degrees(math.acos(1.0 - 4e-3 / radius))
     assert reach > edge
     assert has_note(state, f"{reach:.1f}°", f"{edge:.1f}°")
+
+
+def test_an_ellipse_over_the_edge_of_a_half_circle() -> None:
+    """Without a shoulder height the groove ends at 90°, which a thrown ball comes near."""
+    steep = DEEP_GROOVE | {"inner_conformity": 0.505, "diametral_clearance": "0.125 mm"}
+    state = solved(steep, {"fx": "500 N"}, inner_speed="10000 rpm")
+    contact = state.balls[0].inner
+    reach = math.degrees(contact.contact_angle + contact.semi_major / (0.505 * 12.7e-3))
+    assert reach > 90.0 > math.degrees(contact.contact_angle)
+    assert has_note(state, f"{reach:.1f}°", "taken as a half circle, ends at 90.0°")
 
 
 def test_gyroscopic_slip() -> None:
@@ -456,7 +506,7 @@ def test_input_errors_of_a_batch(
         solve_batch(case, **fields)
 
 
-@pytest.mark.parametrize(("speed", "million"), [(300_000, "37.6"), (100_000, "12.5")])
+@pytest.mark.parametrize(("speed", "million"), [(300_000, "37.6"), (400_000, "50.1")])
 def test_an_overspeed_is_named_as_one(case_218: Case, speed: float, million: str) -> None:
     state = solve(override(case_218, [f"duty.inner_speed={speed} rpm"]))
     assert not state.status.converged

@@ -63,18 +63,20 @@ def test_moving_balls(filled: tuple[np.ndarray, ...]) -> None:
     for ball in b:
         lanes.add_moving_ball.compiled(w, ball, 1e-6)
     for lane in range(N):
-        pieces = []
+        pieces, drives = [], []
         for j in range(BALLS):
             c, s = direction(p, lane, cosines[j], sines[j])
             a1, a2 = groove(p, lane, u[lane], c, s)
             x1, x2 = row(b[j], rows.POSITION, lane, 2)
-            _, follow, force, stiffness, _, _ = linearised(
-                p, lane, control[lane, j], a1, a2, x1, x2
+            cage = float(row(w, rows.CAGE, lane)[0])
+            _, follow, force, stiffness, _, _, drive, _ = linearised(
+                p, lane, cage, control[lane, j], a1, a2, x1, x2
             )
             np.testing.assert_allclose(
-                row(b[j], rows.FOLLOW, lane, 6), follow, rtol=1e-7, atol=1e-12
+                row(b[j], rows.FOLLOW, lane, 8), follow, rtol=1e-7, atol=1e-12
             )
             pieces.append((force, stiffness))
+            drives.append((c, s, drive))
         reaction, matrix = ring_sum(p, lane, cosines, sines, pieces)
         scale = np.abs(matrix).max()
         np.testing.assert_allclose(
@@ -83,6 +85,20 @@ def test_moving_balls(filled: tuple[np.ndarray, ...]) -> None:
         np.testing.assert_allclose(
             row(w, rows.MATRIX, lane, 25), matrix.ravel(), rtol=1e-8, atol=1e-9 * scale
         )
+        lag = sum(drive[3] for _, _, drive in drives)
+        by_ring = sum(
+            np.array([d[4], s * d[5], c * d[5], c * d[4], -s * d[4]]) for c, s, d in drives
+        )
+        by_cage = sum(
+            np.array([d[0], s * d[1], c * d[1], c * d[2], -s * d[2]]) for c, s, d in drives
+        )
+        for first, wanted in (
+            (rows.LAG, np.array([lag])), (rows.LAG_BY_RING, by_ring), (rows.BY_CAGE, by_cage),
+            (rows.LAG_BY_CAGE, np.array([sum(d[6] for _, _, d in drives)])),
+        ):  # fmt: skip
+            found = row(w, first, lane, len(wanted))
+            size = max(np.abs(wanted).max(), 1e-12)
+            np.testing.assert_allclose(found, wanted, rtol=1e-7, atol=1e-8 * size)
 
 
 def test_static_balls_and_the_ring_step(filled: tuple[np.ndarray, ...]) -> None:
@@ -96,7 +112,7 @@ def test_static_balls_and_the_ring_step(filled: tuple[np.ndarray, ...]) -> None:
         for j in range(BALLS):
             c, s = direction(p, lane, cosines[j], sines[j])
             a1, a2 = groove(p, lane, u[lane], c, s)
-            pieces.append(static_ball(p, lane, a1, a2)[2:4])
+            pieces.append(static_ball(p, lane, 1.0, a1, a2)[2:4])
         reaction, matrix = ring_sum(p, lane, cosines, sines, pieces)
         np.testing.assert_allclose(row(w, rows.REACTION, lane, 5), reaction, rtol=1e-9, atol=1e-6)
         free = row(w, rows.FREE, lane, 5) > 0.0

@@ -9,7 +9,7 @@ from rolamento.case import Case
 from rolamento.equilibrium import rows
 from rolamento.equilibrium.problem import case_parameters
 from rolamento.equilibrium.settle import _bracketed, free_ball, in_place, settle
-from rolamento.equilibrium.single import contacts, linearised
+from rolamento.equilibrium.single import linearised
 
 
 @pytest.fixture(params=[50.0, 1000.0, 1500.0], ids=lambda speed: f"{speed:.0f} rad/s")
@@ -17,6 +17,14 @@ def parameters(request: pytest.FixtureRequest, case_218: Case) -> np.ndarray:
     p = case_parameters(case_218)[:, np.newaxis].copy()
     p[rows.INNER_SPEED] = request.param
     return p
+
+
+def cage(p: np.ndarray) -> float:
+    return float(p[rows.NOMINAL_ORBIT, 0])
+
+
+def work() -> np.ndarray:
+    return np.full(1, 1e6)
 
 
 def grooves(p: np.ndarray, count: int = 40) -> np.ndarray:
@@ -32,37 +40,51 @@ def test_one_place_from_every_start(parameters: np.ndarray) -> None:
     for a1, a2 in grooves(parameters):
         places = []
         for part in (0.3, 0.5, 0.7):
-            found, x1, x2 = settle.compiled(parameters, 0, 1.0, a1, a2, part * a1, part * a2)
+            found, x1, x2 = settle.compiled(
+                parameters, 0, cage(parameters), 1.0, a1, a2, part * a1, part * a2, work()
+            )
             assert found
             assert in_place.compiled(parameters, 0, a1, x1, x2)
             places.append((x1, x2))
         np.testing.assert_allclose(places[1:], [places[0]] * 2, atol=1e-8 * l_o)
-        residual, _, _, _, scale, _ = linearised.compiled(parameters, 0, 1.0, a1, a2, *places[0])
+        residual, _, _, _, scale, *_ = linearised.compiled(
+            parameters, 0, cage(parameters), 1.0, a1, a2, *places[0]
+        )
         assert np.hypot(*residual) <= 1e-9 * scale
 
 
 def test_brackets_agree_with_newton(parameters: np.ndarray) -> None:
     l_o = parameters[rows.OUTER_LENGTH, 0]
     for a1, a2 in grooves(parameters):
-        if free_ball.compiled(parameters, 0, 1.0, a1, a2)[0]:
+        if free_ball.compiled(parameters, 0, cage(parameters), 1.0, a1, a2)[0]:
             continue
-        found, x1, x2 = _bracketed.compiled(parameters, 0, 1.0, a1, a2)
+        found, x1, x2 = _bracketed.compiled(parameters, 0, cage(parameters), 1.0, a1, a2, work())
         assert found
-        _, y1, y2 = settle.compiled(parameters, 0, 1.0, a1, a2, 0.5 * a1, 0.5 * a2)
+        _, y1, y2 = settle.compiled(
+            parameters, 0, cage(parameters), 1.0, a1, a2, 0.5 * a1, 0.5 * a2, work()
+        )
         np.testing.assert_allclose([x1, x2], [y1, y2], atol=1e-8 * l_o)
 
 
 def test_a_ball_on_the_other_side_is_the_mirror_image(parameters: np.ndarray) -> None:
     for a1, a2 in grooves(parameters):
-        _, x1, x2 = settle.compiled(parameters, 0, 1.0, a1, a2, 0.5 * a1, 0.5 * a2)
-        _, y1, y2 = settle.compiled(parameters, 0, 1.0, -a1, a2, -0.5 * a1, 0.5 * a2)
+        _, x1, x2 = settle.compiled(
+            parameters, 0, cage(parameters), 1.0, a1, a2, 0.5 * a1, 0.5 * a2, work()
+        )
+        _, y1, y2 = settle.compiled(
+            parameters, 0, cage(parameters), 1.0, -a1, a2, -0.5 * a1, 0.5 * a2, work()
+        )
         np.testing.assert_allclose([-y1, y2], [x1, x2], rtol=1e-9, atol=1e-12)
 
 
 def test_a_free_ball_carries_only_its_centrifugal_force(parameters: np.ndarray) -> None:
-    free, x1, x2 = free_ball.compiled(parameters, 0, 1.0, 1e-5, 3e-4)
+    free, x1, x2 = free_ball.compiled(parameters, 0, cage(parameters), 1.0, 1e-5, 3e-4)
     assert free
     assert x1 == 0.0
-    _, _, _, q_i, s_o, _, _, q_o, f_c, t = contacts.compiled(parameters, 0, 1.0, 1e-5, 3e-4, x1, x2)
-    assert (q_i, s_o, t) == (0.0, 0.0, 0.0)
-    assert q_o == pytest.approx(f_c, rel=1e-9)
+    residual, _, force, _, scale, touch, *_ = linearised.compiled(
+        parameters, 0, cage(parameters), 1.0, 1e-5, 3e-4, x1, x2
+    )
+    assert touch[0] == 0.0
+    assert force[:2] == (0.0, 0.0)
+    assert np.hypot(*residual) <= 1e-9 * scale
+    assert scale == pytest.approx(parameters[rows.CENTRIFUGAL, 0] * cage(parameters) ** 2)

@@ -13,11 +13,17 @@ from rolamento.equilibrium import rows
 from rolamento.equilibrium.settle import in_place
 from rolamento.equilibrium.single import (
     LOAD_FLOOR,
+    Ring,
+    add_force,
+    add_to_cage,
     add_to_ring,
+    cage_residual,
+    condense_cage,
     direction,
+    empty_ring,
     groove,
     linearised,
-    moves,
+    rounding,
     static_ball,
 )
 from rolamento.equilibrium.types import Array
@@ -29,6 +35,8 @@ NOT_CONVERGED: Final = 2
 OVERLOADED: Final = 3
 INVALID_INPUT: Final = 4
 UNHELD_BALL: Final = 5
+OVER_SHOULDER: Final = 6
+NEEDS_INERTIA: Final = 7  # to be solved again: at rest this would be the result
 
 TOLERANCE: Final = 5e-9  # of ring and balls: half of what is promised
 GREATEST_APPROACH: Final = 0.02  # of the ball diameter: far beyond any elastic contact
@@ -40,53 +48,77 @@ LOST_ANGLE: Final = 1e-9  # rad, below which a one-sided bearing has left its sh
 def judge(
     p: Array,
     case: int,
+    moving: bool,
     control: Array,
     cosines: Array,
     sines: Array,
     u: Array,
+    cage: float,
     x: Array,
-    reaction: Array,
-    matrix: Array,
+    ring: Ring,
     errors: Array,
 ) -> tuple[int, float, int]:
     """Measure a proposal: (code, residual, unsupported degree of freedom or -1).
 
-    The residual is the greatest of the ring's (over the greatest load on it or in it) and the
-    balls' (each over its own greatest load, or a millionth of the heaviest ball's). Fills
-    reaction (5) and matrix (5, 5), the derivative of the reaction with every ball following;
-    places the balls of a bearing without inertia. errors (balls, 2) is room to work in.
+    The residual is the greatest of the ring's (over the greatest load on it or in it), the
+    cage's (over the rings' speeds) and the balls' (beyond rounding, each over its own greatest
+    load, or a millionth of the heaviest ball's); where the balls are taken to be at rest though
+    they turn, the inertia left out counts, over the heaviest ball's load.
+
+    Fills the ring's reaction and its matrix, the derivative of the reaction with every ball and
+    the cage following; places the balls of a bearing without inertia. errors (balls, 2) is room.
     """
-    reaction[:] = 0.0
-    matrix[:] = 0.0
-    moving = moves(p, case)
+    empty_ring(p, case, cage, ring)
+    lag = ring.lag[0]
     one_sided = p[rows.ONE_SIDED, case] > 0.0
-    placed, held, lost, deepest, heaviest = True, True, -1, 0.0, 0.0
+    placed, held, inside, lost, deepest, heaviest = True, True, True, -1, 0.0, 0.0
     for j in range(cosines.size):
         c, s = direction(p, case, cosines[j], sines[j])
         a1, a2 = groove(p, case, u, c, s)
         errors[j, 0] = 0.0
         if moving:
-            residual, _, force, stiffness, scale, touch = linearised(
-                p, case, control[j], a1, a2, x[j, 0], x[j, 1]
+            residual, _, force, stiffness, scale, touch, drive, before = linearised(
+                p, case, cage, control[j], a1, a2, x[j, 0], x[j, 1]
             )
-            errors[j, 0] = sqrt(residual[0] ** 2 + residual[1] ** 2)
+            error = sqrt(residual[0] ** 2 + residual[1] ** 2)
+            errors[j, 0] = max_with_nan(0.0, error - rounding(p, case, scale))
             placed = placed and in_place(p, case, a1, x[j, 0], x[j, 1])
             # a race that does not press on the ball has no friction for its gyroscopic moment
             if touch[0] == 0.0 and scale > 0.0:
                 held = held and abs(force[0]) + abs(force[1]) <= FRICTION_SLACK * scale
+            if scale > 0.0 or scale != scale:
+                add_to_cage(ring, c, s, before[4], drive)
+                add_force(ring.now, c, s, (before[0], before[1], before[2]))
+                lag += before[3]
         else:
-            x[j, 0], x[j, 1], force, stiffness, scale, touch = static_ball(p, case, a1, a2)
+            x[j, 0], x[j, 1], force, stiffness, scale, touch = static_ball(
+                p, case, control[j], a1, a2
+            )
+            add_force(ring.now, c, s, force)
         errors[j, 1] = scale
         heaviest = max(heaviest, scale)
-        deepest = max(deepest, touch[2])
-        if one_sided and touch[0] > 0.0 and touch[1] <= LOST_ANGLE:
-            lost = _turned_away(p, case, c, s)
+        load, c_i, c_o, approach, s_i = touch
+        deepest = max(deepest, approach)
+        if load > 0.0:
+            inside = inside and c_i > p[rows.INNER_EDGE, case]
+            if one_sided and s_i <= LOST_ANGLE:
+                lost = _turned_away(p, case, c, s)
         if scale > 0.0 or scale != scale:
-            add_to_ring(reaction, matrix, c, s, force, stiffness)
+            inside = inside and c_o > p[rows.OUTER_EDGE, case]
+            add_to_ring(ring, c, s, force, stiffness)
 
+    behind, left_out = 0.0, 0.0
+    if moving:
+        behind = cage_residual(p, case, lag, ring.pull[0])
+        condense_cage(ring)
+    else:
+        left_out = inertia_of(p, case) / heaviest if heaviest > 0.0 else inertia_of(p, case)
     residual_of_all = max_with_nan(
-        _ring_residual(p, case, reaction, heaviest), _worst_ball(errors, heaviest)
+        max_with_nan(_ring_residual(p, case, ring.now, heaviest), behind + left_out),
+        _worst_ball(errors, heaviest),
     )
+    if left_out > TOLERANCE and residual_of_all <= left_out:
+        return NEEDS_INERTIA, residual_of_all, -1
     # a ball whose place is NaN is not in place; one without inertia has none but the ring's
     finite = abs(u[0] + u[1] + u[2] + u[3] + u[4]) < inf
     if not finite or not residual_of_all <= TOLERANCE or not placed:
@@ -97,6 +129,8 @@ def judge(
         return NO_EQUILIBRIUM, residual_of_all, lost
     if deepest > GREATEST_APPROACH * p[rows.BALL_DIAMETER, case]:
         return OVERLOADED, residual_of_all, -1
+    if not inside:
+        return OVER_SHOULDER, residual_of_all, -1
     return CONVERGED, residual_of_all, -1
 
 
@@ -104,6 +138,14 @@ def judge(
 def max_with_nan(a: float, b: float) -> float:
     """The greater of two numbers; NaN if either is."""
     return b if not b <= a else a + 0.0 * b
+
+
+@inline_exact
+def inertia_of(p: Array, case: int) -> float:
+    """A bound of a ball's inertia loads: those at half the sum of the rings' speeds."""
+    speed = 0.5 * (abs(p[rows.INNER_SPEED, case]) + abs(p[rows.OUTER_SPEED, case]))
+    force = max(p[rows.CENTRIFUGAL, case], 5.0 * p[rows.GYROSCOPIC, case])
+    return float(2.0 * force * speed * speed)
 
 
 @shared

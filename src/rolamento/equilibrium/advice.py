@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from math import pi
+from math import acos, degrees, pi
 from typing import Final
 
 from rolamento.case import Case
 from rolamento.equilibrium import accept
 from rolamento.equilibrium.batch_state import BatchState
-from rolamento.geometry import ring_geometry
+from rolamento.equilibrium.problem import edge_cosine
+from rolamento.geometry import Race, ring_geometry
 
 _DIRECTIONS: Final = (
     "along x",
@@ -51,11 +52,14 @@ def advise(case: Case, batch: BatchState) -> str | None:
         )
     if code == accept.INVALID_INPUT:
         return "A number of this case is not finite."
-    if code == accept.UNHELD_BALL or case.model.raceway_control == "inner":
+    if code == accept.OVER_SHOULDER:
+        return _over_shoulder(case)
+    alone = case.model.raceway_control == "inner" and case.model.cage == "none"
+    if code == accept.UNHELD_BALL or alone:
         return (
             "This raceway control cannot hold a ball that a race loads too lightly to "
-            'bear its gyroscopic moment. Take model.raceway_control = "jones" or "outer", or '
-            "more axial load."
+            'bear its gyroscopic moment. Take model.cage = "loose", model.raceway_control = '
+            '"jones" or "outer", or more axial load.'
         )
     if case.model.raceway_control == "friction":
         return _friction_alone(float(batch.residual[0]))
@@ -77,6 +81,25 @@ def _speed_factor(case: Case) -> float:
     speed = max(abs(case.duty.inner_speed), abs(case.duty.outer_speed))
     pitch = max(place.bearing.pitch_diameter for place in case.bearing.places)
     return speed * 30.0 / pi * pitch * 1e3
+
+
+def _over_shoulder(case: Case) -> str:
+    """Say where the grooves end, and what keeps the balls in them."""
+    return (
+        f"The centre of a loaded contact lies beyond the edge of its groove: the inner groove ends "
+        f"at a contact angle of {_edge(case, 'inner'):.1f}°, the outer at "
+        f"{_edge(case, 'outer'):.1f}° (90° where no shoulder height is given: a half circle). "
+        "Where speed drives the inner contact up its groove, a lower speed or more axial load or "
+        "preload brings it back; where the load does, less axial load, moment or tilt, or a higher "
+        "shoulder (bearing.inner_shoulder_height, bearing.outer_shoulder_height)."
+    )
+
+
+def _edge(case: Case, race: Race) -> float:
+    """The contact angle in degrees at which the shallowest groove of a race ends."""
+    return min(
+        degrees(acos(float(edge_cosine(place.bearing, race)))) for place in case.bearing.places
+    )
 
 
 def _no_equilibrium(case: Case, axis: int) -> str:

@@ -13,8 +13,10 @@ from rolamento.equilibrium.blocks import (
     solve_static,
     start,
 )
-from rolamento.equilibrium.robust import solve_robust
-from rolamento.equilibrium.single import direction, groove
+from rolamento.equilibrium.continuation import heaviest_factor, put_factors, solve_by_steps
+from rolamento.equilibrium.edges import solve_off_groove
+from rolamento.equilibrium.robust import escaped, solve_robust
+from rolamento.equilibrium.single import direction, groove, ring_around
 from rolamento.equilibrium.types import Array, Output
 from rolamento.numerics.compiled import kernel, shared
 
@@ -48,25 +50,31 @@ def solve_cases(
     first: int,
     last: int,
     fast: bool,
+    most_work: float,
     out: Output,
 ) -> None:
     """Solve the cases first..last-1 and judge every one.
 
-    p: parameters (rows.PARAMETERS, cases or 1); control: +1/-1 per ball (cases or 1, balls);
-    moving: whether these cases have inertia; fast: whether to try the fast path.
-    out: displacement (cases, 5), position (cases, balls, 2), reaction (cases, 5), stiffness
-    (cases, 5, 5), residual, code, unsupported and iterations (cases), safe (cases): whether the
-    safe path was taken. Tilts and moments are scaled by the arm as in `rows`.
+    p: parameters (rows.COLUMN or more, cases or 1); control: +1/-1 per ball (cases or 1, balls);
+    moving: whether these cases have inertia; fast: whether to try the fast path; most_work: how
+    often a ball may be evaluated on the others before a case is given up.
+    out: displacement (cases, 5), the cage's speed (cases), position (cases, balls, 2), reaction
+    (cases, 5), stiffness (cases, 5, 5), residual, code, unsupported and iterations (cases), safe
+    (cases): whether the safe path was taken. Tilts and moments are scaled by the arm as in `rows`.
     """
-    displacement, position, reaction, stiffness, residual, code, unsupported, iterations, safe = out
+    (
+        displacement, cage, position, reaction, stiffness, residual, code, unsupported, iterations,
+        safe,
+    ) = out  # fmt: skip
     if fast:
         tolerance = START_TOLERANCE if moving else TOLERANCE
         solve_static(p, control, cosines, sines, first, last, tolerance, displacement, iterations)
         if moving:
             solve_moving(
-                p, control, cosines, sines, first, last, displacement, position, iterations
+                p, control, cosines, sines, first, last, displacement, cage, position, iterations
             )
-    errors = np.zeros((cosines.size, 2))
+    errors, on_groove = np.zeros((cosines.size, 2)), np.zeros(cosines.size)
+    ring = ring_around(np.zeros(5), np.zeros((5, 5)), np.zeros(1))
     for case in range(first, last):
         column = case if p.shape[1] > 1 else 0
         balls = control[case if control.shape[0] > 1 else 0]
@@ -75,19 +83,44 @@ def solve_cases(
         proposed = fast and iterations[case] != 0
         if proposed and iterations[case] > 0:
             code[case], residual[case], unsupported[case] = judge(
-                p, column, balls, cosines, sines, u, x, reaction[case], stiffness[case], errors
+                p, column, moving, balls, cosines, sines, u, cage[case], x, ring, errors
             )
         # a proposal that is not quite there is a start; failing that, begin anew
+        escaping, fate = -1, accept.NO_EQUILIBRIUM
         for attempt in range(3):
             if code[case] != accept.NOT_CONVERGED or (attempt == 0 and not proposed):
                 continue
             if attempt > 0:
                 _start_safely(p, column, cosines, sines, u, x, attempt == 1)
-            _, steps, escaping = solve_robust(p, column, balls, cosines, sines, u, x)
+                cage[case] = p[rows.NOMINAL_ORBIT, column]
+            ring.work[0] = 0.1 * most_work
+            _, steps, escaping, cage[case] = solve_robust(
+                p, column, moving, balls, cosines, sines, u, cage[case], x, ring
+            )
+            fate = escaped(p, column, cosines.size, ring)
             safe[case] = True
             iterations[case] = abs(iterations[case]) + steps
             code[case], residual[case], unsupported[case] = judge(
-                p, column, balls, cosines, sines, u, x, reaction[case], stiffness[case], errors
+                p, column, moving, balls, cosines, sines, u, cage[case], x, ring, errors
             )
-            if attempt == 2 and code[case] == accept.NOT_CONVERGED and escaping >= 0:
-                code[case], unsupported[case] = accept.NO_EQUILIBRIUM, escaping
+        if code[case] == accept.NOT_CONVERGED and escaping >= 0:
+            code[case] = fate
+            unsupported[case] = escaping if fate == accept.NO_EQUILIBRIUM else -1
+        if code[case] == accept.NOT_CONVERGED:
+            heavy = np.empty((p.shape[0], 1))
+            put_factors(p, column, heaviest_factor(p, column, cosines.size), 0.0, heavy)
+            _start_safely(heavy, 0, cosines, sines, u, x, True)
+            ring.work[0] = 0.8 * most_work
+            code[case], residual[case], unsupported[case], steps, cage[case] = solve_by_steps(
+                p, column, moving, balls, cosines, sines, u, x, ring, errors
+            )
+            iterations[case] += steps
+        if code[case] == accept.OVER_SHOULDER:
+            on_groove[:] = balls
+            ring.work[0] = 0.2 * most_work
+            code[case], residual[case], unsupported[case], steps, cage[case] = solve_off_groove(
+                p, column, moving, on_groove, cosines, sines, u, cage[case], x, ring, errors
+            )
+            safe[case] = True
+            iterations[case] += steps
+        reaction[case], stiffness[case] = ring.reaction, ring.matrix

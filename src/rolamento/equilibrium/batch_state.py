@@ -25,6 +25,7 @@ STATUS_NAMES: Final = {
     accept.OVERLOADED: "overloaded",
     accept.INVALID_INPUT: "invalid_input",
     accept.UNHELD_BALL: "unheld_ball",
+    accept.OVER_SHOULDER: "over_shoulder",
 }
 
 
@@ -58,9 +59,13 @@ class RowBatch:
         )
 
     def inner_approach(self) -> Floats:
-        """How far every ball is pressed into the inner groove; (cases, balls), m, a gap below 0."""
+        """How far every ball is pressed into the inner groove; (cases, balls), m, a gap below 0.
+
+        Past the edge of the groove: into its flank, were that higher.
+        """
         a1, a2 = groove_centres(self.parameters, self.displacement, self.azimuth)
-        distance = np.hypot(a1 - self.position[..., 0], a2 - self.position[..., 1])
+        up = np.maximum(a2 - self.position[..., 1], 0.0)
+        distance = np.hypot(a1 - self.position[..., 0], up)
         return np.asarray(distance - self.parameters[rows.INNER_LENGTH][:, np.newaxis])
 
 

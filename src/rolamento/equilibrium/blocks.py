@@ -88,7 +88,8 @@ def _fill(
     for i in range(rows.DEGREES_OF_FREEDOM):
         w[(rows.DISPLACEMENT + i) * _LANES + lane] = u[i]
     series, outer = p[rows.SERIES_STIFFNESS, column], p[rows.OUTER_STIFFNESS, column]
-    speed = 0.5 * (p[rows.INNER_SPEED, column] + p[rows.OUTER_SPEED, column])
+    speed = p[rows.NOMINAL_ORBIT, column]
+    w[rows.CAGE * _LANES + lane] = speed
     inertia = p[rows.CENTRIFUGAL, column] * speed * speed
     w[rows.OUTER_SHARE * _LANES + lane] = (series / outer) ** (2.0 / 3.0)
     w[rows.INERTIA_APPROACH * _LANES + lane] = (inertia / series) ** (2.0 / 3.0)
@@ -124,12 +125,20 @@ def _unbalanced(w: Array, lane: int) -> float:
 
 
 @inline_exact
+def _behind(w: Array, lane: int) -> float:
+    """What the cage is behind its drive, over the rings' speeds; NaN stays NaN."""
+    speed = abs(w[rows.INNER_SPEED * _LANES + lane]) + abs(w[rows.OUTER_SPEED * _LANES + lane])
+    lag = w[rows.LAG * _LANES + lane] / w[rows.LAG_BY_CAGE * _LANES + lane]
+    return float(abs(lag) / speed)
+
+
+@inline_exact
 def _lost(w: Array, lane: int) -> bool:
     """Whether a lane's ring has gone to NaN, as after a step without any stiffness."""
-    total = 0.0
+    total = w[rows.CAGE * _LANES + lane]
     for i in range(rows.DEGREES_OF_FREEDOM):
         total += w[(rows.DISPLACEMENT + i) * _LANES + lane]
-    return total != total
+    return bool(total != total)
 
 
 @inline_exact
@@ -196,14 +205,15 @@ def solve_moving(
     first: int,
     last: int,
     displacement: Array,
+    cage: Array,
     position: Array,
     iterations: Array,
 ) -> None:
     """Newton's method on ring and balls together, from the static displacement.
 
     A lane that has settled, failed or run out of steps takes the next case. Writes displacement
-    (cases, 5), position (cases, balls, 2) and iterations (cases): zero where a lane failed,
-    negative where it ran out of steps.
+    (cases, 5), cage (cases), position (cases, balls, 2) and iterations (cases): zero where a lane
+    failed, negative where it ran out of steps.
     """
     balls = cosines.size
     w = np.zeros(rows.RING_ROWS * _LANES)
@@ -234,11 +244,13 @@ def solve_moving(
         lanes.reset_sums(w)
         for j in range(balls):
             lanes.add_moving_ball(w, b[j], TOLERANCE)
+        lanes.balance_cage(w)
         for lane in range(_LANES):
             at_rest = w[rows.FAULT * _LANES + lane] <= 0.0
             settled[lane] = at_rest and _unbalanced(w, lane) <= TOLERANCE
+            settled[lane] = settled[lane] and _behind(w, lane) <= TOLERANCE
             steps[lane] += 1
-        lanes.step_ring(w)
+        lanes.step_ring_and_cage(w)
         for j in range(balls):
             lanes.follow_ring(w, b[j])
             if _any_astray(w):
@@ -251,6 +263,7 @@ def solve_moving(
                 continue
             iterations[case] = 0 if lost else (steps[lane] if settled[lane] else -steps[lane])
             _read_displacement(w, lane, displacement[case])
+            cage[case] = w[rows.CAGE * _LANES + lane]
             for j in range(balls):
                 position[case, j, 0] = b[j, _X + lane]
                 position[case, j, 1] = b[j, _X + _LANES + lane]

@@ -312,10 +312,10 @@ def _row_columns(
             p = bearing_columns(bearing, (cases,))
     else:
         p = np.repeat(bearing_column(place.bearing)[:, np.newaxis], cases, axis=1)
-    apply_model(p, case.model)
     duty = case.duty
     p[rows.INNER_SPEED] = arrays.get("duty.inner_speed", duty.inner_speed)
     p[rows.OUTER_SPEED] = arrays.get("duty.outer_speed", duty.outer_speed)
+    apply_model(p, case.model)
     first = arrays.get("duty.first_ball_azimuth", np.asarray(duty.first_ball_azimuth))
     p[rows.COS_FIRST] = np.cos(first + place.phase)
     p[rows.SIN_FIRST] = np.sin(first + place.phase)

@@ -3,15 +3,26 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rolamento.contact.hertz import HertzContact, elliptical_contact
 from rolamento.equilibrium import rows
+from rolamento.equilibrium.ball import TINY
+from rolamento.equilibrium.problem import directions
 from rolamento.equilibrium.rolling import Rolling, motion_of
 from rolamento.geometry import Race, race_curvature
-from rolamento.kinematics import BallMotion, ball_motion, jones_control, spin_resistance
+from rolamento.kinematics import (
+    BallMotion,
+    ball_motion,
+    cage_speed,
+    grip,
+    jones_control,
+    orbital_speed,
+    spin_resistance,
+)
 
 Floats = NDArray[np.float64]
 
@@ -55,17 +66,10 @@ def ball_table(
     a1, a2 = groove_centres(p, displacement, azimuth)
     x1, x2 = position[..., 0], position[..., 1]
     lift = np.zeros(2) if rolling is None else np.moveaxis(rolling.lift, -1, 0)
-    outer = _contacts(x1, x2, column, rows.OUTER_LENGTH, rows.OUTER_STIFFNESS, lift[1])
-    inner = _contacts(a1 - x1, a2 - x2, column, rows.INNER_LENGTH, rows.INNER_STIFFNESS, lift[0])
+    outer = _contacts(x1, x2, column, "outer", lift[1])
+    inner = _contacts(a1 - x1, a2 - x2, column, "inner", lift[0])
     yaw = np.zeros_like(azimuth)
-    motion = ball_motion(
-        inner.contact_angle,
-        outer.contact_angle,
-        column[rows.GAMMA],
-        column[rows.INNER_SPEED],
-        column[rows.OUTER_SPEED],
-        control.astype(np.int64),
-    )
+    motion = _motion(p, control.astype(np.int64), inner, outer)
     if rolling is not None:
         motion, yaw = motion_of(p, rolling, inner.contact_angle, outer.contact_angle, motion)
     # J / gamma' D is the parameter: times gamma' D, it is J again
@@ -84,30 +88,63 @@ def ball_table(
     )
 
 
+def _motion(
+    p: Floats, control: NDArray[np.int64], inner: ContactTable, outer: ContactTable
+) -> BallMotion:
+    """How the balls move under raceway control, and where it holds none, with the cage."""
+    column = p[:, :, np.newaxis]
+    rings = (
+        inner.contact_angle, outer.contact_angle, column[rows.GAMMA], column[rows.INNER_SPEED],
+        column[rows.OUTER_SPEED], control,
+    )  # fmt: skip
+    own = orbital_speed(*rings)
+    hold = grip(inner.load, column[rows.HOLD_RATE], column[rows.HOLD_OFFSET])
+    mean = cage_speed(hold * inner.load, own, p[rows.NOMINAL_ORBIT], p[rows.CAGE_WEIGHT])
+    cage = mean[:, np.newaxis]
+    return ball_motion(*rings, orbit=cage + column[rows.OWN_ORBIT] * hold * (own - cage), hold=hold)
+
+
 def groove_centres(p: Floats, displacement: Floats, azimuth: Floats) -> tuple[Floats, Floats]:
     """A1, A2 of the inner groove's centre at every ball, as in `ball_table`; (cases, balls)."""
     column = p[:, :, np.newaxis]
     x, y, z, tilt_y, tilt_z = (displacement[:, i, np.newaxis] for i in range(5))
-    c, s = np.cos(azimuth), np.sin(azimuth)
+    c0, s0 = p[rows.COS_FIRST][:, np.newaxis], p[rows.SIN_FIRST][:, np.newaxis]
+    cosines, sines = directions(azimuth.shape[-1])
+    c, s = cosines * c0 - sines * s0, sines * c0 + cosines * s0
     a1 = column[rows.AXIAL_OFFSET] + x + c * tilt_y - s * tilt_z
     a2 = column[rows.RADIAL_OFFSET] + c * z + s * y
     return a1, a2
 
 
-def _contacts(
-    y1: Floats, y2: Floats, column: Floats, length: int, stiffness: int, lift: Floats
-) -> ContactTable:
+def _contacts(y1: Floats, y2: Floats, column: Floats, race: Race, lift: Floats) -> ContactTable:
     """Load, angle and approach of the springs along (y1, y2), as `ball.contact` has them.
 
-    lift: the film between, which presses ball and groove in by as much.
+    lift: the film between, which presses ball and groove in by as much. Past 90° nothing presses.
     """
-    distance = np.hypot(y1, y2)
+    length, stiffness = _ROWS[race]
+    up = np.maximum(y2, 0.0)
+    distance = np.sqrt(y1 * y1 + up * up + TINY)
+    cosine = up / distance
     approach = np.maximum(distance - (column[length] - lift), 0.0)
-    cosine = y2 / distance
-    value = column[stiffness + rows.COEFFICIENTS - 1]
-    for power in range(rows.COEFFICIENTS - 2, -1, -1):
-        value = value * cosine + column[stiffness + power]
-    return ContactTable(value * approach * np.sqrt(approach), np.arctan2(y1, y2), approach)
+    approach = np.where(cosine > 0.0, approach, 0.0 * approach)
+    value = _polynomial(column, stiffness, rows.COEFFICIENTS, cosine)
+    if len(column) > rows.COLUMN:
+        long = _polynomial(column, rows.long_polynomial(stiffness), rows.MOST_TERMS, cosine)
+        value = np.where(column[rows.TERMS] > rows.COEFFICIENTS, long, value)
+    return ContactTable(value * approach * np.sqrt(approach), np.arctan2(y1, up), approach)
+
+
+_ROWS: Final[dict[Race, tuple[int, int]]] = {
+    "inner": (rows.INNER_LENGTH, rows.INNER_STIFFNESS),
+    "outer": (rows.OUTER_LENGTH, rows.OUTER_STIFFNESS),
+}
+
+
+def _polynomial(column: Floats, first: int, count: int, x: Floats) -> Floats:
+    value = column[first + count - 1]
+    for power in range(count - 2, -1, -1):
+        value = value * x + column[first + power]
+    return np.asarray(value)
 
 
 def hertz(p: Floats, contacts: ContactTable, race: Race) -> HertzContact:

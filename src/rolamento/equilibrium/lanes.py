@@ -14,14 +14,14 @@ import numpy as np
 from rolamento.equilibrium import rows
 from rolamento.equilibrium.ball import contact_fast, linearised_fast, polar_fast
 from rolamento.equilibrium.rows import lanes
-from rolamento.equilibrium.types import Array, Coefficients, Six, Three, Two
+from rolamento.equilibrium.types import Array, Coefficients, Seven, Six, Three, Two
 from rolamento.numerics.compiled import inline_fast, vector_loop
 
 N = np.uintp(rows.LANES)
 
 _COS, _SIN, _SIGMA, _LAMBDA = (lanes(r) for r in (rows.COS, rows.SIN, rows.SIGMA, rows.LAMBDA))
 _X1, _X2 = lanes(rows.POSITION), lanes(rows.POSITION + 1)
-_Q1, _Q2, _W11, _W12, _W21, _W22 = (lanes(rows.FOLLOW + i) for i in range(6))
+_Q1, _Q2, _W11, _W12, _W21, _W22, _Z1, _Z2 = (lanes(rows.FOLLOW + i) for i in range(8))
 
 _L_O, _L_I = lanes(rows.OUTER_LENGTH), lanes(rows.INNER_LENGTH)
 _A1, _A2 = lanes(rows.AXIAL_OFFSET), lanes(rows.RADIAL_OFFSET)
@@ -36,6 +36,13 @@ _UX, _UY, _UZ, _UP, _UQ = (lanes(rows.DISPLACEMENT + i) for i in range(5))
 _DX, _DY, _DZ, _DP, _DQ = (lanes(rows.STEP + i) for i in range(5))
 _FX, _FY, _FZ, _FP, _FQ = (lanes(rows.REACTION + i) for i in range(5))
 _MATRIX = tuple(lanes(rows.MATRIX + i) for i in range(25))
+_HOLD_RATE, _HOLD_OFFSET = lanes(rows.HOLD_RATE), lanes(rows.HOLD_OFFSET)
+_OWN, _CAGE_WEIGHT = lanes(rows.OWN_ORBIT), lanes(rows.CAGE_WEIGHT)
+_NOMINAL = lanes(rows.NOMINAL_ORBIT)
+_CAGE, _DCAGE, _LAG = lanes(rows.CAGE), lanes(rows.CAGE_STEP), lanes(rows.LAG)
+_BY_CAGE = tuple(lanes(rows.BY_CAGE + i) for i in range(5))
+_LAG_BY_RING = tuple(lanes(rows.LAG_BY_RING + i) for i in range(5))
+_LAG_BY_CAGE = lanes(rows.LAG_BY_CAGE)
 _FAULT, _ASTRAY = lanes(rows.FAULT), lanes(rows.ASTRAY)
 _OUTER_SHARE, _INERTIA_APPROACH = lanes(rows.OUTER_SHARE), lanes(rows.INERTIA_APPROACH)
 _FIVE = np.uintp(rows.DEGREES_OF_FREEDOM)
@@ -96,6 +103,26 @@ def _add_to_ring(w: Array, b: Array, i: int, force: Three, stiffness: Six) -> No
     _add_row(w, i, 20, -s * h1, -s * h2, c, s)
 
 
+@inline_fast
+def _add_to_cage(w: Array, b: Array, i: int, drive: Seven) -> None:
+    """Add what the cage's speed does to one ball, and the ball to the cage's balance."""
+    c = b[_COS + i]
+    s = b[_SIN + i]
+    c1, c2, hc, lag, lag1, lag2, lag_c = drive
+    w[_BY_CAGE[0] + i] += c1
+    w[_BY_CAGE[1] + i] += s * c2
+    w[_BY_CAGE[2] + i] += c * c2
+    w[_BY_CAGE[3] + i] += c * hc
+    w[_BY_CAGE[4] + i] -= s * hc
+    w[_LAG + i] += lag
+    w[_LAG_BY_RING[0] + i] += lag1
+    w[_LAG_BY_RING[1] + i] += s * lag2
+    w[_LAG_BY_RING[2] + i] += c * lag2
+    w[_LAG_BY_RING[3] + i] += c * lag1
+    w[_LAG_BY_RING[4] + i] -= s * lag1
+    w[_LAG_BY_CAGE + i] += lag_c
+
+
 @vector_loop
 def reset_sums(w: Array) -> None:
     """Empty the sums over the balls."""
@@ -110,7 +137,7 @@ def add_static_ball(w: Array, b: Array) -> None:
         a1, a2 = _groove(w, b, i)
         stiffness = _coefficients(w, _K_S, i)
         s, c, v, _, q, kn, ka = contact_fast(a1, a2, w[_L_I + i] + w[_L_O + i], stiffness)
-        k11, k12, k21, k22 = polar_fast(s, c, kn, ka * v, q * v)
+        k11, k12, k21, k22 = polar_fast(s, c, kn, ka * v, 0.0, q * v)
         _add_to_ring(w, b, i, (q * s, q * c, q * s), (k11, k12, k21, k22, k11, k12))
 
 
@@ -125,14 +152,19 @@ def add_moving_ball(w: Array, b: Array, tolerance: float) -> None:
             w[_GAMMA + i], w[_C_F + i], w[_C_G + i], w[_OMEGA_I + i], w[_OMEGA_O + i],
             w[_FRICTION_ARM + i],
         )  # fmt: skip
-        residual, follow, force, stiffness, scale, _ = linearised_fast(
-            a1, a2, b[_X1 + i], b[_X2 + i], inner, outer, motion, b[_SIGMA + i], b[_LAMBDA + i]
-        )
+        cage = (w[_CAGE + i], w[_HOLD_RATE + i], w[_HOLD_OFFSET + i], w[_OWN + i])
+        residual, follow, force, stiffness, scale, _, drive, _ = linearised_fast(
+            a1, a2, b[_X1 + i], b[_X2 + i], inner, outer, motion, cage, b[_SIGMA + i],
+            b[_LAMBDA + i],
+        )  # fmt: skip
         r1, r2 = residual
         allowed = tolerance * scale
         w[_FAULT + i] = max(w[_FAULT + i], r1 * r1 + r2 * r2 - allowed * allowed)
-        b[_Q1 + i], b[_Q2 + i], b[_W11 + i], b[_W12 + i], b[_W21 + i], b[_W22 + i] = follow
+        q1, q2, w11, w12, w21, w22, z1, z2 = follow
+        b[_Q1 + i], b[_Q2 + i], b[_Z1 + i], b[_Z2 + i] = q1, q2, z1, z2
+        b[_W11 + i], b[_W12 + i], b[_W21 + i], b[_W22 + i] = w11, w12, w21, w22
         _add_to_ring(w, b, i, force, stiffness)
+        _add_to_cage(w, b, i, drive)
 
 
 @vector_loop
@@ -143,8 +175,9 @@ def follow_ring(w: Array, b: Array) -> None:
         s = b[_SIN + i]
         da1 = w[_DX + i] + c * w[_DP + i] - s * w[_DQ + i]
         da2 = c * w[_DZ + i] + s * w[_DY + i]
-        dx1 = b[_Q1 + i] + b[_W11 + i] * da1 + b[_W12 + i] * da2
-        dx2 = b[_Q2 + i] + b[_W21 + i] * da1 + b[_W22 + i] * da2
+        dw = w[_DCAGE + i]
+        dx1 = b[_Q1 + i] + b[_W11 + i] * da1 + b[_W12 + i] * da2 + b[_Z1 + i] * dw
+        dx2 = b[_Q2 + i] + b[_W21 + i] * da1 + b[_W22 + i] * da2 + b[_Z2 + i] * dw
         x1 = b[_X1 + i] + dx1
         x2 = b[_X2 + i] + dx2
         b[_X1 + i] = x1
@@ -210,6 +243,43 @@ def step_ring(w: Array) -> None:
         w[_UX + i] += w[_DX + i]
 
 
+@vector_loop
+def balance_cage(w: Array) -> None:
+    """Take the pull of the nominal speed into the cage's balance."""
+    for i in range(N):
+        w[_LAG + i] += w[_CAGE_WEIGHT + i] * (w[_NOMINAL + i] - w[_CAGE + i])
+        w[_LAG_BY_CAGE + i] -= w[_CAGE_WEIGHT + i]
+
+
+@vector_loop
+def step_ring_and_cage(w: Array) -> None:
+    """One Newton step of ring and cage: the cage is eliminated, and follows the ring."""
+    for row in range(_FIVE):
+        force, by_cage = _FX + row * N, _BY_CAGE[0] + row * N
+        for i in range(N):
+            w[force + i] -= w[by_cage + i] * w[_LAG + i] / w[_LAG_BY_CAGE + i]
+        for column in range(_FIVE):
+            entry = _MATRIX[0] + (row * _FIVE + column) * N
+            lag = _LAG_BY_RING[0] + column * N
+            for i in range(N):
+                w[entry + i] -= w[by_cage + i] * w[lag + i] / w[_LAG_BY_CAGE + i]
+    step_ring(w)
+    for i in range(N):
+        w[_DCAGE + i] = -w[_LAG + i]
+    for row in range(_FIVE):
+        lag, step = _LAG_BY_RING[0] + row * N, _DX + row * N
+        for i in range(N):
+            w[_DCAGE + i] -= w[lag + i] * w[step + i]
+    for i in range(N):
+        # no ball orbits faster or slower than both rings turn
+        slowest = min(w[_OMEGA_I + i], w[_OMEGA_O + i])
+        fastest = max(w[_OMEGA_I + i], w[_OMEGA_O + i])
+        speed = w[_CAGE + i] + w[_DCAGE + i] / w[_LAG_BY_CAGE + i]
+        speed = min(max(speed, slowest), fastest)
+        w[_DCAGE + i] = speed - w[_CAGE + i]
+        w[_CAGE + i] = speed
+
+
 @inline_fast
 def _first_place(w: Array, b: Array, i: int) -> Two:
     """A place near equilibrium for a moving ball, whatever its load: X1, X2.
@@ -224,8 +294,7 @@ def _first_place(w: Array, b: Array, i: int) -> Two:
     l_o = w[_L_O + i]
     l_i = w[_L_I + i]
     s, c, inverse, _, q, _, _ = contact_fast(a1, a2, l_i + l_o, stiffness)
-    gamma = w[_GAMMA + i] * c
-    speed = 0.5 * (w[_OMEGA_I + i] * (1.0 - gamma) + w[_OMEGA_O + i] * (1.0 + gamma))
+    speed = w[_CAGE + i]
     f_c = c_f * speed * speed
 
     length = 1.0 / inverse

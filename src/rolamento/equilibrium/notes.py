@@ -7,20 +7,21 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Iterator
-from math import acos, degrees, inf, pi, radians
+from math import acos, degrees, pi, radians
 from typing import Final
 
 import numpy as np
 
-from rolamento.bearing import Bearing
 from rolamento.catalogue import built_in_geometry
 from rolamento.duty import AXES
+from rolamento.equilibrium import rows
 from rolamento.equilibrium.batch_state import BatchState
 from rolamento.equilibrium.detail import criterion
-from rolamento.equilibrium.problem import ring_arms
+from rolamento.equilibrium.problem import edge_cosine, ring_arms
 from rolamento.equilibrium.rolling_notes import notes_on_rolling
 from rolamento.equilibrium.wording import azimuths as _azimuths
 from rolamento.equilibrium.wording import count as _count
+from rolamento.geometry import Race
 from rolamento.kinematics import RacewayControl, friction_demand
 from rolamento.state import BallState, ContactState, PreloadState, State
 
@@ -36,6 +37,8 @@ SPINNING_ANGLE: Final = radians(0.1)
 """rad: a ball at a smaller contact angle hardly spins, whichever race controls it."""
 FREE_STIFFNESS: Final = 1e-9
 """Of the greatest stiffness: a direction with less is free."""
+PAST_EDGE: Final = 1e-9
+"""Of the groove's offset: what is less is rounding."""
 PRELOAD_MARGIN: Final = 1.1
 """Times the load at which a row lifts off: what is nearer deserves a word."""
 
@@ -46,8 +49,8 @@ def notes_on(state: State, batch: BatchState) -> State:
         *_lost_rows(state),
         *_lost_contacts(state),
         *_pressures(state),
+        *_past_edge(state, batch),
         *_shoulders(state),
-        *_steep_angles(state),
         *_speeds(state),
         *_tilts(state),
         *_free_directions(state, batch),
@@ -116,12 +119,17 @@ def _lost_contacts(state: State) -> Iterator[str]:
     free = [ball for ball in free if ball.row in touched]  # of the others _lost_rows has told
     if free:
         pressed = any(ball.outer.load > 0.0 for ball in free)
+        model = state.case.model
+        alone = model.cage == "none" and model.raceway_control != "friction"
         holder = "only centrifugal force presses on them" if pressed else "nothing presses on them"
+        if pressed and not alone:
+            holder += ", and they orbit with the cage"
         yield f"{_count(free)} without inner contact (azimuth {_azimuths(state, free)}): {holder}."
-        if pressed and state.case.duty.outer_speed != 0.0:
+        if pressed and alone:
             yield (
                 "The orbit of a ball without inner contact, and with it its centrifugal force, is "
-                "a guess while the outer ring turns: raceway control says nothing about it."
+                'a guess under model.cage = "none": raceway control says nothing about it. Under '
+                '"loose" the cage drives it.'
             )
 
 
@@ -137,30 +145,44 @@ def _pressures(state: State) -> Iterator[str]:
             )
 
 
+def _past_edge(state: State, batch: BatchState) -> Iterator[str]:
+    """Balls that the inner groove has left, so that nothing presses on them."""
+    approach = np.concatenate([row.inner_approach()[0] for row in batch.rows])
+    lengths = np.concatenate(
+        [np.full(row.azimuth.shape[1], row.parameters[rows.INNER_LENGTH, 0]) for row in batch.rows]
+    )
+    parts = zip(state.balls, approach > PAST_EDGE * lengths, strict=True)
+    past = [ball for ball, pressed in parts if pressed and ball.inner.load == 0.0]
+    if past:
+        yield (
+            f"{_count(past)} past the edge of the inner groove (azimuth {_azimuths(state, past)}):"
+            " no force is computed there. In the real bearing such a ball may bear on the edge of "
+            "the shoulder, and the loads of all balls differ from those shown."
+        )
+
+
 def _shoulders(state: State) -> Iterator[str]:
-    """Contact ellipses that run over the edge of their groove, where the shoulder is given."""
+    """Contact ellipses that run over the edge of their groove."""
     rows = [place.bearing for place in state.case.bearing.places]
-    for race in ("inner", "outer"):
-        grooves = [_groove(bearing, race) for bearing in rows]
-        reaches = [_reach(getattr(ball, race), grooves[ball.row][0]) for ball in state.balls]
-        edges = [grooves[ball.row][1] for ball in state.balls]
-        parts = list(zip(state.balls, reaches, edges, strict=True))
+    races: tuple[Race, Race] = ("inner", "outer")
+    for race in races:
+        radii = [getattr(row, f"{race}_conformity") * row.ball_diameter for row in rows]
+        ends = [acos(float(edge_cosine(row, race))) for row in rows]
+        parts = [
+            (ball, _reach(getattr(ball, race), radii[ball.row]), ends[ball.row])
+            for ball in state.balls
+        ]
         over = [ball for ball, reach, edge in parts if reach > edge]
         if over:
-            _, reach, edge = max(parts, key=lambda part: part[1] - part[2])
+            worst, reach, edge = max(parts, key=lambda part: part[1] - part[2])
+            given = getattr(rows[worst.row], f"{race}_shoulder_height") is not None
+            groove = "the groove" if given else "the groove, taken as a half circle,"
             yield (
                 f"The contact ellipse runs over the {race} shoulder: it reaches "
-                f"{degrees(reach):.1f}°, the groove ends at {degrees(edge):.1f}° "
+                f"{degrees(reach):.1f}°, {groove} ends at {degrees(edge):.1f}° "
                 f"({_count(over)}, azimuth {_azimuths(state, over)}). Pressure at the edge is "
                 "higher than shown."
             )
-
-
-def _groove(bearing: Bearing, race: str) -> tuple[float, float]:
-    """Radius of a groove, and the angle from its bottom at which it ends: infinite if unknown."""
-    radius = getattr(bearing, f"{race}_conformity") * bearing.ball_diameter
-    height = getattr(bearing, f"{race}_shoulder_height")
-    return radius, inf if height is None else acos(max(1.0 - height / radius, -1.0))
 
 
 def _reach(contact: ContactState, groove_radius: float) -> float:
@@ -168,16 +190,6 @@ def _reach(contact: ContactState, groove_radius: float) -> float:
     if contact.load == 0.0:
         return 0.0
     return abs(contact.contact_angle) + contact.semi_major / groove_radius
-
-
-def _steep_angles(state: State) -> Iterator[str]:
-    steep = [b for b in state.balls if b.inner.load > 0.0 and abs(b.inner.contact_angle) > pi / 2]
-    if steep:
-        yield (
-            f"The inner contact angle passes 90° at {_count(steep)} (azimuth "
-            f"{_azimuths(state, steep)}): no real groove reaches so far; more axial load would "
-            "keep the balls in place."
-        )
 
 
 def _speeds(state: State) -> Iterator[str]:

@@ -13,24 +13,31 @@ from rolamento.bearing import Bearing
 from rolamento.case import Case
 from rolamento.contact.hertz import effective_modulus
 from rolamento.equilibrium import rows
-from rolamento.geometry import groove_places
-from rolamento.kinematics import ball_mass
+from rolamento.geometry import Race, groove_places
+from rolamento.kinematics import ball_mass, nominal_orbit
 from rolamento.model import Model
 from rolamento.static import race_stiffness
 
 Floats = NDArray[np.float64]
 
-LEAST_ANGLE_COSINE: Final = -0.1
-"""Where the polynomials of the stiffness begin: light, fast balls touch a little beyond 90°."""
+TERMS: Final = ((0.22, rows.COEFFICIENTS), (0.55, 12), (0.78, 20), (1.0, rows.MOST_TERMS))
+"""Up to which D/d_m how many coefficients in cos α give K to 1e-10 of its value, 0 ≤ α ≤ 90°."""
+FIRM: Final = 0.8
+"""Part of the centrifugal force in the nominal orbit by which the inner ring has to press on a ball
+to hold it firmly. With less, balls that it hardly touches could have more than one place where the
+outer ring turns: their F_c falls by up to 1.5 / FIRM newtons for each that the ring presses."""
+CAGE_WEIGHT: Final = 1e-2
+"""Of a ball's centrifugal force: the load with which the nominal speed counts in the cage's.
+Where balls are held, that changes it by some 1e-5; with much less, a breath on one drives it."""
 
 
 def case_parameters(case: Case) -> Floats:
     """The parameters of a case of one row in the order of `rows`; shape (rows.COLUMN,), SI."""
     p = bearing_column(case.bearing).copy()
-    apply_model(p, case.model)
     duty = case.duty
     p[rows.INNER_SPEED] = duty.inner_speed
     p[rows.OUTER_SPEED] = duty.outer_speed
+    apply_model(p, case.model)
     p[rows.COS_FIRST] = cos(duty.first_ball_azimuth)
     p[rows.SIN_FIRST] = sin(duty.first_ball_azimuth)
     arms = ring_arms(p)
@@ -48,10 +55,39 @@ def ring_arms(p: Floats) -> Floats:
 
 
 def apply_model(p: Floats, model: Model) -> None:
-    """Switch inertia effects off, and share out the gyroscopic moment, as the model says."""
+    """Put into columns that know their speeds what the model says of inertia and of the cage."""
+    inner, outer, gamma = p[rows.INNER_SPEED], p[rows.OUTER_SPEED], p[rows.GAMMA]
+    cosine = np.minimum(p[rows.RADIAL_OFFSET] / (p[rows.OUTER_LENGTH] + p[rows.INNER_LENGTH]), 1.0)
+    p[rows.NOMINAL_ORBIT] = nominal_orbit(cosine * gamma, inner, outer)
+    # rings that turn against each other may leave the cage nearly standing still
+    speed = np.maximum(np.abs(p[rows.NOMINAL_ORBIT]), 0.25 * (np.abs(inner) + np.abs(outer)))
+    force = p[rows.CENTRIFUGAL] * speed**2
+    p[rows.CAGE_WEIGHT] = CAGE_WEIGHT * force
+    p[rows.HOLD_OFFSET] = model.cage == "none"
+    if model.cage != "none":
+        with np.errstate(divide="ignore"):
+            p[rows.HOLD_RATE] = np.where(force > 0.0, 1.0 / (FIRM * force), 0.0)
+    p[rows.OWN_ORBIT] = model.cage != "rigid"
     p[rows.CENTRIFUGAL] *= model.centrifugal_force
     p[rows.GYROSCOPIC] *= model.gyroscopic_moment
     p[rows.LAMBDA_INNER] = 1.0 if model.raceway_control == "none" else 0.0
+
+
+def directions(balls: int) -> tuple[Floats, Floats]:
+    """Cosine and sine of 2π j/Z for every ball j, symmetrical to the last bit; (balls,) each.
+
+    Balls that mirror each other then have the same place to the last bit too, and a ball at 90°
+    is under no part of a load along z.
+    """
+    part = np.arange(balls)
+    quarter, rest = np.divmod(4 * part, balls)
+    late = 2 * rest > balls
+    angle = 0.5 * np.pi * np.where(late, balls - rest, rest) / balls
+    c, s = np.cos(angle), np.sin(angle)
+    c, s = np.where(late, s, c), np.where(late, c, s)
+    cosines = np.choose(quarter, [c, -s, -c, s])
+    sines = np.choose(quarter, [s, c, -s, -c])
+    return cosines + 0.0, sines + 0.0
 
 
 @lru_cache(maxsize=256)
@@ -77,7 +113,9 @@ def bearing_columns(bearing: Any, shape: tuple[int, ...]) -> Floats:
         diametral_clearance=bearing.diametral_clearance,
     )
     mass = ball_mass(diameter, bearing.ball_material.density)
-    p = np.zeros((rows.COLUMN, *shape))
+    terms = _terms(diameter / pitch)
+    long = np.max(terms) > rows.COEFFICIENTS
+    p = np.zeros((rows.COLUMN + 3 * rows.MOST_TERMS * long, *shape))
     p[rows.OUTER_LENGTH] = places.outer_length
     p[rows.INNER_LENGTH] = places.inner_length
     p[rows.AXIAL_OFFSET] = places.axial_offset
@@ -90,29 +128,51 @@ def bearing_columns(bearing: Any, shape: tuple[int, ...]) -> Floats:
     p[rows.ONE_SIDED] = bearing.contact_angle is not None and np.greater(bearing.contact_angle, 0.0)
     p[rows.BALL_DIAMETER] = diameter
     p[rows.MODULUS] = effective_modulus(bearing.ring_material, bearing.ball_material)
-    polynomials = _stiffness_polynomials(bearing, len(shape))
-    for row, coefficients in zip(
-        (rows.INNER_STIFFNESS, rows.OUTER_STIFFNESS, rows.SERIES_STIFFNESS),
-        polynomials,
-        strict=True,
-    ):
-        p[row : row + rows.COEFFICIENTS] = coefficients
+    p[rows.INNER_EDGE] = edge_cosine(bearing, "inner")
+    p[rows.OUTER_EDGE] = edge_cosine(bearing, "outer")
+    p[rows.TERMS] = terms
+    _put_polynomials(p, bearing, rows.COEFFICIENTS)
+    for count in np.unique(terms[terms > rows.COEFFICIENTS]).tolist():
+        _put_polynomials(p, bearing, int(count), where=p[rows.TERMS] == count)
     return p
 
 
-def _stiffness_polynomials(bearing: Any, dimensions: int) -> tuple[Floats, ...]:
-    """Coefficients of K_i, K_o and both in series as polynomials in cos α; (7, *shape) each.
+def edge_cosine(bearing: Any, race: Race) -> Floats:
+    """Cosine of the angle at which a groove ends: that of its shoulder, or 0.
+
+    cos α = 1 - h / (f D) of a shoulder of height h. A groove without a given height is taken as
+    a half circle, so that a contact may lie anywhere below 90°.
+    """
+    radius = getattr(bearing, f"{race}_conformity") * bearing.ball_diameter
+    height = getattr(bearing, f"{race}_shoulder_height")
+    return np.asarray(0.0 if height is None else np.clip(1.0 - height / radius, 0.0, 1.0))
+
+
+def _terms(ratio: Any) -> Floats:
+    """How many coefficients K takes at a D/d_m; NaN is taken as the least."""
+    limits, counts = zip(*TERMS, strict=True)
+    place = np.searchsorted(limits, np.nan_to_num(np.asarray(ratio, dtype=np.float64), posinf=0.0))
+    return np.asarray(counts, dtype=np.float64)[np.minimum(place, len(counts) - 1)]
+
+
+def _put_polynomials(p: Floats, bearing: Any, count: int, where: Any = True) -> None:
+    """Put in K_i, K_o and both in series as polynomials of so many coefficients in cos α.
 
     The exact stiffness depends on the loaded angle through the curvatures, weakly: a polynomial
-    through seven Chebyshev points keeps it within 1e-10 for D/d_m up to 0.2, 2e-9 up to 0.3.
+    through Chebyshev points of 0 ≤ cos α ≤ 1 follows it (see `TERMS`).
     """
-    count = rows.COEFFICIENTS
     chebyshev = np.cos(np.pi * (np.arange(count) + 0.5) / count)
-    cosines = LEAST_ANGLE_COSINE + 0.5 * (1.0 - LEAST_ANGLE_COSINE) * (1.0 + chebyshev)
-    angles = np.arccos(cosines).reshape(count, *(1,) * dimensions)
-    exact = race_stiffness(bearing, angles)
+    cosines = 0.5 * (1.0 + chebyshev)
+    exact = race_stiffness(bearing, np.arccos(cosines).reshape(count, *(1,) * (p.ndim - 1)))
     powers = np.vander(cosines, count, increasing=True)
-    return tuple(
-        np.asarray(np.linalg.solve(powers, values.reshape(count, -1)).reshape(values.shape))
-        for values in (exact.inner, exact.outer, exact.combined)
-    )
+    for first, values in (
+        (rows.INNER_STIFFNESS, exact.inner),
+        (rows.OUTER_STIFFNESS, exact.outer),
+        (rows.SERIES_STIFFNESS, exact.combined),
+    ):
+        found = np.linalg.solve(powers, values.reshape(count, -1)).reshape(values.shape)
+        start = first if count == rows.COEFFICIENTS else rows.long_polynomial(first)
+        part = p[start : start + count]
+        np.copyto(
+            part, found.reshape(count, *(1,) * (p.ndim - found.ndim), *found.shape[1:]), where=where
+        )

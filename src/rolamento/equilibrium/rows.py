@@ -1,6 +1,7 @@
 """The layout of the solver's arrays: what stands in which row.
 
-A case is a column of `COLUMN` numbers in SI units, of which the kernels read `PARAMETERS`. Ring
+A case is a column of `COLUMN` numbers in SI units (and from `LONG` on more, where the stiffness
+needs longer polynomials), of which the vector kernels read `PARAMETERS`. Ring
 rotations and moments are carried as arm times angle (m) and moment over arm (N), with the arm R_i
 of the inner groove's centres, so that the ring's equations have one unit. The vector kernels work
 on `LANES` cases at a time: a row is a run of `LANES` numbers, and `lanes(row)` says where it
@@ -40,16 +41,32 @@ SERIES_STIFFNESS: Final = 30  # of both contacts in series at one angle
 APPLIED: Final = 37  # five loads: fx, fy, fz, my / R_i, mz / R_i
 IMPOSED: Final = 42  # five displacements: x, y, z, ry R_i, rz R_i
 FREE: Final = 47  # five flags: 1 where the load is given, 0 where the displacement is
-PARAMETERS: Final = 52
-MODULUS: Final = 52  # E', which the kernels do not read: the contacts' ellipses need it
-COLUMN: Final = 53  # the whole column of a case
+HOLD_RATE: Final = 52  # the inner ring holds a ball by the grip Q_i rate + offset, between 0 and 1
+HOLD_OFFSET: Final = 53
+OWN_ORBIT: Final = 54  # 1 where a ball that is held has an orbit of its own, 0 in a rigid cage
+CAGE_WEIGHT: Final = 55  # load by which the cage keeps to the nominal speed
+NOMINAL_ORBIT: Final = 56  # its speed where no ball drives it
+PARAMETERS: Final = 57
+INNER_EDGE: Final = 57  # cosine of the angle at which a groove ends at its shoulder
+OUTER_EDGE: Final = 58
+TERMS: Final = 59  # coefficients that K takes: COEFFICIENTS, or more from LONG on
+MODULUS: Final = 60  # E', which the kernels do not read: the contacts' ellipses need it
+COLUMN: Final = 61  # the whole column of a case
+LONG: Final = COLUMN  # where seven do not do: K_o, K_i and both in series again, longer
+MOST_TERMS: Final = 28
 
 # --- the ring's workspace: the case's parameters, then ----------------------------------------
 DISPLACEMENT: Final = PARAMETERS
-STEP: Final = DISPLACEMENT + 5
-REACTION: Final = STEP + 5  # the balls' forces on the ring
+CAGE: Final = DISPLACEMENT + 5  # its speed
+STEP: Final = CAGE + 1
+CAGE_STEP: Final = STEP + 5
+REACTION: Final = CAGE_STEP + 1  # the balls' forces on the ring
 MATRIX: Final = REACTION + 5  # their derivatives by the ring's displacement, 5 x 5
-FAULT: Final = MATRIX + 25  # greatest residual of a ball beyond what is allowed
+BY_CAGE: Final = MATRIX + 25  # and by the cage's speed
+LAG: Final = BY_CAGE + 5  # what the cage is behind its drive: sum of Q_i (ω_own - ω)
+LAG_BY_RING: Final = LAG + 1  # its derivatives by the ring's displacement
+LAG_BY_CAGE: Final = LAG_BY_RING + 5
+FAULT: Final = LAG_BY_CAGE + 1  # greatest residual of a ball beyond what is allowed
 ASTRAY: Final = FAULT + 1  # above zero where a ball has left the place where it can be
 OUTER_SHARE: Final = ASTRAY + 1  # of the outer contact in the approach of both
 INERTIA_APPROACH: Final = OUTER_SHARE + 1  # approach of both contacts under F_c alone
@@ -61,8 +78,13 @@ SIN: Final = 1
 SIGMA: Final = 2  # +1 outer race control, -1 inner
 LAMBDA: Final = 3
 POSITION: Final = 4  # X1, X2
-FOLLOW: Final = 6  # dX = q + W dA
-BALL_ROWS: Final = 12
+FOLLOW: Final = 6  # dX = q + W dA + z dω
+BALL_ROWS: Final = 14
+
+
+def long_polynomial(row: int) -> int:
+    """Where the longer form of a polynomial begins, by the row of the short one."""
+    return LONG + (row - OUTER_STIFFNESS) // COEFFICIENTS * MOST_TERMS
 
 
 def lanes(row: int) -> np.uintp:

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from rolamento.equilibrium import accept, rows
 from rolamento.equilibrium.batch import solve_cases
 from rolamento.equilibrium.detail import ball_table, criterion
-from rolamento.equilibrium.problem import Floats
+from rolamento.equilibrium.problem import Floats, directions
 from rolamento.numerics.threads import thread_count
 
 _log = logging.getLogger("rolamento")
@@ -21,6 +21,10 @@ _log = logging.getLogger("rolamento")
 CHUNK: Final = 2048
 FEW: Final = 1
 """Cases that are solved without the compiler, if it has not been loaded yet."""
+MOST_WORK: Final = 4e5
+"""Evaluations of a ball that a case may cost beside the fast path: some 50 ms."""
+PLAIN_WORK: Final = 1e4
+"""The same without the compiler: a second or so, then it is worth loading."""
 LEAST_INERTIA: Final = 1e-7
 """Approach under a ball's own centrifugal force, over the groove's offset, that still counts."""
 
@@ -30,6 +34,7 @@ class Solution:
     """The kernels' output arrays, in the scaled form of `rows`; filled in place."""
 
     displacement: Floats
+    cage: Floats
     position: Floats
     reaction: Floats
     stiffness: Floats
@@ -44,6 +49,7 @@ class Solution:
         """Make room for so many cases."""
         return cls(
             displacement=np.full((cases, rows.DEGREES_OF_FREEDOM), np.nan),
+            cage=np.full(cases, np.nan),
             position=np.full((cases, balls, 2), np.nan),
             reaction=np.full((cases, rows.DEGREES_OF_FREEDOM), np.nan),
             stiffness=np.full((cases, rows.DEGREES_OF_FREEDOM, rows.DEGREES_OF_FREEDOM), np.nan),
@@ -57,8 +63,8 @@ class Solution:
     def arrays(self) -> tuple[NDArray[np.generic], ...]:
         """All arrays, in the order that the kernel takes them."""
         return (
-            self.displacement, self.position, self.reaction, self.stiffness, self.residual,
-            self.code, self.unsupported, self.iterations, self.safe,
+            self.displacement, self.cage, self.position, self.reaction, self.stiffness,
+            self.residual, self.code, self.unsupported, self.iterations, self.safe,
         )  # fmt: skip
 
     def put(self, cases: NDArray[np.intp], part: Self) -> None:
@@ -81,25 +87,45 @@ def solve_columns(
         return solution
     finite = np.isfinite(p).all(axis=0)
     moving = has_inertia(p)
-    if not moving.all():
-        p = p.copy()
-        p[rows.INNER_SPEED, ~moving] = p[rows.OUTER_SPEED, ~moving] = 0.0
-    for inertia in (True, False):
-        which = np.flatnonzero(finite & (moving == inertia))
-        if len(which) == cases:
-            _run_threads(p, control, balls, inertia, threads, fast, solution)
-        elif len(which):
-            part = Solution.empty(len(which), balls)
-            some = control if len(control) == 1 else control[which]
-            _run_threads(p[:, which], some, balls, inertia, threads, fast, part)
-            solution.put(which, part)
+    _solve_some(np.flatnonzero(finite & ~moving), p, control, balls, False, threads, fast, solution)
+    # what is left out of those is part of their residual: some have to be solved with it
+    again = np.isin(solution.code, (accept.NEEDS_INERTIA, accept.NOT_CONVERGED))
+    moving |= again & turns(p)
+    _solve_some(np.flatnonzero(finite & moving), p, control, balls, True, threads, fast, solution)
     return solution
 
 
-def has_inertia(p: Floats) -> NDArray[np.bool_]:
-    """Which columns have inertia that can be told from rounding; the others are at rest.
+def _solve_some(
+    which: NDArray[np.intp],
+    p: Floats,
+    control: Floats,
+    balls: int,
+    moving: bool,
+    threads: int | None,
+    fast: bool,
+    solution: Solution,
+) -> None:
+    """Solve some of the cases, with or without inertia, and put them in their places."""
+    if len(which) == p.shape[1]:
+        _run_threads(p, control, balls, moving, threads, fast, solution)
+    elif len(which):
+        part = Solution.empty(len(which), balls)
+        some = control if len(control) == 1 else control[which]
+        _run_threads(p[:, which], some, balls, moving, threads, fast, part)
+        solution.put(which, part)
 
-    A load presses a ball in by (F/K)^(2/3), which is known to some 1e-16 of the groove's offset.
+
+def turns(p: Floats) -> NDArray[np.bool_]:
+    """Which columns have any inertia: a speed, and an effect that is switched on."""
+    speed = np.abs(p[rows.INNER_SPEED]) + np.abs(p[rows.OUTER_SPEED])
+    return np.asarray(speed * np.maximum(p[rows.CENTRIFUGAL], p[rows.GYROSCOPIC]) > 0.0)
+
+
+def has_inertia(p: Floats) -> NDArray[np.bool_]:
+    """Which columns are solved with the balls' inertia from the first.
+
+    The others are tried as at rest: their centrifugal force alone would press a ball in by
+    (F/K)^(2/3), not much more than the 1e-16 of the groove's offset to which that is known.
     """
     speed = np.abs(p[rows.INNER_SPEED]) + np.abs(p[rows.OUTER_SPEED])
     force = np.maximum(p[rows.CENTRIFUGAL], 5.0 * p[rows.GYROSCOPIC]) * (0.5 * speed) ** 2
@@ -119,14 +145,10 @@ def _run_threads(
 ) -> None:
     """Share the cases out to threads, in chunks small enough to keep all of them busy."""
     cases = p.shape[1]
-    azimuth = 2.0 * np.pi * np.arange(balls) / balls
-    p, control = (
-        np.ascontiguousarray(p[: rows.PARAMETERS]),
-        np.ascontiguousarray(control, dtype=np.float64),
-    )
-    cosines, sines, out = np.cos(azimuth), np.sin(azimuth), solution.arrays()
+    p, control = np.ascontiguousarray(p), np.ascontiguousarray(control, dtype=np.float64)
+    (cosines, sines), out = directions(balls), solution.arrays()
     if cases <= FEW and not solve_cases.is_loaded:
-        if _interpret(p, control, cosines, sines, moving, 0, cases, False, out):
+        if _interpret(p, control, cosines, sines, moving, 0, cases, False, PLAIN_WORK, out):
             return
         solution.put(np.arange(cases), Solution.empty(cases, balls))
     if not solve_cases.is_cached:
@@ -134,7 +156,7 @@ def _run_threads(
 
     def run(first: int) -> None:
         last = min(first + CHUNK, cases)
-        solve_cases.compiled(p, control, cosines, sines, moving, first, last, fast, out)
+        solve_cases.compiled(p, control, cosines, sines, moving, first, last, fast, MOST_WORK, out)
 
     workers = min(thread_count(threads), -(-cases // CHUNK))
     if workers == 1:
@@ -156,7 +178,7 @@ def _interpret(*arguments: Any) -> bool:
             solve_cases(*arguments)
     except (ZeroDivisionError, OverflowError, ValueError):
         return False
-    codes = arguments[-1][5]
+    codes = arguments[-1][6]
     return not (codes == accept.NOT_CONVERGED).any()
 
 

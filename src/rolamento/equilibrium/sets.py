@@ -31,7 +31,9 @@ from rolamento.numerics.newton import Balance, balance
 UNKNOWNS: Final = 6
 SLIDE: Final = 5  # of the spring-loaded outer rings
 PRECISION: Final = 1e-10
-USABLE: Final = (accept.CONVERGED, accept.OVERLOADED, accept.UNHELD_BALL)
+USABLE: Final = (
+    accept.CONVERGED, accept.OVERLOADED, accept.UNHELD_BALL, accept.OVER_SHOULDER,
+)  # fmt: skip
 """Verdicts on a row that come with its forces; so does no_equilibrium while it touches."""
 
 Indices = NDArray[np.intp]
@@ -266,7 +268,8 @@ def _judged(found: Balance, view: _View) -> tuple[NDArray[np.int64], NDArray[np.
     code = np.full(len(found.settled), accept.CONVERGED)
     unsupported = np.full(len(code), -1)
     for verdict in (
-        accept.OVERLOADED, accept.UNHELD_BALL, accept.NO_EQUILIBRIUM, accept.NOT_CONVERGED,
+        accept.OVERLOADED, accept.UNHELD_BALL, accept.OVER_SHOULDER, accept.NO_EQUILIBRIUM,
+        accept.NOT_CONVERGED,
     ):  # fmt: skip
         hit = np.any([row.code == verdict for row in view.rows], axis=0)
         code[hit] = verdict

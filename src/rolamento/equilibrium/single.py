@@ -6,42 +6,102 @@ ring by a loop over its balls.
 
 from __future__ import annotations
 
-from typing import Final
+from math import sqrt
+from typing import Final, NamedTuple
+
+import numpy as np
 
 from rolamento.equilibrium import rows
-from rolamento.equilibrium.ball import contact_exact, inertia_exact, linearised_exact, polar_exact
+from rolamento.equilibrium.ball import (
+    contact_exact,
+    inertia_exact,
+    linearised_exact,
+    polar_exact,
+    stored_polynomial,
+)
 from rolamento.equilibrium.types import (
     Array,
-    Coefficients,
+    Cage,
     Linearised,
     Motion,
     Race,
+    Seven,
     Six,
     StaticBall,
-    Ten,
     Three,
     Two,
 )
 from rolamento.numerics.compiled import inline_exact, shared
 
+OFF_GROOVE: Final = 2.0
+"""Size of a ball's control from which on it is off the inner groove: past its edge, not pressed."""
+FAR: Final = 1e9  # m
+EPSILON: Final = 2.3e-16
 LOAD_FLOOR: Final = 1e-6  # of the heaviest ball: below it a ball's own load is no scale
 
 
-@inline_exact
-def coefficients(p: Array, row: int, case: int) -> Coefficients:
-    """The seven coefficients of a contact's stiffness."""
-    return (
-        p[row, case], p[row + 1, case], p[row + 2, case], p[row + 3, case],
-        p[row + 4, case], p[row + 5, case], p[row + 6, case],
+class Ring(NamedTuple):
+    """What the balls of a case ask of its ring and its cage, summed up.
+
+    reaction (5,) and matrix (5, 5): force, and its derivative by the ring's displacement, with
+    the balls following; now (5,): the force before any step. by_cage (5,): the derivative by the
+    cage's speed. lag (1,): how far the
+    cage is behind its drive, the sum of h Q_i (ω_own - ω); lag_by_ring (5,), lag_by_cage (1,): its
+    derivatives; pull (1,): the sum of h Q_i. load (1,): the sum of Q_i.
+    work (1,): evaluations of a ball that may still be spent.
+    """
+
+    reaction: Array
+    matrix: Array
+    by_cage: Array
+    lag: Array
+    lag_by_ring: Array
+    lag_by_cage: Array
+    pull: Array
+    load: Array
+    now: Array
+    work: Array
+
+
+@shared
+def ring_around(reaction: Array, matrix: Array, work: Array) -> Ring:
+    """Make room for the sums, the force and the matrix given."""
+    return Ring(
+        reaction, matrix, np.zeros(5), np.zeros(1), np.zeros(5), np.zeros(1), np.zeros(1),
+        np.zeros(1), np.zeros(5), work,
     )  # fmt: skip
 
 
+@shared
+def empty_ring(p: Array, case: int, cage: float, ring: Ring) -> None:
+    """Set the sums to zero, the nominal speed's pull on the cage taken in."""
+    ring.reaction[:] = 0.0
+    ring.now[:] = 0.0
+    ring.matrix[:] = 0.0
+    ring.by_cage[:] = 0.0
+    ring.lag_by_ring[:] = 0.0
+    pull = p[rows.CAGE_WEIGHT, case]
+    ring.lag[0] = pull * (p[rows.NOMINAL_ORBIT, case] - cage)
+    ring.lag_by_cage[0] = -pull
+    ring.pull[0] = pull
+    ring.load[0] = 0.0
+
+
 @inline_exact
-def races(p: Array, case: int) -> tuple[Race, Race]:
-    """Inner and outer contact: free length and stiffness."""
-    inner = (p[rows.INNER_LENGTH, case], coefficients(p, rows.INNER_STIFFNESS, case))
-    outer = (p[rows.OUTER_LENGTH, case], coefficients(p, rows.OUTER_STIFFNESS, case))
+def races(p: Array, case: int, control: float) -> tuple[Race, Race]:
+    """Inner and outer contact: free length and stiffness; an inner groove left touches nothing."""
+    length = p[rows.INNER_LENGTH, case] if abs(control) < OFF_GROOVE else FAR
+    inner = (length, (p, rows.INNER_STIFFNESS, case))
+    outer = (p[rows.OUTER_LENGTH, case], (p, rows.OUTER_STIFFNESS, case))
     return inner, outer
+
+
+@inline_exact
+def handing_over(p: Array, case: int, cage: float) -> Cage:
+    """The cage's speed, and how it hands a ball over to the inner ring."""
+    return (
+        cage, p[rows.HOLD_RATE, case], p[rows.HOLD_OFFSET, case], p[rows.OWN_ORBIT, case],
+    )  # fmt: skip
 
 
 @inline_exact
@@ -54,9 +114,15 @@ def motion(p: Array, case: int) -> Motion:
 
 
 @inline_exact
-def inner_share(p: Array, case: int, sigma: float) -> float:
+def race_control(control: float) -> float:
+    """Which race controls the ball, +1 or -1; the size of `control` tells whether it is off."""
+    return 1.0 if control > 0.0 else -1.0
+
+
+@inline_exact
+def inner_share(p: Array, case: int, control: float) -> float:
     """lambda_i: the inner race's part of the gyroscopic moment."""
-    return p[rows.LAMBDA_INNER, case] if sigma > 0 else 2.0
+    return p[rows.LAMBDA_INNER, case] if control > 0.0 else 2.0
 
 
 @inline_exact
@@ -75,47 +141,59 @@ def groove(p: Array, case: int, u: Array, c: float, s: float) -> Two:
 
 
 @shared
-def contacts(p: Array, case: int, sigma: float, a1: float, a2: float, x1: float, x2: float) -> Ten:
-    """Both contacts and the inertia of a ball at X: what a result shows.
-
-    Returns s_i, c_i, |Y|, Q_i, s_o, c_o, |X|, Q_o, F_c, T.
-    """
-    inner, outer = races(p, case)
-    gamma, c_f, c_g, inner_speed, outer_speed, _ = motion(p, case)
-    s_o, c_o, v_o, _, q_o, _, _ = contact_exact(x1, x2, outer[0], outer[1])
-    s_i, c_i, v_i, _, q_i, _, _ = contact_exact(a1 - x1, a2 - x2, inner[0], inner[1])
-    f_c, _, _, t, _, _ = inertia_exact(
-        s_i, c_i, s_o, c_o, gamma, c_f, c_g, inner_speed, outer_speed, sigma
-    )
-    return s_i, c_i, 1.0 / v_i, q_i, s_o, c_o, 1.0 / v_o, q_o, f_c, t
+def balance_along(
+    p: Array, case: int, cage: float, control: float, a1: float, a2: float, x1: float, x2: float
+) -> Three:
+    """The residual of a ball along its outer normal and across it, and its F_c."""
+    inner, outer = races(p, case, control)
+    s_o, c_o, _, _, q_o, _, _ = contact_exact(x1, x2, outer[0], outer[1])
+    s_i, c_i, _, _, q_i, _, _ = contact_exact(a1 - x1, a2 - x2, inner[0], inner[1])
+    force, at_i, at_o, _ = inertia_exact(
+        s_i, c_i, s_o, c_o, q_i, motion(p, case), handing_over(p, case, cage),
+        race_control(control), inner_share(p, case, control),
+    )  # fmt: skip
+    cosine = c_i * c_o + s_i * s_o
+    sine = s_i * c_o - c_i * s_o
+    along = q_i * cosine + at_i[0] * sine - q_o + force[0] * c_o
+    across = q_i * sine - at_i[0] * cosine + at_o[0] - force[0] * s_o
+    return along, across, force[0]
 
 
 @shared
 def linearised(
-    p: Array, case: int, sigma: float, a1: float, a2: float, x1: float, x2: float
+    p: Array, case: int, cage: float, control: float, a1: float, a2: float, x1: float, x2: float
 ) -> Linearised:
     """`ball.linearised` for a ball of a case."""
-    inner, outer = races(p, case)
-    lambda_i = inner_share(p, case, sigma)
+    inner, outer = races(p, case, control)
     ball: Linearised = linearised_exact(
-        a1, a2, x1, x2, inner, outer, motion(p, case), sigma, lambda_i
-    )
+        a1, a2, x1, x2, inner, outer, motion(p, case), handing_over(p, case, cage),
+        race_control(control), inner_share(p, case, control),
+    )  # fmt: skip
     return ball
 
 
 @shared
-def static_ball(p: Array, case: int, a1: float, a2: float) -> StaticBall:
-    """A ball without inertia: its place X1, X2, then as of `linearised` from the force on."""
-    inner, outer = races(p, case)
-    series = coefficients(p, rows.SERIES_STIFFNESS, case)
-    s, c, v, delta, q, kn, ka = contact_exact(a1, a2, inner[0] + outer[0], series)
-    k11, k12, k21, k22 = polar_exact(s, c, kn, ka * v, q * v)
-    outer_stiffness = outer[1][6]
-    for power in range(5, -1, -1):
-        outer_stiffness = outer_stiffness * c + outer[1][power]
-    reach: float = outer[0] + (q / outer_stiffness) ** (2.0 / 3.0)
+def static_ball(p: Array, case: int, control: float, a1: float, a2: float) -> StaticBall:
+    """A ball without inertia: its place X1, X2, then as of `linearised` from the force on.
+
+    One that is not pressed stands amid its gap, where it touches neither groove; one that is off
+    the inner groove at the centre of the outer.
+    """
+    inner, outer = races(p, case, control)
+    series = (p, rows.SERIES_STIFFNESS, case)
+    free = inner[0] + outer[0]
+    s, c, v, delta, q, kn, ka = contact_exact(a1, a2, free, series)
+    k11, k12, k21, k22 = polar_exact(s, c, kn, ka * v, 0.0, q * v)
     force, stiffness = (q * s, q * c, q * s), (k11, k12, k21, k22, k11, k12)
-    return s * reach, c * reach, force, stiffness, q, (q, s, delta)
+    touch = (q, c, c, delta, s)
+    if abs(control) >= OFF_GROOVE:
+        return 0.0, 0.0, force, stiffness, q, touch
+    if q == 0.0:
+        far = max(free, sqrt(a1 * a1 + a2 * a2))
+        return a1 * outer[0] / free, a2 * outer[0] / far, force, stiffness, q, touch
+    outer_stiffness, _ = stored_polynomial(c, outer[1])
+    reach: float = outer[0] + (q / outer_stiffness) ** (2.0 / 3.0)
+    return s * reach, c * reach, force, stiffness, q, touch
 
 
 @inline_exact
@@ -128,18 +206,23 @@ def _add_row(matrix: Array, row: int, by_a1: float, by_a2: float, c: float, s: f
     matrix[row, 4] -= s * by_a1
 
 
-@shared
-def add_to_ring(
-    reaction: Array, matrix: Array, c: float, s: float, force: Three, stiffness: Six
-) -> None:
-    """Add one ball's force and stiffness to the ring's (as lanes._add_to_ring does)."""
+@inline_exact
+def add_force(total: Array, c: float, s: float, force: Three) -> None:
+    """Add one ball's force and moment to the ring's."""
     f1, f2, h = force
+    total[0] += f1
+    total[1] += s * f2
+    total[2] += c * f2
+    total[3] += c * h
+    total[4] -= s * h
+
+
+@shared
+def add_to_ring(ring: Ring, c: float, s: float, force: Three, stiffness: Six) -> None:
+    """Add one ball's force and stiffness to the ring's (as lanes._add_to_ring does)."""
     k11, k12, k21, k22, h1, h2 = stiffness
-    reaction[0] += f1
-    reaction[1] += s * f2
-    reaction[2] += c * f2
-    reaction[3] += c * h
-    reaction[4] -= s * h
+    matrix = ring.matrix
+    add_force(ring.reaction, c, s, force)
     _add_row(matrix, 0, k11, k12, c, s)
     _add_row(matrix, 1, s * k21, s * k22, c, s)
     _add_row(matrix, 2, c * k21, c * k22, c, s)
@@ -148,8 +231,52 @@ def add_to_ring(
 
 
 @shared
-def moves(p: Array, case: int) -> bool:
-    """Whether the case has inertia at all: a speed, and an effect switched on."""
-    speed = p[rows.INNER_SPEED, case] != 0.0 or p[rows.OUTER_SPEED, case] != 0.0
-    inertia = p[rows.CENTRIFUGAL, case] > 0.0 or p[rows.GYROSCOPIC, case] > 0.0
-    return bool(speed and inertia)
+def add_to_cage(ring: Ring, c: float, s: float, pull: float, drive: Seven) -> None:
+    """Add what the cage's speed does to one ball, and the ball to the cage's balance."""
+    c1, c2, hc, lag, lag1, lag2, lag_c = drive
+    ring.by_cage[0] += c1
+    ring.by_cage[1] += s * c2
+    ring.by_cage[2] += c * c2
+    ring.by_cage[3] += c * hc
+    ring.by_cage[4] -= s * hc
+    ring.lag[0] += lag
+    ring.lag_by_ring[0] += lag1
+    ring.lag_by_ring[1] += s * lag2
+    ring.lag_by_ring[2] += c * lag2
+    ring.lag_by_ring[3] += c * lag1
+    ring.lag_by_ring[4] -= s * lag1
+    ring.lag_by_cage[0] += lag_c
+    ring.pull[0] += pull
+
+
+@shared
+def condense_cage(ring: Ring) -> None:
+    """Let the cage follow the ring: its speed drops out of the ring's force and stiffness."""
+    if ring.lag_by_cage[0] == 0.0:
+        return
+    for i in range(rows.DEGREES_OF_FREEDOM):
+        part = ring.by_cage[i] / ring.lag_by_cage[0]
+        ring.reaction[i] -= part * ring.lag[0]
+        for j in range(rows.DEGREES_OF_FREEDOM):
+            ring.matrix[i, j] -= part * ring.lag_by_ring[j]
+
+
+@shared
+def cage_residual(p: Array, case: int, lag: float, pull: float) -> float:
+    """How far the cage is from the mean of its drives, as a part of a ball's F_c, about."""
+    speed = 0.1 * (abs(p[rows.INNER_SPEED, case]) + abs(p[rows.OUTER_SPEED, case]))
+    scale = pull * speed
+    return abs(lag) / scale if scale > 0.0 else 0.0
+
+
+@inline_exact
+def rounding(p: Array, case: int, load: float) -> float:
+    """What rounding leaves of a ball's load Q, N.
+
+    It turns on an approach (Q / K)^(2/3), which is known to a few units in the last place of the
+    distance between ball and groove centre.
+    """
+    length: float = p[rows.OUTER_LENGTH, case]
+    stiffness = p[rows.SERIES_STIFFNESS, case]
+    slope: float = 1.5 * (stiffness * stiffness * load) ** (1.0 / 3.0)
+    return 4.0 * EPSILON * length * slope

@@ -13,19 +13,27 @@ Output: TypeAlias = tuple[NDArray[Any], ...]
 Two: TypeAlias = tuple[float, float]
 Three: TypeAlias = tuple[float, float, float]
 Four: TypeAlias = tuple[float, float, float, float]
+Five: TypeAlias = tuple[float, float, float, float, float]
 Six: TypeAlias = tuple[float, float, float, float, float, float]
 Seven: TypeAlias = tuple[float, float, float, float, float, float, float]
-Ten: TypeAlias = tuple[float, float, float, float, float, float, float, float, float, float]
+Eight: TypeAlias = tuple[float, float, float, float, float, float, float, float]
 
 Coefficients: TypeAlias = Seven
 """Of a contact's stiffness, a polynomial in cos a."""
-Race: TypeAlias = tuple[float, Coefficients]
-"""Free length L and stiffness of a contact."""
+StoredPolynomial: TypeAlias = tuple[Array, int, int]
+"""Where such a polynomial stands: parameters, first row, case."""
+Race: TypeAlias = tuple[float, Any]
+"""Free length L of a contact, and its stiffness in either form."""
 Motion: TypeAlias = Six
 """gamma', c_f, c_g, inner speed, outer speed, f_i D / R_i."""
+Cage: TypeAlias = Four
+"""Speed of the cage, and the rate, the offset and the weight of `rows` that hand a ball over."""
 Found: TypeAlias = tuple[bool, float, float]
 """Whether a ball's place was found, and X1, X2."""
-Linearised: TypeAlias = tuple[Two, Six, Three, Six, float, Three]
-"""Residual, step, force, stiffness, scale and touch of a ball (see `ball.linearised`)."""
-StaticBall: TypeAlias = tuple[float, float, Three, Six, float, Three]
+Linearised: TypeAlias = tuple[Two, Eight, Three, Six, float, Five, Seven, Five]
+"""Residual, step, force, stiffness, scale, touch, cage and what is before the step, of a ball.
+
+See `ball.linearised`.
+"""
+StaticBall: TypeAlias = tuple[float, float, Three, Six, float, Five]
 """X1, X2, force, stiffness, scale and touch of a ball without inertia."""

@@ -106,8 +106,15 @@ def vector_loop(function: Callable[P, R]) -> Kernel[P, R]:
 
 @cache
 def _numba() -> Any:
-    """Import Numba, and teach it that a kernel inside a kernel means the compiled one."""
+    """Import Numba, and teach it that a kernel inside a kernel means the compiled one.
+
+    The loops over lanes read and write so many rows that LLVM, left to itself, gives up sorting
+    them before it has seen that they do not overlap, and compiles scalar code.
+    """
+    import llvmlite.binding
     import numba
+
+    llvmlite.binding.set_option("rolamento", "--memory-check-merge-threshold=1000")
     from numba.core import types
     from numba.extending import typeof_impl
 

@@ -21,7 +21,6 @@ import numpy as np
 
 from rolamento.equilibrium import rows
 from rolamento.equilibrium.ball import contact_exact
-from rolamento.equilibrium.single import coefficients
 from rolamento.equilibrium.traction.contact import FORCES, add_friction
 from rolamento.equilibrium.types import Array, Two
 from rolamento.kinematics import LEAST_COSINE
@@ -154,7 +153,7 @@ def contact_forces(
         for column in range(INPUTS):
             found.slope[i, column] = 0.0
     length -= found.lift[0]
-    s, c, v, _, q, kn, ka = contact_exact(y1, y2, length, coefficients(p, series, case))
+    s, c, v, _, q, kn, ka = contact_exact(y1, y2, length, (p, series, case))
     if q <= 0.0:
         return 0.0, 0.0
     root = q ** (1.0 / 3.0)

@@ -17,7 +17,7 @@ import numpy as np
 from rolamento.contact.hertz import elliptical_contact
 from rolamento.equilibrium import accept, rows
 from rolamento.equilibrium.detail import BallTable, ball_table
-from rolamento.equilibrium.problem import LEAST_ANGLE_COSINE, Floats
+from rolamento.equilibrium.problem import Floats, directions
 from rolamento.equilibrium.rolling import Rolling
 from rolamento.equilibrium.run import Solution, ball_azimuths, has_inertia
 from rolamento.equilibrium.single import direction, groove
@@ -136,10 +136,9 @@ class _Problem:
         film: Film | None = None,
     ) -> _Problem:
         """Prepare the arrays of a batch."""
-        azimuth = 2.0 * np.pi * np.arange(balls) / balls
         return cls(
-            np.ascontiguousarray(p[: rows.PARAMETERS]), constants, drag, np.cos(azimuth),
-            np.sin(azimuth), ellipse_nodes(*COARSE), ellipse_nodes(*MESHES[mesh]), film,
+            np.ascontiguousarray(p), constants, drag, *directions(balls),
+            ellipse_nodes(*COARSE), ellipse_nodes(*MESHES[mesh]), film,
         )  # fmt: skip
 
     def rig(self, case: int) -> Rig:
@@ -253,7 +252,7 @@ def _axes_polynomials(p: Floats, conformity: Floats, race: Race) -> Floats:
     """Coefficients of a / Q^(1/3) and b / Q^(1/3) in cos α; (14, cases)."""
     count = rows.COEFFICIENTS
     chebyshev = np.cos(np.pi * (np.arange(count) + 0.5) / count)
-    cosines = LEAST_ANGLE_COSINE + 0.5 * (1.0 - LEAST_ANGLE_COSINE) * (1.0 + chebyshev)
+    cosines = 0.5 * (1.0 + chebyshev)
     diameter = p[rows.BALL_DIAMETER]
     curvature = race_curvature(
         diameter, diameter / p[rows.GAMMA], conformity, np.arccos(cosines)[:, np.newaxis], race
