@@ -23,6 +23,7 @@ from benchmarks import (
     against_scipy,
     duty_sets,
     friction_control,
+    laws,
     life,
     lubrication,
     robustness,
@@ -43,6 +44,7 @@ class Effort:
     repeats: int
     sample: int
     robust_cases: int
+    law_cases: int
     runs: int
     sweep_cases: int
     analysed_cases: int
@@ -64,6 +66,7 @@ FULL = Effort(
     repeats=5,
     sample=100,
     robust_cases=100_000,
+    law_cases=1_000_000,
     runs=10,
     sweep_cases=1_000_000,
     analysed_cases=100_000,
@@ -84,6 +87,7 @@ QUICK = Effort(
     repeats=1,
     sample=5,
     robust_cases=3_000,
+    law_cases=2_000,
     runs=2,
     sweep_cases=20_000,
     analysed_cases=5_000,
@@ -127,6 +131,7 @@ def steps(effort: Effort) -> list[tuple[str, Callable[[], Findings]]]:
         ("Weibull fits", partial(weibull.measure, e.weibull_fits, e.weibull_sample, e.repeats)),
         *vibration_steps(e),
         *((n, partial(robustness.measure, n, e.robust_cases)) for n in robustness.KINDS),
+        ("laws", partial(laws.measure, e.law_cases)),
     ]
 
 

@@ -29,7 +29,8 @@ SETS: Final[dict[str, tuple[Callable[[int], duty_sets.Duties], bool]]] = {
 def measure(name: str, sample: int, repeats: int) -> Findings:
     """Compare rates and answers on a sample of a duty set."""
     duties_of, tilting = SETS[name]
-    case, everything = duty_sets.example(), duty_sets.some(duties_of(duty_sets.CASES), BATCH)
+    case = example()
+    everything = duty_sets.some(duties_of(duty_sets.CASES), BATCH)
     engine = partial(rolamento.solve_batch, case, threads=1, **everything)
     sides = _Sample(case, duty_sets.some(everything, sample), tilting)
     runs = (
@@ -41,6 +42,11 @@ def measure(name: str, sample: int, repeats: int) -> Findings:
     for label, starts, exact, target in runs:
         findings.add(_compare(sides, f"{name}, {label}", starts, exact, engine, target, repeats))
     return findings
+
+
+def example() -> rolamento.Case:
+    """The 218 bearing as SciPy's side has it: raceway control alone, and no cage."""
+    return rolamento.override(duty_sets.example(), ["model.cage=none"])
 
 
 class _Sample:

@@ -120,7 +120,8 @@ class ScipyBearing:
         k = self.polynomial[-1]
         for coefficient in self.polynomial[-2::-1]:
             k = k * c + coefficient
-        delta = np.maximum(length - self.free_length, 0.0)
+        # a groove is open toward its own ring's axis
+        delta = np.where(c > 0.0, np.maximum(length - self.free_length, 0.0), 0.0)
         slope = k * np.sqrt(delta)
 
         one_plus_cosine = 1.0 + c[0] * c[1] + s[0] * s[1]

@@ -59,7 +59,7 @@ def test_throughput(module: Any, name: str) -> None:
 @pytest.mark.parametrize("name", ["tilts held", "moments given"])
 def test_scipy_finds_the_same(module: Any, name: str) -> None:
     against = module("against_scipy")
-    case = module("duty_sets").example()
+    case = against.example()
     duties_of, tilting = against.SETS[name]
     sample = against._Sample(case, duties_of(6), tilting)
     differences = sample.differences(sample.solve(sample.warm, True))
