@@ -15,6 +15,7 @@ import rolamento
 from rolamento import (
     Case,
     InputError,
+    Load,
     Lubricant,
     analyse,
     analyse_batch,
@@ -318,7 +319,9 @@ def test_skfs_constants_are_for_another_angle_than_a_spindle_bearings() -> None:
 
 def test_why_there_is_no_life(case_218: Case) -> None:
     steep = case_218.replace(
-        bearing=case_218.bearing.replace(contact_angle=np.radians(50.0)), life={}
+        bearing=case_218.bearing.replace(contact_angle=np.radians(50.0)),
+        duty=case_218.duty.replace(load=Load(fx="30 kN", fz="15 kN")),
+        life={},
     )
     found = analyse(steep)
     assert found.life is None

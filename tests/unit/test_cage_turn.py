@@ -109,7 +109,9 @@ def test_the_cage_speed_is_the_mean_of_the_loaded_balls(turn: CageTurn, case_218
     assert speed.least < speed.mean < speed.greatest
     orbits = [ball.orbital_speed for ball in solve(case_218).balls]
     assert speed.mean == pytest.approx(np.mean(orbits), rel=1e-3)
-    assert speed.spread == pytest.approx((max(orbits) - min(orbits)) / np.mean(orbits), rel=1e-2)
+    # the range is that of all instants: wider than at one of them, by little
+    at_once = (max(orbits) - min(orbits)) / np.mean(orbits)
+    assert at_once <= speed.spread < 1.02 * at_once
 
 
 def test_balls_without_load_have_no_say_in_the_cage_speed(examples: Path) -> None:
@@ -137,9 +139,10 @@ def test_orders_count_by_the_revolution_of_the_cage(turn: CageTurn) -> None:
     )
 
 
-def test_the_first_harmonic_is_the_amplitude_of_the_wave(turn: CageTurn) -> None:
-    """Nearly a sine: half of peak to peak."""
-    variation = turn.variation("displacement")
+def test_the_first_harmonic_is_the_amplitude_of_the_wave(case_218: Case) -> None:
+    """Nearly a sine, where no ball passes from the cage to its own orbit: half of peak to peak."""
+    alone = case_218.replace(model=case_218.model.replace(cage="none"))
+    variation = cage_turn(alone, points=32).variation("displacement")
     amplitude = np.abs(variation.harmonics[0, :3])
     np.testing.assert_allclose(2.0 * amplitude, variation.peak_to_peak[:3], rtol=1e-2)
 

@@ -361,3 +361,18 @@ def test_record_is_one_for_all() -> None:
     assert all(isinstance(record, Life) for record in found.theories.values())
     assert found.headline.theory[0] == "iso16281_modified"
     assert found.headline.life is found["iso16281_modified"].life
+
+
+def test_without_a_number_there_is_nothing_that_it_leaves_out() -> None:
+    """No load and a pure moment are said; not how a load that is not there is out of range."""
+    given = LifeConditions(viscosity_ratio=0.05, contamination=0.5)
+    idle = life(solve(_case(fz=0.0)), given)
+    for own in idle.theories.values():
+        found = set(own.notes_of())
+        assert "unloaded" in found
+        assert not found & {"light_load", "centrifugal_left_out", "viscosity_ratio_too_small"}
+    tilting = life(solve(_case(my=20.0)), given)
+    found = set(tilting["iso281_modified"].notes_of())
+    assert "no_force" in found
+    assert not found & {"light_load", "centrifugal_left_out", "viscosity_ratio_too_small"}
+    assert "viscosity_ratio_too_small" in tilting["iso16281_modified"].notes_of()

@@ -21,7 +21,7 @@ import rolamento
 from rolamento import Case, State
 from rolamento.equilibrium import advice, notes, rolling_notes, solve
 from rolamento.equilibrium.batch_state import STATUS_NAMES
-from rolamento.model import RacewayControl
+from rolamento.model import CageKind, RacewayControl
 from rolamento.report.balls_csv import CSV_COLUMNS, ball_csv
 from rolamento.report.language import ENGLISH, LANGUAGES, PORTUGUESE, Words, words_for
 from rolamento.report.medium import Medium
@@ -71,7 +71,7 @@ def test_the_report_shows_what_was_given_and_what_follows() -> None:
     assert "inner ring 10 000 rpm, fx 20 kN, fz 15 kN" in report
     assert f"{1e6 * state.displacement.z:.3f} µm" in report
     assert re.search(r"fz 15 000 N +fz given", report)
-    assert re.search(r"my +656.49 N·m +held", report)
+    assert re.search(rf"my +{state.load.my:.2f} N·m +held", report)
     assert re.search(r"fy +0 N +free", report)
 
 
@@ -188,6 +188,7 @@ def test_both_languages_say_everything_with_the_same_places(field: str) -> None:
 def test_every_status_and_every_raceway_control_has_words(words: Words) -> None:
     assert set(words.reasons) == set(STATUS_NAMES.values()) - {"converged"}
     assert set(words.raceway_control) == set(get_args(RacewayControl))
+    assert set(words.cage) == set(get_args(CageKind))
 
 
 @pytest.mark.parametrize(
@@ -249,6 +250,7 @@ def _sample(expression: str) -> str:
         "{away}": "-x",
         "{faced}": "+x",
         "{cause}": "its preload is gone",
+        "{groove}": "the groove, taken as a half circle,",
         "map(str, lost)": "1, 2",
         "{row}": "1",
     }

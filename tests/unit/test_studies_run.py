@@ -109,7 +109,7 @@ class TestInMemory:
                 Axis(field="bearing.ball_count", first=10, last=16, count=3),
                 Axis(field="bearing.ring_material", values=["100Cr6", "M50"]),
                 Axis(field="model.gyroscopic_moment", values=[True, False]),
-                Axis(field="bearing.inner_shoulder_height", values=["4 mm", "5 mm"]),
+                Axis(field="bearing.inner_shoulder_height", values=["9 mm", "9.5 mm"]),
                 Axis(name="pair", zipped={
                     "model.raceway_control": ["outer", "inner"],
                     "duty.load.fx": ["20 kN", "30 kN"],

@@ -43,17 +43,17 @@ NOTES: Final[Mapping[str, str]] = {
     ),
     "moment_governs": (
         "The moment loads the balls more than the forces do (2M/d_m > F), and the equivalent load"
-        " knows no moment; the reference life counts it, ball by ball."
+        " leaves out the moment; the reference life counts it, ball by ball."
     ),
     "no_fatigue_load_limit": (
-        "No fatigue load limit C_u is known, and so no modified life: give life.fatigue_load_limit."
+        "Without a fatigue load limit C_u there is no modified life: give life.fatigue_load_limit."
     ),
     "no_equivalent_load": (
         "The standard has no equivalent load for this set: its rows differ, or are more than a"
-        " tandem or a pair. The reference life holds for it."
+        " tandem or a pair. The reference life is valid for it."
     ),
     "thrust_bearing": (
-        "The contact angle is beyond 45°: a thrust bearing, which these theories are not for."
+        "The contact angle is beyond 45°: a thrust bearing, for which these theories are not valid."
     ),
     "no_dynamic_rating": (
         "The geometry lies outside the standard's table (D cos α/d_m from 0.01 to 0.40), and no"
@@ -73,12 +73,12 @@ NOTES: Final[Mapping[str, str]] = {
     ),
     # what the number leaves out, or how it was had
     "moment_left_out": (
-        "The equivalent load knows no moment; the reference life counts it, ball by ball."
+        "The equivalent load leaves out the moment; the reference life counts it, ball by ball."
     ),
-    "preload_left_out": "The equivalent load knows no preload; the reference life counts it.",
+    "preload_left_out": "The equivalent load leaves out the preload; the reference life counts it.",
     "centrifugal_left_out": (
         "The balls press harder on the outer race than on the inner, by their centrifugal force;"
-        " the equivalent load knows nothing of it, the reference life counts it."
+        " the equivalent load leaves that out; the reference life counts it."
     ),
     "open_grooves": (
         "The grooves are more open than 0.52 (inner) or 0.53 (outer). A rating that is not given"
@@ -100,7 +100,7 @@ NOTES: Final[Mapping[str, str]] = {
         "The reliability lies outside the standard's table; its formula is continued."
     ),
     "material_factor_unsupported": (
-        "a_2 is not 1: the standard wants evidence from the maker for it."
+        "a_2 is not 1: the standard requires evidence from the maker for it."
     ),
     "operation_factor_too_great": (
         "The oil is thinner than 13 mm²/s, or n d_m below 10 000: the standard asks for a_3 < 1."

@@ -34,7 +34,7 @@ from rolamento.life.modified import (
     life_modification_factor,
     modification_notes,
 )
-from rolamento.life.record import Life
+from rolamento.life.record import BOUNDS, OUTSIDE, Life
 from rolamento.life.reference import RaceRatings, ReferenceLife, race_ratings, reference_life
 from rolamento.life.reliability import outside_print, reliability_factor
 from rolamento.life.solved_balls import SolvedRows
@@ -77,7 +77,12 @@ class Basis:
         unloaded = self.balls.unloaded
         refused = unloaded | notes.get("no_force", np.zeros(cases, dtype=np.bool_))
         result = np.where(refused, np.nan, np.prod([basic, *known], axis=0))
-        kept = {**self.common, **notes, "unloaded": unloaded}
+        # what a number leaves out, or is a bound of, matters only where there is a number
+        kept = {
+            name: where if name in OUTSIDE - BOUNDS else where & ~refused
+            for name, where in (self.common | notes).items()
+        }
+        kept["unloaded"] = unloaded
         return Life(
             theory=theory,
             reliability=self.given.reliability,

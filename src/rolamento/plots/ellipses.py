@@ -20,6 +20,7 @@ from matplotlib.patches import Patch
 from numpy.typing import ArrayLike
 
 from rolamento.bearing import Bearing
+from rolamento.equilibrium.problem import edge_cosine
 from rolamento.errors import InputError
 from rolamento.plots.axes_units import DEGREE, MILLIMETRE
 from rolamento.plots.balls import RACES, Race
@@ -47,8 +48,10 @@ class _Slot:
     semi_major: float
     semi_minor: float
     groove_radius: float
-    edge: float | None
+    edge: float
     """Of the ball's groove, from its bottom."""
+    shoulder: bool
+    """Whether the height of the shoulder is given; else the edge is that of a half circle."""
     along: float = 0.0
 
     @property
@@ -59,7 +62,7 @@ class _Slot:
     @property
     def over_edge(self) -> bool:
         """Whether the ellipse runs over the edge of the groove."""
-        return self.edge is not None and abs(self.across) + self.semi_major > self.edge
+        return abs(self.across) + self.semi_major > self.edge
 
 
 class _Scale(NamedTuple):
@@ -82,7 +85,7 @@ def contact_ellipses(
     """Draw the contact ellipses of one race to scale, where they lie across the groove.
 
     The edges of the groove are drawn where its shoulder height is given; an ellipse that runs
-    over one is hatched.
+    over the edge, of a half circle where none is given, is hatched.
 
     Parameters
     ----------
@@ -193,14 +196,14 @@ def _slot(ball: PlottedBall, state: PlottedState, race: Race) -> _Slot:
     radius = _groove_radius(ball, state, race)
     bearing = _bearing_of(ball, state)
     height = bearing.inner_shoulder_height if race == "inner" else bearing.outer_shoulder_height
-    edge = None if height is None else radius * acos(max(1.0 - 1e3 * height / radius, -1.0))
     return _Slot(
         ball=ball,
         across=radius * contact_value(ball, race, "contact_angle"),
         semi_major=1e3 * contact_value(ball, race, "semi_major"),
         semi_minor=1e3 * contact_value(ball, race, "semi_minor"),
         groove_radius=radius,
-        edge=edge,
+        edge=radius * acos(float(edge_cosine(bearing, race))),
+        shoulder=height is not None,
     )
 
 
@@ -236,7 +239,7 @@ def _extent(slots: Sequence[_Slot]) -> tuple[float, float]:
     for slot in slots:
         if slot.touches:
             reach += [slot.across - slot.semi_major, slot.across + slot.semi_major]
-        if slot.edge is not None:
+        if slot.shoulder:
             reach += [-slot.edge, slot.edge]
     low, high = min(reach), max(reach)
     return (low, high) if high > low else (-1.0, 1.0)
@@ -286,9 +289,9 @@ def _draw_edges(axes: Axes, slots: Sequence[_Slot], words: PlotWords) -> list[Ar
     handles: list[Artist] = []
     for row in sorted({slot.ball.row for slot in slots}):
         group = [slot for slot in slots if slot.ball.row == row]
-        edge = group[0].edge
-        if edge is None:
+        if not group[0].shoulder:
             continue
+        edge = group[0].edge
         ends = [group[0].along - margin, group[-1].along + margin]
         for side in (-edge, edge):
             handles += axes.plot(

@@ -92,6 +92,7 @@ _PORTUGUESE: Final = _Names(
         "spacing": "distância entre carreiras",
         "preload": "pré-carga",
         "raceway_control": "controle de pista",
+        "cage": "gaiola",
         "loaded_balls": "esferas carregadas",
         "life_hours": "vida",
         "equivalent_load": "carga equivalente P",

@@ -53,6 +53,7 @@ class Words:
     at_rest: str
     model: str
     raceway_control: Mapping[str, str]
+    cage: Mapping[str, str]
     without_centrifugal_force: str
     without_gyroscopic_moment: str
     status: str
@@ -170,6 +171,11 @@ ENGLISH: Final = Words(
         "none": "no raceway control: the races share the gyroscopic moment",
         "friction": "balls controlled by friction alone",
     },
+    cage={
+        "loose": "cage with play: it drives the balls that are not held",
+        "rigid": "rigid cage: all balls orbit with it",
+        "none": "no cage: raceway control alone moves the balls",
+    },
     without_centrifugal_force="no centrifugal force",
     without_gyroscopic_moment="no gyroscopic moment",
     status="status",
@@ -179,6 +185,7 @@ ENGLISH: Final = Words(
         "not_converged": "not converged",
         "overloaded": "overloaded",
         "unheld_ball": "a ball is not held",
+        "over_shoulder": "a ball rides over the shoulder",
         "invalid_input": "invalid input",
     },
     advice_label="advice",
@@ -229,7 +236,7 @@ ENGLISH: Final = Words(
     balls="Balls",
     motion="Motion of the balls",
     load_legend="Q load, α contact angle, p greatest pressure; i inner, o outer; ◂ greatest",
-    motion_legend="F_c centrifugal force, M_g gyroscopic moment, n_m cage, n_R ball, s spin/roll",
+    motion_legend="F_c centrifugal force, M_g gyroscopic moment, n_m orbit, n_R ball, s spin/roll",
     waiting="Solving; if it compiles its kernels for this machine, once, that takes about 20 s …",
     interrupted="interrupted",
     demo_source="This was {path}",
@@ -276,6 +283,11 @@ PORTUGUESE: Final = Words(
         "none": "sem controle de pista: as pistas dividem o momento giroscópico",
         "friction": "esferas controladas só pelo atrito",
     },
+    cage={
+        "loose": "gaiola com folga: ela arrasta as esferas que não são seguradas",
+        "rigid": "gaiola rígida: todas as esferas orbitam com ela",
+        "none": "sem gaiola: só o controle de pista move as esferas",
+    },
     without_centrifugal_force="sem força centrífuga",
     without_gyroscopic_moment="sem momento giroscópico",
     status="situação",
@@ -285,6 +297,7 @@ PORTUGUESE: Final = Words(
         "not_converged": "não convergiu",
         "overloaded": "sobrecarga",
         "unheld_ball": "uma esfera não é segurada",
+        "over_shoulder": "uma esfera passa do rebordo da pista",
         "invalid_input": "entrada inválida",
     },
     advice_label="conselho",
@@ -336,7 +349,7 @@ PORTUGUESE: Final = Words(
     motion="Movimento das esferas",
     load_legend="Q carga, α ângulo de contato, p pressão máxima; i interno, o externo; ◂ maior",
     motion_legend=(
-        "F_c força centrífuga, M_g momento giroscópico, n_m gaiola, n_R esfera, s spin/rolamento"
+        "F_c força centrífuga, M_g momento giroscópico, n_m órbita, n_R esfera, s spin/rolamento"
     ),
     waiting="Resolvendo; se compila o código para esta máquina, uma só vez, leva cerca de 20 s …",
     interrupted="interrompido",

@@ -39,10 +39,10 @@ PORTUGUESE_NOTES: Final[Mapping[str, str]] = {
     ),
     "moment_governs": (
         "O momento solicita as esferas mais que as forças (2M/d_m > F), e a carga equivalente não"
-        " conhece momento; a vida de referência o conta, esfera por esfera."
+        " inclui o momento; a vida de referência o conta, esfera por esfera."
     ),
     "no_fatigue_load_limit": (
-        "Não se conhece o limite de carga de fadiga C_u, e por isso não há vida modificada: dê"
+        "Sem o limite de carga de fadiga C_u não há vida modificada: informe"
         " life.fatigue_load_limit."
     ),
     "no_equivalent_load": (
@@ -50,7 +50,7 @@ PORTUGUESE_NOTES: Final[Mapping[str, str]] = {
         " mais que um tandem ou um par. A vida de referência vale para ele."
     ),
     "thrust_bearing": (
-        "O ângulo de contato passa de 45°: um rolamento axial, para o qual estas teorias não são."
+        "O ângulo de contato passa de 45°: um rolamento axial, para o qual estas teorias não valem."
     ),
     "no_dynamic_rating": (
         "A geometria está fora da tabela da norma (D cos α/d_m de 0,01 a 0,40), e nenhuma"
@@ -70,14 +70,14 @@ PORTUGUESE_NOTES: Final[Mapping[str, str]] = {
         "A limpeza não foi dada: mesmo perfeitamente limpo, um óleo tão fino deixa menos que isto."
     ),
     "moment_left_out": (
-        "A carga equivalente não conhece momento; a vida de referência o conta, esfera por esfera."
+        "A carga equivalente não inclui o momento; a vida de referência o conta, esfera por esfera."
     ),
     "preload_left_out": (
-        "A carga equivalente não conhece pré-carga; a vida de referência a conta."
+        "A carga equivalente não inclui a pré-carga; a vida de referência a conta."
     ),
     "centrifugal_left_out": (
         "As esferas pressionam mais a pista externa que a interna, pela sua força centrífuga;"
-        " a carga equivalente nada sabe disso, a vida de referência o conta."
+        " a carga equivalente não inclui isso; a vida de referência, sim."
     ),
     "open_grooves": (
         "As pistas são mais abertas que 0,52 (interna) ou 0,53 (externa). Uma capacidade que"
@@ -98,7 +98,9 @@ PORTUGUESE_NOTES: Final[Mapping[str, str]] = {
     "reliability_continued": (
         "A confiabilidade está fora da tabela da norma; a sua fórmula é continuada."
     ),
-    "material_factor_unsupported": ("a_2 não é 1: a norma quer para isso provas do fabricante."),
+    "material_factor_unsupported": (
+        "a_2 não é 1: a norma exige para isso evidências do fabricante."
+    ),
     "operation_factor_too_great": (
         "O óleo tem menos de 13 mm²/s, ou n d_m está abaixo de 10 000: a norma pede a_3 < 1."
     ),

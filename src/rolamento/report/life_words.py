@@ -151,7 +151,7 @@ _ENGLISH: Final = LifeWords(
         "With {reliability} reliability {what} reaches less than {revolutions} million revolutions"
         " (bound of the {theory}); nothing turns, so there are no hours."
     ),
-    endless_life="Fatigue does not end the life of {what} ({theory}).",
+    endless_life="No end of life by fatigue for {what} ({theory}).",
     limit="The {race} ring limits it.",
     limit_of_row="The {race} ring of row {row} limits it.",
     races={"inner": "inner", "outer": "outer"},
@@ -164,8 +164,8 @@ _ENGLISH: Final = LifeWords(
         "thicker_oil": "Thicker oil",
         "cleaner_oil": "Cleaner oil",
     },
-    wanted="The {life} h that are wanted have a reliability of {reliability}.",
-    wanted_below="The {life} h that are wanted have a reliability below {reliability}.",
+    wanted="The required {life} h have a reliability of {reliability}.",
+    wanted_below="The required {life} h have a reliability below {reliability}.",
     more_than="more than {value}",
     less_than="less than {value}",
     lubrication_left_out=(
@@ -173,7 +173,7 @@ _ENGLISH: Final = LifeWords(
         " temperature, or life.viscosity_ratio) and the cleanliness (life.cleanliness, for"
         " instance)."
     ),
-    none_holds="No theory that counts the load of every ball holds for this case.",
+    none_holds="No theory that counts the load of every ball is valid for this case.",
     not_to_be_used="The numbers below are what the formulas give; do not rely on them.",
     no_life="There is no equilibrium to find a life from.",
     theories="Life by theory",
@@ -192,7 +192,7 @@ _ENGLISH: Final = LifeWords(
     bounds="; bound: the life is below the number",
     validity="What each is for",
     every_theory="all",
-    fails_for="does not hold ({theories}): {reason}",
+    fails_for="not valid ({theories}): {reason}",
     ratings="Ratings and loads",
     sources={
         "given": "given",

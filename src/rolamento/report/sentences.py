@@ -23,9 +23,14 @@ _TERMS: Final = {
     "against tilting about y (ry)": "contra a inclinação em torno de y (ry)",
     "against tilting about z (rz)": "contra a inclinação em torno de z (rz)",
     "only centrifugal force presses on them": "só a força centrífuga age sobre elas",
+    "only centrifugal force presses on them, and they orbit with the cage": (
+        "só a força centrífuga age sobre elas, e elas orbitam com a gaiola"
+    ),
     "nothing presses on them": "nada age sobre elas",
     "its preload is gone": "a pré-carga dela acabou",
     "no preload holds it there": "nenhuma pré-carga a segura",
+    "the groove": "a pista",
+    "the groove, taken as a half circle,": "a pista, tomada como um semicírculo,",
     "behind": "atrás",
     "ahead of": "à frente",
 }
@@ -35,7 +40,11 @@ _GROUPS: Final = {
     "AZIMUTHS": r"(?P<azimuths>[^)]*)",
     "RACE": r"(?P<race>inner|outer)",
     "DIRECTION": r"(?P<direction>along [xyz]|toward -x|against tilting about [yz] \(r[yz]\))",
-    "HOLDER": r"(?P<holder>(?:only centrifugal force|nothing) presses on them)",
+    "HOLDER": (
+        r"(?P<holder>(?:only centrifugal force|nothing) presses on them"
+        r"(?:, and they orbit with the cage)?)"
+    ),
+    "GROOVE": r"(?P<groove>the groove(?:, taken as a half circle,)?)",
     "CAUSE": r"(?P<cause>its preload is gone|no preload holds it there)",
     "AXIS": r"(?P<axis>\w+)",
     "SIDE2": r"(?P<side2>[-+]x)",
@@ -143,11 +152,25 @@ _SENTENCES: Final = (
     ),
     (
         "This raceway control cannot hold a ball that a race loads too lightly to bear"
-        ' its gyroscopic moment. Take model.raceway_control = "jones" or "outer", or more'
-        " axial load.",
+        ' its gyroscopic moment. Take model.cage = "loose", model.raceway_control = "jones" or'
+        ' "outer", or more axial load.',
         "Este controle de pista não segura uma esfera que uma pista carrega pouco"
-        ' demais para suportar o momento giroscópico dela. Use model.raceway_control = "jones"'
-        ' ou "outer", ou mais carga axial.',
+        ' demais para suportar o momento giroscópico dela. Use model.cage = "loose",'
+        ' model.raceway_control = "jones" ou "outer", ou mais carga axial.',
+    ),
+    (
+        "The centre of a loaded contact lies beyond the edge of its groove: the inner groove ends"
+        " at a contact angle of NUMBER°, the outer at NUMBER2° (90° where no shoulder height is"
+        " given: a half circle). Where speed drives the inner contact up its groove, a lower speed"
+        " or more axial load or preload brings it back; where the load does, less axial load,"
+        " moment or tilt, or a higher shoulder (bearing.inner_shoulder_height,"
+        " bearing.outer_shoulder_height).",
+        "O centro de um contato carregado fica além da borda da sua pista: a pista interna termina"
+        " num ângulo de contato de {number}°, a externa em {number2}° (90° onde não se dá a altura"
+        " do rebordo: um semicírculo). Onde é a rotação que leva o contato interno pista acima, uma"
+        " rotação menor ou mais carga axial ou pré-carga o traz de volta; onde é a carga, menos"
+        " carga axial, momento ou inclinação, ou um rebordo mais alto"
+        " (bearing.inner_shoulder_height, bearing.outer_shoulder_height).",
     ),
     (
         "Between rings that turn against each other the balls may orbit so slowly that the"
@@ -239,9 +262,11 @@ _SENTENCES: Final = (
     ),
     (
         "The orbit of a ball without inner contact, and with it its centrifugal force, is a guess"
-        " while the outer ring turns: raceway control says nothing about it.",
-        "A órbita de uma esfera sem contato interno, e com ela a sua força centrífuga, é uma"
-        " estimativa enquanto o anel externo gira: o controle de pista nada diz sobre ela.",
+        ' under model.cage = "none": raceway control says nothing about it. Under "loose" the cage'
+        " drives it.",
+        "A órbita de uma esfera sem contato interno, e com ela a sua força centrífuga, é um palpite"
+        ' com model.cage = "none": o controle de pista nada diz sobre ela. Com "loose" a gaiola a'
+        " arrasta.",
     ),
     (
         "No ball presses on the inner ring: without a load, its place is one of many.",
@@ -252,23 +277,26 @@ _SENTENCES: Final = (
         "{balls} sem contato com a pista interna (azimute {azimuths}): {holder}.",
     ),
     (
+        "BALLS past the edge of the inner groove (azimuth AZIMUTHS): no force is computed there. In"
+        " the real bearing such a ball may bear on the edge of the shoulder, and the loads of all"
+        " balls differ from those shown.",
+        "{balls} além da borda da pista interna (azimute {azimuths}): ali não se calcula força"
+        " alguma. No rolamento real, tal esfera pode apoiar-se na borda do rebordo, e as cargas de"
+        " todas as esferas diferem das mostradas.",
+    ),
+    (
         "Contact pressure at the RACE race is up to NUMBER MPa, above NUMBER2 MPa (ISO 76), where"
         " balls begin to dent the groove: BALLS (azimuth AZIMUTHS).",
         "A pressão de contato na pista {race} chega a {number} MPa, acima de {number2} MPa"
         " (ISO 76), quando as esferas começam a marcar a pista: {balls} (azimute {azimuths}).",
     ),
     (
-        "The contact ellipse runs over the RACE shoulder: it reaches NUMBER°, the groove ends at"
+        "The contact ellipse runs over the RACE shoulder: it reaches NUMBER°, GROOVE ends at"
         " NUMBER2° (BALLS, azimuth AZIMUTHS). Pressure at the edge is higher than"
         " shown.",
-        "A elipse de contato passa do rebordo da pista {race}: chega a {number}°, e a pista termina"
-        " a {number2}° ({balls}, azimute {azimuths}). A pressão na borda é maior que a mostrada.",
-    ),
-    (
-        "The inner contact angle passes 90° at BALLS (azimuth AZIMUTHS): no real groove reaches so"
-        " far; more axial load would keep the balls in place.",
-        "O ângulo de contato interno passa de 90° em {balls} (azimute {azimuths}): nenhuma pista"
-        " real chega tão longe; mais carga axial manteria as esferas no lugar.",
+        "A elipse de contato passa do rebordo da pista {race}: chega a {number}°, e {groove}"
+        " termina a {number2}° ({balls}, azimute {azimuths}). A pressão na borda é maior que a"
+        " mostrada.",
     ),
     (
         "The speed factor n·d_m = NUMBER mm/min is beyond what rolling bearings reach (NUMBER2"

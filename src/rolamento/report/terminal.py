@@ -171,7 +171,10 @@ def _model(page: Page, state: State) -> str:
         )
         if not included
     ]
-    return ", ".join([words.raceway_control[model.raceway_control], *left_out])
+    # the default is not said, nor anything under friction control, where the cage is always rigid
+    usual = model.cage == "loose" or model.raceway_control == "friction"
+    cage = [] if usual else [words.cage[model.cage]]
+    return ", ".join([words.raceway_control[model.raceway_control], *cage, *left_out])
 
 
 def _status(page: Page, state: State) -> list[tuple[str, str, str]]:

@@ -81,6 +81,7 @@ REASONS: Final[Mapping[str, Text]] = {
     "not_converged": said("not converged", "não convergiu"),
     "overloaded": said("overloaded", "sobrecarga"),
     "unheld_ball": said("a ball is not held", "uma esfera sem apoio"),
+    "over_shoulder": said("a ball rides over the shoulder", "uma esfera passa do rebordo da pista"),
     "invalid_input": said("invalid input", "entrada inválida"),
 }
 

@@ -84,5 +84,6 @@ def bearing(name: str) -> Bearing:
 
 
 def case(duty: Duty | None = None, model: Model | None = None) -> Case:
-    """Return a case of the 218: outer raceway control, as in the dissertation."""
-    return Case(bearing=bearing("218"), duty=duty or Duty(), model=model or Model())
+    """Return a case of the 218: outer raceway control alone, as in the dissertation."""
+    model = (model or Model()).replace(cage="none")
+    return Case(bearing=bearing("218"), duty=duty or Duty(), model=model)
