@@ -6,11 +6,12 @@ PYTHON ?=
 export PYTHON
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test bench runtime dev clean
+.PHONY: help demo test golden bench runtime dev clean
 
 help:
 	@echo "make demo    solve the shipped example: a 218 bearing at 10 000 rpm, combined load"
 	@echo "make test    check everything: style, types, layers, tests"
+	@echo "make golden  compare what all commands answer with what they answered before"
 	@echo "make bench   measure the speed"
 	@echo "make clean   remove the virtual environment and all caches"
 
@@ -23,6 +24,9 @@ test: dev
 	$(BIN)/mypy
 	$(BIN)/lint-imports --no-cache
 	$(BIN)/pytest -n auto
+
+golden: dev
+	@$(BIN)/python -m tests.regression.golden --check
 
 bench: dev
 	@$(BIN)/python -m benchmarks
