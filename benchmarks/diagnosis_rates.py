@@ -165,12 +165,16 @@ def measure_time() -> float:
 
 def markdown(results: dict[str, Any]) -> str:
     """The tables as a page."""
+    number = sum(len(row["probabilities"]) for row in results["healthy"])
+    seeds = results["found"][0]["seeds"]
     lines = [
         "# Rates of the diagnosis",
         "",
-        "Written by `python -m benchmarks.diagnosis_rates --markdown docs/diagnosis-rates.md",
-        "--figure docs/gallery/plots/diagnosis-rates.png` (some hours on one processor). What is",
-        "diagnosed and how:",
+        f"Written by `python -m benchmarks.diagnosis_rates --healthy {number} --seeds {seeds}",
+        "--recordings FILE --markdown docs/diagnosis-rates.md --figure",
+        "docs/gallery/plots/diagnosis-rates.png`, FILE being the tables of",
+        "`python -m benchmarks.recordings FOLDER --markdown FILE`. With 1000 healthy signals and",
+        "20 seeds it takes some hours on one processor. What is diagnosed and how:",
         "[diagnosis](diagnose.md), [theory](theory/vibration-analysis.md#diagnosis).",
         "",
         "## Real recordings",

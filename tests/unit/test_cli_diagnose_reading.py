@@ -122,7 +122,7 @@ def test_a_short_record_is_told_before_it_is_read(
     assert code == 1
     assert out == (
         "No verdict: the record is too short. It spans 0.4 revolutions of the shaft, 0.8 s; below "
-        "1.7 revolutions, 3.4 s, nothing can be told of any race."
+        "1.7 revolutions, 3.4 s, nothing can be said of either race."
     )
     code, out, error = run(*known, "--json")
     assert code == 1

@@ -156,7 +156,8 @@ def _by_whom(page: Page, said: DiagnosisWords, found: DiagnosisResult, known: Sh
     digits, diagnosis, source = page.digits, found.diagnosis, _speed_source(page, said, known)
     tolerance = found.settings.speed_tolerance
     if diagnosis.speed_factor != 1.0:
-        off = digits.fixed(100.0 * (1.0 / diagnosis.speed_factor - 1.0), 1)
+        part = 100.0 * (1.0 / diagnosis.speed_factor - 1.0)
+        off = digits.fixed(part, 1 if abs(part) >= 0.1 else 2)
         given = digits.short(_RPM * abs(known.mean), 6)
         return said.speed_by_lines.format(source=source, given=given, off=off)
     if diagnosis.speed_confirmed or found.still or not known.is_steady:

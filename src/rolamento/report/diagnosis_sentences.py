@@ -99,7 +99,9 @@ def said_statements(diagnosis: Diagnosis, language: str, *, still: bool = False)
     if diagnosis.undecided:
         sentences.append(_at_speeds(diagnosis, said, digits))
     elif not stated:
-        sentences.append(said.nothing_found.format(parts=listed(tested, said)))
+        clear = any(part.probability <= diagnosis.false_alarm for part in parts)
+        nothing = said.nothing_own if clear else said.nothing_found
+        sentences.append(nothing.format(parts=listed(tested, said)))
     if diagnosis.unexplained and not stated:
         sentences.append(said.other_lines)
     if untested:
@@ -247,6 +249,8 @@ def _unexplained(diagnosis: Diagnosis, said: DiagnosisWords, digits: Digits) -> 
         entries.append(said.more_lines.format(count=more))
     several = len(lines) > 1
     sentence = said.unexplained[several].format(lines="; ".join(entries))
+    if lines[0].of_mains:
+        return f"{sentence} {said.of_mains[several]}"
     speeds = lines[0].shaft_frequencies
     if not speeds:
         return sentence

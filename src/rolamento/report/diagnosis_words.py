@@ -42,6 +42,7 @@ class DiagnosisWords:
     chance: str
     chance_below: str
     nothing_found: str
+    nothing_own: str
     other_lines: str
     untested: str
     no_verdict: str
@@ -97,6 +98,7 @@ class DiagnosisWords:
     more_lines: str
     lowest_line: tuple[str, str]
     at_speed: str
+    of_mains: tuple[str, str]
     row: str
 
     reading: str
@@ -130,14 +132,14 @@ _ENGLISH: Final = DiagnosisWords(
     watched="No damage stated. Watch {part}: {lines}, modulation depth {depth} %, as many healthy"
     " bearings have.",
     undecided="Not decided: {lines}, modulation depth {depth} %, would mean damage to {part}, but"
-    " something speaks against it as strongly.",
+    " what speaks against it weighs as much.",
     undecided_speed="Not decided: damage to {parts}.",
     if_speed="{part} if the shaft ran at {speed} rpm",
     to_do={
-        "severe": "Do: replace the bearing at the next stop; do not let it wait.",
+        "severe": "Do: replace the bearing at the next stop; do not put it off.",
         "damage": "Do: measure again soon, and plan to replace the bearing.",
         "watch": "Do: nothing now; measure again as usual, and compare the depth.",
-        "undecided": "Do: remove what speaks against it, or measure elsewhere, and measure again.",
+        "undecided": "Do: remove what speaks against it, or measure longer or elsewhere.",
         "undecided_speed": "Do: find out the speed of the shaft, and give it with --speed.",
     },
     against="Against it: {doubts}",
@@ -149,16 +151,18 @@ _ENGLISH: Final = DiagnosisWords(
     chance_below="below {number}",
     nothing_found="Nothing found: no lines of {parts} stand out of the noise more than chance"
     " explains.",
+    nothing_own="Nothing found: what stands out at the lines of {parts} is of another origin, or"
+    " too little to count.",
     other_lines="Other lines do: see the notes.",
     untested="Not tested: {parts}.",
-    no_verdict="No verdict: this signal does not tell of any part of the bearing.",
+    no_verdict="No verdict: this signal says nothing of any part of the bearing.",
     no_verdict_without="No verdict: not tested: {parts}.",
     rest="Nothing stands out of the noise for: {parts}.",
     too_slow="No verdict: the shaft is too slow for this sampling rate. The longest stretch that is"
-    " judged at once, {duration} s, spans {turns} revolutions; below {least} nothing can be told of"
-    " any race. Give the signal at a rate at least {times} times lower.",
+    " judged at once, {duration} s, spans {turns} revolutions; below {least} nothing can be said of"
+    " either race. Give the signal at a rate at least {times} times lower.",
     too_short="No verdict: the record is too short. It spans {turns} revolutions of the shaft,"
-    " {duration} s; below {least} revolutions, {seconds} s, nothing can be told of any race.",
+    " {duration} s; below {least} revolutions, {seconds} s, nothing can be said of either race.",
     no_change="No verdict: the signal does not change.",
     no_speed="No verdict: the speed was not found in the vibration, and at a steady one nothing"
     " stands out of the noise.",
@@ -222,7 +226,7 @@ _ENGLISH: Final = DiagnosisWords(
         " of {probability}.",
         "no_order": "Its order is not given.",
         "hidden": "Its lines coincide with multiples of the shaft or of what else is known to"
-        " turn: nothing can be told.",
+        " turn: nothing can be said of it.",
         "only_tones": "The signal holds tones, and beside them nothing.",
         "record_too_short": "The record is too short to tell its lines from the shaft's.",
         "rate_too_low": "The sampling rate is too low for its frequency.",
@@ -230,13 +234,13 @@ _ENGLISH: Final = DiagnosisWords(
         "at_edge": "It lies at the edge of what the allowed slip reaches, and may go on beyond:"
         " check the speed, the bearing and the contact angle.",
         "carries_the_ball": "Its lines stand out as those of the ball do: a damaged ball goes in"
-        " and out of the load once in each turn of the cage. Nothing more tells of the cage.",
+        " and out of the load once in each turn of the cage. Nothing else points to the cage.",
         "of_first": "What stands out at its lines lies on multiples of those of {first}, or on"
-        " sidebands of them. Nothing more tells of the part.",
+        " sidebands of them. Nothing else points to this part.",
         "beside_first": "What stands out at its lines is too little beside {first}, or of another"
         " cage speed, to be stated as well.",
         "of_others": "What stands out at its lines is at the edge of where they are looked for, or"
-        " has sidebands of the shaft: it is likely of something else.",
+        " has sidebands of the shaft: it probably comes from something else.",
         "not_strongest": "What stands out at its lines is as small as in many healthy bearings, and"
         " lines of another origin are as deep.",
         "stronger_line": "A line at {line} Hz (order {line_order}) that the part does not explain"
@@ -251,13 +255,17 @@ _ENGLISH: Final = DiagnosisWords(
         " % off the given one.",
         "other_speed": "By its own lines the shaft ran at {speed} rpm, {factor} % off the given"
         " speed: check it.",
+        "no_slip": "Its impacts follow each other as evenly as a clock's, and those of a rolling"
+        " bearing slip: another machine, or its drive, may give the same.",
+        "open_depth": "The record is too short, or its noise too great, to tell this depth from one"
+        " below the limit of {damage} %: measure longer.",
         "close_call": "The depth is near the limit of {damage} %, which a few healthy bearings"
         " reach, above all beside a damaged one.",
     },
     worth={
         "watch": "as many healthy bearings have",
         "damage": "more than healthy bearings have",
-        "severe": "the band holds hardly more than blows",
+        "severe": "the band holds little but impacts",
     },
     one_harmonic="At order {order} ({frequency} Hz) the squared envelope rises {levels} dB above"
     " the noise about it.",
@@ -310,6 +318,10 @@ _ENGLISH: Final = DiagnosisWords(
         "The first would be the lowest line of: {parts}.",
     ),
     at_speed="{part} at {speed} rpm",
+    of_mains=(
+        "It is a multiple of 50 or 60 Hz, and does not slip: perhaps the mains.",
+        "The first is a multiple of 50 or 60 Hz, and does not slip: perhaps the mains.",
+    ),
     row="row {row}",
     reading="blocks of the signal",
     tracking="blocks of the signal, for the speed",
@@ -341,15 +353,15 @@ _PORTUGUESE: Final = DiagnosisWords(
     severe="{subject} está gravemente danificada: {lines}, profundidade de modulação {depth} %.",
     watched="Nenhum dano afirmado. Acompanhe {part}: {lines}, profundidade de modulação {depth} %,"
     " como muitos rolamentos sadios têm.",
-    undecided="Não decidido: {lines}, profundidade de modulação {depth} %, indicaria dano em"
-    " {part}, mas algo fala contra com a mesma força.",
-    undecided_speed="Não decidido: dano em {parts}.",
-    if_speed="{part} se o eixo girou a {speed} rpm",
+    undecided="Não decidido: {lines}, profundidade de modulação {depth} %, significaria que"
+    " {part} está danificada, mas o que pesa contra é igualmente forte.",
+    undecided_speed="Não decidido: estaria danificada {parts}.",
+    if_speed="{part}, se o eixo girou a {speed} rpm",
     to_do={
-        "severe": "Faça: troque o rolamento na próxima parada; não deixe esperar.",
+        "severe": "Faça: troque o rolamento na próxima parada; não adie.",
         "damage": "Faça: meça de novo em breve e planeje a troca do rolamento.",
         "watch": "Faça: nada agora; meça de novo como de costume e compare a profundidade.",
-        "undecided": "Faça: elimine o que fala contra, ou meça em outro ponto, e meça de novo.",
+        "undecided": "Faça: elimine o que pesa contra, ou meça por mais tempo ou em outro ponto.",
         "undecided_speed": "Faça: descubra a rotação do eixo e dê-a com --speed.",
     },
     against="Contra: {doubts}",
@@ -361,6 +373,8 @@ _PORTUGUESE: Final = DiagnosisWords(
     chance_below="menor que {number}",
     nothing_found="Nada encontrado; examinadas: {parts}. Nenhuma linha se destaca do ruído além"
     " do que o acaso explica.",
+    nothing_own="Nada encontrado; examinadas: {parts}. O que se destaca em suas linhas tem outra"
+    " origem, ou é pequeno demais para contar.",
     other_lines="Outras linhas se destacam: veja as observações.",
     untested="Não foi possível testar: {parts}.",
     no_verdict="Sem veredito: este sinal nada diz de nenhuma parte do rolamento.",
@@ -418,7 +432,8 @@ _PORTUGUESE: Final = DiagnosisWords(
     " sua média; dano a partir de {damage} %, grave a partir de {severe} %. Evidência (evid.):"
     " -log10 da probabilidade de que ruído sem tais linhas as dê, contadas todas as {trials}"
     " tentativas; a partir de {least} é um achado. Rolamentos sadios também têm tais linhas: decide"
-    " a profundidade. Faixa: onde ela soa mais clara. Esfera: seu dano bate duas vezes por volta.",
+    " a profundidade. Faixa: onde ressoa com mais clareza. Esfera: seu dano dá dois"
+    " impactos por volta.",
     why="Por quê",
     reason={
         "harmonics_above_noise": "Em {multiples} vezes a ordem {order} ({frequency} Hz) o envelope"
@@ -432,7 +447,7 @@ _PORTUGUESE: Final = DiagnosisWords(
         "off_nominal": "{deviation} % {side} da ordem esperada.",
         "nothing_above_noise": "A melhor de {trials} tentativas é o que o ruído dá com"
         " probabilidade {probability}.",
-        "no_order": "Sua ordem não é dada.",
+        "no_order": "Sua ordem não foi dada.",
         "hidden": "Suas linhas coincidem com múltiplos do eixo ou de algo mais que se sabe que"
         " gira: nada se pode dizer.",
         "only_tones": "O sinal tem tons e, ao lado deles, nada.",
@@ -442,34 +457,38 @@ _PORTUGUESE: Final = DiagnosisWords(
         "at_edge": "Fica na borda do que o escorregamento permitido alcança, e pode seguir além:"
         " confira a rotação, o rolamento e o ângulo de contato.",
         "carries_the_ball": "Suas linhas se destacam como as da esfera: uma esfera danificada entra"
-        " na carga e sai dela uma vez por volta da gaiola. Nada mais fala da gaiola.",
-        "of_first": "O que se destaca em suas linhas cai em múltiplos das linhas de {first}, ou em"
-        " bandas laterais deles. Nada mais fala da peça.",
-        "beside_first": "O que se destaca em suas linhas é pouco ao lado de {first}, ou de outra"
-        " rotação da gaiola, para ser afirmado também.",
+        " na carga e sai dela uma vez por volta da gaiola. Nada mais aponta para a gaiola.",
+        "of_first": "O que se destaca em suas linhas cai em múltiplos das linhas que {first} gera,"
+        " ou em bandas laterais deles. Nada mais aponta para esta parte.",
+        "beside_first": "O que se destaca em suas linhas é pouco diante do que {first} mostra, ou"
+        " de outra rotação da gaiola, para ser afirmado também.",
         "of_others": "O que se destaca em suas linhas está na borda de onde são procuradas, ou tem"
         " bandas laterais do eixo: é provavelmente de outra coisa.",
         "not_strongest": "O que se destaca em suas linhas é tão pequeno como em muitos rolamentos"
         " sadios, e linhas de outra origem são tão profundas quanto.",
-        "stronger_line": "Uma linha em {line} Hz (ordem {line_order}) que a peça não explica é tão"
+        "stronger_line": "Uma linha em {line} Hz (ordem {line_order}) que a parte não explica é tão"
         " profunda quanto: {line_depth} %.",
         "on_mains": "{frequency} Hz é múltiplo de 50 ou 60 Hz, e a linha não escorrega: a rede"
         " elétrica dá o mesmo.",
         "dropouts": "Repetidas vezes algumas amostras só repetem a anterior: falhas de transmissão,"
-        " ou corte, fazem linhas próprias.",
+        " ou saturação, fazem linhas próprias.",
         "on_shaft": "Cai em {multiple} vezes a frequência do eixo, embora se destaque de todos os"
         " múltiplos menores: o que tem tantos lóbulos e gira com o eixo dá o mesmo.",
         "speed_open": "As linhas do próprio eixo não mostram a sua rotação; sem escorregamento ela"
         " estaria {off} % fora da dada.",
         "other_speed": "Pelas suas próprias linhas o eixo girou a {speed} rpm, {factor} % fora da"
         " rotação dada: confira-a.",
+        "no_slip": "Seus impactos se seguem com a regularidade de um relógio, e os de um rolamento"
+        " escorregam: outra máquina, ou o acionamento, pode dar o mesmo.",
+        "open_depth": "O registro é curto demais, ou seu ruído grande demais, para distinguir esta"
+        " profundidade de uma abaixo do limite de {damage} %: meça por mais tempo.",
         "close_call": "A profundidade está perto do limite de {damage} %, que uns poucos rolamentos"
         " sadios alcançam, sobretudo ao lado de um danificado.",
     },
     worth={
         "watch": "como muitos rolamentos sadios têm",
         "damage": "mais do que rolamentos sadios têm",
-        "severe": "a faixa quase só tem batidas",
+        "severe": "a faixa quase só tem impactos",
     },
     one_harmonic="Na ordem {order} ({frequency} Hz) o envelope ao quadrado sobe {levels} dB acima"
     " do ruído em volta.",
@@ -484,9 +503,9 @@ _PORTUGUESE: Final = DiagnosisWords(
         "few_revolutions": "O registro tem {turns} voltas do eixo; com mais, falhas mais fracas"
         " podem ser percebidas.",
         "one_band": "A taxa de amostragem deixa uma só faixa para as modulações procuradas; uma"
-        " maior diz onde a falha soa.",
+        " maior diz onde a falha ressoa.",
         "dropouts": "Repetidas vezes algumas amostras só repetem a anterior: falhas de transmissão,"
-        " ou corte, fazem linhas próprias.",
+        " ou saturação, fazem linhas próprias.",
         "still_blocks": "Trechos do registro que quase não variam ficaram de fora; usados:"
         " {blocks}.",
         "repeated_data": "O registro recomeça, amostra por amostra igual: cópias não têm ruído"
@@ -522,6 +541,10 @@ _PORTUGUESE: Final = DiagnosisWords(
         "A primeira seria a linha mais baixa de: {parts}.",
     ),
     at_speed="{part} a {speed} rpm",
+    of_mains=(
+        "É um múltiplo de 50 ou 60 Hz e não escorrega: talvez seja a rede elétrica.",
+        "A primeira é um múltiplo de 50 ou 60 Hz e não escorrega: talvez seja a rede elétrica.",
+    ),
     row="fileira {row}",
     reading="blocos do sinal",
     tracking="blocos do sinal, para a rotação",

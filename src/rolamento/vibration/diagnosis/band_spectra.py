@@ -105,6 +105,8 @@ class BandSpectra:
         up to which the modulation is divided out
     bare
         likewise because they hold nothing but tones
+    has_comb
+        whether most hold a full comb of discrete lines at a part's frequency: blows without slip
     dropouts
         whether samples only repeat the one before, again and again
     repeats_after
@@ -124,6 +126,7 @@ class BandSpectra:
     rate: float
     slow_order: float
     bare: int
+    has_comb: bool
     dropouts: bool
     repeats_after: int | None
 
@@ -166,6 +169,7 @@ def band_spectra(blocks: Iterable[Block], plan: Plan) -> BandSpectra:
         rate=sums.rate,
         slow_order=plan.slow_order,
         bare=sums.bare,
+        has_comb=2 * sums.combs > sums.number,
         dropouts=watch.gaps > MOST_GAPS,
         repeats_after=watch.repeats_after,
     )
@@ -191,14 +195,16 @@ class _Sums:
         self.powers = np.zeros((2, len(self.bands), lines))
         self.depths = np.zeros((len(self.bands), lines))
         self.spreads = np.full((len(self.bands), 1 + len(self.regular)), -1, dtype=np.int64)
-        self.number = self.samples = self.bare = 0
+        self.number = self.samples = self.bare = self.combs = 0
 
     def add(self, block: Block) -> None:
         """Add a block's powers, plain and with the regular part divided out."""
-        white = whitened(block, remove_tones=self._remove_tones, combs=self._combs)
-        if white is None:
+        found = whitened(block, remove_tones=self._remove_tones, combs=self._combs)
+        if found is None:
             self.bare += 1
             return
+        white = found.spectrum
+        self.combs += found.has_comb
         lines = self.powers.shape[2]
         per_hertz = len(white) / (0.5 * block.rate)
         fastest = fastest_line(block.places, lines) + 1

@@ -12,17 +12,23 @@ import numpy as np
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.vibration.diagnosis.band_spectra import BandSpectra
 from rolamento.vibration.diagnosis.hypotheses import hypotheses_of
+from rolamento.vibration.diagnosis.mains import MAINS, is_near_mains
 from rolamento.vibration.diagnosis.masks import filled, lines_about, lines_connected, most_spread
 from rolamento.vibration.diagnosis.orders import Component, FaultOrders
 from rolamento.vibration.diagnosis.search import Finding, Scores, search
 from rolamento.vibration.diagnosis.settings import DiagnosisSettings
-from rolamento.vibration.diagnosis.size import depth_of
+from rolamento.vibration.diagnosis.size import depth_error, depth_of
 from rolamento.vibration.noise_floor import mean_over_median, running_medians
 
 __all__ = ["SEEN", "Field", "field_of"]
 
 SEEN: Final = 0.8
 """Of a band's width: up to there the noise of its squared envelope falls slowly."""
+_HIGHEST_MAINS: Final = 360.0
+"""Hz; higher harmonics of a supply are hardly felt, and every line is near one of them."""
+_DISCRETE: Final = 0.95
+"""Depth of a line alone over that of all lines about it: from there on it is discrete."""
+_HUMP: Final = 16
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,9 +75,13 @@ class Field:
 
         0 at lines of what turns.
         """
-        squares = self.spectra.depth
-        levels = running_medians(squares) * mean_over_median(self.spectra.blocks)
-        return np.where(self.shaft, 0.0, squares - np.nan_to_num(levels))
+        return np.where(self.shaft, 0.0, self.spectra.depth - self._depth_levels)
+
+    @cached_property
+    def _depth_levels(self) -> FloatArray:
+        """Mean squares of the modulation depth that the noise about each line has."""
+        levels = running_medians(self.spectra.depth) * mean_over_median(self.spectra.blocks)
+        return np.asarray(np.nan_to_num(levels))
 
     def window(self, component: Component) -> tuple[float, float]:
         """Orders between which a component's is looked for."""
@@ -82,6 +92,22 @@ class Field:
     def depth(self, band: int, line: float, width: int = 1) -> float:
         """Modulation depth of a band at a line."""
         return depth_of(self.depths[band], line, width)
+
+    def depth_error(self, band: int, line: float) -> float:
+        """Standard deviation of the depth at a line by the noise about it."""
+        place = min(round(line), self._depth_levels.shape[1] - 1)
+        return depth_error(float(self._depth_levels[band, place]), self.spectra.blocks)
+
+    def on_mains(self, band: int, line: float) -> bool:
+        """Whether a line is of the mains and discrete: a bearing slips, a grid hardly."""
+        per_line = self.spectra.shaft_frequency / self.turns
+        hertz = np.array([line * per_line])
+        near = any(is_near_mains(hertz, per_line, mains)[0] for mains in MAINS)
+        return (
+            near
+            and line * per_line <= _HIGHEST_MAINS
+            and self.depth(band, line) >= _DISCRETE * self.depth(band, line, _HUMP)
+        )
 
     def findings(self, parts: Iterable[Component]) -> dict[Component, Finding | None]:
         """Return the best match for each of some components among the lines that are left."""

@@ -91,6 +91,8 @@ class UnexplainedLine:
         that noise gives such a line anywhere, at most
     shaft_frequencies
         at which it would be the lowest line of a part, for parts and speeds that are near; Hz
+    of_mains
+        whether it is discrete, and at a multiple of 50 or 60 Hz
     """
 
     order: float
@@ -100,6 +102,7 @@ class UnexplainedLine:
     band: Band
     probability: float
     shaft_frequencies: tuple[tuple[Component, float], ...]
+    of_mains: bool = False
 
 
 @dataclass(frozen=True, slots=True)

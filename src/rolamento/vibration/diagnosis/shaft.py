@@ -7,7 +7,8 @@ Of the spectrum's power over the noise about each line, R, the first ten multipl
 
 where ℓ₍₅₎ is the fifth largest of the ten: what counts are lines that one of a hundred lines of
 noise reaches, and half of the multiples have to be there. A comb of blows whose frequency is near
-three times the shaft's has three of the ten, and counts for nothing. L is the sum of that of the
+three times the shaft's has three of the ten, and counts for nothing; one near twice has five, and
+none of them odd. L is the sum of that of the
 samples and of that of the squared envelope of all the band. The given speed needs less: a third
 multiple, ℓ₍₃₎.
 """
@@ -40,6 +41,8 @@ _HALF: Final = 5
 """None of the multiples counts for more than the fifth of them."""
 _FEW: Final = 3
 """Or than the third, at the speed that was given."""
+_ODD: Final = 2
+"""Odd multiples that have to be there: a comb of twice the frequency has five of ten, all even."""
 _STEPS: Final = 4
 """In which a line at the highest multiple is divided."""
 _CLEAR: Final = 3.0
@@ -146,7 +149,8 @@ def _powers(block: Block) -> tuple[FloatArray, FloatArray]:
     white = whitened(block, remove_tones=True, combs=[])
     if white is None:
         return np.square(np.abs(spectrum)), np.zeros(len(spectrum))
-    squared = np.square(np.abs(fft.ifft(white, fft.next_fast_len(2 * len(white)))))
+    lines = white.spectrum
+    squared = np.square(np.abs(fft.ifft(lines, fft.next_fast_len(2 * len(lines)))))
     return np.square(np.abs(spectrum)), np.square(np.abs(fft.rfft(limited(squared))))
 
 
@@ -166,4 +170,6 @@ def _heights(power: FloatArray, block: Block, factors: FloatArray) -> FloatArray
 
 def _clearness(heights: FloatArray, number: int) -> FloatArray:
     """L at each speed; none of the multiples counts for more than so many of them reach."""
-    return np.asarray(np.sum(np.minimum(heights, np.sort(heights, axis=0)[-number]), axis=0))
+    found = np.sum(np.minimum(heights, np.sort(heights, axis=0)[-number]), axis=0)
+    odd = np.count_nonzero(heights[::2] > 0.0, axis=0)
+    return np.asarray(np.where(odd >= _ODD, found, 0.0))

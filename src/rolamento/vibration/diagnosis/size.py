@@ -20,7 +20,7 @@ import numpy as np
 from rolamento.numerics import FloatArray
 from rolamento.vibration.diagnosis.leakage import taper
 
-__all__ = ["DAMAGE", "GRADES", "SEVERE", "Grade", "depth_of", "grade_of"]
+__all__ = ["DAMAGE", "GRADES", "SEVERE", "Grade", "depth_error", "depth_of", "grade_of"]
 
 Grade = Literal["nothing", "watch", "damage", "severe"]
 
@@ -55,6 +55,21 @@ def depth_of(squares: FloatArray, line: float, width: int) -> float:
     reach = max(_REACH, width // 2 + 1)
     first, last = max(1, round(line) - reach), round(line) + reach + 1
     return sqrt(float(np.sum(np.clip(squares[first:last], 0.0, None))) / _bandwidth())
+
+
+def depth_error(level: float, averages: int) -> float:
+    """Standard deviation that noise gives the depth of a line well above it.
+
+    Of a line's power S in noise n the mean of K has the variance 2 S n/K, and d goes with √S.
+
+    Parameters
+    ----------
+    level
+        Mean square of the depth that noise has in a line.
+    averages
+        K, of how many spectra it is a mean.
+    """
+    return sqrt(level / (2.0 * averages * _bandwidth()))
 
 
 @cache

@@ -29,6 +29,8 @@ _MULTIPLES: Final = 20
 """Of a fault's order, and sidebands of them, that are not unexplained."""
 _SIDEBAND: Final = 2.0
 """Depth of a sideband over that of the deepest multiple, at most."""
+_LOWER: Final = (2, 3, 4)
+"""Multiples of another comb that a part's line may be; of a ball's the half is its spin's."""
 _SAME: Final = 0.004
 """Of an order: as near, a line is a multiple."""
 _NEAR_SPEED: Final = 0.25
@@ -59,6 +61,11 @@ def unexplained_lines(
         step = 0.5 * fault[1] if fault[0] == "ball" else fault[1]
         multiples = np.abs(orders - np.rint(orders / step) * step) <= near
         deepest = np.max(field.depths[:, multiples], initial=fault[2] ** 2)
+        if fault[0] != "cage":
+            # of a comb of a lower frequency the part's line is but one; the part makes none of it
+            numbers = [n for n in _LOWER if fault[0] != "ball" or n > 2]
+            lower = fault[1] / np.array(numbers)[:, None]
+            of_fault &= ~np.any(np.abs(orders - lower) <= 2.0 / field.turns, axis=0)
         left_out |= multiples | of_fault & (field.depths <= _SIDEBAND**2 * deepest)
     scores = Scores(field.spectra.power, left_out, field.medians, field.spectra.blocks)
     lines = np.arange(scores.lines)
@@ -89,6 +96,7 @@ def _line(
 ) -> UnexplainedLine:
     order = line / field.turns
     shaft = field.spectra.shaft_frequency
+    of_mains = field.on_mains(band, line)
     return UnexplainedLine(
         order=order,
         frequency=order * shaft,
@@ -96,7 +104,8 @@ def _line(
         depth=depth,
         band=field.spectra.bands[band],
         probability=probability,
-        shaft_frequencies=_shaft_frequencies(order, shaft, field.orders),
+        shaft_frequencies=() if of_mains else _shaft_frequencies(order, shaft, field.orders),
+        of_mains=of_mains,
     )
 
 

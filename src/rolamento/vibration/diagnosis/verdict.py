@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from math import ceil, floor, hypot, nan
+from math import ceil, floor, hypot, log, nan
 from typing import Final
 
 import numpy as np
@@ -19,7 +19,6 @@ from rolamento.vibration.diagnosis import describe, wording
 from rolamento.vibration.diagnosis.band_spectra import BandSpectra
 from rolamento.vibration.diagnosis.family import explained
 from rolamento.vibration.diagnosis.field import Field, field_of
-from rolamento.vibration.diagnosis.mains import MAINS, is_near_mains
 from rolamento.vibration.diagnosis.orders import COMPONENTS, Component, FaultOrders
 from rolamento.vibration.diagnosis.record import (
     ComponentVerdict,
@@ -31,7 +30,7 @@ from rolamento.vibration.diagnosis.record import (
     UnexplainedLine,
     Verdict,
 )
-from rolamento.vibration.diagnosis.search import Finding, chance
+from rolamento.vibration.diagnosis.search import Finding, Scores, chance
 from rolamento.vibration.diagnosis.settings import DiagnosisSettings
 from rolamento.vibration.diagnosis.shaft import ShaftLines
 from rolamento.vibration.diagnosis.size import DAMAGE, grade_of
@@ -56,11 +55,8 @@ _MULTIPLES: Final = 5
 """Of a first part's order, near which a second part's lines tell nothing."""
 _CLOSE_CALL: Final = 1.3
 """Depth over the limit of damage, up to which the verdict is a close one."""
-_HIGHEST_MAINS: Final = 360.0
-"""Hz; higher harmonics of a supply are hardly felt, and every line is near one of them."""
-_DISCRETE: Final = 0.95
-"""Depth of a line alone over that of all lines about it: from there on it is discrete."""
-_HUMP: Final = 16
+_SURE: Final = 1.64
+"""Standard deviations that 95 of 100 do not exceed."""
 _FEW_REVOLUTIONS: Final = 100.0
 
 
@@ -68,8 +64,8 @@ _FEW_REVOLUTIONS: Final = 100.0
 class _Candidate:
     """A part whose lines noise does not give.
 
-    field: in which they were found; order; depth; evidence: -log10 of the chance in noise; shaft:
-    the multiple of the shaft on which they lie, 0 for none.
+    field: in which they were found; order; depth, and its standard deviation by noise; evidence:
+    -log10 of the chance in noise; shaft: the multiple of the shaft on which they lie, 0 for none.
     """
 
     part: Component
@@ -77,8 +73,14 @@ class _Candidate:
     field: Field
     order: float
     depth: float
+    error: float
     evidence: float
     shaft: int = 0
+
+    @property
+    def is_open(self) -> bool:
+        """Whether noise may have lifted the depth over the limit of damage."""
+        return self.depth - _SURE * self.error < DAMAGE <= self.depth
 
 
 def judge(
@@ -93,11 +95,13 @@ def judge(
     hidden: set[Component] = set()
     with_shaft = whole.with_shaft()
     for part in COMPONENTS:
-        if part not in found or found[part].depth < DAMAGE:
-            by_shaft = _by_shaft(with_shaft, part, trials)
+        apart = found.get(part)
+        if apart is None or apart.depth < DAMAGE:
+            by_shaft = _by_shaft(with_shaft, part, trials, seen=apart is not None)
             if isinstance(by_shaft, _Candidate):
-                found[part] = by_shaft
-            elif by_shaft and part not in found:
+                found[part] = max(by_shaft, apart or by_shaft, key=lambda one: one.depth)
+            elif by_shaft and (apart is None or apart.depth < _FAIR_SHARE * DAMAGE):
+                found.pop(part, None)
                 hidden.add(part)
     first = _first(found)
     unexplained = unexplained_lines(
@@ -164,13 +168,14 @@ def _candidates(
         if probability <= field.settings.false_alarm:
             fundamental = describe.refined(finding, field)
             clear = _CLEAR_BAND * finding.evidence
-            depth, band = max(
-                (_depth(part, finding, fundamental, field, band), band)
+            depth, error, band = max(
+                (*_depth(part, finding, fundamental, field, band), band)
                 for band, value in enumerate(finding.per_band)
                 if value >= clear
             )
             finding = replace(finding, band=band)
-            one = _Candidate(part, finding, field, fundamental / field.turns, depth, evidence)
+            order = fundamental / field.turns
+            one = _Candidate(part, finding, field, order, depth, error, evidence)
             if not _is_of_others(one):
                 found[part] = one
     return found
@@ -197,42 +202,78 @@ def _is_of_others(one: _Candidate) -> bool:
     return by_shaft >= max(by_cage, _FAIR_SHARE * one.depth)
 
 
-def _depth(part: Component, finding: Finding, fundamental: float, field: Field, band: int) -> float:
+def _depth(
+    part: Component, finding: Finding, fundamental: float, field: Field, band: int
+) -> tuple[float, float]:
     """Depth at the fundamental; of a ball or at its spin, of a cage of three multiples together.
 
     Damage to a ball strikes twice a turn, and harder on one race; what a cage does comes but once
-    in some turns of the shaft, and the depth of rare blows is spread over many multiples.
+    in some turns of the shaft, and the depth of rare blows is spread over many multiples. Beside
+    it stands its standard deviation by noise.
     """
     multiples = {"ball": (1.0, 0.5), "cage": (1.0, 2.0, 3.0)}.get(part, (1.0,))
     width = finding.hypothesis.width / finding.hypothesis.highest
-    depths = [
-        field.depth(band, multiple * fundamental, round(width * multiple)) for multiple in multiples
+    lines = [multiple * fundamental for multiple in multiples]
+    pairs = [
+        (field.depth(band, line, round(width * multiple)), field.depth_error(band, line))
+        for multiple, line in zip(multiples, lines, strict=True)
     ]
-    return hypot(*depths) if part == "cage" else max(depths)
+    if part != "cage":
+        return max(pairs)
+    depth = hypot(*(one for one, _ in pairs))
+    # d² = Σ dₖ²
+    return depth, hypot(*(one * error for one, error in pairs)) / depth if depth else 0.0
 
 
-def _by_shaft(field: Field, part: Component, trials: int) -> _Candidate | bool:
+def _by_shaft(field: Field, part: Component, trials: int, *, seen: bool) -> _Candidate | bool:
     """Look for a part at or beside a multiple of the shaft that its window holds.
 
-    Returns the candidate, if it stands beside a multiple and is no foot of it, or on one and stands
-    out of all lower ones; else whether a line lies there that is deep enough for damage, so that
-    nothing can be told of the part.
+    seen: whether the part is a candidate by what lies about the multiple. Returns the candidate, if
+    it stands beside a multiple and is no foot of it, or on one and stands out of all lower ones;
+    else whether a line lies there that may be of the part, so that nothing can be told of it.
     """
     low, high = field.window(part)
-    numbers = range(max(2, ceil(low - _FOOT / field.turns)), floor(high + _FOOT / field.turns) + 1)
-    if part == "cage" or not numbers or not _is_deep(field, low, high):
+    foot = _FOOT / field.turns
+    numbers = range(max(2, ceil(low - foot)), floor(high + foot) + 1)
+    if part == "cage" or not numbers or not (seen or _is_deep(field, low - foot, high + foot)):
         return False
     one = _candidates(field, field.findings([part]), trials).get(part)
-    if one is None or one.depth < DAMAGE:
-        return False
+    if one is None or one.depth < _FAIR_SHARE * DAMAGE:
+        if any(_may_hide(field, number) for number in numbers):
+            return True
+        if one is None:
+            return False
     number = round(one.order)
-    of_shaft = [field.depth(one.finding.band, n * field.turns) for n in range(1, number + 1)]
-    if number not in numbers or abs(one.order - number) > max(_FOOT / field.turns, _BESIDE):
+    of_shaft = _of_shaft(field, one.finding.band, number)
+    if number not in numbers or abs(one.order - number) > max(foot, _BESIDE):
         # a hump that reaches the multiple has what that has
         narrow = field.depth(one.finding.band, one.order * field.turns)
-        return one if number not in numbers or narrow >= of_shaft[-1] else True
+        return one if number not in numbers or narrow >= of_shaft[-1] else one.depth >= DAMAGE
     stands_out = one.depth >= _ABOVE_SHAFT * max(of_shaft[:-1])
-    return replace(one, shaft=number) if stands_out else True
+    return replace(one, shaft=number) if stands_out else one.depth >= DAMAGE
+
+
+def _of_shaft(field: Field, band: int, number: int) -> list[float]:
+    """Depths of the shaft's multiples up to one."""
+    return [field.depth(band, n * field.turns) for n in range(1, number + 1)]
+
+
+def _may_hide(field: Field, number: int) -> bool:
+    """Whether a line at a multiple of the shaft stands out of noise and of all lower multiples.
+
+    It may be the part's then: of a shaft alone the lower multiples are as strong.
+    """
+    reach = round(max(_FOOT, _BESIDE * field.turns))
+    lines = round(number * field.turns) + np.arange(-reach, reach + 1)
+    scores = Scores(field.spectra.power, field.left_out, field.medians, field.spectra.blocks)
+    seen = scores.about(lines, 1)[0]
+    clear = np.max(seen, axis=1) > log(seen.size / field.settings.false_alarm)
+    for band in np.flatnonzero(clear):
+        lower = _of_shaft(field, int(band), number - 1)
+        own = field.depth(int(band), float(lines[np.argmax(seen[band])]))
+        if own >= max(_FAIR_SHARE * DAMAGE, _ABOVE_SHAFT * max(lower)):
+            return True
+    return False
 
 
 def _is_deep(field: Field, low: float, high: float) -> bool:
@@ -252,7 +293,8 @@ def _first(found: dict[Component, _Candidate]) -> _Candidate | None:
         return first
     # the lines of the cage that carries it are the ball's as well
     own = ball.depth >= _FAIR_SHARE * first.depth
-    return replace(ball, depth=max(ball.depth, first.depth)) if own else first
+    deepest = max(ball, first, key=lambda one: one.depth)
+    return replace(ball, depth=deepest.depth, error=deepest.error) if own else first
 
 
 def _explains(first: _Candidate, other: _Candidate) -> bool:
@@ -281,6 +323,7 @@ def _seconds(first: _Candidate | None, found: dict[Component, _Candidate]) -> li
         for one in found.values()
         if one is not first
         and one.depth >= max(DAMAGE, _FAIR_SHARE * first.depth)
+        and not one.is_open
         and not describe.at_edge(one.finding)
         and {one.part, first.part} != {"ball", "cage"}
         and not _explains(first, one)
@@ -312,28 +355,18 @@ def _cage_slip(one: _Candidate) -> float:
 def _verdict_of(
     first: _Candidate | None, unexplained: Sequence[UnexplainedLine], dropouts: bool
 ) -> Verdict:
-    """Of the cause: what is stronger and not of it, or of the mains, leaves it undecided."""
+    """Of the cause: what is stronger and not of it, or the mains, or noise leave it undecided."""
     if first is None:
         return "nothing_found"
     stronger = any(line.depth >= first.depth for line in unexplained)
     stronger = stronger or dropouts or _on_mains(first)
     if first.depth < DAMAGE:
         return "nothing_found" if stronger else "watch"
-    return "undecided" if stronger else "fault"
+    return "undecided" if stronger or first.is_open else "fault"
 
 
 def _on_mains(one: _Candidate) -> bool:
-    """Whether a line is of the mains and discrete: a bearing slips, a grid hardly."""
-    field, line = one.field, one.order * one.field.turns
-    per_line = field.spectra.shaft_frequency / field.turns
-    hertz = np.array([line * per_line])
-    near = any(is_near_mains(hertz, per_line, mains)[0] for mains in MAINS)
-    narrow = field.depth(one.finding.band, line)
-    return (
-        near
-        and line * per_line <= _HIGHEST_MAINS
-        and (narrow >= _DISCRETE * field.depth(one.finding.band, line, _HUMP))
-    )
+    return one.field.on_mains(one.finding.band, one.order * one.field.turns)
 
 
 def _stated(
@@ -351,6 +384,8 @@ def _stated(
         doubts.append(wording.on_mains(one.order * one.field.spectra.shaft_frequency))
     if one.field.spectra.dropouts:
         doubts.append(wording.dropouts())
+    if one.field.spectra.has_comb and one.depth >= DAMAGE:
+        doubts.append(wording.no_slip())
     if one.shaft:
         doubts.append(wording.on_shaft(one.shaft))
     slip = one.field.orders.tolerance(one.part, one.field.settings.tolerance)
@@ -360,7 +395,9 @@ def _stated(
         doubts.append(wording.other_speed(60.0 * one.field.spectra.shaft_frequency, shaft.factor))
     if describe.at_edge(one.finding):
         doubts.append(wording.at_edge())
-    if verdict == "fault" and one.depth < _CLOSE_CALL * DAMAGE:
+    if one.is_open:
+        doubts.append(wording.open_depth())
+    elif verdict == "fault" and one.depth < _CLOSE_CALL * DAMAGE:
         doubts.append(wording.close_call(one.depth))
     return describe.stated(
         one.part,

@@ -8,7 +8,7 @@ what they add up to is taken back to time and subtracted.
 from __future__ import annotations
 
 from math import ceil, log, sqrt
-from typing import Final
+from typing import Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -38,7 +38,14 @@ _SHOCK: Final = 2.0
 """Times that: what gears, which are not noise, do not reach either."""
 
 
-def whitened(block: Block, *, remove_tones: bool, combs: list[Comb]) -> ComplexArray | None:
+class Whitened(NamedTuple):
+    """Spectrum of a block over the level of its noise; whether it kept a comb of discrete lines."""
+
+    spectrum: ComplexArray
+    has_comb: bool
+
+
+def whitened(block: Block, *, remove_tones: bool, combs: list[Comb]) -> Whitened | None:
     """Spectrum of the tapered block over the level of its noise, and 0 where there were tones.
 
     No line is larger than one of noise hardly ever is, so that what is left of tones weighs little;
@@ -71,9 +78,9 @@ def whitened(block: Block, *, remove_tones: bool, combs: list[Comb]) -> ComplexA
         white[tones] = 0.0
     even = np.asarray(fft.irfft(white, count))
     limited = _limited(even, 1.0)
-    if limited is even:
-        return white
-    return _even(np.asarray(fft.rfft(limited)), resolution, teeth)
+    if limited is not even:
+        white = _even(np.asarray(fft.rfft(limited)), resolution, teeth)
+    return Whitened(white, teeth is not None and bool(np.any(teeth)))
 
 
 def even_places(count: int) -> FloatArray:

@@ -21,6 +21,7 @@ __all__ = [
     "close_call",
     "deep",
     "dropouts",
+    "no_slip",
     "not_strongest",
     "nothing_above_noise",
     "of_ball",
@@ -30,6 +31,7 @@ __all__ = [
     "off_nominal",
     "on_mains",
     "on_shaft",
+    "open_depth",
     "other_speed",
     "speed_open",
     "stronger_line",
@@ -71,7 +73,7 @@ def of_ball() -> Reason:
     return Reason(
         "carries_the_ball",
         "Its lines stand out as those of the ball do: a damaged ball goes in and out of the load "
-        "once in each turn of the cage. Nothing more tells of the cage itself.",
+        "once in each turn of the cage. Nothing else points to the cage.",
     )
 
 
@@ -80,7 +82,7 @@ def of_first(first: Component) -> Reason:
     return Reason(
         "of_first",
         f"What stands out at its lines lies on multiples of the {PART[first]}'s, or on sidebands "
-        "of them: nothing more tells of the part itself.",
+        "of them: nothing else points to this part.",
     )
 
 
@@ -98,7 +100,7 @@ def of_others() -> Reason:
     return Reason(
         "of_others",
         "What stands out at its lines is at the edge of where they are looked for, or has "
-        "sidebands of the shaft: it is likely of something else.",
+        "sidebands of the shaft: it probably comes from something else.",
     )
 
 
@@ -116,7 +118,7 @@ def deep(depth: float, grade: Grade) -> Reason:
     worth = {
         "watch": "as many healthy bearings have",
         "damage": "more than healthy bearings have",
-        "severe": "the band holds hardly more than blows",
+        "severe": "the band holds little but impacts",
     }
     return Reason(
         "depth", f"Modulation depth {100.0 * depth:.0f} %: {worth.get(grade, 'nothing')}."
@@ -153,6 +155,15 @@ def dropouts() -> Reason:
     )
 
 
+def no_slip() -> Reason:
+    """Return that the blows come as even as a clock's."""
+    return Reason(
+        "no_slip",
+        "Its impacts follow each other as evenly as a clock's, and those of a rolling bearing slip:"
+        " another machine, or its drive, may give the same.",
+    )
+
+
 def on_shaft(multiple: int) -> Reason:
     """Return that a line lies on a multiple of the shaft."""
     return Reason(
@@ -186,6 +197,15 @@ def close_call(depth: float) -> Reason:
         "close_call",
         f"A depth of {100.0 * depth:.0f} % is near the limit of {100.0 * DAMAGE:.0f} %: a few "
         "healthy bearings reach it, above all beside a damaged one.",
+    )
+
+
+def open_depth() -> Reason:
+    """Return that noise may have lifted the depth over the limit."""
+    return Reason(
+        "open_depth",
+        "The record is too short, or its noise too great, to tell this depth from one below the "
+        f"limit of {100.0 * DAMAGE:.0f} %: measure longer.",
     )
 
 
@@ -246,6 +266,8 @@ def unexplained(line: UnexplainedLine) -> Reason:
         f"{PART[part]} at {60.0 * frequency:.0f} rpm" for part, frequency in line.shaft_frequencies
     )
     hint = f" It would be the lowest line of: {others}." if line.shaft_frequencies else ""
+    if line.of_mains:
+        hint = " It is a multiple of 50 or 60 Hz, and does not slip: perhaps the mains."
     return Reason(
         "unexplained_lines",
         f"At order {line.order:.4g} ({line.frequency:.4g} Hz) the squared envelope rises "
