@@ -21,7 +21,7 @@ from scipy.special import ellipe, ellipk
 
 import rolamento
 from benchmarks.figures import Figure, Findings
-from rolamento.model import CageKind, RacewayControl
+from rolamento.case.model import CageKind, RacewayControl
 
 Floats = NDArray[np.float64]
 

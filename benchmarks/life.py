@@ -20,10 +20,10 @@ from benchmarks import duty_sets, life_plain
 from benchmarks.figures import Figure, Findings, alternately, below
 from rolamento import solve_batch
 from rolamento.catalogue import Catalogue, ball_sizes, catalogue, inferred_geometry
-from rolamento.equilibrium import BatchState
 from rolamento.life import LifeConditions, life_of_batch
 from rolamento.life.ioannides_harris import FATIGUE_LIMIT, Ellipses, risk_integral
 from rolamento.ratings import dynamic_factor, static_factor
+from rolamento.rows.ball import BatchState
 
 CASES: Final = 100_000
 STRESS_CASES: Final = 1000

@@ -14,7 +14,7 @@ import rolamento
 from benchmarks.duty_sets import TOP_SPEED, Duties
 from benchmarks.figures import Figure, Findings
 from benchmarks.throughput import PROMISED_RESIDUAL
-from rolamento.model import RacewayControl
+from rolamento.case.model import RacewayControl
 
 SEED: Final = 2013
 CASES_PER_BEARING: Final = 200

@@ -13,11 +13,11 @@ import rolamento
 from benchmarks import duty_sets
 from benchmarks.duty_sets import Floats
 from benchmarks.figures import Figure, Findings, Target, alternately, at_least, seconds
-from rolamento.equilibrium import lanes, rows
-from rolamento.equilibrium.batch_state import BatchState
-from rolamento.equilibrium.columns import spread
-from rolamento.equilibrium.run import solve_columns
 from rolamento.numerics.compiled import shared
+from rolamento.rows.ball import lanes, layout
+from rolamento.rows.ball.batch_state import BatchState
+from rolamento.rows.ball.columns import spread
+from rolamento.rows.ball.run import solve_columns
 
 PROMISED_RESIDUAL: Final = 1e-8
 
@@ -100,7 +100,7 @@ def ball_evaluation(repeats: int, passes: int = 2000) -> float:
         _pass_over_balls.compiled(w, b, passes)
 
     run()
-    return 1e9 * seconds(run, repeats) / (passes * b.shape[0] * rows.LANES)
+    return 1e9 * seconds(run, repeats) / (passes * b.shape[0] * layout.LANES)
 
 
 @shared
@@ -114,15 +114,15 @@ def _pass_over_balls(w: Floats, b: Floats, passes: int) -> None:
 def _filled_lanes() -> tuple[Floats, Floats]:
     """The workspace of the ring and of its balls, one solved case of the duty set in each lane."""
     case = duty_sets.example()
-    p = spread(case, duty_sets.tilts_held(rows.LANES)).rows[0].p
+    p = spread(case, duty_sets.tilts_held(layout.LANES)).rows[0].p
     balls = case.bearing.ball_count
     solution = solve_columns(p, np.ones((1, balls)), balls, threads=1)
     azimuth = 2.0 * np.pi * np.arange(balls)[:, np.newaxis] / balls
-    ring = np.zeros((rows.RING_ROWS, rows.LANES))
-    ring[: rows.PARAMETERS] = p[: rows.PARAMETERS]
-    ring[rows.DISPLACEMENT : rows.DISPLACEMENT + 5] = solution.displacement.T
-    ball = np.zeros((balls, rows.BALL_ROWS, rows.LANES))
-    ball[:, rows.COS], ball[:, rows.SIN] = np.cos(azimuth), np.sin(azimuth)
-    ball[:, rows.SIGMA] = 1.0
-    ball[:, rows.POSITION : rows.POSITION + 2] = solution.position.transpose(1, 2, 0)
+    ring = np.zeros((layout.RING_ROWS, layout.LANES))
+    ring[: layout.PARAMETERS] = p[: layout.PARAMETERS]
+    ring[layout.DISPLACEMENT : layout.DISPLACEMENT + 5] = solution.displacement.T
+    ball = np.zeros((balls, layout.BALL_ROWS, layout.LANES))
+    ball[:, layout.COS], ball[:, layout.SIN] = np.cos(azimuth), np.sin(azimuth)
+    ball[:, layout.SIGMA] = 1.0
+    ball[:, layout.POSITION : layout.POSITION + 2] = solution.position.transpose(1, 2, 0)
     return ring.ravel(), ball.reshape(balls, -1)

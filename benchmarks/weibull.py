@@ -15,8 +15,8 @@ from typing import Final
 import numpy as np
 
 from benchmarks.figures import Figure, Findings, at_least, below, seconds
-from rolamento.reliability import LifeTest, bounds
-from rolamento.reliability.profile import Rows, fit_rows
+from rolamento.weibull import LifeTest, bounds
+from rolamento.weibull.profile import Rows, fit_rows
 
 SIZE: Final = 30
 FITS: Final = 10_000

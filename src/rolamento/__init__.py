@@ -15,7 +15,6 @@ from typing import TYPE_CHECKING, Any, Final
 
 if TYPE_CHECKING:
     from rolamento.analysis import Analysis, BatchAnalysis, analyse, analyse_batch
-    from rolamento.bearing import Bearing
     from rolamento.case import (
         Case,
         case_to_json,
@@ -25,9 +24,17 @@ if TYPE_CHECKING:
         parse_case,
         save_case,
     )
+    from rolamento.case.bearing import Bearing
+    from rolamento.case.duty import Displacement, Duty, Load
+    from rolamento.case.film_model import FilmModel
+    from rolamento.case.life_model import LifeModel
+    from rolamento.case.lubricant import Lubricant
+    from rolamento.case.material import Material
+    from rolamento.case.model import Model
+    from rolamento.case.mounting import Mounting, SeatMaterial
+    from rolamento.case.surface import Surface
+    from rolamento.case.temperature import Temperature
     from rolamento.catalogue import geometry_of
-    from rolamento.duty import Displacement, Duty, Load
-    from rolamento.equilibrium import BatchState
     from rolamento.errors import (
         FileError,
         InputError,
@@ -35,17 +42,10 @@ if TYPE_CHECKING:
         UnitError,
         UnknownKeyError,
     )
-    from rolamento.film_model import FilmModel
     from rolamento.life import LifeConditions, LifeSummary
-    from rolamento.life_model import LifeModel
-    from rolamento.lubricant import Lubricant
-    from rolamento.material import Material
-    from rolamento.model import Model
-    from rolamento.mounting import Mounting, SeatMaterial
+    from rolamento.rows.ball import BatchState
     from rolamento.solution import solve, solve_batch
     from rolamento.state import State
-    from rolamento.surface import Surface
-    from rolamento.temperature import Temperature
 
 __version__ = "0.1.0"
 
@@ -91,9 +91,21 @@ __all__ = [
 
 _NAMES_OF_MODULES: Final = {
     "analysis": ("Analysis", "BatchAnalysis", "analyse", "analyse_batch"),
-    "bearing": ("Bearing",),
     "case": (
+        "Bearing",
         "Case",
+        "Displacement",
+        "Duty",
+        "FilmModel",
+        "LifeModel",
+        "Load",
+        "Lubricant",
+        "Material",
+        "Model",
+        "Mounting",
+        "SeatMaterial",
+        "Surface",
+        "Temperature",
         "case_to_json",
         "case_to_toml",
         "load_case",
@@ -102,20 +114,11 @@ _NAMES_OF_MODULES: Final = {
         "save_case",
     ),
     "catalogue": ("geometry_of",),
-    "duty": ("Displacement", "Duty", "Load"),
-    "equilibrium": ("BatchState",),
     "errors": ("FileError", "InputError", "RolamentoError", "UnitError", "UnknownKeyError"),
-    "film_model": ("FilmModel",),
     "life": ("LifeConditions", "LifeSummary"),
-    "life_model": ("LifeModel",),
-    "lubricant": ("Lubricant",),
-    "material": ("Material",),
-    "model": ("Model",),
-    "mounting": ("Mounting", "SeatMaterial"),
+    "rows.ball": ("BatchState",),
     "solution": ("solve", "solve_batch"),
     "state": ("State",),
-    "surface": ("Surface",),
-    "temperature": ("Temperature",),
 }
 _MODULE_OF_NAME: Final = {
     name: module for module, names in _NAMES_OF_MODULES.items() for name in names

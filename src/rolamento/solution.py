@@ -8,12 +8,12 @@ from typing import Unpack, cast
 
 from numpy.typing import ArrayLike
 
-from rolamento import equilibrium
 from rolamento.case import Case
-from rolamento.equilibrium import BatchState
-from rolamento.equilibrium.columns import DutyFields, batch_arrays, bounded, spread
-from rolamento.equilibrium.record import state_of
 from rolamento.numerics.threads import thread_count
+from rolamento.rows import ball as equilibrium
+from rolamento.rows.ball import BatchState
+from rolamento.rows.ball.columns import DutyFields, batch_arrays, bounded, spread
+from rolamento.rows.ball.record import state_of
 from rolamento.state import State
 
 __all__ = ["solve", "solve_batch"]

@@ -17,8 +17,8 @@ import pytest
 
 from rolamento import Bearing, Case, Displacement, Load, Lubricant, Model
 from rolamento import Duty as CaseDuty
-from rolamento.equilibrium import solve
-from rolamento.equilibrium.traction import solve as traction
+from rolamento.rows.ball import solve
+from rolamento.rows.ball.traction import solve as traction
 from rolamento.state import State
 
 ROOT = Path(__file__).resolve().parents[2]

@@ -15,8 +15,8 @@ from hypothesis import strategies as st
 
 from rolamento import Bearing, Case, Duty, InputError, Load, Model, solve_batch
 from rolamento.clearance import MOUNTED_FIELDS
-from rolamento.equilibrium.batch_state import BatchState
-from rolamento.equilibrium.fields import BATCH_FIELDS, GEOMETRY, PRELOADS, batch_fields
+from rolamento.rows.ball.batch_state import BatchState
+from rolamento.rows.ball.fields import BATCH_FIELDS, GEOMETRY, PRELOADS, batch_fields
 
 ANGULAR: dict[str, Any] = {
     "ball_count": 16,

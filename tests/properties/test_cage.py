@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from rolamento import Bearing, Case, Duty, Model, solve_batch
-from rolamento.model import CageKind, RacewayControl
+from rolamento.case.model import CageKind, RacewayControl
 
 ANGULAR = Bearing(
     ball_count=16,

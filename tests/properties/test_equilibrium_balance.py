@@ -17,8 +17,8 @@ from numpy.typing import NDArray
 
 from rolamento import Bearing, Case, Duty, Load, Model, solve, solve_batch
 from rolamento.contact.hertz import contact_stiffness, effective_modulus
-from rolamento.equilibrium.batch_state import BatchState
 from rolamento.geometry import race_curvature, ring_geometry
+from rolamento.rows.ball.batch_state import BatchState
 
 Floats = NDArray[np.float64]
 PROMISED = 1e-8

@@ -17,9 +17,9 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from rolamento import Bearing, Case, Duty, Material, Model, solve_batch
-from rolamento.duty import AXES, LOADS
-from rolamento.equilibrium.batch_state import BatchState
+from rolamento.case.duty import AXES, LOADS
 from rolamento.geometry import ring_geometry
+from rolamento.rows.ball.batch_state import BatchState
 
 Floats = NDArray[np.float64]
 EXAMPLES = 60

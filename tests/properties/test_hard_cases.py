@@ -17,10 +17,10 @@ import pytest
 from numpy.typing import NDArray
 
 from rolamento import Bearing, Case, Duty, Model, solve_batch
-from rolamento.equilibrium.batch_state import BatchState
-from rolamento.equilibrium.columns import spread
-from rolamento.equilibrium.solve import solve_columns_of
 from rolamento.geometry import ring_geometry
+from rolamento.rows.ball.batch_state import BatchState
+from rolamento.rows.ball.columns import spread
+from rolamento.rows.ball.solve import solve_columns_of
 
 Floats = NDArray[np.float64]
 RPM = math.pi / 30.0

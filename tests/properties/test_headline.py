@@ -10,9 +10,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from rolamento import Bearing, Case, Duty, Load
-from rolamento.equilibrium import solve_batch
 from rolamento.life import Headline, LifeConditions, life_of_batch
 from rolamento.life.contamination import class_of_grease
+from rolamento.rows.ball import solve_batch
 
 MEETING = 2e-3
 """The standard's ranges of κ meet within this."""

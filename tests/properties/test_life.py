@@ -8,7 +8,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from rolamento import Bearing, Case, Duty, Load
-from rolamento.equilibrium import solve_batch
 from rolamento.life import LifeConditions, life_of_batch
 from rolamento.life.basic import basic_rating_life
 from rolamento.life.contamination import class_of_code, class_of_grease, contamination_factor
@@ -20,6 +19,7 @@ from rolamento.life.reliability import reliability_factor, reliability_of
 from rolamento.life.shear_field import passing_shear
 from rolamento.life.spectrum import miner_life, shaft_life
 from rolamento.ratings import dynamic_factor_of_grooves, dynamic_rating
+from rolamento.rows.ball import solve_batch
 
 angles = st.floats(0.0, 45.0)
 loads = st.floats(1.0, 1e5)

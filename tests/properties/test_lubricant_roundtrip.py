@@ -10,10 +10,10 @@ from hypothesis import strategies as st
 
 from rolamento import Case, load_case
 from rolamento.case import case_to_json, case_to_toml, parse_case
-from rolamento.film_model import FilmModel
-from rolamento.lubricant import Lubricant, ViscosityPoint, lubricant_names
-from rolamento.surface import Surface
-from rolamento.temperature import Temperature
+from rolamento.case.film_model import FilmModel
+from rolamento.case.lubricant import Lubricant, ViscosityPoint, lubricant_names
+from rolamento.case.surface import Surface
+from rolamento.case.temperature import Temperature
 
 EXAMPLE = Path(__file__).resolve().parents[2] / "src" / "rolamento" / "examples/209_radial.toml"
 LINES = st.sampled_from(["custom", "ISO VG 68", "bp 135", "", "π, lot 7"])

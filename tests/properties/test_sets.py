@@ -19,9 +19,9 @@ from numpy.typing import NDArray
 from scipy.optimize import root
 
 from rolamento import Bearing, Case, Duty, Model, solve_batch
-from rolamento.arrangement import ARRANGEMENTS
-from rolamento.duty import AXES, LOADS
-from rolamento.equilibrium.batch_state import BatchState
+from rolamento.case.arrangement import ARRANGEMENTS
+from rolamento.case.duty import AXES, LOADS
+from rolamento.rows.ball.batch_state import BatchState
 
 Floats = NDArray[np.float64]
 

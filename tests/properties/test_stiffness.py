@@ -14,10 +14,10 @@ import pytest
 from numpy.typing import NDArray
 
 from rolamento import Bearing, Case, Duty, Model, solve_batch
+from rolamento.case.duty import AXES, LOADS
 from rolamento.contact.hertz import contact_stiffness, effective_modulus, series_stiffness
-from rolamento.duty import AXES, LOADS
-from rolamento.equilibrium.batch_state import BatchState
 from rolamento.geometry import race_curvature, ring_geometry
+from rolamento.rows.ball.batch_state import BatchState
 
 Floats = NDArray[np.float64]
 

@@ -10,15 +10,15 @@ import pytest
 from numpy.typing import NDArray
 
 from rolamento import Bearing, Case, Displacement, Duty, Load, Lubricant, Model
-from rolamento.equilibrium import BatchState, rows, solve, solve_batch
-from rolamento.equilibrium.problem import ring_arms
-from rolamento.equilibrium.rolling import Rolling
-from rolamento.equilibrium.traction import solve as traction
 from rolamento.friction.ellipse_mesh import ellipse_mesh
 from rolamento.friction.jones_full import jones_full
 from rolamento.friction.loaded_balls import loaded_balls
 from rolamento.friction.slip import BallVelocity, relative_motion
 from rolamento.friction.traction import ContactFriction, contact_friction
+from rolamento.rows.ball import BatchState, layout, solve, solve_batch
+from rolamento.rows.ball.problem import ring_arms
+from rolamento.rows.ball.rolling import Rolling
+from rolamento.rows.ball.traction import solve as traction
 from rolamento.state import State
 
 Floats = NDArray[np.float64]
@@ -138,7 +138,7 @@ def test_every_ball_is_in_balance(solved: tuple[Case, BatchState, Rolling]) -> N
     assert (np.linalg.norm(total, axis=1) <= 1e-8 * scale).all()
 
     p = batch.rows[0].parameters[:, 0]
-    inertia = p[rows.GYROSCOPIC] * p[rows.GAMMA] * p[rows.BALL_DIAMETER]
+    inertia = p[layout.GYROSCOPIC] * p[layout.GAMMA] * p[layout.BALL_DIAMETER]
     omega = in_space(batch, np.nan_to_num(rolling.angular_velocity[0]), (0, 2, 1))
     turning = inertia * np.cross([rolling.cage_speed[0], 0.0, 0.0], omega)
     left = np.linalg.norm(moment_i + moment_o - turning, axis=1)
@@ -179,7 +179,7 @@ def test_ring_is_in_balance(solved: tuple[Case, BatchState, Rolling]) -> None:
     outward, _ = directions(batch)
     reach = np.hypot(*_groove_to_ball(batch))
     angle = table.inner.contact_angle[0]
-    arm = (p[rows.ARM, 0] - reach * np.cos(angle))[:, None] * outward
+    arm = (p[layout.ARM, 0] - reach * np.cos(angle))[:, None] * outward
     arm[:, 0] = -reach * np.sin(angle)
     turning = (np.cross(arm, force) + moment).sum(axis=0)
     found = np.append(force.sum(axis=0), turning[1:])
@@ -194,8 +194,8 @@ def _groove_to_ball(batch: BatchState) -> tuple[Floats, Floats]:
     """From the ball's centre to the inner groove's, along x and outward."""
     row = batch.rows[0]
     p, u, psi = row.parameters[:, 0], row.displacement[0], row.azimuth[0]
-    axial = p[rows.AXIAL_OFFSET] + u[0] + u[3] * np.cos(psi) - u[4] * np.sin(psi)
-    radial = p[rows.RADIAL_OFFSET] + u[2] * np.cos(psi) + u[1] * np.sin(psi)
+    axial = p[layout.AXIAL_OFFSET] + u[0] + u[3] * np.cos(psi) - u[4] * np.sin(psi)
+    radial = p[layout.RADIAL_OFFSET] + u[2] * np.cos(psi) + u[1] * np.sin(psi)
     return axial - row.position[0, :, 0], radial - row.position[0, :, 1]
 
 

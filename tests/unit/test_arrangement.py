@@ -23,8 +23,8 @@ from rolamento import (
     parse_case,
     save_case,
 )
-from rolamento.arrangement import ARRANGEMENTS, Preload, Row
-from rolamento.bearing import MOST_ROWS
+from rolamento.case.arrangement import ARRANGEMENTS, Preload, Row
+from rolamento.case.bearing import MOST_ROWS
 
 GEOMETRY: dict[str, Any] = {
     "ball_count": 16,

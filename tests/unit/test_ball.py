@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 
 from rolamento.case import Case
-from rolamento.equilibrium import rows
-from rolamento.equilibrium.ball import contact_exact
-from rolamento.equilibrium.problem import case_parameters
-from rolamento.equilibrium.single import linearised, races
 from rolamento.kinematics import BallMotion, ball_motion, grip, orbital_speed
+from rolamento.rows.ball import layout
+from rolamento.rows.ball.ball import contact_exact
+from rolamento.rows.ball.problem import case_parameters
+from rolamento.rows.ball.single import linearised, races
 
 CONTROLS = [(1.0, 0.0), (1.0, 1.0), (-1.0, 0.0)]
 """(sigma, lambda_i under outer control): outer, shared, inner."""
@@ -26,15 +26,15 @@ def control(request: pytest.FixtureRequest) -> tuple[float, float]:
 @pytest.fixture
 def parameters(case_218: Case, control: tuple[float, float]) -> np.ndarray:
     p = case_parameters(case_218)[:, np.newaxis].copy()
-    p[rows.LAMBDA_INNER] = control[1]
-    p[rows.OUTER_SPEED] = -300.0  # both rings turning
+    p[layout.LAMBDA_INNER] = control[1]
+    p[layout.OUTER_SPEED] = -300.0  # both rings turning
     return p
 
 
 def places(p: np.ndarray, count: int = 20) -> np.ndarray:
     """(A1, A2, X1, X2) of loaded balls about the free position, as angles and approaches."""
     rng = np.random.default_rng(7)
-    l_o, l_i = p[rows.OUTER_LENGTH, 0], p[rows.INNER_LENGTH, 0]
+    l_o, l_i = p[layout.OUTER_LENGTH, 0], p[layout.INNER_LENGTH, 0]
     alpha_o = rng.uniform(0.1, 0.7, count)
     alpha_i = alpha_o + rng.uniform(0.0, 0.6, count)
     reach_o = l_o + rng.uniform(1e-6, 3e-5, count)
@@ -57,12 +57,12 @@ def moves(
 ) -> tuple[BallMotion, float, float]:
     """A ball's motion as `kinematics` has it, how firmly it is held, and its own orbit."""
     rings = (
-        a_i, a_o, p[rows.GAMMA, 0], p[rows.INNER_SPEED, 0], p[rows.OUTER_SPEED, 0],
+        a_i, a_o, p[layout.GAMMA, 0], p[layout.INNER_SPEED, 0], p[layout.OUTER_SPEED, 0],
         "inner" if sigma < 0 else "outer",
     )  # fmt: skip
-    hold = float(grip(q_i, p[rows.HOLD_RATE, 0], p[rows.HOLD_OFFSET, 0]))
+    hold = float(grip(q_i, p[layout.HOLD_RATE, 0], p[layout.HOLD_OFFSET, 0]))
     own = float(orbital_speed(*rings))
-    orbit = cage + p[rows.OWN_ORBIT, 0] * hold * (own - cage)
+    orbit = cage + p[layout.OWN_ORBIT, 0] * hold * (own - cage)
     return ball_motion(*rings, orbit=orbit, hold=hold), hold, own
 
 
@@ -73,15 +73,15 @@ def balance(p: np.ndarray, sigma: float, place: np.ndarray, cage: float) -> np.n
     s_i, c_i, _, _, q_i, _, _ = contact_exact(a1 - x1, a2 - x2, *inner)
     s_o, c_o, _, _, q_o, _, _ = contact_exact(x1, x2, *outer)
     motion, hold, own = moves(p, sigma, np.arctan2(s_i, c_i), np.arctan2(s_o, c_o), q_i, cage)
-    f_c = p[rows.CENTRIFUGAL, 0] * motion.orbital_speed**2
-    t = p[rows.GYROSCOPIC, 0] * p[rows.GAMMA, 0]  # J / D
+    f_c = p[layout.CENTRIFUGAL, 0] * motion.orbital_speed**2
+    t = p[layout.GYROSCOPIC, 0] * p[layout.GAMMA, 0]  # J / D
     t *= motion.ball_speed * motion.orbital_speed * np.sin(motion.attitude)
-    share = p[rows.LAMBDA_INNER, 0] if sigma > 0 else 2.0
+    share = p[layout.LAMBDA_INNER, 0] if sigma > 0 else 2.0
     m_i, m_o = share * t, (2.0 - share) * t
     f = np.array([q_i * s_i - m_i * c_i, q_i * c_i + m_i * s_i])
     g = np.array([q_o * s_o - m_o * c_o, q_o * c_o + m_o * s_o])
     r = f - g + np.array([0.0, f_c])
-    return np.array([*r, *f, f[0] + p[rows.FRICTION_ARM, 0] * m_i, hold * q_i * (own - cage)])
+    return np.array([*r, *f, f[0] + p[layout.FRICTION_ARM, 0] * m_i, hold * q_i * (own - cage)])
 
 
 @pytest.mark.parametrize("firm", [1e-3, 0.3, 30.0], ids=["held", "half held", "hardly held"])
@@ -90,7 +90,7 @@ def test_derivatives_equal_finite_differences(
 ) -> None:
     """All of the elimination is rebuilt from differences of r, f, h and the lag."""
     sigma = control[0]
-    parameters[rows.HOLD_RATE] /= firm
+    parameters[layout.HOLD_RATE] /= firm
     for place in places(parameters):
         jacobian = np.empty((6, 5))
         for i, step in enumerate((1e-10, 1e-10, 1e-10, 1e-10, 1e-3)):

@@ -17,8 +17,8 @@ from rolamento import (
     analyse_batch,
     solve_batch,
 )
-from rolamento.equilibrium.fields import BATCH_FIELDS, SHORT_NAMES, batch_fields, within_bounds
-from rolamento.equilibrium.preload import preload_of
+from rolamento.rows.ball.fields import BATCH_FIELDS, SHORT_NAMES, batch_fields, within_bounds
+from rolamento.rows.ball.preload import preload_of
 
 ANGULAR: dict[str, Any] = {
     "ball_count": 16,

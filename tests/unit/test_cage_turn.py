@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from rolamento import Case, Duty, InputError, Load, load_case, solve, solve_batch
-from rolamento.arrangement import Row
+from rolamento.case.arrangement import Row
 from rolamento.plots.cage_turn import cage_turn_figure
 from rolamento.studies.cage_turn import CageTurn, cage_turn
 

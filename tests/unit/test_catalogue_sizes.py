@@ -10,8 +10,8 @@ from typing import Any
 import pytest
 
 from rolamento import Bearing, Case, Duty, InputError, Load, Mounting, override, parse_case, solve
-from rolamento._catalogue_sizes import with_catalogue_sizes
 from rolamento.case import case_to_json, case_to_toml
+from rolamento.case._catalogue_sizes import with_catalogue_sizes
 from rolamento.clearance import class_clearance, clearance_of_case
 from rolamento.life import conditions_of, life
 from rolamento.report.language import PORTUGUESE

@@ -13,6 +13,7 @@ import pytest
 
 from rolamento import Bearing, Case, Duty, Load, solve, solve_batch
 from rolamento.case import case_to_toml, override, parse_case
+from rolamento.case.temperature import Temperature
 from rolamento.clearance import (
     WARNINGS,
     Mounting,
@@ -31,7 +32,6 @@ from rolamento.clearance.record import bearing_with_clearance
 from rolamento.errors import InputError, UnitError
 from rolamento.geometry import ring_geometry
 from rolamento.report.sentences import portuguese_sentence
-from rolamento.temperature import Temperature
 
 RPM = pi / 30.0
 WARM = PartTemperatures(inner_ring=343.15, outer_ring=335.15)

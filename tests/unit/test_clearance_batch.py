@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from rolamento import Case, InputError, parse_case, solve, solve_batch
-from rolamento._overrides import overridden
+from rolamento.case._overrides import overridden
 from rolamento.clearance import MOUNTED_FIELDS, clearance_of_case, operating_batch
-from rolamento.equilibrium import batch_fields
 from rolamento.life import life, life_of_batch
+from rolamento.rows.ball import batch_fields
 from rolamento.studies import Axis, Study, run
 
 DEEP = """

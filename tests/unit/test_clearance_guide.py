@@ -44,7 +44,7 @@ def test_the_table_of_steps() -> None:
 
 
 def test_every_key_of_the_mounting_is_explained() -> None:
-    from rolamento.mounting import Mounting
+    from rolamento.case.mounting import Mounting
 
     section = GUIDE.partition("## Keys of")[2].partition("\n## ")[0]
     named = set(re.findall(r"`(\w+)`", section))

@@ -10,6 +10,7 @@ import pytest
 from scipy.integrate import solve_bvp
 
 from rolamento import Bearing
+from rolamento.case.material import Material
 from rolamento.clearance.fits import (
     bore_shrinkage,
     contact_pressure,
@@ -27,7 +28,6 @@ from rolamento.clearance.temperature import (
     interference_change,
 )
 from rolamento.errors import InputError
-from rolamento.material import Material
 from rolamento.studies.tolerance import clearance_from_temperature
 
 

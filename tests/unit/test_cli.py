@@ -19,7 +19,6 @@ import typer
 from typer.testing import CliRunner
 
 import rolamento
-from rolamento import equilibrium
 from rolamento.cli import streams
 from rolamento.cli.app import COMMANDS, app
 from rolamento.cli.common import Language
@@ -27,6 +26,7 @@ from rolamento.cli.grouped_help import GroupedCommand, GroupedCommands, Groups
 from rolamento.cli.optional_value import with_values
 from rolamento.cli.outputs import check_outputs
 from rolamento.cli.waiting import progress_of, waiting
+from rolamento.rows import ball as equilibrium
 
 EXAMPLE = Path(rolamento.__file__).parent / "examples" / "218_combined.toml"
 ENGLISH = {"LC_ALL": "C.UTF-8"}

@@ -22,7 +22,6 @@ from rolamento.cli.app import app
 from rolamento.cli.signal_source import SignalChoice
 from rolamento.errors import InputError
 from rolamento.plots.anderon import noise_bands, noise_figure
-from rolamento.reliability.trend import parse_trend
 from rolamento.report.anderon import noise_report, noise_statement
 from rolamento.report.anderon_result import (
     CSV_COLUMNS,
@@ -35,6 +34,7 @@ from rolamento.report.language import PORTUGUESE
 from rolamento.vibration.anderon import BANDS, SPEED, BandNoise, measure_noise, noise_steps
 from rolamento.vibration.reading import read_signal
 from rolamento.vibration.signal import Signal
+from rolamento.weibull.trend import parse_trend
 
 DOCS = Path(__file__).resolve().parents[2] / "docs"
 Run = Callable[..., tuple[int, str, str]]

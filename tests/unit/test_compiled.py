@@ -12,16 +12,16 @@ import pytest
 
 import rolamento
 from rolamento.case import Case
-from rolamento.equilibrium import rows
-from rolamento.equilibrium.batch import solve_cases
-from rolamento.equilibrium.problem import case_parameters
-from rolamento.equilibrium.run import Solution
+from rolamento.rows.ball import layout
+from rolamento.rows.ball.batch import solve_cases
+from rolamento.rows.ball.problem import case_parameters
+from rolamento.rows.ball.run import Solution
 
 
 @pytest.mark.parametrize("speed", [0.0, 1047.0], ids=["static", "moving"])
 def test_both_ways_agree(case_218: Case, speed: float) -> None:
     p = case_parameters(case_218)[:, np.newaxis].copy()
-    p[rows.INNER_SPEED] = speed
+    p[layout.INNER_SPEED] = speed
     azimuth = 2.0 * np.pi * np.arange(16) / 16
     control = np.ones((1, 16))
     results = []

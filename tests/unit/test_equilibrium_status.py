@@ -23,9 +23,9 @@ from rolamento import (
     solve,
     solve_batch,
 )
-from rolamento.equilibrium.batch_state import STATUS_NAMES
 from rolamento.kinematics import friction_demand
 from rolamento.report.sentences import portuguese_sentence
+from rolamento.rows.ball.batch_state import STATUS_NAMES
 
 ANGULAR: dict[str, Any] = {
     "ball_count": 16,

@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 
 import rolamento as ro
-from rolamento import equilibrium
-from rolamento.equilibrium.columns import spread
-from rolamento.equilibrium.traction.contact import ellipse_nodes
 from rolamento.errors import InputError
 from rolamento.lubrication import film_of_batch
 from rolamento.lubrication.film_control import ShearedFilm, solve_on_film
 from rolamento.oil.piezoviscosity import roelands
+from rolamento.rows import ball as equilibrium
+from rolamento.rows.ball.columns import spread
+from rolamento.rows.ball.traction.contact import ellipse_nodes
 
 BEARING = ro.Bearing(
     ball_count=16,
@@ -88,7 +88,7 @@ def test_without_film_it_is_coulomb() -> None:
     film = ShearedFilm(
         nothing, nothing, np.array([MU]), np.array([0.03]), np.array([2e-8]), True, True
     )
-    from rolamento.equilibrium.assemble import solve_columns_of
+    from rolamento.rows.ball.assemble import solve_columns_of
 
     one, other = solve_columns_of(columns), solve_columns_of(columns, film=film)
     np.testing.assert_array_equal(one.displacement, other.displacement)

@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 
 from rolamento import Bearing, Case, Duty, Load, solve
+from rolamento.case.lubricant import Lubricant
+from rolamento.case.model import Model
 from rolamento.errors import InputError
 from rolamento.kinematics import ball_motion
-from rolamento.lubricant import Lubricant
-from rolamento.model import Model
 from rolamento.state import State
 from rolamento.vibration.fault_lines import FAULTS, LINES, NOTES
 from rolamento.vibration.frequencies import (

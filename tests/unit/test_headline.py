@@ -21,7 +21,6 @@ from rolamento import (
     override,
     solve,
 )
-from rolamento.equilibrium import solve_batch
 from rolamento.life import (
     LifeConditions,
     LifeSummary,
@@ -36,6 +35,7 @@ from rolamento.report.life_curves import curves_report
 from rolamento.report.life_spectrum import spectrum_report
 from rolamento.report.shaft import shaft_report
 from rolamento.report.terminal import terminal_report
+from rolamento.rows.ball import solve_batch
 from rolamento.studies.life_curves import life_curve, read_range
 from rolamento.studies.shaft import life_of_shaft
 from rolamento.studies.spectrum import life_under, read_spectrum

@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 
 from rolamento.case import Case
-from rolamento.equilibrium import lanes, rows
-from rolamento.equilibrium.blocks import _fill
-from rolamento.equilibrium.problem import case_parameters
-from rolamento.equilibrium.single import direction, groove, linearised, static_ball
+from rolamento.rows.ball import lanes, layout
+from rolamento.rows.ball.blocks import _fill
+from rolamento.rows.ball.problem import case_parameters
+from rolamento.rows.ball.single import direction, groove, linearised, static_ball
 
 BALLS = 16
-N = rows.LANES
+N = layout.LANES
 
 
 @pytest.fixture
@@ -20,17 +20,17 @@ def filled(case_218: Case) -> tuple[np.ndarray, ...]:
     """Sixteen different duties in the lanes, under mixed raceway control."""
     rng = np.random.default_rng(3)
     p = np.repeat(case_parameters(case_218)[:, np.newaxis], N, axis=1)
-    p[rows.INNER_SPEED] = rng.uniform(0.0, 1500.0, N)
-    p[rows.OUTER_SPEED] = rng.uniform(-500.0, 500.0, N)
-    p[rows.LAMBDA_INNER] = rng.integers(0, 2, N)
-    p[rows.FREE : rows.FREE + 5] = rng.integers(0, 2, (5, N))
-    p[rows.COS_FIRST], p[rows.SIN_FIRST] = np.cos(0.3), np.sin(0.3)
+    p[layout.INNER_SPEED] = rng.uniform(0.0, 1500.0, N)
+    p[layout.OUTER_SPEED] = rng.uniform(-500.0, 500.0, N)
+    p[layout.LAMBDA_INNER] = rng.integers(0, 2, N)
+    p[layout.FREE : layout.FREE + 5] = rng.integers(0, 2, (5, N))
+    p[layout.COS_FIRST], p[layout.SIN_FIRST] = np.cos(0.3), np.sin(0.3)
     azimuth = 2.0 * np.pi * np.arange(BALLS) / BALLS
     cosines, sines = np.cos(azimuth), np.sin(azimuth)
     control = rng.choice([-1.0, 1.0], (N, BALLS))
     u = rng.uniform(-1e-5, 4e-5, (N, 5))
-    w = np.zeros(rows.RING_ROWS * N)
-    b = np.zeros((BALLS, rows.BALL_ROWS * N))
+    w = np.zeros(layout.RING_ROWS * N)
+    b = np.zeros((BALLS, layout.BALL_ROWS * N))
     for lane in range(N):
         _fill(w, b, lane, p, cosines, sines, control, lane, u[lane])
     return p, cosines, sines, control, u, w, b
@@ -67,23 +67,26 @@ def test_moving_balls(filled: tuple[np.ndarray, ...]) -> None:
         for j in range(BALLS):
             c, s = direction(p, lane, cosines[j], sines[j])
             a1, a2 = groove(p, lane, u[lane], c, s)
-            x1, x2 = row(b[j], rows.POSITION, lane, 2)
-            cage = float(row(w, rows.CAGE, lane)[0])
+            x1, x2 = row(b[j], layout.POSITION, lane, 2)
+            cage = float(row(w, layout.CAGE, lane)[0])
             _, follow, force, stiffness, _, _, drive, _ = linearised(
                 p, lane, cage, control[lane, j], a1, a2, x1, x2
             )
             np.testing.assert_allclose(
-                row(b[j], rows.FOLLOW, lane, 8), follow, rtol=1e-7, atol=1e-12
+                row(b[j], layout.FOLLOW, lane, 8), follow, rtol=1e-7, atol=1e-12
             )
             pieces.append((force, stiffness))
             drives.append((c, s, drive))
         reaction, matrix = ring_sum(p, lane, cosines, sines, pieces)
         scale = np.abs(matrix).max()
         np.testing.assert_allclose(
-            row(w, rows.REACTION, lane, 5), reaction, rtol=1e-9, atol=1e-9 * np.abs(reaction).max()
+            row(w, layout.REACTION, lane, 5),
+            reaction,
+            rtol=1e-9,
+            atol=1e-9 * np.abs(reaction).max(),
         )
         np.testing.assert_allclose(
-            row(w, rows.MATRIX, lane, 25), matrix.ravel(), rtol=1e-8, atol=1e-9 * scale
+            row(w, layout.MATRIX, lane, 25), matrix.ravel(), rtol=1e-8, atol=1e-9 * scale
         )
         lag = sum(drive[3] for _, _, drive in drives)
         by_ring = sum(
@@ -93,8 +96,8 @@ def test_moving_balls(filled: tuple[np.ndarray, ...]) -> None:
             np.array([d[0], s * d[1], c * d[1], c * d[2], -s * d[2]]) for c, s, d in drives
         )
         for first, wanted in (
-            (rows.LAG, np.array([lag])), (rows.LAG_BY_RING, by_ring), (rows.BY_CAGE, by_cage),
-            (rows.LAG_BY_CAGE, np.array([sum(d[6] for _, _, d in drives)])),
+            (layout.LAG, np.array([lag])), (layout.LAG_BY_RING, by_ring), (layout.BY_CAGE, by_cage),
+            (layout.LAG_BY_CAGE, np.array([sum(d[6] for _, _, d in drives)])),
         ):  # fmt: skip
             found = row(w, first, lane, len(wanted))
             size = max(np.abs(wanted).max(), 1e-12)
@@ -114,13 +117,13 @@ def test_static_balls_and_the_ring_step(filled: tuple[np.ndarray, ...]) -> None:
             a1, a2 = groove(p, lane, u[lane], c, s)
             pieces.append(static_ball(p, lane, 1.0, a1, a2)[2:4])
         reaction, matrix = ring_sum(p, lane, cosines, sines, pieces)
-        np.testing.assert_allclose(row(w, rows.REACTION, lane, 5), reaction, rtol=1e-9, atol=1e-6)
-        free = row(w, rows.FREE, lane, 5) > 0.0
+        np.testing.assert_allclose(row(w, layout.REACTION, lane, 5), reaction, rtol=1e-9, atol=1e-6)
+        free = row(w, layout.FREE, lane, 5) > 0.0
         step = np.zeros(5)
-        unbalanced = row(w, rows.APPLIED, lane, 5) - reaction
+        unbalanced = row(w, layout.APPLIED, lane, 5) - reaction
         step[free] = np.linalg.solve(matrix[np.ix_(free, free)], unbalanced[free])
         np.testing.assert_allclose(
-            row(w, rows.STEP, lane, 5), step, rtol=1e-7, atol=1e-9 * np.abs(step).max()
+            row(w, layout.STEP, lane, 5), step, rtol=1e-7, atol=1e-9 * np.abs(step).max()
         )
 
 
@@ -136,11 +139,11 @@ def test_balls_follow_the_ring(filled: tuple[np.ndarray, ...]) -> None:
     for ball in b:
         lanes.follow_ring.compiled(w, ball)
     for lane in range(N):
-        dx, dy, dz, dp, dq = row(w, rows.STEP, lane, 5)
+        dx, dy, dz, dp, dq = row(w, layout.STEP, lane, 5)
         for j in range(BALLS):
             c, s = direction(p, lane, cosines[j], sines[j])
-            q1, q2, w11, w12, w21, w22 = row(before[j], rows.FOLLOW, lane, 6)
+            q1, q2, w11, w12, w21, w22 = row(before[j], layout.FOLLOW, lane, 6)
             da = np.array([dx + c * dp - s * dq, c * dz + s * dy])
-            moved = row(b[j], rows.POSITION, lane, 2) - row(before[j], rows.POSITION, lane, 2)
+            moved = row(b[j], layout.POSITION, lane, 2) - row(before[j], layout.POSITION, lane, 2)
             expected = np.array([q1, q2]) + np.array([[w11, w12], [w21, w22]]) @ da
             np.testing.assert_allclose(moved, expected, rtol=1e-9, atol=1e-15)

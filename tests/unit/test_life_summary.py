@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from rolamento import Bearing, Case, Displacement, Duty, InputError, Load, solve
-from rolamento.equilibrium import solve_batch
+from rolamento.case.temperature import Temperature
 from rolamento.life import (
     Life,
     LifeConditions,
@@ -22,7 +22,7 @@ from rolamento.life.l_able import FactorTable
 from rolamento.life.record import NOTES, OUTSIDE
 from rolamento.lubrication import film_of
 from rolamento.lubrication.viscosity_ratio import viscosity_ratio
-from rolamento.temperature import Temperature
+from rolamento.rows.ball import solve_batch
 
 RPM = np.pi / 30.0
 SPEED = 2000.0 * RPM

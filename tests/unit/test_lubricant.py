@@ -8,12 +8,12 @@ from typing import Any
 import pytest
 
 from rolamento import Case, case_to_json, case_to_toml, load_case, parse_case
+from rolamento.case.film_model import FilmModel
+from rolamento.case.lubricant import Lubricant, lubricant_names
+from rolamento.case.surface import Surface
+from rolamento.case.temperature import Temperature
 from rolamento.errors import InputError
-from rolamento.film_model import FilmModel
-from rolamento.lubricant import Lubricant, lubricant_names
 from rolamento.lubrication.oil_state import oil_density, oil_state
-from rolamento.surface import Surface
-from rolamento.temperature import Temperature
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "src" / "rolamento" / "examples"
 SHEET: dict[str, Any] = {

@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from rolamento import InputError, Material, UnknownKeyError
-from rolamento.material import DEFAULT_MATERIAL, material_names
+from rolamento.case.material import DEFAULT_MATERIAL, material_names
 
 
 def test_the_default_is_bearing_steel() -> None:

@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 from rolamento import InputError
-from rolamento.preload_classes import listed_designations, listed_preload
+from rolamento.case.preload_classes import listed_designations, listed_preload
 
 
 def lists() -> dict[str, Any]:

@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rolamento.bearing import Bearing
 from rolamento.case import Case
-from rolamento.equilibrium import rows
-from rolamento.equilibrium.columns import spread
-from rolamento.equilibrium.problem import case_parameters, ring_arms
+from rolamento.case.bearing import Bearing
 from rolamento.errors import InputError
+from rolamento.rows.ball import layout
+from rolamento.rows.ball.columns import spread
+from rolamento.rows.ball.problem import case_parameters, ring_arms
 from rolamento.static import race_stiffness
 
 
@@ -33,9 +33,9 @@ def test_polynomials_follow_the_exact_stiffness(
     angles = np.linspace(0.0, np.pi / 2, 200)
     stiffness = race_stiffness(bearing, angles)
     for first, exact in (
-        (rows.INNER_STIFFNESS, stiffness.inner),
-        (rows.OUTER_STIFFNESS, stiffness.outer),
-        (rows.SERIES_STIFFNESS, stiffness.combined),
+        (layout.INNER_STIFFNESS, stiffness.inner),
+        (layout.OUTER_STIFFNESS, stiffness.outer),
+        (layout.SERIES_STIFFNESS, stiffness.combined),
     ):
         fitted = np.polynomial.polynomial.polyval(np.cos(angles), p[first : first + 7])
         np.testing.assert_allclose(fitted, exact, rtol=tolerance)
@@ -44,19 +44,19 @@ def test_polynomials_follow_the_exact_stiffness(
 def test_a_batch_repeats_the_case(case_218: Case) -> None:
     p = spread(case_218, {"fz": [1.0, 2.0, 3.0]}).rows[0].p
     single = case_parameters(case_218)
-    assert p.shape == (rows.COLUMN, 3)
-    np.testing.assert_array_equal(p[rows.APPLIED + 2], [1.0, 2.0, 3.0])
-    others = np.arange(rows.COLUMN) != rows.APPLIED + 2
+    assert p.shape == (layout.COLUMN, 3)
+    np.testing.assert_array_equal(p[layout.APPLIED + 2], [1.0, 2.0, 3.0])
+    others = np.arange(layout.COLUMN) != layout.APPLIED + 2
     np.testing.assert_array_equal(p[others], np.repeat(single[others, np.newaxis], 3, axis=1))
 
 
 def test_loads_free_and_displacements_hold(case_218: Case) -> None:
     p = spread(case_218, {"my": [5.0, 6.0], "x": 1e-5}).rows[0].p
     arm = ring_arms(p)[3]
-    np.testing.assert_array_equal(p[rows.FREE : rows.FREE + 5, 0], [0, 1, 1, 1, 0])
-    np.testing.assert_allclose(p[rows.APPLIED + 3] * arm, [5.0, 6.0])
-    np.testing.assert_array_equal(p[rows.APPLIED], 0.0)
-    np.testing.assert_array_equal(p[rows.IMPOSED], 1e-5)
+    np.testing.assert_array_equal(p[layout.FREE : layout.FREE + 5, 0], [0, 1, 1, 1, 0])
+    np.testing.assert_allclose(p[layout.APPLIED + 3] * arm, [5.0, 6.0])
+    np.testing.assert_array_equal(p[layout.APPLIED], 0.0)
+    np.testing.assert_array_equal(p[layout.IMPOSED], 1e-5)
 
 
 @pytest.mark.parametrize(

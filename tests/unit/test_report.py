@@ -19,9 +19,7 @@ import pytest
 
 import rolamento
 from rolamento import Case, State
-from rolamento.equilibrium import advice, notes, rolling_notes, solve
-from rolamento.equilibrium.batch_state import STATUS_NAMES
-from rolamento.model import CageKind, RacewayControl
+from rolamento.case.model import CageKind, RacewayControl
 from rolamento.report.balls_csv import CSV_COLUMNS, ball_csv
 from rolamento.report.language import ENGLISH, LANGUAGES, PORTUGUESE, Words, words_for
 from rolamento.report.medium import Medium
@@ -29,6 +27,8 @@ from rolamento.report.numbers import ABSENT, Digits, aligned, decimals_for
 from rolamento.report.rosette import rosette
 from rolamento.report.sentences import portuguese_sentence
 from rolamento.report.terminal import terminal_report
+from rolamento.rows.ball import advice, notes, rolling_notes, solve
+from rolamento.rows.ball.batch_state import STATUS_NAMES
 
 EXAMPLES = Path(rolamento.__file__).parent / "examples"
 NAMES = (

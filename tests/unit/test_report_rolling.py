@@ -10,13 +10,13 @@ from math import degrees, pi
 import pytest
 
 from rolamento import Bearing, Case, Duty, Load, Lubricant, Model
-from rolamento.equilibrium import solve
-from rolamento.equilibrium.advice import _friction_alone
-from rolamento.equilibrium.rolling_notes import SKID_LIMIT
 from rolamento.report.language import ENGLISH, PORTUGUESE, Words
 from rolamento.report.medium import Medium
 from rolamento.report.sentences import portuguese_sentence
 from rolamento.report.terminal import terminal_report
+from rolamento.rows.ball import solve
+from rolamento.rows.ball.advice import _friction_alone
+from rolamento.rows.ball.rolling_notes import SKID_LIMIT
 from rolamento.state import State
 
 BOTH = pytest.mark.parametrize("words", [ENGLISH, PORTUGUESE], ids=["en", "pt"])

@@ -13,13 +13,13 @@ import pytest
 
 import rolamento
 from rolamento import Case, State
-from rolamento.bearing import Bearing
-from rolamento.equilibrium import advice, solve
-from rolamento.equilibrium.notes import with_preload
+from rolamento.case.bearing import Bearing
 from rolamento.report.balls_csv import ball_csv
 from rolamento.report.language import ENGLISH, LANGUAGES, PORTUGUESE, Words
 from rolamento.report.medium import Medium
 from rolamento.report.terminal import terminal_report
+from rolamento.rows.ball import advice, solve
+from rolamento.rows.ball.notes import with_preload
 
 EXAMPLES = Path(rolamento.__file__).parent / "examples"
 BOTH = pytest.mark.parametrize("words", LANGUAGES.values(), ids=LANGUAGES.keys())
@@ -177,7 +177,7 @@ def test_a_rosette_a_row_and_as_many_abreast_as_there_is_room(
     captions = [line for line in report.splitlines() if "+z" in line]
     assert [line.count("+z") for line in captions] == [abreast] * len(captions)
     assert sum(line.count("+z") for line in captions) == len(
-        rolamento.arrangement.ARRANGEMENTS[arrangement]
+        rolamento.case.arrangement.ARRANGEMENTS[arrangement]
     )  # type: ignore[index]
     assert max(map(len, report.splitlines())) == width
 

@@ -9,20 +9,6 @@ from typing import Any, get_args
 import numpy as np
 import pytest
 
-from rolamento.reliability import (
-    ADVICE,
-    METHODS,
-    NOTES,
-    LifeTest,
-    Scheme,
-    ShapePrior,
-    against_calculated_life,
-    all_bounds,
-    published_life_test,
-)
-from rolamento.reliability.planning import PLAN_ADVICE, alternatives, demonstrate
-from rolamento.reliability.precision import plan_for_ratio, plan_of, plans_for_ratio
-from rolamento.reliability.summary import FIT_METHODS, LifeTestSummary, Wanted, summarise
 from rolamento.report.language import LANGUAGES, Words
 from rolamento.report.medium import Medium
 from rolamento.report.weibull import weibull_json, weibull_report
@@ -35,6 +21,20 @@ from rolamento.report.weibull_plan import (
 from rolamento.report.weibull_plan_words import PLAN_WORDS
 from rolamento.report.weibull_sentences import said_advice, said_note
 from rolamento.report.weibull_words import WEIBULL_WORDS
+from rolamento.weibull import (
+    ADVICE,
+    METHODS,
+    NOTES,
+    LifeTest,
+    Scheme,
+    ShapePrior,
+    against_calculated_life,
+    all_bounds,
+    published_life_test,
+)
+from rolamento.weibull.planning import PLAN_ADVICE, alternatives, demonstrate
+from rolamento.weibull.precision import plan_for_ratio, plan_of, plans_for_ratio
+from rolamento.weibull.summary import FIT_METHODS, LifeTestSummary, Wanted, summarise
 
 SAMPLES = 300
 WIDTHS = (80, 120)

@@ -9,12 +9,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rolamento.equilibrium.batch_state import STATUS_NAMES
-from rolamento.reproduction import computed, find
-from rolamento.reproduction.data_files import figure_csv, table_csv
-from rolamento.reproduction.printed import Agreement, Cell
-from rolamento.reproduction.record import Curves, Figure, Floats, Section, Table
-from rolamento.reproduction.wording import REASONS
+from rolamento.rows.ball.batch_state import STATUS_NAMES
+from rolamento_reproductions import computed, find
+from rolamento_reproductions.data_files import figure_csv, table_csv
+from rolamento_reproductions.printed import Agreement, Cell
+from rolamento_reproductions.record import Curves, Figure, Floats, Section, Table
+from rolamento_reproductions.wording import REASONS
 
 GALLERY = Path(__file__).resolve().parents[2] / "docs" / "gallery" / "radaelli-2013"
 COUNT = 16  # balls of the 218

@@ -23,26 +23,26 @@ from matplotlib.figure import Figure as Picture
 from typer.testing import CliRunner
 
 from rolamento.cli.reproduce import reproduce
-from rolamento.reproduction import computed, find, open_folder, write
-from rolamento.reproduction.campanha_2008.contact import contact_numbers
-from rolamento.reproduction.campanha_2008.film import film_numbers
-from rolamento.reproduction.campanha_2008.life_tests import comparison_numbers, life_tests
-from rolamento.reproduction.campanha_2008.noise import anderon_speed
-from rolamento.reproduction.campanha_2008.nsk import nsk_numbers
-from rolamento.reproduction.campanha_2008.numbers import NONE, Number, said_like
-from rolamento.reproduction.campanha_2008.rating import rating_numbers
-from rolamento.reproduction.campanha_2008.shear import shear_numbers
-from rolamento.reproduction.campanha_2008.weibull import lives_of_tests
-from rolamento.reproduction.campanha_2008.zone_life import load_zone_numbers
-from rolamento.reproduction.data_files import figure_csv, table_csv
-from rolamento.reproduction.drawing import drawn, rendered
-from rolamento.reproduction.markdown import markdown_page
-from rolamento.reproduction.page import html_page
-from rolamento.reproduction.printed import Cell
-from rolamento.reproduction.record import Curves, Figure, Floats, Section, Table
-from rolamento.reproduction.text import Language, Text
-from rolamento.reproduction.wording import summary
-from rolamento.reproduction.writing import file_names
+from rolamento_reproductions import computed, find, open_folder, write
+from rolamento_reproductions.campanha_2008.contact import contact_numbers
+from rolamento_reproductions.campanha_2008.film import film_numbers
+from rolamento_reproductions.campanha_2008.life_tests import comparison_numbers, life_tests
+from rolamento_reproductions.campanha_2008.noise import anderon_speed
+from rolamento_reproductions.campanha_2008.nsk import nsk_numbers
+from rolamento_reproductions.campanha_2008.numbers import NONE, Number, said_like
+from rolamento_reproductions.campanha_2008.rating import rating_numbers
+from rolamento_reproductions.campanha_2008.shear import shear_numbers
+from rolamento_reproductions.campanha_2008.weibull import lives_of_tests
+from rolamento_reproductions.campanha_2008.zone_life import load_zone_numbers
+from rolamento_reproductions.data_files import figure_csv, table_csv
+from rolamento_reproductions.drawing import drawn, rendered
+from rolamento_reproductions.markdown import markdown_page
+from rolamento_reproductions.page import html_page
+from rolamento_reproductions.printed import Cell
+from rolamento_reproductions.record import Curves, Figure, Floats, Section, Table
+from rolamento_reproductions.text import Language, Text
+from rolamento_reproductions.wording import summary
+from rolamento_reproductions.writing import file_names
 
 NAME = "campanha-2008"
 GALLERY = Path(__file__).resolve().parents[2] / "docs" / "gallery" / NAME

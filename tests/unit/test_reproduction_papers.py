@@ -16,16 +16,16 @@ from typer.testing import CliRunner
 
 from rolamento.cli.reproduce import reproduce
 from rolamento.friction.slip import rolling_lines
-from rolamento.reproduction import computed, find, open_folder, write
-from rolamento.reproduction.braga_almeida.solved import ball
-from rolamento.reproduction.data_files import errata_csv, figure_csv, table_csv
-from rolamento.reproduction.drawing import drawn, rendered
-from rolamento.reproduction.errata import Errata, Misprint, power_above, power_text, residual
-from rolamento.reproduction.errata_page import errata_html, errata_markdown
-from rolamento.reproduction.record import Curves, Figure, Maps, Section, Table
-from rolamento.reproduction.text import Text, formula
-from rolamento.reproduction.wording import claims_by_kind, summary
-from rolamento.reproduction.writing import file_names
+from rolamento_reproductions import computed, find, open_folder, write
+from rolamento_reproductions.braga_almeida.solved import ball
+from rolamento_reproductions.data_files import errata_csv, figure_csv, table_csv
+from rolamento_reproductions.drawing import drawn, rendered
+from rolamento_reproductions.errata import Errata, Misprint, power_above, power_text, residual
+from rolamento_reproductions.errata_page import errata_html, errata_markdown
+from rolamento_reproductions.record import Curves, Figure, Maps, Section, Table
+from rolamento_reproductions.text import Text, formula
+from rolamento_reproductions.wording import claims_by_kind, summary
+from rolamento_reproductions.writing import file_names
 
 NAMES = ("ricci-fleury", "braga-almeida")
 FIGURES = {

@@ -15,16 +15,16 @@ import typer
 from PIL import Image
 from typer.testing import CliRunner, Result
 
-from rolamento import reproduction
+import rolamento_reproductions as reproduction
 from rolamento.cli.reproduce import reproduce
 from rolamento.errors import FileError, InputError
-from rolamento.reproduction import computed, find, open_folder, radaelli_2013, write
-from rolamento.reproduction.data_files import figure_csv
-from rolamento.reproduction.drawing import drawn, rendered
-from rolamento.reproduction.markdown import markdown_page
-from rolamento.reproduction.page import generator_mark, html_page
-from rolamento.reproduction.printed import Cell
-from rolamento.reproduction.record import (
+from rolamento_reproductions import computed, find, open_folder, radaelli_2013, write
+from rolamento_reproductions.data_files import figure_csv
+from rolamento_reproductions.drawing import drawn, rendered
+from rolamento_reproductions.markdown import markdown_page
+from rolamento_reproductions.page import generator_mark, html_page
+from rolamento_reproductions.printed import Cell
+from rolamento_reproductions.record import (
     Claim,
     Column,
     Curves,
@@ -38,8 +38,8 @@ from rolamento.reproduction.record import (
     Table,
     TableColumn,
 )
-from rolamento.reproduction.text import Text, localised, said, same, with_indices
-from rolamento.reproduction.writing import file_names
+from rolamento_reproductions.text import Text, localised, said, same, with_indices
+from rolamento_reproductions.writing import file_names
 
 HOSTILE = same("<script>alert('x')</script> & \"quoted\" |*`[x](y)`")
 X = np.linspace(0.0, 10.0, 11)

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from rolamento import Bearing, Case, Displacement, Duty, Load, Model, solve, solve_batch
-from rolamento.arrangement import ARRANGEMENTS
+from rolamento.case.arrangement import ARRANGEMENTS
 from rolamento.state import State
 
 ANGULAR: dict[str, Any] = {

@@ -6,21 +6,21 @@ import numpy as np
 import pytest
 
 from rolamento.case import Case
-from rolamento.equilibrium import rows
-from rolamento.equilibrium.problem import case_parameters
-from rolamento.equilibrium.settle import _bracketed, free_ball, in_place, settle
-from rolamento.equilibrium.single import linearised
+from rolamento.rows.ball import layout
+from rolamento.rows.ball.problem import case_parameters
+from rolamento.rows.ball.settle import _bracketed, free_ball, in_place, settle
+from rolamento.rows.ball.single import linearised
 
 
 @pytest.fixture(params=[50.0, 1000.0, 1500.0], ids=lambda speed: f"{speed:.0f} rad/s")
 def parameters(request: pytest.FixtureRequest, case_218: Case) -> np.ndarray:
     p = case_parameters(case_218)[:, np.newaxis].copy()
-    p[rows.INNER_SPEED] = request.param
+    p[layout.INNER_SPEED] = request.param
     return p
 
 
 def cage(p: np.ndarray) -> float:
-    return float(p[rows.NOMINAL_ORBIT, 0])
+    return float(p[layout.NOMINAL_ORBIT, 0])
 
 
 def work() -> np.ndarray:
@@ -30,13 +30,13 @@ def work() -> np.ndarray:
 def grooves(p: np.ndarray, count: int = 40) -> np.ndarray:
     """Places of the inner groove's centre, from far too near to deeply pressed."""
     rng = np.random.default_rng(11)
-    reach = p[rows.OUTER_LENGTH, 0] + p[rows.INNER_LENGTH, 0] + rng.uniform(-2e-4, 4e-5, count)
+    reach = p[layout.OUTER_LENGTH, 0] + p[layout.INNER_LENGTH, 0] + rng.uniform(-2e-4, 4e-5, count)
     alpha = rng.uniform(0.05, 1.2, count)
     return np.stack([reach * np.sin(alpha), reach * np.cos(alpha)], axis=1)
 
 
 def test_one_place_from_every_start(parameters: np.ndarray) -> None:
-    l_o = parameters[rows.OUTER_LENGTH, 0]
+    l_o = parameters[layout.OUTER_LENGTH, 0]
     for a1, a2 in grooves(parameters):
         places = []
         for part in (0.3, 0.5, 0.7):
@@ -54,7 +54,7 @@ def test_one_place_from_every_start(parameters: np.ndarray) -> None:
 
 
 def test_brackets_agree_with_newton(parameters: np.ndarray) -> None:
-    l_o = parameters[rows.OUTER_LENGTH, 0]
+    l_o = parameters[layout.OUTER_LENGTH, 0]
     for a1, a2 in grooves(parameters):
         if free_ball.compiled(parameters, 0, cage(parameters), 1.0, a1, a2)[0]:
             continue
@@ -87,4 +87,4 @@ def test_a_free_ball_carries_only_its_centrifugal_force(parameters: np.ndarray) 
     assert touch[0] == 0.0
     assert force[:2] == (0.0, 0.0)
     assert np.hypot(*residual) <= 1e-9 * scale
-    assert scale == pytest.approx(parameters[rows.CENTRIFUGAL, 0] * cage(parameters) ** 2)
+    assert scale == pytest.approx(parameters[layout.CENTRIFUGAL, 0] * cage(parameters) ** 2)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from rolamento import Case, Displacement, Duty, Load, Lubricant, solve, solve_batch
-from rolamento.duty import AXES, LOADS
+from rolamento.case.duty import AXES, LOADS
 from rolamento.errors import UnknownKeyError
 from rolamento.studies.outputs import DEFAULT_OUTPUTS, Solved, catalogue, outputs_of
 from rolamento.studies.pressure import greatest_pressure

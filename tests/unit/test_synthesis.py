@@ -14,9 +14,9 @@ import pytest
 from scipy import special
 
 from rolamento import Bearing, Case, Duty, Load, solve
+from rolamento.case.lubricant import Lubricant
+from rolamento.case.model import Model
 from rolamento.errors import InputError
-from rolamento.lubricant import Lubricant
-from rolamento.model import Model
 from rolamento.numerics import FloatArray
 from rolamento.plots.vibration_modulation import envelope_depths
 from rolamento.state import State

@@ -13,10 +13,10 @@ from rolamento._tables import Numerals, numerals_of, parse_table
 from rolamento.catalogue.tables import records_of_csv
 from rolamento.cli.app import app
 from rolamento.errors import InputError
-from rolamento.reliability import parse_life_test
-from rolamento.reliability.trend import parse_trend
 from rolamento.studies.duty_steps import read_spectrum
 from rolamento.studies.factor_table import read_factor_table
+from rolamento.weibull import parse_life_test
+from rolamento.weibull.trend import parse_trend
 
 Run = Callable[..., tuple[int, str, str]]
 THOUSANDS = "vida (h);situação\n12.500;falha\n8.200;falha\n15.000;suspenso\n"

@@ -11,11 +11,15 @@ import pytest
 from numpy.typing import NDArray
 
 from rolamento import Case, Lubricant, Model, load_case, solve
-from rolamento.equilibrium import rows
-from rolamento.equilibrium.columns import spread
-from rolamento.equilibrium.single import groove
-from rolamento.equilibrium.traction import balance, newton
-from rolamento.equilibrium.traction.ball import (
+from rolamento.friction.ellipse_mesh import ellipse_mesh
+from rolamento.friction.slip import BallVelocity, Patch, relative_motion
+from rolamento.friction.traction import contact_friction
+from rolamento.kinematics import RacewayControl, ball_motion
+from rolamento.rows.ball import layout
+from rolamento.rows.ball.columns import spread
+from rolamento.rows.ball.single import groove
+from rolamento.rows.ball.traction import balance, newton
+from rolamento.rows.ball.traction.ball import (
     AXES_INNER,
     AXES_OUTER,
     HALF,
@@ -29,12 +33,8 @@ from rolamento.equilibrium.traction.ball import (
     race_room,
     rolling_start,
 )
-from rolamento.equilibrium.traction.contact import FORCES, add_friction, ellipse_nodes
-from rolamento.equilibrium.traction.solve import case_constants
-from rolamento.friction.ellipse_mesh import ellipse_mesh
-from rolamento.friction.slip import BallVelocity, Patch, relative_motion
-from rolamento.friction.traction import contact_friction
-from rolamento.kinematics import RacewayControl, ball_motion
+from rolamento.rows.ball.traction.contact import FORCES, add_friction, ellipse_nodes
+from rolamento.rows.ball.traction.solve import case_constants
 
 Floats = NDArray[np.float64]
 MU = 0.08
@@ -107,7 +107,7 @@ def test_polynomials_are_those_of_the_axes(rig: Rig) -> None:
     """Value and slope; the axes at an angle between the points they pass through."""
     for axes in (AXES_INNER, AXES_OUTER):
         for cosine in (0.1, 0.55, 0.97):
-            for first in (axes, axes + rows.COEFFICIENTS):
+            for first in (axes, axes + layout.COEFFICIENTS):
                 value, slope = polynomial(rig.k, first, cosine)
                 above, below = (polynomial(rig.k, first, cosine + e)[0] for e in (1e-5, -1e-5))
                 assert slope == pytest.approx((above - below) / 2e-5, rel=1e-7, abs=1e-9 * value)
@@ -120,8 +120,8 @@ def test_rolling_start_is_outer_raceway_control(rig: Rig) -> None:
     )
     p = rig.p[:, 0]
     motion = ball_motion(
-        np.array(alpha_i), np.array(alpha_o), p[rows.GAMMA], p[rows.INNER_SPEED],
-        p[rows.OUTER_SPEED], np.array(int(RacewayControl.OUTER)),
+        np.array(alpha_i), np.array(alpha_o), p[layout.GAMMA], p[layout.INNER_SPEED],
+        p[layout.OUTER_SPEED], np.array(int(RacewayControl.OUTER)),
     )  # fmt: skip
     assert orbit == pytest.approx(float(motion.orbital_speed), rel=1e-12)
     assert np.hypot(x - orbit, out) == pytest.approx(abs(float(motion.ball_speed)), rel=1e-12)
@@ -131,7 +131,7 @@ def test_rolling_start_is_outer_raceway_control(rig: Rig) -> None:
 def test_derivatives_of_a_contact(rig: Rig, inner: bool) -> None:
     """Forces and moments by the contact's vector, by ω_b and by ω_m, against differences."""
     mesh = mesh_of(rig, 0.05)
-    length = rig.p[rows.INNER_LENGTH if inner else rows.OUTER_LENGTH, 0]
+    length = rig.p[layout.INNER_LENGTH if inner else layout.OUTER_LENGTH, 0]
     start = np.array([(length + 1e-5) * 0.6, (length + 1e-5) * 0.8, -1500.0, 200.0, 900.0, 450.0])
 
     def force(values: Floats) -> tuple[Floats, Floats, float]:
@@ -155,7 +155,7 @@ def test_derivatives_of_a_contact(rig: Rig, inner: bool) -> None:
 
 def test_no_contact_no_force(rig: Rig) -> None:
     room = race_room()
-    length = rig.p[rows.INNER_LENGTH, 0]
+    length = rig.p[layout.INNER_LENGTH, 0]
     found = contact_forces(rig, True, 0.0, 0.99 * length, np.ones(3), 1.0, mesh_of(rig, 0.1), room)
     assert found == (0.0, 0.0)
     assert not room.force.any()
@@ -167,7 +167,7 @@ def placed(rig: Rig) -> balance.Place:
     balls = rig.cosines.size
     place = balance.Place(np.zeros(balance.RING), np.zeros((balls, 2)), np.zeros((balls, 3)))
     place.u[:5] = (8e-5, 1e-6, 4e-5, 2e-6, -3e-6)
-    inner, outer = rig.p[rows.INNER_LENGTH, 0], rig.p[rows.OUTER_LENGTH, 0]
+    inner, outer = rig.p[layout.INNER_LENGTH, 0], rig.p[layout.OUTER_LENGTH, 0]
     for j, (c, s) in enumerate(zip(rig.cosines, rig.sines, strict=True)):
         a = np.array(groove(rig.p, 0, place.u, c, s))
         place.x[j] = a * outer / (inner + outer) + [1e-7 * j, -2e-7]
@@ -253,7 +253,7 @@ def test_constants_of_a_case(rig: Rig, case_218: Case) -> None:
 
 
 def test_inertia_switched_off_is_absent(case_218: Case) -> None:
-    from rolamento.equilibrium.traction.ball import INERTIA, MASS
+    from rolamento.rows.ball.traction.ball import INERTIA, MASS
 
     lubricant = Lubricant(kind="dry", friction_coefficient=MU)
     for name, index in (("centrifugal_force", MASS), ("gyroscopic_moment", INERTIA)):

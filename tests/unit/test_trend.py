@@ -14,16 +14,16 @@ from rolamento.clearance import fit_wear
 from rolamento.cli.app import app
 from rolamento.errors import InputError
 from rolamento.plots.trend import trend_figure, trend_lines
-from rolamento.reliability.trend import (
+from rolamento.report.language import LANGUAGES
+from rolamento.report.medium import Medium
+from rolamento.report.trend import trend_report
+from rolamento.weibull.trend import (
     PUBLISHED_TRENDS,
     parse_trend,
     published_trend,
     published_trend_text,
     wear_of_each,
 )
-from rolamento.report.language import LANGUAGES
-from rolamento.report.medium import Medium
-from rolamento.report.trend import trend_report
 
 Run = Callable[..., tuple[int, str, str]]
 CLEARANCE = "time (h),bearing,clearance (µm)\n"

@@ -12,7 +12,7 @@ import pytest
 from typer.testing import CliRunner
 
 from rolamento.cli.app import app
-from rolamento.reliability import published_text
+from rolamento.weibull import published_text
 
 Run = Callable[..., tuple[int, str, str]]
 FEW = ("--samples", "200")
@@ -75,7 +75,7 @@ def test_a_file_and_the_example_tell_the_same(run: Run) -> None:
 
 
 def test_json_holds_numbers_of_the_engine(run: Run) -> None:
-    from rolamento.reliability import all_bounds, published_life_test
+    from rolamento.weibull import all_bounds, published_life_test
 
     code, out, err = run(
         "weibull", "lieblein_zelen_1956.csv", *FEW, "--json", "--calculated-life", "C=58e6 rev"

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from rolamento.errors import InputError
-from rolamento.reliability import (
+from rolamento.weibull import (
     LifeTest,
     ShapePrior,
     against_calculated_life,
@@ -18,10 +18,10 @@ from rolamento.reliability import (
     maximum_likelihood,
     published_life_test,
 )
-from rolamento.reliability.band import confidence_band
-from rolamento.reliability.likelihood_region import likelihood_region
-from rolamento.reliability.quantity import Quantity
-from rolamento.reliability.summary import Wanted, summarise
+from rolamento.weibull.band import confidence_band
+from rolamento.weibull.likelihood_region import likelihood_region
+from rolamento.weibull.quantity import Quantity
+from rolamento.weibull.summary import Wanted, summarise
 
 SAMPLES = 500
 

@@ -15,15 +15,6 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
-from rolamento.reliability import (
-    LifeTest,
-    against_calculated_life,
-    bounds,
-    compare,
-    maximum_likelihood,
-    published_life_test,
-    rank_regression,
-)
 from rolamento.verification import Check, campanha_2008_weibull
 from rolamento.verification.campanha_2008_weibull import (
     as_if_failed,
@@ -32,6 +23,15 @@ from rolamento.verification.campanha_2008_weibull import (
     five_failures,
     four_failures,
     least_life,
+)
+from rolamento.weibull import (
+    LifeTest,
+    against_calculated_life,
+    bounds,
+    compare,
+    maximum_likelihood,
+    published_life_test,
+    rank_regression,
 )
 
 WHOLE = published_life_test("campanha_2008")

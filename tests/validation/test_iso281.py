@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 from rolamento import Bearing, Case, Duty
-from rolamento.equilibrium import solve_batch
 from rolamento.life import life_of_batch
 from rolamento.life.basic import basic_rating_life, hours
 from rolamento.life.load_zone import (
@@ -25,6 +24,7 @@ from rolamento.ratings import (
     static_factor,
     static_factor_of_grooves,
 )
+from rolamento.rows.ball import solve_batch
 from rolamento.verification import Check, campanha_2008_life, iso_76, iso_281
 from rolamento.verification.published import RPM, published
 

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from rolamento.reliability import (
+from rolamento.weibull import (
     maximum_likelihood,
     published_life_test,
     three_parameter,

@@ -17,7 +17,7 @@ import numpy as np
 import pytest
 
 from rolamento import Bearing, Case, Duty, Load, solve_batch
-from rolamento.equilibrium.preload import preload_of
+from rolamento.rows.ball.preload import preload_of
 from rolamento.static import race_stiffness
 from rolamento.verification.makers import bearing, gmn_row
 

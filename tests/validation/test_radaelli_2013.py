@@ -16,9 +16,9 @@ import numpy as np
 import pytest
 
 from rolamento import State, solve
-from rolamento.equilibrium import rows
-from rolamento.equilibrium.columns import spread
-from rolamento.equilibrium.solve import solve_columns_of
+from rolamento.rows.ball import layout
+from rolamento.rows.ball.columns import spread
+from rolamento.rows.ball.solve import solve_columns_of
 from rolamento.static import axial_load, radial_load
 from rolamento.verification import Check
 from rolamento.verification.check import half_unit
@@ -181,7 +181,7 @@ def test_sign_of_the_gyroscopic_moment() -> None:
     """With |M_g| for M_g, which is negative when the inner ring turns, z would be 0.0610 mm."""
     case = case_5_4(0.0)
     columns, turned = spread(case, {}), spread(case, {})
-    turned.rows[0].p[rows.GYROSCOPIC] *= -1.0
+    turned.rows[0].p[layout.GYROSCOPIC] *= -1.0
     signed, unsigned = solve_columns_of(columns), solve_columns_of(turned)
     assert (signed.balls().gyroscopic_moment < 0.0).all()
     assert (unsigned.balls().gyroscopic_moment > 0.0).all()

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from rolamento.reliability import (
+from rolamento.weibull import (
     LifeTest,
     bounds,
     compare,

@@ -18,10 +18,10 @@ from rolamento.numerics.masked import filled
 from rolamento.numerics.threads import thread_count
 
 if TYPE_CHECKING:
-    from rolamento.equilibrium import BatchState
     from rolamento.friction.summary import ContactModel
     from rolamento.life import LifeSummary
     from rolamento.lubrication import FilmTable
+    from rolamento.rows.ball import BatchState
 
 _BLOCK: Final = 4096
 """Cases at a time, so that their arrays stay near the processor."""
@@ -113,7 +113,7 @@ def _lives(case: Case, batch: BatchState, warm: NDArray[np.float64] | None) -> L
 
 def remembering(batch: BatchState) -> BatchState:
     """Return a batch that reckons its balls and ellipses once, for film and friction alike."""
-    from rolamento.equilibrium.remembering import RememberingBatch
+    from rolamento.rows.ball.remembering import RememberingBatch
 
     return RememberingBatch(*(getattr(batch, field.name) for field in fields(batch)))
 

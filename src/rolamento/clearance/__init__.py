@@ -6,6 +6,7 @@ fits, temperature, speed, wear; `operating` puts them in a chain. See docs/theor
 
 from __future__ import annotations
 
+from rolamento.case.mounting import Mounting, SeatMaterial
 from rolamento.clearance.assembly import PartTemperatures
 from rolamento.clearance.band import Band, Limit
 from rolamento.clearance.batch import MOUNTED_FIELDS, operating_batch
@@ -31,7 +32,6 @@ from rolamento.clearance.record import (
 )
 from rolamento.clearance.sampling import ClearanceSamples, sample_clearance
 from rolamento.clearance.wear import WearFit, WearLaw, fit_wear
-from rolamento.mounting import Mounting, SeatMaterial
 
 __all__ = [
     "CLEARANCE_CLASSES",

@@ -15,7 +15,9 @@ from typing import Any, Final, NamedTuple, Protocol
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento.bearing import Bearing
+from rolamento.case.bearing import Bearing
+from rolamento.case.material import Material
+from rolamento.case.mounting import Mounting, SeatMaterial
 from rolamento.clearance.fits import (
     Finish,
     bore_shrinkage,
@@ -28,8 +30,6 @@ from rolamento.clearance.speed import spin_growth
 from rolamento.clearance.temperature import clearance_change, expansion_of, interference_change
 from rolamento.errors import InputError
 from rolamento.geometry import clearance_of_angle, groove_places
-from rolamento.material import Material
-from rolamento.mounting import Mounting, SeatMaterial
 from rolamento.numerics import FloatArray
 from rolamento.units import from_si
 

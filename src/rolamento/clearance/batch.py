@@ -12,14 +12,14 @@ from typing import Any, Final
 
 import numpy as np
 
-from rolamento.bearing import Bearing, clearance_fits
 from rolamento.case import Case
+from rolamento.case.bearing import Bearing, clearance_fits
+from rolamento.case.mounting import Mounting
 from rolamento.clearance.assembly import PartTemperatures, gathered
 from rolamento.clearance.band import Band
 from rolamento.clearance.chain import Chain, housing_bands, initial_band, shaft_bands
 from rolamento.errors import InputError
 from rolamento.geometry import free_contact_angle
-from rolamento.mounting import Mounting
 from rolamento.numerics import FloatArray
 
 __all__ = ["MOUNTED_FIELDS", "operating_batch"]

@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from rolamento.bearing import Bearing
+from rolamento.case.bearing import Bearing
+from rolamento.case.mounting import Mounting
 from rolamento.clearance.assembly import (
     Assembly,
     FitState,
@@ -19,7 +20,6 @@ from rolamento.clearance.iso286 import hole_deviations, shaft_deviations
 from rolamento.clearance.iso492 import bore_deviations, outside_deviations
 from rolamento.clearance.measuring_load import clearance_from_reading, usual_measuring_load
 from rolamento.errors import InputError
-from rolamento.mounting import Mounting
 from rolamento.numerics import FloatArray
 
 __all__ = ["Chain", "ChainResult"]

@@ -17,7 +17,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from rolamento.bearing import Bearing
+from rolamento.case.bearing import Bearing
 from rolamento.clearance.tables import MILLIMETRE, step_of
 from rolamento.errors import InputError
 from rolamento.static import radial_load

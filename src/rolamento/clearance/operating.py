@@ -15,8 +15,9 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from rolamento.bearing import Bearing
 from rolamento.case import Case
+from rolamento.case.bearing import Bearing
+from rolamento.case.mounting import Mounting
 from rolamento.clearance.assembly import Assembly, Temperatures
 from rolamento.clearance.chain import Chain, ChainResult
 from rolamento.clearance.classes import CLEARANCE_SOURCE
@@ -28,7 +29,6 @@ from rolamento.clearance.record import OperatingClearance, Step
 from rolamento.clearance.speed import SPEED_SOURCE
 from rolamento.clearance.temperature import TEMPERATURE_SOURCE
 from rolamento.errors import InputError
-from rolamento.mounting import Mounting
 
 __all__ = ["clearance_of_case", "operating_case", "operating_clearance"]
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from math import acos
 from typing import Any, Final
 
-from rolamento.bearing import Bearing, clearance_fits
+from rolamento.case.bearing import Bearing, clearance_fits
 from rolamento.clearance.band import Limit
 from rolamento.errors import InputError
 from rolamento.geometry import ring_geometry

@@ -7,12 +7,12 @@ from typing import Final, Literal, NamedTuple
 
 import numpy as np
 
-from rolamento.bearing import Bearing
+from rolamento.case.bearing import Bearing
+from rolamento.case.mounting import Mounting
 from rolamento.clearance.assembly import Temperatures
 from rolamento.clearance.band import Band
 from rolamento.clearance.chain import Chain
 from rolamento.errors import InputError
-from rolamento.mounting import Mounting
 from rolamento.numerics import FloatArray
 
 __all__ = ["ClearanceSamples", "sample_clearance"]

@@ -19,9 +19,9 @@ from typing import Final
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rolamento.case.material import Material
 from rolamento.clearance.tables import table
 from rolamento.errors import InputError
-from rolamento.material import Material
 from rolamento.numerics import FloatArray
 
 __all__ = [

@@ -109,7 +109,7 @@ def _at_speed(case: rolamento.Case, option: str, field: str, speed: float) -> ro
 
 def has_load(case: rolamento.Case) -> bool:
     """Tell whether anything presses the balls: a load, a displacement or a preload."""
-    from rolamento.duty import AXES, LOADS
+    from rolamento.case.duty import AXES, LOADS
 
     duty = case.duty
     given = [getattr(duty.load, name) for name in LOADS]

@@ -15,9 +15,9 @@ from rolamento.cli.options import LanguageOption
 from rolamento.cli.streams import print_text
 
 if TYPE_CHECKING:
-    from rolamento.reproduction.record import Section, Source
-    from rolamento.reproduction.text import Language as Code
-    from rolamento.reproduction.text import Text
+    from rolamento_reproductions.record import Section, Source
+    from rolamento_reproductions.text import Language as Code
+    from rolamento_reproductions.text import Text
 
 __all__ = ["Pictures", "reproduce"]
 
@@ -63,8 +63,8 @@ def reproduce(
 
 def _reproduced(name: str, output: str | None, pictures: Pictures, code: Code) -> None:
     """Compute and write what a name stands for, and say where it lies."""
-    from rolamento.reproduction import computed, find, open_folder, write
-    from rolamento.reproduction.writing import PAGE
+    from rolamento_reproductions import computed, find, open_folder, write
+    from rolamento_reproductions.writing import PAGE
 
     source = find(name)
     folder = open_folder(source.name if output is None else output, source)
@@ -83,7 +83,7 @@ def _reproduced(name: str, output: str | None, pictures: Pictures, code: Code) -
 
 def _listed(code: Code) -> str:
     """List what can be reproduced, with the source and what is in it."""
-    from rolamento.reproduction import NAMES, find
+    from rolamento_reproductions import NAMES, find
 
     return "".join(_entry(find(name), code) for name in NAMES)
 
@@ -93,7 +93,7 @@ def _entry(source: Source, code: Code) -> str:
 
 
 def _told(sections: tuple[Section, ...], page: str, code: Code) -> str:
-    from rolamento.reproduction.wording import summary
+    from rolamento_reproductions.wording import summary
 
     lines = [text.speak(code) for text in summary(sections)]
     return "\n".join([*lines, page]) + "\n"

@@ -17,7 +17,7 @@ from rolamento.errors import InputError
 
 if TYPE_CHECKING:
     from rolamento.clearance import WearFit, WearLaw
-    from rolamento.reliability.trend import Trend
+    from rolamento.weibull.trend import Trend
 
 __all__ = ["trend"]
 
@@ -95,7 +95,7 @@ def _record(
     bearing: str | None,
     decimal_mark: str | None,
 ) -> Trend:
-    from rolamento.reliability.trend import published_trend, read_trend
+    from rolamento.weibull.trend import published_trend, read_trend
 
     check_one_given(data, example, "trend", EXAMPLES)
     if example is None:
@@ -106,7 +106,7 @@ def _record(
 
 def _fits(record: Trend, law: str | None) -> dict[str, WearFit]:
     """Fit the law that was asked for, or running-in to what is a length; else none."""
-    from rolamento.reliability.trend import wear_of_each
+    from rolamento.weibull.trend import wear_of_each
 
     if law is not None and law not in LAWS:
         raise InputError(

@@ -33,8 +33,8 @@ from rolamento.cli.weibull_options import (
 from rolamento.errors import InputError
 
 if TYPE_CHECKING:
-    from rolamento.reliability.summary import LifeTestSummary
     from rolamento.report.language import Words
+    from rolamento.weibull.summary import LifeTestSummary
 
 __all__ = ["WeibullCommand", "weibull"]
 
@@ -224,8 +224,8 @@ def weibull(
             seed=seed,
         )
         from rolamento.cli.waiting import progress_of
-        from rolamento.reliability.summary import summarise
         from rolamento.report.weibull_words import WEIBULL_WORDS
+        from rolamento.weibull.summary import summarise
 
         words = words_of(lang)
         with progress_of(WEIBULL_WORDS[words.code].working) as progress:
@@ -246,8 +246,8 @@ def _enough(size: int) -> int:
 def _written(data: str | None, example: str | None, path: str, words: Words) -> str:
     """Write an example's CSV under a new name, and return what to say about it."""
     from rolamento._writing import write_text
-    from rolamento.reliability import published_text
     from rolamento.report.weibull_words import WEIBULL_WORDS
+    from rolamento.weibull import published_text
 
     if example is None or data is not None:
         raise InputError("goes with --example alone", source="--write", value=path)
@@ -259,7 +259,7 @@ def _written(data: str | None, example: str | None, path: str, words: Words) -> 
 def _draw_paper(found: LifeTestSummary, path: str, language: str) -> None:
     from rolamento.plots.saving import save_figure
     from rolamento.plots.weibull import weibull_figure
-    from rolamento.reliability.band import confidence_band
+    from rolamento.weibull.band import confidence_band
 
     asked = found.wanted
     bands = {
@@ -280,7 +280,7 @@ def _draw_paper(found: LifeTestSummary, path: str, language: str) -> None:
 def _draw_contour(found: LifeTestSummary, path: str, quantity: str, language: str) -> None:
     from rolamento.plots.saving import save_figure
     from rolamento.plots.weibull_contour import contour_figure
-    from rolamento.reliability.likelihood_region import likelihood_region
+    from rolamento.weibull.likelihood_region import likelihood_region
 
     asked = found.wanted
     try:

@@ -12,8 +12,8 @@ from rolamento.cli.table_options import told_in_options
 from rolamento.errors import InputError
 
 if TYPE_CHECKING:
-    from rolamento.reliability import LifeTest, Method, ShapePrior
-    from rolamento.reliability.summary import FitMethod, Wanted
+    from rolamento.weibull import LifeTest, Method, ShapePrior
+    from rolamento.weibull.summary import FitMethod, Wanted
 
 __all__ = ["EXAMPLES", "life_test", "only_groups", "wanted"]
 
@@ -47,7 +47,7 @@ def life_test(
     InputError, FileError
         If neither or both are given, or they are no life test.
     """
-    from rolamento.reliability import parse_life_test, published_text, read_life_test
+    from rolamento.weibull import parse_life_test, published_text, read_life_test
 
     check_one_given(data, example, "weibull", EXAMPLES)
     columns = {"group": group, "unit": unit, "time": time, "status": status}
@@ -92,7 +92,7 @@ def wanted(
     seed: int,
 ) -> Wanted:
     """Put together what is wanted of a test whose times have a unit."""
-    from rolamento.reliability.summary import Wanted
+    from rolamento.weibull.summary import Wanted
 
     for option, many, most in (
         ("--reliability", reliabilities, _MOST_NUMBERS),
@@ -133,7 +133,7 @@ def _methods(names: Sequence[str]) -> tuple[FitMethod, ...]:
 def _bounds(name: str | None, shape: float | None) -> Method | None:
     if name is None:
         return None
-    from rolamento.reliability import METHODS
+    from rolamento.weibull import METHODS
 
     known = [method.replace("_", "-") for method in METHODS if method != "fixed_shape"]
     word = name.replace("_", "-")
@@ -148,7 +148,7 @@ def _bounds(name: str | None, shape: float | None) -> Method | None:
 
 
 def _prior(text: str) -> ShapePrior:
-    from rolamento.reliability import ShapePrior
+    from rolamento.weibull import ShapePrior
 
     match = _PRIOR.fullmatch(text.strip())
     try:

@@ -22,7 +22,7 @@ from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
 from rolamento.errors import InputError
 
 if TYPE_CHECKING:
-    from rolamento.reliability.precision import LifeTestPlan
+    from rolamento.weibull.precision import LifeTestPlan
 
 __all__ = ["app"]
 
@@ -91,9 +91,9 @@ def demonstration(
         each = None if time is None else life_in(time, unit, "--time")
         if bearings is None and each is None:
             each = wanted  # as long as the life: there the shape does not matter
-        from rolamento.reliability.planning import alternatives, demonstrate
         from rolamento.report.medium import Medium
         from rolamento.report.weibull_plan import demonstration_json, demonstration_report
+        from rolamento.weibull.planning import alternatives, demonstrate
 
         plan = demonstrate(
             wanted,
@@ -210,7 +210,7 @@ def _plans(
     progress: Any,
 ) -> tuple[LifeTestPlan, ...]:
     """Plan one test, or many that are as precise."""
-    from rolamento.reliability.precision import plan_for_ratio, plan_of, plans_for_ratio
+    from rolamento.weibull.precision import plan_for_ratio, plan_of, plans_for_ratio
 
     if failures is not None:
         return tuple(plan_of(failures, groups, size, **keywords) for size in sizes or [1])

@@ -8,10 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rolamento.contact.hertz import effective_modulus
-from rolamento.equilibrium import BatchState, rows
 from rolamento.friction.slip import BallVelocity, Patch
 from rolamento.geometry import Race, race_curvature
 from rolamento.numerics import BoolArray, FloatArray
+from rolamento.rows.ball import BatchState, layout
 from rolamento.state import State
 
 NO_LOAD = 1e-9
@@ -158,8 +158,8 @@ def _of_batch(batch: BatchState) -> LoadedBalls:
     return LoadedBalls(
         inner,
         outer,
-        inner_speed=first[rows.INNER_SPEED][:, np.newaxis],
-        outer_speed=first[rows.OUTER_SPEED][:, np.newaxis],
+        inner_speed=first[layout.INNER_SPEED][:, np.newaxis],
+        outer_speed=first[layout.OUTER_SPEED][:, np.newaxis],
         orbital_speed=table.motion.orbital_speed,
         ball_speed=table.motion.ball_speed,
         attitude=table.motion.attitude,
@@ -168,7 +168,7 @@ def _of_batch(batch: BatchState) -> LoadedBalls:
         gyroscopic_moment=table.gyroscopic_moment,
         inner_rolling_curvature=_rolling_curvature(inner),
         outer_rolling_curvature=_rolling_curvature(outer),
-        modulus=_per_ball(batch, rows.MODULUS),
+        modulus=_per_ball(batch, layout.MODULUS),
     )
 
 
@@ -176,8 +176,8 @@ def _patch_of(batch: BatchState, race: Race) -> Patch:
     table = batch.balls()
     contacts = table.inner if race == "inner" else table.outer
     ellipse = batch.contact(race, table)
-    diameter = _per_ball(batch, rows.BALL_DIAMETER)
-    length = _per_ball(batch, rows.INNER_LENGTH if race == "inner" else rows.OUTER_LENGTH)
+    diameter = _per_ball(batch, layout.BALL_DIAMETER)
+    length = _per_ball(batch, layout.INNER_LENGTH if race == "inner" else layout.OUTER_LENGTH)
     return Patch(
         race,
         contacts.load,
@@ -185,7 +185,7 @@ def _patch_of(batch: BatchState, race: Race) -> Patch:
         ellipse.semi_major,
         ellipse.semi_minor,
         diameter,
-        diameter / _per_ball(batch, rows.GAMMA),
+        diameter / _per_ball(batch, layout.GAMMA),
         0.5 + length / diameter,
     )
 

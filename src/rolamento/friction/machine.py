@@ -7,12 +7,12 @@ from typing import Final
 
 import numpy as np
 
-from rolamento.equilibrium import BatchState
 from rolamento.friction.loaded_balls import LoadedBalls
 from rolamento.friction.palmgren import BearingKind, Lubrication, palmgren
 from rolamento.friction.skf import SkfConstants, SkfMoment, Supply, skf_moment
 from rolamento.friction.torque import Torque
 from rolamento.numerics import FloatArray
+from rolamento.rows.ball import BatchState
 from rolamento.state import State
 
 _SAME_ANGLE: Final = float(np.radians(1.0))

@@ -9,7 +9,6 @@ from typing import Any, Final, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rolamento.equilibrium import BatchState
 from rolamento.errors import InputError
 from rolamento.friction import (
     harris_1971,
@@ -34,6 +33,7 @@ from rolamento.friction.torque import (
     torque_of_losses,
 )
 from rolamento.numerics import FloatArray
+from rolamento.rows.ball import BatchState
 from rolamento.state import State
 
 ContactModel = Literal["jones_full", "jones_control", "jones_simplified", "harris_1971", "todd"]

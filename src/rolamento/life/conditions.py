@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento.case import Case
+from rolamento.case.life_model import LifeModel
 from rolamento.errors import InputError
 from rolamento.life._figures import positive, within
 from rolamento.life.contamination import (
@@ -21,7 +22,6 @@ from rolamento.life.contamination import (
 from rolamento.life.ioannides_harris import FATIGUE_LIMIT, Depth
 from rolamento.life.l_able import FactorTable
 from rolamento.life.reliability import RATING_RELIABILITY, Edition, reliability_factor
-from rolamento.life_model import LifeModel
 from rolamento.lubrication.oil_state import oil_state
 from rolamento.numerics import FloatArray
 

@@ -8,11 +8,11 @@ import numpy as np
 
 from rolamento.case import Case
 from rolamento.contact.hertz import effective_modulus
-from rolamento.equilibrium import BatchState, rows
-from rolamento.equilibrium.detail import BallTable
 from rolamento.geometry import Race, ring_geometry
 from rolamento.life.ioannides_harris import Ellipses
 from rolamento.numerics import BoolArray, FloatArray
+from rolamento.rows.ball import BatchState, layout
+from rolamento.rows.ball.detail import BallTable
 from rolamento.state import State
 
 
@@ -136,11 +136,11 @@ def rows_of_batch(case: Case, batch: BatchState) -> SolvedRows:
     def spread(index: int) -> FloatArray:
         return np.stack([row.parameters[index] for row in batch.rows], axis=1)
 
-    diameter = spread(rows.BALL_DIAMETER)
+    diameter = spread(layout.BALL_DIAMETER)
     # by the radial offset: a preload moves the axial one
-    distance = spread(rows.INNER_LENGTH) + spread(rows.OUTER_LENGTH)
-    cosine = np.clip(spread(rows.RADIAL_OFFSET) / distance, 0.0, 1.0)
-    angle = np.where(spread(rows.ONE_SIDED) > 0.0, np.arccos(cosine), 0.0)
+    distance = spread(layout.INNER_LENGTH) + spread(layout.OUTER_LENGTH)
+    cosine = np.clip(spread(layout.RADIAL_OFFSET) / distance, 0.0, 1.0)
+    angle = np.where(spread(layout.ONE_SIDED) > 0.0, np.arccos(cosine), 0.0)
     steel, preloaded = _kind(case)
     solved = batch.converged[:, np.newaxis]
     return SolvedRows(
@@ -150,14 +150,14 @@ def rows_of_batch(case: Case, batch: BatchState) -> SolvedRows:
         signs=tuple(place.sign for place in case.bearing.places),
         ball_count=np.array(counts, dtype=np.float64),
         ball_diameter=diameter,
-        pitch_diameter=diameter / spread(rows.GAMMA),
-        inner_conformity=0.5 + spread(rows.INNER_LENGTH) / diameter,
-        outer_conformity=0.5 + spread(rows.OUTER_LENGTH) / diameter,
+        pitch_diameter=diameter / spread(layout.GAMMA),
+        inner_conformity=0.5 + spread(layout.INNER_LENGTH) / diameter,
+        outer_conformity=0.5 + spread(layout.OUTER_LENGTH) / diameter,
         contact_angle=angle,
-        modulus=spread(rows.MODULUS),
+        modulus=spread(layout.MODULUS),
         ring_load=np.where(solved, batch.load, np.nan),
-        inner_speed=first[rows.INNER_SPEED],
-        outer_speed=first[rows.OUTER_SPEED],
+        inner_speed=first[layout.INNER_SPEED],
+        outer_speed=first[layout.OUTER_SPEED],
         steel_balls=steel,
         preloaded=preloaded,
         source=batch,

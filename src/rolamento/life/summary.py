@@ -10,7 +10,6 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento.case import Case
-from rolamento.equilibrium import BatchState
 from rolamento.life import theories as by
 from rolamento.life.conditions import LifeConditions, conditions_of
 from rolamento.life.duty_loads import EquivalentLoads, Ratings
@@ -22,6 +21,7 @@ from rolamento.life.reference import ReferenceLife
 from rolamento.life.reliability import reliability_factor, reliability_of
 from rolamento.life.solved_balls import SolvedRows, rows_of_batch, rows_of_state
 from rolamento.numerics import FloatArray
+from rolamento.rows.ball import BatchState
 from rolamento.state import State
 
 _HOUR: Final = 3600.0

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from rolamento.film_model import FilmModel
+from rolamento.case.film_model import FilmModel
 from rolamento.lubrication.film_thickness import central_film, film_groups, minimum_film
 from rolamento.lubrication.oil_state import OilState
 from rolamento.lubrication.running import RunningContacts

@@ -17,13 +17,13 @@ from typing import Final
 import numpy as np
 
 from rolamento.case import Case
-from rolamento.equilibrium import BatchState
-from rolamento.equilibrium.accept import CONVERGED, NOT_CONVERGED
-from rolamento.equilibrium.assemble import solve_columns_of
-from rolamento.equilibrium.columns import Columns
 from rolamento.lubrication.table import FilmTable, film_of_batch
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.oil.piezoviscosity import roelands
+from rolamento.rows.ball import BatchState
+from rolamento.rows.ball.accept import CONVERGED, NOT_CONVERGED
+from rolamento.rows.ball.assemble import solve_columns_of
+from rolamento.rows.ball.columns import Columns
 
 PASSES: Final = 25
 SAME: Final = 1e-6

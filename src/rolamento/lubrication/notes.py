@@ -10,7 +10,7 @@ from math import isfinite, isnan
 from typing import Final
 
 from rolamento.case import Case
-from rolamento.lubricant import Lubricant
+from rolamento.case.lubricant import Lubricant
 from rolamento.lubrication.film_thickness import COMPUTED_RANGE
 from rolamento.lubrication.record import ContactFilm, Film
 from rolamento.oil.viscosity import LEAST_VISCOSITY

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento.lubricant import DEFAULT_CONDUCTIVITY, Lubricant
+from rolamento.case.lubricant import DEFAULT_CONDUCTIVITY, Lubricant
 from rolamento.numerics import FloatArray
 from rolamento.oil.density import (
     STANDARD_TEMPERATURE,

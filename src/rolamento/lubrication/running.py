@@ -8,12 +8,12 @@ from typing import Any, Final
 import numpy as np
 
 from rolamento.contact.hertz import effective_modulus
-from rolamento.equilibrium import BatchState, rows
-from rolamento.equilibrium.batch_state import RowBatch
-from rolamento.equilibrium.detail import ContactTable
 from rolamento.geometry import Race, race_curvature
 from rolamento.lubrication.entrainment import SurfaceSpeeds, surface_speeds
 from rolamento.numerics import FloatArray
+from rolamento.rows.ball import BatchState, layout
+from rolamento.rows.ball.batch_state import RowBatch
+from rolamento.rows.ball.detail import ContactTable
 from rolamento.state import State
 
 NO_LOAD: Final = 1e-9
@@ -181,16 +181,16 @@ def _place_of_batch(batch: BatchState) -> _Place:
         ]
         return parts[0] if len(parts) == 1 else np.concatenate(parts, axis=1)
 
-    diameter = spread(rows.BALL_DIAMETER)
+    diameter = spread(layout.BALL_DIAMETER)
     return _Place(
         ball_diameter=diameter,
-        pitch_diameter=diameter / spread(rows.GAMMA),
+        pitch_diameter=diameter / spread(layout.GAMMA),
         conformity={
-            "inner": 0.5 + spread(rows.INNER_LENGTH) / diameter,
-            "outer": 0.5 + spread(rows.OUTER_LENGTH) / diameter,
+            "inner": 0.5 + spread(layout.INNER_LENGTH) / diameter,
+            "outer": 0.5 + spread(layout.OUTER_LENGTH) / diameter,
         },
-        ring_speed={"inner": spread(rows.INNER_SPEED), "outer": spread(rows.OUTER_SPEED)},
-        modulus=spread(rows.MODULUS),
+        ring_speed={"inner": spread(layout.INNER_SPEED), "outer": spread(layout.OUTER_SPEED)},
+        modulus=spread(layout.MODULUS),
     )
 
 

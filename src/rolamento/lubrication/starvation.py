@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento._reach import in_reach
-from rolamento.film_model import Supply
+from rolamento.case.film_model import Supply
 from rolamento.numerics import FloatArray
 
 REPLENISHMENT: Final[dict[Supply, float]] = {

@@ -10,11 +10,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento.case import Case
-from rolamento.equilibrium import BatchState
+from rolamento.case.film_model import FilmModel
+from rolamento.case.lubricant import Lubricant
 from rolamento.errors import InputError
-from rolamento.film_model import FilmModel
 from rolamento.geometry import Race
-from rolamento.lubricant import Lubricant
 from rolamento.lubrication.contact_film import ContactFilms, contact_films
 from rolamento.lubrication.oil_state import OilState, oil_state
 from rolamento.lubrication.running import (
@@ -28,6 +27,7 @@ from rolamento.lubrication.viscosity_ratio import reference_viscosity
 from rolamento.numerics import FloatArray
 from rolamento.numerics.masked import filled
 from rolamento.numerics.threads import thread_count
+from rolamento.rows.ball import BatchState
 
 BLOCK: Final = 4096
 """Cases at a time."""

@@ -31,8 +31,8 @@ _log = logging.getLogger("rolamento")
 
 _DIGEST = sha256().digest_size
 _VECTORISABLE = {"reassoc", "arcp", "contract", "afn", "nsz"}
-_ROOMS = ("numerics", "equilibrium", "equilibrium/traction")  # where kernels and formulas live
-_CONSTANTS = frozenset({"compiled", "rows"})  # files without kernels that shape them
+_ROOMS = ("numerics", "rows/ball", "rows/ball/traction")  # where kernels and formulas live
+_CONSTANTS = frozenset({"compiled", "layout"})  # files without kernels that shape them
 
 
 class Kernel(Generic[P, R]):

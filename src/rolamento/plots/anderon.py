@@ -25,8 +25,8 @@ from rolamento.plots.words import plot_words
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from rolamento.reliability.trend import Trend
     from rolamento.vibration.anderon import BandName, Noise, NoiseSteps
+    from rolamento.weibull.trend import Trend
 
 __all__ = ["noise_bands", "noise_figure", "noise_trend_figure"]
 

@@ -19,8 +19,7 @@ from matplotlib.collections import EllipseCollection
 from matplotlib.patches import Patch
 from numpy.typing import ArrayLike
 
-from rolamento.bearing import Bearing
-from rolamento.equilibrium.problem import edge_cosine
+from rolamento.case.bearing import Bearing
 from rolamento.errors import InputError
 from rolamento.plots.axes_units import DEGREE, MILLIMETRE
 from rolamento.plots.balls import RACES, Race
@@ -28,6 +27,7 @@ from rolamento.plots.frame import GREY, empty_frame, label_y, legend_above, numb
 from rolamento.plots.reading import PlottedBall, PlottedState, contact_value, rows_of
 from rolamento.plots.style import INNER, OUTER, in_style, new_figure, new_stacked_figure
 from rolamento.plots.words import ENGLISH, PlotWords
+from rolamento.rows.ball.problem import edge_cosine
 
 __all__ = ["contact_ellipses", "ellipses_of_both_races"]
 

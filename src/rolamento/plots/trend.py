@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from rolamento.clearance.wear import WearFit
-    from rolamento.reliability.trend import Trend
+    from rolamento.weibull.trend import Trend
 
 __all__ = ["trend_figure", "trend_lines"]
 
@@ -83,7 +83,7 @@ def trend_lines(
     Parameters
     ----------
     trend
-        Of `rolamento.reliability.trend`.
+        Of `rolamento.weibull.trend`.
     quantity
         Which of its columns.
     axes

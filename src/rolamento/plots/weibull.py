@@ -28,15 +28,15 @@ from rolamento.plots.weibull_words import (
     weibull_plot_words,
 )
 from rolamento.plots.words import PlotWords, plot_words
-from rolamento.reliability.ranks import plotting_positions
+from rolamento.weibull.ranks import plotting_positions
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from rolamento.reliability.band import Band
-    from rolamento.reliability.fit import WeibullFit
-    from rolamento.reliability.life_test import LifeTest
-    from rolamento.reliability.summary import GroupSummary, LifeTestSummary
+    from rolamento.weibull.band import Band
+    from rolamento.weibull.fit import WeibullFit
+    from rolamento.weibull.life_test import LifeTest
+    from rolamento.weibull.summary import GroupSummary, LifeTestSummary
 
 __all__ = ["weibull_figure", "weibull_paper"]
 
@@ -87,10 +87,10 @@ def weibull_paper(
     Parameters
     ----------
     summary
-        Of `rolamento.reliability.summary`: each group has a colour of its own. Of a test without
+        Of `rolamento.weibull.summary`: each group has a colour of its own. Of a test without
         groups all fits are drawn, the others thinly.
     bands
-        Of `rolamento.reliability.band.confidence_band`, by the names of the groups.
+        Of `rolamento.weibull.band.confidence_band`, by the names of the groups.
     axes
         To draw on; of a new figure if not given.
     language

@@ -29,9 +29,9 @@ from rolamento.plots.words import PlotWords, plot_words
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from rolamento.reliability.fit import WeibullFit
-    from rolamento.reliability.likelihood_region import LikelihoodRegion
-    from rolamento.reliability.summary import GroupSummary, LifeTestSummary
+    from rolamento.weibull.fit import WeibullFit
+    from rolamento.weibull.likelihood_region import LikelihoodRegion
+    from rolamento.weibull.summary import GroupSummary, LifeTestSummary
 
 __all__ = ["contour_figure", "likelihood_contour"]
 
@@ -75,10 +75,10 @@ def likelihood_contour(
     Parameters
     ----------
     summary
-        Of `rolamento.reliability.summary`: of a test without groups the estimates of all methods
+        Of `rolamento.weibull.summary`: of a test without groups the estimates of all methods
         of two parameters are marked.
     regions
-        Of `rolamento.reliability.likelihood_region`, by the names of the groups; all of one
+        Of `rolamento.weibull.likelihood_region`, by the names of the groups; all of one
         quantity.
     axes
         To draw on; of a new figure if not given.

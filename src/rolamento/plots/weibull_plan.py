@@ -26,8 +26,8 @@ from rolamento.plots.words import PlotWords, plot_words
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from rolamento.reliability.planning import Demonstration
-    from rolamento.reliability.precision import LifeTestPlan
+    from rolamento.weibull.planning import Demonstration
+    from rolamento.weibull.precision import LifeTestPlan
 
 __all__ = ["chance_figure", "chance_of_passing", "cost_figure", "cost_of_precision"]
 
@@ -103,7 +103,7 @@ def chance_of_passing(
     Parameters
     ----------
     plans
-        Of `rolamento.reliability.planning.demonstrate`; those without a plan are left out.
+        Of `rolamento.weibull.planning.demonstrate`; those without a plan are left out.
     unit
         Of their times.
     axes
@@ -158,7 +158,7 @@ def cost_of_precision(
     Parameters
     ----------
     plans
-        Of `rolamento.reliability.precision.plans_for_ratio`; those without a plan are left out.
+        Of `rolamento.weibull.precision.plans_for_ratio`; those without a plan are left out.
     unit
         Of their times.
     axes

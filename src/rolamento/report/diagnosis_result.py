@@ -7,7 +7,7 @@ from functools import cached_property
 from math import inf, isfinite
 from typing import Final, Literal
 
-from rolamento.bearing import Bearing
+from rolamento.case.bearing import Bearing
 from rolamento.state import State
 from rolamento.vibration.diagnosis import ComponentVerdict, Diagnosis, DiagnosisSettings
 from rolamento.vibration.fault_lines import FaultFrequencies

@@ -12,7 +12,7 @@ from typing import Any, Final
 
 from rich.text import Text
 
-from rolamento.bearing import Bearing
+from rolamento.case.bearing import Bearing
 from rolamento.report.frequencies_words import FREQUENCY_WORDS, FrequencyWords
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium

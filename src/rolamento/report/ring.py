@@ -6,7 +6,7 @@ from typing import Final
 
 from rich.text import Text
 
-from rolamento.duty import AXES, LOADS, Duty
+from rolamento.case.duty import AXES, LOADS, Duty
 from rolamento.report.numbers import aligned
 from rolamento.report.page import Lines, Page
 from rolamento.state import State

@@ -8,9 +8,9 @@ from typing import Final
 
 from rich.text import Text
 
-from rolamento.arrangement import Preload
-from rolamento.bearing import Bearing, RowPlace
-from rolamento.duty import LOADS
+from rolamento.case.arrangement import Preload
+from rolamento.case.bearing import Bearing, RowPlace
+from rolamento.case.duty import LOADS
 from rolamento.report.numbers import ABSENT
 from rolamento.report.page import Lines, Page
 from rolamento.state import BallState, PreloadState, RowState, State

@@ -10,7 +10,7 @@ from typing import Any, Final, Literal, NamedTuple
 
 import numpy as np
 
-from rolamento.bearing import Bearing
+from rolamento.case.bearing import Bearing
 from rolamento.report.plain_data import json_text
 from rolamento.vibration.synthesis import (
     Fault,

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Final
 from rich.console import Console
 from rich.text import Text
 
-from rolamento.bearing import Bearing
-from rolamento.duty import AXES, LOADS, Duty
+from rolamento.case.bearing import Bearing
+from rolamento.case.duty import AXES, LOADS, Duty
 from rolamento.report.balls import ball_parts, heaviest_part, rosette_part, rosettes_width
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium

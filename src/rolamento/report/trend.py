@@ -10,7 +10,6 @@ from typing import Final
 from rich.text import Text
 
 from rolamento.clearance.wear import WearFit
-from rolamento.reliability.trend import Trend
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium
 from rolamento.report.page import Lines, Page
@@ -18,6 +17,7 @@ from rolamento.report.plain_data import json_text
 from rolamento.report.terminal import rendered
 from rolamento.report.weibull_numbers import one_line, shortened, table
 from rolamento.units import to_si
+from rolamento.weibull.trend import Trend
 
 __all__ = ["trend_json", "trend_report"]
 
@@ -126,7 +126,7 @@ def trend_report(
     Parameters
     ----------
     trend
-        Of `rolamento.reliability.trend`.
+        Of `rolamento.weibull.trend`.
     fits
         Of `wear_of_each`; empty for what is no clearance.
     words, medium

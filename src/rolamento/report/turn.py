@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 from rich.text import Text
 
-from rolamento.duty import AXES, LOADS
+from rolamento.case.duty import AXES, LOADS
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium
 from rolamento.report.page import Lines, Page

@@ -7,10 +7,6 @@ from typing import Final
 import numpy as np
 from rich.text import Text
 
-from rolamento.reliability.bounds import Bounds
-from rolamento.reliability.life_test import LifeTest
-from rolamento.reliability.quantity import Quantity
-from rolamento.reliability.summary import GroupSummary, LifeTestSummary, Wanted
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium
 from rolamento.report.numbers import ABSENT
@@ -33,6 +29,10 @@ from rolamento.report.weibull_numbers import (
 from rolamento.report.weibull_sentences import said_note
 from rolamento.report.weibull_statement import comparison_part, statement_part
 from rolamento.report.weibull_words import WEIBULL_WORDS, WeibullWords, counted
+from rolamento.weibull.bounds import Bounds
+from rolamento.weibull.life_test import LifeTest
+from rolamento.weibull.quantity import Quantity
+from rolamento.weibull.summary import GroupSummary, LifeTestSummary, Wanted
 
 __all__ = ["weibull_json", "weibull_report"]
 

@@ -6,10 +6,10 @@ from collections.abc import Sequence
 from math import isfinite
 from typing import Final
 
-from rolamento.reliability.quantity import Quantity
 from rolamento.report.numbers import decimals_for
 from rolamento.report.page import Lines, Page
 from rolamento.report.weibull_words import WeibullWords
+from rolamento.weibull.quantity import Quantity
 
 __all__ = [
     "FIGURES",

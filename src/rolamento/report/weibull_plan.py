@@ -8,9 +8,6 @@ from typing import Final
 
 from rich.text import Text
 
-from rolamento.reliability.planning import Demonstration
-from rolamento.reliability.precision import LifeTestPlan
-from rolamento.reliability.quantity import Quantity
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium
 from rolamento.report.numbers import ABSENT
@@ -21,6 +18,9 @@ from rolamento.report.weibull_numbers import FIGURES, life_name, one_line, perce
 from rolamento.report.weibull_plan_words import PLAN_WORDS, PlanWords
 from rolamento.report.weibull_sentences import said_advice
 from rolamento.report.weibull_words import counted
+from rolamento.weibull.planning import Demonstration
+from rolamento.weibull.precision import LifeTestPlan
+from rolamento.weibull.quantity import Quantity
 
 __all__ = ["demonstration_json", "demonstration_report", "precision_json", "precision_report"]
 
@@ -72,7 +72,7 @@ def demonstration_report(
     Parameters
     ----------
     plan
-        Of `rolamento.reliability.planning.demonstrate`.
+        Of `rolamento.weibull.planning.demonstrate`.
     others
         That show as much, of `alternatives`.
     unit
@@ -213,7 +213,7 @@ def precision_report(
     Parameters
     ----------
     plans
-        Of `rolamento.reliability.precision`, all of one life, shape and confidence.
+        Of `rolamento.weibull.precision`, all of one life, shape and confidence.
     ratio
         Of the bounds that was wanted; None where the tests were given.
     unit

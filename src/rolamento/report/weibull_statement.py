@@ -6,10 +6,6 @@ from collections.abc import Sequence
 from math import isfinite
 from typing import Final
 
-from rolamento.reliability.comparison import Comparison
-from rolamento.reliability.life_ratio import LifeRatio
-from rolamento.reliability.quantity import Quantity
-from rolamento.reliability.summary import GroupSummary, LifeTestSummary, Wanted
 from rolamento.report.page import Lines, Page
 from rolamento.report.weibull_numbers import (
     FIGURES,
@@ -23,6 +19,10 @@ from rolamento.report.weibull_numbers import (
 )
 from rolamento.report.weibull_sentences import said_advice
 from rolamento.report.weibull_words import WeibullWords
+from rolamento.weibull.comparison import Comparison
+from rolamento.weibull.life_ratio import LifeRatio
+from rolamento.weibull.quantity import Quantity
+from rolamento.weibull.summary import GroupSummary, LifeTestSummary, Wanted
 
 __all__ = ["comparison_part", "statement_part"]
 

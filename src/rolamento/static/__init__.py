@@ -1,7 +1,7 @@
 """Closed static analyses of a ball bearing at rest: radial, axial and combined load.
 
 Each returns a frozen record with a status per load. They stand for themselves and as starting
-points; the general equilibrium lives in `rolamento.equilibrium`.
+points; the general equilibrium lives in `rolamento.rows.ball`.
 """
 
 from __future__ import annotations

@@ -18,8 +18,8 @@ from pydantic import (
     model_validator,
 )
 
-from rolamento._quantity import Count, Line, at_the_border
-from rolamento._record import Record
+from rolamento.case.quantity import Count, Line, at_the_border
+from rolamento.case.record import Record
 from rolamento.errors import ABSENT, InputError
 from rolamento.studies import fields
 

@@ -17,16 +17,16 @@ from typing import TYPE_CHECKING, Any, Final, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from rolamento.bearing import Bearing
 from rolamento.case import Case
+from rolamento.case.bearing import Bearing
 from rolamento.contact.hertz import effective_modulus, elliptical_contact
-from rolamento.equilibrium import BatchState
 from rolamento.errors import InputError
 from rolamento.geometry import Race, race_curvature
+from rolamento.rows.ball import BatchState
 from rolamento.solution import solve, solve_batch
 
 if TYPE_CHECKING:
-    from rolamento.equilibrium.detail import BallTable, ContactTable
+    from rolamento.rows.ball.detail import BallTable, ContactTable
 
 __all__ = [
     "DEFAULT_POINTS",

@@ -10,14 +10,14 @@ from typing import Any, Final, get_args
 from pydantic import BaseModel, create_model
 from pydantic.fields import FieldInfo
 
-from rolamento._quantity import Quantity, Ratio
-from rolamento._record import Record, record_of
-from rolamento.arrangement import Preload
 from rolamento.case import Case
-from rolamento.duty import AXES, LOADS
+from rolamento.case.arrangement import Preload
+from rolamento.case.duty import AXES, LOADS
+from rolamento.case.life_model import DIRT
+from rolamento.case.material import Material
+from rolamento.case.quantity import Quantity, Ratio
+from rolamento.case.record import Record, record_of
 from rolamento.errors import InputError, UnknownKeyError, nearest
-from rolamento.life_model import DIRT
-from rolamento.material import Material
 from rolamento.units import SI_UNIT, Dimension, from_si
 
 __all__ = ["Field", "Value", "known_fields", "read_field", "refuse_rivals", "unit_name"]

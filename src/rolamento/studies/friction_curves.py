@@ -16,9 +16,9 @@ from numpy.typing import NDArray
 
 from rolamento.analysis import BatchAnalysis, analyse_batch, joined, least_film_parameter
 from rolamento.case import Case
-from rolamento.equilibrium import BatchState
 from rolamento.errors import InputError
 from rolamento.friction import Friction
+from rolamento.rows.ball import BatchState
 from rolamento.solution import solve_batch
 from rolamento.studies.fields import Field
 from rolamento.studies.ranges import MOST_POINTS, Range, read_range, refuse_many_singles
@@ -205,14 +205,14 @@ def _controlled(case: Case, over: Range, blocks: Sequence[Block]) -> Controlled 
 
 def _motion(batch: BatchState) -> tuple[Floats, Floats, Floats, Floats]:
     """Torque, cage speed and the ratios of the heaviest ball; NaN without a result."""
-    from rolamento.equilibrium import rows
+    from rolamento.rows.ball import layout
 
     row = batch.rows[0]
     nothing = np.full(len(batch), np.nan)
     if row.rolling is None:
         return nothing, nothing, nothing, nothing
     table = batch.balls()
-    speed = np.abs(row.parameters[rows.INNER_SPEED] - row.parameters[rows.OUTER_SPEED])
+    speed = np.abs(row.parameters[layout.INNER_SPEED] - row.parameters[layout.OUTER_SPEED])
     power = row.rolling.power.sum(axis=(1, 2))
     with np.errstate(divide="ignore", invalid="ignore"):
         torque = np.where(speed > 0.0, power / speed, np.nan)

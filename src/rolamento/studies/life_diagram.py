@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rolamento.case import Case
-from rolamento.duty import LOADS
+from rolamento.case.duty import LOADS
 from rolamento.errors import InputError
 from rolamento.life import Life, LifeSummary, conditions_of, life, life_of_batch
 from rolamento.life.load_zone import clearance_function, load_zone, zone_life

@@ -14,19 +14,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rolamento.analysis.needs import has_life
+from rolamento.case.life_model import DIRT
 from rolamento.errors import InputError, UnknownKeyError, nearest
-from rolamento.life_model import DIRT
 
 if TYPE_CHECKING:
     from rolamento.case import Case
     from rolamento.contact.hertz import HertzContact
-    from rolamento.equilibrium import BatchState
-    from rolamento.equilibrium.detail import BallTable, ContactTable
     from rolamento.friction import Friction, LoadedBalls
     from rolamento.friction.summary import ContactModel
     from rolamento.geometry import Race
     from rolamento.life import LifeSummary
     from rolamento.lubrication import FilmTable
+    from rolamento.rows.ball import BatchState
+    from rolamento.rows.ball.detail import BallTable, ContactTable
 
 __all__ = ["DEFAULT_OUTPUTS", "Output", "Solved", "catalogue", "outputs_of", "refuse_missing"]
 

@@ -16,8 +16,8 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from rolamento.arrangement import ARRANGEMENTS
 from rolamento.case import Case
+from rolamento.case.arrangement import ARRANGEMENTS
 from rolamento.errors import InputError
 from rolamento.studies.fields import Value
 from rolamento.studies.outputs import Output, Solved, outputs_of

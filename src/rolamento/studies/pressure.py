@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from rolamento.equilibrium import rows
-from rolamento.equilibrium.batch_state import RowBatch
-from rolamento.equilibrium.detail import ContactTable, hertz
 from rolamento.geometry import Race
+from rolamento.rows.ball import layout
+from rolamento.rows.ball.batch_state import RowBatch
+from rolamento.rows.ball.detail import ContactTable, hertz
 from rolamento.studies.outputs import Floats, Solved
 
 __all__ = ["greatest_pressure"]
@@ -61,7 +61,7 @@ def _candidates(
 ) -> np.ndarray[tuple[int, int], np.dtype[np.bool_]]:
     """Which contacts may have the greatest pressure of their case."""
     sign = -1.0 if race == "inner" else 1.0
-    gamma = row.parameters[rows.GAMMA][:, np.newaxis] * np.cos(contacts.contact_angle)
+    gamma = row.parameters[layout.GAMMA][:, np.newaxis] * np.cos(contacts.contact_angle)
     curvature = 1.0 / (1.0 + sign * gamma)
     with np.errstate(invalid="ignore"):
         ratio = np.cbrt(curvature / curvature.max(axis=1, keepdims=True))

@@ -9,8 +9,6 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any, Final
 
-from rolamento._lines import LineIndex, line_of, lines_of_keys
-from rolamento._overrides import OVERRIDE_SOURCE, overridden
 from rolamento._reading import (
     STANDARD_INPUT,
     TextFormat,
@@ -20,6 +18,8 @@ from rolamento._reading import (
     read_text,
 )
 from rolamento.case import Case, load_case
+from rolamento.case._lines import LineIndex, line_of, lines_of_keys
+from rolamento.case._overrides import OVERRIDE_SOURCE, overridden
 from rolamento.errors import InputError, shown
 from rolamento.studies.study import Study
 

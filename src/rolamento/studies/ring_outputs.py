@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from rolamento.duty import AXES, LOADS
+from rolamento.case.duty import AXES, LOADS
 from rolamento.studies.outputs import Floats, Output, Solved
 
 __all__ = ["ring_outputs"]

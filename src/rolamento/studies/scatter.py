@@ -16,8 +16,8 @@ from pydantic import (
     model_validator,
 )
 
-from rolamento._quantity import Count, Ratio, at_the_border
-from rolamento._record import Record
+from rolamento.case.quantity import Count, Ratio, at_the_border
+from rolamento.case.record import Record
 from rolamento.errors import InputError
 from rolamento.studies import fields
 from rolamento.studies.axes import FieldName

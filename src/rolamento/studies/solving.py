@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from rolamento._overrides import overridden
 from rolamento.case import Case
+from rolamento.case._overrides import overridden
 from rolamento.studies.fields import Value, read_field
 
 if TYPE_CHECKING:
-    from rolamento.equilibrium import BatchState
+    from rolamento.rows.ball import BatchState
 
 __all__ = ["CONVERGED", "INVALID_INPUT", "array_fields", "base_case", "solve", "status_names"]
 
@@ -25,7 +25,7 @@ INVALID_INPUT: Final = "invalid_input"
 @cache
 def array_fields() -> frozenset[str]:
     """Return the fields that may vary within a batch; each value of another needs its own case."""
-    from rolamento.equilibrium import batch_fields
+    from rolamento.rows.ball import batch_fields
 
     return frozenset(batch_fields())
 
@@ -33,7 +33,7 @@ def array_fields() -> frozenset[str]:
 @cache
 def status_names() -> Mapping[str, int]:
     """Return the code of each status by name."""
-    from rolamento.equilibrium.batch_state import STATUS_NAMES
+    from rolamento.rows.ball.batch_state import STATUS_NAMES
 
     return {name: int(code) for code, name in sorted(STATUS_NAMES.items())}
 

@@ -15,13 +15,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rolamento.case import Case
+from rolamento.case.life_model import LifeModel
 from rolamento.errors import InputError
 from rolamento.life import Headline
 from rolamento.life.basic import hours
 from rolamento.life.reference import SLOPE
 from rolamento.life.reliability import Edition, reliability_factor, reliability_of
 from rolamento.life.spectrum import miner_life, races_under_spectrum, revolution_shares
-from rolamento.life_model import LifeModel
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.solution import solve
 from rolamento.studies.duty_steps import DutySteps, read_spectrum

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rolamento.bearing import Bearing
+from rolamento.case.bearing import Bearing
 from rolamento.clearance.temperature import EXPANSION_100CR6, clearance_change_of_rings
 from rolamento.errors import InputError
 from rolamento.studies.samples import SAMPLE, samples_of

@@ -10,10 +10,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any, Final
 
-from rolamento.bearing import Bearing
+from rolamento.case.bearing import Bearing
+from rolamento.case.material import Material
 from rolamento.clearance.classes import CLEARANCE_CLASSES, class_clearance
 from rolamento.clearance.measuring_load import measuring_load_correction
-from rolamento.material import Material
 from rolamento.verification.check import Check
 from rolamento.verification.published import MM, bearing_of, published
 

@@ -11,7 +11,9 @@ from typing import Final
 
 import numpy as np
 
-from rolamento.reliability import (
+from rolamento.verification.check import Check
+from rolamento.verification.published import published
+from rolamento.weibull import (
     LifeTest,
     WeibullFit,
     bounds,
@@ -19,8 +21,6 @@ from rolamento.reliability import (
     published_life_test,
     rank_regression,
 )
-from rolamento.verification.check import Check
-from rolamento.verification.published import published
 
 __all__ = [
     "CONFIDENCE",

@@ -10,11 +10,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Final
 
-from rolamento.bearing import Bearing
 from rolamento.case import Case
-from rolamento.duty import Duty, Load
-from rolamento.equilibrium import solve
+from rolamento.case.bearing import Bearing
+from rolamento.case.duty import Duty, Load
 from rolamento.life.reference import race_ratings, reference_life
+from rolamento.rows.ball import solve
 from rolamento.static import axial_load
 from rolamento.verification.check import Check, half_unit
 from rolamento.verification.published import MM, bearing_of, published, steel

@@ -13,11 +13,11 @@ from collections.abc import Iterator, Mapping
 from functools import cache
 from typing import Any, Final
 
-from rolamento.bearing import Bearing
 from rolamento.case import Case
-from rolamento.duty import Duty, Load
-from rolamento.equilibrium import solve, solve_batch
-from rolamento.equilibrium.preload import preload_of
+from rolamento.case.bearing import Bearing
+from rolamento.case.duty import Duty, Load
+from rolamento.rows.ball import solve, solve_batch
+from rolamento.rows.ball.preload import preload_of
 from rolamento.verification.check import Check, half_unit
 from rolamento.verification.published import bearing_of, published, steel
 

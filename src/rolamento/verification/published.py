@@ -9,8 +9,8 @@ from importlib import resources
 from math import pi, radians, sqrt
 from typing import Any, Final
 
-from rolamento.bearing import Bearing
-from rolamento.material import Material
+from rolamento.case.bearing import Bearing
+from rolamento.case.material import Material
 
 __all__ = ["MM", "MODULUS_SCALE", "RPM", "bearing_of", "modulus_of_constant", "published", "steel"]
 

@@ -11,10 +11,10 @@ from math import degrees, nan, radians
 from typing import Any, Final
 
 from rolamento.case import Case
-from rolamento.duty import Displacement, Duty, Load
-from rolamento.equilibrium import solve
+from rolamento.case.duty import Displacement, Duty, Load
+from rolamento.case.model import Model
 from rolamento.kinematics import ball_mass, ball_motion, centrifugal_force, gyroscopic_moment
-from rolamento.model import Model
+from rolamento.rows.ball import solve
 from rolamento.state import State
 from rolamento.static import radial_load
 from rolamento.verification.check import Check, cut, last_unit, rounded

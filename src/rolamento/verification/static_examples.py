@@ -13,13 +13,13 @@ from functools import cache
 from math import degrees, nan
 from typing import Any, Final, NamedTuple
 
-from rolamento.bearing import Bearing
 from rolamento.case import Case
+from rolamento.case.bearing import Bearing
+from rolamento.case.duty import Duty, Load
+from rolamento.case.material import Material
 from rolamento.contact.hertz import hertz_coefficients
-from rolamento.duty import Duty, Load
-from rolamento.equilibrium import solve
 from rolamento.geometry import Race, race_curvature
-from rolamento.material import Material
+from rolamento.rows.ball import solve
 from rolamento.state import State
 from rolamento.static import axial_load, race_stiffness, radial_load, sjovall_radial
 from rolamento.verification.published import MM, bearing_of, modulus_of_constant, published, steel

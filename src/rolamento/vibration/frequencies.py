@@ -23,7 +23,7 @@ from typing import Final, Literal, NamedTuple
 
 import numpy as np
 
-from rolamento.bearing import Bearing
+from rolamento.case.bearing import Bearing
 from rolamento.errors import InputError
 from rolamento.geometry import ring_geometry
 from rolamento.kinematics import ball_motion

@@ -14,7 +14,7 @@ from itertools import product
 from math import pi
 from typing import Final, NamedTuple
 
-from rolamento.bearing import Bearing
+from rolamento.case.bearing import Bearing
 from rolamento.catalogue import Candidate, built_in_geometry
 from rolamento.errors import InputError
 from rolamento.geometry import ring_geometry

@@ -1,0 +1,44 @@
+"""What the user gives: bearing, duty, model, lubricant and the rest, frozen and validated."""
+
+from rolamento.case.bearing import Bearing
+from rolamento.case.case import (
+    Case,
+    case_to_json,
+    case_to_toml,
+    load_case,
+    override,
+    parse_case,
+    save_case,
+)
+from rolamento.case.duty import Displacement, Duty, Load
+from rolamento.case.film_model import FilmModel
+from rolamento.case.life_model import LifeModel
+from rolamento.case.lubricant import Lubricant
+from rolamento.case.material import Material
+from rolamento.case.model import Model
+from rolamento.case.mounting import Mounting, SeatMaterial
+from rolamento.case.surface import Surface
+from rolamento.case.temperature import Temperature
+
+__all__ = [
+    "Bearing",
+    "Case",
+    "Displacement",
+    "Duty",
+    "FilmModel",
+    "LifeModel",
+    "Load",
+    "Lubricant",
+    "Material",
+    "Model",
+    "Mounting",
+    "SeatMaterial",
+    "Surface",
+    "Temperature",
+    "case_to_json",
+    "case_to_toml",
+    "load_case",
+    "override",
+    "parse_case",
+    "save_case",
+]

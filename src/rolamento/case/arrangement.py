@@ -1,0 +1,186 @@
+"""Sets of bearings: which way each row faces, where it sits, and how the set is preloaded."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Final, Literal, Self
+
+from pydantic import BeforeValidator, Field, model_validator
+
+from rolamento.case.preload_classes import Level, listed_preload
+from rolamento.case.quantity import Count, Line, Quantity, Ratio
+from rolamento.case.record import Record
+from rolamento.errors import InputError, UnitError
+from rolamento.units import to_si
+
+__all__ = [
+    "ARRANGEMENTS",
+    "PRELOAD_KINDS",
+    "Arrangement",
+    "Orientation",
+    "Preload",
+    "PreloadField",
+    "Row",
+]
+
+Orientation = Literal["+", "-"]
+"""Toward which side the row carries axial load of the shaft."""
+
+Arrangement = Literal["DB", "DF", "DT", "TBT", "TFT", "TT", "QBC", "QFC", "QBT", "QFT", "QT"]
+
+ARRANGEMENTS: Final[dict[Arrangement, tuple[Orientation, ...]]] = {
+    "DB": ("+", "-"),
+    "DF": ("-", "+"),
+    "DT": ("+", "+"),
+    "TBT": ("+", "-", "-"),
+    "TFT": ("-", "+", "+"),
+    "TT": ("+", "+", "+"),
+    "QBC": ("+", "+", "-", "-"),
+    "QFC": ("-", "-", "+", "+"),
+    "QBT": ("+", "-", "-", "-"),
+    "QFT": ("-", "+", "+", "+"),
+    "QT": ("+", "+", "+", "+"),
+}
+"""The rows of each arrangement along +x. Back to back (B, "O") the contact lines meet the shaft
+outside the set, face to face (F, "X") inside; in tandem (T) all rows face one way."""
+
+PRELOAD_KINDS: Final = ("force", "offset", "spring", "level")
+"""The ways to give a preload, one at a time."""
+
+_Shift = Annotated[float, Quantity("length", at_least="-10 m", at_most="10 m")]
+_Diameter = Annotated[float, Quantity("length", at_least="0.01 mm", at_most="20 m")]
+_Conformity = Annotated[float, Ratio(at_least=0.501, at_most=1.0)]
+
+
+class Row(Record):
+    """One row of balls of a set: where it sits, and what it has of its own.
+
+    Parameters
+    ----------
+    orientation
+        ``"+"`` for a row that carries axial load of the shaft toward +x, ``"-"`` for its mirror
+        image. Without meaning for a row given by its clearance.
+    position
+        Of the balls' plane along x, from the point that the displacements and moments of the
+        set refer to, in m.
+    phase
+        Azimuth of the row's first ball beyond the duty's, in rad.
+    ball_count, ball_diameter, pitch_diameter, contact_angle, inner_conformity, outer_conformity
+        As in `Bearing`; what is not given is the set's.
+
+    Raises
+    ------
+    InputError
+        If a value is missing or out of range.
+    """
+
+    orientation: Orientation = Field("+", examples=["+"])
+    position: _Shift = Field(examples=["-12 mm"])
+    phase: Annotated[float, Quantity("angle", at_least="-360 deg", at_most="360 deg")] = Field(
+        0.0, examples=["11.25 deg"]
+    )
+    ball_count: Annotated[int, Count] | None = Field(None, strict=True, ge=3, le=500)
+    ball_diameter: _Diameter | None = Field(None, examples=["22.23 mm"])
+    pitch_diameter: _Diameter | None = Field(None, examples=["125.26 mm"])
+    contact_angle: Annotated[float, Quantity("angle", at_least="0 deg", below="90 deg")] | None = (
+        Field(None, examples=["40 deg"])
+    )
+    inner_conformity: _Conformity | None = Field(None, examples=[0.5232])
+    outer_conformity: _Conformity | None = Field(None, examples=[0.5232])
+
+    @property
+    def own(self) -> dict[str, Any]:
+        """The geometry that the row has of its own, by field of `Bearing`."""
+        shared = {"orientation", "position", "phase"}
+        fields = ((name, getattr(self, name)) for name in type(self).model_fields)
+        return {name: value for name, value in fields if name not in shared and value is not None}
+
+
+class Preload(Record):
+    """How the rows of a set press on each other when nothing else does: exactly one of these.
+
+    Parameters
+    ----------
+    force
+        Axial force at rest between the rows of either orientation, in N; the rings are then
+        clamped: the offset that gives this force stays, the force changes with load and speed.
+    offset
+        By how much the clamped inner rings press each row in axially from first contact, in m;
+        negative leaves play.
+    spring
+        Constant axial force, in N, by which springs push the outer rings of the rows that
+        face ``-``, together and free to slide, into their balls.
+    level
+        ``"light"``, ``"medium"`` or ``"heavy"`` as a maker lists it for pairs of the bearing
+        named by `designation`; the rings are clamped with the offset of such a pair.
+    designation
+        In the makers' lists (`rolamento.case.preload_classes`), such as ``"S 6012 C"``.
+
+    Raises
+    ------
+    InputError
+        If none or several are given, or a value is out of range.
+    """
+
+    force: Annotated[float, Quantity("force", at_least="0 N", at_most="1e6 kN")] | None = Field(
+        None, examples=["500 N"]
+    )
+    offset: Annotated[float, Quantity("length", at_least="-10 mm", at_most="10 mm")] | None = Field(
+        None, examples=["5 um"]
+    )
+    spring: Annotated[float, Quantity("force", above="0 N", at_most="1e6 kN")] | None = Field(
+        None, examples=["500 N"]
+    )
+
+    level: Level | None = Field(None, examples=["light"])
+    designation: Line | None = Field(None, examples=["S 6012 C"])
+
+    @model_validator(mode="after")
+    def _one(self) -> Self:
+        given = [name for name in PRELOAD_KINDS if getattr(self, name) is not None]
+        if len(given) != 1:
+            raise InputError(
+                f"must give exactly one of {', '.join(PRELOAD_KINDS)}",
+                value=", ".join(given) or "none",
+                example='preload = { force = "500 N" }',
+            )
+        if (self.level is None) != (self.designation is None):
+            raise InputError(
+                "a level and the designation that it is listed for go together",
+                example='preload = { level = "light", designation = "S 6012 C" }',
+            )
+        return self
+
+    def pair_force(self, contact_angle: float | None) -> float | None:
+        """The listed force of a pair, in N; None where the preload is not given by its level.
+
+        Raises
+        ------
+        InputError
+            If no maker's list has the designation at this contact angle.
+        """
+        if self.level is None or self.designation is None:
+            return None
+        return listed_preload(self.designation, self.level, contact_angle)
+
+
+def _spelt_out(value: object) -> object:
+    """Take "500 N" for a clamped force and "5 um" for a clamped offset."""
+    if not isinstance(value, str):
+        return value
+    for dimension, key in (("force", "force"), ("length", "offset")):
+        try:
+            to_si(value, dimension)  # type: ignore[arg-type]
+        except UnitError:
+            continue
+        return {key: value}
+    raise InputError(
+        "must be a force or an offset with its unit, or a table",
+        value=value,
+        example='"500 N", "5 um" or { spring = "500 N" }',
+    )
+
+
+PreloadField = Annotated[
+    Preload, BeforeValidator(_spelt_out), Field(description="a table, a force or an offset")
+]
+"""Annotation of a field that takes a preload, its table, or the force or offset as text."""

@@ -1,0 +1,406 @@
+"""The internal geometry of a bearing: one row of balls, or a set of rows on one shaft."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from functools import lru_cache
+from typing import TYPE_CHECKING, Annotated, Any, Final, NamedTuple, Self
+
+from pydantic import (
+    BeforeValidator,
+    Field,
+    ModelWrapValidatorHandler,
+    SerializationInfo,
+    SerializerFunctionWrapHandler,
+    ValidationInfo,
+    model_serializer,
+    model_validator,
+)
+
+from rolamento.case.arrangement import ARRANGEMENTS, Arrangement, PreloadField, Row
+from rolamento.case.material import DEFAULT_MATERIAL, Material, MaterialField
+from rolamento.case.quantity import Count, Line, Quantity, Ratio, at_the_border
+from rolamento.case.record import Record
+from rolamento.errors import InputError
+from rolamento.units import Dimension, from_si
+
+if TYPE_CHECKING:
+    from rolamento.catalogue import CatalogueBearing
+
+__all__ = ["Bearing", "RowPlace", "balls_fit", "clearance_fits"]
+
+MOST_ROWS: Final = 32
+_SET_FIELDS: Final = ("arrangement", "spacing", "rows", "preload")
+_BALL_FIELDS: Final = ("ball_count", "ball_diameter", "pitch_diameter")
+_PLAY: Final = ("contact_angle", "diametral_clearance")
+_CATALOGUE_FIELDS: Final[Mapping[str, Dimension | None]] = {
+    "ball_count": None,
+    "ball_diameter": "length",
+    "pitch_diameter": "length",
+    "inner_conformity": None,
+    "outer_conformity": None,
+    "contact_angle": "angle",
+    "diametral_clearance": "length",
+}
+"""What a designation fills in, by the dimension."""
+
+_Conformity = Annotated[float, Ratio(at_least=0.501, at_most=1.0)]
+
+
+def _as_text(value: object) -> object:
+    """Let a designation be written as a number."""
+    if isinstance(value, int) and not isinstance(value, bool) and 0 <= value < 10**9:
+        return str(value)
+    return value
+
+
+_Designation = Annotated[Line, BeforeValidator(_as_text)]
+_ShoulderHeight = Annotated[float, Quantity("length", above="0 mm", at_most="1 m")]
+
+
+class Bearing(Record):
+    """A row of balls between two grooved rings, by its internal geometry, or a set of rows.
+
+    Exactly one of `contact_angle` and `diametral_clearance` is given: the first for an
+    angular-contact bearing, whose axial displacement then counts from first contact,
+    the second for a deep-groove bearing, whose axial displacement counts from the
+    centred position.
+
+    Parameters
+    ----------
+    designation
+        Of the catalogue, such as ``"6305/C3"``: it fills in what is not given of the fields
+        from `ball_count` to `outer_conformity`, published or inferred; see `origins`.
+    ball_count
+        Z, balls in the row, 3 to 500.
+    ball_diameter
+        D, in m.
+    pitch_diameter
+        d_m, diameter of the circle of ball centres, in m.
+    contact_angle
+        α, free contact angle, in rad, 0 ≤ α < π/2.
+    diametral_clearance
+        P_d, in m; negative for an interference.
+    inner_conformity, outer_conformity
+        f_i, f_o, groove radius over ball diameter, 0.501 to 1.
+    ring_material
+        A `Material`, its name or its table; 100Cr6 if not given.
+    ball_material
+        Likewise; the rings' material if not given.
+    inner_shoulder_height, outer_shoulder_height
+        Height of the shoulder above the bottom of the groove, in m; without it the groove is
+        taken as a half circle, whose edges are at a contact angle of 90°.
+    arrangement
+        Of a set of equal bearings that share the shaft: ``"DB"``, ``"DF"``, ``"DT"`` … (see
+        `rolamento.case.arrangement.ARRANGEMENTS`); x = 0 is then in the middle of the set.
+    spacing
+        Axial distance between neighbouring rows of an arrangement, in m.
+    rows
+        Instead of an arrangement, the rows one by one.
+    preload
+        A `Preload`, for sets with rows that face each other; none if not given: the unloaded
+        balls of every row just touch.
+
+    Raises
+    ------
+    InputError
+        If a value is missing or out of range, or the values contradict each other.
+    """
+
+    designation: _Designation | None = Field(None, examples=["6305/C3"])
+    ball_count: Annotated[int, Count] = Field(strict=True, ge=3, le=500, examples=[16])
+    ball_diameter: Annotated[float, Quantity("length", at_least="0.01 mm", at_most="1 m")] = Field(
+        examples=["22.23 mm"]
+    )
+    pitch_diameter: Annotated[float, Quantity("length", at_least="0.01 mm", at_most="20 m")] = (
+        Field(examples=["125.26 mm"])
+    )
+    contact_angle: Annotated[float, Quantity("angle", at_least="0 deg", below="90 deg")] | None = (
+        Field(None, examples=["40 deg"])
+    )
+    diametral_clearance: (
+        Annotated[float, Quantity("length", at_least="-1 m", at_most="1 m")] | None
+    ) = Field(None, examples=["0.015 mm"])
+    inner_conformity: _Conformity = Field(examples=[0.5232])
+    outer_conformity: _Conformity = Field(examples=[0.5232])
+    ring_material: MaterialField = Field(default_factory=lambda: Material.named(DEFAULT_MATERIAL))
+    ball_material: MaterialField = Field(default_factory=lambda data: data["ring_material"])
+    inner_shoulder_height: _ShoulderHeight | None = Field(None, examples=["4.5 mm"])
+    outer_shoulder_height: _ShoulderHeight | None = Field(None, examples=["4.5 mm"])
+    arrangement: Arrangement | None = Field(None, examples=["DB"])
+    spacing: Annotated[float, Quantity("length", above="0 mm", at_most="10 m")] | None = Field(
+        None, examples=["24 mm"]
+    )
+    rows: tuple[Row, ...] | None = Field(
+        None,
+        min_length=1,
+        max_length=MOST_ROWS,
+        examples=['[{ orientation = "+", position = "0 mm" }]'],
+    )
+    preload: PreloadField | None = Field(None, examples=["500 N"])
+
+    @classmethod
+    def named(cls, designation: str, **fields: Any) -> Self:
+        """Return a bearing of the catalogue.
+
+        Parameters
+        ----------
+        designation
+            Such as ``"6305/C3"`` or ``"EX 70 25deg"``.
+        fields
+            Of the bearing, in the place of what the catalogue tells.
+
+        Raises
+        ------
+        InputError
+            If the designation is not known, or does not tell what is not given.
+        """
+        return cls(**{"designation": designation, **fields})
+
+    @property
+    def origins(self) -> Mapping[str, str]:
+        """Where each field that a designation fills in comes from; empty without one.
+
+        ``"given"`` by the user, ``"published"`` by a maker, ``"inferred"`` from the ratings,
+        or ``"assumed"``: an ordinary conformity, the middle of the clearance class.
+        """
+        if self.designation is None:
+            return {}
+        from rolamento.catalogue import built_in_geometry
+
+        own = self.model_fields_set
+        told = built_in_geometry(self.designation, not own.issuperset(_BALL_FIELDS)).origins
+        return {
+            name: "given" if name in own else told[name]
+            for name in _CATALOGUE_FIELDS
+            if getattr(self, name) is not None
+        }
+
+    @property
+    def published(self) -> CatalogueBearing | None:
+        """What the catalogue holds of the designation; None without one."""
+        if self.designation is None:
+            return None
+        from rolamento.catalogue import built_in_geometry
+
+        return built_in_geometry(self.designation, False).bearing
+
+    @property
+    def clearance_class(self) -> str | None:
+        """Class of ISO 5753-1 that the clearance is the middle of; None of any other clearance."""
+        if self.origins.get("diametral_clearance") != "assumed" or self.designation is None:
+            return None
+        from rolamento.catalogue import built_in_geometry
+
+        return built_in_geometry(self.designation, False).clearance_class
+
+    @property
+    def is_set(self) -> bool:
+        """Whether the bearing is more than one plain row."""
+        return self.arrangement is not None or self.rows is not None
+
+    @property
+    def places(self) -> tuple[RowPlace, ...]:
+        """The rows of balls along +x, each as a bearing of one row; one if it is no set."""
+        return _places(self)
+
+    @model_validator(mode="wrap")
+    @classmethod
+    def _filled_in(
+        cls, given: Any, handler: ModelWrapValidatorHandler[Self], info: ValidationInfo
+    ) -> Self:
+        """Fill in what a designation tells, without making it the user's own."""
+        if not isinstance(given, Mapping):
+            return handler(given)
+        designation = _as_text(given.get("designation"))
+        if not isinstance(designation, str):
+            return handler(given)
+        found = _of_catalogue(designation, given, in_file=at_the_border(info.context))
+        bearing = handler({**given, **found})
+        bearing.__pydantic_fields_set__.difference_update(found)
+        return bearing
+
+    @model_serializer(mode="wrap")
+    def _without_what_is_filled_in(
+        self, handler: SerializerFunctionWrapHandler, info: SerializationInfo
+    ) -> dict[str, Any]:
+        """Write a designation to a file as it was given, with the user's own fields only."""
+        fields: dict[str, Any] = handler(self)
+        if self.designation is None or not at_the_border(info.context):
+            return fields
+        told = _CATALOGUE_FIELDS.keys() - self.model_fields_set
+        return {name: value for name, value in fields.items() if name not in told}
+
+    @model_validator(mode="after")
+    def _consistent(self) -> Self:
+        self._check_that_balls_fit()
+        self._check_angle_or_clearance()
+        self._check_clearance()
+        self._check_shoulders()
+        self._check_set()
+        return self
+
+    def _check_that_balls_fit(self) -> None:
+        """Neighbouring balls touch when D = d_m sin(π/Z)."""
+        if self.pitch_diameter <= self.ball_diameter:
+            raise InputError(
+                f"must be greater than the ball diameter, {from_si(self.ball_diameter, 'length')}",
+                field="pitch_diameter",
+                value=from_si(self.pitch_diameter, "length"),
+                example='pitch_diameter = "125.26 mm"',
+            )
+        if not balls_fit(self.ball_count, self.ball_diameter, self.pitch_diameter):
+            ratio = self.ball_diameter / self.pitch_diameter
+            room = math.floor(math.pi / math.asin(ratio))
+            raise InputError(
+                f"balls of {from_si(self.ball_diameter, 'length')} do not fit on a pitch circle"
+                f" of {from_si(self.pitch_diameter, 'length')}: there is room for {room}",
+                field="ball_count",
+                value=self.ball_count,
+                example=f"ball_count = {room}" if room >= 3 else "",
+            )
+
+    def _check_angle_or_clearance(self) -> None:
+        if self.contact_angle is None and self.diametral_clearance is None:
+            raise InputError(
+                "is missing: give the contact angle or the diametral clearance",
+                field="contact_angle",
+                example='contact_angle = "40 deg" or diametral_clearance = "0.015 mm"',
+            )
+        if self.contact_angle is not None and self.diametral_clearance is not None:
+            raise InputError(
+                "is given beside the contact angle; each follows from the other, give one",
+                field="diametral_clearance",
+                value=from_si(self.diametral_clearance, "length"),
+                example='diametral_clearance = "0.015 mm" without contact_angle',
+            )
+
+    def _check_clearance(self) -> None:
+        """Keep cos α = 1 − P_d/(2BD) above 0, and an interference elastic."""
+        if self.diametral_clearance is None:
+            return
+        groove_distance = self.ball_diameter * (self.inner_conformity + self.outer_conformity - 1.0)
+        if not clearance_fits(self.diametral_clearance, groove_distance):
+            least, most = (_rounded_length(f * groove_distance) for f in (-0.25, 2.0))
+            raise InputError(
+                f"must be greater than {least} and less than {most}"
+                " with these balls and conformities",
+                field="diametral_clearance",
+                value=from_si(self.diametral_clearance, "length"),
+                example='diametral_clearance = "0.015 mm"',
+            )
+
+    def _check_shoulders(self) -> None:
+        for name in ("inner_shoulder_height", "outer_shoulder_height"):
+            height = getattr(self, name)
+            if height is not None and height >= self.ball_diameter / 2:
+                raise InputError(
+                    f"must be less than the ball radius, {_rounded_length(self.ball_diameter / 2)}",
+                    field=name,
+                    value=from_si(height, "length"),
+                    example=f'{name} = "{_rounded_length(0.2 * self.ball_diameter)}"',
+                )
+
+    def _check_set(self) -> None:
+        if self.arrangement is not None and self.rows is not None:
+            raise InputError(
+                "is given beside the rows one by one; give one",
+                field="arrangement",
+                value=self.arrangement,
+                example='arrangement = "DB" without rows',
+            )
+        if (self.arrangement is None) != (self.spacing is None):
+            missing, beside = (
+                ("spacing", "arrangement") if self.spacing is None else ("arrangement", "spacing")
+            )
+            raise InputError(
+                f"is missing beside {beside}",
+                field=missing,
+                example='arrangement = "DB" with spacing = "24 mm"',
+            )
+        signs = {place.sign for place in self.places}
+        if self.preload is not None and len(signs) < 2:
+            raise InputError(
+                "needs rows that face each other: these all carry load toward one side",
+                field="preload",
+                example='arrangement = "DB"',
+            )
+        if self.preload is not None:
+            try:
+                self.preload.pair_force(self.contact_angle)
+            except InputError as error:
+                raise error.with_details(field=f"preload.{error.field}") from None
+
+
+def _of_catalogue(designation: str, given: Mapping[str, Any], *, in_file: bool) -> dict[str, Any]:
+    """Return the fields that a designation tells and the user does not."""
+    from rolamento.catalogue import built_in_geometry
+
+    own = {name for name, value in given.items() if value is not None}
+    missing = _CATALOGUE_FIELDS.keys() - own
+    if own.intersection(_PLAY):
+        missing -= set(_PLAY)
+    geometry = built_in_geometry(designation, not own.issuperset(_BALL_FIELDS))
+    if missing.issuperset(_PLAY) and not geometry.fields.keys() & set(_PLAY):
+        raise InputError(geometry.lack_of_play, field="designation", value=designation)
+    found: dict[str, Any] = {}
+    for name in missing & geometry.fields.keys():
+        value, dimension = geometry.fields[name], _CATALOGUE_FIELDS[name]
+        found[name] = from_si(value, dimension) if in_file and dimension else value
+    return found
+
+
+def balls_fit(count: int, ball_diameter: Any, pitch_diameter: Any) -> Any:
+    """Whether neighbouring balls on the pitch circle do not overlap; numbers or arrays."""
+    return ball_diameter / pitch_diameter <= math.sin(math.pi / count)
+
+
+def clearance_fits(clearance: Any, groove_distance: Any) -> Any:
+    """Whether a clearance can be taken up, or an interference stay elastic; numbers or arrays."""
+    return (-groove_distance / 4 < clearance) & (clearance < 2 * groove_distance)
+
+
+class RowPlace(NamedTuple):
+    """One row of a bearing: its geometry, +1 or -1 for the way it faces, its place."""
+
+    bearing: Bearing
+    sign: float
+    position: float
+    phase: float
+
+
+@lru_cache(maxsize=1024)
+def _places(bearing: Bearing) -> tuple[RowPlace, ...]:
+    rows = _rows(bearing)
+    if rows is None:
+        return (RowPlace(bearing, 1.0, 0.0, 0.0),)
+    plain: dict[str, Any] = dict.fromkeys(_SET_FIELDS)
+    places = []
+    for index, row in enumerate(rows):
+        try:
+            own = row.own
+            if "contact_angle" in own:
+                own["diametral_clearance"] = None
+            alone = bearing.replace(**plain, **own)
+        except InputError as error:
+            raise error.with_details(field=f"rows.{index}.{error.field}") from None
+        sign = 1.0 if row.orientation == "+" else -1.0
+        places.append(RowPlace(alone, sign, row.position, row.phase))
+    return tuple(places)
+
+
+def _rows(bearing: Bearing) -> tuple[Row, ...] | None:
+    if bearing.arrangement is None:
+        return bearing.rows
+    orientations = ARRANGEMENTS[bearing.arrangement]
+    spacing = bearing.spacing or 0.0
+    first = -0.5 * spacing * (len(orientations) - 1)
+    return tuple(
+        Row(orientation=orientation, position=first + spacing * index)
+        for index, orientation in enumerate(orientations)
+    )
+
+
+def _rounded_length(value: float) -> str:
+    return from_si(float(f"{value:.4g}"), "length")

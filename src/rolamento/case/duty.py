@@ -1,0 +1,147 @@
+"""What a bearing is asked to bear: speeds, loads and displacements of the inner ring."""
+
+from __future__ import annotations
+
+from typing import Annotated, Final, Self
+
+from pydantic import Field, model_validator
+
+from rolamento.case.quantity import Quantity
+from rolamento.case.record import Record
+from rolamento.errors import InputError
+from rolamento.units import from_si
+
+__all__ = ["AXES", "LOADS", "Displacement", "Duty", "Load"]
+
+AXES: Final = ("x", "y", "z", "ry", "rz")
+"""The five degrees of freedom of the inner ring, in the order used everywhere."""
+
+LOADS: Final = ("fx", "fy", "fz", "my", "mz")
+"""The load on each degree of freedom, in the same order."""
+
+Five = tuple[float, float, float, float, float]
+
+_Force = Annotated[float, Quantity("force", at_least="-1e6 kN", at_most="1e6 kN")]
+_Moment = Annotated[float, Quantity("moment", at_least="-1e9 N m", at_most="1e9 N m")]
+_Shift = Annotated[float, Quantity("length", at_least="-1 m", at_most="1 m")]
+_Tilt = Annotated[float, Quantity("angle", at_least="-5 deg", at_most="5 deg")]
+_Speed = Annotated[float, Quantity("angular_speed", at_least="-1e6 rpm", at_most="1e6 rpm")]
+_Azimuth = Annotated[float, Quantity("angle", at_least="-360 deg", at_most="360 deg")]
+
+
+class Load(Record):
+    """Forces and moments that the shaft puts on the inner ring.
+
+    ``None`` means that nothing is said about that degree of freedom. A moment of zero
+    is something else: it leaves the ring free to tilt.
+
+    Parameters
+    ----------
+    fx, fy, fz
+        Forces, in N.
+    my, mz
+        Moments, in N·m.
+
+    Raises
+    ------
+    InputError
+        If a value is out of range.
+    """
+
+    fx: _Force | None = Field(None, examples=["20 kN"])
+    fy: _Force | None = Field(None, examples=["1 kN"])
+    fz: _Force | None = Field(None, examples=["15 kN"])
+    my: _Moment | None = Field(None, examples=["50 N m"])
+    mz: _Moment | None = Field(None, examples=["50 N m"])
+
+
+class Displacement(Record):
+    """Displacements of the inner ring that are imposed on it; the outer ring is fixed.
+
+    Parameters
+    ----------
+    x, y, z
+        Shifts, in m.
+    ry, rz
+        Tilts, in rad, at most 5 degrees.
+
+    Raises
+    ------
+    InputError
+        If a value is out of range.
+    """
+
+    x: _Shift | None = Field(None, examples=["0.01 mm"])
+    y: _Shift | None = Field(None, examples=["0.01 mm"])
+    z: _Shift | None = Field(None, examples=["0.01 mm"])
+    ry: _Tilt | None = Field(None, examples=["0.05 deg"])
+    rz: _Tilt | None = Field(None, examples=["0.05 deg"])
+
+
+class Duty(Record):
+    """Speeds, loads and imposed displacements.
+
+    Each degree of freedom takes a load or a displacement. One with neither is free
+    under no load if it is a shift, and held at zero, as by a stiff shaft, if it is a
+    tilt.
+
+    Parameters
+    ----------
+    inner_speed, outer_speed
+        Speeds of the rings about +x, in rad/s.
+    first_ball_azimuth
+        ψ of ball 0, in rad: 0 at +z, π/2 at +y.
+    load
+        A `Load`.
+    displacement
+        A `Displacement`.
+
+    Raises
+    ------
+    InputError
+        If a value is out of range, or a degree of freedom is given twice.
+    """
+
+    inner_speed: _Speed = Field(0.0, examples=["10000 rpm"])
+    outer_speed: _Speed = Field(0.0, examples=["10000 rpm"])
+    first_ball_azimuth: _Azimuth = Field(0.0, examples=["11.25 deg"])
+    load: Load = Field(default_factory=Load)
+    displacement: Displacement = Field(default_factory=Displacement)
+
+    @model_validator(mode="after")
+    def _load_or_displacement(self) -> Self:
+        for axis, name in zip(AXES, LOADS, strict=True):
+            shift, load = getattr(self.displacement, axis), getattr(self.load, name)
+            if shift is not None and load is not None:
+                raise InputError(
+                    f"is given beside load.{name}; a degree of freedom takes a load or a"
+                    " displacement, not both",
+                    field=f"displacement.{axis}",
+                    value=from_si(shift, "length" if len(axis) == 1 else "angle"),
+                    example=f"{axis} without load.{name}",
+                )
+        return self
+
+    @property
+    def free(self) -> tuple[bool, bool, bool, bool, bool]:
+        """Which of x, y, z, ry, rz is an unknown of the equilibrium."""
+        shift, load = self.displacement, self.load
+        return (
+            shift.x is None,
+            shift.y is None,
+            shift.z is None,
+            load.my is not None,
+            load.mz is not None,
+        )
+
+    @property
+    def applied_load(self) -> Five:
+        """Loads on x, y, z, ry, rz, in N and N·m; zero where none is given."""
+        load = self.load
+        return (load.fx or 0.0, load.fy or 0.0, load.fz or 0.0, load.my or 0.0, load.mz or 0.0)
+
+    @property
+    def imposed_displacement(self) -> Five:
+        """Displacements of x, y, z, ry, rz, in m and rad; zero where none is given."""
+        shift = self.displacement
+        return (shift.x or 0.0, shift.y or 0.0, shift.z or 0.0, shift.ry or 0.0, shift.rz or 0.0)

@@ -1,0 +1,82 @@
+"""How the lubricant film is reckoned: the [film] table of a case."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal, Self
+
+from pydantic import Field, model_validator
+
+from rolamento.case.quantity import Quantity
+from rolamento.case.record import Record
+from rolamento.errors import InputError
+from rolamento.units import from_si
+
+__all__ = ["FilmModel", "Starvation", "Supply", "ThermalReduction"]
+
+ThermalReduction = Literal["murch_wilson", "gupta_cheng", "none"]
+Starvation = Literal["none", "inlet_distance", "replenishment"]
+Supply = Literal["bath", "jet", "grease", "oil_air"]
+
+_Diameter = Annotated[float, Quantity("length", at_least="0.1 mm", at_most="20 m")]
+
+
+class FilmModel(Record):
+    """Choices of the film's reductions, and what they need.
+
+    Parameters
+    ----------
+    thermal
+        Which reduction for the heat of shear in the inlet: ``"murch_wilson"``,
+        ``"gupta_cheng"`` or ``"none"``.
+    starvation
+        ``"none"`` where the inlets are full of oil; ``"inlet_distance"`` where the oil is known
+        to begin a given distance before the contact's centre; ``"replenishment"`` for a maker's
+        factor of how well the track is refilled.
+    inlet_distance
+        From the contact's centre to where the oil begins, in m.
+    supply
+        For the replenishment: ``"bath"`` (low level), ``"jet"``, ``"grease"`` or ``"oil_air"``.
+    bore, outside_diameter
+        Of the bearing, in m; for the replenishment.
+
+    Raises
+    ------
+    InputError
+        If a choice is not known, or what it needs is missing.
+    """
+
+    thermal: ThermalReduction = Field("murch_wilson", examples=["murch_wilson"])
+    starvation: Starvation = Field("none", examples=["none"])
+    inlet_distance: Annotated[float, Quantity("length", above="0 mm", at_most="100 mm")] | None = (
+        Field(None, examples=["1 mm"])
+    )
+    supply: Supply | None = Field(None, examples=["bath"])
+    bore: _Diameter | None = Field(None, examples=["25 mm"])
+    outside_diameter: _Diameter | None = Field(None, examples=["62 mm"])
+
+    @model_validator(mode="after")
+    def _complete(self) -> Self:
+        needs = {
+            "none": (),
+            "inlet_distance": ("inlet_distance",),
+            "replenishment": ("supply", "bore", "outside_diameter"),
+        }
+        for choice, names in needs.items():
+            for name in names:
+                given = getattr(self, name) is not None
+                if given != (self.starvation == choice):
+                    rule = f'belongs to starvation = "{choice}"' if given else "is missing"
+                    example = type(self).model_fields[name].examples
+                    raise InputError(rule, field=name, example=f'{name} = "{(example or [""])[0]}"')
+        self._check_diameters()
+        return self
+
+    def _check_diameters(self) -> None:
+        bore, outside = self.bore, self.outside_diameter
+        if bore is not None and outside is not None and bore >= outside:
+            raise InputError(
+                f"must be greater than the bore, {from_si(bore, 'length')}",
+                field="outside_diameter",
+                value=from_si(outside, "length"),
+                example='outside_diameter = "62 mm"',
+            )

@@ -1,0 +1,135 @@
+"""What the life is reckoned with beside the solved balls: the [life] table of a case."""
+
+from __future__ import annotations
+
+from typing import Annotated, Final, Literal, Self
+
+from pydantic import AfterValidator, Field, model_validator
+
+from rolamento.case.quantity import Line, Quantity, Ratio
+from rolamento.case.record import Record
+from rolamento.errors import InputError
+from rolamento.iso4406 import cleanliness_numbers
+
+__all__ = ["DIRT", "LifeModel"]
+
+DIRT: Final = ("contamination", "cleanliness", "filter_size", "grease_cleanliness")
+"""Of these a case takes one: how dirty the lubricant is."""
+
+_Rating = Annotated[float, Quantity("force", above="0 N", at_most="1e9 N")]
+_Factor = Annotated[float, Ratio(above=0.0, at_most=1000.0)]
+
+
+def _a_code(text: str) -> str:
+    try:
+        cleanliness_numbers(text)
+    except InputError as error:
+        raise error.with_details(field="") from None  # the record tells which field it is
+    return text
+
+
+class LifeModel(Record):
+    """Ratings, cleanliness and wishes for the life.
+
+    Parameters
+    ----------
+    reliability
+        S that the life is for, 0.01 to 0.999999.
+    wanted_life
+        How long the bearing is to run, in s; in files in h. The result then tells with which
+        reliability it does.
+    dynamic_rating, static_rating
+        C_r and C_0r of one row, in N; those of the designation, or by ISO 281 and ISO 76 from the
+        geometry if not given.
+    fatigue_load_limit
+        C_u of one row, in N; if not given by
+    fatigue_load_method
+        ``"contacts"`` from the contact pressure, or ``"estimate"`` from the static rating.
+    contamination
+        e_C, 0 (dirt decides) to 1 (clean); or
+    cleanliness
+        the oil's ISO 4406 code, such as ``"-/17/14"``, with
+    oil_supply
+        ``"circulating"`` (filtered in the line before the bearing) or ``"bath"``; or
+    filter_size, filter_ratio
+        of circulating oil: particles in m for which the filter is rated, and its β for them; or
+    grease_cleanliness
+        ``"high"``, ``"normal"``, ``"slight"``, ``"severe"`` or ``"very_severe"``.
+    additives
+        Whether the lubricant has effective extreme-pressure additives.
+    viscosity_ratio
+        κ, in the place of that of the case's lubricant.
+    rotating_load
+        Whether the load turns with the inner ring, as an unbalance does.
+    edition
+        Of ISO 281, for a_1.
+    material_factor, operation_factor
+        a_2 and a_3 of 1990; the adjusted life needs at least one of them.
+    fatigue_limit
+        τ_u of the stress-volume theory, in Pa.
+    depth
+        ``"local"`` or ``"mean"``, of the stress-volume theory.
+    nsk_cleanliness
+        a_c, 0.05 to 1, for L_able.
+
+    Raises
+    ------
+    InputError
+        If a value is out of range, or the values contradict each other.
+    """
+
+    reliability: Annotated[float, Ratio(at_least=0.01, at_most=0.999999)] = Field(
+        0.9, examples=[0.95]
+    )
+    wanted_life: Annotated[float, Quantity("time", above="0 h", at_most="1e9 h")] | None = Field(
+        None, examples=["20000 h"]
+    )
+    dynamic_rating: _Rating | None = Field(None, examples=["20.6 kN"])
+    static_rating: _Rating | None = Field(None, examples=["11.2 kN"])
+    fatigue_load_limit: _Rating | None = Field(None, examples=["475 N"])
+    fatigue_load_method: Literal["contacts", "estimate"] = Field("contacts", examples=["contacts"])
+    contamination: Annotated[float, Ratio(at_least=0.0, at_most=1.0)] | None = Field(
+        None, examples=[0.5]
+    )
+    cleanliness: Annotated[Line, AfterValidator(_a_code)] | None = Field(None, examples=["-/17/14"])
+    oil_supply: Literal["circulating", "bath"] | None = Field(None, examples=["bath"])
+    filter_size: Annotated[float, Quantity("length", at_least="0.1 um", at_most="1 mm")] | None = (
+        Field(None, examples=["12 um"])
+    )
+    filter_ratio: Annotated[float, Ratio(above=1.0, at_most=1e6)] | None = Field(
+        None, examples=[200]
+    )
+    grease_cleanliness: Literal["high", "normal", "slight", "severe", "very_severe"] | None = Field(
+        None, examples=["normal"]
+    )
+    additives: bool = Field(False, strict=True, examples=[False])
+    viscosity_ratio: Annotated[float, Ratio(above=0.0, at_most=1e6)] | None = Field(
+        None, examples=[1.5]
+    )
+    rotating_load: bool = Field(False, strict=True, examples=[True])
+    edition: Literal["2007", "1990"] = Field("2007", examples=["2007"])
+    material_factor: _Factor | None = Field(None, examples=[1.0])
+    operation_factor: _Factor | None = Field(None, examples=[0.8])
+    fatigue_limit: Annotated[float, Quantity("stress", at_least="0 Pa", at_most="100 GPa")] = Field(
+        374e6, examples=["374 MPa"]
+    )
+    depth: Literal["local", "mean"] = Field("local", examples=["local"])
+    nsk_cleanliness: Annotated[float, Ratio(at_least=0.05, at_most=1.0)] | None = Field(
+        None, examples=[0.8]
+    )
+
+    @model_validator(mode="after")
+    def _consistent(self) -> Self:
+        given = [name for name in DIRT if getattr(self, name) is not None]
+        if len(given) > 1:
+            raise InputError(f"is given beside {given[0]}; give one", field=given[1])
+        self._check_pair("cleanliness", "oil_supply", 'oil_supply = "bath"', '"-/17/14"')
+        self._check_pair("filter_size", "filter_ratio", "filter_ratio = 200", '"12 um"')
+        return self
+
+    def _check_pair(self, first: str, second: str, second_example: str, value: str) -> None:
+        if (getattr(self, first) is None) == (getattr(self, second) is None):
+            return
+        if getattr(self, second) is None:
+            raise InputError(f"is missing beside {first}", field=second, example=second_example)
+        raise InputError(f"is given without {first}", field=second, example=f"{first} = {value}")

@@ -1,0 +1,83 @@
+"""Which of the rival models to use, and which effects to leave out."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from rolamento.case.quantity import Quantity
+from rolamento.case.record import Record
+
+__all__ = ["CageKind", "Mesh", "Model", "RacewayControl", "Traction"]
+
+RacewayControl = Literal["outer", "inner", "jones", "none", "friction"]
+CageKind = Literal["loose", "rigid", "none"]
+Mesh = Literal["coarse", "fine"]
+Traction = Literal["coulomb", "film"]
+
+
+class Model(Record):
+    """Choices of the physical model.
+
+    Parameters
+    ----------
+    raceway_control
+        Which race the ball rolls on without spin: ``"outer"``; ``"inner"``;
+        ``"jones"``, where Jones's criterion decides ball by ball; ``"none"``, where
+        both races share the gyroscopic moment; ``"friction"``, where nothing is assumed
+        and the friction at both contacts decides (it takes the friction coefficient of
+        the case's lubricant).
+    cage
+        What drives a ball that the inner ring does not hold: ``"loose"``, pockets with play: a
+        ball that the inner ring presses on has an orbit of its own, and the cage, with the mean of
+        those, takes the others along; ``"rigid"``, pockets without play: all balls orbit with the
+        cage; ``"none"``: raceway control alone, even where the inner ring does not touch the ball.
+        Under friction control the cage is rigid.
+    centrifugal_force
+        Whether the balls feel their centrifugal force.
+    gyroscopic_moment
+        Whether the balls feel their gyroscopic moment.
+
+    cage_drag
+        Under friction control, the torque that holds the cage back, in N·m.
+    mesh
+        Under friction control, how finely the contact ellipse is divided: ``"fine"`` or
+        ``"coarse"``, up to twice as fast and good to some 2 % in how the balls turn.
+
+    traction
+        Under friction control, what resists slip: ``"coulomb"``, friction that does not depend on
+        the speed of slip; ``"film"``, the shear of the lubricant film, limited by the same
+        coefficient.
+    film_in_contact
+        Under friction control, whether the thickness of the film enters the geometry: it
+        presses ball and groove further in.
+
+    Raises
+    ------
+    InputError
+        If a choice is not known.
+    """
+
+    raceway_control: RacewayControl = Field("outer", examples=["outer"])
+    cage: CageKind = Field("loose", examples=["rigid"])
+    centrifugal_force: bool = Field(True, strict=True, examples=[True])
+    gyroscopic_moment: bool = Field(True, strict=True, examples=[True])
+    cage_drag: Annotated[float, Quantity("moment", at_least="0 N m", at_most="1e6 N m")] = Field(
+        0.0, examples=["5 N mm"]
+    )
+    mesh: Mesh = Field("fine", examples=["fine"])
+    traction: Traction = Field("coulomb", examples=["film"])
+    film_in_contact: bool = Field(False, strict=True, examples=[True])
+
+    @property
+    def needs_film(self) -> bool:
+        """Whether the lubricant film takes part in the balance of the balls."""
+        return self.film_field is not None
+
+    @property
+    def film_field(self) -> str | None:
+        """The field that asks for it, for messages; None where none does."""
+        if self.traction == "film":
+            return "model.traction"
+        return "model.film_in_contact" if self.film_in_contact else None

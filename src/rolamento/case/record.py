@@ -1,0 +1,170 @@
+"""The base of everything that the user gives: frozen, compared by value, plainly refused.
+
+Pydantic checks; what it finds is told in Rolamento's own words. None of its
+exceptions reaches a user.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from types import UnionType
+from typing import Annotated, Any, Final, NoReturn, Self, Union, get_args, get_origin
+
+from pydantic import BaseModel, ConfigDict, ValidationError
+from pydantic_core import ErrorDetails
+
+from rolamento.case.quantity import AT_THE_BORDER
+from rolamento.errors import ABSENT, InputError, UnknownKeyError, nearest
+
+__all__ = ["Record", "record_of"]
+
+_RULES: Final = {
+    "missing": "is missing",
+    "bool_type": "must be true or false",
+    "int_type": "must be a whole number",
+    "string_type": "must be text",
+    "string_unicode": "must be text",
+    "string_too_long": "must be at most {max_length} characters long",
+    "greater_than_equal": "must be at least {ge}",
+    "less_than_equal": "must be at most {le}",
+    "too_short": "must have at least {min_length}, and has {actual_length}",
+    "too_long": "must have at most {max_length}",
+    "tuple_type": "must be a list",
+    "literal_error": "must be one of {expected}",
+    "model_type": "must be a table",
+    "model_attributes_type": "must be a table",
+}
+
+
+class Record(BaseModel):
+    """A frozen record of validated fields; equal and hashable by value.
+
+    Raises
+    ------
+    InputError
+        From the constructor, naming the field, the value, the rule and an example.
+    """
+
+    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
+
+    def __init__(self, /, **fields: Any) -> None:
+        try:
+            super().__init__(**fields)
+        except ValidationError as error:
+            raise _plain_error(error, type(self)) from None
+
+    # Pydantic then validates nested records directly, with the context of their parent,
+    # and this constructor is used only where a person calls it.
+    __init__.__pydantic_base_init__ = True  # type: ignore[attr-defined]
+
+    def __setattr__(self, name: str, value: object) -> NoReturn:
+        raise AttributeError(f"a {type(self).__name__} does not change; see its replace method")
+
+    def replace(self, **changes: Any) -> Self:
+        """Return a new record with the given fields changed, validated afresh.
+
+        Parameters
+        ----------
+        changes
+            New values by field name; ``None`` takes an optional field away.
+
+        Raises
+        ------
+        InputError
+            If the result is not valid.
+        """
+        kept = {name: getattr(self, name) for name in self.model_fields_set}
+        return type(self)(**{**kept, **changes})
+
+    @classmethod
+    def from_mapping(cls, mapping: Mapping[str, Any]) -> Self:
+        """Return the record that a file's table describes: quantities are text with units.
+
+        Raises
+        ------
+        InputError
+            If the table is not valid.
+        """
+        try:
+            return cls.model_validate(mapping, context=AT_THE_BORDER)
+        except ValidationError as error:
+            raise _plain_error(error, cls) from None
+
+    def to_mapping(self) -> dict[str, Any]:
+        """Return the table that describes the record in a file; inverse of `from_mapping`."""
+        return self.model_dump(context=AT_THE_BORDER, exclude_none=True)
+
+
+def _plain_error(error: ValidationError, model: type[BaseModel]) -> InputError:
+    """Return the most telling of pydantic's findings, in our words."""
+    # A misspelt key is also a missing one: tell of the misspelling.
+    found = min(error.errors(include_url=False), key=lambda e: e["type"] != "extra_forbidden")
+    path = tuple(str(part) for part in found["loc"])
+    parent = _model_at(model, path[:-1])
+    if found["type"] == "extra_forbidden":
+        return _unknown_key(path, parent)
+    cause = found.get("ctx", {}).get("error")
+    if isinstance(cause, InputError):
+        return _completed(cause, path, parent, found["input"])
+    value = ABSENT if found["type"] == "missing" else found["input"]
+    return InputError(
+        _rule(found), field=".".join(path), value=value, example=_example(parent, path)
+    )
+
+
+def _rule(found: ErrorDetails) -> str:
+    template = _RULES.get(found["type"])
+    return found["msg"] if template is None else template.format(**found.get("ctx", {}))
+
+
+def _completed(
+    cause: InputError, path: tuple[str, ...], parent: type[BaseModel] | None, given: object
+) -> InputError:
+    """Return an error raised by a validator of ours, with the place where it happened."""
+    full_path = (*path, cause.field) if cause.field else path
+    known = cause.with_details(field=".".join(full_path))
+    if not cause.field:
+        known = known.with_details(value=given, example=_example(parent, path) or None)
+    return known
+
+
+def _unknown_key(path: tuple[str, ...], parent: type[BaseModel] | None) -> UnknownKeyError:
+    known = list(parent.model_fields) if parent is not None else []
+    near = nearest(path[-1], known)
+    advice = f"did you mean {near}?" if near else f"known here: {', '.join(known)}"
+    return UnknownKeyError(f"is not a known key; {advice}", field=".".join(path))
+
+
+def _model_at(model: type[BaseModel], path: tuple[str, ...]) -> type[BaseModel] | None:
+    """Return the record type that a path of field names, and places in lists, leads to."""
+    for name in path:
+        if name.isdigit():
+            continue
+        field = model.model_fields.get(name)
+        found = record_of(field.annotation) if field is not None else None
+        if found is None:
+            return None
+        model = found
+    return model
+
+
+def record_of(annotation: object) -> type[BaseModel] | None:
+    """Return the record that a field holds, also where it may be absent or one of a list."""
+    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
+        return annotation
+    if get_origin(annotation) not in (Annotated, Union, UnionType, tuple):
+        return None
+    found = (record_of(part) for part in get_args(annotation))
+    return next((record for record in found if record is not None), None)
+
+
+def _example(parent: type[BaseModel] | None, path: tuple[str, ...]) -> str:
+    """Return an example of a field as a line of a case file."""
+    field = parent.model_fields.get(path[-1]) if parent is not None and path else None
+    if field is None or not field.examples:
+        return ""
+    example = field.examples[0]
+    is_text = isinstance(example, str) and not example.startswith("[")
+    text = f'"{example}"' if is_text else str(example)
+    text = text.lower() if isinstance(example, bool) else text
+    return f"{path[-1]} = {text}"

@@ -1,0 +1,330 @@
+"""One ball between two grooves: its forces, its residual, and their exact derivatives.
+
+Everything happens in the ball's radial plane, in coordinates (x, r) from the centre of
+curvature of the outer groove. The centre of the inner groove is at A, the ball's at X, and
+Y = A - X, so that the two contacts are alike: each is a spring along its own vector (X for the
+outer, Y for the inner), with the groove's offset L as its free length. A groove has a bottom and
+two flanks and no roof: a contact presses only at |α| < 90°.
+
+With the contact angle's unit vectors n = (sin a, cos a) and t = (cos a, -sin a), and
+T = M_g / D the gyroscopic moment over the ball diameter,
+
+    the inner ring presses on the ball with   f = Q_i n_i - lambda_i T t_i
+    the ball presses on the outer ring with   g = Q_o n_o - lambda_o T t_o
+
+and the ball is in equilibrium when r = f - g + F_c (0, 1) = 0 (Radaelli 2013, eqs. 76-77; the
+gyroscopic moment is signed). The moment about the ring's axis plane has the arm of the groove's
+centre; the friction lambda_i T acts f_i D further out, at the groove's surface: divided by the
+arm, the moment is h = f_1 + (f_i D / R_i) lambda_i T.
+
+The ball's orbit goes over from the cage's to its own under raceway control as the inner ring takes
+hold of it (see `rolamento.kinematics`), and under inner control so does what it rolls on: nothing
+jumps when a ball touches. The speed of the cage is an unknown of the
+case, like the displacement of the ring.
+
+The formulas are written for scalars and without branches, so that the same text compiles to
+vector code over many cases (`_fast`) and to the plain form that checks it (`_exact`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import sqrt
+from typing import Any, Final
+
+from rolamento.kinematics import LEAST_COSINE
+from rolamento.numerics.compiled import inline_exact, inline_fast
+from rolamento.rows.ball import layout
+from rolamento.rows.ball.types import (
+    Cage,
+    Coefficients,
+    Five,
+    Four,
+    Linearised,
+    Motion,
+    Race,
+    Seven,
+    StoredPolynomial,
+    Two,
+)
+
+TINY: Final = 1e-300
+"""So that grooves whose centres coincide have a direction, any, and no NaN."""
+
+
+@inline_fast
+def _short_polynomial(c: float, stiffness: Coefficients) -> Two:
+    """K(cos a) and dK/d(cos a) from seven coefficients, by Horner's scheme."""
+    k0, k1, k2, k3, k4, k5, k6 = stiffness
+    value = k6
+    slope = value
+    value = value * c + k5
+    slope = slope * c + value
+    value = value * c + k4
+    slope = slope * c + value
+    value = value * c + k3
+    slope = slope * c + value
+    value = value * c + k2
+    slope = slope * c + value
+    value = value * c + k1
+    slope = slope * c + value
+    value = value * c + k0
+    return value, slope
+
+
+@inline_exact
+def stored_polynomial(c: float, stiffness: StoredPolynomial) -> Two:
+    """K(cos a) and dK/d(cos a) to the last digits: as many coefficients as the case has."""
+    p, first, case = stiffness
+    count = int(p[layout.TERMS, case])
+    if count > layout.COEFFICIENTS:
+        first = (
+            layout.LONG
+            + (first - layout.OUTER_STIFFNESS) // layout.COEFFICIENTS * layout.MOST_TERMS
+        )
+    value = p[first + count - 1, case]
+    slope = 0.0
+    for power in range(count - 2, -1, -1):
+        slope = slope * c + value
+        value = value * c + p[first + power, case]
+    return value, slope
+
+
+def _formulas(inline: Callable[..., Any], polynomial: Callable[..., Two]) -> tuple[Any, ...]:
+    """Build the formulas of a ball: how to compile them, and how to evaluate K."""
+
+    @inline
+    def contact(y1: float, y2: float, free_length: float, stiffness: Any) -> Seven:
+        """A Hertz spring along y: sin a, cos a, da/dt (1/|y|), approach, Q, dQ/d|y|, dQ/da.
+
+        Beyond 90° the flanks are taken to go on straight up, for the sake of a force without
+        jumps on the way to the solution: there is none against a ball between them.
+        """
+        up = max(y2, 0.0)
+        length = sqrt(y1 * y1 + up * up + TINY)
+        inverse = 1.0 / length
+        s = y1 * inverse
+        c = up * inverse
+        delta = max(length - free_length, 0.0)
+        value, slope = polynomial(c, stiffness)
+        root = sqrt(delta)
+        power = root * delta
+        turn = inverse if y2 > 0.0 else 0.0
+        return s, c, turn, delta, value * power, 1.5 * value * root, -s * slope * power
+
+    @inline
+    def inertia(
+        s_i: float,
+        c_i: float,
+        s_o: float,
+        c_o: float,
+        q_i: float,
+        motion: Motion,
+        cage: Cage,
+        sigma: float,
+        lambda_i: float,
+    ) -> tuple[Five, Five, Five, Five]:
+        """F_c, λ_i T and λ_o T, and the lag of the cage behind the ball, weighted by its load.
+
+        Each with its derivatives by a_i, a_o, Q_i and the cage's speed. sigma is +1 when the
+        outer race controls the ball and -1 when the inner race does; the other race is the slave.
+        c_f = m d_m / 2; c_g = J / (gamma' D) = m d_m / 10. The lag is h Q_i (ω_own - ω_cage).
+        """
+        gamma, c_f, c_g, inner_speed, outer_speed, _ = motion
+        cage_speed, hold_rate, hold_offset, own = cage
+        outer = sigma > 0.0
+        s_slave = s_i if outer else s_o
+        c_slave = c_i if outer else c_o
+        control_speed = outer_speed if outer else inner_speed
+        turn = sigma * (inner_speed - outer_speed)
+
+        # the orbit under raceway control
+        cosine = c_i * c_o + s_i * s_o
+        sine = (s_i * c_o - c_i * s_o) * sigma if cosine > LEAST_COSINE else 0.0
+        inverse = 1.0 / (1.0 + max(cosine, LEAST_COSINE))
+        w = (1.0 - sigma * gamma * c_slave) * inverse
+        w_slave = (sigma * gamma * s_slave + w * sine) * inverse
+        w_control = -w * sine * inverse
+        lag = control_speed + turn * w - cage_speed
+        lag_i = turn * (w_slave if outer else w_control)
+        lag_o = turn * (w_control if outer else w_slave)
+
+        # how firmly the inner ring holds the ball
+        grip = min(max(q_i * hold_rate + hold_offset, 0.0), 1.0)
+        hold = grip * grip * (3.0 - 2.0 * grip)
+        hold_q = 6.0 * grip * (1.0 - grip) * hold_rate
+
+        orbit = cage_speed + own * hold * lag
+        orbit_i = own * hold * lag_i
+        orbit_o = own * hold * lag_o
+        orbit_q = own * hold_q * lag
+        orbit_c = 1.0 - own * hold
+
+        force = c_f * orbit * orbit
+        force_m = 2.0 * c_f * orbit
+
+        # rolling on the race in control: the inner one as far as it holds the ball
+        on_outer = -c_g * orbit * (orbit - outer_speed)
+        on_inner = c_g * orbit * (orbit - inner_speed)
+        t = on_outer * s_o if outer else hold * on_inner * s_i
+        t_m = -c_g * (2.0 * orbit - outer_speed) * s_o
+        t_m = t_m if outer else hold * c_g * (2.0 * orbit - inner_speed) * s_i
+        t_i = t_m * orbit_i + (0.0 if outer else hold * on_inner * c_i)
+        t_o = t_m * orbit_o + (on_outer * c_o if outer else 0.0)
+        t_q = t_m * orbit_q + (0.0 if outer else hold_q * on_inner * s_i)
+        t_c = t_m * orbit_c
+
+        pull = q_i * hold
+        lambda_o = 2.0 - lambda_i
+        return (
+            (force, force_m * orbit_i, force_m * orbit_o, force_m * orbit_q, force_m * orbit_c),
+            (lambda_i * t, lambda_i * t_i, lambda_i * t_o, lambda_i * t_q, lambda_i * t_c),
+            (lambda_o * t, lambda_o * t_i, lambda_o * t_o, lambda_o * t_q, lambda_o * t_c),
+            (pull * lag, pull * lag_i, pull * lag_o, (hold + q_i * hold_q) * lag, -pull),
+        )
+
+    @inline
+    def polar(s: float, c: float, nn: float, nt: float, tn: float, tt: float) -> Four:
+        """The matrix nn n n' + nt n t' + tn t n' + tt t t', by rows."""
+        return (
+            nn * s * s + (nt + tn) * s * c + tt * c * c,
+            (nn - tt) * s * c - nt * s * s + tn * c * c,
+            (nn - tt) * s * c + nt * c * c - tn * s * s,
+            nn * c * c - (nt + tn) * s * c + tt * s * s,
+        )
+
+    @inline
+    def linearised(
+        a1: float,
+        a2: float,
+        x1: float,
+        x2: float,
+        inner: Race,
+        outer: Race,
+        motion: Motion,
+        cage: Cage,
+        sigma: float,
+        lambda_i: float,
+    ) -> Linearised:
+        """The ball at X with the inner groove at A, and the ring's and the cage's view of it.
+
+        inner, outer: (free length L, K); motion: (gamma', c_f, c_g, inner speed, outer speed,
+        f_i D / R_i); cage: (its speed, and how it hands a ball over, as of `rows`). Returns
+
+        - the residual r,
+        - the Newton step dX = q + W dA + z dω with which the ball follows the groove and the cage,
+        - the force f and moment h that the ball asks of the ring, after the step q,
+        - their derivatives by A with the ball following: k (2 x 2) and h (2),
+        - the scale of the ball's own loads, the greatest of Q_i, Q_o and F_c,
+        - how it touches the rings: Q_i, cos a_i, cos a_o, the greater approach, sin a_i,
+        - the cage: derivatives of f and h by its speed; the lag h Q_i (ω_own - ω), after the step
+          q, and its derivatives by A and by the speed; all with the ball following,
+        - f, h and the lag before the step q, and the lag's weight h Q_i.
+        """
+        arm = motion[5]
+        s_o, c_o, v_o, delta_o, q_o, kn_o, ka_o = contact(x1, x2, outer[0], outer[1])
+        s_i, c_i, v_i, delta_i, q_i, kn_i, ka_i = contact(a1 - x1, a2 - x2, inner[0], inner[1])
+        force, at_i, at_o, lagging = inertia(s_i, c_i, s_o, c_o, q_i, motion, cage, sigma, lambda_i)
+        f_c, f_c_i, f_c_o, f_c_q, f_c_c = force
+        m_i, m_i_i, m_i_o, m_i_q, m_i_c = at_i
+        m_o, m_o_i, m_o_o, m_o_q, m_o_c = at_o
+        lag, lag_i, lag_o, lag_q, lag_c = lagging
+
+        f1 = q_i * s_i - m_i * c_i
+        f2 = q_i * c_i + m_i * s_i
+        r1 = f1 - q_o * s_o + m_o * c_o
+        r2 = f2 - q_o * c_o - m_o * s_o + f_c
+
+        # what depends on Y = (n, t): through the angle, t / |Y|, and through the load
+        m_i_n, m_i_t = m_i_q * kn_i, (m_i_i + m_i_q * ka_i) * v_i
+        m_o_n, m_o_t = m_o_q * kn_i, (m_o_i + m_o_q * ka_i) * v_i
+        f_c_n, f_c_t = f_c_q * kn_i, (f_c_i + f_c_q * ka_i) * v_i
+        lag_n, lag_t = lag_q * kn_i, (lag_i + lag_q * ka_i) * v_i
+
+        # df/dY and dg/dX, the turning of the friction with its own angle included
+        y11, y12, y21, y22 = polar(s_i, c_i, kn_i, (ka_i + m_i) * v_i, -m_i_n, q_i * v_i - m_i_t)
+        g11, g12, g21, g22 = polar(s_o, c_o, kn_o, (ka_o + m_o) * v_o, 0.0, (q_o - m_o_o) * v_o)
+        # what the inner contact does to the outer side, and the outer angle to the inner side
+        n1, n2 = m_o_n * c_o, f_c_n - m_o_n * s_o
+        t1, t2 = m_o_t * c_o, f_c_t - m_o_t * s_o
+        back1 = -m_i_o * c_i
+        back2 = m_i_o * s_i
+        p11 = y11 + n1 * s_i + t1 * c_i
+        p12 = y12 + n1 * c_i - t1 * s_i
+        p21 = y21 + n2 * s_i + t2 * c_i
+        p22 = y22 + n2 * c_i - t2 * s_i
+        s11 = p11 + g11 - back1 * c_o * v_o
+        s12 = p12 + g12 + back1 * s_o * v_o
+        s21 = p21 + g21 - (back2 + f_c_o) * c_o * v_o
+        s22 = p22 + g22 + (back2 + f_c_o) * s_o * v_o
+        # what the speed of the cage does
+        d1 = -m_i_c * c_i + m_o_c * c_o
+        d2 = m_i_c * s_i - m_o_c * s_o + f_c_c
+
+        inverse = 1.0 / (s11 * s22 - s12 * s21)
+        step1 = (s22 * r1 - s12 * r2) * inverse
+        step2 = (s11 * r2 - s21 * r1) * inverse
+        w11 = (s22 * p11 - s12 * p21) * inverse
+        w12 = (s22 * p12 - s12 * p22) * inverse
+        w21 = (s11 * p21 - s21 * p11) * inverse
+        w22 = (s11 * p22 - s21 * p12) * inverse
+        z1 = (s22 * d1 - s12 * d2) * inverse
+        z2 = (s11 * d2 - s21 * d1) * inverse
+
+        # f loses df/dY - df/dX for each step of the ball
+        b11 = y11 - back1 * c_o * v_o
+        b12 = y12 + back1 * s_o * v_o
+        b21 = y21 - back2 * c_o * v_o
+        b22 = y22 + back2 * s_o * v_o
+        k11 = y11 - b11 * w11 - b12 * w21
+        k12 = y12 - b11 * w12 - b12 * w22
+        k21 = y21 - b21 * w11 - b22 * w21
+        k22 = y22 - b21 * w12 - b22 * w22
+        e1 = f1 - b11 * step1 - b12 * step2
+        e2 = f2 - b21 * step1 - b22 * step2
+        c1 = -m_i_c * c_i - b11 * z1 - b12 * z2
+        c2 = m_i_c * s_i - b21 * z1 - b22 * z2
+
+        # the friction's own share of the moment
+        my1 = arm * (m_i_n * s_i + m_i_t * c_i)
+        my2 = arm * (m_i_n * c_i - m_i_t * s_i)
+        mx1 = arm * m_i_o * c_o * v_o - my1
+        mx2 = -arm * m_i_o * s_o * v_o - my2
+        h = e1 + arm * m_i + mx1 * step1 + mx2 * step2
+        h1 = k11 + my1 + mx1 * w11 + mx2 * w21
+        h2 = k12 + my2 + mx1 * w12 + mx2 * w22
+        hc = c1 + arm * m_i_c + mx1 * z1 + mx2 * z2
+
+        # the cage's balance
+        ly1 = lag_n * s_i + lag_t * c_i
+        ly2 = lag_n * c_i - lag_t * s_i
+        lx1 = lag_o * c_o * v_o - ly1
+        lx2 = -lag_o * s_o * v_o - ly2
+
+        scale = max(max(q_i, q_o), f_c)
+        return (
+            (r1, r2),
+            (step1, step2, w11, w12, w21, w22, z1, z2),
+            (e1, e2, h),
+            (k11, k12, k21, k22, h1, h2),
+            scale,
+            (q_i, c_i, c_o, max(delta_i, delta_o), s_i),
+            (
+                c1,
+                c2,
+                hc,
+                lag + lx1 * step1 + lx2 * step2,
+                ly1 + lx1 * w11 + lx2 * w21,
+                ly2 + lx1 * w12 + lx2 * w22,
+                lag_c + lx1 * z1 + lx2 * z2,
+            ),
+            (f1, f2, f1 + arm * m_i, lag, -lag_c),
+        )
+
+    return contact, inertia, polar, linearised
+
+
+contact_fast, inertia_fast, polar_fast, linearised_fast = _formulas(inline_fast, _short_polynomial)
+contact_exact, inertia_exact, polar_exact, linearised_exact = _formulas(
+    inline_exact, stored_polynomial
+)

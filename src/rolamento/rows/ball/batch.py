@@ -1,0 +1,126 @@
+"""Many cases through the fast path, the judgement and, where needed, the safe path."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from rolamento.numerics.compiled import kernel, shared
+from rolamento.rows.ball import accept, layout
+from rolamento.rows.ball.accept import judge
+from rolamento.rows.ball.blocks import (
+    START_TOLERANCE,
+    TOLERANCE,
+    solve_moving,
+    solve_static,
+    start,
+)
+from rolamento.rows.ball.continuation import heaviest_factor, put_factors, solve_by_steps
+from rolamento.rows.ball.edges import solve_off_groove
+from rolamento.rows.ball.robust import escaped, solve_robust
+from rolamento.rows.ball.single import direction, groove, ring_around
+from rolamento.rows.ball.types import Array, Output
+
+
+@shared
+def _start_safely(
+    p: Array, column: int, cosines: Array, sines: Array, u: Array, x: Array, pressed: bool
+) -> None:
+    """A start for the safe path, every ball half way between the grooves.
+
+    Pressed in too far at first; if that leads nowhere, from where the ring stands without load.
+    """
+    if pressed:
+        start(p, column, cosines.size, u)
+    else:
+        for i in range(layout.DEGREES_OF_FREEDOM):
+            u[i] = p[layout.IMPOSED + i, column]
+    for j in range(cosines.size):
+        c, s = direction(p, column, cosines[j], sines[j])
+        a1, a2 = groove(p, column, u, c, s)
+        x[j, 0], x[j, 1] = 0.5 * a1, 0.5 * a2
+
+
+@kernel
+def solve_cases(
+    p: Array,
+    control: Array,
+    cosines: Array,
+    sines: Array,
+    moving: bool,
+    first: int,
+    last: int,
+    fast: bool,
+    most_work: float,
+    out: Output,
+) -> None:
+    """Solve the cases first..last-1 and judge every one.
+
+    p: parameters (layout.COLUMN or more, cases or 1); control: +1/-1 per ball (cases or 1, balls);
+    moving: whether these cases have inertia; fast: whether to try the fast path; most_work: how
+    often a ball may be evaluated on the others before a case is given up.
+    out: displacement (cases, 5), the cage's speed (cases), position (cases, balls, 2), reaction
+    (cases, 5), stiffness (cases, 5, 5), residual, code, unsupported and iterations (cases), safe
+    (cases): whether the safe path was taken. Tilts and moments are scaled by the arm as in `rows`.
+    """
+    (
+        displacement, cage, position, reaction, stiffness, residual, code, unsupported, iterations,
+        safe,
+    ) = out  # fmt: skip
+    if fast:
+        tolerance = START_TOLERANCE if moving else TOLERANCE
+        solve_static(p, control, cosines, sines, first, last, tolerance, displacement, iterations)
+        if moving:
+            solve_moving(
+                p, control, cosines, sines, first, last, displacement, cage, position, iterations
+            )
+    errors, on_groove = np.zeros((cosines.size, 2)), np.zeros(cosines.size)
+    ring = ring_around(np.zeros(5), np.zeros((5, 5)), np.zeros(1))
+    for case in range(first, last):
+        column = case if p.shape[1] > 1 else 0
+        balls = control[case if control.shape[0] > 1 else 0]
+        u, x = displacement[case], position[case]
+        code[case] = accept.NOT_CONVERGED
+        proposed = fast and iterations[case] != 0
+        if proposed and iterations[case] > 0:
+            code[case], residual[case], unsupported[case] = judge(
+                p, column, moving, balls, cosines, sines, u, cage[case], x, ring, errors
+            )
+        # a proposal that is not quite there is a start; failing that, begin anew
+        escaping, fate = -1, accept.NO_EQUILIBRIUM
+        for attempt in range(3):
+            if code[case] != accept.NOT_CONVERGED or (attempt == 0 and not proposed):
+                continue
+            if attempt > 0:
+                _start_safely(p, column, cosines, sines, u, x, attempt == 1)
+                cage[case] = p[layout.NOMINAL_ORBIT, column]
+            ring.work[0] = 0.1 * most_work
+            _, steps, escaping, cage[case] = solve_robust(
+                p, column, moving, balls, cosines, sines, u, cage[case], x, ring
+            )
+            fate = escaped(p, column, cosines.size, ring)
+            safe[case] = True
+            iterations[case] = abs(iterations[case]) + steps
+            code[case], residual[case], unsupported[case] = judge(
+                p, column, moving, balls, cosines, sines, u, cage[case], x, ring, errors
+            )
+        if code[case] == accept.NOT_CONVERGED and escaping >= 0:
+            code[case] = fate
+            unsupported[case] = escaping if fate == accept.NO_EQUILIBRIUM else -1
+        if code[case] == accept.NOT_CONVERGED:
+            heavy = np.empty((p.shape[0], 1))
+            put_factors(p, column, heaviest_factor(p, column, cosines.size), 0.0, heavy)
+            _start_safely(heavy, 0, cosines, sines, u, x, True)
+            ring.work[0] = 0.8 * most_work
+            code[case], residual[case], unsupported[case], steps, cage[case] = solve_by_steps(
+                p, column, moving, balls, cosines, sines, u, x, ring, errors
+            )
+            iterations[case] += steps
+        if code[case] == accept.OVER_SHOULDER:
+            on_groove[:] = balls
+            ring.work[0] = 0.2 * most_work
+            code[case], residual[case], unsupported[case], steps, cage[case] = solve_off_groove(
+                p, column, moving, on_groove, cosines, sines, u, cage[case], x, ring, errors
+            )
+            safe[case] = True
+            iterations[case] += steps
+        reaction[case], stiffness[case] = ring.reaction, ring.matrix

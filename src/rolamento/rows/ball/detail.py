@@ -1,0 +1,177 @@
+"""What happens at every ball, once its place is known: arrays over cases and balls."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rolamento.contact.hertz import HertzContact, elliptical_contact
+from rolamento.geometry import Race, race_curvature
+from rolamento.kinematics import (
+    BallMotion,
+    ball_motion,
+    cage_speed,
+    grip,
+    jones_control,
+    orbital_speed,
+    spin_resistance,
+)
+from rolamento.rows.ball import layout
+from rolamento.rows.ball.ball import TINY
+from rolamento.rows.ball.problem import directions
+from rolamento.rows.ball.rolling import Rolling, motion_of
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class ContactTable:
+    """One race's contacts: load (N), contact_angle (rad), deflection (m); (cases, balls)."""
+
+    load: Floats
+    contact_angle: Floats
+    deflection: Floats
+
+
+@dataclass(frozen=True, slots=True)
+class BallTable:
+    """The balls of a batch; every field (cases, balls), SI, NaN where a case has no result."""
+
+    azimuth: Floats
+    inner: ContactTable
+    outer: ContactTable
+    motion: BallMotion
+    centrifugal_force: Floats
+    gyroscopic_moment: Floats
+    yaw: Floats
+
+
+def ball_table(
+    p: Floats,
+    control: Floats,
+    displacement: Floats,
+    position: Floats,
+    azimuth: Floats,
+    rolling: Rolling | None = None,
+) -> BallTable:
+    """Evaluate every ball; rolling: how friction moves them, instead of raceway control.
+
+    p: parameters (layout.PARAMETERS, cases); control: +1 or -1 (cases, balls); displacement
+    (cases, 5) in the scaled form of `rows`; position (cases, balls, 2); azimuth (cases, balls).
+    """
+    column = p[:, :, np.newaxis]
+    a1, a2 = groove_centres(p, displacement, azimuth)
+    x1, x2 = position[..., 0], position[..., 1]
+    lift = np.zeros(2) if rolling is None else np.moveaxis(rolling.lift, -1, 0)
+    outer = _contacts(x1, x2, column, "outer", lift[1])
+    inner = _contacts(a1 - x1, a2 - x2, column, "inner", lift[0])
+    yaw = np.zeros_like(azimuth)
+    motion = _motion(p, control.astype(np.int64), inner, outer)
+    if rolling is not None:
+        motion, yaw = motion_of(p, rolling, inner.contact_angle, outer.contact_angle, motion)
+    # J / gamma' D is the parameter: times gamma' D, it is J again
+    inertia = column[layout.GYROSCOPIC] * column[layout.GAMMA] * column[layout.BALL_DIAMETER]
+    return BallTable(
+        azimuth=azimuth,
+        inner=inner,
+        outer=outer,
+        motion=motion,
+        centrifugal_force=column[layout.CENTRIFUGAL] * motion.orbital_speed**2,
+        gyroscopic_moment=inertia
+        * motion.ball_speed
+        * motion.orbital_speed
+        * np.sin(motion.attitude),
+        yaw=yaw,
+    )
+
+
+def _motion(
+    p: Floats, control: NDArray[np.int64], inner: ContactTable, outer: ContactTable
+) -> BallMotion:
+    """How the balls move under raceway control, and where it holds none, with the cage."""
+    column = p[:, :, np.newaxis]
+    rings = (
+        inner.contact_angle, outer.contact_angle, column[layout.GAMMA], column[layout.INNER_SPEED],
+        column[layout.OUTER_SPEED], control,
+    )  # fmt: skip
+    own = orbital_speed(*rings)
+    hold = grip(inner.load, column[layout.HOLD_RATE], column[layout.HOLD_OFFSET])
+    mean = cage_speed(hold * inner.load, own, p[layout.NOMINAL_ORBIT], p[layout.CAGE_WEIGHT])
+    cage = mean[:, np.newaxis]
+    return ball_motion(
+        *rings, orbit=cage + column[layout.OWN_ORBIT] * hold * (own - cage), hold=hold
+    )
+
+
+def groove_centres(p: Floats, displacement: Floats, azimuth: Floats) -> tuple[Floats, Floats]:
+    """A1, A2 of the inner groove's centre at every ball, as in `ball_table`; (cases, balls)."""
+    column = p[:, :, np.newaxis]
+    x, y, z, tilt_y, tilt_z = (displacement[:, i, np.newaxis] for i in range(5))
+    c0, s0 = p[layout.COS_FIRST][:, np.newaxis], p[layout.SIN_FIRST][:, np.newaxis]
+    cosines, sines = directions(azimuth.shape[-1])
+    c, s = cosines * c0 - sines * s0, sines * c0 + cosines * s0
+    a1 = column[layout.AXIAL_OFFSET] + x + c * tilt_y - s * tilt_z
+    a2 = column[layout.RADIAL_OFFSET] + c * z + s * y
+    return a1, a2
+
+
+def _contacts(y1: Floats, y2: Floats, column: Floats, race: Race, lift: Floats) -> ContactTable:
+    """Load, angle and approach of the springs along (y1, y2), as `ball.contact` has them.
+
+    lift: the film between, which presses ball and groove in by as much. Past 90° nothing presses.
+    """
+    length, stiffness = _ROWS[race]
+    up = np.maximum(y2, 0.0)
+    distance = np.sqrt(y1 * y1 + up * up + TINY)
+    cosine = up / distance
+    approach = np.maximum(distance - (column[length] - lift), 0.0)
+    approach = np.where(cosine > 0.0, approach, 0.0 * approach)
+    value = _polynomial(column, stiffness, layout.COEFFICIENTS, cosine)
+    if len(column) > layout.COLUMN:
+        long = _polynomial(column, layout.long_polynomial(stiffness), layout.MOST_TERMS, cosine)
+        value = np.where(column[layout.TERMS] > layout.COEFFICIENTS, long, value)
+    return ContactTable(value * approach * np.sqrt(approach), np.arctan2(y1, up), approach)
+
+
+_ROWS: Final[dict[Race, tuple[int, int]]] = {
+    "inner": (layout.INNER_LENGTH, layout.INNER_STIFFNESS),
+    "outer": (layout.OUTER_LENGTH, layout.OUTER_STIFFNESS),
+}
+
+
+def _polynomial(column: Floats, first: int, count: int, x: Floats) -> Floats:
+    value = column[first + count - 1]
+    for power in range(count - 2, -1, -1):
+        value = value * x + column[first + power]
+    return np.asarray(value)
+
+
+def hertz(p: Floats, contacts: ContactTable, race: Race) -> HertzContact:
+    """Ellipse and pressure of every contact of a race at its loaded angle; (cases, balls)."""
+    column = p[:, :, np.newaxis]
+    diameter = column[layout.BALL_DIAMETER]
+    length = column[layout.INNER_LENGTH if race == "inner" else layout.OUTER_LENGTH]
+    curvature = race_curvature(
+        diameter,
+        diameter / column[layout.GAMMA],
+        0.5 + length / diameter,
+        contacts.contact_angle,
+        race,
+    )
+    return elliptical_contact(
+        contacts.load, curvature.rolling, curvature.across, column[layout.MODULUS]
+    )
+
+
+def criterion(p: Floats, table: BallTable) -> NDArray[np.int64]:
+    """Which race controls every ball by Jones's criterion: codes (cases, balls)."""
+    inner, outer = hertz(p, table.inner, "inner"), hertz(p, table.outer, "outer")
+    return jones_control(
+        spin_resistance(inner.load, inner.semi_major, inner.ellipticity),
+        spin_resistance(outer.load, outer.semi_major, outer.ellipticity),
+        table.inner.contact_angle,
+        table.outer.contact_angle,
+    )

@@ -1,0 +1,182 @@
+"""From bearings and duties to the numbers that the kernels work on: a column a case."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from math import cos, sin
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rolamento.case import Case
+from rolamento.case.bearing import Bearing
+from rolamento.case.model import Model
+from rolamento.contact.hertz import effective_modulus
+from rolamento.geometry import Race, groove_places
+from rolamento.kinematics import ball_mass, nominal_orbit
+from rolamento.rows.ball import layout
+from rolamento.static import race_stiffness
+
+Floats = NDArray[np.float64]
+
+TERMS: Final = ((0.22, layout.COEFFICIENTS), (0.55, 12), (0.78, 20), (1.0, layout.MOST_TERMS))
+"""Up to which D/d_m how many coefficients in cos α give K to 1e-10 of its value, 0 ≤ α ≤ 90°."""
+FIRM: Final = 0.8
+"""Part of the centrifugal force in the nominal orbit by which the inner ring has to press on a ball
+to hold it firmly. With less, balls that it hardly touches could have more than one place where the
+outer ring turns: their F_c falls by up to 1.5 / FIRM newtons for each that the ring presses."""
+CAGE_WEIGHT: Final = 1e-2
+"""Of a ball's centrifugal force: the load with which the nominal speed counts in the cage's.
+Where balls are held, that changes it by some 1e-5; with much less, a breath on one drives it."""
+
+
+def case_parameters(case: Case) -> Floats:
+    """The parameters of a case of one row in the order of `rows`; shape (layout.COLUMN,), SI."""
+    p = bearing_column(case.bearing).copy()
+    duty = case.duty
+    p[layout.INNER_SPEED] = duty.inner_speed
+    p[layout.OUTER_SPEED] = duty.outer_speed
+    apply_model(p, case.model)
+    p[layout.COS_FIRST] = cos(duty.first_ball_azimuth)
+    p[layout.SIN_FIRST] = sin(duty.first_ball_azimuth)
+    arms = ring_arms(p)
+    p[layout.APPLIED : layout.APPLIED + 5] = duty.applied_load / arms
+    p[layout.IMPOSED : layout.IMPOSED + 5] = duty.imposed_displacement * arms
+    p[layout.FREE : layout.FREE + 5] = duty.free
+    return p
+
+
+def ring_arms(p: Floats) -> Floats:
+    """The lengths (1, 1, 1, R_i, R_i) that turn tilts into shifts and moments into forces."""
+    arms = np.ones((layout.DEGREES_OF_FREEDOM, *p.shape[1:]))
+    arms[3:] = p[layout.ARM]
+    return arms
+
+
+def apply_model(p: Floats, model: Model) -> None:
+    """Put into columns that know their speeds what the model says of inertia and of the cage."""
+    inner, outer, gamma = p[layout.INNER_SPEED], p[layout.OUTER_SPEED], p[layout.GAMMA]
+    cosine = np.minimum(
+        p[layout.RADIAL_OFFSET] / (p[layout.OUTER_LENGTH] + p[layout.INNER_LENGTH]), 1.0
+    )
+    p[layout.NOMINAL_ORBIT] = nominal_orbit(cosine * gamma, inner, outer)
+    # rings that turn against each other may leave the cage nearly standing still
+    speed = np.maximum(np.abs(p[layout.NOMINAL_ORBIT]), 0.25 * (np.abs(inner) + np.abs(outer)))
+    force = p[layout.CENTRIFUGAL] * speed**2
+    p[layout.CAGE_WEIGHT] = CAGE_WEIGHT * force
+    p[layout.HOLD_OFFSET] = model.cage == "none"
+    if model.cage != "none":
+        with np.errstate(divide="ignore"):
+            p[layout.HOLD_RATE] = np.where(force > 0.0, 1.0 / (FIRM * force), 0.0)
+    p[layout.OWN_ORBIT] = model.cage != "rigid"
+    p[layout.CENTRIFUGAL] *= model.centrifugal_force
+    p[layout.GYROSCOPIC] *= model.gyroscopic_moment
+    p[layout.LAMBDA_INNER] = 1.0 if model.raceway_control == "none" else 0.0
+
+
+def directions(balls: int) -> tuple[Floats, Floats]:
+    """Cosine and sine of 2π j/Z for every ball j, symmetrical to the last bit; (balls,) each.
+
+    Balls that mirror each other then have the same place to the last bit too, and a ball at 90°
+    is under no part of a load along z.
+    """
+    part = np.arange(balls)
+    quarter, rest = np.divmod(4 * part, balls)
+    late = 2 * rest > balls
+    angle = 0.5 * np.pi * np.where(late, balls - rest, rest) / balls
+    c, s = np.cos(angle), np.sin(angle)
+    c, s = np.where(late, s, c), np.where(late, c, s)
+    cosines = np.choose(quarter, [c, -s, -c, s])
+    sines = np.choose(quarter, [s, c, -s, -c])
+    return cosines + 0.0, sines + 0.0
+
+
+@lru_cache(maxsize=256)
+def bearing_column(bearing: Bearing) -> Floats:
+    """What does not depend on the duty, of a bearing of one row; not to be written to."""
+    p = bearing_columns(bearing, ())
+    p.flags.writeable = False
+    return p
+
+
+def bearing_columns(bearing: Any, shape: tuple[int, ...]) -> Floats:
+    """What does not depend on the duty; (layout.COLUMN, *shape).
+
+    bearing: a `Bearing`, or an object with its attributes as arrays that broadcast to the shape.
+    """
+    diameter, pitch = bearing.ball_diameter, bearing.pitch_diameter
+    places = groove_places(
+        diameter,
+        pitch,
+        bearing.inner_conformity,
+        bearing.outer_conformity,
+        contact_angle=bearing.contact_angle,
+        diametral_clearance=bearing.diametral_clearance,
+    )
+    mass = ball_mass(diameter, bearing.ball_material.density)
+    terms = _terms(diameter / pitch)
+    long = np.max(terms) > layout.COEFFICIENTS
+    p = np.zeros((layout.COLUMN + 3 * layout.MOST_TERMS * long, *shape))
+    p[layout.OUTER_LENGTH] = places.outer_length
+    p[layout.INNER_LENGTH] = places.inner_length
+    p[layout.AXIAL_OFFSET] = places.axial_offset
+    p[layout.RADIAL_OFFSET] = places.radial_offset
+    p[layout.GAMMA] = diameter / pitch
+    p[layout.CENTRIFUGAL] = 0.5 * mass * pitch
+    p[layout.GYROSCOPIC] = 0.1 * mass * pitch
+    p[layout.ARM] = places.inner_groove_radius
+    p[layout.FRICTION_ARM] = bearing.inner_conformity * diameter / places.inner_groove_radius
+    p[layout.ONE_SIDED] = bearing.contact_angle is not None and np.greater(
+        bearing.contact_angle, 0.0
+    )
+    p[layout.BALL_DIAMETER] = diameter
+    p[layout.MODULUS] = effective_modulus(bearing.ring_material, bearing.ball_material)
+    p[layout.INNER_EDGE] = edge_cosine(bearing, "inner")
+    p[layout.OUTER_EDGE] = edge_cosine(bearing, "outer")
+    p[layout.TERMS] = terms
+    _put_polynomials(p, bearing, layout.COEFFICIENTS)
+    for count in np.unique(terms[terms > layout.COEFFICIENTS]).tolist():
+        _put_polynomials(p, bearing, int(count), where=p[layout.TERMS] == count)
+    return p
+
+
+def edge_cosine(bearing: Any, race: Race) -> Floats:
+    """Cosine of the angle at which a groove ends: that of its shoulder, or 0.
+
+    cos α = 1 - h / (f D) of a shoulder of height h. A groove without a given height is taken as
+    a half circle, so that a contact may lie anywhere below 90°.
+    """
+    radius = getattr(bearing, f"{race}_conformity") * bearing.ball_diameter
+    height = getattr(bearing, f"{race}_shoulder_height")
+    return np.asarray(0.0 if height is None else np.clip(1.0 - height / radius, 0.0, 1.0))
+
+
+def _terms(ratio: Any) -> Floats:
+    """How many coefficients K takes at a D/d_m; NaN is taken as the least."""
+    limits, counts = zip(*TERMS, strict=True)
+    place = np.searchsorted(limits, np.nan_to_num(np.asarray(ratio, dtype=np.float64), posinf=0.0))
+    return np.asarray(counts, dtype=np.float64)[np.minimum(place, len(counts) - 1)]
+
+
+def _put_polynomials(p: Floats, bearing: Any, count: int, where: Any = True) -> None:
+    """Put in K_i, K_o and both in series as polynomials of so many coefficients in cos α.
+
+    The exact stiffness depends on the loaded angle through the curvatures, weakly: a polynomial
+    through Chebyshev points of 0 ≤ cos α ≤ 1 follows it (see `TERMS`).
+    """
+    chebyshev = np.cos(np.pi * (np.arange(count) + 0.5) / count)
+    cosines = 0.5 * (1.0 + chebyshev)
+    exact = race_stiffness(bearing, np.arccos(cosines).reshape(count, *(1,) * (p.ndim - 1)))
+    powers = np.vander(cosines, count, increasing=True)
+    for first, values in (
+        (layout.INNER_STIFFNESS, exact.inner),
+        (layout.OUTER_STIFFNESS, exact.outer),
+        (layout.SERIES_STIFFNESS, exact.combined),
+    ):
+        found = np.linalg.solve(powers, values.reshape(count, -1)).reshape(values.shape)
+        start = first if count == layout.COEFFICIENTS else layout.long_polynomial(first)
+        part = p[start : start + count]
+        np.copyto(
+            part, found.reshape(count, *(1,) * (p.ndim - found.ndim), *found.shape[1:]), where=where
+        )

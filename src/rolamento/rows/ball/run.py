@@ -1,0 +1,222 @@
+"""Run the kernels over a batch of single rows: threads, cases with and without inertia."""
+
+from __future__ import annotations
+
+import logging
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from typing import Any, Final, Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rolamento.numerics.threads import thread_count
+from rolamento.rows.ball import accept, layout
+from rolamento.rows.ball.batch import solve_cases
+from rolamento.rows.ball.detail import ball_table, criterion
+from rolamento.rows.ball.problem import Floats, directions
+
+_log = logging.getLogger("rolamento")
+
+CHUNK: Final = 2048
+FEW: Final = 1
+"""Cases that are solved without the compiler, if it has not been loaded yet."""
+MOST_WORK: Final = 4e5
+"""Evaluations of a ball that a case may cost beside the fast path: some 50 ms."""
+PLAIN_WORK: Final = 1e4
+"""The same without the compiler: a second or so, then it is worth loading."""
+LEAST_INERTIA: Final = 1e-7
+"""Approach under a ball's own centrifugal force, over the groove's offset, that still counts."""
+
+
+@dataclass(slots=True)
+class Solution:
+    """The kernels' output arrays, in the scaled form of `rows`; filled in place."""
+
+    displacement: Floats
+    cage: Floats
+    position: Floats
+    reaction: Floats
+    stiffness: Floats
+    residual: Floats
+    code: NDArray[np.int64]
+    unsupported: NDArray[np.int64]
+    iterations: NDArray[np.int64]
+    safe: NDArray[np.bool_]
+
+    @classmethod
+    def empty(cls, cases: int, balls: int) -> Solution:
+        """Make room for so many cases."""
+        return cls(
+            displacement=np.full((cases, layout.DEGREES_OF_FREEDOM), np.nan),
+            cage=np.full(cases, np.nan),
+            position=np.full((cases, balls, 2), np.nan),
+            reaction=np.full((cases, layout.DEGREES_OF_FREEDOM), np.nan),
+            stiffness=np.full(
+                (cases, layout.DEGREES_OF_FREEDOM, layout.DEGREES_OF_FREEDOM), np.nan
+            ),
+            residual=np.full(cases, np.nan),
+            code=np.full(cases, accept.INVALID_INPUT),
+            unsupported=np.full(cases, -1),
+            iterations=np.zeros(cases, np.int64),
+            safe=np.zeros(cases, np.bool_),
+        )
+
+    def arrays(self) -> tuple[NDArray[np.generic], ...]:
+        """All arrays, in the order that the kernel takes them."""
+        return (
+            self.displacement, self.cage, self.position, self.reaction, self.stiffness,
+            self.residual, self.code, self.unsupported, self.iterations, self.safe,
+        )  # fmt: skip
+
+    def put(self, cases: NDArray[np.intp], part: Self) -> None:
+        """Copy the solution of some of the cases to their places."""
+        for whole, piece in zip(self.arrays(), part.arrays(), strict=True):
+            whole[cases] = piece
+
+
+def solve_columns(
+    p: Floats, control: Floats, balls: int, *, threads: int | None = None, fast: bool = True
+) -> Solution:
+    """Solve every column of parameters.
+
+    p: (layout.COLUMN, cases); control: +1 or -1 (cases, balls) or (1, balls). Columns that are
+    not finite get the code INVALID_INPUT and are left alone.
+    """
+    cases = p.shape[1]
+    solution = Solution.empty(cases, balls)
+    if cases == 0:
+        return solution
+    finite = np.isfinite(p).all(axis=0)
+    moving = has_inertia(p)
+    _solve_some(np.flatnonzero(finite & ~moving), p, control, balls, False, threads, fast, solution)
+    # what is left out of those is part of their residual: some have to be solved with it
+    again = np.isin(solution.code, (accept.NEEDS_INERTIA, accept.NOT_CONVERGED))
+    moving |= again & turns(p)
+    _solve_some(np.flatnonzero(finite & moving), p, control, balls, True, threads, fast, solution)
+    return solution
+
+
+def _solve_some(
+    which: NDArray[np.intp],
+    p: Floats,
+    control: Floats,
+    balls: int,
+    moving: bool,
+    threads: int | None,
+    fast: bool,
+    solution: Solution,
+) -> None:
+    """Solve some of the cases, with or without inertia, and put them in their places."""
+    if len(which) == p.shape[1]:
+        _run_threads(p, control, balls, moving, threads, fast, solution)
+    elif len(which):
+        part = Solution.empty(len(which), balls)
+        some = control if len(control) == 1 else control[which]
+        _run_threads(p[:, which], some, balls, moving, threads, fast, part)
+        solution.put(which, part)
+
+
+def turns(p: Floats) -> NDArray[np.bool_]:
+    """Which columns have any inertia: a speed, and an effect that is switched on."""
+    speed = np.abs(p[layout.INNER_SPEED]) + np.abs(p[layout.OUTER_SPEED])
+    return np.asarray(speed * np.maximum(p[layout.CENTRIFUGAL], p[layout.GYROSCOPIC]) > 0.0)
+
+
+def has_inertia(p: Floats) -> NDArray[np.bool_]:
+    """Which columns are solved with the balls' inertia from the first.
+
+    The others are tried as at rest: their centrifugal force alone would press a ball in by
+    (F/K)^(2/3), not much more than the 1e-16 of the groove's offset to which that is known.
+    """
+    speed = np.abs(p[layout.INNER_SPEED]) + np.abs(p[layout.OUTER_SPEED])
+    force = np.maximum(p[layout.CENTRIFUGAL], 5.0 * p[layout.GYROSCOPIC]) * (0.5 * speed) ** 2
+    approach = np.cbrt(force / p[layout.SERIES_STIFFNESS]) ** 2
+    with np.errstate(invalid="ignore"):
+        return np.asarray(approach > LEAST_INERTIA * p[layout.OUTER_LENGTH])
+
+
+def _run_threads(
+    p: Floats,
+    control: Floats,
+    balls: int,
+    moving: bool,
+    threads: int | None,
+    fast: bool,
+    solution: Solution,
+) -> None:
+    """Share the cases out to threads, in chunks small enough to keep all of them busy."""
+    cases = p.shape[1]
+    p, control = np.ascontiguousarray(p), np.ascontiguousarray(control, dtype=np.float64)
+    (cosines, sines), out = directions(balls), solution.arrays()
+    if cases <= FEW and not solve_cases.is_loaded:
+        if _interpret(p, control, cosines, sines, moving, 0, cases, False, PLAIN_WORK, out):
+            return
+        solution.put(np.arange(cases), Solution.empty(cases, balls))
+    if not solve_cases.is_cached:
+        _log.warning("compiling the solver for this machine, once: this takes about half a minute")
+
+    def run(first: int) -> None:
+        last = min(first + CHUNK, cases)
+        solve_cases.compiled(p, control, cosines, sines, moving, first, last, fast, MOST_WORK, out)
+
+    workers = min(thread_count(threads), -(-cases // CHUNK))
+    if workers == 1:
+        for first in range(0, cases, CHUNK):
+            run(first)
+    else:
+        with ThreadPoolExecutor(workers) as pool:
+            list(pool.map(run, range(0, cases, CHUNK)))
+
+
+def _interpret(*arguments: Any) -> bool:
+    """Solve without the compiler, which takes longer to load than a few cases to solve.
+
+    False where plain Python cannot divide by zero and go on, as compiled code can, and where the
+    fast path, which is for compiled code only, might still find a solution.
+    """
+    try:
+        with np.errstate(all="ignore"):
+            solve_cases(*arguments)
+    except (ZeroDivisionError, OverflowError, ValueError):
+        return False
+    codes = arguments[-1][6]
+    return not (codes == accept.NOT_CONVERGED).any()
+
+
+def ball_azimuths(p: Floats, balls: int) -> Floats:
+    """Azimuth of every ball of every case in [0, 2π); (cases, balls)."""
+    first = np.arctan2(p[layout.SIN_FIRST], p[layout.COS_FIRST])
+    azimuth = first[:, np.newaxis] + 2.0 * np.pi * np.arange(balls) / balls
+    wrapped = np.mod(azimuth, 2.0 * np.pi)
+    return np.where(wrapped < 2.0 * np.pi, wrapped, 0.0)
+
+
+@dataclass(frozen=True, slots=True)
+class OneRow:
+    """Many cases of a bearing of one row, as `jones` wants a system."""
+
+    p: Floats
+    balls: int
+    threads: int | None = None
+    fast: bool = True
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Cases and balls."""
+        return self.p.shape[1], self.balls
+
+    def solve(self, control: Floats, which: NDArray[np.intp] | None = None) -> Solution:
+        """Solve all cases, or some."""
+        p = self.p if which is None else self.p[:, which]
+        return solve_columns(p, control, self.balls, threads=self.threads, fast=self.fast)
+
+    def verdict(self, solution: Solution, control: Floats) -> NDArray[np.int64]:
+        """Jones's criterion for every ball at a solution; (cases, balls)."""
+        return row_verdict(self.p, control, solution)
+
+
+def row_verdict(p: Floats, control: Floats, solution: Solution) -> NDArray[np.int64]:
+    """Jones's criterion for every ball of a row; (cases, balls)."""
+    azimuth = ball_azimuths(p, control.shape[1])
+    return criterion(p, ball_table(p, control, solution.displacement, solution.position, azimuth))

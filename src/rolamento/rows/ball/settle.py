@@ -1,0 +1,208 @@
+"""One ball between grooves that stand still: the safe way to its place.
+
+Newton's method first. Where it fails or strays, the ball's place is bracketed: its distance from
+the outer groove's centre at a given outer angle (the force along the outer normal falls with the
+distance), and the outer angle itself: between the radial direction and the line of the groove
+centres, alpha_o <= alpha <= alpha_i, or beyond that line where rings that turn against each other
+reverse the gyroscopic moment.
+"""
+
+from __future__ import annotations
+
+from math import atan2, cos, pi, sin, sqrt
+from typing import Final
+
+from rolamento.numerics.compiled import inline_exact, shared
+from rolamento.rows.ball import layout
+from rolamento.rows.ball.ball import stored_polynomial
+from rolamento.rows.ball.single import OFF_GROOVE, balance_along, linearised, rounding
+from rolamento.rows.ball.types import Array, Found, Two
+
+PRECISION: Final = 1e-12
+PLACE_SLACK: Final = 1e-6
+"""rad: a ball that hardly anything holds does not stand more exactly than this."""
+NEWTON_STEPS: Final = 20
+BRACKET_STEPS: Final = 80
+
+
+@shared
+def in_place(p: Array, case: int, a1: float, x1: float, x2: float) -> bool:
+    """Whether a ball stands where it can: pushed to the same side by both rings, and outward."""
+    slack = PLACE_SLACK * p[layout.OUTER_LENGTH, case]
+    side = 1.0 if a1 >= 0.0 else -1.0
+    return side * x1 >= -slack and x2 > 0.0 and side * (a1 - x1) >= -slack
+
+
+@shared
+def free_ball(p: Array, case: int, cage: float, control: float, a1: float, a2: float) -> Found:
+    """A ball that only its centrifugal force presses outward: (whether it is free, X1, X2)."""
+    length: float = p[layout.OUTER_LENGTH, case]
+    x2 = length
+    stiffness, _ = stored_polynomial(1.0, (p, layout.OUTER_STIFFNESS, case))
+    for _ in range(50):
+        f_c = balance_along(p, case, cage, control, a1, a2, 0.0, x2)[2]
+        before = x2
+        x2 = length + (f_c / stiffness) ** (2.0 / 3.0)
+        if abs(x2 - before) <= 1e-16 * x2:
+            break
+    gap = sqrt(a1 * a1 + max(a2 - x2, 0.0) ** 2)
+    return abs(control) >= OFF_GROOVE or gap <= p[layout.INNER_LENGTH, case], 0.0, x2
+
+
+@inline_exact
+def _allowed(p: Array, case: int, scale: float) -> float:
+    """The residual that counts as none: of the ball's loads, or what rounding leaves of it."""
+    return PRECISION * scale + rounding(p, case, scale)
+
+
+@shared
+def _newton(
+    p: Array,
+    case: int,
+    cage: float,
+    control: float,
+    a1: float,
+    a2: float,
+    x1: float,
+    x2: float,
+    work: Array,
+) -> Found:
+    """Newton's method with shortened steps: (whether it settled in place, X1, X2)."""
+    longest = 0.2 * p[layout.OUTER_LENGTH, case]
+    residual, follow, _, _, scale, _, _, _ = linearised(p, case, cage, control, a1, a2, x1, x2)
+    error = sqrt(residual[0] ** 2 + residual[1] ** 2)
+    for _ in range(NEWTON_STEPS):
+        if error <= _allowed(p, case, scale):
+            return in_place(p, case, a1, x1, x2), x1, x2
+        length = sqrt(follow[0] ** 2 + follow[1] ** 2)
+        part = min(1.0, longest / length) if length > 0.0 else 1.0
+        for _ in range(4):
+            y1 = x1 + part * follow[0]
+            y2 = x2 + part * follow[1]
+            residual, ahead, _, _, scale, _, _, _ = linearised(
+                p, case, cage, control, a1, a2, y1, y2
+            )
+            work[0] -= 1.0
+            trial = sqrt(residual[0] ** 2 + residual[1] ** 2)
+            if trial < error:
+                break
+            part *= 0.3
+        if not trial < error:
+            near = error <= 100.0 * _allowed(p, case, scale)
+            return near and in_place(p, case, a1, x1, x2), x1, x2
+        x1, x2, follow, error = y1, y2, ahead, trial
+    return False, x1, x2
+
+
+@inline_exact
+def _along_and_across(
+    p: Array,
+    case: int,
+    cage: float,
+    control: float,
+    a1: float,
+    a2: float,
+    alpha: float,
+    reach: float,
+) -> Two:
+    """The ball's residual along the outer normal and across it."""
+    along, across, _ = balance_along(
+        p, case, cage, control, a1, a2, reach * sin(alpha), reach * cos(alpha)
+    )
+    return along, across
+
+
+@shared
+def _reach_at(
+    p: Array,
+    case: int,
+    cage: float,
+    control: float,
+    a1: float,
+    a2: float,
+    alpha: float,
+    work: Array,
+) -> float:
+    """The distance from the outer groove's centre at which the normal forces balance."""
+    low: float = p[layout.OUTER_LENGTH, case]
+    f_low, _ = _along_and_across(p, case, cage, control, a1, a2, alpha, low)
+    if not f_low > 0.0:
+        return low
+    step = 1e-4 * low
+    high = low + step
+    f_high, _ = _along_and_across(p, case, cage, control, a1, a2, alpha, high)
+    while f_high > 0.0 and step < low:
+        low, f_low = high, f_high
+        step *= 4.0
+        high += step
+        f_high, _ = _along_and_across(p, case, cage, control, a1, a2, alpha, high)
+    for _ in range(BRACKET_STEPS):
+        middle = high - f_high * (high - low) / (f_high - f_low)
+        if not low < middle < high:
+            middle = 0.5 * (low + high)
+        f_middle, _ = _along_and_across(p, case, cage, control, a1, a2, alpha, middle)
+        work[0] -= 0.5
+        if f_middle > 0.0:
+            low, f_low = middle, f_middle
+            f_high *= 0.5
+        else:
+            high, f_high = middle, f_middle
+            f_low *= 0.5
+        if f_middle == 0.0 or high - low <= 2e-16 * high:
+            break
+    return high
+
+
+@shared
+def _bracketed(
+    p: Array, case: int, cage: float, control: float, a1: float, a2: float, work: Array
+) -> Found:
+    """The ball's place between bounds of its outer angle: (whether found, X1, X2); A1 >= 0."""
+    low, high = 0.0, atan2(a1, a2)
+    _, f_high = _along_and_across(
+        p, case, cage, control, a1, a2, high, _reach_at(p, case, cage, control, a1, a2, high, work)
+    )
+    if f_high > 0.0:  # counter-rotating rings turn the ball the other way
+        low, high = high, 0.5 * pi
+    for _ in range(BRACKET_STEPS):
+        middle = 0.5 * (low + high)
+        reach = _reach_at(p, case, cage, control, a1, a2, middle, work)
+        _, across = _along_and_across(p, case, cage, control, a1, a2, middle, reach)
+        if across > 0.0:
+            low = middle
+        else:
+            high = middle
+        x1, x2 = reach * sin(middle), reach * cos(middle)
+        found, y1, y2 = _newton(p, case, cage, control, a1, a2, x1, x2, work)
+        if found:
+            return True, y1, y2
+        if high - low <= 1e-15 or work[0] < 0.0:
+            break
+    return False, reach * sin(middle), reach * cos(middle)
+
+
+@shared
+def settle(
+    p: Array,
+    case: int,
+    cage: float,
+    control: float,
+    a1: float,
+    a2: float,
+    x1: float,
+    x2: float,
+    work: Array,
+) -> Found:
+    """Find a moving ball's place from a first guess: (whether found, X1, X2).
+
+    work (1,): evaluations of a ball that may still be spent, counted down.
+    """
+    found, y1, y2 = _newton(p, case, cage, control, a1, a2, x1, x2, work)
+    if found:
+        return True, y1, y2
+    free, y1, y2 = free_ball(p, case, cage, control, a1, a2)
+    if free:
+        return True, y1, y2
+    side = 1.0 if a1 >= 0.0 else -1.0
+    found, y1, y2 = _bracketed(p, case, cage, control, side * a1, a2, work)
+    return found, side * y1, y2

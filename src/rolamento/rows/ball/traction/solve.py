@@ -1,0 +1,267 @@
+"""Equilibrium with friction-controlled balls: from columns of parameters to motions and forces.
+
+The start is the equilibrium under outer raceway control. What comes out replaces its places, its
+motions and its loads; a case that does not settle is left without a result.
+"""
+
+from __future__ import annotations
+
+import logging
+import os
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from typing import Final, Protocol
+
+import numpy as np
+
+from rolamento.contact.hertz import elliptical_contact
+from rolamento.geometry import Race, race_curvature
+from rolamento.rows.ball import accept, layout
+from rolamento.rows.ball.detail import BallTable, ball_table
+from rolamento.rows.ball.problem import Floats, directions
+from rolamento.rows.ball.rolling import Rolling
+from rolamento.rows.ball.run import Solution, ball_azimuths, has_inertia
+from rolamento.rows.ball.single import direction, groove
+from rolamento.rows.ball.traction import balance, system
+from rolamento.rows.ball.traction.balance import Place
+from rolamento.rows.ball.traction.ball import (
+    AXES_INNER,
+    AXES_OUTER,
+    CONSTANTS,
+    FRICTION,
+    GROOVE_INNER,
+    GROOVE_OUTER,
+    HALF,
+    INERTIA,
+    MASS,
+    RADIUS,
+    Mesh,
+    Rig,
+)
+from rolamento.rows.ball.traction.contact import ellipse_nodes
+
+_log = logging.getLogger("rolamento")
+
+SMOOTHEST: Final = 1e-1
+"""Where the friction begins: the smoothing speed over |ω_i - ω_o| D."""
+SMOOTHING: Final = 1e-4
+"""Where it ends; the power changes by less than 1 in 10^3 from there to Coulomb's law."""
+MESHES: Final = {"coarse": (40, 5), "fine": (120, 9)}
+COARSE: Final = MESHES["coarse"]
+MOST_IMBALANCE: Final = 1e-6
+"""Of the power: what may be missing between the rings' work and the losses."""
+_PATIENCE: Final = "some half a minute"
+
+
+def solve_rolling(
+    p: Floats,
+    start: Solution,
+    balls: int,
+    friction: Floats,
+    drag: Floats,
+    *,
+    mesh: str = "fine",
+    film: Film | None = None,
+    threads: int | None = None,
+) -> tuple[Solution, Rolling]:
+    """Let friction control the balls of every case.
+
+    p: (layout.COLUMN, cases); start: under outer raceway control; friction: μ, (cases,); drag: the
+    torque that holds the cage back, (cases,), N·m; film: what shears in the contacts. Returns the
+    solution, scaled as `run` has it, and the motions.
+    """
+    cases = p.shape[1]
+    constants = case_constants(p, friction)
+    solution = Solution.empty(cases, balls)
+    solution.put(np.arange(cases), start)
+    table = ball_table(
+        p, np.ones((1, balls)), start.displacement, start.position, ball_azimuths(p, balls)
+    )
+    rolling = Rolling.empty(cases, balls, constants[RADIUS], _mean_orbit(table))
+    if film is not None:
+        rolling.lift[:] = film.lift
+    problem = _Problem.of(p, constants, drag, balls, mesh, film)
+    if not system.solve_with_friction.is_cached:
+        _log.warning("compiling the friction solver for this machine, once: %s", _PATIENCE)
+    turning = p[layout.INNER_SPEED] != p[layout.OUTER_SPEED]
+    wanted = np.flatnonzero((start.code == accept.CONVERGED) & turning).tolist()
+    workers = min(threads or os.cpu_count() or 1, max(len(wanted), 1))
+    if workers == 1:
+        for case in wanted:
+            _solve_case(problem, case, solution, rolling)
+    else:
+        with ThreadPoolExecutor(workers) as pool:
+            list(pool.map(lambda case: _solve_case(problem, case, solution, rolling), wanted))
+    _check_power(p, drag, solution, rolling)
+    return solution, rolling
+
+
+class Film(Protocol):
+    """A film between balls and races, that shears instead of Coulomb's friction."""
+
+    @property
+    def lift(self) -> Floats:
+        """Its thickness where it enters the geometry, else zero; (cases, balls, 2), m."""
+        ...
+
+    def slip_speed(self, case: int, across: Floats, along: Floats) -> Floats:
+        """The slip at which the sheared film would reach the limiting friction, μ p h / η.
+
+        across, along: nodes in units of the axes, (nodes,). Returns (balls, 2, nodes), m/s.
+        """
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class _Problem:
+    """What all cases of a batch are solved from."""
+
+    p: Floats
+    constants: Floats
+    drag: Floats
+    cosines: Floats
+    sines: Floats
+    coarse: tuple[Floats, Floats, Floats]
+    fine: tuple[Floats, Floats, Floats]
+    film: Film | None
+
+    @classmethod
+    def of(
+        cls,
+        p: Floats,
+        constants: Floats,
+        drag: Floats,
+        balls: int,
+        mesh: str,
+        film: Film | None = None,
+    ) -> _Problem:
+        """Prepare the arrays of a batch."""
+        return cls(
+            np.ascontiguousarray(p), constants, drag, *directions(balls),
+            ellipse_nodes(*COARSE), ellipse_nodes(*MESHES[mesh]), film,
+        )  # fmt: skip
+
+    def rig(self, case: int) -> Rig:
+        """One case, as the kernel takes it."""
+        constants = np.ascontiguousarray(self.constants[:, case])
+        return Rig(self.p, case, constants, float(self.drag[case]), self.cosines, self.sines)
+
+    def mesh(self, nodes: tuple[Floats, Floats, Floats], case: int) -> Mesh:
+        """Nodes with room of their own for the smoothing, and the film of a case."""
+        least = np.zeros(nodes[0].size)
+        if self.film is None:
+            return Mesh(*nodes, least)
+        slow = self.film.slip_speed(case, nodes[0], nodes[1])
+        return Mesh(*nodes, least, np.ascontiguousarray(slow**2), self.film.lift[case].copy())
+
+
+def _solve_case(problem: _Problem, case: int, solution: Solution, rolling: Rolling) -> None:
+    """Solve one case and put the result into its place, or the code of its failure."""
+    rig, balls = problem.rig(case), problem.cosines.size
+    place = _start(rig, solution.displacement[case], solution.position[case])
+    sight, forces = np.zeros((balls, balance.SEEN)), np.zeros((balls, balance.FORCES))
+    tangent = np.zeros((5, 5))
+    coarse, fine = problem.mesh(problem.coarse, case), problem.mesh(problem.fine, case)
+    code, solution.residual[case], steps = system.solve_with_friction.compiled(
+        rig, place, coarse, fine, SMOOTHEST, SMOOTHING, sight, forces, tangent
+    )
+    solution.iterations[case] += steps
+    if code != system.CONVERGED:
+        solution.code[case] = accept.NOT_CONVERGED
+        return
+    touched = np.asarray(forces[:, :2].sum(axis=1) > 0.0)
+    rolling.cage_speed[case] = place.u[balance.CAGE]
+    rolling.angular_velocity[case] = np.where(touched[:, np.newaxis], place.omega, np.nan)
+    rolling.power[case] = forces[:, balance.INNER_POWER : balance.OF_INNER]
+    rolling.inner[case] = forces[:, balance.OF_INNER : balance.OF_OUTER]
+    rolling.outer[case] = forces[:, balance.OF_OUTER : balance.FORCES]
+    solution.displacement[case], solution.position[case] = place.u[:5], place.x
+    solution.reaction[case] = _reaction(rig, sight)
+    solution.stiffness[case] = tangent
+
+
+def _check_power(p: Floats, drag: Floats, solution: Solution, rolling: Rolling) -> None:
+    """Compare the work of shaft and housing with the losses; a case that fails has no result."""
+    work = p[layout.INNER_SPEED] * rolling.torque("inner")
+    work += p[layout.OUTER_SPEED] * rolling.torque("outer")
+    lost = np.asarray(rolling.power.sum(axis=(1, 2))) + drag * np.abs(rolling.cage_speed)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        rolling.imbalance[:] = np.abs(work - lost) / lost
+    failed = np.isfinite(rolling.cage_speed)
+    failed &= ~(rolling.imbalance <= MOST_IMBALANCE)
+    solution.code[failed] = accept.NOT_CONVERGED
+    rolling.forget(failed)
+
+
+def _start(rig: Rig, displacement: Floats, position: Floats) -> Place:
+    """Where raceway control leaves ring and balls; balls that nothing touches amid their gap."""
+    u, x = np.zeros(balance.RING), position.copy()
+    u[:5] = displacement
+    inner, outer = rig.p[layout.INNER_LENGTH, rig.case], rig.p[layout.OUTER_LENGTH, rig.case]
+    for j, (cosine, sine) in enumerate(zip(rig.cosines, rig.sines, strict=True)):
+        c, s = direction(rig.p, rig.case, cosine, sine)
+        grooves = np.array(groove(rig.p, rig.case, u, c, s))
+        if rig.k[MASS] == 0.0 and np.hypot(*grooves) <= inner + outer:
+            x[j] = grooves * outer / (inner + outer)
+    return Place(u, x, np.zeros((len(x), 3)))
+
+
+def _mean_orbit(table: BallTable) -> Floats:
+    """The cage's speed under raceway control, the balls' mean weighted by their loads; (cases,)."""
+    load = np.where(table.inner.load > 0.0, table.inner.load, 0.0)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        mean = (load * np.nan_to_num(table.motion.orbital_speed)).sum(axis=1) / load.sum(axis=1)
+    return np.asarray(mean)
+
+
+def _reaction(rig: Rig, sight: Floats) -> Floats:
+    """What the balls ask of the ring: x, y, z, ry R_i, rz R_i."""
+    total = np.zeros(layout.DEGREES_OF_FREEDOM)
+    for cosine, sine, ball in zip(rig.cosines, rig.sines, sight, strict=True):
+        balance.add_reaction(*direction(rig.p, rig.case, cosine, sine), ball, total)
+    return total
+
+
+def case_constants(p: Floats, friction: Floats) -> Floats:
+    """What the kernel needs beside `rows`; (CONSTANTS, cases)."""
+    cases = p.shape[1]
+    k = np.zeros((CONSTANTS, cases))
+    diameter = p[layout.BALL_DIAMETER]
+    pitch = diameter / p[layout.GAMMA]
+    # switched-off effects are zero in the column: mass from one, inertia from the other
+    k[RADIUS] = 0.5 * pitch
+    moving = has_inertia(p)  # else it cannot be told from rounding
+    k[MASS] = np.where(moving, 2.0 * p[layout.CENTRIFUGAL] / pitch, 0.0)
+    k[INERTIA] = np.where(moving, p[layout.GYROSCOPIC] * p[layout.GAMMA] * diameter, 0.0)
+    k[HALF] = 0.5 * diameter
+    k[FRICTION] = friction
+    for race, length, radius, axes in _RACES:
+        conformity = 0.5 + p[length] / diameter
+        k[radius] = 2.0 * conformity * diameter / (2.0 * conformity + 1.0)
+        k[axes : axes + 2 * layout.COEFFICIENTS] = _axes_polynomials(p, conformity, race)
+    return k
+
+
+_RACES: Final[tuple[tuple[Race, int, int, int], ...]] = (
+    ("inner", layout.INNER_LENGTH, GROOVE_INNER, AXES_INNER),
+    ("outer", layout.OUTER_LENGTH, GROOVE_OUTER, AXES_OUTER),
+)
+
+
+def _axes_polynomials(p: Floats, conformity: Floats, race: Race) -> Floats:
+    """Coefficients of a / Q^(1/3) and b / Q^(1/3) in cos α; (14, cases)."""
+    count = layout.COEFFICIENTS
+    chebyshev = np.cos(np.pi * (np.arange(count) + 0.5) / count)
+    cosines = 0.5 * (1.0 + chebyshev)
+    diameter = p[layout.BALL_DIAMETER]
+    curvature = race_curvature(
+        diameter, diameter / p[layout.GAMMA], conformity, np.arccos(cosines)[:, np.newaxis], race
+    )
+    contact = elliptical_contact(1.0, curvature.rolling, curvature.across, p[layout.MODULUS])
+    powers = np.vander(cosines, count, increasing=True)
+    return np.concatenate(
+        [np.linalg.solve(powers, contact.semi_major), np.linalg.solve(powers, contact.semi_minor)]
+    )
+
+
+__all__ = ["MESHES", "Film", "solve_rolling"]

@@ -1,0 +1,281 @@
+"""Confidence bounds on shape, scale, lives and reliabilities: one function for all methods."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from math import isfinite
+from typing import Any, Final, Literal, get_args
+
+import numpy as np
+
+from rolamento.errors import InputError
+from rolamento.numerics import FloatArray
+from rolamento.weibull._checks import generator, one_of, sample_count, shape_of, share
+from rolamento.weibull.asymptotic import fisher_limits, likelihood_ratio_limits
+from rolamento.weibull.calibrated import calibrated_limits
+from rolamento.weibull.censoring import model_of
+from rolamento.weibull.fit import Outcome, WeibullFit
+from rolamento.weibull.fixed_shape import fixed_shape, fixed_shape_limits
+from rolamento.weibull.life_test import LifeTest
+from rolamento.weibull.maximum_likelihood import maximum_likelihood
+from rolamento.weibull.quantity import Quantity
+from rolamento.weibull.sampled import sampled_limits
+
+__all__ = ["METHODS", "Bounds", "Method", "Sides", "all_bounds", "bounds"]
+
+Method = Literal[
+    "pivotal",
+    "calibrated_likelihood_ratio",
+    "likelihood_ratio",
+    "fisher",
+    "parametric_percentile",
+    "parametric_bias_corrected",
+    "bootstrap_percentile",
+    "bootstrap_bca",
+    "fixed_shape",
+]
+Sides = Literal["two", "lower", "upper"]
+METHODS: Final = get_args(Method)
+_ANALYTIC: Final = ("likelihood_ratio", "fisher")
+_MOST_QUANTITIES: Final = 1000
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Bounds(Outcome):
+    """Limits that a quantity lies between, in so many of a hundred tests; NaN where there are none.
+
+    Attributes
+    ----------
+    quantity
+        as it is written: "L10"
+    method
+        that gave them
+    confidence
+        share of tests whose limits hold
+    sides
+        "two", with as much left out on each side; "lower" or "upper", with the other end open: 0,
+        infinite, or 1 of a reliability
+    estimate
+        by maximum likelihood, or at the given shape
+    lower, upper
+        in the unit of the test, for a life
+    code
+        "converged", or why there are none, a key of `fit.ADVICE`
+    unit
+        label of a life; empty for a shape or a reliability
+    samples, dropped, seed
+        tests drawn, how many of them had no fit, and with what they were drawn; 0 without drawing
+    notes
+        names in `fit.NOTES`
+    """
+
+    quantity: str
+    method: str
+    confidence: float
+    sides: Sides
+    estimate: float
+    lower: float
+    upper: float
+    code: str
+    unit: str
+    samples: int = 0
+    dropped: int = 0
+    seed: int = 0
+    notes: tuple[str, ...] = ()
+
+    def to_mapping(self) -> dict[str, Any]:
+        """Give the bounds as plain values; None where there is no number, or the end is open."""
+        numbers = {
+            name: value if isfinite(value) else None
+            for name, value in (
+                ("estimate", self.estimate),
+                ("lower", self.lower),
+                ("upper", self.upper),
+            )
+        }
+        return {
+            "quantity": self.quantity,
+            "method": self.method,
+            "confidence": self.confidence,
+            "sides": self.sides,
+            **numbers,
+            "unit": self.unit,
+            "status": {"code": self.code, "converged": self.converged, "advice": self.advice},
+            "samples": self.samples,
+            "dropped": self.dropped,
+            "seed": self.seed,
+            "notes": list(self.sentences()),
+        }
+
+
+def bounds(
+    test: LifeTest,
+    quantity: str | Quantity = "L10",
+    *,
+    method: Method | None = None,
+    confidence: float = 0.9,
+    sides: Sides = "two",
+    samples: int = 10_000,
+    seed: int = 0,
+    shape: float | None = None,
+) -> Bounds:
+    """Bounds on one quantity.
+
+    Parameters
+    ----------
+    test
+        With any kind of censoring.
+    quantity
+        "shape", "scale", a life such as "L10", or a reliability at a time such as "R100".
+    method
+        By default "pivotal", which keeps its promise with few failures (docs/theory/weibull.md);
+        "likelihood_ratio" where a test cannot be drawn again; "fixed_shape" where a shape is given.
+    confidence
+        Of both sides together, or of the one.
+    sides
+        "two", "lower" or "upper".
+    samples, seed
+        Tests to draw, 100 to a million, and what they are drawn with; the same seed, the same
+        bounds.
+    shape
+        From experience: only the scale comes from the test, which needs no failure then.
+
+    Raises
+    ------
+    InputError
+        For an unknown method or quantity, a confidence out of range, and so on.
+    """
+    return all_bounds(
+        test,
+        [quantity],
+        method=method,
+        confidence=confidence,
+        sides=sides,
+        samples=samples,
+        seed=seed,
+        shape=shape,
+    )[0]
+
+
+def all_bounds(
+    test: LifeTest,
+    quantities: Iterable[str | Quantity],
+    *,
+    method: Method | None = None,
+    confidence: float = 0.9,
+    sides: Sides = "two",
+    samples: int = 10_000,
+    seed: int = 0,
+    shape: float | None = None,
+) -> tuple[Bounds, ...]:
+    """Bounds on many quantities, from the same drawn tests; parameters as of `bounds`."""
+    wanted = [Quantity.of(quantity) for quantity in quantities]
+    if not 0 < len(wanted) <= _MOST_QUANTITIES:
+        raise InputError(f"must be 1 to {_MOST_QUANTITIES}", field="quantities")
+    chosen = _method(test, method, shape)
+    one_of(sides, "sides", get_args(Sides))
+    tail = 1.0 - share(confidence, "confidence")
+    tails = np.array({"two": [tail / 2.0, 1.0 - tail / 2.0], "lower": [tail],
+                      "upper": [1.0 - tail]}[sides])  # fmt: skip
+    count, random = sample_count(samples), generator(seed)
+    if chosen == "fixed_shape":
+        return _at_fixed_shape(test, shape_of(shape), wanted, confidence, sides, tails)
+    fit = maximum_likelihood(test)
+    limits = np.full((len(wanted), len(tails)), np.nan)
+    code, drawn, notes = fit.code, (0, 0, 0), fit.notes
+    if fit.converged and chosen in _ANALYTIC:
+        limits = _analytic(test, fit, chosen, wanted, tails)
+        notes = (*notes, "large_sample_method")
+    elif fit.converged and chosen == "calibrated_likelihood_ratio":
+        limits, drawing = calibrated_limits(test, fit, wanted, tails, count, random)
+        code, drawn = drawing.code, (drawing.samples, drawing.dropped, int(seed))
+        notes = (*notes, *drawing.notes)
+    elif fit.converged:
+        limits, draws = sampled_limits(test, fit, chosen, wanted, tails, count, random)
+        code, drawn = draws.code, (draws.samples, draws.dropped, int(seed))
+        notes = (*notes, *draws.notes)
+    return _records(test, fit, wanted, chosen, confidence, sides, limits, code, drawn, notes)
+
+
+def _method(test: LifeTest, method: str | None, shape: float | None) -> str:
+    if method is None:
+        if shape is not None:
+            return "fixed_shape"
+        return "likelihood_ratio" if isinstance(model_of(test), str) else "pivotal"
+    one_of(method, "method", METHODS)
+    if (method == "fixed_shape") != (shape is not None):
+        raise InputError(
+            "goes with the method fixed_shape, and that one needs it",
+            field="shape",
+            value=shape,
+            example="1.5",
+        )
+    return method
+
+
+def _analytic(
+    test: LifeTest, fit: WeibullFit, method: str, quantities: list[Quantity], tails: FloatArray
+) -> FloatArray:
+    if method == "fisher":
+        return fisher_limits(test, fit, quantities, tails)
+    from scipy.special import ndtri
+
+    roots = np.broadcast_to(ndtri(tails), (len(quantities), len(tails)))
+    return likelihood_ratio_limits(test, fit, quantities, roots)
+
+
+def _at_fixed_shape(
+    test: LifeTest,
+    shape: float,
+    quantities: list[Quantity],
+    confidence: float,
+    sides: Sides,
+    tails: FloatArray,
+) -> tuple[Bounds, ...]:
+    if any(quantity.kind == "shape" for quantity in quantities):
+        raise InputError("has no bounds where it is given", field="shape", value=shape)
+    fit = fixed_shape(test, shape)
+    limits = np.array([fixed_shape_limits(test, shape, q, tails) for q in quantities])
+    notes = ("inspections_shared",) if test.inspected else ()
+    return _records(
+        test,
+        fit,
+        quantities,
+        "fixed_shape",
+        confidence,
+        sides,
+        limits,
+        "converged",
+        (0, 0, 0),
+        notes,
+    )
+
+
+def _records(
+    test: LifeTest,
+    fit: WeibullFit,
+    quantities: list[Quantity],
+    method: str,
+    confidence: float,
+    sides: Sides,
+    limits: FloatArray,
+    code: str,
+    drawn: tuple[int, int, int],
+    notes: tuple[str, ...],
+) -> tuple[Bounds, ...]:
+    at = np.array([fit.shape]), np.log([fit.scale])
+    records = []
+    for quantity, row in zip(quantities, limits, strict=True):
+        low, high = quantity.ends if code == "converged" else (np.nan, np.nan)
+        lower = float(row[0]) if sides != "upper" else low
+        upper = float(row[-1]) if sides != "lower" else high
+        bad = code == "converged" and (np.isnan(lower) or np.isnan(upper))
+        records.append(
+            Bounds(
+                quantity.name, method, confidence, sides, float(quantity.at(*at)[0]), lower, upper,
+                "not_converged" if bad else code, test.unit if quantity.kind == "life" else "",
+                *drawn, tuple(dict.fromkeys(notes)),
+            )
+        )  # fmt: skip
+    return tuple(records)

@@ -1,0 +1,234 @@
+"""The common record of all fits: a Weibull distribution with a status.
+
+    R(t) = exp(-((t - γ)/η)^β),    t_R = γ + η (-ln R)^(1/β)
+
+η is the time, after γ, that 63.2 % of the bearings do not reach; it is not the mean.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from math import gamma, isfinite
+from typing import Any, Final, Self
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from rolamento.numerics import FloatArray
+from rolamento.weibull._checks import shares
+from rolamento.weibull.life_test import LifeTest
+
+__all__ = ["ADVICE", "NOTES", "Outcome", "WeibullFit"]
+
+ADVICE: Final[Mapping[str, str]] = {
+    "no_failures": (
+        "Nothing failed: the test bounds the life from below only. With a shape from experience,"
+        " fixed_shape and the bounds of that name tell how long at least the bearings live."
+    ),
+    "one_failure": (
+        "One failure tells no shape. Take a shape from experience (fixed_shape), a prior for it"
+        " (posterior), or test on."
+    ),
+    "no_spread": (
+        "All failures could have come at one time, and no bearing ran longer: any steeper line fits"
+        " better. Inspect more often, test on, or take a shape from experience (fixed_shape)."
+    ),
+    "no_maximum": (
+        "The likelihood has no maximum inside its range. With three parameters it grows without"
+        " bound as the location nears the first failure: fit two. With two, the inspections say"
+        " that fewer fail as time goes on: look for a mixture of early failures and others."
+    ),
+    "not_converged": "The search for the maximum did not end; look for slips in the data.",
+    "not_modelled": (
+        "Exact times of failure beside inspected ones: what else could have been seen cannot be"
+        " drawn from these data. Take the likelihood ratio or the bootstrap."
+    ),
+    "too_large": (
+        "The test has too many bearings to draw it again and again; take the likelihood ratio,"
+        " which holds for so many."
+    ),
+    "no_mean": (
+        "The mean of the shape does not exist for two failures, nor where the clock could have left"
+        " so few: take the median."
+    ),
+    "group_without_fit": (
+        "A group has no fit of its own: nothing failed in it, or its failures have no spread. Leave"
+        " it out, or compare the lives at a common shape (same_life)."
+    ),
+}
+"""What a person can do, by the code of a status."""
+
+NOTES: Final[Mapping[str, str]] = {
+    "location_at_zero": (
+        "The likelihood is greatest without a time free of failures: these are the two parameters'"
+        " numbers."
+    ),
+    "likelihood_unbounded": (
+        "As the location nears the first failure the likelihood grows without bound, which tells"
+        " nothing; the maximum before that is taken."
+    ),
+    "few_failures": ("Fewer than five failures: shape and life are hardly known; see the bounds."),
+    "suspensions_early": (
+        "Most suspensions come before the first failure: ranks know of them only by their order;"
+        " maximum likelihood uses their times."
+    ),
+    "censoring_modelled": (
+        "The suspensions of failed bearings that were not seen are drawn from those that were"
+        " (Kaplan-Meier); the bounds are approximate."
+    ),
+    "inspections_shared": (
+        "All bearings are taken to be inspected at all the times of the data; the bounds are"
+        " approximate."
+    ),
+    "many_without_fit": (
+        "More than a tenth of the drawn samples have no fit and are left out: the bounds hold only"
+        " for tests that do have one, and are too narrow."
+    ),
+    "large_sample_method": (
+        "This method is for many failures: with few its bounds are too narrow by far."
+    ),
+    "approximate": "No exact method is known for this; the bounds are approximate.",
+    "group_without_failures": (
+        "Nothing failed in a group: it has no shape and is left out where only shapes are compared."
+    ),
+}
+"""What each note says."""
+
+
+class Outcome:
+    """What a result says of itself: whether there is one, what to do if not, and its notes.
+
+    Attributes
+    ----------
+    code
+        "converged", or a key of `ADVICE`
+    notes
+        names in `NOTES`
+    """
+
+    __slots__ = ()
+    code: str
+    notes: tuple[str, ...]
+
+    @property
+    def converged(self) -> bool:
+        """Whether there is a result."""
+        return self.code == "converged"
+
+    @property
+    def advice(self) -> str | None:
+        """What a person can do, where there is no result."""
+        return ADVICE.get(self.code)
+
+    def sentences(self) -> tuple[str, ...]:
+        """Say the notes."""
+        return tuple(NOTES[name] for name in self.notes)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class WeibullFit(Outcome):
+    """A Weibull distribution fitted to a life test; NaN where there is none.
+
+    Attributes
+    ----------
+    method
+        "maximum_likelihood", "three_parameter", "rank_regression_y_on_x",
+        "rank_regression_x_on_y", "fixed_shape", "unbiased"
+    code
+        "converged", or why there is no result, a key of `ADVICE`
+    shape, scale, location
+        β, η, γ; scale and location in the unit of the test
+    log_likelihood
+        of the data, at the fit; NaN where it was not what was sought
+    failures, size
+        how many bearings failed, of how many tested
+    unit
+        label of times
+    correlation
+        of the points on the Weibull plot, for rank regression; NaN otherwise
+    notes
+        names in `NOTES`
+    """
+
+    method: str
+    code: str
+    shape: float = np.nan
+    scale: float = np.nan
+    location: float = 0.0
+    log_likelihood: float = np.nan
+    failures: int = 0
+    size: int = 0
+    unit: str = "h"
+    correlation: float = np.nan
+    notes: tuple[str, ...] = ()
+
+    @classmethod
+    def without(cls, test: LifeTest, method: str, code: str) -> Self:
+        """Tell that a test has no fit, and why."""
+        return cls(
+            method, code, location=np.nan, failures=test.failures, size=test.size, unit=test.unit
+        )
+
+    @property
+    def l10(self) -> float:
+        """Life that 90 % reach; unit of the test."""
+        return float(self.life_at(0.9))
+
+    @property
+    def l50(self) -> float:
+        """Life that half of the bearings reach: the median."""
+        return float(self.life_at(0.5))
+
+    @property
+    def mean(self) -> float:
+        """Mean life; infinite where it is beyond any number."""
+        if not isfinite(self.shape):
+            return np.nan
+        try:
+            return self.location + self.scale * gamma(1.0 + 1.0 / self.shape)
+        except OverflowError:
+            return np.inf
+
+    def life_at(self, reliability: ArrayLike) -> FloatArray:
+        """Life that a share of the bearings reach.
+
+        Parameters
+        ----------
+        reliability : array, between 0 and 1; 0.9 for L10.
+        """
+        risk = -np.log(shares(reliability, "reliability"))
+        with np.errstate(over="ignore"):
+            return np.asarray(self.location + self.scale * risk ** (1.0 / self.shape))
+
+    def reliability_at(self, time: ArrayLike) -> FloatArray:
+        """Share of the bearings that reach a time; 1 up to the location."""
+        t = np.asarray(time, dtype=np.float64) - self.location
+        with np.errstate(over="ignore"):
+            alive = np.exp(-((np.maximum(t, 0.0) / self.scale) ** self.shape))
+        return np.where(np.isnan(t), np.nan, alive)
+
+    def with_notes(self, *notes: str) -> Self:
+        """Return the same fit with more notes."""
+        return replace(self, notes=tuple(dict.fromkeys((*self.notes, *notes))))
+
+    def to_mapping(self) -> dict[str, Any]:
+        """Give the fit as plain values; None where there is no number."""
+        numbers = ("shape", "scale", "location", "log_likelihood", "correlation")
+        found = {name: _finite(getattr(self, name)) for name in numbers}
+        return {
+            "method": self.method,
+            "status": {"code": self.code, "converged": self.converged, "advice": self.advice},
+            **found,
+            "l10": _finite(self.l10),
+            "l50": _finite(self.l50),
+            "mean": _finite(self.mean),
+            "failures": self.failures,
+            "size": self.size,
+            "unit": self.unit,
+            "notes": list(self.sentences()),
+        }
+
+
+def _finite(value: float) -> float | None:
+    return float(value) if isfinite(value) else None

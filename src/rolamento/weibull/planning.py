@@ -1,0 +1,330 @@
+"""Planning a demonstration: how many bearings, and how long, so that few failures prove a life.
+
+n bearings run to the time T. If at most k of them fail, the life t_R for the reliability R is shown
+with the confidence C, at a shape β from experience:
+
+    F = 1 - R^((T/t_R)^β),    Σ_{i ≤ k} C(n, i) F^i (1 - F)^(n-i) = 1 - C.
+
+Without failures (k = 0, "success run") this is n (T/t_R)^β (-ln R) = -ln(1 - C): any bearings and
+times with the same n T^β show as much. Bearings that are only as good as wanted pass such a test
+once in 1/(1 - C) times: they have to be better to have a fair chance. All of it is as good as the
+shape is, but for T = t_R, where the shape does not matter.
+
+Sources: Nelson (1985); Abernethy (2006), chapter 6; Lipson and Sheth (1973) for k > 0.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass
+from math import isfinite
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from rolamento.errors import InputError
+from rolamento.numerics import FloatArray
+from rolamento.weibull._checks import positive, share
+from rolamento.weibull._columns import MOST_TIME
+from rolamento.weibull.order_statistics import MOST, planned_shape, whole_number
+
+__all__ = ["PLAN_ADVICE", "Demonstration", "alternatives", "demonstrate"]
+
+PLAN_ADVICE: Final[Mapping[str, str]] = {
+    "not_shown": (
+        "So many bearings for so long do not show the life with this confidence. Run more of them,"
+        " or longer; or let fewer fail."
+    ),
+    "too_many_bearings": (
+        "It would take more bearings than anybody tests. Run them longer, ask for less confidence,"
+        " or for a life that fewer have to reach."
+    ),
+    "too_long": (
+        "It would take longer than can be told. Run more bearings, or ask for less confidence."
+    ),
+    "too_few_failures": "One failure tells no shape, so that no bounds come of it: plan for two.",
+    "too_many_failures": (
+        "It would take more failures than can be planned for here. Ask for a greater ratio of the"
+        " bounds, or for less confidence."
+    ),
+    "not_reached": (
+        "So many bearings do not bring the bounds so near each other, even if all fail. Test more"
+        " of them, or ask for a greater ratio."
+    ),
+}
+"""What a person can do, by the code of a plan without result."""
+
+MOST_ALLOWED: Final = 1000
+_POINTS: Final = 2001
+
+
+@dataclass(frozen=True, slots=True)
+class Demonstration:
+    """A test that shows a life if few enough fail; NaN for what does not exist.
+
+    Attributes
+    ----------
+    code
+        "planned", or why there is none, a key of `PLAN_ADVICE`
+    life, reliability, confidence
+        what is to be shown: the life, the share of bearings that reach it, how surely
+    shape
+        β, from experience
+    failures_allowed
+        k
+    bearings
+        n; 0 if none are enough
+    time
+        T, for each bearing; in the unit of the life
+    shown
+        confidence with which the life is shown if the test is passed; at least that wanted, since
+        bearings are whole
+    """
+
+    code: str
+    life: float
+    reliability: float
+    confidence: float
+    shape: float
+    failures_allowed: int
+    bearings: int
+    time: float
+    shown: float
+
+    @property
+    def planned(self) -> bool:
+        """Whether the test shows the life."""
+        return self.code == "planned"
+
+    @property
+    def advice(self) -> str | None:
+        """What a person can do, where it does not."""
+        return PLAN_ADVICE.get(self.code)
+
+    @property
+    def total_time(self) -> float:
+        """Sum of the times of all bearings, if none fails."""
+        return self.bearings * self.time
+
+    def chance_of_passing(self, life_ratio: ArrayLike) -> FloatArray:
+        """Probability that the bearings pass.
+
+        Parameters
+        ----------
+        life_ratio : array
+            Their true life over the one to be shown; 1 for bearings that are just as wanted.
+        """
+        ratio = np.asarray(life_ratio, dtype=np.float64)
+        with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
+            risk = self._risk() * np.maximum(ratio, 0.0) ** -self.shape
+        failed = np.where(ratio >= 0.0, -np.expm1(-risk), np.nan)
+        return _at_most(self.failures_allowed, self.bearings, failed)
+
+    def life_ratio_for(self, chance: float) -> float:
+        """Life over the one to be shown that bearings need in order to pass with a probability."""
+        p = share(chance, "chance")
+        failed = _failed_share(self.failures_allowed, self.bearings, p)
+        return float((self._risk() / -np.log1p(-failed)) ** (1.0 / self.shape))
+
+    def confidence_at(self, shape: ArrayLike) -> FloatArray:
+        """Confidence that the same test gives if the shape is another: array."""
+        beta = np.asarray(shape, dtype=np.float64)
+        if not np.all((beta > 0.0) & np.isfinite(beta)):
+            raise InputError("must be above zero", field="shape", example="1.5")
+        with np.errstate(over="ignore"):
+            risk = (self.time / self.life) ** beta * -np.log(self.reliability)
+        return 1.0 - _at_most(self.failures_allowed, self.bearings, -np.expm1(-risk))
+
+    def expected_time(self, life_ratio: float = 1.0) -> float:
+        """Mean time until the test ends: at T, or at the failure that is one too many.
+
+        All bearings run at once.
+
+        Parameters
+        ----------
+        life_ratio
+            True life over the one to be shown.
+        """
+        ratio = positive(life_ratio, "life_ratio", "2.0")
+        if not isfinite(self.time) or not self.bearings:
+            return float("nan")
+        t = np.linspace(0.0, 1.0, _POINTS)
+        risk = self._risk() * (t / ratio) ** self.shape
+        running = _at_most(self.failures_allowed, self.bearings, -np.expm1(-risk))
+        inner = float(np.sum(running[1:-1])) + 0.5 * float(running[0] + running[-1])
+        return self.time * inner / (_POINTS - 1)
+
+    def to_mapping(self) -> dict[str, Any]:
+        """Give the plan as plain values; None where there is no number."""
+        values = {name: value for name, value in asdict(self).items() if name != "code"}
+        values["total_time"] = self.total_time
+        plain = {
+            name: None if isinstance(value, float) and not isfinite(value) else value
+            for name, value in values.items()
+        }
+        return {
+            "status": {"code": self.code, "planned": self.planned, "advice": self.advice},
+            **plain,
+        }
+
+    def _risk(self) -> float:
+        """Cumulated risk of one bearing over the test, were its life the one to be shown."""
+        ratio = np.float64(self.time / self.life)
+        with np.errstate(over="ignore"):
+            return float(ratio**self.shape * -np.log(self.reliability))
+
+
+def demonstrate(
+    life: float,
+    *,
+    shape: float,
+    bearings: int | None = None,
+    time: float | None = None,
+    reliability: float = 0.9,
+    confidence: float = 0.9,
+    failures_allowed: int = 0,
+) -> Demonstration:
+    """Plan a test that shows a life.
+
+    Parameters
+    ----------
+    life
+        To be shown; any unit.
+    shape
+        β, from experience with such bearings.
+    bearings
+        How many there are: the time is found. Up to 100 000.
+    time
+        For which each is to run, in the unit of the life: how many it takes is found. With both,
+        the confidence is found.
+    reliability
+        Of the life: 0.9 for L10.
+    confidence
+        With which it is to be shown.
+    failures_allowed
+        How many may fail.
+
+    Raises
+    ------
+    InputError
+        Without bearings and time, or for a number out of range.
+    """
+    wanted = positive(life, "life", "1000.0")
+    given = (
+        wanted, share(reliability, "reliability"), share(confidence, "confidence"),
+        planned_shape(shape), whole_number(failures_allowed, "failures_allowed", 0, MOST_ALLOWED),
+    )  # fmt: skip
+    if bearings is None and time is None:
+        raise InputError("or time must be given", field="bearings", example="10")
+    if bearings is not None:
+        whole_number(bearings, "bearings", given[4] + 1, MOST)
+    if time is not None:
+        positive(time, "time", "500.0")
+    if bearings is None:
+        assert time is not None
+        return _for_time(*given, time)
+    if time is None:
+        return _for_bearings(*given, bearings)
+    return _judged(*given, bearings, time)
+
+
+def alternatives(
+    plan: Demonstration,
+    bearings: Sequence[int] = (1, 2, 3, 4, 5, 6, 8, 10, 12, 15, 20, 30),
+    failures_allowed: Sequence[int] = (0, 1, 2),
+) -> tuple[Demonstration, ...]:
+    """Plan tests that show the same life as surely with other numbers of bearings and failures.
+
+    Parameters
+    ----------
+    plan
+        What is to be shown.
+    bearings, failures_allowed
+        Of the tests; those with no more bearings than failures allowed are left out.
+    """
+    return tuple(
+        demonstrate(
+            plan.life,
+            shape=plan.shape,
+            bearings=count,
+            reliability=plan.reliability,
+            confidence=plan.confidence,
+            failures_allowed=allowed,
+        )
+        for count in bearings
+        for allowed in failures_allowed
+        if count > allowed
+    )
+
+
+def _for_bearings(
+    life: float, reliability: float, confidence: float, shape: float, allowed: int, bearings: int
+) -> Demonstration:
+    """Find the time."""
+    failed = _failed_share(allowed, bearings, 1.0 - confidence)
+    with np.errstate(over="ignore"):
+        ratio = (np.log1p(-failed) / np.log(reliability)) ** (1.0 / shape)
+    time = float(life * ratio)
+    given = (life, reliability, confidence, shape, allowed, bearings)
+    if not 0.0 < time <= MOST_TIME:
+        return Demonstration("too_long", *given, float("nan"), float("nan"))
+    return Demonstration("planned", *given, time, confidence)
+
+
+def _for_time(
+    life: float, reliability: float, confidence: float, shape: float, allowed: int, time: float
+) -> Demonstration:
+    """Find the least number of bearings."""
+    given = (life, reliability, confidence, shape, allowed)
+
+    def shows(bearings: int) -> bool:
+        return _judged(*given, bearings, time).planned
+
+    low, high = allowed, allowed + 1  # of the lower one it is known that it does not
+    while not shows(high):
+        if high == MOST:
+            nan = float("nan")
+            return Demonstration("too_many_bearings", *given, 0, float(time), nan)
+        low, high = high, min(2 * high, MOST)
+    while high - low > 1:
+        middle = (low + high) // 2
+        low, high = (low, middle) if shows(middle) else (middle, high)
+    return _judged(*given, high, time)
+
+
+def _judged(
+    life: float,
+    reliability: float,
+    confidence: float,
+    shape: float,
+    allowed: int,
+    bearings: int,
+    time: float,
+) -> Demonstration:
+    """Find the confidence."""
+    trial = Demonstration(
+        "planned", life, reliability, confidence, shape, allowed, bearings, float(time), 0.0
+    )
+    shown = float(trial.confidence_at(shape))
+    # a plan that this module made shows what it was made for, but for rounding
+    code = "planned" if shown >= confidence - 1e-9 else "not_shown"
+    return Demonstration(
+        code, life, reliability, confidence, shape, allowed, bearings, float(time), shown
+    )
+
+
+def _at_most(allowed: int, bearings: int, failed: FloatArray) -> FloatArray:
+    """Probability that at most so many fail, each with a probability."""
+    from scipy.special import bdtr
+
+    if not bearings:
+        return np.full(np.shape(failed), np.nan)
+    return np.asarray(bdtr(float(allowed), bearings, failed))
+
+
+def _failed_share(allowed: int, bearings: int, chance: float) -> float:
+    """Share that fails of a population of which so many pass with a probability."""
+    from scipy.special import betaincinv
+
+    return float(betaincinv(allowed + 1.0, bearings - allowed, 1.0 - chance))

@@ -1,0 +1,217 @@
+"""Shape and scale from a test and from what was known of the shape before.
+
+The prior on the shape is the user's, that on the scale tells nothing (1/η). Of a right-censored
+test the scale can be integrated away: given β, η^(-β) has a gamma distribution with r and Σ v t^β,
+and the shape has the density
+
+    p(β) ∝ prior(β) β^(r-1) Π t_failed^β / (Σ v t^β)^r,
+
+which is summed over a grid of ln β. Of an inspected test the likelihood itself is summed, over a
+grid of ln η as well. One failure is enough; none is not, for then nothing bounds the life from
+above.
+
+Source: Hamada, Wilson, Reese and Martz (2008), chapter 4.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final, Literal
+
+import numpy as np
+
+from rolamento.errors import InputError
+from rolamento.numerics import BoolArray, FloatArray
+from rolamento.weibull._checks import one_of, shape_of, share
+from rolamento.weibull.fit import ADVICE
+from rolamento.weibull.life_test import LifeTest
+from rolamento.weibull.quantity import Quantity
+from rolamento.weibull.scale_given_shape import GivenByGamma, GivenByGrid
+
+__all__ = ["Posterior", "ShapePrior", "posterior"]
+
+_NODES: Final = 401
+_REACH: Final = 60.0
+_FARTHEST: Final = 300.0
+_MOST_INSPECTED_ROWS: Final = 1000
+
+
+@dataclass(frozen=True, slots=True)
+class ShapePrior:
+    """What was known of the shape before the test.
+
+    Attributes
+    ----------
+    low, high
+        β lies between them with the probability
+    probability
+        of that, for "lognormal"; it is 1 for "uniform"
+    kind
+        "lognormal", or "uniform": anything between them alike, nothing outside
+    """
+
+    low: float
+    high: float
+    probability: float = 0.9
+    kind: Literal["lognormal", "uniform"] = "lognormal"
+
+    def __post_init__(self) -> None:
+        """Refuse what is no prior."""
+        one_of(self.kind, "kind", ("lognormal", "uniform"))
+        low, high = shape_of(self.low, "low"), shape_of(self.high, "high")
+        share(self.probability, "probability")
+        if low >= high:
+            raise InputError("must be greater than low", field="high", value=high, example="2.0")
+
+    def log_density(self, log_shape: FloatArray) -> FloatArray:
+        """Logarithm of the density of ln β, but for a constant."""
+        if self.kind == "uniform":
+            inside = (log_shape >= np.log(self.low)) & (log_shape <= np.log(self.high))
+            return np.where(inside, log_shape, -np.inf)
+        middle, spread = self._normal()
+        return np.asarray(-0.5 * ((log_shape - middle) / spread) ** 2)
+
+    def range(self) -> tuple[float, float]:
+        """Return the range of ln β outside of which there is next to nothing."""
+        if self.kind == "uniform":
+            return float(np.log(self.low)), float(np.log(self.high))
+        middle, spread = self._normal()
+        return middle - 8.0 * spread, middle + 8.0 * spread
+
+    def _normal(self) -> tuple[float, float]:
+        from scipy.special import ndtri
+
+        width = float(np.log(self.high / self.low))
+        middle = 0.5 * float(np.log(self.high * self.low))
+        return middle, 0.5 * width / float(ndtri(0.5 + 0.5 * self.probability))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Posterior:
+    """What test and prior together say; quantiles NaN where there is no result.
+
+    Attributes
+    ----------
+    code
+        "converged", "no_failures", "no_maximum" or "too_large"
+    prior
+        of the shape
+    unit
+        label of times
+    shapes, weights
+        (nodes,) β and the probability of each, which sum to 1
+    """
+
+    code: str
+    prior: ShapePrior
+    unit: str
+    shapes: FloatArray
+    weights: FloatArray
+    _given: GivenByGamma | GivenByGrid | None
+
+    @property
+    def advice(self) -> str | None:
+        """What a person can do, where there is no result."""
+        return ADVICE.get(self.code)
+
+    def quantile(self, quantity: str | Quantity, probability: float) -> float:
+        """Value below which a quantity lies with a probability.
+
+        Parameters
+        ----------
+        quantity
+            "shape", "scale", "L10", "R100" and so on.
+        probability
+            0.5 for the median.
+        """
+        wanted, p = Quantity.of(quantity), share(probability, "probability", "0.5")
+        if self._given is None:
+            return float("nan")
+        if wanted.kind == "shape":
+            return float(np.exp(self._shape_quantile(p)))
+        from scipy.optimize import brentq
+
+        if wanted.kind == "reliability":
+            low, high = 1e-12, 1.0 - 1e-12
+            ends = [self.probability_below(wanted, x) - p for x in (low, high)]
+            if ends[0] >= 0.0 or ends[1] <= 0.0:
+                return 0.0 if ends[0] >= 0.0 else 1.0
+            return float(brentq(lambda x: self.probability_below(wanted, x) - p, low, high))
+
+        def excess(u: float) -> float:
+            return self.probability_below(wanted, np.exp(u)) - p
+
+        low = high = float(self._given.middle)
+        while excess(low) > 0.0 and low > -_FARTHEST:
+            low = 2.0 * low - high - 1.0
+        while excess(high) < 0.0 and high < _FARTHEST:
+            high = 2.0 * high - low + 1.0
+        if excess(low) > 0.0 or excess(high) < 0.0:
+            return float("nan")
+        return float(np.exp(brentq(excess, low, high, xtol=1e-12)))
+
+    def interval(self, quantity: str | Quantity, probability: float = 0.9) -> tuple[float, float]:
+        """Limits that a quantity lies between with a probability, as much left out on each side."""
+        tail = 0.5 * (1.0 - share(probability, "probability"))
+        return self.quantile(quantity, tail), self.quantile(quantity, 1.0 - tail)
+
+    def probability_below(self, quantity: str | Quantity, value: float) -> float:
+        """Probability that a quantity is less than a value."""
+        wanted = Quantity.of(quantity)
+        if self._given is None:
+            return float("nan")
+        if wanted.kind == "shape":
+            grid = np.log(self.shapes)
+            return float(np.interp(np.log(value), grid, self._cumulated(), left=0.0, right=1.0))
+        if wanted.kind == "life":
+            # t_R < x where the scale is less than x/(-ln R)^(1/β)
+            log_scale = np.log(value) - wanted.log_risk / self.shapes
+        else:
+            log_scale = np.log(wanted.value) - np.log(-np.log(value)) / self.shapes
+        return float(np.sum(self.weights * self._given.below(self.shapes, log_scale)))
+
+    def _cumulated(self) -> FloatArray:
+        sums = np.cumsum(self.weights)
+        return np.asarray(sums - 0.5 * self.weights)
+
+    def _shape_quantile(self, p: float) -> float:
+        return float(np.interp(p, self._cumulated(), np.log(self.shapes)))
+
+
+def posterior(test: LifeTest, prior: ShapePrior) -> Posterior:
+    """Combine a test with a prior on the shape.
+
+    Parameters
+    ----------
+    test
+        With any kind of censoring, and one failure at least.
+    prior
+        On the shape; for bearings, say, ``ShapePrior(1.0, 2.5)``.
+    """
+    code = "" if test.failures else "no_failures"
+    if test.inspected and not code and not np.any((test.lower > 0.0) | ~test.failed | _exact(test)):
+        code = "no_maximum"  # all failed before the first inspection: nothing bounds from below
+    if test.inspected and not code and len(test) > _MOST_INSPECTED_ROWS:
+        code = "too_large"
+    if code:
+        nothing = np.array([])
+        return Posterior(code, prior, test.unit, nothing, nothing, None)
+    given: GivenByGamma | GivenByGrid = (
+        GivenByGrid.of(test) if test.inspected else GivenByGamma.of(test)
+    )
+    low, high = prior.range()
+    for points in (given.search, given.search, _NODES):
+        u = np.linspace(low, high, points)
+        log_density = prior.log_density(u) + given.log_marginal(np.exp(u))
+        density = np.exp(log_density - log_density.max())
+        inside = np.flatnonzero(density > np.exp(-_REACH))
+        low = u[max(inside[0] - 1, 0)]
+        high = u[min(inside[-1] + 1, points - 1)]
+    density[[0, -1]] *= 0.5
+    return Posterior(
+        "converged", prior, test.unit, np.exp(u), density / density.sum(), given.settled(np.exp(u))
+    )
+
+
+def _exact(test: LifeTest) -> BoolArray:
+    return np.asarray(test.failed & np.isnan(test.lower))

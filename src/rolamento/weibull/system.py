@@ -1,0 +1,147 @@
+"""Life of bearings in series: a machine that stops with the first of them.
+
+The reliabilities multiply. If all have one shape e, lives for one reliability add up as
+
+    L = (Σ L_i^(-e))^(-1/e),
+
+with e = 10/9 for ball and 9/8 for roller bearings in the standards' ratings. With several shapes
+there is no formula for the life: the product is inverted numerically.
+
+Sources: Lundberg and Palmgren (1947); ISO 281:2007 for the exponents.
+"""
+
+from __future__ import annotations
+
+from typing import Final, Literal
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from rolamento.errors import InputError
+from rolamento.numerics import FloatArray
+from rolamento.numerics.root import increasing_root
+from rolamento.weibull._checks import one_of, shape_of, shares
+
+__all__ = ["EXPONENTS", "series_life", "series_reliability", "system_rating_life"]
+
+EXPONENTS: Final = {"ball": 10.0 / 9.0, "roller": 9.0 / 8.0}
+"""Weibull exponent of the standards' ratings."""
+_MOST_PARTS: Final = 100_000
+
+
+def system_rating_life(
+    lives: ArrayLike,
+    kind: Literal["ball", "roller"] = "ball",
+    *,
+    exponent: float | None = None,
+) -> FloatArray:
+    """Life of bearings that all have to last, for the reliability that theirs are for.
+
+    Parameters
+    ----------
+    lives : array (..., bearings), above zero; in one unit. Infinite for one that never fails.
+    kind : "ball" (10/9) or "roller" (9/8).
+    exponent : another one, in place of the kind's.
+
+    Returns
+    -------
+    array (...), in the unit of the lives.
+    """
+    one_of(kind, "kind", EXPONENTS)
+    e = EXPONENTS[kind] if exponent is None else shape_of(exponent, "exponent")
+    array = _parts(lives, "lives")
+    shortest = array.min(axis=-1)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        ratio = np.where(np.isinf(array), 0.0, shortest[..., np.newaxis] / array)
+        return np.where(
+            np.isinf(shortest), np.inf, shortest * np.sum(ratio**e, axis=-1) ** (-1.0 / e)
+        )
+
+
+def series_reliability(
+    time: ArrayLike, shapes: ArrayLike, scales: ArrayLike, locations: ArrayLike = 0.0
+) -> FloatArray:
+    """Product of the reliabilities of Weibull distributions.
+
+    Parameters
+    ----------
+    time : array.
+    shapes, scales, locations : (bearings,), β, η, γ; one number stands for all.
+
+    Returns
+    -------
+    R of the shape of the times.
+    """
+    beta, eta, gamma = _distributions(shapes, scales, locations)
+    t = np.asarray(time, dtype=np.float64)
+    return np.asarray(np.exp(-_risk(t[..., np.newaxis], beta, eta, gamma)))
+
+
+def series_life(
+    reliability: ArrayLike, shapes: ArrayLike, scales: ArrayLike, locations: ArrayLike = 0.0
+) -> FloatArray:
+    """Time that a series of bearings reaches with a reliability; any shapes.
+
+    Parameters
+    ----------
+    reliability : array, between 0 and 1.
+    shapes, scales, locations : (bearings,), β, η, γ; one number stands for all.
+
+    Returns
+    -------
+    t of the shape of the reliabilities.
+    """
+    beta, eta, gamma = _distributions(shapes, scales, locations)
+    risk = -np.log(shares(reliability, "reliability"))
+    with np.errstate(over="ignore"):
+        alone = gamma + eta * (risk[..., np.newaxis] / len(beta)) ** (1.0 / beta)
+        least = alone.min(axis=-1)  # all have at least this share of the risk left
+        most = (gamma + eta * risk[..., np.newaxis] ** (1.0 / beta)).min(axis=-1)
+
+    def excess(t: FloatArray) -> tuple[FloatArray, FloatArray]:
+        past = np.maximum(t[..., np.newaxis] - gamma, 0.0) / eta
+        with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+            terms = past**beta
+            slope = np.where(past > 0.0, beta * terms / (past * eta), 0.0)
+            total = terms.sum(axis=-1)
+            return np.log(total / risk), slope.sum(axis=-1) / total
+
+    start = 0.5 * (least + most)
+    return increasing_root(excess, start, least, np.maximum(most, least))[0]
+
+
+def _risk(t: FloatArray, beta: FloatArray, eta: FloatArray, gamma: FloatArray) -> FloatArray:
+    with np.errstate(over="ignore"):
+        return np.asarray(np.sum((np.maximum(t - gamma, 0.0) / eta) ** beta, axis=-1))
+
+
+def _distributions(
+    shapes: ArrayLike, scales: ArrayLike, locations: ArrayLike
+) -> tuple[FloatArray, FloatArray, FloatArray]:
+    beta, eta = _parts(shapes, "shapes"), _parts(scales, "scales")
+    try:
+        gamma = np.asarray(locations, dtype=np.float64)
+        beta, eta, gamma = np.broadcast_arrays(beta, eta, np.atleast_1d(gamma))
+    except (TypeError, ValueError):
+        gamma = np.array([np.nan])
+    if not np.all((gamma >= 0.0) & np.isfinite(gamma)) or beta.ndim != 1:
+        raise InputError(
+            "must be one number, not negative, for each bearing",
+            field="locations",
+            example="[0.0, 0.0]",
+        )
+    if not (np.all(np.isfinite(eta)) and np.all(beta <= 1000.0)):
+        raise InputError("must be finite, the shapes 1000 or less", field="scales")
+    return beta, eta, gamma
+
+
+def _parts(values: ArrayLike, field: str) -> FloatArray:
+    try:
+        array = np.atleast_1d(np.asarray(values, dtype=np.float64))
+    except (TypeError, ValueError):
+        array = np.array([np.nan])
+    if array.shape[-1] > _MOST_PARTS or not array.size or not np.all(array > 0.0):
+        raise InputError(
+            f"must be 1 to {_MOST_PARTS} numbers above zero", field=field, example="[1000.0, 800.0]"
+        )
+    return array

@@ -1,0 +1,150 @@
+"""The bearing, duty and oil of Campanha, and what several of his numbers rest on."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cache
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from rolamento.case.bearing import Bearing
+from rolamento.case.lubricant import Lubricant
+from rolamento.case.material import Material
+from rolamento.contact.hertz import HertzContact, effective_modulus, elliptical_contact
+from rolamento.geometry import Race, race_curvature
+from rolamento.life.basic import basic_rating_life, hours
+from rolamento.lubrication.oil_state import OilState, oil_state
+from rolamento.verification import Check, campanha_2008_clearance, campanha_2008_film
+from rolamento.verification.published import MM, bearing_of, published, steel
+from rolamento_reproductions.given import RPM, Given
+
+__all__ = [
+    "GIVEN",
+    "HOUR",
+    "MICRO",
+    "ZERO_CELSIUS",
+    "ball_count",
+    "ball_diameter",
+    "basic_life_hours",
+    "bearing",
+    "clearance_checks",
+    "clearances_of_class",
+    "contact_at",
+    "film_checks",
+    "load",
+    "oil",
+    "oil_at",
+    "outer_conformity",
+    "pitch_diameter",
+    "printed",
+    "speed",
+    "steel_of_film",
+    "temperature",
+]
+
+GIVEN: Final = Given("campanha_2008")
+MICRO: Final = 1e-6
+HOUR: Final = 3600.0
+ZERO_CELSIUS: Final = 273.15
+
+
+def printed(name: str) -> Any:
+    """Return a table of what the verification reads."""
+    return published("campanha_2008")[name]
+
+
+def load() -> float:
+    """Return the radial load of a tested bearing; N."""
+    return float(printed("life")["load_N"])
+
+
+def speed() -> float:
+    """Return the speed of the tests; rad/s."""
+    return float(printed("life")["speed_rpm"]) * RPM
+
+
+def ball_count() -> int:
+    """Return Z."""
+    return int(printed("bearing_6305")["ball_count"])
+
+
+def pitch_diameter() -> float:
+    """Return d_m; m."""
+    return float(printed("bearing_6305")["pitch_diameter_mm"]) * MM
+
+
+def basic_life_hours(rating: float) -> float:
+    """Return (C/P)³ under the load and at the speed of the tests; h."""
+    return float(hours(basic_rating_life(rating, load()), speed()))
+
+
+def ball_diameter() -> float:
+    """Return D; m."""
+    return float(printed("bearing_6305")["ball_diameter_mm"]) * MM
+
+
+def outer_conformity() -> float:
+    """Return f_o, which the dissertation does not print."""
+    return float(GIVEN.inputs_of("ratings")["outer_conformity"])
+
+
+def bearing(clearance: float, inner_conformity: float | None = None) -> Bearing:
+    """Return the 6305 with a diametral clearance (m), its inner groove as measured or another."""
+    measured = printed("life")["measured_conformity"]
+    table: Mapping[str, Any] = {
+        **printed("bearing_6305"),
+        "inner_conformity": measured if inner_conformity is None else inner_conformity,
+        "outer_conformity": outer_conformity(),
+    }
+    return bearing_of(table, steel_of_film(), diametral_clearance=clearance)
+
+
+def contact_at(ball_load: float, conformity: float, race: Race) -> HertzContact:
+    """Return the contact of a ball with a race under a load in N."""
+    curvature = race_curvature(ball_diameter(), pitch_diameter(), conformity, 0.0, race)
+    modulus = effective_modulus(steel_of_film(), steel_of_film())
+    return elliptical_contact(ball_load, curvature.rolling, curvature.across, modulus)
+
+
+def clearances_of_class() -> tuple[float, float]:
+    """Return the least and the greatest clearance of the new 6305, class C3; m."""
+    low, high = (
+        check.computed * MICRO for check in clearance_checks() if check.quantity.endswith("6305 C3")
+    )
+    return low, high
+
+
+def oil() -> Lubricant:
+    """Return the oil of the tests."""
+    return Lubricant.named("Shell Tonna S 68")
+
+
+def temperature(condition: str) -> float:
+    """Return the temperature of a condition of the tests; °C."""
+    states = {state["condition"]: state for state in printed("oil_in_operation")}
+    return float(states[condition]["temperature_degC"])
+
+
+def oil_at(celsius: ArrayLike) -> OilState:
+    """Return the oil at a temperature in °C, or at several."""
+    return oil_state(oil(), np.asarray(celsius, dtype=np.float64) + ZERO_CELSIUS)
+
+
+@cache
+def film_checks() -> tuple[Check, ...]:
+    """Return the verified numbers of oil, contact and film, in the order of the dissertation."""
+    return tuple(campanha_2008_film.checks())
+
+
+@cache
+def clearance_checks() -> tuple[Check, ...]:
+    """Return the verified numbers of table 3.2 and of the clearance classes."""
+    return tuple(campanha_2008_clearance.checks())
+
+
+def steel_of_film() -> Material:
+    """Return the steel of chapter 4.4.3."""
+    film = printed("film")
+    return steel(film["youngs_modulus_GPa"] * 1e9, printed("bearing_6305")["poisson_ratio"])

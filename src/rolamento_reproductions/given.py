@@ -1,0 +1,63 @@
+"""What the data files of the reproductions hold, and what every reproduction needs to read them."""
+
+from __future__ import annotations
+
+import tomllib
+from dataclasses import dataclass
+from functools import cache
+from importlib import resources
+from typing import Any, Final
+
+import numpy as np
+
+from rolamento.rows.ball import BatchState
+from rolamento_reproductions.record import Column, Floats
+from rolamento_reproductions.text import Text, said
+
+__all__ = ["KILO", "MILLI", "RPM", "Given", "grid", "status_column"]
+
+RPM: Final = np.pi / 30.0
+MILLI: Final = 1e-3
+KILO: Final = 1e3
+
+
+@dataclass(frozen=True, slots=True)
+class Given:
+    """A data file: inputs and printed numbers, each with its place in the source."""
+
+    name: str
+
+    @property
+    def data(self) -> dict[str, Any]:
+        """All of it."""
+        return _read(self.name)
+
+    @property
+    def title(self) -> Text:
+        """Of the reproduction."""
+        return Text(**self.data["title"])
+
+    def inputs_of(self, name: str) -> dict[str, Any]:
+        """Return one of its tables."""
+        table: dict[str, Any] = self.data[name]
+        return table
+
+    def source_of(self, name: str) -> Text:
+        """Return where a table's inputs stand, or how they were chosen."""
+        return Text(**self.inputs_of(name)["source"])
+
+
+@cache
+def _read(name: str) -> dict[str, Any]:
+    file = resources.files("rolamento_reproductions") / "data" / f"{name}.toml"
+    return tomllib.loads(file.read_text(encoding="utf-8"))
+
+
+def grid(lowest: float, highest: float, step: float) -> Floats:
+    """Return numbers from the lowest to the highest, both included."""
+    return np.linspace(lowest, highest, round((highest - lowest) / step) + 1)
+
+
+def status_column(state: BatchState) -> Column:
+    """Return how each case of a batch ended."""
+    return Column("status", "", said("status", "estado"), tuple(str(s) for s in state.status))

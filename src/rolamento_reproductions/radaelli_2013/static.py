@@ -1,0 +1,330 @@
+"""Figures 5.1 to 5.5: the 209 and the 218 at rest."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from rolamento.static import RadialSolution, axial_load, radial_load
+from rolamento_reproductions.radaelli_2013.inputs import (
+    KILO,
+    MILLI,
+    bearing,
+    grid,
+    inputs_of,
+    source_of,
+)
+from rolamento_reproductions.record import (
+    Claim,
+    Column,
+    Curves,
+    Figure,
+    Floats,
+    Line,
+    Panel,
+    Section,
+)
+from rolamento_reproductions.text import Text, said
+
+__all__ = ["static_section"]
+
+_MOST_BENT = 0.03
+"""How far from a straight line, as a part of the greatest value, still reads as one in print."""
+_FIRST, _LAST = 5.0, -5.0  # kN, ends of a curve that are compared
+
+_RADIAL = said("Radial load F_r", "Carga radial F_r")
+_AXIAL = said("Axial load F_a", "Carga axial F_a")
+_LOAD = said("Greatest ball load Q_max", "Carga máxima na esfera Q_max")
+
+
+def static_section(title: Text) -> Section:
+    """Compute figures 5.1 to 5.5."""
+    return Section(title, (_distribution(), *_radial_curves(), *_axial_curves()))
+
+
+# --- figure 5.1 -------------------------------------------------------------
+
+
+def _distribution() -> Figure:
+    given = inputs_of("radial_distribution")
+    clearances = [float(value) for value in given["clearances_mm"]]
+    solved = {
+        value: radial_load(
+            bearing("209").replace(diametral_clearance=value * MILLI), given["radial_load_N"]
+        )
+        for value in clearances
+    }
+    azimuth = grid(-180.0, 180.0, 1.0)
+    spacing = 360.0 / bearing("209").ball_count
+    # balls at 0, ±40°, …: their number, from 1 on, and nothing between them
+    place = np.mod(azimuth, 360.0) / spacing
+    ball = np.where(np.isclose(place, np.round(place)), np.round(place) + 1.0, np.nan)
+    columns = (
+        Column(
+            "diametral_clearance",
+            "mm",
+            said("Diametral clearance P_d", "Folga diametral P_d"),
+            np.repeat(clearances, azimuth.size),
+        ),
+        Column("azimuth", "°", said("Azimuth ψ", "Azimute ψ"), np.tile(azimuth, len(clearances))),
+        Column("ball", "", said("Ball", "Esfera"), np.tile(ball, len(clearances))),
+        Column(
+            "ball_load",
+            "N",
+            said("Ball load Q", "Carga na esfera Q"),
+            np.concatenate([_load_round_the_ring(solved[v], azimuth) for v in clearances]),
+        ),
+    )
+    lines = tuple(
+        Line(
+            "ball_load",
+            look,
+            said("P_d = {:.2f} mm", "P_d = {:.2f} mm", value),
+            by=("diametral_clearance", value),
+            marked="ball",
+        )
+        for look, value in enumerate(clearances)
+    )
+    return Figure(
+        number="5.1",
+        caption=said(
+            "The 209 under a radial load of {:,.0f} N, at rest: ball load round the ring, with"
+            " clearance, without, and with interference. Markers: the nine balls.",
+            "209 sob carga radial de {:,.0f} N, parado: carga nas esferas ao redor do anel, com"
+            " folga, sem folga e com interferência. Marcadores: as nove esferas.",
+            given["radial_load_N"],
+        ),
+        source=source_of("radial_distribution"),
+        columns=columns,
+        picture=Curves((Panel("azimuth", columns[3].title, "N", lines, tick=45.0, around=True),)),
+        claims=_claims_on_clearance(solved),
+        notes=(_note_on_integral(),),
+    )
+
+
+def _load_round_the_ring(solved: RadialSolution, azimuth_deg: Floats) -> Floats:
+    """Q(ψ) = Q_max [1 - (1 - cos ψ)/(2ε)]^1.5 where positive. Radaelli (2013) eq. 13."""
+    epsilon, greatest = float(solved.load_zone_parameter), float(solved.max_ball_load)
+    share = 1.0 - (1.0 - np.cos(np.radians(azimuth_deg))) / (2.0 * epsilon)
+    return np.asarray(greatest * np.maximum(share, 0.0) ** 1.5)
+
+
+def _claims_on_clearance(solved: dict[float, RadialSolution]) -> tuple[Claim, ...]:
+    states = [solved[value] for value in sorted(solved)]
+    zones = [float(np.degrees(state.load_zone_half_angle)) for state in states]
+    greatest = [float(state.max_ball_load) for state in states]
+    counts = [int((state.ball_loads > 0.0).sum()) for state in states]
+    none = float(np.degrees(solved[0.0].load_zone_half_angle))
+    return (
+        Claim(
+            said(
+                "The greater the clearance, the sooner a ball is without load.",
+                "Quanto maior a folga, menor o ângulo em que a esfera perde a carga.",
+            ),
+            said(
+                "The load zone ends at ±{:.1f}° with interference, ±{:.1f}° without clearance and"
+                " ±{:.1f}° with it.",
+                "A zona de carga termina em ±{:.1f}° com interferência, ±{:.1f}° sem folga e"
+                " ±{:.1f}° com folga.",
+                *zones,
+            ),
+            zones == sorted(zones, reverse=True) and len(set(zones)) == len(zones),
+        ),
+        Claim(
+            said(
+                "Without clearance the load zone ends at exactly ±90°.",
+                "Sem folga, a zona de carga termina exatamente em ±90°.",
+            ),
+            said("±{:.4f}°.", "±{:.4f}°.", none),
+            abs(none - 90.0) < 1e-6,
+        ),
+        Claim(
+            said(
+                "The greater the clearance, the greater the load on the ball at ψ = 0.",
+                "Quanto maior a folga, maior a carga na esfera em ψ = 0.",
+            ),
+            said("{:,.0f} N, {:,.0f} N, {:,.0f} N.", "{:,.0f} N, {:,.0f} N, {:,.0f} N.", *greatest),
+            greatest == sorted(greatest) and len(set(greatest)) == len(greatest),
+        ),
+        Claim(
+            said(
+                "The greater the clearance, the fewer balls carry load.",
+                "Quanto maior a folga, menos esferas sob carga.",
+            ),
+            said(
+                "{}, {} and {} of the nine balls.",
+                "{}, {} e {} das nove esferas.",
+                *counts,
+            ),
+            counts == sorted(counts, reverse=True) and counts[0] > counts[-1],
+        ),
+    )
+
+
+def _note_on_integral() -> Text:
+    """Tell what counting the balls gives instead."""
+    load = inputs_of("radial_distribution")["radial_load_N"]
+    states = [
+        radial_load(bearing("209"), load, distribution=distribution)
+        for distribution in ("continuous", "discrete")
+    ]
+    return said(
+        "The load integral of a continuous ring of balls is used, as in the dissertation. With"
+        " the bearing's own clearance it gives {:,.0f} N on the ball at ψ = 0; summing over the"
+        " nine balls gives {:,.0f} N.",
+        "Usa-se a integral de carga de um anel contínuo de esferas, como na dissertação. Com a"
+        " folga própria do rolamento ela dá {:,.0f} N na esfera em ψ = 0; a soma sobre as nove"
+        " esferas dá {:,.0f} N.",
+        *(float(state.max_ball_load) for state in states),
+    )
+
+
+# --- figures 5.2 to 5.5 -----------------------------------------------------
+
+
+def _loads() -> Floats:
+    given = inputs_of("static_curves")
+    return grid(0.0, given["highest_load_kN"], given["step_kN"])
+
+
+def _radial_curves() -> tuple[Figure, Figure]:
+    loads = _loads()
+    state = radial_load(bearing("209"), loads * KILO)
+    x = Column("radial_load", "kN", _RADIAL, loads)
+    shift = Column(
+        "radial_displacement",
+        "mm",
+        said("Radial displacement δ_r", "Deslocamento radial δ_r"),
+        state.radial_displacement / MILLI,
+    )
+    ball = Column("max_ball_load", "kN", _LOAD, state.max_ball_load / KILO)
+    return (
+        _curve(
+            "5.2",
+            said(
+                "The 209 under radial load, at rest: displacement of the inner ring.",
+                "209 sob carga radial, parado: deslocamento do anel interno.",
+            ),
+            (x, shift),
+            _stiffening(loads, shift.numbers),
+            (
+                said(
+                    "At no load the ring rests at half the clearance, {:.4f} mm.",
+                    "Sem carga, o anel repousa na metade da folga, {:.4f} mm.",
+                    float(shift.numbers[0]),
+                ),
+            ),
+        ),
+        _curve(
+            "5.3",
+            said(
+                "The 209 under radial load, at rest: load on the ball at ψ = 0.",
+                "209 sob carga radial, parado: carga na esfera em ψ = 0.",
+            ),
+            (x, ball),
+            _proportion(loads, ball.numbers),
+        ),
+    )
+
+
+def _axial_curves() -> tuple[Figure, Figure]:
+    loads = _loads()
+    state = axial_load(bearing("218"), loads * KILO, stiffness_angle="free")
+    x = Column("axial_load", "kN", _AXIAL, loads)
+    shift = Column(
+        "axial_displacement",
+        "mm",
+        said("Axial displacement δ_a", "Deslocamento axial δ_a"),
+        state.axial_displacement / MILLI,
+    )
+    ball = Column("ball_load", "kN", _LOAD, state.ball_load / KILO)
+    frozen = said(
+        "The contact stiffness is kept as at the free contact angle, as table C.2 shows that the"
+        " dissertation does.",
+        "A rigidez do contato é mantida como no ângulo de contato livre, como a tabela C.2 mostra"
+        " que a dissertação faz.",
+    )
+    return (
+        _curve(
+            "5.4",
+            said(
+                "The 218 under axial load, at rest: displacement of the inner ring.",
+                "218 sob carga axial, parado: deslocamento do anel interno.",
+            ),
+            (x, shift),
+            _stiffening(loads, shift.numbers),
+            (frozen,),
+        ),
+        _curve(
+            "5.5",
+            said(
+                "The 218 under axial load, at rest: load on each ball.",
+                "218 sob carga axial, parado: carga em cada esfera.",
+            ),
+            (x, ball),
+            _proportion(loads, ball.numbers),
+            (
+                said(
+                    "The line bends a little because the contact angle rises from {:.1f}° to"
+                    " {:.1f}°.",
+                    "A linha se curva um pouco porque o ângulo de contato sobe de {:.1f}° a"
+                    " {:.1f}°.",
+                    *np.degrees(state.contact_angle[[0, -1]]),
+                ),
+            ),
+        ),
+    )
+
+
+def _curve(
+    number: str,
+    caption: Text,
+    columns: tuple[Column, Column],
+    claim: Claim,
+    notes: tuple[Text, ...] = (),
+) -> Figure:
+    x, y = columns
+    return Figure(
+        number=number,
+        caption=caption,
+        source=source_of("static_curves"),
+        columns=columns,
+        picture=Curves((Panel(x.name, y.title, y.unit, (Line(y.name, 0),)),)),
+        claims=(claim,),
+        notes=notes,
+    )
+
+
+def _stiffening(loads: Floats, shift: Floats) -> Claim:
+    """Compare what the first and the last 5 kN move."""
+    first = float(np.interp(_FIRST, loads, shift) - shift[0])
+    last = float(shift[-1] - np.interp(loads[-1] + _LAST, loads, shift))
+    return Claim(
+        said(
+            "The ring grows stiffer with load: the more it carries, the less a further load moves"
+            " it.",
+            "O anel fica mais rígido com a carga: quanto mais carrega, menos uma carga adicional o"
+            " desloca.",
+        ),
+        said(
+            "The first 5 kN move it by {:.4f} mm, the last 5 kN by {:.4f} mm.",
+            "Os primeiros 5 kN o deslocam {:.4f} mm; os últimos 5 kN, {:.4f} mm.",
+            first,
+            last,
+        ),
+        bool(last < first and (np.diff(shift, 2) < 0.0).all()),
+    )
+
+
+def _proportion(loads: Floats, ball: Floats) -> Claim:
+    """Measure how far the curve is from the best straight line."""
+    line = np.polynomial.Polynomial.fit(loads, ball, 1)
+    miss = float(np.abs(ball - line(loads)).max() / ball.max())
+    return Claim(
+        said("The ball load is linear in the load.", "A carga na esfera é linear com a carga."),
+        said(
+            "The best straight line misses it by at most {:.2f} % of the greatest value.",
+            "A melhor reta erra no máximo {:.2f} % do maior valor.",
+            100.0 * miss,
+        ),
+        miss < _MOST_BENT,
+    )

@@ -1,0 +1,363 @@
+"""Figure 5.10 and table 5.3, and the static examples of tables C.1 and C.2."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from rolamento.case.duty import Displacement, Duty, Load
+from rolamento.contact.hertz import hertz_coefficients
+from rolamento.geometry import Race, race_curvature
+from rolamento.rows.ball import solve
+from rolamento.state import State
+from rolamento.static import axial_load, radial_load, sjovall_radial
+from rolamento_reproductions.printed import Cell
+from rolamento_reproductions.radaelli_2013.inputs import (
+    KILO,
+    MILLI,
+    RPM,
+    bearing,
+    case,
+    inputs_of,
+    source_of,
+)
+from rolamento_reproductions.record import (
+    Claim,
+    Column,
+    Figure,
+    Positions,
+    Section,
+    Table,
+    TableColumn,
+)
+from rolamento_reproductions.text import Text, said, same
+
+__all__ = ["examples_section", "radial_section"]
+
+_PER_MM = 10.0**4.5  # N/m^1.5 in a N/mm^1.5
+_DIGITS = 9  # what is looked at of two numbers that should be equal
+
+
+# --- figure 5.10 and table 5.3 ----------------------------------------------
+
+
+def radial_section(title: Text) -> Section:
+    """Compute figure 5.10 and table 5.3."""
+    return Section(title, (_positions(), _radial_table()))
+
+
+def _positions() -> Figure:
+    rings = bearing("218")
+    ball = np.arange(1.0, rings.ball_count + 1.0)
+    azimuth = 180.0 - np.mod(180.0 - (ball - 1.0) * 360.0 / rings.ball_count, 360.0)
+    columns = (
+        Column("ball", "", said("Ball", "Esfera"), ball),
+        Column("azimuth", "°", said("Azimuth ψ", "Azimute ψ"), azimuth),
+    )
+    return Figure(
+        number="5.10",
+        caption=said(
+            "The {} balls of the 218 with the first at ψ = 0, seen from +x. The radial load F_z"
+            " pulls the inner ring up.",
+            "As {} esferas do 218, com a primeira em ψ = 0, vistas de +x. A carga radial F_z puxa"
+            " o anel interno para cima.",
+            rings.ball_count,
+        ),
+        source=source_of("positions"),
+        columns=columns,
+        picture=Positions(rings.ball_diameter / MILLI, rings.pitch_diameter / MILLI),
+    )
+
+
+def _radial_case(speed_rpm: float) -> State:
+    given = inputs_of("table_5_3")
+    duty = Duty(
+        inner_speed=speed_rpm * RPM,
+        load=Load(fz=given["radial_load_kN"] * KILO),
+        displacement=Displacement(x=0.0),
+    )
+    return solve(case(duty))
+
+
+def _radial_table() -> Table:
+    given = inputs_of("table_5_3")
+    state = _radial_case(given["inner_speed_rpm"])
+    rows: list[list[str]] = given["rows"]
+    balls = state.balls[: len(rows)]
+    count = len(state.balls)
+    computed = (
+        [np.degrees(ball.outer.contact_angle) for ball in balls],
+        [np.degrees(ball.inner.contact_angle) for ball in balls],
+        [ball.outer.load for ball in balls],
+        [ball.inner.load for ball in balls],
+    )
+    titles = (same("α_o (°)"), same("α_i (°)"), same("Q_o (N)"), same("Q_i (N)"))
+    numbered = tuple(
+        same(f"{j + 1}")
+        if j in (0, count // 2)
+        else said("{} and {}", "{} e {}", j + 1, count + 1 - j)
+        for j in range(len(rows))
+    )
+    return Table(
+        number="5.3",
+        caption=said(
+            "The 218 at {:,.0f} rpm under F_z = {:.0f} kN: every ball, printed beside computed."
+            " δ_z: printed {} mm, computed {:.5f} mm.",
+            "218 a {:,.0f} rpm sob F_z = {:.0f} kN: cada esfera, impresso ao lado do calculado."
+            " δ_z: impresso {} mm, calculado {:.5f} mm.",
+            given["inner_speed_rpm"],
+            given["radial_load_kN"],
+            said("{:.4f}", "{:.4f}", float(given["radial_displacement_mm"])),
+            state.displacement.z / MILLI,
+        ),
+        source=source_of("table_5_3"),
+        columns=(
+            TableColumn("balls", said("Balls", "Esferas"), numbered),
+            TableColumn(
+                "azimuth_deg",
+                said("± ψ (°)", "± ψ (°)"),
+                tuple(str(row[0]) for row in rows),
+            ),
+            *(
+                TableColumn(
+                    name,
+                    title,
+                    tuple(Cell(r[k], float(v)) for r, v in zip(rows, values, strict=True)),
+                )
+                for k, (name, title, values) in enumerate(
+                    zip(given["columns"][1:], titles, computed, strict=True), start=1
+                )
+            ),
+        ),
+        claims=(_displacement(state), _mirrored(state), *_static_estimate(state)),
+        notes=(
+            said(
+                "Holding the ring at x = 0 takes an axial force of {:,.0f} N.",
+                "Manter o anel em x = 0 exige uma força axial de {:,.0f} N.",
+                state.load.fx,
+            ),
+        ),
+    )
+
+
+def _displacement(state: State) -> Claim:
+    printed = inputs_of("table_5_3")["radial_displacement_mm"]
+    cell = Cell(printed, state.displacement.z / MILLI)
+    return Claim(
+        said("δ_z is {:.4f} mm.", "δ_z é {:.4f} mm.", float(printed)),
+        said("{:.5f} mm.", "{:.5f} mm.", cell.computed),
+        cell.agreement == "printed",
+    )
+
+
+def _mirrored(state: State) -> Claim:
+    loads = np.array([ball.inner.load for ball in state.balls])
+    apart = float(np.abs(loads[1:] - loads[:0:-1]).max() / loads.max())
+    digits = min(_DIGITS, int(-np.log10(max(apart, 1e-99))))
+    return Claim(
+        said("Balls at +ψ and −ψ are loaded alike.", "Esferas em +ψ e −ψ têm a mesma carga."),
+        said(
+            "Their loads agree to {} digits at least.",
+            "As cargas concordam em pelo menos {} dígitos.",
+            digits,
+        ),
+        digits == _DIGITS,
+    )
+
+
+def _static_estimate(state: State) -> tuple[Claim, Claim]:
+    """Look into the static estimate, and why the result at speed is so much greater."""
+    given = inputs_of("table_5_3")
+    printed = given["static_estimate_mm"]
+    without = bearing("218").replace(contact_angle=None, diametral_clearance=0.0)
+    estimate = radial_load(without, given["radial_load_kN"] * KILO)
+    cell = Cell(printed, float(estimate.radial_displacement) / MILLI)
+    at_rest, turning = _radial_case(0.0).displacement.z / MILLI, state.displacement.z / MILLI
+    gap = turning - cell.computed
+    by_speed = (turning - at_rest) / gap
+    return (
+        Claim(
+            said(
+                "The static analysis estimates δ_r = {:.4f} mm.",
+                "A análise estática estima δ_r = {:.4f} mm.",
+                float(printed),
+            ),
+            said(
+                "{:.5f} mm, for a bearing with the clearance of table 5.2, zero, and therefore"
+                " without contact angle.",
+                "{:.5f} mm, para um rolamento com a folga da tabela 5.2, nula, e portanto sem"
+                " ângulo de contato.",
+                cell.computed,
+            ),
+            cell.agreement == "printed",
+        ),
+        Claim(
+            said(
+                "The centrifugal force explains why δ_z at speed is greater than that estimate.",
+                "A força centrífuga explica por que δ_z em rotação é maior que essa estimativa.",
+            ),
+            said(
+                "At rest, with the contact angle of 40°, δ_z is already {:.4f} mm: the speed adds"
+                " {:.0f} % of the difference, the contact angle makes the rest.",
+                "Em repouso, com o ângulo de contato de 40°, δ_z já é {:.4f} mm: a rotação"
+                " responde por {:.0f} % da diferença; o ângulo de contato, pelo resto.",
+                at_rest,
+                100.0 * by_speed,
+            ),
+            by_speed > 0.5,
+        ),
+    )
+
+
+# --- tables C.1 and C.2 -----------------------------------------------------
+
+
+def examples_section(title: Text) -> Section:
+    """Compute tables C.1 and C.2."""
+    return Section(title, (_radial_example(), _axial_example()))
+
+
+def _radial_example() -> Table:
+    given = inputs_of("table_C1")
+    computed = _radial_example_values(given["radial_load_N"])
+    return Table(
+        number="C.1",
+        caption=said(
+            "The 209 under {:,.0f} N of radial load, at rest.",
+            "209 sob {:,.0f} N de carga radial, parado.",
+            given["radial_load_N"],
+        ),
+        source=source_of("table_C1"),
+        columns=_example_columns(given["rows"], computed, _C1_TITLES),
+        claims=(_greatest_difference(given),),
+    )
+
+
+_C1_TITLES = {
+    "curvature_sum_inner": (same("Σρ_i"), "1/mm"),
+    "curvature_difference_inner": (same("F_i(ρ)"), ""),
+    "curvature_sum_outer": (same("Σρ_o"), "1/mm"),
+    "curvature_difference_outer": (same("F_o(ρ)"), ""),
+    "deflection_star_inner": (same("δ_i*"), ""),
+    "deflection_star_outer": (same("δ_o*"), ""),
+    "stiffness_inner": (same("K_i"), "N/mm^1.5"),
+    "stiffness_outer": (same("K_o"), "N/mm^1.5"),
+    "stiffness_combined": (same("K_n"), "N/mm^1.5"),
+    "load_zone_parameter": (same("ε"), ""),
+    "radial_integral": (same("J_r(ε)"), ""),
+    "radial_displacement": (same("δ_r"), "mm"),
+    "max_ball_load": (same("Q_max"), "N"),
+    "ball_load_0": (same("Q, ψ = 0°"), "N"),
+    "ball_load_40": (same("Q, ψ = ±40°"), "N"),
+    "ball_load_80": (same("Q, ψ = ±80°"), "N"),
+    "ball_load_120": (same("Q, ψ = ±120°"), "N"),
+    "ball_load_160": (same("Q, ψ = ±160°"), "N"),
+}
+_C2_TITLES = {
+    "free_angle_rad": (said("free α", "α livre"), "rad"),
+    "free_angle_deg": (said("free α", "α livre"), "°"),
+    "axial_displacement": (same("δ_a"), "mm"),
+    "contact_angle_rad": (same("α"), "rad"),
+    "contact_angle_deg": (same("α"), "°"),
+    "ball_load": (same("Q"), "N"),
+}
+
+
+def _radial_example_values(load: float) -> dict[str, float]:
+    rings = bearing("209")
+    state = radial_load(rings, load)
+    values: dict[str, float] = {}
+    races: tuple[tuple[Race, float], ...] = (
+        ("inner", rings.inner_conformity),
+        ("outer", rings.outer_conformity),
+    )
+    for race, conformity in races:
+        curvature = race_curvature(rings.ball_diameter, rings.pitch_diameter, conformity, 0.0, race)
+        values[f"curvature_sum_{race}"] = float(curvature.sum) * MILLI
+        values[f"curvature_difference_{race}"] = float(curvature.difference)
+        star = hertz_coefficients(curvature.difference).deflection
+        values[f"deflection_star_{race}"] = float(star)
+        values[f"stiffness_{race}"] = float(getattr(state.stiffness, race)) / _PER_MM
+    values["stiffness_combined"] = float(state.stiffness.combined) / _PER_MM
+    values["load_zone_parameter"] = float(state.load_zone_parameter)
+    values["radial_integral"] = float(sjovall_radial(state.load_zone_parameter))
+    values["radial_displacement"] = float(state.radial_displacement) / MILLI
+    values["max_ball_load"] = float(state.max_ball_load)
+    for azimuth, ball in zip(np.degrees(state.ball_azimuths), state.ball_loads, strict=True):
+        values[f"ball_load_{azimuth:.0f}"] = float(ball)
+    return values
+
+
+def _axial_example() -> Table:
+    given = inputs_of("table_C2")
+    rings = bearing("218")
+    state = axial_load(rings, given["axial_load_N"], stiffness_angle="free")
+    free = float(rings.contact_angle or 0.0)
+    computed = {
+        "free_angle_rad": free,
+        "free_angle_deg": float(np.degrees(free)),
+        "axial_displacement": float(state.axial_displacement) / MILLI,
+        "contact_angle_rad": float(state.contact_angle),
+        "contact_angle_deg": float(np.degrees(state.contact_angle)),
+        "ball_load": float(state.ball_load),
+    }
+    return Table(
+        number="C.2",
+        caption=said(
+            "The 218 under {:,.0f} N of axial load, at rest.",
+            "218 sob {:,.0f} N de carga axial, parado.",
+            given["axial_load_N"],
+        ),
+        source=source_of("table_C2"),
+        columns=_example_columns(given["rows"], computed, _C2_TITLES),
+        claims=(_greatest_difference(given),),
+        notes=(
+            said(
+                "The loaded angle in degrees is printed with its digits cut, not rounded.",
+                "O ângulo sob carga, em graus, está impresso com os dígitos cortados, não"
+                " arredondados.",
+            ),
+        ),
+    )
+
+
+def _example_columns(
+    rows: list[list[str]], computed: dict[str, float], titles: dict[str, tuple[Text, str]]
+) -> tuple[TableColumn, ...]:
+    names = [row[0] for row in rows]
+    return (
+        TableColumn(
+            "quantity", said("Quantity", "Grandeza"), tuple(titles[name][0] for name in names)
+        ),
+        TableColumn("unit", said("Unit", "Unidade"), tuple(titles[name][1] for name in names)),
+        TableColumn("Harris_1991", same("Harris (1991)"), tuple(str(row[1]) for row in rows)),
+        TableColumn(
+            "value",
+            same("Radaelli (2013)"),
+            tuple(Cell(row[2], computed[row[0]], cut="cut" in row[3:]) for row in rows),
+        ),
+    )
+
+
+def _greatest_difference(given: dict[str, object]) -> Claim:
+    """Compare the two printed columns with each other."""
+    rows, stated = given["rows"], given["greatest_difference_percent"]
+    assert isinstance(rows, list)
+    assert isinstance(stated, float)
+    differences = [
+        100.0 * abs(float(ours) - float(theirs)) / float(theirs)
+        for _, theirs, ours, *_ in rows
+        if float(theirs) != 0.0
+    ]
+    return Claim(
+        said(
+            "The greatest difference from Harris is {:g} %.",
+            "A maior diferença em relação a Harris é de {:g} %.",
+            stated,
+        ),
+        said(
+            "{:.2f} %, from the printed digits.",
+            "{:.2f} %, dos dígitos impressos.",
+            max(differences),
+        ),
+        round(max(differences), 0 if stated >= 1.0 else 1) == stated,
+    )

@@ -1,0 +1,295 @@
+"""Figure 9: spin over roll at both contacts over the speed of the shaft, by Harris's model."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cache
+
+import numpy as np
+
+from rolamento.friction import loaded_balls
+from rolamento.friction.control import controlling_race, unit_motion
+from rolamento.friction.ellipse_mesh import ellipse_mesh
+from rolamento.friction.harris_1971 import line_friction
+from rolamento.friction.least_power import start_of
+from rolamento.friction.minimum_power import flat_balls, least_power_motion
+from rolamento.friction.slip import rolling_lines
+from rolamento.rows.ball import BatchState, solve_batch
+from rolamento_reproductions.given import MILLI, RPM, grid
+from rolamento_reproductions.record import (
+    Claim,
+    Column,
+    Curves,
+    Figure,
+    Floats,
+    Line,
+    Panel,
+    Section,
+)
+from rolamento_reproductions.ricci_fleury.inputs import GIVEN, case
+from rolamento_reproductions.text import Text, said
+
+__all__ = ["spin_section"]
+
+_POINTS = 400
+"""Along the ellipse: Harris's model has slip along rolling only, one point across is exact."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Bearing:
+    """One bearing over speed: ratios, lines of pure rolling in each contact, torque in N·m."""
+
+    state: BatchState
+    inner: Floats
+    outer: Floats
+    inner_lines: Floats
+    outer_lines: Floats
+    torque: Floats
+
+
+def spin_section(title: Text) -> Section:
+    """Compute figure 9."""
+    return Section(title, (_figure(),))
+
+
+def _speeds() -> Floats:
+    given = GIVEN.inputs_of("spin")
+    return grid(given["lowest_speed_rpm"], given["highest_speed_rpm"], given["step_rpm"])
+
+
+@cache
+def _solved(conformity: float, load: float | None = None) -> _Bearing:
+    given = GIVEN.inputs_of("spin")
+    speeds = _speeds()
+    load = given["axial_load_N"] if load is None else load
+    base = case(load, float(speeds[0]), outer_conformity=conformity)
+    state = solve_batch(base, inner_speed=speeds * RPM)
+    balls = loaded_balls(state)
+    inner, outer, chosen = flat_balls(balls)
+    start = start_of(unit_motion(balls, controlling_race(balls, "jones")), chosen)
+    free = np.broadcast_to(np.eye(3), (*start.shape, 3))
+    motion = least_power_motion(inner, outer, start, free, ellipse_mesh(_POINTS, 1))
+    count = balls.loaded.shape[1]
+    ratios, lines = [], []
+    power = np.zeros(inner.load.shape)
+    for patch in (inner, outer):
+        seen = motion.relative_motion(patch)
+        power += line_friction(patch, seen).power
+        ratios.append(seen.spin_to_roll[::count])
+        lines.append(np.isfinite(rolling_lines(patch, seen)).sum(axis=-1)[::count].astype(float))
+    # at a unit speed of the shaft the power is the torque
+    torque = GIVEN.inputs_of("torque")["friction_coefficient"] * power.reshape(-1, count).sum(
+        axis=1
+    )
+    return _Bearing(state, ratios[0], ratios[1], lines[0], lines[1], torque)
+
+
+def _figure() -> Figure:
+    given = GIVEN.inputs_of("spin")
+    values = [float(f) for f in given["outer_conformities"]]
+    found = [_solved(value) for value in values]
+    speeds = _speeds()
+    columns = (
+        Column(
+            "outer_conformity",
+            "",
+            said("Outer conformity f_o", "Conformidade externa f_o"),
+            np.repeat(values, speeds.size),
+        ),
+        Column(
+            "inner_speed",
+            "rpm",
+            said("Shaft speed n", "Rotação do eixo n"),
+            np.tile(speeds, len(values)),
+        ),
+        Column(
+            "inner_spin_to_roll",
+            "",
+            said("inner", "interno"),
+            np.concatenate([one.inner for one in found]),
+        ),
+        Column(
+            "outer_spin_to_roll",
+            "",
+            said("outer", "externo"),
+            np.concatenate([one.outer for one in found]),
+        ),
+        Column(
+            "inner_rolling_lines",
+            "",
+            said("lines of pure rolling, inner", "linhas de rolamento puro, interno"),
+            np.concatenate([one.inner_lines for one in found]),
+        ),
+        Column(
+            "outer_rolling_lines",
+            "",
+            said("lines of pure rolling, outer", "linhas de rolamento puro, externo"),
+            np.concatenate([one.outer_lines for one in found]),
+        ),
+        Column(
+            "friction_torque",
+            "N·mm",
+            said("Friction torque T", "Torque de atrito T"),
+            np.concatenate([one.torque for one in found]) / MILLI,
+        ),
+        Column(
+            "status",
+            "",
+            said("status", "estado"),
+            tuple(str(code) for one in found for code in one.state.status),
+        ),
+    )
+    return Figure(
+        number="9",
+        caption=said(
+            "Spin over roll at both contacts over the shaft's speed, by Harris's model, under"
+            " {:.0f} N of thrust: the bearing of figure 8, and the same with f_o = {:.2f}.",
+            "Relação entre pivotamento e rolamento nos dois contatos em função da rotação do eixo,"
+            " pelo modelo de Harris, sob {:.0f} N de carga axial: o rolamento da figura 8 e o mesmo"
+            " com f_o = {:.2f}.",
+            given["axial_load_N"],
+            values[1],
+        ),
+        source=GIVEN.source_of("spin"),
+        columns=columns,
+        picture=Curves((_panel(values),)),
+        claims=(
+            _improvement(values, found),
+            _lines_of(found[0], values[0]),
+            *_no_free_lunch(found),
+        ),
+        notes=(
+            said(
+                "Both contact angles are those at speed, with the balls' centrifugal force and"
+                " without their gyroscopic moment, which friction along rolling alone cannot hold.",
+                "Os dois ângulos de contato são os em rotação, com a força centrífuga das esferas e"
+                " sem seu momento giroscópico, que o atrito só no sentido do rolamento não pode"
+                " equilibrar.",
+            ),
+        ),
+    )
+
+
+def _panel(values: list[float]) -> Panel:
+    contacts = (
+        ("inner_spin_to_roll", said("inner contact", "contato interno")),
+        ("outer_spin_to_roll", said("outer contact", "contato externo")),
+    )
+    lines = tuple(
+        Line(
+            name,
+            look,
+            None if place else contact,
+            ("outer_conformity", value),
+            dashed=bool(place),
+        )
+        for place, value in enumerate(values)
+        for look, (name, contact) in enumerate(contacts)
+    )
+    solid, dashed = (said("f_o = {:.3f}", "f_o = {:.3f}", value) for value in values)
+    return Panel(
+        "inner_speed",
+        said("Spin over roll", "Pivotamento sobre rolamento"),
+        "",
+        lines,
+        tick=5000.0,
+        keys=(solid, dashed),
+    )
+
+
+def _improvement(values: list[float], found: list[_Bearing]) -> Claim:
+    """Compare both contacts and the torque of the two bearings."""
+    first, second = found
+    better_in = second.inner < first.inner
+    better_out = second.outer < first.outer
+    cheaper = second.torque < first.torque
+    share = [100.0 * float(np.mean(which)) for which in (better_in, better_out, cheaper)]
+    return Claim(
+        said(
+            "With f_o = {:.2f} the ratios improve substantially.",
+            "Com f_o = {:.2f} as relações melhoram substancialmente.",
+            values[1],
+        ),
+        said(
+            "Over the range of speeds the ratio is lower at the inner contact in {:.0f} % of it, at"
+            " the outer in {:.0f} %; the torque, which heats, is lower in {:.0f} %, by"
+            " {:.0f} % in the mean. The inner contact spins more than the outer from {:,.0f} rpm"
+            " on, instead of {:,.0f} rpm. What spins less inside spins more outside, on a smaller"
+            " ellipse.",
+            "Na faixa de rotações a relação é menor no contato interno em {:.0f} % dela e no"
+            " externo em {:.0f} %; o torque, que aquece, é menor em {:.0f} %, em média"
+            " {:.0f} %. O contato interno pivota mais que o externo a partir de"
+            " {:,.0f} rpm, em vez de {:,.0f} rpm. O que pivota menos na interna pivota mais na"
+            " externa, em uma elipse menor.",
+            *share,
+            100.0 * (1.0 - float(np.mean(second.torque / first.torque))),
+            _change(second),
+            _change(first),
+        ),
+        holds=bool(np.all(better_in & better_out)),
+        partly=share[0] > 50.0,
+    )
+
+
+def _change(one: _Bearing) -> float:
+    """Return the least speed at which the inner contact spins more; rpm."""
+    return float(_speeds()[np.argmax(one.inner > one.outer)])
+
+
+def _lines_of(one: _Bearing, conformity: float) -> Claim:
+    """Count the lines of pure rolling over speed."""
+    heavier = float(GIVEN.inputs_of("spin")["heavier_load_N"])
+    seen, under_more = _pairs(one), _pairs(_solved(conformity, heavier))
+    stated = [(2, 1), (1, 1), (1, 2)]
+    return Claim(
+        said(
+            "Where the inner race holds the ball, the inner contact has two lines of pure rolling"
+            " and the outer one; where the outer race holds it, the reverse; in between there is"
+            " one in each.",
+            "Onde a pista interna controla, o contato interno tem duas linhas de rolamento puro e o"
+            " externo uma; onde a externa controla, o contrário; na transição há uma em cada.",
+        ),
+        said(
+            "Lines inside/outside with rising speed, f_o = f_i: {} at the load of the figure; {}"
+            " under {:.0f} N. It depends on the load.",
+            "Linhas interno/externo com rotação crescente, f_o = f_i: {} com a carga da figura; {}"
+            " sob {:.0f} N. Depende da carga.",
+            _told(seen),
+            _told(under_more),
+            heavier,
+        ),
+        holds=seen == stated and under_more == stated,
+        partly=stated in (seen, under_more),
+    )
+
+
+def _pairs(one: _Bearing) -> list[tuple[int, int]]:
+    """Return how many lines the contacts have, inner and outer, in the order of appearance."""
+    pairs = zip(one.inner_lines.tolist(), one.outer_lines.tolist(), strict=True)
+    return list(dict.fromkeys((int(inner), int(outer)) for inner, outer in pairs))
+
+
+def _told(pairs: list[tuple[int, int]]) -> str:
+    return ", ".join(f"{inner}/{outer}" for inner, outer in pairs)
+
+
+def _no_free_lunch(found: list[_Bearing]) -> tuple[Claim, ...]:
+    """The contacts' angles leave a sum to be shared: no bearing here rolls purely on both."""
+    least = min(float((one.inner + one.outer).min()) for one in found)
+    return (
+        Claim(
+            said(
+                "The two ratios cannot vanish together: races that stand at an angle to the shaft"
+                " leave spin to be shared out between the contacts.",
+                "As duas relações não podem anular-se juntas: pistas inclinadas em relação ao eixo"
+                " deixam um pivotamento a repartir entre os contatos.",
+            ),
+            said(
+                "Their sum is nowhere below {:.3f}.",
+                "Sua soma não é menor que {:.3f} em parte alguma.",
+                least,
+            ),
+            least > 0.05,
+            of_theory=True,
+        ),
+    )
