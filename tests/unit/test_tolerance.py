@@ -13,9 +13,8 @@ from scipy import stats
 from rolamento import Bearing, InputError, load_case, solve_batch
 from rolamento.plots.tolerance import tolerance_figure
 from rolamento.studies import parse_study, run
-from rolamento.studies.samples import samples_of
 from rolamento.studies.sensitivity import rank_correlation
-from rolamento.studies.tolerance import clearance_from_temperature, tolerance_bands
+from rolamento.studies.tolerance import clearance_from_temperature, samples_of, tolerance_bands
 
 
 def study(

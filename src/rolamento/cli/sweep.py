@@ -98,7 +98,7 @@ def _swept(
     lang: Language | None,
 ) -> Summary:
     from rolamento.studies import load_study
-    from rolamento.studies.reading import case_file_of
+    from rolamento.studies.study import case_file_of
 
     result = output or _default_name(path)
     check_outputs({"--output": result}, path, rule="is the study file itself")

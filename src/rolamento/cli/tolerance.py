@@ -91,8 +91,7 @@ def _found(
     from rolamento.report.tolerance import ToleranceStudy
     from rolamento.studies import load_study, run, sensitivity
     from rolamento.studies.dataset import load_result
-    from rolamento.studies.samples import samples_of
-    from rolamento.studies.tolerance import tolerance_bands
+    from rolamento.studies.tolerance import samples_of, tolerance_bands
 
     indices = None
     if result == STANDARD_STREAM or format_of_path(result) is not None:

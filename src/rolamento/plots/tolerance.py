@@ -15,7 +15,7 @@ from rolamento.plots.axes_units import PERCENT, readable_unit
 from rolamento.plots.frame import GREY, empty_frame, label_x, label_y, number, shown_text
 from rolamento.plots.style import MILLIMETRE, WIDTH, series, styled
 from rolamento.plots.words import PlotWords, plot_words
-from rolamento.studies.samples import FINEST, FLAT
+from rolamento.studies.tolerance import FINEST, FLAT
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -95,7 +95,7 @@ def _ranges(page: Page, said: StudyWords, ranges: tuple[OutputRange, ...]) -> Li
     rows = [[page.text(head, "dim") for head in heads]]
     for found in ranges:
         shown = _shown(found)
-        values = [v * shown.scale for v in (found.least, found.median, found.greatest)]
+        values = [v * shown.scale for v in (found.minimum, found.median, found.maximum)]
         cells = page.digits.column(values, digits=5)
         rows.append([page.text(text) for text in (found.output.name, *cells, shown.unit)])
     lines = page.columns(rows, "lrrrl")

@@ -17,9 +17,8 @@ from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium
 from rolamento.report.page import Lines, Page
 from rolamento.report.terminal import rendered
-from rolamento.studies.samples import Samples
 from rolamento.studies.sensitivity import RankCorrelations, SobolIndices
-from rolamento.studies.tolerance import ToleranceBand, ToleranceBands
+from rolamento.studies.tolerance import Samples, ToleranceBand, ToleranceBands
 
 __all__ = ["MOST_POINTS", "ToleranceStudy", "tolerance_json", "tolerance_report"]
 

@@ -15,8 +15,7 @@ from numpy.typing import NDArray
 from rolamento._foreign.bounds import check_declared
 from rolamento._foreign.child import Child
 from rolamento.errors import FileError
-from rolamento.studies.layout import Layout, Variable, slabs
-from rolamento.studies.plan import Plan
+from rolamento.studies.plan import Layout, Plan, Variable, slabs
 from rolamento.studies.study import SAMPLE
 
 __all__ = ["dataset", "load_result"]

@@ -14,8 +14,7 @@ import pyarrow.csv
 import pyarrow.parquet
 from numpy.typing import NDArray
 
-from rolamento.studies.layout import BALL, Layout, Variable
-from rolamento.studies.plan import Part, Plan
+from rolamento.studies.plan import BALL, Layout, Part, Plan, Variable
 from rolamento.studies.solving import status_names
 from rolamento.studies.study import SAMPLE
 
