@@ -21,7 +21,7 @@ from matplotlib.figure import Figure
 import rolamento as ro
 from rolamento.errors import FileError, InputError
 from rolamento.plots.axes_units import readable_unit
-from rolamento.plots.balls import ball_loads, contact_angles, pressures
+from rolamento.plots.balls import ball_loads, contact_angles, load_rosette, pressures
 from rolamento.plots.curves import (
     contact_angle_over_speed,
     load_displacement,
@@ -30,7 +30,6 @@ from rolamento.plots.curves import (
 from rolamento.plots.ellipses import SCALE_BAR, contact_ellipses, ellipses_of_both_races
 from rolamento.plots.frame import PlainNumbers, add_title, figure_of, number
 from rolamento.plots.reading import StateReading, read_state, state_from_mapping
-from rolamento.plots.rosette import load_rosette
 from rolamento.plots.saving import save_figure
 from rolamento.plots.words import ENGLISH, PORTUGUESE, plot_words
 
@@ -571,7 +570,7 @@ def test_nothing_is_global_and_no_display_is_asked_for(tmp_path: Path) -> None:
         "def settings():\n"
         "    return {k: matplotlib.rcParams[k] for k in matplotlib.rcParams if k != 'backend'}\n"
         "before = settings()\n"
-        "from rolamento.plots import balls, curves, ellipses, reading, rosette, samples, saving, "
+        "from rolamento.plots import balls, curves, ellipses, reading, saving, "
         "study, sweep\n"
         "axes = curves.load_displacement([0.0, 1e-6], [0.0, 100.0])\n"
         "saving.save_figure(axes, sys.argv[1])\n"

@@ -20,11 +20,10 @@ import pytest
 import rolamento
 from rolamento import Case, State
 from rolamento.case.model import CageKind, RacewayControl
-from rolamento.report.balls_csv import CSV_COLUMNS, ball_csv
+from rolamento.report.balls import CSV_COLUMNS, ball_csv, rosette
 from rolamento.report.language import ENGLISH, LANGUAGES, PORTUGUESE, Words, words_for
 from rolamento.report.medium import Medium
 from rolamento.report.numbers import ABSENT, Digits, aligned, decimals_for
-from rolamento.report.rosette import rosette
 from rolamento.report.sentences import portuguese_sentence
 from rolamento.report.terminal import terminal_report
 from rolamento.rows.ball import advice, notes, rolling_notes, solve

@@ -14,7 +14,7 @@ import pytest
 import rolamento
 from rolamento import Case, State
 from rolamento.case.bearing import Bearing
-from rolamento.report.balls_csv import ball_csv
+from rolamento.report.balls import ball_csv
 from rolamento.report.language import ENGLISH, LANGUAGES, PORTUGUESE, Words
 from rolamento.report.medium import Medium
 from rolamento.report.terminal import terminal_report

@@ -14,22 +14,8 @@ from matplotlib.figure import Figure
 from matplotlib.projections.polar import PolarAxes
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter, ScalarFormatter
 
+from rolamento.errors import InputError
 from rolamento.plots.words import PlotWords
-
-__all__ = [
-    "GREY",
-    "PlainNumbers",
-    "add_title",
-    "empty_frame",
-    "figure_of",
-    "in_lines",
-    "label_x",
-    "label_y",
-    "legend_above",
-    "log_scale",
-    "number",
-    "shown_text",
-]
 
 GREY: Final = "#707070"
 _THIN_SPACE: Final = "\u2009"
@@ -172,3 +158,16 @@ def figure_of(axes: Axes) -> Figure:
     figure = axes.get_figure(root=True)
     assert isinstance(figure, Figure)
     return figure
+
+
+def require(given: object, kind: type, field: str, example: str) -> None:
+    """Refuse what a figure cannot be drawn from.
+
+    Raises
+    ------
+    InputError
+        Naming what it has to be, and how that is made.
+    """
+    if not isinstance(given, kind):
+        name = type(given).__name__
+        raise InputError(f"must be a {kind.__name__}", field=field, value=name, example=example)

@@ -2,20 +2,104 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+import csv
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from io import StringIO
 from itertools import chain
-from math import ceil, degrees, isfinite, nan, pi
-from typing import Final
+from math import ceil, cos, degrees, isfinite, nan, pi, sin
+from typing import Final, NamedTuple
 
 from rich.text import Text
 
 from rolamento.report.numbers import ABSENT, aligned
 from rolamento.report.page import Lines, Page, beside
-from rolamento.report.rosette import rosette
-from rolamento.state import BallState, ContactState, State
+from rolamento.report.plain_data import csv_number
+from rolamento.state import BallState, ContactState, RollingBall, RollingState, State
 
-__all__ = ["ball_parts", "heaviest_part", "rosette_part", "rosettes_width"]
+_BRAILLE: Final = 0x2800
+_BITS: Final = ((0x01, 0x08), (0x02, 0x10), (0x04, 0x20), (0x40, 0x80))
+"""Bit of the dot in a row and column of a braille character."""
+
+
+class Cell(NamedTuple):
+    """One character of the drawing, and whether a load (or only the rim) is in it."""
+
+    character: str
+    loaded: bool
+
+
+def rosette(
+    loads: Sequence[float],
+    azimuths: Sequence[float],
+    height: int,
+    *,
+    rim: float | None = None,
+    braille: bool = True,
+) -> list[list[Cell]]:
+    """Draw a spoke for each ball, as long as its load, within a rim.
+
+    Parameters
+    ----------
+    loads
+        Of the balls; what is not a number or not above zero is left out.
+    azimuths
+        Of the balls, in rad.
+    height
+        In lines; the drawing is twice as many characters wide.
+    rim
+        The load at the rim; the greatest of the loads if not given.
+    braille
+        Draw with braille dots, two by four to a character; otherwise with ASCII.
+    """
+    canvas = _Canvas(height, braille=braille)
+    for step in range(16 * height):
+        canvas.dot(1.0, 2.0 * pi * step / (16 * height), loaded=False)
+    greatest = rim or max((load for load in loads if load > 0.0), default=0.0)
+    for load, azimuth in zip(loads, azimuths, strict=True):
+        if load > 0.0:
+            canvas.spoke(load / greatest, azimuth)
+    return list(canvas.lines())
+
+
+class _Canvas:
+    """Dots on a grid of characters, addressed by radius (1 at the rim) and azimuth."""
+
+    def __init__(self, height: int, *, braille: bool) -> None:
+        self._height, self._width = height, 2 * height
+        self._braille = braille
+        self._across, self._down = (2, 4) if braille else (1, 1)
+        self._rim: set[tuple[int, int]] = set()
+        self._loads: set[tuple[int, int]] = set()
+
+    def dot(self, radius: float, azimuth: float, *, loaded: bool) -> None:
+        columns, rows = self._width * self._across, self._height * self._down
+        column = round((columns - 1) / 2 * (1.0 + radius * sin(azimuth)))
+        row = round((rows - 1) / 2 * (1.0 - radius * cos(azimuth)))
+        (self._loads if loaded else self._rim).add((row, column))
+
+    def spoke(self, length: float, azimuth: float) -> None:
+        steps = self._width * self._across
+        for step in range(round(length * steps) + 1):
+            self.dot(step / steps, azimuth, loaded=True)
+
+    def lines(self) -> Iterator[list[Cell]]:
+        for row in range(self._height):
+            yield [self._cell(row, column) for column in range(self._width)]
+
+    def _cell(self, row: int, column: int) -> Cell:
+        if not self._braille:
+            loaded = (row, column) in self._loads
+            return Cell("o" if loaded else "." if (row, column) in self._rim else " ", loaded)
+        bits, loaded = 0, False
+        for down in range(self._down):
+            for across in range(self._across):
+                place = (self._down * row + down, self._across * column + across)
+                loaded = loaded or place in self._loads
+                if place in self._loads or place in self._rim:
+                    bits |= _BITS[down][across]
+        return Cell(chr(_BRAILLE + bits) if bits else " ", loaded)
+
 
 _RPM: Final = 30.0 / pi
 _NO_SPIN: Final = 1e-9
@@ -267,3 +351,217 @@ def _rosette(page: Page, state: State, row: int, rim: float) -> Lines:
         line = Text.assemble(*((c.character, "cyan" if c.loaded else "dim") for c in cells))
         lines.append(line.append(_SIDE if number == _ROSETTE_HEIGHT // 2 else ""))
     return lines
+
+
+"""Of the load at the other race: what is less is rounding, and no contact."""
+_NO_MOTION: Final = 1e-9
+"""Angles (rad) and ratios that are rounding."""
+
+
+@dataclass(frozen=True, slots=True)
+class _RollingWords:
+    heading: str
+    cage: str
+    behind: str
+    ahead: str
+    torque: str
+    torques: str
+    power: str
+    powers: str
+    drag: str
+    legend: str
+
+
+_ROLLING_WORDS: Final[Mapping[str, _RollingWords]] = {
+    "en": _RollingWords(
+        heading="Motion under friction",
+        cage="cage",
+        behind="{speed} rpm, {skid} % behind the {usual} rpm of outer raceway control",
+        ahead="{speed} rpm, {skid} % ahead of the {usual} rpm of outer raceway control",
+        torque="torque",
+        torques="{inner} N·mm on the shaft, {outer} N·mm on the housing",
+        power="losses",
+        powers="{total} W in the contacts: {inner} W inner, {outer} W outer",
+        drag="; {drag} W against the cage's drag",
+        legend=(
+            "β, β′ angles of the ball's axis to the shaft, in its axial plane and out of it; s "
+            "spin/roll, P power lost, v slip at the contact's centre along the orbit"
+        ),
+    ),
+    "pt": _RollingWords(
+        heading="Movimento sob atrito",
+        cage="gaiola",
+        behind="{speed} rpm, {skid} % atrás dos {usual} rpm do controle pela pista externa",
+        ahead="{speed} rpm, {skid} % à frente dos {usual} rpm do controle pela pista externa",
+        torque="torque",
+        torques="{inner} N·mm no eixo, {outer} N·mm no alojamento",
+        power="perdas",
+        powers="{total} W nos contatos: {inner} W na pista interna, {outer} W na externa",
+        drag="; {drag} W contra o arrasto da gaiola",
+        legend=(
+            "β, β′ ângulos do eixo da esfera com o eixo do rolamento, no plano axial e fora dele; "
+            "s spin/rolamento, P potência perdida, v escorregamento no centro do contato, no "
+            "sentido da órbita"
+        ),
+    ),
+}
+
+
+@dataclass(frozen=True, slots=True)
+class _RollingColumn:
+    """One number of every ball."""
+
+    symbol: str
+    unit: str
+    of: Callable[[BallState, RollingBall], float]
+    digits: int = 3
+    most: int = 3
+
+
+def _rolling_spin(contact: ContactState, other: ContactState) -> float:
+    """Spin to roll, if the race touches the ball; rounding as zero."""
+    touched = contact.load > _NO_LOAD * other.load
+    return _without_rounding(contact.spin_to_roll) if touched else nan
+
+
+def _without_rounding(value: float) -> float:
+    return 0.0 if abs(value) < _NO_MOTION else value
+
+
+_ROLLING_COLUMNS: Final = (
+    _RollingColumn("ψ", "°", lambda ball, _: degrees(ball.azimuth), digits=5, most=2),
+    _RollingColumn(
+        "β", "°", lambda ball, _: degrees(_without_rounding(ball.attitude)), digits=4, most=2
+    ),
+    _RollingColumn("β′", "°", lambda _, own: degrees(_without_rounding(own.yaw))),
+    _RollingColumn("s_i", "–", lambda ball, _: _rolling_spin(ball.inner, ball.outer)),
+    _RollingColumn("s_o", "–", lambda ball, _: _rolling_spin(ball.outer, ball.inner)),
+    _RollingColumn("P_i", "W", lambda _, own: own.inner.power, digits=4),
+    _RollingColumn("P_o", "W", lambda _, own: own.outer.power, digits=4),
+    _RollingColumn("v_i", "mm/s", lambda _, own: 1e3 * own.inner.slip, digits=4, most=2),
+    _RollingColumn("v_o", "mm/s", lambda _, own: 1e3 * own.outer.slip, digits=4, most=2),
+)
+
+
+def rolling_part(page: Page, state: State) -> Lines:
+    """Show how friction moves cage and balls, and what it costs; nothing under raceway control."""
+    if state.rolling is None:
+        return []
+    said = _ROLLING_WORDS.get(page.words.code, _ROLLING_WORDS["en"])
+    entries = [
+        (said.cage, _cage(page, said, state.rolling), ""),
+        (said.torque, _torques(page, said, state.rolling), ""),
+        (said.power, _powers(page, said, state), ""),
+    ]
+    lines = [page.heading(said.heading), *page.labelled(entries, indent="  ")]
+    return [
+        *lines,
+        Text(),
+        *_rolling_table(page, state, state.rolling),
+        *_rolling_legend(page, said),
+    ]
+
+
+def _cage(page: Page, said: _RollingWords, rolling: RollingState) -> str:
+    template = said.behind if rolling.skid >= 0.0 else said.ahead
+    return template.format(
+        speed=page.digits.short(_RPM * rolling.cage_speed),
+        skid=page.digits.short(100.0 * abs(rolling.skid), digits=3),
+        usual=page.digits.short(_RPM * rolling.control_cage_speed),
+    )
+
+
+def _torques(page: Page, said: _RollingWords, rolling: RollingState) -> str:
+    inner, outer = (
+        page.digits.short(1e3 * value, digits=4)
+        for value in (rolling.inner_torque, rolling.outer_torque)
+    )
+    return said.torques.format(inner=inner, outer=outer)
+
+
+def _powers(page: Page, said: _RollingWords, state: State) -> str:
+    rolling, drag = state.rolling, state.case.model.cage_drag
+    if rolling is None:
+        return ""
+    inner = sum(ball.inner.power for ball in rolling.balls)
+    outer = sum(ball.outer.power for ball in rolling.balls)
+    total, *parts = (page.digits.short(v, digits=4) for v in (rolling.power, inner, outer))
+    text = said.powers.format(total=total, inner=parts[0], outer=parts[1])
+    if drag:
+        own = page.digits.short(drag * abs(rolling.cage_speed), digits=4)
+        text += said.drag.format(drag=own)
+    return text
+
+
+def _rolling_table(page: Page, state: State, rolling: RollingState) -> Lines:
+    pairs = list(zip(state.balls, rolling.balls, strict=True))
+    numbers = [Text(), Text("#"), *(Text(str(j), "dim") for j in range(len(pairs)))]
+    columns = [numbers]
+    for column in _ROLLING_COLUMNS:
+        values = [column.of(*pair) for pair in pairs]
+        texts = page.digits.column(values, column.digits, column.most)
+        header = [page.text(column.symbol), page.text(column.unit, "dim")]
+        columns.append(header + [page.text(text) for text in texts])
+    table = page.columns(list(zip(*columns, strict=True)), "r" * len(columns))
+    return [*table[:2], page.rule(max(map(len, table))), *table[2:]]
+
+
+def _rolling_legend(page: Page, said: _RollingWords) -> Lines:
+    return page.hanging(Text("  "), said.legend, "dim")
+
+
+_CSV_BALL: Final[dict[str, Callable[[BallState], float]]] = {
+    "azimuth_deg": lambda ball: degrees(ball.azimuth),
+}
+_CSV_CONTACT: Final[dict[str, Callable[[ContactState], float]]] = {
+    "load_N": lambda contact: contact.load,
+    "contact_angle_deg": lambda contact: degrees(contact.contact_angle),
+    "deflection_um": lambda contact: 1e6 * contact.deflection,
+    "semi_major_mm": lambda contact: 1e3 * contact.semi_major,
+    "semi_minor_mm": lambda contact: 1e3 * contact.semi_minor,
+    "max_pressure_MPa": lambda contact: 1e-6 * contact.max_pressure,
+    "mean_pressure_MPa": lambda contact: 1e-6 * contact.mean_pressure,
+    "max_shear_MPa": lambda contact: 1e-6 * contact.max_shear,
+    "max_shear_depth_mm": lambda contact: 1e3 * contact.max_shear_depth,
+    "orthogonal_shear_MPa": lambda contact: 1e-6 * contact.orthogonal_shear,
+    "orthogonal_shear_depth_mm": lambda contact: 1e3 * contact.orthogonal_shear_depth,
+    "spin_to_roll": lambda contact: contact.spin_to_roll,
+}
+_CSV_MOTION: Final[dict[str, Callable[[BallState], float]]] = {
+    "centrifugal_force_N": lambda ball: ball.centrifugal_force,
+    "gyroscopic_moment_Nmm": lambda ball: 1e3 * ball.gyroscopic_moment,
+    "orbital_speed_rpm": lambda ball: _RPM * ball.orbital_speed,
+    "ball_speed_rpm": lambda ball: _RPM * ball.ball_speed,
+    "attitude_deg": lambda ball: degrees(ball.attitude),
+}
+
+CSV_COLUMNS: Final = (
+    "row",
+    "ball",
+    *_CSV_BALL,
+    *(f"{race}_{name}" for race in ("inner", "outer") for name in _CSV_CONTACT),
+    *_CSV_MOTION,
+    "raceway_control",
+)
+"""The header: what each column holds, and its unit."""
+
+
+def ball_csv(state: State) -> str:
+    """Return the balls of a state, one a line below a header, lines ending in CR LF."""
+    text = StringIO(newline="")
+    writer = csv.writer(text)
+    writer.writerow(CSV_COLUMNS)
+    writer.writerows(_csv_line(number, ball) for number, ball in enumerate(state.balls))
+    return text.getvalue()
+
+
+def _csv_line(number: int, ball: BallState) -> list[object]:
+    numbers = [csv_number(value) for value in _csv_numbers(ball)]
+    return [ball.row, number, *numbers, ball.raceway_control]
+
+
+def _csv_numbers(ball: BallState) -> Iterator[float]:
+    yield from (of(ball) for of in _CSV_BALL.values())
+    for contact in (ball.inner, ball.outer):
+        yield from (of(contact) for of in _CSV_CONTACT.values())
+    yield from (of(ball) for of in _CSV_MOTION.values())

@@ -8,18 +8,18 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from io import StringIO
 from itertools import zip_longest
 from textwrap import wrap
 from typing import Final, TypeAlias
 
+from rich.console import Console
 from rich.text import Text
 
 from rolamento.report.language import Words
 from rolamento.report.medium import Medium
 from rolamento.report.numbers import Digits
 from rolamento.units import Dimension, from_si
-
-__all__ = ["Lines", "Page", "beside"]
 
 _LONGEST_GIVEN: Final = 12
 """Characters of a number that a person writes; a longer one is computed."""
@@ -54,9 +54,33 @@ class Page:
         """Return the heading of a part."""
         return self.text(content, "bold cyan")
 
+    def title(self, content: str) -> Lines:
+        """Return the title of a page, with a line below it."""
+        return [*self.hanging(Text(), content, "bold"), self.rule(self.medium.width)]
+
     def rule(self, width: int) -> Text:
         """Return a line across."""
         return self.text(("─" if self.medium.shows("─") else "-") * width, "dim")
+
+    def labelled(
+        self, entries: Sequence[tuple[str, str, str]], *, indent: str = "", style: str = "dim"
+    ) -> Lines:
+        """Set texts beside a column of labels.
+
+        Parameters
+        ----------
+        entries
+            Label, text, style of the text.
+        indent
+            Before the labels.
+        style
+            Of the labels.
+        """
+        width = max(len(label) for label, _, _ in entries)
+        lines: Lines = []
+        for label, content, own in entries:
+            lines += self.hanging(self.text(f"{indent}{label:{width}}  ", style), content, own)
+        return lines
 
     def columns(self, rows: Sequence[Sequence[Text]], justify: str, gap: int = 2) -> Lines:
         """Set cells in columns, indented by two.
@@ -90,6 +114,35 @@ class Page:
             Text.assemble(margin, (piece, style))
             for margin, piece in zip(margins, pieces, strict=True)
         ]
+
+
+def notes_part(page: Page, notes: Sequence[str]) -> Lines:
+    """List what the user should know."""
+    lines = [page.heading(page.words.notes)]
+    for note in notes:
+        lines += page.hanging(page.text("  • ", "yellow"), note)
+    return lines
+
+
+def rendered(medium: Medium, parts: Sequence[Lines]) -> str:
+    """Return the parts one below the other, with an empty line between them."""
+    console = Console(
+        file=StringIO(),
+        width=medium.width,
+        color_system=medium.colors,
+        force_terminal=medium.colors is not None,
+        no_color=medium.colors is None,
+        legacy_windows=False,
+        highlight=False,
+        markup=False,
+        emoji=False,
+    )
+    with console.capture() as capture:
+        for number, part in enumerate(parts):
+            for line in [Text(), *part] if number else part:
+                line.rstrip()
+                console.print(line, no_wrap=True, overflow="ignore", crop=False)
+    return capture.get()
 
 
 def beside(left: Lines, right: Lines, gap: int) -> Lines:

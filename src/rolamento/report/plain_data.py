@@ -11,9 +11,9 @@ import numpy as np
 __all__ = ["csv_number", "json_text"]
 
 
-def json_text(mapping: dict[str, Any]) -> str:
+def json_text(mapping: dict[str, Any], indent: int | None = 2) -> str:
     """Return a mapping as JSON: arrays as lists, ``null`` for what is not finite."""
-    return json.dumps(_plain(mapping), indent=2, ensure_ascii=False, allow_nan=False)
+    return json.dumps(_plain(mapping), indent=indent, ensure_ascii=False, allow_nan=False)
 
 
 def csv_number(value: float) -> str:
@@ -23,8 +23,8 @@ def csv_number(value: float) -> str:
 
 def _plain(value: Any) -> Any:
     """Turn arrays into lists and what is not finite into None, at any depth."""
-    if isinstance(value, np.ndarray):
-        return [_plain(item) for item in value.tolist()]
+    if isinstance(value, np.ndarray | np.generic):
+        return _plain(value.tolist())
     if isinstance(value, dict):
         return {key: _plain(item) for key, item in value.items()}
     if isinstance(value, list | tuple):

@@ -9,9 +9,8 @@ from rich.text import Text
 
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium
-from rolamento.report.page import Lines, Page
+from rolamento.report.page import Lines, Page, rendered
 from rolamento.report.study_words import STUDY_WORDS, StudyWords
-from rolamento.report.terminal import rendered
 from rolamento.studies import OutputRange, Summary
 
 __all__ = ["study_report"]

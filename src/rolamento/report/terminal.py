@@ -2,28 +2,34 @@
 
 from __future__ import annotations
 
-from io import StringIO
 from typing import TYPE_CHECKING, Final
 
-from rich.console import Console
 from rich.text import Text
 
 from rolamento.case.bearing import Bearing
 from rolamento.case.duty import AXES, LOADS, Duty
-from rolamento.report.balls import ball_parts, heaviest_part, rosette_part, rosettes_width
+from rolamento.report.balls import (
+    ball_parts,
+    heaviest_part,
+    rolling_part,
+    rosette_part,
+    rosettes_width,
+)
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium
-from rolamento.report.page import Lines, Page, beside
-from rolamento.report.ring import ring_part, stiffness_part
-from rolamento.report.rolling import rolling_part
-from rolamento.report.rows import arrangement_lines, preload_part, rows_part
+from rolamento.report.page import Lines, Page, beside, notes_part, rendered
+from rolamento.report.ring import (
+    arrangement_lines,
+    preload_part,
+    ring_part,
+    rows_part,
+    stiffness_part,
+)
 from rolamento.state import State
 from rolamento.units import Dimension
 
 if TYPE_CHECKING:
     from rolamento.analysis import Analysis
-
-__all__ = ["notes_part", "rendered", "terminal_head", "terminal_report"]
 
 _GAP: Final = 3
 
@@ -61,27 +67,6 @@ def terminal_report(
     return rendered(page.medium, parts)
 
 
-def rendered(medium: Medium, parts: list[Lines]) -> str:
-    """Return the parts one below the other, with an empty line between them."""
-    console = Console(
-        file=StringIO(),
-        width=medium.width,
-        color_system=medium.colors,
-        force_terminal=medium.colors is not None,
-        no_color=medium.colors is None,
-        legacy_windows=False,
-        highlight=False,
-        markup=False,
-        emoji=False,
-    )
-    with console.capture() as capture:
-        for number, part in enumerate(parts):
-            for line in [Text(), *part] if number else part:
-                line.rstrip()
-                console.print(line, no_wrap=True, overflow="ignore", crop=False)
-    return capture.get()
-
-
 def terminal_head(page: Page, state: State) -> Lines:
     """Show the title, what was given, and how the solution ended."""
     words, case = page.words, state.case
@@ -92,12 +77,7 @@ def terminal_head(page: Page, state: State) -> Lines:
         *_status(page, state),
     ]
     entries = [entry for entry in entries if entry[1]]  # at rest no model matters
-    width = max(len(label) for label, _, _ in entries)
-    lines = page.hanging(Text(), state.title or words.untitled, "bold")
-    lines.append(page.rule(page.medium.width))
-    for label, content, style in entries:
-        lines += page.hanging(page.text(f"{label:{width}}  ", "dim"), content, style)
-    return lines
+    return [*page.title(state.title or words.untitled), *page.labelled(entries)]
 
 
 def _bearing(page: Page, bearing: Bearing) -> str:
@@ -228,11 +208,3 @@ def _what_follows(page: Page, analysis: Analysis, notes: list[str]) -> list[Line
 
         notes += [said_analysis_note(name, page.words.code) for name in analysis.notes]
     return parts
-
-
-def notes_part(page: Page, notes: list[str]) -> Lines:
-    """List what the user should know."""
-    lines = [page.heading(page.words.notes)]
-    for note in notes:
-        lines += page.hanging(page.text("  • ", "yellow"), note)
-    return lines

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import csv
-import json
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from io import StringIO
@@ -17,8 +16,8 @@ from rich.text import Text
 from rolamento.case.duty import AXES, LOADS
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium
-from rolamento.report.page import Lines, Page
-from rolamento.report.terminal import rendered
+from rolamento.report.page import Lines, Page, rendered
+from rolamento.report.plain_data import csv_number, json_text
 from rolamento.studies.cage_turn import BallHistory, CageTurn, ContactHistory, Variation
 
 __all__ = ["turn_csv", "turn_json", "turn_report"]
@@ -134,8 +133,6 @@ def turn_report(turn: CageTurn, words: Words = ENGLISH, medium: Medium | None = 
 
 
 def _head(page: Page, said: _Words, turn: CageTurn) -> Lines:
-    lines = page.hanging(Text(), turn.case.title or page.words.untitled, "bold")
-    lines.append(page.rule(page.medium.width))
     points = said.points.format(
         count=len(turn), period=page.digits.short(degrees(turn.period), digits=4)
     )
@@ -148,10 +145,7 @@ def _head(page: Page, said: _Words, turn: CageTurn) -> Lines:
         entries.append((page.words.advice_label, page.words.sentence(turn.advice), ""))
     if good:
         entries.insert(1, (said.cage, _cage(page, said, turn), ""))
-    width = max(len(label) for label, _, _ in entries)
-    for label, content, style in entries:
-        lines += page.hanging(page.text(f"{label:{width}}  ", "dim"), content, style)
-    return lines
+    return [*page.title(turn.case.title or page.words.untitled), *page.labelled(entries)]
 
 
 def _status(page: Page, said: _Words, turn: CageTurn) -> str:
@@ -336,12 +330,8 @@ def _lines(turn: CageTurn) -> Iterator[list[str]]:
                 turn.outer_load[point],
             ]
         )
-        first = [_written(degrees(turn.angle[point])), _written(time[point])]
-        yield [*first, str(turn.status[point]), *map(_written, numbers.tolist())]
-
-
-def _written(value: float) -> str:
-    return f"{value:.10g}" if isfinite(value) else ""
+        first = [csv_number(degrees(turn.angle[point])), csv_number(time[point])]
+        yield [*first, str(turn.status[point]), *map(csv_number, numbers.tolist())]
 
 
 def turn_json(turn: CageTurn) -> str:
@@ -372,7 +362,7 @@ def turn_json(turn: CageTurn) -> str:
             for history in turn.histories
         ],
     }
-    return json.dumps(_plain(mapping), ensure_ascii=False, allow_nan=False)
+    return json_text(mapping, indent=None)
 
 
 def _variation_mapping(values: NDArray[np.float64], variation: Variation) -> dict[str, Any]:
@@ -391,14 +381,3 @@ def _contact_mapping(contact: ContactHistory) -> dict[str, Any]:
         "contact_angle": contact.contact_angle,
         "max_pressure": contact.max_pressure,
     }
-
-
-def _plain(value: Any) -> Any:
-    """Turn arrays into lists and what is not finite into None, at any depth."""
-    if isinstance(value, dict):
-        return {key: _plain(item) for key, item in value.items()}
-    if isinstance(value, np.ndarray):
-        return _plain(value.tolist())
-    if isinstance(value, list):
-        return [_plain(item) for item in value]
-    return None if isinstance(value, float) and not isfinite(value) else value

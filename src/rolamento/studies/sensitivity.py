@@ -21,7 +21,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rolamento.errors import InputError
-from rolamento.studies.tolerance import FINEST, FLAT, SAMPLE, Samples, samples_of
+from rolamento.studies.tolerance import (
+    FINEST,
+    FLAT,
+    PERCENTILES,
+    Samples,
+    ToleranceBands,
+    samples_of,
+    tolerance_bands,
+)
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -151,8 +159,8 @@ def _floors(samples: Samples) -> dict[str, float]:
     """Below which an output does not vary: on the scale of the outputs in its unit, or of any."""
     greatest: dict[str, float] = {}
     units = {name: str(array.attrs.get("units", "")) for name, array in samples.outputs.items()}
-    for name, array in samples.outputs.items():
-        values = np.abs(np.asarray(array.where(samples.solved).values, dtype=np.float64))
+    for name in samples.outputs:
+        values = np.abs(samples.values(name))
         most = float(np.max(values, initial=0.0, where=np.isfinite(values)))
         greatest[units[name]] = max(greatest.get(units[name], 0.0), most)
     return {
@@ -164,9 +172,7 @@ def _floors(samples: Samples) -> dict[str, float]:
 def _against_inputs(
     name: str, samples: Samples, inputs: _InputRanks, floor: float, confidence: float
 ) -> RankCorrelation:
-    array = samples.outputs[name]
-    masked = array.where(samples.solved).transpose(..., SAMPLE)
-    values = np.asarray(masked.values, dtype=np.float64)
+    values = samples.values(name)
     shape = values.shape[:-1]
     found = np.full((6, len(samples.inputs), *shape), np.nan)
     for place in np.ndindex(shape):
@@ -176,7 +182,7 @@ def _against_inputs(
             found[(slice(None), slice(None), *place)] = _coefficients(
                 inputs.among(there), one, confidence
             )
-    return RankCorrelation(name, tuple(str(axis) for axis in masked.dims[:-1]), *found)
+    return RankCorrelation(name, samples.axes_of(name), *found)
 
 
 def _coefficients(inputs: Floats, output: Floats, confidence: float) -> Floats:
@@ -539,3 +545,51 @@ def _bootstrap(
     tail = 0.5 * (1.0 - confidence)
     low, high = np.quantile(np.stack(found), [tail, 1.0 - tail], axis=0)
     return low, high
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ToleranceStudy:
+    """What is known of a scatter study: its result taken apart.
+
+    Attributes
+    ----------
+    title
+        of the study
+    samples
+        what was drawn, and what came out
+    bands
+        percentiles of the outputs
+    ranks
+        of outputs and inputs; None without inputs
+    sobol
+        indices, if they were asked for
+    """
+
+    title: str
+    samples: Samples
+    bands: ToleranceBands
+    ranks: RankCorrelations | None
+    sobol: SobolIndices | None = None
+
+    @classmethod
+    def of(
+        cls,
+        dataset: Dataset,
+        percentiles: Sequence[float] = PERCENTILES,
+        sobol: SobolIndices | None = None,
+    ) -> ToleranceStudy:
+        """Take a scatter study's result apart.
+
+        Raises
+        ------
+        InputError
+            If it has no scatter, or a percentile is out of range.
+        """
+        samples = samples_of(dataset)
+        return cls(
+            title=str(dataset.attrs.get("title", "")),
+            samples=samples,
+            bands=tolerance_bands(dataset, percentiles),
+            ranks=rank_correlation(dataset) if samples.inputs else None,
+            sobol=sobol,
+        )

@@ -83,6 +83,15 @@ class Samples:
         """Count the samples."""
         return int(self.solved.sizes[SAMPLE])
 
+    def values(self, name: str) -> Floats:
+        """Return an output, NaN where there is no result; the samples are its last axis."""
+        there = self.outputs[name].where(self.solved).transpose(..., SAMPLE)
+        return np.asarray(there.values, dtype=np.float64)
+
+    def axes_of(self, name: str) -> tuple[str, ...]:
+        """Return the names of an output's axes but the samples."""
+        return tuple(str(axis) for axis in self.outputs[name].dims[:-1])
+
 
 def samples_of(dataset: Dataset) -> Samples:
     """Take the scatter out of a study's result.
@@ -255,10 +264,7 @@ def tolerance_bands(
         samples=len(samples),
         without_result=np.asarray((~samples.solved).sum(SAMPLE).values, dtype=np.int64),
         failures=samples.failures,
-        bands=tuple(
-            _band(name, array, samples.solved, wanted, confidence)
-            for name, array in samples.outputs.items()
-        ),
+        bands=tuple(_band(name, samples, wanted, confidence) for name in samples.outputs),
     )
 
 
@@ -284,14 +290,9 @@ def checked_percentiles(percentiles: Sequence[float]) -> tuple[float, ...]:
 
 
 def _band(
-    name: str,
-    array: DataArray,
-    solved: DataArray,
-    percentiles: tuple[float, ...],
-    confidence: float,
+    name: str, samples: Samples, percentiles: tuple[float, ...], confidence: float
 ) -> ToleranceBand:
-    there = array.where(solved).transpose(..., SAMPLE)
-    values, axes = np.asarray(there.values, dtype=np.float64), tuple(map(str, there.dims[:-1]))
+    values = samples.values(name)
     shape = values.shape[:-1]
     quantiles = np.full((3, len(percentiles), *shape), np.nan)
     moments = np.full((2, *shape), np.nan)
@@ -302,12 +303,12 @@ def _band(
         moments[(slice(None), *place)] = _moments(there)
         for index, percent in enumerate(percentiles):
             quantiles[(slice(None), index, *place)] = _quantile(there, percent, confidence)
-    attributes = array.attrs
+    attributes = samples.outputs[name].attrs
     return ToleranceBand(
         name=name,
         long_name=str(attributes.get("long_name", name)),
         units=str(attributes.get("units", "")),
-        axes=axes,
+        axes=samples.axes_of(name),
         percentile=quantiles[0],
         low=quantiles[1],
         high=quantiles[2],
