@@ -1,4 +1,4 @@
-"""Lines and maps of studies: an output over one or two inputs that were varied in steps."""
+"""Figures of studies: lines and maps over inputs varied in steps, histograms and scatter plots."""
 
 from __future__ import annotations
 
@@ -29,8 +29,7 @@ from rolamento.plots.frame import (
     number,
 )
 from rolamento.plots.study import (
-    SAMPLE,
-    Column,
+    PlottedVariable,
     StudyData,
     axis_of,
     common_failure,
@@ -41,6 +40,7 @@ from rolamento.plots.study import (
 )
 from rolamento.plots.style import SERIES, Series, in_style, new_figure, series
 from rolamento.plots.words import ENGLISH, PlotWords
+from rolamento.studies.study import SAMPLE
 
 Floats = NDArray[np.float64]
 
@@ -54,6 +54,9 @@ _HATCH: Final[dict[str, Any]] = {
     "linewidth": 0.0,
 }
 _COLOUR_STEPS: Final = 9
+_PERCENTS: Final = ((5.0, "--"), (50.0, "-"), (95.0, "-."))
+_FEWEST_BINS: Final = 5
+_MOST_BINS: Final = 60
 
 
 def telling_kind(study: StudyData, variable: str = "", words: PlotWords = ENGLISH) -> str:
@@ -177,7 +180,7 @@ def nothing_to_draw(axes: Axes, study: StudyData, words: PlotWords) -> Axes:
 class _Table(NamedTuple):
     """An output over one or two axes: values (along, other); across: what `along` is told by."""
 
-    output: Column
+    output: PlottedVariable
     values: Floats
     along: str
     other: str | None
@@ -203,7 +206,7 @@ def _table(study: StudyData, variable: str, over: str, words: PlotWords) -> _Tab
     return _Table(output, values, along, other, across)
 
 
-def _axis_named(study: StudyData, name: str, output: Column) -> str:
+def _axis_named(study: StudyData, name: str, output: PlottedVariable) -> str:
     """Return the axis that is called so, or along which an input of that name varies."""
     axes = {dim: dim for dim in output.dims}
     axes.update({n: str(study.coords[n].dims[0]) for n in inputs(study)})
@@ -215,7 +218,7 @@ def _axis_named(study: StudyData, name: str, output: Column) -> str:
     return axes[name]
 
 
-def _longest(study: StudyData, output: Column, words: PlotWords) -> str:
+def _longest(study: StudyData, output: PlottedVariable, words: PlotWords) -> str:
     """Return the axis that best runs across: not samples, not balls, numbers, many of them."""
 
     def rank(dim: str) -> tuple[bool, bool, bool, int]:
@@ -226,12 +229,16 @@ def _longest(study: StudyData, output: Column, words: PlotWords) -> str:
     return max(output.dims, key=rank)
 
 
-def _line(axes: Axes, x: Column, values: Floats, look: Series, label: str | None = None) -> None:
+def _line(
+    axes: Axes, x: PlottedVariable, values: Floats, look: Series, label: str | None = None
+) -> None:
     markers = len(values) <= MOST_MARKERS or bool(x.texts)
     axes.plot(x.values, values, label=label, **look.keywords(markers=markers))
 
 
-def _family(axes: Axes, x: Column, table: _Table, family: Column, words: PlotWords) -> None:
+def _family(
+    axes: Axes, x: PlottedVariable, table: _Table, family: PlottedVariable, words: PlotWords
+) -> None:
     """Draw a line for each value of the other axis."""
     count = table.values.shape[1]
     if count > MOST_LINES:
@@ -247,13 +254,13 @@ def _family(axes: Axes, x: Column, table: _Table, family: Column, words: PlotWor
         _line(axes, x, table.values[:, index], series(index), name)
 
 
-def _value(column: Column, index: int, words: PlotWords) -> str:
+def _value(column: PlottedVariable, index: int, words: PlotWords) -> str:
     if column.texts:
         return column.texts[int(column.values[index])]
     return number(float(column.values[index]), words)
 
 
-def _spread(axes: Axes, x: Column, values: Floats, words: PlotWords) -> None:
+def _spread(axes: Axes, x: PlottedVariable, values: Floats, words: PlotWords) -> None:
     """Draw the median of the samples and a band around it."""
     low, middle, high = (_percentile(values, percent) for percent in (_BAND[0], 50.0, _BAND[1]))
     band = words.percentile_band.format(least=f"{_BAND[0]:.0f}", most=f"{_BAND[1]:.0f}")
@@ -268,7 +275,7 @@ def _percentile(values: Floats, percent: float) -> Floats:
     return np.array([np.percentile(row, percent) if row.size else np.nan for row in rows])
 
 
-def _mark_missing(axes: Axes, x: Column, values: Floats, words: PlotWords) -> None:
+def _mark_missing(axes: Axes, x: PlottedVariable, values: Floats, words: PlotWords) -> None:
     missing = np.isnan(values)
     count = int(missing.sum())
     if count:
@@ -284,7 +291,7 @@ def _mark_missing(axes: Axes, x: Column, values: Floats, words: PlotWords) -> No
         )
 
 
-def _scale(axes: Axes, name: str, column: Column, words: PlotWords) -> None:
+def _scale(axes: Axes, name: str, column: PlottedVariable, words: PlotWords) -> None:
     """Label an axis with what runs along it."""
     (label_x if name == "x" else label_y)(axes, column.label, words)
     axis = axes.xaxis if name == "x" else axes.yaxis
@@ -304,7 +311,9 @@ def _in_ratios(values: Floats) -> bool:
     return bool(np.allclose(ratios, ratios[0], rtol=0.05))
 
 
-def _colour(axes: Axes, x: Column, y: Column, table: _Table, words: PlotWords) -> None:
+def _colour(
+    axes: Axes, x: PlottedVariable, y: PlottedVariable, table: _Table, words: PlotWords
+) -> None:
     """Draw the cells, in few colours that the bar tells apart."""
     order_x, order_y = np.argsort(x.values), np.argsort(y.values)
     values = table.values[np.ix_(order_x, order_y)].T
@@ -344,11 +353,6 @@ def _edges(values: Floats) -> Floats:
     first, last = 1.5 * values[0] - 0.5 * values[1], 1.5 * values[-1] - 0.5 * values[-2]
     edges: Floats = np.concatenate([[first], middle, [last]])
     return edges
-
-
-_PERCENTS: Final = ((5.0, "--"), (50.0, "-"), (95.0, "-."))
-_FEWEST_BINS: Final = 5
-_MOST_BINS: Final = 60
 
 
 @in_style
@@ -447,7 +451,7 @@ def study_scatter(
     return axes
 
 
-def _along_samples(study: StudyData, variable: str, kind: str, words: PlotWords) -> Column:
+def _along_samples(study: StudyData, variable: str, kind: str, words: PlotWords) -> PlottedVariable:
     output = output_of(study, variable or most_telling(study), words)
     if output.dims != (SAMPLE,):
         raise InputError(
