@@ -130,7 +130,7 @@ def solve(
         check_outputs({"--json": json, "--csv": csv}, case)
         analysis = _analysed(rolamento.load_case(case, settings or ()), lang)
         _show(analysis, json, csv, lang)
-    raise typer.Exit(SOLVED if analysis.state.status.converged else NO_RESULT)
+    raise typer.Exit(SOLVED if analysis.solved.converged[0] else NO_RESULT)
 
 
 @app.command()
@@ -169,24 +169,19 @@ def _show(
     analysis: rolamento.Analysis, json: str | None, csv: str | None, lang: Language | None
 ) -> None:
     """Write what was asked for; standard output takes data or the report, not both."""
-    state = analysis.state
     if json is not None:
         put(analysis.to_json() + "\n", json)
     if csv is not None:
         from rolamento.report.balls import ball_csv
 
-        put(ball_csv(state), csv)
+        put(ball_csv(analysis.solved), csv)
     if STANDARD_STREAM not in (json, csv):
-        _print_report(analysis, words_of(lang))
-    elif not state.status.converged:
-        complain_of(state.status, lang)
+        from rolamento.report.medium import Medium
+        from rolamento.report.terminal import terminal_report
 
-
-def _print_report(analysis: rolamento.Analysis, words: Words) -> None:
-    from rolamento.report.medium import Medium
-    from rolamento.report.terminal import terminal_report
-
-    print_text(terminal_report(analysis.state, words, Medium.of(sys.stdout), analysis))
+        print_text(terminal_report(analysis, words_of(lang), Medium.of(sys.stdout)))
+    elif not analysis.solved.converged[0]:
+        complain_of(analysis.solved, lang)
 
 
 app.command(epilog="Examples: sweep study.toml -o result.nc; sweep --list fields.")(sweep)

@@ -171,3 +171,15 @@ def require(given: object, kind: type, field: str, example: str) -> None:
     if not isinstance(given, kind):
         name = type(given).__name__
         raise InputError(f"must be a {kind.__name__}", field=field, value=name, example=example)
+
+
+def require_axes(given: Axes) -> Axes:
+    """Return the axes, if they are some.
+
+    Raises
+    ------
+    InputError
+        If not.
+    """
+    require(given, Axes, "axes", "figure.add_subplot()")
+    return given

@@ -97,6 +97,11 @@ class Page:
         widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
         return [_set(row, widths, justify, gap) for row in rows]
 
+    def table(self, columns: Sequence[Lines]) -> Lines:
+        """Set columns of numbers beside each other, a rule below the two lines of their heads."""
+        lines = self.columns(list(zip(*columns, strict=True)), "r" * len(columns))
+        return [*lines[:2], self.rule(self.width_of(columns)), *lines[2:]]
+
     def width_of(self, columns: Sequence[Lines], gap: int = 2) -> int:
         """Return how wide such columns are, the indentation included."""
         return 2 + sum(max(map(len, column)) for column in columns) + gap * (len(columns) - 1)

@@ -6,14 +6,16 @@ from collections.abc import Sequence
 from math import isfinite, nan
 from typing import Final
 
+import numpy as np
 from rich.text import Text
 
 from rolamento.case.arrangement import Preload
 from rolamento.case.bearing import Bearing, RowPlace
 from rolamento.case.duty import AXES, LOADS, Duty
+from rolamento.numerics import FloatArray
 from rolamento.report.numbers import ABSENT, aligned
 from rolamento.report.page import Lines, Page
-from rolamento.state import BallState, PreloadState, RowState, State
+from rolamento.solved import Preloading, Solved
 
 _SHIFTS: Final = 3
 """x, y, z come before the tilts."""
@@ -22,16 +24,17 @@ _NEGLIGIBLE: Final = 1e-9
 """Of the stiffnesses on the diagonal: what is less is rounding, and written 0."""
 
 
-def ring_part(page: Page, state: State) -> Lines:
+def ring_part(page: Page, solved: Solved) -> Lines:
     """Show displacement and load of the five degrees of freedom, the results in bold."""
-    shifts = [1e6 * value for value in state.displacement[:_SHIFTS]]
-    tilts = [1e3 * value for value in state.displacement[_SHIFTS:]]
+    moved, load_values = solved.displacement.array[0].tolist(), solved.load.array[0].tolist()
+    shifts = [1e6 * value for value in moved[:_SHIFTS]]
+    tilts = [1e3 * value for value in moved[_SHIFTS:]]
     displacements = page.digits.column(shifts, most=3) + page.digits.column(tilts)
-    forces, moments = state.load[:_SHIFTS], state.load[_SHIFTS:]
+    forces, moments = load_values[:_SHIFTS], load_values[_SHIFTS:]
     loads = page.digits.column(forces, most=3) + page.digits.column(moments)
     rows = []
     for position, (axis, load) in enumerate(zip(AXES, LOADS, strict=True)):
-        known, load_known = _known(page, state.case.duty, axis, load)
+        known, load_known = _known(page, solved.case.duty, axis, load)
         units = ("µm", "N") if position < _SHIFTS else ("mrad", "N·m")
         rows.append(
             (
@@ -58,9 +61,9 @@ def _known(page: Page, duty: Duty, axis: str, load: str) -> tuple[str, bool]:
     return (words.held if held else words.free), not held
 
 
-def stiffness_part(page: Page, state: State) -> Lines:
+def stiffness_part(page: Page, solved: Solved) -> Lines:
     """Show the 5 x 5 matrix in four blocks of one unit each."""
-    columns = _columns(page, state.stiffness.tolist())
+    columns = _columns(page, solved.stiffness.array[0].tolist())
     rows = [
         [Text(), *map(Text, AXES)],
         _units(page, "N/µm", "N/mrad"),
@@ -185,25 +188,26 @@ def _preload(page: Page, preload: Preload | None, contact_angle: float | None) -
     return [words.preload_force.format(force=page.quantity(preload.force or 0.0, "force"))]
 
 
-def rows_part(page: Page, state: State) -> Lines:
+def rows_part(page: Page, solved: Solved) -> Lines:
     """Show a line for each row: its place, what it takes, its loaded balls, its peaks."""
-    words = page.words
-    numbers = _rows_column(page, "", words.row_heading, [str(row.row) for row in state.rows])
-    place = [numbers, *_places(page, state)]
-    taken, peaks = _taken(page, state.rows), _peaks(page, state)
+    words, rows = page.words, solved.rows
+    numbers = _rows_column(page, "", words.row_heading, [str(row) for row in range(len(rows))])
+    bearing = solved.case.bearing
+    faces = [facing(bearing, place) for place in bearing.places]
+    positions = page.digits.column((1e3 * rows.position[0]).tolist(), most=2)
+    place = [
+        numbers,
+        _rows_column(page, "", words.faces, faces),
+        _rows_column(page, "x", "mm", positions),
+    ]
+    taken, peaks = _taken(page, rows.load[0]), _peaks(page, solved)
     whole = [*place, *taken, *peaks]
-    both = words.both_ways if any(cell.plain == _BOTH for cell in place[1]) else ""
+    both = words.both_ways if _BOTH in faces else ""
     legend = page.hanging(Text("  "), words.rows_legend.format(both=both), "dim")
     if page.width_of(whole) <= page.medium.width:
-        return [page.heading(words.rows), *_rows_table(page, whole), *legend]
-    parts = [*_rows_table(page, [*place, *peaks]), Text(), *_rows_table(page, [numbers, *taken])]
+        return [page.heading(words.rows), *page.table(whole), *legend]
+    parts = [*page.table([*place, *peaks]), Text(), *page.table([numbers, *taken])]
     return [page.heading(words.rows), *parts, *legend]
-
-
-def _rows_table(page: Page, columns: Sequence[Lines]) -> Lines:
-    lines = page.columns(list(zip(*columns, strict=True)), "r" * len(columns))
-    lines.insert(2, page.rule(page.width_of(columns)))
-    return lines
 
 
 def _rows_column(page: Page, symbol: str, below: str, cells: Sequence[str]) -> Lines:
@@ -212,36 +216,23 @@ def _rows_column(page: Page, symbol: str, below: str, cells: Sequence[str]) -> L
     return [page.text(symbol), page.text(below, "dim" if symbol else ""), *texts]
 
 
-def _places(page: Page, state: State) -> list[Lines]:
-    bearing = state.case.bearing
-    faces = [facing(bearing, place) for place in bearing.places]
-    positions = page.digits.column([1e3 * row.position for row in state.rows], most=2)
-    return [
-        _rows_column(page, "", page.words.faces, faces),
-        _rows_column(page, "x", "mm", positions),
-    ]
-
-
-def _taken(page: Page, rows: Sequence[RowState]) -> list[Lines]:
+def _taken(page: Page, loads: FloatArray) -> list[Lines]:
     """The forces and moments of each row, all forces and all moments with the same decimals."""
-    loads = [list(row.load) for row in rows]
     columns = []
     for first, end, unit in ((0, _FORCES, "N"), (_FORCES, len(LOADS), "N·m")):
-        values = [value for load in loads for value in load[first:end]]
-        cells = page.digits.column(values, digits=4, most=2)
         width = end - first
+        cells = page.digits.column(loads[:, first:end].ravel().tolist(), digits=4, most=2)
         for index in range(width):
-            column = cells[index::width]
-            columns.append(_rows_column(page, LOADS[first + index], unit, column))
+            columns.append(_rows_column(page, LOADS[first + index], unit, cells[index::width]))
     return columns
 
 
-def _peaks(page: Page, state: State) -> list[Lines]:
-    """Loaded balls of each row, and the greatest load and pressure at its inner race."""
-    balls = [[ball for ball in state.balls if ball.row == row.row] for row in state.rows]
-    counts = [f"{row.loaded_balls}/{len(own)}" for row, own in zip(state.rows, balls, strict=True)]
-    loads = [_greatest(own, "load") for own in balls]
-    pressures = [1e-6 * _greatest(own, "max_pressure") for own in balls]
+def _peaks(page: Page, solved: Solved) -> list[Lines]:
+    """Loaded balls of each row, and the maxima of load and pressure at its inner race."""
+    loaded = zip(solved.loaded_elements[0], solved.rows.element_count, strict=True)
+    counts = [f"{some}/{count}" for some, count in loaded]
+    loads = _maximum_by_row(solved, solved.inner.load[0])
+    pressures = _maximum_by_row(solved, 1e-6 * solved.inner.max_pressure[0])
     return [
         _rows_column(page, "", page.words.loaded, counts),
         _rows_column(page, "Q_i", "N", page.digits.column(loads, digits=4, most=1)),
@@ -249,24 +240,24 @@ def _peaks(page: Page, state: State) -> list[Lines]:
     ]
 
 
-def _greatest(balls: Sequence[BallState], name: str) -> float:
+def _maximum_by_row(solved: Solved, values: FloatArray) -> list[float]:
     """At the inner contacts that are loaded; NaN without any."""
-    loaded = [getattr(ball.inner, name) for ball in balls if ball.inner.load > 0.0]
-    return max(loaded, default=nan)
+    loaded = np.where(solved.inner.load[0] > 0.0, values, np.nan)
+    return np.fmax.reduceat(loaded, solved.rows.starts).tolist()
 
 
-def preload_part(page: Page, state: State, preload: PreloadState) -> Lines:
+def preload_part(page: Page, solved: Solved, preload: Preloading) -> Lines:
     """Show the preload at rest and at speed, and where it is lost."""
-    words, duty = page.words, state.case.duty
+    words, duty = page.words, solved.case.duty
     entries = [(words.preload_at_rest, _force(page, preload.at_rest), "")]
     if duty.inner_speed or duty.outer_speed:
         entries.append((words.preload_at_speed, _force(page, preload.at_speed), ""))
-    entries += _lift(page, state, preload)
-    entries += _loss(page, state, preload)
+    entries += _lift(page, duty, preload)
+    entries += _loss(page, solved, preload)
     return [page.heading(words.preload), *page.labelled(entries, indent="  ", style="")]
 
 
-def _lift(page: Page, state: State, preload: PreloadState) -> list[tuple[str, str, str]]:
+def _lift(page: Page, duty: Duty, preload: Preloading) -> list[tuple[str, str, str]]:
     """Where the first ball lifts off, unless it takes its row along."""
     if preload.lift_row is None or preload.lift_factor == preload.loss_factor:
         return []
@@ -274,36 +265,35 @@ def _lift(page: Page, state: State, preload: PreloadState) -> list[tuple[str, st
     text = (words.ball_has_lifted_off if gone else words.ball_lifts_off).format(
         row=preload.lift_row,
         factor=page.digits.short(preload.lift_factor, 3),
-        load=_resulting_load(page, state, preload.lift_factor),
+        load=_resulting_load(page, duty, preload.lift_factor),
     )
     return [(words.preload_lift, text, "yellow" if gone else "")]
 
 
-def _loss(page: Page, state: State, preload: PreloadState) -> list[tuple[str, str, str]]:
+def _loss(page: Page, solved: Solved, preload: Preloading) -> list[tuple[str, str, str]]:
     """Where a row lifts off, as a multiple of the load and as that load."""
-    words, row = page.words, preload.lost_row
+    words, row, duty = page.words, preload.lost_row, solved.case.duty
     label = words.preload_loss
-    lost = [str(other.row) for other in state.rows if other.loaded_balls == 0]
+    lost = [str(other) for other in np.flatnonzero(solved.loaded_elements[0] == 0)]
     if row is None or not isfinite(preload.loss_factor):
         if lost:
             return [(label, words.nothing_left.format(rows=", ".join(lost)), "bold yellow")]
-        loaded = any(getattr(state.case.duty.load, name) for name in LOADS)
+        loaded = any(getattr(duty.load, name) for name in LOADS)
         return [(label, words.no_loss, "")] if loaded else []
     gone = preload.loss_factor < 1.0 or str(row) in lost
-    template = words.has_lifted_off if gone else words.lifts_off
-    text = template.format(
+    text = (words.has_lifted_off if gone else words.lifts_off).format(
         row=row,
         factor=page.digits.short(preload.loss_factor, 3),
-        load=_resulting_load(page, state, preload.loss_factor),
+        load=_resulting_load(page, duty, preload.loss_factor),
     )
     return [(label, text, "bold yellow" if gone else "")]
 
 
-def _resulting_load(page: Page, state: State, factor: float) -> str:
+def _resulting_load(page: Page, duty: Duty, factor: float) -> str:
     """The external load, times a factor."""
     parts = []
     for name in LOADS:
-        value = getattr(state.case.duty.load, name)
+        value = getattr(duty.load, name)
         if value:
             unit = "N" if name.startswith("f") else "N·m"
             parts.append(f"{name} {page.digits.short(factor * value, 4)} {unit}")

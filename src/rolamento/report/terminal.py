@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Final
 
 from rich.text import Text
 
+from rolamento.case import Case
 from rolamento.case.bearing import Bearing
 from rolamento.case.duty import AXES, LOADS, Duty
 from rolamento.report.balls import (
@@ -25,7 +26,7 @@ from rolamento.report.ring import (
     rows_part,
     stiffness_part,
 )
-from rolamento.state import State
+from rolamento.solved import Solved
 from rolamento.units import Dimension
 
 if TYPE_CHECKING:
@@ -35,49 +36,44 @@ _GAP: Final = 3
 
 
 def terminal_report(
-    state: State,
-    words: Words = ENGLISH,
-    medium: Medium | None = None,
-    analysis: Analysis | None = None,
+    analysis: Analysis, words: Words = ENGLISH, medium: Medium | None = None
 ) -> str:
-    """Return the report of a state as text that ends in a newline.
+    """Return the report of a case and of what follows from it as text that ends in a newline.
 
     Parameters
     ----------
-    state
-        Converged or not; without a result the report says why and what to do.
+    analysis
+        Of one case, converged or not: without a result the report says why and what to do. Film,
+        friction and life are shown if it has them.
     words
         The language.
     medium
         What the text is shown on; by default plain text of 80 columns in UTF-8.
-    analysis
-        What follows from the state; film, friction and life are shown if it has them.
     """
-    page = Page(words, medium or Medium())
-    parts = [terminal_head(page, state)]
-    if state.status.converged:
-        parts += [*_set(page, state), *_middle(page, state)]
-        parts += [stiffness_part(page, state), *ball_parts(page, state)]
-        parts += [part for part in [rolling_part(page, state)] if part]
-    notes = [page.words.note(note) for note in state.notes]
-    if analysis is not None:
-        parts += _what_follows(page, analysis, notes)
+    page, solved = Page(words, medium or Medium()), analysis.solved
+    parts = [terminal_head(page, solved)]
+    if solved.converged[0]:
+        parts += [*_set(page, solved), *_middle(page, solved)]
+        parts += [stiffness_part(page, solved), *ball_parts(page, solved)]
+        parts += [part for part in [rolling_part(page, solved)] if part]
+    notes = [words.note(note) for note in solved.notes[0]]
+    parts += _what_follows(page, analysis, notes)
     if notes:
         parts.append(notes_part(page, notes))
     return rendered(page.medium, parts)
 
 
-def terminal_head(page: Page, state: State) -> Lines:
+def terminal_head(page: Page, solved: Solved) -> Lines:
     """Show the title, what was given, and how the solution ended."""
-    words, case = page.words, state.case
+    words, case = page.words, solved.case
     entries = [
         (words.bearing, _bearing(page, case.bearing), ""),
         (words.duty, _duty(page, case.duty), ""),
-        (words.model, _model(page, state), ""),
-        *_status(page, state),
+        (words.model, _model(page, case), ""),
+        *_status(page, solved),
     ]
     entries = [entry for entry in entries if entry[1]]  # at rest no model matters
-    return [*page.title(state.title or words.untitled), *page.labelled(entries)]
+    return [*page.title(solved.title or words.untitled), *page.labelled(entries)]
 
 
 def _bearing(page: Page, bearing: Bearing) -> str:
@@ -138,9 +134,9 @@ def _imposed(page: Page, duty: Duty) -> list[str]:
     return given
 
 
-def _model(page: Page, state: State) -> str:
+def _model(page: Page, case: Case) -> str:
     """Return the choices that matter: at rest, none does."""
-    words, duty, model = page.words, state.case.duty, state.case.model
+    words, duty, model = page.words, case.duty, case.model
     if duty.inner_speed == 0.0 == duty.outer_speed:
         return ""
     left_out = [
@@ -157,33 +153,34 @@ def _model(page: Page, state: State) -> str:
     return ", ".join([words.raceway_control[model.raceway_control], *cage, *left_out])
 
 
-def _status(page: Page, state: State) -> list[tuple[str, str, str]]:
+def _status(page: Page, solved: Solved) -> list[tuple[str, str, str]]:
     """Return label, text and style of the status, and of the advice if there is any."""
-    words, status = page.words, state.status
-    if status.converged:
+    words, status = page.words, solved.status
+    if solved.converged[0]:
         text = words.converged.format(
-            iterations=status.iterations, residual=page.digits.exponent(status.residual)
+            iterations=int(status.iterations[0]),
+            residual=page.digits.exponent(float(status.residual[0])),
         )
         return [(words.status, f"✓ {text}", "green")]
-    reason = (words.status, f"✗ {words.reason(status)}", "bold red")
-    return [reason, (words.advice_label, words.advice(status), "")]
+    reason = (words.status, f"✗ {words.reason(solved)}", "bold red")
+    return [reason, (words.advice_label, words.advice(solved), "")]
 
 
-def _set(page: Page, state: State) -> list[Lines]:
+def _set(page: Page, solved: Solved) -> list[Lines]:
     """Show the rows of a set and their preload; nothing of a plain bearing."""
-    if not state.case.bearing.is_set:
+    if not solved.case.bearing.is_set:
         return []
-    preload = [] if state.preload is None else [preload_part(page, state, state.preload)]
-    return [rows_part(page, state), *preload]
+    preload = [] if solved.preload is None else [preload_part(page, solved, solved.preload)]
+    return [rows_part(page, solved), *preload]
 
 
-def _middle(page: Page, state: State) -> list[Lines]:
+def _middle(page: Page, solved: Solved) -> list[Lines]:
     """Show the ring above the heaviest ball, and the rosettes beside them, or below in a line."""
-    left = [*ring_part(page, state), Text(), *heaviest_part(page, state)]
-    room = page.medium.width - max(map(len, left)) - _GAP
-    if len(state.rows) < 2 or rosettes_width(len(state.rows)) <= room:
-        return [beside(left, rosette_part(page, state, room), gap=_GAP)]
-    return [left, rosette_part(page, state, page.medium.width)]
+    left = [*ring_part(page, solved), Text(), *heaviest_part(page, solved)]
+    room, rows = page.medium.width - max(map(len, left)) - _GAP, len(solved.rows)
+    if rows < 2 or rosettes_width(rows) <= room:
+        return [beside(left, rosette_part(page, solved, room), gap=_GAP)]
+    return [left, rosette_part(page, solved, page.medium.width)]
 
 
 def _what_follows(page: Page, analysis: Analysis, notes: list[str]) -> list[Lines]:
@@ -197,11 +194,11 @@ def _what_follows(page: Page, analysis: Analysis, notes: list[str]) -> list[Line
     if analysis.friction is not None:
         from rolamento.report.friction import friction_parts
 
-        parts += friction_parts(page, analysis.state, analysis.friction)
+        parts += friction_parts(page, analysis.solved, analysis.friction)
     if analysis.life is not None:
         from rolamento.report.life_section import life_notes, life_part
 
-        parts.append(life_part(page, analysis.state, analysis.life))
+        parts.append(life_part(page, analysis.solved, analysis.life))
         notes += life_notes(page, analysis.life)
     if analysis.notes:
         from rolamento.report.life_sentences import said_analysis_note

@@ -13,8 +13,8 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from rolamento.case import Case
     from rolamento.plots.words import PlotWords
+    from rolamento.solved import Solved
 
 __all__ = ["Drawing", "Kind", "draw"]
 
@@ -125,19 +125,20 @@ def _is_study(path: str) -> bool:
 
 def _of_state(path: str, kind: Kind, words: PlotWords) -> tuple[Axes, str, str | None]:
     """Draw a state; return title and failure too."""
-    from rolamento.plots import balls, ellipses, reading
+    from rolamento.plots import balls, ellipses
     from rolamento.plots.frame import empty_frame
     from rolamento.plots.style import new_figure
+    from rolamento.solved import Solved
 
-    state = reading.read_state(path)
-    failure = None if state.status.converged else state.status.code
+    solved = Solved.read(path)
+    failure = None if solved.converged[0] else str(solved.status.code[0])
     _check(kind, _OF_STATES, "the JSON of a state")
     if kind is Kind.ellipses:
-        axes: Axes = ellipses.ellipses_of_both_races(state, words=words)[0]
+        axes: Axes = ellipses.ellipses_of_both_races(solved, words=words)[0]
     elif kind in _OF_LIFE and failure is None:
-        axes = _of_life(kind, state.case, words.code)
+        axes = _of_life(kind, solved, words.code)
     elif kind in _OF_LIFE:
-        axes = empty_frame(new_figure()[1], words.reason(state.status.code))
+        axes = empty_frame(new_figure()[1], words.reason(failure))
     else:
         drawers = {
             Kind.rosette: balls.load_rosette,
@@ -145,39 +146,30 @@ def _of_state(path: str, kind: Kind, words: PlotWords) -> tuple[Axes, str, str |
             Kind.angles: balls.contact_angles,
             Kind.pressures: balls.pressures,
         }
-        axes = drawers[kind](state, words=words)
-    return axes, state.title, failure
+        axes = drawers[kind](solved, words=words)
+    return axes, solved.title, failure
 
 
-def _of_life(kind: Kind, case: Case | None, language: str) -> Axes:
-    """Draw the life of a state; its case is solved again, for a file does not hold all of it."""
+def _of_life(kind: Kind, solved: Solved, language: str) -> Axes:
+    """Draw the life of a state."""
     from rolamento.analysis.needs import has_life
     from rolamento.life import life, sensitivity
     from rolamento.plots import life_charts, life_load
-    from rolamento.solution import solve
     from rolamento.studies.life_diagram import lives_over_load, lives_over_zone
 
-    if case is None:
-        raise InputError(
-            "is missing: figures of life need the case; solve it with this release to write it "
-            "into the JSON",
-            field="case",
-            example="rolamento solve case.toml --json state.json",
-        )
-    if not has_life(case):
+    if not has_life(solved.case):
         raise InputError(
             "is missing: figures of life need it, or a bearing with a designation",
             field="case.life",
             example='[life] with cleanliness = "-/17/14" and oil_supply = "circulating"',
         )
-    state = solve(case)
     if kind is Kind.sn:
-        return life_load.load_over_life(lives_over_load(state), language=language)
+        return life_load.load_over_life(lives_over_load(solved), language=language)
     if kind is Kind.zone:
-        return life_charts.life_over_zone(lives_over_zone(state), language=language)
+        return life_charts.life_over_zone(lives_over_zone(solved), language=language)
     if kind is Kind.helps:
-        return life_charts.what_helps(sensitivity(state), language=language)
-    summary = life(state, stress_volume=False)
+        return life_charts.what_helps(sensitivity(solved), language=language)
+    summary = life(solved, stress_volume=False)
     if summary.contamination_factor is None:
         raise InputError(
             "needs a viscosity ratio, or a lubricant and its temperature, and the cleanliness of "
