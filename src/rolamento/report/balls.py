@@ -23,7 +23,8 @@ from rolamento.numerics import BoolArray, FloatArray
 from rolamento.report.numbers import ABSENT, aligned
 from rolamento.report.page import Lines, Page, beside
 from rolamento.report.plain_data import csv_number
-from rolamento.solved import RACES, Rolling, Solved, control_names
+from rolamento.solved import RACES, Rolling, Solved
+from rolamento.solved.form import control_names
 
 _RPM: Final = 30.0 / pi
 _DEGREE: Final = 180.0 / pi

@@ -343,7 +343,7 @@ def turn_json(turn: CageTurn) -> str:
         "period": turn.period,
         "angle": turn.angle,
         "time": turn.time,
-        "cage_speed": {"mean": speed.mean, "least": speed.least, "greatest": speed.greatest},
+        "cage_speed": {"mean": speed.mean, "least": speed.minimum, "greatest": speed.maximum},
         "passage_frequency": turn.passage_frequency,
         "orders": turn.orders.tolist(),
         "frequencies": turn.frequencies,

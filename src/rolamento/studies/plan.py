@@ -23,11 +23,12 @@ import rolamento
 from rolamento.case import Case, case_to_toml
 from rolamento.case.arrangement import ARRANGEMENTS
 from rolamento.errors import InputError
+from rolamento.status import INVALID_INPUT, STATUS_NAMES
 from rolamento.studies.axes import Axis
 from rolamento.studies.fields import Field, Value, read_field
-from rolamento.studies.outputs import Output, Solved, outputs_of
+from rolamento.studies.outputs import Evaluation, Output, outputs_of
 from rolamento.studies.scatter import Sampler
-from rolamento.studies.solving import INVALID_INPUT, array_fields, base_case, solve, status_names
+from rolamento.studies.solving import array_fields, base_case, solve
 from rolamento.studies.study import (
     SAMPLE,
     Study,
@@ -111,7 +112,7 @@ class Plan:
         self._groups_shape = tuple(axis.size for axis in study.axes if study.is_grouped(axis))
         self._in_a_group = study.cases // math.prod(self._groups_shape)
         self._base_case = lru_cache(maxsize=256)(self._made_case)
-        self.balls = self._greatest_ball_count()
+        self.balls = self._maximum_ball_count()
         self.chunk = chunk or self._bounded_chunk()
 
     @property
@@ -169,17 +170,17 @@ class Plan:
         for group, cases in self._groups(first, last):
             # Twice if alone: a single case may be solved by plain Python, or by compiled code,
             # whose last digits differ, as the process happens to have it loaded.
-            solved = cases if len(cases) > 1 else np.repeat(cases, 2)
-            values = {name: values[solved] for name, values in varied.items()}
+            cases = cases if len(cases) > 1 else np.repeat(cases, 2)
+            values = {name: values[cases] for name, values in varied.items()}
             try:
                 case = self._base_case(group)
-                batch = solve(case, values, cases=len(solved), threads=threads)
+                found = solve(case, values, cases=len(cases), threads=threads)
             except InputError as error:
                 if str(error) not in messages and len(messages) < _MOST_MESSAGES:
                     messages.append(str(error))
                 continue
-            arrays["status"][solved] = batch.code
-            self._put(arrays, solved, Solved(batch, case, values))
+            arrays["status"][cases] = found.status.number
+            self._put(arrays, cases, Evaluation(found))
         return Part(index, arrays, tuple(messages))
 
     def task(self, index: int) -> Task:
@@ -193,18 +194,16 @@ class Plan:
 
     def empty(self, cases: int) -> dict[str, NDArray[Any]]:
         """Status and outputs of so many cases, none of them solved."""
-        arrays: dict[str, NDArray[Any]] = {
-            "status": np.full(cases, status_names()[INVALID_INPUT], np.int8)
-        }
+        arrays: dict[str, NDArray[Any]] = {"status": np.full(cases, INVALID_INPUT, np.int8)}
         for output in self.outputs:
             shape = (cases, self.balls) if output.per_ball else (cases,)
             arrays[output.name] = np.full(shape, output.absent, output.dtype)
         return arrays
 
-    def _put(self, arrays: Mapping[str, NDArray[Any]], cases: Indices, solved: Solved) -> None:
+    def _put(self, arrays: Mapping[str, NDArray[Any]], cases: Indices, given: Evaluation) -> None:
         """Compute the outputs of a group, and put them to their places."""
         for output in self.outputs:
-            values = output.compute(solved)
+            values = output.compute(given)
             if output.per_ball:
                 arrays[output.name][cases, : values.shape[1]] = values
             else:
@@ -243,7 +242,7 @@ class Plan:
             drawn = {name: np.concatenate([drawn[name], again[name]]) for name in drawn}
         return drawn
 
-    def _greatest_ball_count(self) -> int:
+    def _maximum_ball_count(self) -> int:
         """Of all the cases, over all rows, or somewhat more: the length of that dimension."""
         bearing = self.study.case.bearing
         columns = {name: column for columns in self.columns for name, column in columns.items()}
@@ -369,8 +368,8 @@ class Layout:
     def _status(self) -> Variable:
         attrs = {
             "long_name": "how the solution ended",
-            "flag_values": np.array(list(status_names().values()), np.int8),
-            "flag_meanings": " ".join(status_names()),
+            "flag_values": np.array(list(STATUS_NAMES), np.int8),
+            "flag_meanings": " ".join(STATUS_NAMES.values()),
         }
         return Variable("status", self.dims, np.dtype(np.int8), attrs)
 

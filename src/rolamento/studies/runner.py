@@ -25,9 +25,9 @@ from numpy.typing import NDArray
 
 from rolamento.errors import FileError, InputError
 from rolamento.numerics.threads import thread_count
+from rolamento.status import CONVERGED, STATUS_NAMES
 from rolamento.studies.outputs import Output
 from rolamento.studies.plan import Part, Plan
-from rolamento.studies.solving import CONVERGED, status_names
 from rolamento.studies.store import Store
 from rolamento.studies.study import Study
 
@@ -335,7 +335,6 @@ class _Tally:
 
     def __init__(self, plan: Plan, progress: Progress | None) -> None:
         self._plan, self._progress = plan, progress
-        self._names = {code: name for name, code in status_names().items()}
         self.counts: Counter[str] = Counter()
         self.messages: list[str] = []
         self.done = self.kept = 0
@@ -358,12 +357,14 @@ class _Tally:
     def tell(self) -> None:
         """Tell of what is done."""
         if self._progress is not None:
-            self._progress(self.done, self._plan.cases, self.done - self.counts[CONVERGED])
+            self._progress(
+                self.done, self._plan.cases, self.done - self.counts[STATUS_NAMES[CONVERGED]]
+            )
 
     def _count(self, part: Part) -> None:
         codes, numbers = np.unique(part.arrays["status"], return_counts=True)
         for code, number in zip(codes, numbers, strict=True):
-            self.counts[self._names[int(code)]] += int(number)
+            self.counts[STATUS_NAMES[int(code)]] += int(number)
         self.messages += [text for text in part.messages if text not in self.messages]
         self.done += self._plan.size(part.index)
 
@@ -454,7 +455,7 @@ class Spreads:
         """Take in a part."""
         first, _ = self._plan.bounds_of(part)
         chosen = slice(-first % self._every, None, self._every)
-        solved = part.arrays["status"] == status_names()[CONVERGED]
+        solved = part.arrays["status"] == CONVERGED
         for output in self._plan.outputs:
             values = part.arrays[output.name]
             there = (

@@ -341,7 +341,7 @@ def sobol(
         one of each ball, or some draws have no result.
     """
     from rolamento.studies.fields import read_field
-    from rolamento.studies.outputs import Solved, outputs_of
+    from rolamento.studies.outputs import Evaluation, outputs_of
     from rolamento.studies.solving import solve
 
     scatter = study.scatter
@@ -355,9 +355,8 @@ def sobol(
 
     def model(inputs: Mapping[str, Floats]) -> dict[str, Floats]:
         cases = len(next(iter(inputs.values())))
-        batch = solve(study.case, inputs, cases=cases, threads=threads)
-        solved = Solved(batch, study.case, inputs)
-        return {one.name: np.asarray(one.compute(solved), np.float64) for one in outputs}
+        given = Evaluation(solve(study.case, inputs, cases=cases, threads=threads))
+        return {one.name: np.asarray(one.compute(given), np.float64) for one in outputs}
 
     return sobol_of_model(
         model,
