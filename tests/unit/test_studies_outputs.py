@@ -57,9 +57,7 @@ def test_no_number_without_a_result(values: dict[str, np.ndarray]) -> None:
 def test_the_ring_is_that_of_solve(case_218: Case, values: dict[str, np.ndarray]) -> None:
     state = solve(case_218.replace(duty=Duty(inner_speed="10000 rpm", load=Load(fx=20e3))))
     two = Evaluation(solve(case_218, {"duty.load.fx": [20e3] * 2, "duty.load.fz": 0.0}))
-    values = {
-        name: output.compute(two) for name, output in catalogue().items() if not output.needs
-    }
+    values = {name: output.compute(two) for name, output in catalogue().items() if not output.needs}
     for axis in AXES:
         expected = float(getattr(state.displacement, axis)[0])
         assert values[axis][0] == pytest.approx(expected, abs=1e-12)

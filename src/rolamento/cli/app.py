@@ -179,7 +179,9 @@ def _show(
         from rolamento.report.medium import Medium
         from rolamento.report.terminal import terminal_report
 
-        print_text(terminal_report(analysis, words_of(lang), Medium.of(sys.stdout)))
+        print_text(
+            terminal_report(analysis.solved, words_of(lang), Medium.of(sys.stdout), analysis)
+        )
     elif not analysis.solved.converged[0]:
         complain_of(analysis.solved, lang)
 

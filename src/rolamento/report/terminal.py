@@ -36,28 +36,33 @@ _GAP: Final = 3
 
 
 def terminal_report(
-    analysis: Analysis, words: Words = ENGLISH, medium: Medium | None = None
+    solved: Solved,
+    words: Words = ENGLISH,
+    medium: Medium | None = None,
+    analysis: Analysis | None = None,
 ) -> str:
-    """Return the report of a case and of what follows from it as text that ends in a newline.
+    """Return the report of a case as text that ends in a newline.
 
     Parameters
     ----------
-    analysis
-        Of one case, converged or not: without a result the report says why and what to do. Film,
-        friction and life are shown if it has them.
+    solved
+        One case, converged or not: without a result the report says why and what to do.
     words
         The language.
     medium
         What the text is shown on; by default plain text of 80 columns in UTF-8.
+    analysis
+        What follows from it; film, friction and life are shown if it has them.
     """
-    page, solved = Page(words, medium or Medium()), analysis.solved
+    page = Page(words, medium or Medium())
     parts = [terminal_head(page, solved)]
     if solved.converged[0]:
         parts += [*_set(page, solved), *_middle(page, solved)]
         parts += [stiffness_part(page, solved), *ball_parts(page, solved)]
         parts += [part for part in [rolling_part(page, solved)] if part]
     notes = [words.note(note) for note in solved.notes[0]]
-    parts += _what_follows(page, analysis, notes)
+    if analysis is not None:
+        parts += _what_follows(page, solved, analysis, notes)
     if notes:
         parts.append(notes_part(page, notes))
     return rendered(page.medium, parts)
@@ -183,7 +188,7 @@ def _middle(page: Page, solved: Solved) -> list[Lines]:
     return [left, rosette_part(page, solved, page.medium.width)]
 
 
-def _what_follows(page: Page, analysis: Analysis, notes: list[str]) -> list[Lines]:
+def _what_follows(page: Page, solved: Solved, analysis: Analysis, notes: list[str]) -> list[Lines]:
     """Show film, friction and life; what is to be known of them goes to the notes."""
     parts: list[Lines] = []
     if analysis.film is not None:
@@ -194,11 +199,11 @@ def _what_follows(page: Page, analysis: Analysis, notes: list[str]) -> list[Line
     if analysis.friction is not None:
         from rolamento.report.friction import friction_parts
 
-        parts += friction_parts(page, analysis.solved, analysis.friction)
+        parts += friction_parts(page, solved, analysis.friction)
     if analysis.life is not None:
         from rolamento.report.life_section import life_notes, life_part
 
-        parts.append(life_part(page, analysis.solved, analysis.life))
+        parts.append(life_part(page, solved, analysis.life))
         notes += life_notes(page, analysis.life)
     if analysis.notes:
         from rolamento.report.life_sentences import said_analysis_note

@@ -9,6 +9,7 @@ Sources: Sunnersjö, Journal of Sound and Vibration 58 (1978) 363; Radaelli (201
 
 from __future__ import annotations
 
+import os
 from dataclasses import dataclass
 from functools import reduce
 from math import gcd, pi
@@ -17,7 +18,7 @@ from typing import Final, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from rolamento.case import Case
+from rolamento.case import Case, load_case
 from rolamento.errors import InputError
 from rolamento.solved import Contacts, Solved
 from rolamento.solving import solve
@@ -239,13 +240,18 @@ class CageTurn:
         return inverse if quantity == "load" else inverse[:, np.newaxis] * inverse
 
 
-def cage_turn(case: Case, *, points: int = DEFAULT_POINTS, threads: int | None = None) -> CageTurn:
+def cage_turn(
+    case: Case | str | os.PathLike[str],
+    *,
+    points: int = DEFAULT_POINTS,
+    threads: int | None = None,
+) -> CageTurn:
     """Solve a case for azimuths of the first ball evenly spread over one period.
 
     Parameters
     ----------
     case
-        The case; its own first_ball_azimuth is not used.
+        Or the file of one; its own first_ball_azimuth is not used.
     points
         In one period, 4 to 4096.
     threads
@@ -266,6 +272,7 @@ def cage_turn(case: Case, *, points: int = DEFAULT_POINTS, threads: int | None =
             value=points,
             example=f"points = {DEFAULT_POINTS}",
         )
+    case = case if isinstance(case, Case) else load_case(case)
     counts = [place.bearing.ball_count for place in case.bearing.places]
     repeats = reduce(gcd, counts)
     period = 2.0 * pi / repeats

@@ -13,8 +13,9 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 
 from rolamento.geometry import Race
-from rolamento.studies.ball_outputs import RACES, family
-from rolamento.studies.outputs import Floats, Output, Solved
+from rolamento.solved import RACES
+from rolamento.studies.bearing_outputs import family
+from rolamento.studies.outputs import Evaluation, Floats, Output
 
 if TYPE_CHECKING:
     from rolamento.friction.slip import Patch, RelativeMotion
@@ -106,40 +107,40 @@ def _of_contacts() -> Iterator[Output]:
         )
 
 
-def _total(model: ContactModel, attribute: str) -> Callable[[Solved], Floats]:
-    def compute(solved: Solved) -> Floats:
+def _total(model: ContactModel, attribute: str) -> Callable[[Evaluation], Floats]:
+    def compute(solved: Evaluation) -> Floats:
         values: Floats = getattr(solved.friction(model), attribute)
         return np.where(solved.has_friction, values, np.nan)
 
     return compute
 
 
-def _source(name: str) -> Callable[[Solved], Floats]:
-    def compute(solved: Solved) -> Floats:
+def _source(name: str) -> Callable[[Evaluation], Floats]:
+    def compute(solved: Evaluation) -> Floats:
         found = solved.friction("jones_simplified").torque_by_source.get(name)
         return np.where(solved.has_friction, np.nan if found is None else found, np.nan)
 
     return compute
 
 
-def _rolling_power(solved: Solved) -> Floats:
+def _rolling_power(solved: Evaluation) -> Floats:
     rolling = solved.batch.rows[0].rolling
     if rolling is None:
         return np.full(len(solved.batch), np.nan)
     return np.where(solved.batch.converged, rolling.power.sum(axis=(1, 2)), np.nan)
 
 
-def _cage_speed(solved: Solved) -> Floats:
+def _cage_speed(solved: Evaluation) -> Floats:
     rolling = solved.batch.rows[0].rolling
     if rolling is None:
         return np.full(len(solved.batch), np.nan)
     return np.where(solved.batch.converged, rolling.cage_speed, np.nan)
 
 
-def _spin_loss(race: Race) -> Callable[[Solved], Floats]:
+def _spin_loss(race: Race) -> Callable[[Evaluation], Floats]:
     """M_s |ω_s| with the spin as it was solved; 0 at a race that a ball rolls on without spin."""
 
-    def compute(solved: Solved) -> Floats:
+    def compute(solved: Evaluation) -> Floats:
         from rolamento.friction.spin import spin_moment
 
         motion = solved.balls.motion
@@ -152,8 +153,8 @@ def _spin_loss(race: Race) -> Callable[[Solved], Floats]:
     return compute
 
 
-def _pressure_slip(race: Race) -> Callable[[Solved], Floats]:
-    def compute(solved: Solved) -> Floats:
+def _pressure_slip(race: Race) -> Callable[[Evaluation], Floats]:
+    def compute(solved: Evaluation) -> Floats:
         from rolamento.friction.slip import BallVelocity, relative_motion
 
         balls = solved.loaded_balls

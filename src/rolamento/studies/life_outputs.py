@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 
 from rolamento.errors import InputError
-from rolamento.studies.outputs import Floats, Output, Solved
+from rolamento.studies.outputs import Evaluation, Floats, Output
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -110,7 +110,7 @@ def _of_theories() -> Iterator[Output]:
 
 
 def _bound() -> Output:
-    def compute(solved: Solved) -> NDArray[np.int32]:
+    def compute(solved: Evaluation) -> NDArray[np.int32]:
         summary = solved.life(stress_volume=False)
         if summary is None:
             return np.zeros(len(solved.batch), np.int32)
@@ -165,10 +165,10 @@ def _of_limit() -> Iterator[Output]:
         yield Output(name, "1", words, _number(get), needs=_LIFE)
 
 
-def _number(get: Get, stress_volume: bool = False) -> Callable[[Solved], Floats]:
+def _number(get: Get, stress_volume: bool = False) -> Callable[[Evaluation], Floats]:
     """Take a number of every case; NaN where there is none."""
 
-    def compute(solved: Solved) -> Floats:
+    def compute(solved: Evaluation) -> Floats:
         summary = solved.life(stress_volume=stress_volume)
         found = None if summary is None else get(summary)
         return np.where(solved.batch.converged, np.nan if found is None else found, np.nan)
@@ -176,8 +176,8 @@ def _number(get: Get, stress_volume: bool = False) -> Callable[[Solved], Floats]
     return compute
 
 
-def _holds(theory: str, stress_volume: bool) -> Callable[[Solved], NDArray[np.int32]]:
-    def compute(solved: Solved) -> NDArray[np.int32]:
+def _holds(theory: str, stress_volume: bool) -> Callable[[Evaluation], NDArray[np.int32]]:
+    def compute(solved: Evaluation) -> NDArray[np.int32]:
         summary = solved.life(stress_volume=stress_volume)
         found = None if summary is None else _record(summary, theory)
         if found is None:

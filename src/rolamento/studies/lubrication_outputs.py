@@ -8,8 +8,9 @@ from typing import Final
 import numpy as np
 
 from rolamento.geometry import Race
-from rolamento.studies.ball_outputs import RACES, family
-from rolamento.studies.outputs import Floats, Output, Solved
+from rolamento.solved import RACES
+from rolamento.studies.bearing_outputs import family
+from rolamento.studies.outputs import Evaluation, Floats, Output
 
 __all__ = ["lubrication_outputs"]
 
@@ -60,8 +61,8 @@ def _of_contacts() -> Iterator[Output]:
             yield from family(f"{race}_{name}", unit, f"{words}, {race} race", get, None, needs)
 
 
-def _contact(race: Race, attribute: str) -> Callable[[Solved], Floats]:
-    def get(solved: Solved) -> Floats:
+def _contact(race: Race, attribute: str) -> Callable[[Evaluation], Floats]:
+    def get(solved: Evaluation) -> Floats:
         films = solved.film.inner if race == "inner" else solved.film.outer
         values: Floats = getattr(films, attribute)
         return values
@@ -69,7 +70,7 @@ def _contact(race: Race, attribute: str) -> Callable[[Solved], Floats]:
     return get
 
 
-def _least_parameter(solved: Solved) -> Floats:
+def _least_parameter(solved: Evaluation) -> Floats:
     from rolamento.analysis import least_film_parameter
 
     return least_film_parameter(solved.film)
