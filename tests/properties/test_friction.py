@@ -8,7 +8,6 @@ from hypothesis import strategies as st
 
 import rolamento as ro
 from rolamento import Bearing, Case, Duty, Load
-from rolamento.friction.ellipse_mesh import ellipse_mesh
 from rolamento.friction.harris_1971 import harris_1971
 from rolamento.friction.jones_control import jones_control
 from rolamento.friction.jones_full import jones_full, jones_full_motion
@@ -17,7 +16,7 @@ from rolamento.friction.loaded_balls import LoadedBalls, loaded_balls
 from rolamento.friction.minimum_power import flat_balls
 from rolamento.friction.slip import BallVelocity, relative_motion
 from rolamento.friction.todd import todd
-from rolamento.friction.traction import contact_friction
+from rolamento.friction.traction import contact_friction, ellipse_mesh
 
 bearings = st.builds(
     lambda count, diameter, ratio, angle, inner, outer: Bearing(

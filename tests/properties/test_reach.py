@@ -16,7 +16,7 @@ from rolamento.errors import InputError
 from rolamento.friction.slip import (
     BallVelocity,
     Patch,
-    greatest_pressure_slip,
+    maximum_pressure_slip,
     relative_motion,
     rolling_lines,
     slip_velocity,
@@ -57,7 +57,7 @@ def slips(load: float, x: float, y: float, z: float, ring: float) -> None:
     assert slip_velocity(patch, motion, np.linspace(-1.0, 1.0, 5), np.zeros(5)).speed.shape == (5,)
     _ = motion.spin_to_roll
     rolling_lines(patch, motion)
-    greatest_pressure_slip(patch, motion)
+    maximum_pressure_slip(patch, motion)
 
 
 def lines(t1: float, t2: float, nu1: float, nu2: float, t: float) -> None:

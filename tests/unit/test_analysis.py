@@ -204,8 +204,8 @@ def test_blocks_are_the_whole(oiled: Case, monkeypatch: pytest.MonkeyPatch) -> N
         assert blocks.film is not None
         np.testing.assert_array_equal(blocks.friction.torque, whole.friction.torque)
         np.testing.assert_array_equal(blocks.film.viscosity_ratio, whole.film.viscosity_ratio)
-        for one, other in zip(blocks.friction.verdicts, whole.friction.verdicts, strict=True):
-            np.testing.assert_array_equal(one.holds, other.holds)
+        for one, other in zip(blocks.friction.validity, whole.friction.validity, strict=True):
+            np.testing.assert_array_equal(one.valid, other.valid)
             assert one.notes.keys() == other.notes.keys()
             for name, where in one.notes.items():
                 np.testing.assert_array_equal(where, other.notes[name])
@@ -312,9 +312,9 @@ def test_skfs_constants_are_for_another_angle_than_a_spindle_bearings() -> None:
     found = analyse(case)
     assert found.friction is not None
     assert "palmgren" in found.friction.models
-    (verdict,) = (own for own in found.friction.verdicts if own.model == "skf")
-    assert verdict.notes["other_angle"].all()
-    assert not verdict.holds.any()
+    (validity,) = (own for own in found.friction.validity if own.model == "skf")
+    assert validity.notes["other_angle"].all()
+    assert not validity.valid.any()
 
 
 def test_why_there_is_no_life(case_218: Case) -> None:

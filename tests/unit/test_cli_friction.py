@@ -243,7 +243,7 @@ def test_a_coefficient_may_be_what_varies(examples: Path) -> None:
 def test_the_table_marks_what_does_not_hold(run: Run) -> None:
     code, out, _ = run("ricci_fleury.toml", "--over", SPEEDS, "--log", "--points", "6")
     assert code == 0
-    assert "* the model does not hold there" in out
+    assert "* the model is not valid there" in out
     assert "inertia counts at 30 000 rpm: every model but friction control" in out
     assert "Spin to roll over duty.inner_speed" in out
     assert max(map(len, out.splitlines())) <= 80

@@ -10,16 +10,15 @@ import pytest
 import rolamento as ro
 from rolamento import Bearing, Case, Duty, Load
 from rolamento.errors import InputError
-from rolamento.friction.ellipse_mesh import ellipse_mesh
+from rolamento.friction.closed_forms import hysteresis_moment
 from rolamento.friction.harris_1971 import harris_1971
-from rolamento.friction.hysteresis import hysteresis_moment
 from rolamento.friction.jones_control import jones_control
 from rolamento.friction.jones_full import jones_full, jones_full_motion
 from rolamento.friction.jones_simplified import jones_simplified
 from rolamento.friction.loaded_balls import LoadedBalls, loaded_balls
 from rolamento.friction.minimum_power import flat_balls
 from rolamento.friction.todd import todd
-from rolamento.friction.traction import contact_friction
+from rolamento.friction.traction import contact_friction, ellipse_mesh
 
 MU = 0.17
 LOADS = (20.0, 50.0, 100.0, 200.0)

@@ -12,7 +12,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 import rolamento as ro
 from rolamento.errors import InputError
 from rolamento.friction.loaded_balls import loaded_balls
-from rolamento.friction.slip import greatest_pressure_slip, relative_motion, rolling_lines
+from rolamento.friction.slip import maximum_pressure_slip, relative_motion, rolling_lines
 from rolamento.plots.frame import figure_of
 from rolamento.plots.slip import QUANTITIES, slip_map, slip_maps
 from rolamento.plots.words import PORTUGUESE
@@ -33,7 +33,7 @@ def test_map_shows_line_and_maximum_where_they_are(state: ro.State) -> None:
     expected = rolling_lines(balls.inner, motion)[0, heaviest]
     drawn = [line.get_xdata()[0] for line in lines]  # type: ignore[index]
     np.testing.assert_allclose(drawn, a * expected[np.isfinite(expected)])
-    found = greatest_pressure_slip(balls.inner, motion)
+    found = maximum_pressure_slip(balls.inner, motion)
     assert cross.get_xdata()[0] == pytest.approx(a * found.across[0, heaviest])  # type: ignore[index]
     value = 1e-6 * found.value[0, heaviest]
     legend = axes.get_legend()

@@ -10,8 +10,8 @@ import pytest
 import rolamento as ro
 from rolamento import Case
 from rolamento.errors import InputError
-from rolamento.friction import MachineBearing, friction
-from rolamento.friction.regime import LOW_SPEED, REASONS
+from rolamento.friction import CONTACT_MODELS, MachineBearing, friction
+from rolamento.friction.model import REASONS
 from rolamento.friction.skf import SkfConstants
 
 OIL = MachineBearing(
@@ -50,12 +50,12 @@ def test_mapping_is_plain_json(slow: ro.State, case_218: Case) -> None:
     found = friction(slow, friction_coefficient=0.1, machine=OIL, film_parameter=0.5)
     read = json.loads(json.dumps(found.to_mapping(), allow_nan=False))
     assert read["torque"] == found.torque[0]
-    heat = sum(sum(ball[race].values()) for ball in read["heat"] for race in ("inner", "outer"))
+    heat = sum(sum(of[race]) for of in read["heat"].values() for race in ("inner", "outer"))
     assert heat == pytest.approx(read["power"])
-    assert len(read["heat"]) == 16
-    by_name = {model["model"]: model for model in read["models"]}
-    assert by_name["skf"]["holds"] is False
-    assert by_name["skf"]["notes"] == ["no_film"]
+    assert len(read["heat"]["spin"]["inner"]) == 16
+    assert read["friction_coefficient"] == 0.1
+    assert read["models"]["skf"]["holds"] is False
+    assert read["models"]["skf"]["reasons"] == ["no_film"]
     unsolved = ro.solve(ro.override(case_218, ["duty.load.fx=-20 kN"]))
     none = friction(unsolved, friction_coefficient=0.1).to_mapping()
     assert none["torque"] is None
@@ -64,20 +64,20 @@ def test_mapping_is_plain_json(slow: ro.State, case_218: Case) -> None:
 
 def test_all_models_of_a_state_and_one_of_a_batch(slow: ro.State, case_218: Case) -> None:
     found = friction(slow, friction_coefficient=0.1, machine=OIL)
-    assert set(found.models) == {*LOW_SPEED, "palmgren", "skf"}
+    assert set(found.models) == {*CONTACT_MODELS, "palmgren", "skf"}
     batch = ro.solve_batch(case_218, inner_speed=[1.0, 2.0])
     assert set(friction(batch, friction_coefficient=0.1).models) == {"jones_full"}
     both = friction(batch, friction_coefficient=0.1, compare=True, model="todd")
-    assert set(both.models) == set(LOW_SPEED)
+    assert set(both.models) == set(CONTACT_MODELS)
     expected = both.models["todd"].total + both.torque_by_source["hysteresis"]
     np.testing.assert_allclose(both.torque, expected)
 
 
 def test_inertia_takes_the_low_speed_models_out(slow: ro.State, fast: ro.State) -> None:
-    assert friction(slow, friction_coefficient=0.1).holding() == LOW_SPEED
+    assert friction(slow, friction_coefficient=0.1).valid_models() == CONTACT_MODELS
     found = friction(fast, friction_coefficient=0.1, machine=OIL)
-    assert found.holding() == ("palmgren", "skf")
-    noted = {verdict.model: set(verdict.notes) for verdict in found.verdicts}
+    assert found.valid_models() == ("palmgren", "skf")
+    noted = {validity.model: set(validity.notes) for validity in found.validity}
     assert noted["jones_full"] == {"inertia"}
     assert noted["skf"] == set()
 
@@ -85,26 +85,26 @@ def test_inertia_takes_the_low_speed_models_out(slow: ro.State, fast: ro.State) 
 @pytest.mark.parametrize(
     ("film", "regime", "holding"),
     [
-        (0.4, "boundary", set(LOW_SPEED)),
-        (2.0, "mixed", {*LOW_SPEED, "palmgren", "skf"}),
+        (0.4, "boundary", set(CONTACT_MODELS)),
+        (2.0, "mixed", {*CONTACT_MODELS, "palmgren", "skf"}),
         (5.0, "full_film", {"palmgren", "skf"}),
     ],
 )
 def test_film_decides(slow: ro.State, film: float, regime: str, holding: set[str]) -> None:
     found = friction(slow, friction_coefficient=0.1, film_parameter=film, machine=OIL)
     assert found.regime[0] == regime
-    assert set(found.holding()) == holding
-    for verdict in found.verdicts:
-        assert set(verdict.notes) <= set(REASONS)
+    assert set(found.valid_models()) == holding
+    for validity in found.validity:
+        assert set(validity.notes) <= set(REASONS)
 
 
 def test_film_of_every_case_of_a_batch(case_218: Case) -> None:
     batch = ro.solve_batch(case_218, inner_speed=[1.0, 1.0, 0.0])
     found = friction(batch, friction_coefficient=0.1, film_parameter=[0.5, 4.0, np.nan])
     assert list(found.regime) == ["boundary", "full_film", "unknown"]
-    (verdict,) = found.verdicts
-    assert list(verdict.holds) == [True, False, True]
-    assert list(verdict.notes["at_rest"]) == [False, False, True]
+    (validity,) = found.validity
+    assert list(validity.valid) == [True, False, True]
+    assert list(validity.notes["at_rest"]) == [False, False, True]
     assert found.power[2] == 0.0
     assert found.torque[2] > 0.0
 
@@ -125,8 +125,8 @@ def test_unsolved_state_has_no_torque(case_218: Case) -> None:
     found = friction(unsolved, friction_coefficient=0.1, dynamic_viscosity=0.05)
     assert np.isnan(found.torque).all()
     assert np.isnan(found.power).all()
-    assert found.holding() == ()
-    assert all(verdict.notes["no_result"].all() for verdict in found.verdicts)
+    assert found.valid_models() == ()
+    assert all(validity.notes["no_result"].all() for validity in found.validity)
 
 
 def test_frictionless_bearing_loses_only_by_hysteresis(slow: ro.State) -> None:

@@ -10,7 +10,7 @@ import pytest
 
 from rolamento import Case, InputError, Lubricant, analyse, load_case, solve_batch
 from rolamento.friction import loaded_balls
-from rolamento.friction.slip import greatest_pressure_slip, relative_motion
+from rolamento.friction.slip import maximum_pressure_slip, relative_motion
 from rolamento.studies import Axis, Distribution, Scatter, Study, parse_study, run, study_to_json
 from rolamento.studies.friction_outputs import greatest_product
 from rolamento.studies.outputs import catalogue
@@ -92,7 +92,7 @@ def test_pressure_times_slip_is_that_of_the_whole_ellipse(case_218: Case, race: 
     balls = loaded_balls(batch)
     patch = balls.patch(race)  # type: ignore[arg-type]
     motion = relative_motion(patch, balls.ball_velocity, balls.ring_speed(patch.race))
-    whole = greatest_pressure_slip(patch, motion).value
+    whole = maximum_pressure_slip(patch, motion).value
     np.testing.assert_allclose(greatest_product(patch, motion), whole, rtol=1e-6, atol=1e-3)
     found = run(
         Study(

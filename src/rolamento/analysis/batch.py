@@ -18,7 +18,6 @@ from rolamento.numerics.masked import filled
 from rolamento.numerics.threads import thread_count
 
 if TYPE_CHECKING:
-    from rolamento.friction.summary import ContactModel
     from rolamento.life import LifeSummary
     from rolamento.lubrication import FilmTable
     from rolamento.rows.ball import BatchState
@@ -31,7 +30,7 @@ def analyse_batch(
     case: Case,
     batch: BatchState,
     *,
-    model: ContactModel = "jones_simplified",
+    model: str = "jones_simplified",
     friction_coefficient: ArrayLike | None = None,
     lubricant_temperature: ArrayLike | None = None,
     hysteresis: float = DEFAULT_HYSTERESIS,
@@ -123,7 +122,7 @@ def _part(
     batch: BatchState,
     mu: NDArray[np.float64] | None,
     warm: NDArray[np.float64] | None,
-    choices: tuple[ContactModel, float, bool],
+    choices: tuple[str, float, bool],
 ) -> BatchAnalysis:
     """Film and friction of some cases."""
     from rolamento.friction import friction

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 if TYPE_CHECKING:
-    from rolamento.friction import ContactLoss, Friction, ModelVerdict, Torque
+    from rolamento.friction import ContactLoss, Friction, ModelValidity, Torque
     from rolamento.life import LifeSummary
     from rolamento.lubrication import FilmTable
 
@@ -41,6 +41,7 @@ def _joined_friction(parts: list[Friction]) -> Friction:
 
     first = parts[0]
     return Friction(
+        friction_coefficient=np.concatenate([part.friction_coefficient for part in parts]),
         model=first.model,
         torque=np.concatenate([part.torque for part in parts]),
         starting_torque=np.concatenate([part.starting_torque for part in parts]),
@@ -51,9 +52,9 @@ def _joined_friction(parts: list[Friction]) -> Friction:
         models={
             name: _joined_torque([part.models[name] for part in parts]) for name in first.models
         },
-        verdicts=tuple(
-            _joined_verdict([part.verdicts[index] for part in parts])
-            for index in range(len(first.verdicts))
+        validity=tuple(
+            _joined_validity([part.validity[index] for part in parts])
+            for index in range(len(first.validity))
         ),
     )
 
@@ -85,19 +86,18 @@ def _joined_torque(parts: list[Torque]) -> Torque:
         np.concatenate([part.power for part in parts]),
         np.concatenate([part.converged for part in parts]),
         _joined_losses([part.losses for part in parts]),
-        first.notes,
     )
 
 
-def _joined_verdict(parts: list[ModelVerdict]) -> ModelVerdict:
+def _joined_validity(parts: list[ModelValidity]) -> ModelValidity:
     """A note that some blocks do not have is false in their cases."""
-    from rolamento.friction import ModelVerdict
+    from rolamento.friction import ModelValidity
 
     names = dict.fromkeys(name for part in parts for name in part.notes)
     notes = {
         name: np.concatenate(
-            [part.notes.get(name, np.zeros(len(part.holds), np.bool_)) for part in parts]
+            [part.notes.get(name, np.zeros(len(part.valid), np.bool_)) for part in parts]
         )
         for name in names
     }
-    return ModelVerdict(parts[0].model, np.concatenate([part.holds for part in parts]), notes)
+    return ModelValidity(parts[0].model, np.concatenate([part.valid for part in parts]), notes)

@@ -9,7 +9,6 @@ from math import isfinite
 from typing import TYPE_CHECKING, Any, Final
 
 from rolamento.analysis.machine import machine_of
-from rolamento.analysis.mapping import friction_mapping
 from rolamento.analysis.needs import coefficient, has_film, has_friction, has_life, missing
 from rolamento.case import Case
 from rolamento.errors import InputError
@@ -92,7 +91,7 @@ class Analysis:
         """Give the state's mapping with "film", "friction", "life", "frequencies"; None without."""
         mapping = self.state.to_mapping()
         film = None if self.film is None else self.film.to_mapping()
-        friction = None if self.friction is None else friction_mapping(self.state, self.friction)
+        friction = None if self.friction is None else self.friction.to_mapping()
         notes = [*mapping.pop("notes"), *self.sentences]
         case = mapping.pop("case")
         life = None if self.life is None else self.life.to_mapping()

@@ -14,14 +14,18 @@ from typing import Final
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento.friction.control import controlling_race, unit_motion
-from rolamento.friction.ellipse_mesh import EllipseMesh, ellipse_mesh
-from rolamento.friction.least_power import least_power_losses
 from rolamento.friction.loaded_balls import LoadedBalls
-from rolamento.friction.minimum_power import FreeMotion
-from rolamento.friction.torque import Torque, checked_coefficient, torque_of_losses
-
-NAME: Final = "jones_full"
+from rolamento.friction.minimum_power import FreeMotion, minimum_power_losses
+from rolamento.friction.model import (
+    Torque,
+    TorqueModel,
+    checked_coefficient,
+    controlling_race,
+    limits_of_dry_friction,
+    torque_of_losses,
+    unit_motion,
+)
+from rolamento.friction.traction import EllipseMesh, ellipse_mesh
 
 
 def jones_full(
@@ -53,5 +57,18 @@ def jones_full_motion(
     mesh = ellipse_mesh() if mesh is None else mesh
     start = unit_motion(balls, controlling_race(balls, "jones"))
     free = np.broadcast_to(np.eye(3), (*balls.loaded.shape, 3, 3))
-    losses, converged, motion = least_power_losses(balls, mu, start, free, mesh)
-    return torque_of_losses(NAME, balls, losses, converged), motion
+    losses, converged, motion = minimum_power_losses(balls, mu, start, free, mesh)
+    return torque_of_losses(MODEL.name, balls, losses, converged), motion
+
+
+MODEL: Final = TorqueModel(
+    name="jones_full",
+    title="Jones, full",
+    short_title="Jones full",
+    long_title="Jones's full model",
+    needs=("friction_coefficient",),
+    evaluate=lambda setting: jones_full(
+        setting.balls, setting.friction_coefficient[:, 0], mesh=setting.mesh
+    ),
+    limits=limits_of_dry_friction,
+)

@@ -3,19 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Final
 
-import numpy as np
-
-from rolamento.friction.loaded_balls import LoadedBalls
-from rolamento.friction.palmgren import BearingKind, Lubrication, palmgren
-from rolamento.friction.skf import SkfConstants, SkfMoment, Supply, skf_moment
-from rolamento.friction.torque import Torque
-from rolamento.numerics import FloatArray
-from rolamento.rows.ball import BatchState
-from rolamento.state import State
-
-_SAME_ANGLE: Final = float(np.radians(1.0))
+from rolamento.friction.palmgren import BearingKind, Lubrication
+from rolamento.friction.skf import SkfConstants, Supply
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,59 +31,6 @@ class MachineBearing:
     constants: SkfConstants | None = None
 
     @property
-    def skf_angle_differs(self) -> bool:
-        """Whether SKF's constants for angular-contact bearings are for another contact angle."""
-        own = None if self.constants is None else self.constants.contact_angle
-        return own is not None and abs(self.contact_angle - own) > _SAME_ANGLE
-
-    @property
     def mean_diameter(self) -> float:
         """d_m of these models, the mean of bore and outside diameter; m."""
         return 0.5 * (self.bore_diameter + self.outside_diameter)
-
-
-def ring_loads(state: State | BatchState) -> tuple[FloatArray, FloatArray]:
-    """Radial and axial load on the bearing, (cases,); N."""
-    load = np.asarray([state.load]) if isinstance(state, State) else np.asarray(state.load)
-    return np.hypot(load[:, 1], load[:, 2]), np.abs(load[:, 0])
-
-
-def palmgren_torque(
-    state: State | BatchState, balls: LoadedBalls, machine: MachineBearing
-) -> Torque | None:
-    """Palmgren's torque of the states, or None without a load ratio."""
-    if machine.static_load_ratio is None:
-        return None
-    radial, axial = ring_loads(state)
-    return palmgren(
-        kind=machine.kind,
-        lubrication=machine.lubrication,
-        speed=balls.relative_speed[:, 0],
-        mean_diameter=machine.mean_diameter,
-        kinematic_viscosity=machine.kinematic_viscosity,
-        radial_load=radial,
-        axial_load=axial,
-        static_load_ratio=machine.static_load_ratio,
-        contact_angle=machine.contact_angle,
-    )
-
-
-def skf_moment_of(
-    state: State | BatchState, balls: LoadedBalls, machine: MachineBearing
-) -> SkfMoment | None:
-    """SKF's moment of the states, or None without the constants of the series."""
-    if machine.constants is None:
-        return None
-    radial, axial = ring_loads(state)
-    return skf_moment(
-        machine.constants,
-        speed=balls.relative_speed[:, 0],
-        bore_diameter=machine.bore_diameter,
-        outside_diameter=machine.outside_diameter,
-        kinematic_viscosity=machine.kinematic_viscosity,
-        radial_load=radial,
-        axial_load=axial,
-        static_load_rating=machine.static_load_rating,
-        supply=machine.supply,
-        oil=machine.oil,
-    )

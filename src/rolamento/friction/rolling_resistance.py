@@ -23,8 +23,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento.friction.loaded_balls import LoadedBalls
+from rolamento.friction.model import ContactLoss, checked_positive
 from rolamento.friction.slip import Patch, relative_motion
-from rolamento.friction.torque import ContactLoss, checked_positive
 from rolamento.geometry import Race
 from rolamento.numerics import FloatArray
 
@@ -76,10 +76,10 @@ def rolling_resistance_loss(balls: LoadedBalls, viscosity: ArrayLike) -> Contact
         If a viscosity is negative.
     """
     eta = checked_positive(viscosity, "dynamic_viscosity", zero=True).reshape(-1, 1)
-    return ContactLoss(_loss(balls, "inner", eta), _loss(balls, "outer", eta))
+    return ContactLoss(_loss_of_race(balls, "inner", eta), _loss_of_race(balls, "outer", eta))
 
 
-def _loss(balls: LoadedBalls, race: Race, viscosity: FloatArray) -> FloatArray:
+def _loss_of_race(balls: LoadedBalls, race: Race, viscosity: FloatArray) -> FloatArray:
     """2 F_R u, with the speed u = ω_roll R_x of pure rolling."""
     patch = balls.patch(race)
     motion = relative_motion(patch, balls.ball_velocity, balls.ring_speed(race))

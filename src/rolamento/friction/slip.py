@@ -266,7 +266,7 @@ def pressure_share(across: ArrayLike, along: ArrayLike) -> FloatArray:
 
 @dataclass(frozen=True, slots=True)
 class PressureSlip:
-    """The greatest product of pressure and slip in contacts, and where it is.
+    """The maximum product of pressure and slip in contacts, and where it is.
 
     value W/m², across and along x0/a and y0/b; arrays of one shape.
     """
@@ -276,7 +276,7 @@ class PressureSlip:
     along: FloatArray
 
 
-def greatest_pressure_slip(patch: Patch, motion: RelativeMotion) -> PressureSlip:
+def maximum_pressure_slip(patch: Patch, motion: RelativeMotion) -> PressureSlip:
     """Find the maximum of p·v over every ellipse: a grid, then grids around its best point.
 
     Parameters

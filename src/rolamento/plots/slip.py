@@ -16,7 +16,7 @@ from rolamento.friction.loaded_balls import loaded_balls
 from rolamento.friction.slip import (
     Patch,
     RelativeMotion,
-    greatest_pressure_slip,
+    maximum_pressure_slip,
     pressure_share,
     relative_motion,
     rolling_lines,
@@ -248,7 +248,7 @@ def _draw_arrows(axes: Axes, contact: _Contact, a: float, b: float) -> None:
 
 
 def _mark_greatest(axes: Axes, contact: _Contact, a: float, b: float, words: PlotWords) -> None:
-    found = greatest_pressure_slip(contact.patch, contact.motion)
+    found = maximum_pressure_slip(contact.patch, contact.motion)
     factor, unit = _UNITS["pressure_slip"]
     value = f"{number(float(factor * found.value[0]), words)} {unit}"
     axes.plot(

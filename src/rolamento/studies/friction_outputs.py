@@ -18,20 +18,11 @@ from rolamento.studies.outputs import Floats, Output, Solved
 
 if TYPE_CHECKING:
     from rolamento.friction.slip import Patch, RelativeMotion
-    from rolamento.friction.summary import ContactModel
 
 __all__ = ["friction_outputs", "greatest_product"]
 
 _COEFFICIENT: Final = ("lubricant.friction_coefficient",)
 _OIL: Final = ("lubricant", "temperature.lubricant")
-_MODELS: Final[tuple[tuple[ContactModel, str], ...]] = (
-    ("jones_simplified", "Jones's simplified model"),
-    ("todd", "Todd's model"),
-    ("jones_control", "Jones's model with raceway control"),
-    ("jones_full", "Jones's full model"),
-    ("harris_1971", "Harris's model of 1971"),
-)
-_CLOSED_FORMS: Final = ("jones_simplified", "todd")
 _POINTS: Final = 41
 _ZOOMS: Final = 4
 _SHRINKING: Final = 0.1
@@ -63,15 +54,18 @@ def friction_outputs() -> tuple[Output, ...]:
 
 
 def _of_models() -> Iterator[Output]:
-    for model, words in _MODELS:
-        for name, unit, attribute in (("torque", "N*m", "torque"), ("power", "W", "power")):
+    from rolamento.friction import CONTACT_MODELS, TORQUE_MODELS
+
+    for model in CONTACT_MODELS:
+        known = TORQUE_MODELS[model]
+        for name, unit in (("torque", "N*m"), ("power", "W")):
             yield Output(
                 f"friction_{name}_{model}",
                 unit,
-                f"friction {name} by {words}",
-                _total(model, attribute),
+                f"friction {name} by {known.long_title}",
+                _total(model, name),
                 needs=_COEFFICIENT,
-                slow=model not in _CLOSED_FORMS,
+                slow=not known.closed_form,
             )
 
 
@@ -106,7 +100,7 @@ def _of_contacts() -> Iterator[Output]:
         )
 
 
-def _total(model: ContactModel, attribute: str) -> Callable[[Solved], Floats]:
+def _total(model: str, attribute: str) -> Callable[[Solved], Floats]:
     def compute(solved: Solved) -> Floats:
         values: Floats = getattr(solved.friction(model), attribute)
         return np.where(solved.has_friction, values, np.nan)
@@ -140,7 +134,7 @@ def _spin_loss(race: Race) -> Callable[[Solved], Floats]:
     """M_s |ω_s| with the spin as it was solved; 0 at a race that a ball rolls on without spin."""
 
     def compute(solved: Solved) -> Floats:
-        from rolamento.friction.spin import spin_moment
+        from rolamento.friction.closed_forms import spin_moment
 
         motion = solved.balls.motion
         spin = motion.inner_spin if race == "inner" else motion.outer_spin
@@ -180,7 +174,7 @@ def greatest_product(patch: Patch, motion: RelativeMotion) -> Floats:
     (1 - u² - v²)(A² + B² v²) is greatest at v² = max(0, ((1 - u²) B² - A²)/(2 B²)): only u is left
     to be searched. Where balls tumble, the whole ellipse is searched.
     """
-    from rolamento.friction.slip import RelativeMotion, greatest_pressure_slip
+    from rolamento.friction.slip import RelativeMotion, maximum_pressure_slip
 
     shape = patch.load.shape
     flat = patch.mapped(np.ravel)
@@ -195,7 +189,7 @@ def greatest_product(patch: Patch, motion: RelativeMotion) -> Floats:
         drift, roll, twist, tumble = (column[some] for column in columns)
         own = RelativeMotion(drift, roll, twist, tumble, motion.side)
         if tumbles:
-            found[some] = greatest_pressure_slip(part, own).value
+            found[some] = maximum_pressure_slip(part, own).value
         else:
             found[some] = _without_tumbling(part, own)
     return found.reshape(shape)

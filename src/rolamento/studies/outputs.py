@@ -21,7 +21,6 @@ if TYPE_CHECKING:
     from rolamento.case import Case
     from rolamento.contact.hertz import HertzContact
     from rolamento.friction import Friction, LoadedBalls
-    from rolamento.friction.summary import ContactModel
     from rolamento.geometry import Race
     from rolamento.life import LifeSummary
     from rolamento.lubrication import FilmTable
@@ -114,7 +113,7 @@ class Solved:
     def _frictions(self) -> dict[str, Friction]:
         return {}
 
-    def friction(self, model: ContactModel) -> Friction:
+    def friction(self, model: str) -> Friction:
         """Torque, power and heat with a model of the contacts.
 
         Where there is no coefficient that the models take, it is taken as zero: `has_friction`.

@@ -8,12 +8,11 @@ from functools import cache
 import numpy as np
 
 from rolamento.friction import loaded_balls
-from rolamento.friction.control import controlling_race, unit_motion
-from rolamento.friction.ellipse_mesh import ellipse_mesh
 from rolamento.friction.harris_1971 import line_friction
-from rolamento.friction.least_power import start_of
-from rolamento.friction.minimum_power import flat_balls, least_power_motion
+from rolamento.friction.minimum_power import flat_balls, minimum_power_motion, start_of
+from rolamento.friction.model import controlling_race, unit_motion
 from rolamento.friction.slip import rolling_lines
+from rolamento.friction.traction import ellipse_mesh
 from rolamento.rows.ball import BatchState, solve_batch
 from rolamento_reproductions.given import MILLI, RPM, grid
 from rolamento_reproductions.record import (
@@ -68,7 +67,7 @@ def _solved(conformity: float, load: float | None = None) -> _Bearing:
     inner, outer, chosen = flat_balls(balls)
     start = start_of(unit_motion(balls, controlling_race(balls, "jones")), chosen)
     free = np.broadcast_to(np.eye(3), (*start.shape, 3))
-    motion = least_power_motion(inner, outer, start, free, ellipse_mesh(_POINTS, 1))
+    motion = minimum_power_motion(inner, outer, start, free, ellipse_mesh(_POINTS, 1))
     count = balls.loaded.shape[1]
     ratios, lines = [], []
     power = np.zeros(inner.load.shape)

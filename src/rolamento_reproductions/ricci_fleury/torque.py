@@ -9,12 +9,12 @@ from itertools import pairwise
 import numpy as np
 
 from rolamento.friction import LoadedBalls, Torque, loaded_balls
-from rolamento.friction.control import controlling_race
 from rolamento.friction.harris_1971 import harris_1971
 from rolamento.friction.jones_control import jones_control
 from rolamento.friction.jones_full import jones_full_motion
 from rolamento.friction.jones_simplified import jones_simplified
 from rolamento.friction.minimum_power import flat_balls
+from rolamento.friction.model import controlling_race
 from rolamento.friction.todd import todd
 from rolamento.numerics.elliptic import complete
 from rolamento.rows.ball import BatchState, solve_batch
