@@ -22,20 +22,32 @@ from rolamento.friction.slip import (
     slip_velocity,
 )
 from rolamento.lubrication.entrainment import surface_speeds
-from rolamento.lubrication.film_thickness import central_film, film_groups, minimum_film
-from rolamento.lubrication.starvation import (
+from rolamento.lubrication.film_thickness import (
+    central_film,
+    film_groups,
     flooded_distance_central,
     flooded_distance_minimum,
+    gupta_cheng,
     inlet_distance_central,
+    minimum_film,
+    murch_wilson,
     replenishment,
+    thermal_loading,
 )
-from rolamento.lubrication.thermal import gupta_cheng, murch_wilson, thermal_loading
-from rolamento.lubrication.viscosity_ratio import viscosity_ratio
-from rolamento.oil.density import density_by_expansion, density_of_lubricating_oil
-from rolamento.oil.piezoviscosity import barus, roelands
-from rolamento.oil.pressure_viscosity import so_klaus, wooster
-from rolamento.oil.viscosity import astm_d341, astm_d341_line, dynamic_viscosity
-from rolamento.oil.viscosity_index import viscosity_100_of_index, viscosity_index
+from rolamento.lubrication.oil_state import viscosity_ratio
+from rolamento.oil import (
+    astm_d341,
+    astm_d341_line,
+    barus,
+    density_by_expansion,
+    density_of_lubricating_oil,
+    dynamic_viscosity,
+    roelands,
+    so_klaus,
+    viscosity_100_of_index,
+    viscosity_index,
+    wooster,
+)
 
 numbers = st.one_of(
     st.floats(),

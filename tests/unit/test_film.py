@@ -17,7 +17,18 @@ from rolamento.errors import InputError
 from rolamento.lubrication import Film, film_of, film_of_batch
 from rolamento.lubrication.contact_film import ContactFilms
 from rolamento.lubrication.entrainment import rolling_entrainment_speed
-from rolamento.lubrication.film_thickness import central_film, film_groups
+from rolamento.lubrication.film_thickness import (
+    central_film,
+    film_groups,
+    flooded_distance_central,
+    gupta_cheng,
+    inlet_distance_central,
+    inlet_distance_minimum,
+    murch_wilson,
+    replenishment,
+    thermal_loading,
+)
+from rolamento.lubrication.oil_state import reference_viscosity, viscosity_ratio
 from rolamento.lubrication.regime import (
     adhesive_wear_by_speed,
     crack_origin,
@@ -26,14 +37,6 @@ from rolamento.lubrication.regime import (
     regime_of,
     regimes,
 )
-from rolamento.lubrication.starvation import (
-    flooded_distance_central,
-    inlet_distance_central,
-    inlet_distance_minimum,
-    replenishment,
-)
-from rolamento.lubrication.thermal import gupta_cheng, murch_wilson, thermal_loading
-from rolamento.lubrication.viscosity_ratio import reference_viscosity, viscosity_ratio
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "src" / "rolamento" / "examples"
 TABLES: dict[str, Any] = {

@@ -11,7 +11,7 @@ import rolamento as ro
 from rolamento.errors import InputError
 from rolamento.lubrication import film_of_batch
 from rolamento.lubrication.film_control import ShearedFilm, solve_on_film
-from rolamento.oil.piezoviscosity import roelands
+from rolamento.oil import roelands
 from rolamento.rows import ball as equilibrium
 from rolamento.rows.ball.columns import spread
 from rolamento.rows.ball.traction.contact import ellipse_nodes

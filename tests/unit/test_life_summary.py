@@ -21,7 +21,7 @@ from rolamento.life.contamination import class_of_code, class_of_grease
 from rolamento.life.l_able import FactorTable
 from rolamento.life.record import NOTES, OUTSIDE
 from rolamento.lubrication import film_of
-from rolamento.lubrication.viscosity_ratio import viscosity_ratio
+from rolamento.lubrication.oil_state import viscosity_ratio
 from rolamento.rows.ball import solve_batch
 
 RPM = np.pi / 30.0

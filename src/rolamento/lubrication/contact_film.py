@@ -7,16 +7,20 @@ from dataclasses import dataclass
 import numpy as np
 
 from rolamento.case.film_model import FilmModel
-from rolamento.lubrication.film_thickness import central_film, film_groups, minimum_film
-from rolamento.lubrication.oil_state import OilState
-from rolamento.lubrication.running import RunningContacts
-from rolamento.lubrication.starvation import (
+from rolamento.lubrication.film_thickness import (
+    central_film,
+    film_groups,
     flooded_distance_central,
     flooded_distance_minimum,
+    gupta_cheng,
     inlet_distance_central,
     inlet_distance_minimum,
+    minimum_film,
+    murch_wilson,
+    thermal_loading,
 )
-from rolamento.lubrication.thermal import gupta_cheng, murch_wilson, thermal_loading
+from rolamento.lubrication.oil_state import OilState
+from rolamento.lubrication.running import RunningContacts
 from rolamento.numerics import FloatArray
 
 

@@ -19,7 +19,7 @@ import numpy as np
 from rolamento.case import Case
 from rolamento.lubrication.table import FilmTable, film_of_batch
 from rolamento.numerics import BoolArray, FloatArray
-from rolamento.oil.piezoviscosity import roelands
+from rolamento.oil import roelands
 from rolamento.rows.ball import BatchState
 from rolamento.rows.ball.accept import CONVERGED, NOT_CONVERGED
 from rolamento.rows.ball.assemble import solve_columns_of

@@ -13,7 +13,7 @@ from rolamento.case import Case
 from rolamento.case.lubricant import Lubricant
 from rolamento.lubrication.film_thickness import COMPUTED_RANGE
 from rolamento.lubrication.record import ContactFilm, Film
-from rolamento.oil.viscosity import LEAST_VISCOSITY
+from rolamento.oil import MINIMUM_VISCOSITY
 from rolamento.units import from_si
 
 LEAST_RATIO: Final = 1.0
@@ -69,7 +69,7 @@ def _temperature(film: Film, lubricant: Lubricant) -> Iterator[str]:
             f"The lubricant is above its range at {at}: {lubricant.name} is for at most"
             f" {from_si(most, 'temperature')}."
         )
-    if film.kinematic_viscosity < LEAST_VISCOSITY:
+    if film.kinematic_viscosity < MINIMUM_VISCOSITY:
         yield (
             f"At {at} the oil has less than 2 mm²/s, where the line of ASTM D341 does not hold as"
             " it is used here."

@@ -15,15 +15,14 @@ from rolamento.case.lubricant import Lubricant
 from rolamento.errors import InputError
 from rolamento.geometry import Race
 from rolamento.lubrication.contact_film import ContactFilms, contact_films
-from rolamento.lubrication.oil_state import OilState, oil_state
+from rolamento.lubrication.film_thickness import replenishment
+from rolamento.lubrication.oil_state import OilState, oil_state, reference_viscosity
 from rolamento.lubrication.running import (
     RunningBalls,
     RunningContacts,
     balls_of_batch,
     part,
 )
-from rolamento.lubrication.starvation import replenishment
-from rolamento.lubrication.viscosity_ratio import reference_viscosity
 from rolamento.numerics import FloatArray
 from rolamento.numerics.masked import filled
 from rolamento.numerics.threads import thread_count

@@ -13,7 +13,7 @@ from rolamento.lubrication import film_of
 from rolamento.lubrication.film_thickness import central_film, film_groups
 from rolamento.lubrication.regime import regime_of
 from rolamento.lubrication.roughness import rms_of_mean_roughness
-from rolamento.oil.pressure_viscosity import wooster
+from rolamento.oil import wooster
 from rolamento.rows.ball import solve
 from rolamento.verification import Check
 from rolamento.verification.published import MM
