@@ -8,11 +8,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rolamento import Case, InputError, Lubricant, analyse, load_case, solve_batch
-from rolamento.friction import loaded_balls
-from rolamento.friction.slip import maximum_pressure_slip, relative_motion
+from rolamento import Case, InputError, Lubricant, analyse, load_case, solve
+from rolamento.friction.model import bears_on_both
+from rolamento.friction.slip import (
+    Patch,
+    fast_maximum_pressure_slip,
+    maximum_pressure_slip,
+    solved_motion,
+)
 from rolamento.studies import Axis, Distribution, Scatter, Study, parse_study, run, study_to_json
-from rolamento.studies.friction_outputs import greatest_product
 from rolamento.studies.outputs import catalogue
 
 FX = [20e3, 30e3, 40e3]
@@ -43,18 +47,18 @@ def test_film_outputs_are_those_of_the_cases(oiled: Case) -> None:
     for index, fx in enumerate(FX):
         film = analyse(loaded(oiled, fx)).film
         assert film is not None
-        inner = [ball.inner.central_thickness for ball in film.balls]
-        np.testing.assert_allclose(found["inner_central_film_thickness"][index], inner, rtol=1e-6)
-        least = min(ball.outer.minimum_thickness for ball in film.balls)
-        assert found["min_outer_minimum_film_thickness"][index] == pytest.approx(least, rel=1e-6)
-        parameters = [
-            [contact.film_parameter for contact in (ball.inner, ball.outer)] for ball in film.balls
-        ]
-        assert found["film_parameter"][index] == pytest.approx(np.min(parameters), rel=1e-6)
-        greatest = np.array(parameters)[:, 0].max()
-        assert found["max_inner_film_parameter"][index] == pytest.approx(greatest, rel=1e-6)
-        assert found["viscosity_ratio"][index] == pytest.approx(film.viscosity_ratio)
-        assert found["kinematic_viscosity"][index] == pytest.approx(film.kinematic_viscosity)
+        inner, outer = film.inner, film.outer
+        np.testing.assert_allclose(
+            found["inner_central_film_thickness"][index], inner.central_thickness[0], rtol=1e-6
+        )
+        minimum = outer.minimum_thickness.min()
+        assert found["min_outer_minimum_film_thickness"][index] == pytest.approx(minimum, rel=1e-6)
+        minimum = min(inner.film_parameter.min(), outer.film_parameter.min())
+        assert found["film_parameter"][index] == pytest.approx(minimum, rel=1e-6)
+        maximum = inner.film_parameter.max()
+        assert found["max_inner_film_parameter"][index] == pytest.approx(maximum, rel=1e-6)
+        assert found["viscosity_ratio"][index] == pytest.approx(film.viscosity_ratio[0])
+        assert found["kinematic_viscosity"][index] == pytest.approx(film.kinematic_viscosity[0])
     assert found["inner_central_film_thickness"].attrs["units"] == "m"
 
 
@@ -88,12 +92,11 @@ def test_spin_is_lost_where_the_race_does_not_control(oiled: Case) -> None:
 
 @pytest.mark.parametrize("race", ["inner", "outer"])
 def test_pressure_times_slip_is_that_of_the_whole_ellipse(case_218: Case, race: str) -> None:
-    batch = solve_batch(case_218, fx=FX, inner_speed=[0.0, 100.0, 1500.0])
-    balls = loaded_balls(batch)
-    patch = balls.patch(race)  # type: ignore[arg-type]
-    motion = relative_motion(patch, balls.ball_velocity, balls.ring_speed(patch.race))
+    solved = solve(case_218, fx=FX, inner_speed=[0.0, 100.0, 1500.0])
+    patch = Patch.of(solved.contacts[race])  # type: ignore[index]
+    motion = solved_motion(solved, patch.race)
     whole = maximum_pressure_slip(patch, motion).value
-    np.testing.assert_allclose(greatest_product(patch, motion), whole, rtol=1e-6, atol=1e-3)
+    np.testing.assert_allclose(fast_maximum_pressure_slip(patch, motion), whole, rtol=1e-6, atol=1e-3)
     found = run(
         Study(
             case=case_218,
@@ -109,7 +112,7 @@ def test_pressure_times_slip_is_that_of_the_whole_ellipse(case_218: Case, race: 
         )
     )
     # a ball that does not touch both races loses nothing there
-    expected = np.where(balls.loaded, whole, 0.0)
+    expected = np.where(bears_on_both(solved), whole, 0.0)
     np.testing.assert_allclose(found[f"{race}_pressure_slip"], expected, rtol=1e-6, atol=1e-3)
 
 

@@ -8,8 +8,7 @@ ball moves where friction alone decides), `rolling_resistance` (the oil at the i
 machine bearings, all listed in `models`; `summary` (all of it).
 """
 
-from rolamento.friction.loaded_balls import LoadedBalls, loaded_balls
-from rolamento.friction.machine import MachineBearing
+from rolamento.friction.machine import MachineBearing, machine_of
 from rolamento.friction.model import ContactLoss, ModelValidity, Torque, TorqueModel
 from rolamento.friction.models import CONTACT_MODELS, TORQUE_MODELS
 from rolamento.friction.summary import Friction, friction
@@ -19,11 +18,10 @@ __all__ = [
     "TORQUE_MODELS",
     "ContactLoss",
     "Friction",
-    "LoadedBalls",
     "MachineBearing",
     "ModelValidity",
     "Torque",
     "TorqueModel",
     "friction",
-    "loaded_balls",
+    "machine_of",
 ]

@@ -18,8 +18,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento.friction.loaded_balls import LoadedBalls
-from rolamento.friction.minimum_power import flat_balls, minimum_power_motion, start_of
+from rolamento.friction.minimum_power import loaded_contacts, minimum_power_motion, start_of
 from rolamento.friction.model import (
     ContactLoss,
     Torque,
@@ -39,6 +38,7 @@ from rolamento.friction.slip import (
 )
 from rolamento.friction.traction import ellipse_mesh
 from rolamento.numerics import BoolArray, FloatArray
+from rolamento.solved import Solved
 
 _POINTS = 120
 _STEPS = 60
@@ -113,12 +113,12 @@ def _slip(patch: Patch, motion: RelativeMotion, s: FloatArray) -> FloatArray:
     )
 
 
-def harris_1971(balls: LoadedBalls, coefficient: ArrayLike) -> Torque:
+def harris_1971(solved: Solved, coefficient: ArrayLike) -> Torque:
     """Torque of Harris's model of 1971, for dry friction at low speed.
 
     Parameters
     ----------
-    balls : of solved cases.
+    solved : cases.
     coefficient : μ, a number or (cases,).
 
     Returns
@@ -126,11 +126,11 @@ def harris_1971(balls: LoadedBalls, coefficient: ArrayLike) -> Torque:
     Torque; parts "spin" and "rolling_slip". A case with a ball that did not converge is NaN.
     """
     mu = checked_coefficient(coefficient, "friction_coefficient")
-    inner, outer, chosen = flat_balls(balls)
+    inner, outer, chosen = loaded_contacts(solved)
     parts = {name: ContactLoss(*np.zeros((2, *chosen.shape))) for name in ("spin", "rolling_slip")}
     converged = np.ones(chosen.shape, np.bool_)
     if np.any(chosen):
-        start = start_of(unit_motion(balls, controlling_race(balls, "jones")), chosen)
+        start = start_of(unit_motion(solved, controlling_race(solved, "jones")), chosen)
         motion, converged[chosen] = _balanced(inner, outer, start)
         friction = np.broadcast_to(mu, chosen.shape)[chosen]
         for place, patch in enumerate((inner, outer)):
@@ -142,7 +142,7 @@ def harris_1971(balls: LoadedBalls, coefficient: ArrayLike) -> Torque:
                 (parts["rolling_slip"], friction * sums.power - spin),
             ):
                 (loss.inner, loss.outer)[place][chosen] = value
-    return torque_of_losses(MODEL.name, balls, parts, np.all(converged, axis=-1))
+    return torque_of_losses(MODEL.name, solved, parts, np.all(converged, axis=-1))
 
 
 def _balanced(inner: Patch, outer: Patch, start: FloatArray) -> tuple[FloatArray, BoolArray]:
@@ -241,6 +241,6 @@ MODEL: Final = TorqueModel(
     short_title="Harris",
     long_title="Harris's model of 1971",
     needs=("friction_coefficient",),
-    evaluate=lambda setting: harris_1971(setting.balls, setting.friction_coefficient[:, 0]),
+    evaluate=lambda setting: harris_1971(setting.solved, setting.friction_coefficient[:, 0]),
     limits=limits_of_dry_friction,
 )

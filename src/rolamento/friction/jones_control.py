@@ -14,7 +14,6 @@ from typing import Final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rolamento.friction.loaded_balls import LoadedBalls
 from rolamento.friction.minimum_power import minimum_power_losses
 from rolamento.friction.model import (
     ControlChoice,
@@ -28,10 +27,11 @@ from rolamento.friction.model import (
 )
 from rolamento.friction.traction import EllipseMesh, ellipse_mesh
 from rolamento.numerics import FloatArray
+from rolamento.solved import Solved
 
 
 def jones_control(
-    balls: LoadedBalls,
+    solved: Solved,
     coefficient: ArrayLike,
     *,
     control: ControlChoice = "jones",
@@ -41,7 +41,7 @@ def jones_control(
 
     Parameters
     ----------
-    balls : of solved cases.
+    solved : cases.
     coefficient : μ, a number or (cases,).
     control : which race the balls roll on; by default that with the greater resistance to spin.
     mesh : points on the ellipses; 80 × 5 by default.
@@ -52,17 +52,17 @@ def jones_control(
     """
     mu = checked_coefficient(coefficient, "friction_coefficient")
     mesh = ellipse_mesh() if mesh is None else mesh
-    held = controlling_race(balls, control)
-    directions = _allowed_directions(balls, held)
+    held = controlling_race(solved, control)
+    directions = _allowed_directions(solved, held)
     losses, converged, _ = minimum_power_losses(
-        balls, mu, unit_motion(balls, held), directions, mesh
+        solved, mu, unit_motion(solved, held), directions, mesh
     )
-    return torque_of_losses(MODEL.name, balls, losses, converged)
+    return torque_of_losses(MODEL.name, solved, losses, converged)
 
 
-def _allowed_directions(balls: LoadedBalls, held: NDArray[np.int64]) -> FloatArray:
+def _allowed_directions(solved: Solved, held: NDArray[np.int64]) -> FloatArray:
     """Turn about the tangent of the race that holds the ball, and orbit; (cases, balls, 3, 2)."""
-    angle = np.where(held > 0, balls.outer.contact_angle, balls.inner.contact_angle)
+    angle = np.where(held > 0, solved.outer.contact_angle, solved.inner.contact_angle)
     zero, one = np.zeros_like(angle), np.ones_like(angle)
     turn = np.stack([np.cos(angle), -np.sin(angle), zero], axis=-1)
     orbit = np.stack([zero, zero, one], axis=-1)
@@ -76,7 +76,7 @@ MODEL: Final = TorqueModel(
     long_title="Jones's model with raceway control",
     needs=("friction_coefficient",),
     evaluate=lambda setting: jones_control(
-        setting.balls,
+        setting.solved,
         setting.friction_coefficient[:, 0],
         control=setting.control,
         mesh=setting.mesh,

@@ -12,28 +12,29 @@ from typing import Final
 from numpy.typing import ArrayLike
 
 from rolamento.friction.closed_forms import rolling_moment, spin_moment
-from rolamento.friction.loaded_balls import LoadedBalls
 from rolamento.friction.model import (
     ControlChoice,
     Torque,
     TorqueModel,
     checked_coefficient,
     controlling_race,
+    has_result,
     limits_of_dry_friction,
     loss_at_rates,
     torque_of_losses,
     unit_motion,
 )
+from rolamento.solved import Solved
 
 
 def jones_simplified(
-    balls: LoadedBalls, coefficient: ArrayLike, *, control: ControlChoice = "jones"
+    solved: Solved, coefficient: ArrayLike, *, control: ControlChoice = "jones"
 ) -> Torque:
     """Torque of Jones's model with spin and rolling apart, for dry friction at low speed.
 
     Parameters
     ----------
-    balls : of solved cases.
+    solved : cases.
     coefficient : μ, a number or (cases,).
     control : which race the balls roll on; by default that with the greater resistance to spin.
 
@@ -42,16 +43,16 @@ def jones_simplified(
     Torque; parts "spin" and "rolling_slip".
     """
     mu = checked_coefficient(coefficient, "friction_coefficient")
-    motion = unit_motion(balls, controlling_race(balls, control))
+    motion = unit_motion(solved, controlling_race(solved, control))
     losses = {
         "spin": loss_at_rates(
-            balls, lambda patch: spin_moment(patch, mu), motion.inner_spin, motion.outer_spin
+            solved, lambda patch: spin_moment(patch, mu), motion.inner_spin, motion.outer_spin
         ),
         "rolling_slip": loss_at_rates(
-            balls, lambda patch: rolling_moment(patch, mu), motion.inner_roll, motion.outer_roll
+            solved, lambda patch: rolling_moment(patch, mu), motion.inner_roll, motion.outer_roll
         ),
     }
-    return torque_of_losses(MODEL.name, balls, losses, balls.solved)
+    return torque_of_losses(MODEL.name, solved, losses, has_result(solved))
 
 
 MODEL: Final = TorqueModel(
@@ -61,7 +62,7 @@ MODEL: Final = TorqueModel(
     long_title="Jones's simplified model",
     needs=("friction_coefficient",),
     evaluate=lambda setting: jones_simplified(
-        setting.balls, setting.friction_coefficient[:, 0], control=setting.control
+        setting.solved, setting.friction_coefficient[:, 0], control=setting.control
     ),
     limits=limits_of_dry_friction,
     closed_form=True,

@@ -18,13 +18,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from rolamento.friction.loaded_balls import LoadedBalls
-from rolamento.friction.model import ContactLoss
+from rolamento.friction.model import ContactLoss, bears_on_both, has_result
 from rolamento.friction.slip import BallVelocity, Patch, RelativeMotion, relative_motion
 from rolamento.friction.slip import slip_velocity as slip_at
 from rolamento.friction.traction import EllipseMesh, contact_friction
 from rolamento.kinematics import BallMotion
 from rolamento.numerics import BoolArray, FloatArray
+from rolamento.solved import Solved
 
 ROUNDINGS = (0.1, 0.01)
 """v0 over the slip that rolling alone makes in the smaller contact, stage by stage."""
@@ -63,13 +63,15 @@ class FreeMotion:
         return relative_motion(patch, self.at_cage(), ring - self.orbit)
 
 
-def flat_balls(balls: LoadedBalls) -> tuple[Patch, Patch, BoolArray]:
-    """The balls that bear on both races, each distinct one once per case.
+def loaded_contacts(solved: Solved) -> tuple[Patch, Patch, BoolArray]:
+    """The contacts of the balls that bear on both races.
 
-    Returns the inner and outer contacts, arrays (loaded,), and which of (cases, balls) they are.
+    Returns those of the inner and of the outer race, arrays (loaded,), and which of
+    (cases, elements) they are.
     """
-    chosen = balls.loaded
-    return _picked(balls.inner, chosen), _picked(balls.outer, chosen), chosen
+    chosen = bears_on_both(solved)
+    inner, outer = (_picked(Patch.of(race), chosen) for race in solved.contacts.values())
+    return inner, outer, chosen
 
 
 def start_of(motion: BallMotion, chosen: BoolArray) -> FloatArray:
@@ -81,7 +83,7 @@ def start_of(motion: BallMotion, chosen: BoolArray) -> FloatArray:
 
 
 def minimum_power_losses(
-    balls: LoadedBalls,
+    solved: Solved,
     mu: FloatArray,
     motion: BallMotion,
     directions: FloatArray,
@@ -92,10 +94,10 @@ def minimum_power_losses(
     directions: (cases, elements, 3, k), the changes of the motion that are allowed.
     Returns the losses by source, which cases were found, and the motion of the loaded balls.
     """
-    inner, outer, chosen = flat_balls(balls)
+    inner, outer, chosen = loaded_contacts(solved)
     losses = {name: ContactLoss(*np.zeros((2, *chosen.shape))) for name in ("spin", "rolling_slip")}
     if not np.any(chosen):
-        return losses, balls.solved, None
+        return losses, has_result(solved), None
     mesh = mesh.folded()  # nothing tumbles, so the power is even along rolling
     found = minimum_power_motion(inner, outer, start_of(motion, chosen), directions[chosen], mesh)
     coefficient = np.broadcast_to(mu, chosen.shape)[chosen]

@@ -6,7 +6,7 @@ A model is a `TorqueModel` at the end of its own file, and `rolamento.friction.m
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields, replace
 from typing import TYPE_CHECKING, Final, Literal
 
 import numpy as np
@@ -14,11 +14,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from rolamento.errors import InputError
 from rolamento.friction.closed_forms import hysteresis_moment, resistance_to_spin
-from rolamento.friction.loaded_balls import LoadedBalls
 from rolamento.friction.slip import Patch
 from rolamento.friction.traction import EllipseMesh
 from rolamento.kinematics import BallMotion, ball_motion, friction_demand
 from rolamento.numerics import BoolArray, FloatArray
+from rolamento.numerics.masked import filled
+from rolamento.solved import Solved
 
 if TYPE_CHECKING:
     from rolamento.friction.machine import MachineBearing
@@ -105,17 +106,17 @@ class Torque:
 
 
 def torque_of_losses(
-    model: str, balls: LoadedBalls, losses: Mapping[str, ContactLoss], converged: BoolArray
+    model: str, solved: Solved, losses: Mapping[str, ContactLoss], converged: BoolArray
 ) -> Torque:
     """Add the losses of all contacts at a unit relative speed up: T = Σ M |ω_rel|/ω."""
-    fine = np.asarray(converged & balls.solved)
+    fine = np.asarray(converged & has_result(solved))
     marked = np.where(fine, 1.0, np.nan)[:, np.newaxis]
     unit = {name: loss.scaled(marked) for name, loss in losses.items()}
     parts = {name: loss.total for name, loss in unit.items()}
     total = np.sum(list(parts.values()), axis=0)
-    speed = np.abs(balls.relative_speed)
-    heat = {name: loss.scaled(speed) for name, loss in unit.items()}
-    return Torque(model, total, parts, total * speed[:, 0], fine, heat)
+    speed = np.abs(relative_speed(solved))
+    heat = {name: loss.scaled(speed[:, np.newaxis]) for name, loss in unit.items()}
+    return Torque(model, total, parts, total * speed, fine, heat)
 
 
 def torque_of_parts(model: str, parts: Mapping[str, FloatArray], speed: FloatArray) -> Torque:
@@ -129,38 +130,64 @@ def torque_of_parts(model: str, parts: Mapping[str, FloatArray], speed: FloatArr
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Setting:
-    """All that a model may ask for.
+    """All that a model may ask for; numbers of the cases are columns, (cases, 1).
 
     Attributes
     ----------
-    balls
-        of solved cases
-    friction_coefficient
-        μ of dry or boundary friction, (cases or 1, 1)
-    regime
-        of lubrication, (cases,): see `film_regime`
+    solved
+        the cases
+    friction_coefficient, static_coefficient
+        μ between elements and races, and at the first motion
+    hysteresis
+        α_h of the material
+    dynamic_viscosity
+        η₀ of the oil at the contacts' inlets, Pa·s; None without an oil
+    film_parameter
+        the minimum λ of each case; NaN where it is not known, None before it is
     control
         which race the balls roll on, for models that need to know
     mesh
         points on the ellipses; 80 × 5 by default
-    radial_load, axial_load
-        on the bearing, (cases,), N
     machine
         size, rating and lubricant of the bearing; None if not known
     """
 
-    balls: LoadedBalls
+    solved: Solved
     friction_coefficient: FloatArray
-    regime: NDArray[np.str_]
+    static_coefficient: FloatArray
+    hysteresis: FloatArray
+    dynamic_viscosity: FloatArray | None = None
+    film_parameter: FloatArray | None = None
     control: ControlChoice = "jones"
     mesh: EllipseMesh | None = None
-    radial_load: FloatArray | float = 0.0
-    axial_load: FloatArray | float = 0.0
     machine: MachineBearing | None = None
 
-    def supplies(self, need: str) -> bool:
-        """Whether a need of a model, one of its own or its machine's attributes, is known."""
-        return getattr(self, need, getattr(self.machine, need, None)) is not None
+    def __len__(self) -> int:
+        """Count the cases."""
+        return len(self.solved)
+
+    def __getitem__(self, some: slice) -> Setting:
+        """Return that of some of the cases."""
+        changed = {
+            part.name: getattr(self, part.name)[some]
+            for part in fields(self)
+            if isinstance(getattr(self, part.name), np.ndarray | Solved)
+        }
+        machine = None if self.machine is None else self.machine.part(some)
+        return replace(self, machine=machine, **changed)
+
+    @property
+    def regime(self) -> NDArray[np.str_]:
+        """Of lubrication, (cases,): see `film_regime`."""
+        if self.film_parameter is None:
+            return np.full(len(self), "unknown")
+        return film_regime(self.film_parameter[:, 0])
+
+    def supplies(self, needs: tuple[str, ...]) -> bool:
+        """Whether the needs of a model, attributes of this or of its machine, are known."""
+        return all(
+            getattr(self, need, getattr(self.machine, need, None)) is not None for need in needs
+        )
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -201,35 +228,33 @@ class TorqueModel:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ModelValidity:
-    """Whether a model is valid; valid (cases,), notes: names of `REASONS` with the cases (cases,).
-
-    Only what concerns at least one case is noted.
-    """
+    """Whether a model is valid, (cases,); limits: by name of `REASONS` in which cases, (cases,)."""
 
     model: str
     valid: BoolArray
-    notes: Mapping[str, BoolArray]
+    limits: Mapping[str, BoolArray]
+
+    @property
+    def notes(self) -> dict[str, BoolArray]:
+        """The limits that concern at least one case."""
+        return {name: where for name, where in self.limits.items() if np.any(where)}
 
 
 def validity_of(model: TorqueModel, setting: Setting, converged: BoolArray) -> ModelValidity:
     """Judge a model for every case; converged: whether it found a result."""
-    at_rest = setting.balls.relative_speed[:, 0] == 0.0
-    notes = {
+    limits = {
         **model.limits(setting),
-        "at_rest": np.broadcast_to(at_rest, converged.shape),
+        "at_rest": relative_speed(setting.solved) == 0.0,
         "no_result": ~converged,
     }
-    found = {name: where for name, where in notes.items() if np.any(where)}
-    valid = np.ones(converged.shape, np.bool_)
-    for name, where in found.items():
-        valid &= ~where | (name in REMARKS)
-    return ModelValidity(model.name, valid, found)
+    refused = [where for name, where in limits.items() if name not in REMARKS]
+    return ModelValidity(model.name, ~np.any(refused, axis=0), limits)
 
 
 def limits_of_dry_friction(setting: Setting) -> dict[str, BoolArray]:
     """Of models of dry or boundary friction without inertia."""
     return {
-        "inertia": inertia_counts(setting.balls, setting.friction_coefficient),
+        "inertia": inertia_counts(setting.solved, setting.friction_coefficient),
         "full_film": setting.regime == "full_film",
         "partial_film": setting.regime == "mixed",
     }
@@ -240,37 +265,58 @@ def limits_of_lubricated_bearings(setting: Setting) -> dict[str, BoolArray]:
     return {"no_film": setting.regime == "boundary"}
 
 
-def film_regime(film_parameter: ArrayLike | None, cases: int) -> NDArray[np.str_]:
-    """Name the regime of every case: "boundary", "mixed", "full_film" or "unknown".
-
-    film_parameter : λ, a number or (cases,); None where it is not known.
-    """
-    if film_parameter is None:
-        return np.full(cases, "unknown")
-    value = np.broadcast_to(np.asarray(film_parameter, dtype=np.float64), cases)
+def film_regime(film_parameter: FloatArray) -> NDArray[np.str_]:
+    """Name the regimes of film parameters λ: "boundary", "mixed", "full_film" or "unknown"."""
     with np.errstate(invalid="ignore"):
-        choices = [value < BOUNDARY, value <= FULL_FILM, value > FULL_FILM]
+        choices = [
+            film_parameter < BOUNDARY,
+            film_parameter <= FULL_FILM,
+            film_parameter > FULL_FILM,
+        ]
     return np.select(choices, ["boundary", "mixed", "full_film"], "unknown")
 
 
-def inertia_counts(balls: LoadedBalls, coefficient: FloatArray) -> BoolArray:
+def inertia_counts(solved: Solved, coefficient: FloatArray) -> BoolArray:
     """(cases,): whether inertia takes a share of a ball's friction or load that cannot be left.
 
     coefficient : μ, (cases or 1, 1).
     """
-    demand = friction_demand(balls.gyroscopic_moment, balls.inner.ball_diameter, balls.outer.load)
+    elements, inner, outer = solved.elements, solved.inner, solved.outer
+    demand = friction_demand(elements.gyroscopic_moment, inner.ball_diameter, outer.load)
     with np.errstate(invalid="ignore"):
         turned = demand > INERTIA_SHARE * coefficient
-        thrown = balls.centrifugal_force > INERTIA_SHARE * balls.inner.load
-        heaviest = np.max(balls.inner.load, axis=-1, keepdims=True)
-        counted = balls.loaded & (balls.inner.load > COUNTED_LOAD * heaviest)
+        thrown = elements.centrifugal_force > INERTIA_SHARE * inner.load
+        heaviest = np.max(inner.load, axis=-1, keepdims=True)
+        counted = bears_on_both(solved) & (inner.load > COUNTED_LOAD * heaviest)
     return np.asarray(np.any(counted & (turned | thrown), axis=-1))
+
+
+# --- what models read of solved cases ---------------------------------------------------------
+
+
+def bears_on_both(solved: Solved) -> BoolArray:
+    """(cases, elements): whether an element bears on both races."""
+    with np.errstate(invalid="ignore"):
+        return np.asarray(solved.loaded & (solved.outer.load > 0.0))
+
+
+def has_result(solved: Solved) -> BoolArray:
+    """(cases,): whether a case has a result, with ellipses narrower than the balls."""
+    with np.errstate(invalid="ignore"):
+        narrow = [2.0 * race.semi_major < race.ball_diameter for race in solved.contacts.values()]
+    fine = np.isfinite(solved.outer.load) & (np.all(narrow, axis=0) | ~bears_on_both(solved))
+    return np.asarray(np.all(fine, axis=-1))
+
+
+def relative_speed(solved: Solved) -> FloatArray:
+    """(cases,): of the inner ring to the outer; rad/s."""
+    return np.asarray(solved.field("duty.inner_speed") - solved.field("duty.outer_speed"))
 
 
 # --- how balls move under raceway control, and what that loses ---------------------------------
 
 
-def controlling_race(balls: LoadedBalls, control: ControlChoice) -> NDArray[np.int64]:
+def controlling_race(solved: Solved, control: ControlChoice) -> NDArray[np.int64]:
     """Tell which race each ball rolls on without spin: 1 outer, -1 inner; (cases, elements).
 
     control: "inner", "outer"; "state", as the state was solved; "jones", the race with the
@@ -288,48 +334,46 @@ def controlling_race(balls: LoadedBalls, control: ControlChoice) -> NDArray[np.i
             value=control,
             example='control = "jones"',
         )
+    inner, outer = (resistance_to_spin(Patch.of(race)) for race in solved.contacts.values())
     if control in ("inner", "outer"):
-        return np.full(balls.loaded.shape, 1 if control == "outer" else -1, dtype=np.int64)
-    jones = np.where(resistance_to_spin(balls.outer) > resistance_to_spin(balls.inner), 1, -1)
+        return np.full(inner.shape, 1 if control == "outer" else -1, dtype=np.int64)
+    jones = np.where(outer > inner, 1, -1)
     if control == "jones":
         return jones.astype(np.int64)
-    return np.where(balls.control != 0, balls.control, jones).astype(np.int64)
+    own = solved.elements.raceway_control
+    return np.where(own != 0, own, jones).astype(np.int64)
 
 
-def unit_motion(balls: LoadedBalls, control: NDArray[np.int64]) -> BallMotion:
+def unit_motion(solved: Solved, control: NDArray[np.int64]) -> BallMotion:
     """Motion under raceway control for a unit speed of the inner ring relative to the outer.
 
     Seen from the outer ring; arrays (cases, elements), rad/s.
     """
-    return ball_motion(
-        balls.inner.contact_angle,
-        balls.outer.contact_angle,
-        balls.inner.ball_diameter / balls.inner.pitch_diameter,
-        1.0,
-        0.0,
-        control,
-    )
+    inner, outer = solved.inner, solved.outer
+    ratio = inner.ball_diameter / inner.pitch_diameter
+    return ball_motion(inner.contact_angle, outer.contact_angle, ratio, 1.0, 0.0, control)
 
 
 def loss_at_rates(
-    balls: LoadedBalls,
+    solved: Solved,
     moment: Callable[[Patch], FloatArray],
     inner_rate: FloatArray,
     outer_rate: FloatArray,
 ) -> ContactLoss:
     """What a moment in every contact of the loaded balls takes at the rates (cases, elements)."""
+    loaded = bears_on_both(solved)
     return ContactLoss(
         *(
-            np.where(balls.loaded, moment(patch) * np.abs(rate), 0.0)
-            for patch, rate in ((balls.inner, inner_rate), (balls.outer, outer_rate))
+            np.where(loaded, moment(Patch.of(race)) * np.abs(rate), 0.0)
+            for race, rate in zip(solved.contacts.values(), (inner_rate, outer_rate), strict=True)
         )
     )
 
 
-def hysteresis_loss(balls: LoadedBalls, motion: BallMotion, loss: FloatArray) -> ContactLoss:
+def hysteresis_loss(solved: Solved, motion: BallMotion, loss: FloatArray) -> ContactLoss:
     """Loss of every contact by elastic hysteresis, α_h (cases or 1, 1)."""
     return loss_at_rates(
-        balls, lambda patch: hysteresis_moment(patch, loss), motion.inner_roll, motion.outer_roll
+        solved, lambda patch: hysteresis_moment(patch, loss), motion.inner_roll, motion.outer_roll
     )
 
 
@@ -376,7 +420,7 @@ def checked_positive(value: ArrayLike, name: str, *, zero: bool = False) -> Floa
 
 def _numbers(value: ArrayLike, name: str) -> FloatArray:
     try:
-        return np.asarray(value, dtype=np.float64)
+        return filled(value)
     except (TypeError, ValueError):
         raise InputError(
             "must be a number, or one for each case",
@@ -384,3 +428,17 @@ def _numbers(value: ArrayLike, name: str) -> FloatArray:
             value=value if isinstance(value, str) else type(value).__name__,
             example=f"{name} = 0.1",
         ) from None
+
+
+def over_cases(value: ArrayLike, name: str, cases: int) -> FloatArray:
+    """One number, or one for each case, as a column (cases, 1).
+
+    Raises
+    ------
+    InputError
+        If there are neither one nor as many as there are cases.
+    """
+    array = _numbers(value, name).reshape(-1, 1)
+    if len(array) not in (1, cases):
+        raise InputError(f"must be one number, or one for each of the {cases} cases", field=name)
+    return np.broadcast_to(array, (cases, 1))

@@ -27,6 +27,7 @@ from rolamento.friction.model import (
     TorqueModel,
     checked_positive,
     limits_of_lubricated_bearings,
+    relative_speed,
     torque_of_parts,
 )
 from rolamento.numerics import FloatArray
@@ -168,17 +169,17 @@ def _checked_kind(kind: str) -> str:
 
 
 def _of_bearing(setting: Setting) -> Torque:
-    machine = setting.machine
+    machine, load = setting.machine, setting.solved.load
     assert machine is not None
     assert machine.static_load_ratio is not None
     return palmgren(
         kind=machine.kind,
         lubrication=machine.lubrication,
-        speed=setting.balls.relative_speed[:, 0],
+        speed=relative_speed(setting.solved),
         mean_diameter=machine.mean_diameter,
         kinematic_viscosity=machine.kinematic_viscosity,
-        radial_load=setting.radial_load,
-        axial_load=setting.axial_load,
+        radial_load=np.hypot(load.fy, load.fz),
+        axial_load=load.fx,
         static_load_ratio=machine.static_load_ratio,
         contact_angle=machine.contact_angle,
     )

@@ -45,6 +45,7 @@ from rolamento.friction.model import (
     TorqueModel,
     checked_positive,
     limits_of_lubricated_bearings,
+    relative_speed,
     torque_of_parts,
 )
 from rolamento.numerics import BoolArray, FloatArray
@@ -312,18 +313,18 @@ _SAME_ANGLE: Final = radians(1.0)
 
 
 def _of_bearing(setting: Setting) -> Torque:
-    machine = setting.machine
+    machine, load = setting.machine, setting.solved.load
     assert machine is not None
     assert machine.constants is not None
-    speed = setting.balls.relative_speed[:, 0]
+    speed = relative_speed(setting.solved)
     moment = skf_moment(
         machine.constants,
         speed=speed,
         bore_diameter=machine.bore_diameter,
         outside_diameter=machine.outside_diameter,
         kinematic_viscosity=machine.kinematic_viscosity,
-        radial_load=setting.radial_load,
-        axial_load=setting.axial_load,
+        radial_load=np.hypot(load.fy, load.fz),
+        axial_load=load.fx,
         static_load_rating=machine.static_load_rating,
         supply=machine.supply,
         oil=machine.oil,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Final
 
 import numpy as np
@@ -11,7 +11,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from rolamento.errors import InputError
 from rolamento.friction.closed_forms import DEFAULT_HYSTERESIS
-from rolamento.friction.loaded_balls import LoadedBalls, loaded_balls
 from rolamento.friction.machine import MachineBearing
 from rolamento.friction.model import (
     ContactLoss,
@@ -20,9 +19,12 @@ from rolamento.friction.model import (
     Setting,
     Torque,
     checked_coefficient,
+    checked_positive,
     controlling_race,
-    film_regime,
+    has_result,
     hysteresis_loss,
+    over_cases,
+    relative_speed,
     torque_of_losses,
     unit_motion,
     validity_of,
@@ -30,9 +32,10 @@ from rolamento.friction.model import (
 from rolamento.friction.models import CONTACT_MODELS, TORQUE_MODELS
 from rolamento.friction.rolling_resistance import rolling_resistance_loss
 from rolamento.friction.traction import EllipseMesh
+from rolamento.lubrication.films import film, has_film, oil_of
 from rolamento.numerics import FloatArray
-from rolamento.rows.ball import BatchState
-from rolamento.state import State
+from rolamento.numerics.blocks import in_blocks
+from rolamento.solved import Solved, refuse_other
 
 HYSTERESIS: Final = "hysteresis"
 ROLLING_RESISTANCE: Final = "rolling_resistance"
@@ -58,6 +61,8 @@ class Friction:
         "spin", "rolling_slip", "hysteresis", "rolling_resistance": (cases,), N·m
     heat
         the same sources, contact by contact: (cases, elements), W; sums up to the power
+    film_parameter
+        the minimum λ of all contacts, (cases,); NaN where it is not known
     regime
         (cases,): "boundary", "mixed", "full_film" or "unknown"
     models
@@ -73,6 +78,7 @@ class Friction:
     power: FloatArray
     torque_by_source: Mapping[str, FloatArray]
     heat: Mapping[str, ContactLoss]
+    film_parameter: FloatArray
     regime: NDArray[np.str_]
     models: Mapping[str, Torque]
     validity: tuple[ModelValidity, ...]
@@ -111,10 +117,10 @@ class Friction:
 
 
 def friction(
-    state: State | BatchState,
+    solved: Solved,
     *,
-    friction_coefficient: ArrayLike,
     model: str = "jones_full",
+    friction_coefficient: ArrayLike | None = None,
     static_coefficient: ArrayLike | None = None,
     hysteresis: ArrayLike = DEFAULT_HYSTERESIS,
     dynamic_viscosity: ArrayLike | None = None,
@@ -123,84 +129,119 @@ def friction(
     control: ControlChoice = "jones",
     compare: bool | None = None,
     mesh: EllipseMesh | None = None,
+    threads: int | None = None,
 ) -> Friction:
-    """Find torque, power and heat of friction in a solved bearing.
+    """Find torque, power and heat of friction in solved bearings.
+
+    With an oil at a known temperature its rolling resistance counts, and its film decides which
+    models are valid.
 
     Parameters
     ----------
-    state
-        A solved state, or a batch of them.
-    friction_coefficient
-        μ between balls and races, a number or one for each case.
+    solved
+        From `rolamento.solve`.
     model
         Of the friction in the contacts: a name in `CONTACT_MODELS`.
+    friction_coefficient
+        μ between balls and races in the place of the lubricant's, a number or (cases,).
     static_coefficient
         μ at the first motion; μ itself if not given.
     hysteresis
         α_h of the material; 0 leaves hysteresis out.
     dynamic_viscosity
-        η₀ of the oil at the contacts' inlets, Pa·s; with it the oil's rolling resistance counts.
+        η₀ of the oil at the contacts' inlets in the place of the lubricant's, Pa·s.
     film_parameter
-        λ of the cases, if known: it decides which models are valid.
+        λ of the cases in the place of the film's.
     machine
         Sizes, rating and lubricant, for Palmgren's and SKF's models beside.
     control
         Which race the balls roll on, for the models that need to know.
     compare
-        Whether to evaluate the other models of the contacts too; by default for a state, and
-        not for a batch.
+        Whether to evaluate the other models of the contacts too; by default of a single case only.
     mesh
         Points on the ellipses; 80 × 5 by default.
-
-    Returns
-    -------
-    Friction
+    threads
+        As many as there are processors by default.
 
     Raises
     ------
     InputError
-        For an unknown word, or a number out of range.
+        For an unknown word, a coefficient that is missing, or a number out of range.
     """
+    refuse_other(solved, "friction")
     if model not in CONTACT_MODELS:
-        raise InputError(f"must be one of {', '.join(CONTACT_MODELS)}", field="model", value=model)
-    balls = loaded_balls(state)
-    cases = len(balls.loaded)
-    mu = checked_coefficient(friction_coefficient, "friction_coefficient")
-    lost = checked_coefficient(hysteresis, "hysteresis")
-    static = mu
-    if static_coefficient is not None:
-        static = checked_coefficient(static_coefficient, "static_coefficient")
-    load = np.asarray(state.load, np.float64).reshape(cases, 5)
+        raise InputError(
+            f"must be one of {', '.join(CONTACT_MODELS)}",
+            field="model",
+            value=model,
+            example='model="jones_full"',
+        )
+    mu = friction_coefficient
+    if mu is None:
+        mu = solved.field("lubricant.friction_coefficient")
+        if np.all(np.isnan(mu)) and len(solved):
+            raise InputError(
+                "is missing: friction rests on it",
+                field="lubricant.friction_coefficient",
+                example="friction_coefficient=0.1",
+            )
+    viscosity, known = dynamic_viscosity, film_parameter
+    if has_film(solved):
+        if viscosity is None:
+            viscosity = np.where(solved.converged, oil_of(solved).dynamic_viscosity, 0.0)
+    elif known is None:
+        known = np.nan
+
+    def column(value: ArrayLike, name: str) -> FloatArray:
+        return over_cases(checked_coefficient(value, name), name, len(solved))
+
+    cases = len(solved)
+    if viscosity is not None:
+        checked_positive(viscosity, "dynamic_viscosity", zero=True)
+        viscosity = over_cases(viscosity, "dynamic_viscosity", cases)
     setting = Setting(
-        balls,
-        mu,
-        film_regime(film_parameter, cases),
-        control,
-        mesh,
-        radial_load=np.hypot(load[:, 1], load[:, 2]),
-        axial_load=np.abs(load[:, 0]),
+        solved,
+        friction_coefficient=column(mu, "friction_coefficient"),
+        static_coefficient=column(
+            mu if static_coefficient is None else static_coefficient, "static_coefficient"
+        ),
+        hysteresis=column(hysteresis, "hysteresis"),
+        dynamic_viscosity=viscosity,
+        film_parameter=None if known is None else over_cases(known, "film_parameter", cases),
+        control=control,
+        mesh=mesh,
         machine=machine,
     )
-    compared = isinstance(state, State) if compare is None else compare
+    compared = len(solved) == 1 if compare is None else compare
+    return in_blocks(lambda some: _friction_of(some, model, compared), setting, threads)
+
+
+def _friction_of(setting: Setting, model: str, compare: bool) -> Friction:
+    thinnest = setting.film_parameter
+    if thinnest is None:
+        thinnest = film(setting.solved, threads=1).minimum_film_parameter[:, np.newaxis]
+        setting = replace(setting, film_parameter=thinnest)
     models = {
         name: own.evaluate(setting)
         for name, own in TORQUE_MODELS.items()
-        if name == model or ((compared or not own.of_contacts) and _is_known(own.needs, setting))
+        if name == model or ((compare or not own.of_contacts) and setting.supplies(own.needs))
     }
-    beside = [_hysteresis(setting, lost)]
-    if dynamic_viscosity is not None:
-        beside.append(_rolling_resistance(setting, dynamic_viscosity))
+    beside = [_hysteresis(setting)]
+    if setting.dynamic_viscosity is not None:
+        beside.append(_rolling_resistance(setting, setting.dynamic_viscosity))
     sources = [models[model], *beside]
+    mu = setting.friction_coefficient
     with np.errstate(divide="ignore", invalid="ignore"):
-        lift = np.where(mu > 0.0, static / mu, 1.0)[:, 0]
+        lift = np.where(mu > 0.0, setting.static_coefficient / mu, 1.0)[:, 0]
     return Friction(
-        friction_coefficient=np.broadcast_to(mu[:, 0], cases),
+        friction_coefficient=mu[:, 0],
         model=model,
         torque=np.sum([source.total for source in sources], axis=0),
         starting_torque=lift * models[model].total + beside[0].total,
         power=np.sum([source.power for source in sources], axis=0),
         torque_by_source={k: v for source in sources for k, v in source.parts.items()},
         heat={k: v for source in sources for k, v in source.losses.items()},
+        film_parameter=thinnest[:, 0],
         regime=setting.regime,
         models=models,
         validity=tuple(
@@ -210,24 +251,22 @@ def friction(
     )
 
 
-def _is_known(needs: tuple[str, ...], setting: Setting) -> bool:
-    return all(map(setting.supplies, needs))
+def _hysteresis(setting: Setting) -> Torque:
+    solved = setting.solved
+    motion = unit_motion(solved, controlling_race(solved, setting.control))
+    lost = hysteresis_loss(solved, motion, setting.hysteresis)
+    return torque_of_losses(HYSTERESIS, solved, {HYSTERESIS: lost}, has_result(solved))
 
 
-def _hysteresis(setting: Setting, loss: FloatArray) -> Torque:
-    balls = setting.balls
-    motion = unit_motion(balls, controlling_race(balls, setting.control))
-    lost = hysteresis_loss(balls, motion, loss)
-    return torque_of_losses(HYSTERESIS, balls, {HYSTERESIS: lost}, balls.solved)
-
-
-def _rolling_resistance(setting: Setting, viscosity: ArrayLike) -> Torque:
+def _rolling_resistance(setting: Setting, viscosity: FloatArray) -> Torque:
     """The oil's rolling resistance as a torque."""
-    balls: LoadedBalls = setting.balls
-    speed = np.abs(balls.relative_speed)
+    solved = setting.solved
+    speed = np.abs(relative_speed(solved))[:, np.newaxis]
     turning = np.where(speed > 0.0, speed, 1.0)
-    unit = rolling_resistance_loss(balls, viscosity).scaled(1.0 / turning)
-    return torque_of_losses(ROLLING_RESISTANCE, balls, {ROLLING_RESISTANCE: unit}, balls.solved)
+    unit = rolling_resistance_loss(solved, viscosity[:, 0]).scaled(1.0 / turning)
+    return torque_of_losses(
+        ROLLING_RESISTANCE, solved, {ROLLING_RESISTANCE: unit}, has_result(solved)
+    )
 
 
 def _number(value: float) -> float | None:

@@ -17,7 +17,6 @@ from rolamento.friction.closed_forms import (
     rolling_moment,
     spin_moment,
 )
-from rolamento.friction.loaded_balls import LoadedBalls
 from rolamento.friction.model import (
     ControlChoice,
     Setting,
@@ -25,16 +24,18 @@ from rolamento.friction.model import (
     TorqueModel,
     checked_coefficient,
     controlling_race,
+    has_result,
     hysteresis_loss,
     limits_of_dry_friction,
     loss_at_rates,
     torque_of_losses,
     unit_motion,
 )
+from rolamento.solved import Solved
 
 
 def todd(
-    balls: LoadedBalls,
+    solved: Solved,
     coefficient: ArrayLike,
     *,
     hysteresis: ArrayLike | None = DEFAULT_HYSTERESIS,
@@ -44,7 +45,7 @@ def todd(
 
     Parameters
     ----------
-    balls : of solved cases.
+    solved : cases.
     coefficient : μ, a number or (cases,).
     hysteresis : α_h, likewise; None leaves that part out.
     control : which race the balls roll on; by default that with the greater resistance to spin.
@@ -54,28 +55,28 @@ def todd(
     Torque; parts "spin", "rolling_slip" and "hysteresis".
     """
     mu = checked_coefficient(coefficient, "friction_coefficient")
-    held = controlling_race(balls, control)
-    motion = unit_motion(balls, held)
+    held = controlling_race(solved, control)
+    motion = unit_motion(solved, held)
     inner_roll = np.where(held < 0, motion.inner_roll, 0.0)
     outer_roll = np.where(held > 0, motion.outer_roll, 0.0)
     losses = {
         "spin": loss_at_rates(
-            balls, lambda patch: spin_moment(patch, mu), motion.inner_spin, motion.outer_spin
+            solved, lambda patch: spin_moment(patch, mu), motion.inner_spin, motion.outer_spin
         ),
         "rolling_slip": loss_at_rates(
-            balls, lambda patch: rolling_moment(patch, mu), inner_roll, outer_roll
+            solved, lambda patch: rolling_moment(patch, mu), inner_roll, outer_roll
         ),
     }
     if hysteresis is not None:
         lost = checked_coefficient(hysteresis, "hysteresis")
-        losses["hysteresis"] = hysteresis_loss(balls, motion, lost)
-    return torque_of_losses(MODEL.name, balls, losses, balls.solved)
+        losses["hysteresis"] = hysteresis_loss(solved, motion, lost)
+    return torque_of_losses(MODEL.name, solved, losses, has_result(solved))
 
 
 def _of_contacts(setting: Setting) -> Torque:
     """Without hysteresis, which is counted for every model."""
     mu = setting.friction_coefficient[:, 0]
-    return todd(setting.balls, mu, hysteresis=None, control=setting.control)
+    return todd(setting.solved, mu, hysteresis=None, control=setting.control)
 
 
 MODEL: Final = TorqueModel(

@@ -281,7 +281,7 @@ def curves_csv(curves: Sequence[FrictionCurve]) -> str:
                     *("yes" if valid[model][point] else "no" for model in models),
                     *(csv_number(part[point]) for part in parts),
                     *(csv_number(column[point]) for column in _controlled_columns(curve)),
-                    csv_number(curve.film_parameter[point]),
+                    csv_number(curve.friction.film_parameter[point]),
                 ]
             )
     return text.getvalue()
@@ -332,7 +332,7 @@ def _curve_mapping(curve: FrictionCurve) -> dict[str, Any]:
         "power": friction.power,
         "torque_by_source": dict(friction.torque_by_source),
         "regime": friction.regime.tolist(),
-        "film_parameter": curve.film_parameter,
+        "film_parameter": curve.friction.film_parameter,
         "models": models,
         "friction_control": {
             "torque": torque,

@@ -19,15 +19,10 @@ from rolamento.studies.outputs import Floats, Output, Solved
 if TYPE_CHECKING:
     from rolamento.friction.slip import Patch, RelativeMotion
 
-__all__ = ["friction_outputs", "greatest_product"]
+__all__ = ["friction_outputs"]
 
 _COEFFICIENT: Final = ("lubricant.friction_coefficient",)
 _OIL: Final = ("lubricant", "temperature.lubricant")
-_POINTS: Final = 41
-_ZOOMS: Final = 4
-_SHRINKING: Final = 0.1
-_BLOCK: Final = 2048
-"""Contacts at a time."""
 
 
 def friction_outputs() -> tuple[Output, ...]:
@@ -148,73 +143,14 @@ def _spin_loss(race: Race) -> Callable[[Solved], Floats]:
 
 def _pressure_slip(race: Race) -> Callable[[Solved], Floats]:
     def compute(solved: Solved) -> Floats:
-        from rolamento.friction.slip import BallVelocity, relative_motion
+        from rolamento.friction.model import bears_on_both
+        from rolamento.friction.slip import Patch, fast_maximum_pressure_slip, solved_motion
 
-        balls = solved.loaded_balls
-        patch = balls.patch(race)
-        yaw = solved.balls.yaw
-        across = balls.ball_speed * np.cos(balls.attitude)
-        ball = BallVelocity(
-            across * np.cos(yaw),
-            across * np.sin(yaw),
-            -balls.ball_speed * np.sin(balls.attitude),
+        cases = solved.cases
+        value = fast_maximum_pressure_slip(
+            Patch.of(cases.contacts[race]), solved_motion(cases, race)
         )
-        motion = relative_motion(patch, ball, balls.ring_speed(race))
-        value = greatest_product(patch, motion)
-        touching = np.where(np.isnan(balls.outer.load), np.nan, 0.0)
-        return np.where(balls.loaded, value, touching)
+        touching = np.where(np.isnan(cases.outer.load), np.nan, 0.0)
+        return np.where(bears_on_both(cases), value, touching)
 
     return compute
-
-
-def greatest_product(patch: Patch, motion: RelativeMotion) -> Floats:
-    """Return the greatest product p·v of each contact; W/m², NaN without a contact.
-
-    For a ball that does not tumble, v² = v_y(u)² + (b ω_n v)² at u = x0/a, v = y0/b, and over v
-    (1 - u² - v²)(A² + B² v²) is greatest at v² = max(0, ((1 - u²) B² - A²)/(2 B²)): only u is left
-    to be searched. Where balls tumble, the whole ellipse is searched.
-    """
-    from rolamento.friction.slip import RelativeMotion, maximum_pressure_slip
-
-    shape = patch.load.shape
-    flat = patch.mapped(np.ravel)
-    columns = [np.ravel(a) for a in (motion.drift, motion.roll, motion.twist, motion.tumble)]
-    tumbles = bool(np.any(np.nan_to_num(columns[3]) != 0.0))
-    found = np.full(flat.load.size, np.nan)
-    size = _BLOCK // 16 if tumbles else _BLOCK
-    (contacts,) = np.nonzero(flat.load > 0.0)
-    for first in range(0, contacts.size, size):
-        some = contacts[first : first + size]
-        part = flat.mapped(lambda array, chosen=some: array[chosen])  # type: ignore[misc]
-        drift, roll, twist, tumble = (column[some] for column in columns)
-        own = RelativeMotion(drift, roll, twist, tumble, motion.side)
-        if tumbles:
-            found[some] = maximum_pressure_slip(part, own).value
-        else:
-            found[some] = _without_tumbling(part, own)
-    return found.reshape(shape)
-
-
-def _without_tumbling(patch: Patch, motion: RelativeMotion) -> Floats:
-    """The greatest product of contacts (contacts,): a grid over u, then grids about its best."""
-    points = patch.at_points()
-    drift, roll, twist = (
-        array[:, np.newaxis] for array in (motion.drift, motion.roll, motion.twist)
-    )
-    across = (points.semi_minor * twist) ** 2
-    steps, centre, width = np.linspace(-1.0, 1.0, _POINTS), np.zeros((patch.load.size, 1)), 1.0
-    best = np.zeros(patch.load.size)
-    for _ in range(_ZOOMS):
-        u = np.clip(centre + width * steps, -1.0, 1.0)
-        rolling = drift + motion.side * points.rolling_radius(u) * roll
-        along = (rolling - points.semi_major * u * twist) ** 2
-        room = 1.0 - u**2
-        with np.errstate(divide="ignore", invalid="ignore"):
-            square = np.where(across > 0.0, 0.5 * (room - along / across), 0.0)
-        square = np.clip(square, 0.0, room)
-        product = (room - square) * (along + across * square)
-        place = np.argmax(product, axis=1)[:, np.newaxis]
-        centre = np.take_along_axis(u, place, axis=1)
-        best = np.maximum(best, np.take_along_axis(product, place, axis=1)[:, 0])
-        width *= _SHRINKING
-    return np.sqrt(best) * patch.max_pressure
