@@ -6,17 +6,17 @@ import numpy as np
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-import rolamento as ro
 from rolamento import Bearing, Case, Duty, Load
 from rolamento.friction.harris_1971 import harris_1971
 from rolamento.friction.jones_control import jones_control
 from rolamento.friction.jones_full import jones_full, jones_full_motion
 from rolamento.friction.jones_simplified import jones_simplified
-from rolamento.solved import Solved
 from rolamento.friction.minimum_power import loaded_contacts
 from rolamento.friction.slip import BallVelocity, relative_motion
 from rolamento.friction.todd import todd
 from rolamento.friction.traction import contact_friction, ellipse_mesh
+from rolamento.solved import Solved
+from rolamento.solving import solve
 
 bearings = st.builds(
     lambda count, diameter, ratio, angle, inner, outer: Bearing(
@@ -40,7 +40,7 @@ def under(bearing: Bearing, pressure: float, slant: float = 0.0) -> Solved:
     """The balls under a thrust that goes with the square of the ball's diameter."""
     load = pressure * bearing.ball_diameter**2 * bearing.ball_count
     duty = Duty(load=Load(fx=load, fz=slant * load))
-    return ro.solve(Case(bearing=bearing, duty=duty))
+    return solve(Case(bearing=bearing, duty=duty))
 
 
 @settings(max_examples=30)

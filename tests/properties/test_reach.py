@@ -21,7 +21,7 @@ from rolamento.friction.slip import (
     rolling_lines,
     slip_velocity,
 )
-from rolamento.lubrication.entrainment import surface_speeds
+from rolamento.kinematics import surface_speeds
 from rolamento.lubrication.film_thickness import (
     central_film,
     film_groups,

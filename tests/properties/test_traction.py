@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from rolamento.friction.loaded_balls import loaded_balls
 
 from rolamento import Bearing, Case, Displacement, Duty, Load, Lubricant, Model
 from rolamento.friction.jones_full import jones_full
-from rolamento.friction.loaded_balls import loaded_balls
 from rolamento.friction.slip import BallVelocity, relative_motion
 from rolamento.friction.traction import ContactFriction, contact_friction, ellipse_mesh
 from rolamento.rows.ball import BatchState, layout, solve, solve_batch

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import json
 from functools import cache
-from math import pi
+from math import isnan, pi
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
-from rolamento import Case, load_case, solve
+from rolamento import Case, load_case
 from rolamento.errors import InputError
 from rolamento.kinematics import rolling_entrainment_speed
 from rolamento.lubrication import Film
@@ -36,6 +36,7 @@ from rolamento.lubrication.regime import (
     regime_of,
     regimes,
 )
+from rolamento.solving import solve
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "src" / "rolamento" / "examples"
 TABLES: dict[str, Any] = {

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rolamento import load_case, solve
+from rolamento import load_case
 from rolamento.errors import InputError
 from rolamento.friction import MachineBearing, friction
 from rolamento.friction.palmgren import (
@@ -28,6 +28,7 @@ from rolamento.friction.skf import (
     skf_torque,
 )
 from rolamento.friction.slip import Patch
+from rolamento.solving import solve
 
 EXAMPLES = Path(__file__).parents[2] / "src" / "rolamento" / "examples"
 RPM = pi / 30.0

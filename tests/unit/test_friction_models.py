@@ -15,10 +15,11 @@ from rolamento.friction.harris_1971 import harris_1971
 from rolamento.friction.jones_control import jones_control
 from rolamento.friction.jones_full import jones_full, jones_full_motion
 from rolamento.friction.jones_simplified import jones_simplified
-from rolamento.solved import Solved
 from rolamento.friction.minimum_power import loaded_contacts
 from rolamento.friction.todd import todd
 from rolamento.friction.traction import contact_friction, ellipse_mesh
+from rolamento.solved import Solved
+from rolamento.solving import solve
 
 MU = 0.17
 LOADS = (20.0, 50.0, 100.0, 200.0)
@@ -40,7 +41,7 @@ def satellite() -> Case:
 
 @pytest.fixture(scope="module")
 def thrust(satellite: Case) -> Solved:
-    return ro.solve(satellite, fx=np.array(LOADS))
+    return solve(satellite, fx=np.array(LOADS))
 
 
 def second_integral(balls: Solved) -> np.ndarray:
@@ -143,7 +144,7 @@ def test_hysteresis_is_a_source_of_its_own(thrust: Solved) -> None:
 
 
 def test_speed_does_not_matter_to_coulomb(satellite: Case) -> None:
-    slow = ro.solve(satellite, inner_speed=[0.0, 1e-3, -1e-3, 0.05])
+    slow = solve(satellite, inner_speed=[0.0, 1e-3, -1e-3, 0.05])
     for model in (jones_full, jones_control, harris_1971, todd, jones_simplified):
         torque = model(slow, MU)  # type: ignore[operator]
         np.testing.assert_allclose(torque.total, torque.total[0], rtol=1e-6)
@@ -152,7 +153,7 @@ def test_speed_does_not_matter_to_coulomb(satellite: Case) -> None:
 
 
 def test_balls_without_load_take_no_part(examples: Path) -> None:
-    state = ro.solve(ro.load_case(examples / "209_radial.toml"))
+    state = solve(ro.load_case(examples / "209_radial.toml"))
     balls = state
     assert 0 < balls.loaded.sum() < balls.loaded.size
     for model in (jones_full, jones_control, harris_1971, todd, jones_simplified):
@@ -165,7 +166,7 @@ def test_balls_without_load_take_no_part(examples: Path) -> None:
 
 
 def test_case_without_result_is_nan_and_alone(satellite: Case) -> None:
-    batch = ro.solve(satellite, fx=[50.0, -50.0, np.nan, 100.0])
+    batch = solve(satellite, fx=[50.0, -50.0, np.nan, 100.0])
     assert list(batch.converged) == [True, False, False, True]
     balls = batch
     for model in (jones_full, jones_control, harris_1971, todd, jones_simplified):
@@ -183,7 +184,7 @@ def test_ellipse_wider_than_the_ball_has_no_torque() -> None:
         outer_conformity=0.501,
     )
     case = Case(bearing=bearing, duty=Duty(load=Load(fx="1 kN")))
-    batch = ro.solve(case, fx=[1e-3, 1e3, 1e5])
+    batch = solve(case, fx=[1e-3, 1e3, 1e5])
     assert batch.converged.all()
     balls = batch
     for model in (jones_full, jones_control, harris_1971, todd, jones_simplified):
@@ -193,12 +194,12 @@ def test_ellipse_wider_than_the_ball_has_no_torque() -> None:
 
 def test_batch_is_the_states_one_by_one(case_218: Case) -> None:
     speeds = [100.0, 900.0]
-    balls = ro.solve(case_218, inner_speed=speeds)
+    balls = solve(case_218, inner_speed=speeds)
     for model in (jones_full, harris_1971, todd):
         batch = model(balls, 0.08)  # type: ignore[operator]
         for k, speed in enumerate(speeds):
             case = ro.override(case_218, [f"duty.inner_speed={speed} rad/s"])
-            one = model(ro.solve(case), 0.08)  # type: ignore[operator]
+            one = model(solve(case), 0.08)  # type: ignore[operator]
             assert batch.total[k] == pytest.approx(one.total[0], rel=1e-7)
 
 
@@ -209,8 +210,8 @@ def test_a_set_is_the_sum_of_its_rows(case_218: Case) -> None:
         bearing=single.replace(arrangement="DT", spacing="30 mm"),
         duty=alone.duty.replace(load=Load(fx="20 kN")),
     )
-    one = jones_full(ro.solve(alone), MU).total[0]
-    two = jones_full(ro.solve(pair), MU).total[0]
+    one = jones_full(solve(alone), MU).total[0]
+    two = jones_full(solve(pair), MU).total[0]
     assert two == pytest.approx(2.0 * one, rel=1e-6)
 
 

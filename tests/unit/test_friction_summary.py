@@ -13,6 +13,8 @@ from rolamento.errors import InputError
 from rolamento.friction import CONTACT_MODELS, MachineBearing, friction
 from rolamento.friction.model import REASONS
 from rolamento.friction.skf import SkfConstants
+from rolamento.solved import Solved
+from rolamento.solving import solve
 
 OIL = MachineBearing(
     kind="angular_contact",
@@ -27,16 +29,16 @@ OIL = MachineBearing(
 
 
 @pytest.fixture(scope="module")
-def slow(case_218: Case) -> ro.Solved:
-    return ro.solve(ro.override(case_218, ["duty.inner_speed=20 rpm"]))
+def slow(case_218: Case) -> Solved:
+    return solve(ro.override(case_218, ["duty.inner_speed=20 rpm"]))
 
 
 @pytest.fixture(scope="module")
-def fast(case_218: Case) -> ro.Solved:
-    return ro.solve(case_218)
+def fast(case_218: Case) -> Solved:
+    return solve(case_218)
 
 
-def test_heat_by_source_and_contact_is_the_power(slow: ro.Solved) -> None:
+def test_heat_by_source_and_contact_is_the_power(slow: Solved) -> None:
     found = friction(slow, friction_coefficient=0.1, dynamic_viscosity=0.05)
     assert set(found.heat) == {"spin", "rolling_slip", "hysteresis", "rolling_resistance"}
     heat = sum(loss.total for loss in found.heat.values())
@@ -46,7 +48,7 @@ def test_heat_by_source_and_contact_is_the_power(slow: ro.Solved) -> None:
     assert all(loss.inner.shape == (1, 16) for loss in found.heat.values())
 
 
-def test_mapping_is_plain_json(slow: ro.Solved, case_218: Case) -> None:
+def test_mapping_is_plain_json(slow: Solved, case_218: Case) -> None:
     found = friction(slow, friction_coefficient=0.1, machine=OIL, film_parameter=0.5)
     read = json.loads(json.dumps(found.to_mapping(), allow_nan=False))
     assert read["torque"] == found.torque[0]
@@ -56,16 +58,16 @@ def test_mapping_is_plain_json(slow: ro.Solved, case_218: Case) -> None:
     assert read["friction_coefficient"] == 0.1
     assert read["models"]["skf"]["holds"] is False
     assert read["models"]["skf"]["reasons"] == ["no_film"]
-    unsolved = ro.solve(ro.override(case_218, ["duty.load.fx=-20 kN"]))
+    unsolved = solve(ro.override(case_218, ["duty.load.fx=-20 kN"]))
     none = friction(unsolved, friction_coefficient=0.1).to_mapping()
     assert none["torque"] is None
     json.dumps(none, allow_nan=False)
 
 
-def test_all_models_of_a_state_and_one_of_a_batch(slow: ro.Solved, case_218: Case) -> None:
+def test_all_models_of_a_state_and_one_of_a_batch(slow: Solved, case_218: Case) -> None:
     found = friction(slow, friction_coefficient=0.1, machine=OIL)
     assert set(found.models) == {*CONTACT_MODELS, "palmgren", "skf"}
-    batch = ro.solve(case_218, inner_speed=[1.0, 2.0])
+    batch = solve(case_218, inner_speed=[1.0, 2.0])
     assert set(friction(batch, friction_coefficient=0.1).models) == {"jones_full"}
     both = friction(batch, friction_coefficient=0.1, compare=True, model="todd")
     assert set(both.models) == set(CONTACT_MODELS)
@@ -73,7 +75,7 @@ def test_all_models_of_a_state_and_one_of_a_batch(slow: ro.Solved, case_218: Cas
     np.testing.assert_allclose(both.torque, expected)
 
 
-def test_inertia_takes_the_low_speed_models_out(slow: ro.Solved, fast: ro.Solved) -> None:
+def test_inertia_takes_the_low_speed_models_out(slow: Solved, fast: Solved) -> None:
     assert friction(slow, friction_coefficient=0.1).valid_models() == CONTACT_MODELS
     found = friction(fast, friction_coefficient=0.1, machine=OIL)
     assert found.valid_models() == ("palmgren", "skf")
@@ -90,7 +92,7 @@ def test_inertia_takes_the_low_speed_models_out(slow: ro.Solved, fast: ro.Solved
         (5.0, "full_film", {"palmgren", "skf"}),
     ],
 )
-def test_film_decides(slow: ro.Solved, film: float, regime: str, holding: set[str]) -> None:
+def test_film_decides(slow: Solved, film: float, regime: str, holding: set[str]) -> None:
     found = friction(slow, friction_coefficient=0.1, film_parameter=film, machine=OIL)
     assert found.regime[0] == regime
     assert set(found.valid_models()) == holding
@@ -99,7 +101,7 @@ def test_film_decides(slow: ro.Solved, film: float, regime: str, holding: set[st
 
 
 def test_film_of_every_case_of_a_batch(case_218: Case) -> None:
-    batch = ro.solve(case_218, inner_speed=[1.0, 1.0, 0.0])
+    batch = solve(case_218, inner_speed=[1.0, 1.0, 0.0])
     found = friction(batch, friction_coefficient=0.1, film_parameter=[0.5, 4.0, np.nan])
     assert list(found.regime) == ["boundary", "full_film", "unknown"]
     (validity,) = found.validity
@@ -109,7 +111,7 @@ def test_film_of_every_case_of_a_batch(case_218: Case) -> None:
     assert found.torque[2] > 0.0
 
 
-def test_starting_torque_by_the_static_coefficient(slow: ro.Solved) -> None:
+def test_starting_torque_by_the_static_coefficient(slow: Solved) -> None:
     found = friction(slow, friction_coefficient=0.1, static_coefficient=0.15)
     sliding = found.torque_by_source["spin"] + found.torque_by_source["rolling_slip"]
     expected = 1.5 * sliding + found.torque_by_source["hysteresis"]
@@ -120,7 +122,7 @@ def test_starting_torque_by_the_static_coefficient(slow: ro.Solved) -> None:
 
 
 def test_unsolved_state_has_no_torque(case_218: Case) -> None:
-    unsolved = ro.solve(ro.override(case_218, ["duty.load.fx=-20 kN"]))
+    unsolved = solve(ro.override(case_218, ["duty.load.fx=-20 kN"]))
     assert not unsolved.converged[0]
     found = friction(unsolved, friction_coefficient=0.1, dynamic_viscosity=0.05)
     assert np.isnan(found.torque).all()
@@ -129,7 +131,7 @@ def test_unsolved_state_has_no_torque(case_218: Case) -> None:
     assert all(validity.notes["no_result"].all() for validity in found.validity)
 
 
-def test_frictionless_bearing_loses_only_by_hysteresis(slow: ro.Solved) -> None:
+def test_frictionless_bearing_loses_only_by_hysteresis(slow: Solved) -> None:
     found = friction(slow, friction_coefficient=0.0)
     np.testing.assert_allclose(found.torque, found.torque_by_source["hysteresis"])
     assert friction(slow, friction_coefficient=0.0, hysteresis=0.0).torque[0] == 0.0
@@ -150,7 +152,7 @@ def test_frictionless_bearing_loses_only_by_hysteresis(slow: ro.Solved) -> None:
         ({"friction_coefficient": None}, "lubricant.friction_coefficient"),
     ],
 )
-def test_wrong_arguments_are_named(slow: ro.Solved, wrong: dict[str, object], field: str) -> None:
+def test_wrong_arguments_are_named(slow: Solved, wrong: dict[str, object], field: str) -> None:
     given: dict[str, object] = {"friction_coefficient": 0.1, **wrong}
     with pytest.raises(InputError, match=field):
         friction(slow, **given)  # type: ignore[arg-type]

@@ -12,6 +12,7 @@ from rolamento.report.film_sentences import said_note
 from rolamento.report.language import ENGLISH, PORTUGUESE
 from rolamento.report.medium import Medium
 from rolamento.report.terminal import terminal_report
+from rolamento.solving import solve as solved_case
 
 
 @pytest.fixture(scope="module")
@@ -116,7 +117,7 @@ def test_the_report_speaks_portuguese(oiled: Analysis) -> None:
     ],
 )
 def test_every_note_is_said_in_portuguese(examples: Path, settings: list[str]) -> None:
-    film = film_of(solve(load_case(examples / "6305_film.toml", settings)))
+    film = film_of(solved_case(load_case(examples / "6305_film.toml", settings)))
     assert film.notes_of()
     for note in film.notes_of():
         assert said_note(note, "pt") != note

@@ -34,7 +34,6 @@ from rolamento.numerics import FloatArray
 from rolamento.numerics.blocks import in_blocks
 from rolamento.solved import NO_LOAD, RACES, Contacts, Solved, refuse_other
 
-
 ROOM_TEMPERATURE: Final = 293.15
 """K"""
 

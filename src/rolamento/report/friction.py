@@ -15,7 +15,7 @@ from rolamento.report.page import Lines, Page
 
 if TYPE_CHECKING:
     from rolamento.friction import Friction, ModelValidity
-    from rolamento.state import State
+    from rolamento.solved import Solved
 
 __all__ = ["friction_parts", "reason_text", "unit_of_power", "unit_of_torque"]
 
@@ -149,18 +149,18 @@ def reason_text(validity: ModelValidity, language: str, case: int = 0) -> str:
     return said.refused + ", ".join(said.reasons[name] for name in refused)
 
 
-def friction_parts(page: Page, state: State, friction: Friction) -> list[Lines]:
-    """Show the friction of a solved state: torque and heat by source, and the models."""
-    return [_torque_and_heat(page, state, friction), _model_table(page, state, friction)]
+def friction_parts(page: Page, solved: Solved, friction: Friction) -> list[Lines]:
+    """Show the friction of a single solved case: torque and heat by source, and the models."""
+    return [_torque_and_heat(page, solved, friction), _model_table(page, solved, friction)]
 
 
 def _words(page: Page) -> _Words:
     return _WORDS.get(page.words.code, _WORDS["en"])
 
 
-def _torque_and_heat(page: Page, state: State, friction: Friction) -> Lines:
+def _torque_and_heat(page: Page, solved: Solved, friction: Friction) -> Lines:
     said, digits = _words(page), page.digits
-    lubricant = state.case.lubricant
+    lubricant = solved.case.lubricant
     assert lubricant is not None
     lines = [page.heading(said.friction)]
     mu = digits.short(lubricant.friction_coefficient or 0.0)
@@ -218,7 +218,7 @@ def _source_table(page: Page, said: _Words, friction: Friction) -> Lines:
     return page.columns(rows, "l" + "r" * len(columns), gap=3)
 
 
-def _model_table(page: Page, state: State, friction: Friction) -> Lines:
+def _model_table(page: Page, solved: Solved, friction: Friction) -> Lines:
     """Set the torque of every model and whether it is valid here; the one in use in bold."""
     from rolamento.friction.models import TORQUE_MODELS
 
@@ -229,9 +229,9 @@ def _model_table(page: Page, state: State, friction: Friction) -> Lines:
         own = float(friction.models[found.model].total[0])
         whole = own + added if TORQUE_MODELS[found.model].of_contacts else own
         entries.append((found.model, own, whole, reason_text(found, page.words.code)))
-    speed = abs(state.case.duty.inner_speed - state.case.duty.outer_speed)
-    if state.rolling is not None and speed > 0.0:
-        own = state.rolling.power / speed
+    speed = abs(solved.case.duty.inner_speed - solved.case.duty.outer_speed)
+    if solved.rolling is not None and speed > 0.0:
+        own = float(solved.rolling.power[0]) / speed
         film = friction.regime[0] == "full_film"
         held = said.refused + said.reasons["full_film"] if film else said.valid
         entries.append(("friction_control", own, own + added, held))

@@ -105,7 +105,7 @@ def friction_report(
     page = Page(words, medium or Medium())
     parts = [terminal_head(page, analysis.state)]
     if analysis.friction is not None:
-        parts += friction_parts(page, analysis.state, analysis.friction)
+        parts += friction_parts(page, analysis.solved, analysis.friction)
     return rendered(page.medium, parts)
 
 

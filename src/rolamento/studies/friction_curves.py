@@ -134,9 +134,7 @@ def friction_curve(
             example="--coefficient 0.1",
         )
     solutions = _solutions(case, over)
-    found = joined(
-        [friction(solved, hysteresis=hysteresis, compare=True) for solved in solutions]
-    )
+    found = joined([friction(solved, hysteresis=hysteresis, compare=True) for solved in solutions])
     return FrictionCurve(
         case=case,
         label=label,

@@ -8,16 +8,13 @@ of each ball are taken with the motion as it was solved.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 import numpy as np
 
 from rolamento.geometry import Race
 from rolamento.studies.ball_outputs import RACES, family
 from rolamento.studies.outputs import Floats, Output, Solved
-
-if TYPE_CHECKING:
-    from rolamento.friction.slip import Patch, RelativeMotion
 
 __all__ = ["friction_outputs"]
 
@@ -66,12 +63,16 @@ def _of_models() -> Iterator[Output]:
 
 def _of_control() -> Iterator[Output]:
     """What friction control finds, where the case is solved with it."""
-    for name, unit, words, compute in (
-        ("rolling_power", "W", "power lost in the contacts", _rolling_power),
-        ("cage_speed", "rad/s", "speed of the cage", _cage_speed),
+    for name, unit, words, attribute in (
+        ("rolling_power", "W", "power lost in the contacts", "power"),
+        ("cage_speed", "rad/s", "speed of the cage", "cage_speed"),
     ):
         yield Output(
-            name, unit, f"{words} under friction control", compute, needs=("friction control",)
+            name,
+            unit,
+            f"{words} under friction control",
+            _of_rolling(attribute),
+            needs=("friction control",),
         )
 
 
@@ -111,18 +112,14 @@ def _source(name: str) -> Callable[[Solved], Floats]:
     return compute
 
 
-def _rolling_power(solved: Solved) -> Floats:
-    rolling = solved.batch.rows[0].rolling
-    if rolling is None:
-        return np.full(len(solved.batch), np.nan)
-    return np.where(solved.batch.converged, rolling.power.sum(axis=(1, 2)), np.nan)
+def _of_rolling(attribute: str) -> Callable[[Solved], Floats]:
+    def compute(solved: Solved) -> Floats:
+        rolling, converged = solved.cases.rolling, solved.cases.converged
+        return np.where(
+            converged, np.nan if rolling is None else getattr(rolling, attribute), np.nan
+        )
 
-
-def _cage_speed(solved: Solved) -> Floats:
-    rolling = solved.batch.rows[0].rolling
-    if rolling is None:
-        return np.full(len(solved.batch), np.nan)
-    return np.where(solved.batch.converged, rolling.cage_speed, np.nan)
+    return compute
 
 
 def _spin_loss(race: Race) -> Callable[[Solved], Floats]:
@@ -130,27 +127,28 @@ def _spin_loss(race: Race) -> Callable[[Solved], Floats]:
 
     def compute(solved: Solved) -> Floats:
         from rolamento.friction.closed_forms import spin_moment
+        from rolamento.friction.slip import Patch
 
-        motion = solved.balls.motion
-        spin = motion.inner_spin if race == "inner" else motion.outer_spin
+        contacts = solved.cases.contacts[race]
         mu = solved.friction_coefficient[:, np.newaxis]
-        balls = solved.loaded_balls
-        loss = spin_moment(balls.patch(race), mu) * np.abs(spin)
-        return np.where(balls.loaded, loss, np.where(np.isnan(balls.outer.load), np.nan, 0.0))
+        return _of_loaded(solved, spin_moment(Patch.of(contacts), mu) * np.abs(contacts.spin))
 
     return compute
 
 
 def _pressure_slip(race: Race) -> Callable[[Solved], Floats]:
     def compute(solved: Solved) -> Floats:
-        from rolamento.friction.model import bears_on_both
         from rolamento.friction.slip import Patch, fast_maximum_pressure_slip, solved_motion
 
-        cases = solved.cases
-        value = fast_maximum_pressure_slip(
-            Patch.of(cases.contacts[race]), solved_motion(cases, race)
-        )
-        touching = np.where(np.isnan(cases.outer.load), np.nan, 0.0)
-        return np.where(bears_on_both(cases), value, touching)
+        patch, motion = Patch.of(solved.cases.contacts[race]), solved_motion(solved.cases, race)
+        return _of_loaded(solved, fast_maximum_pressure_slip(patch, motion))
 
     return compute
+
+
+def _of_loaded(solved: Solved, values: Floats) -> Floats:
+    """Values of the balls that bear on both races, 0 of the others."""
+    from rolamento.friction.model import bears_on_both
+
+    unloaded = np.where(np.isnan(solved.cases.outer.load), np.nan, 0.0)
+    return np.where(bears_on_both(solved.cases), values, unloaded)

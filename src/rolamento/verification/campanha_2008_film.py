@@ -18,7 +18,7 @@ from rolamento.contact.hertz import (
     elliptical_contact,
 )
 from rolamento.geometry import race_curvature
-from rolamento.lubrication.entrainment import rolling_entrainment_speed
+from rolamento.kinematics import rolling_entrainment_speed
 from rolamento.lubrication.film_thickness import central_film, film_groups
 from rolamento.oil import ViscosityLine, astm_d341, astm_d341_line, viscosity_index, wooster
 from rolamento.verification.check import Check, half_unit
