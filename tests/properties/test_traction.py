@@ -11,11 +11,9 @@ from numpy.typing import NDArray
 from tests.one_case import solve_one
 
 from rolamento import Bearing, Case, Displacement, Duty, Load, Lubricant, Model
-from rolamento.friction.ellipse_mesh import ellipse_mesh
 from rolamento.friction.jones_full import jones_full
-from rolamento.friction.loaded_balls import loaded_balls
 from rolamento.friction.slip import BallVelocity, relative_motion
-from rolamento.friction.traction import ContactFriction, contact_friction
+from rolamento.friction.traction import ContactFriction, contact_friction, ellipse_mesh
 from rolamento.rows.ball import layout
 from rolamento.rows.ball.problem import ring_arms
 from rolamento.rows.ball.rolling import Rolling

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 
-from rolamento import Bearing, Case, Duty, Load, solve
-from rolamento.lubrication import film_of
+from rolamento import Bearing, Case, Duty, Load
+from rolamento.geometry import Race
+from rolamento.lubrication import film as film_of
+from rolamento.solving import solve
 from rolamento.verification import Check, campanha_2008_clearance
 from rolamento.verification.campanha_2008 import STRIBECK, checks, inner_contact
 from rolamento.verification.campanha_2008_film import right_film
@@ -71,7 +74,7 @@ def test_the_films_of_the_equilibrium_are_of_the_same_size() -> None:
             temperature={"lubricant": temperature + 273.15},
         )
         found = film_of(solve(case))
-        for race, expected in (("inner", inner), ("outer", outer)):
-            thinnest = found.thinnest(race)
-            assert thinnest is not None
-            assert thinnest.central_thickness * 1e6 == pytest.approx(expected, rel=0.08)
+        races: tuple[tuple[Race, float], ...] = (("inner", inner), ("outer", outer))
+        for race, expected in races:
+            thinnest = np.nanmin(found.of(race).central_thickness)
+            assert thinnest * 1e6 == pytest.approx(expected, rel=0.08)
