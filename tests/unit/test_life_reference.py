@@ -13,7 +13,7 @@ from rolamento.life.load_zone import (
     mean_loads,
     zone_life,
 )
-from rolamento.life.reference import (
+from rolamento.life.iso16281 import (
     equivalent_ball_load,
     race_life,
     race_ratings,

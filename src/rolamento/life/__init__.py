@@ -6,11 +6,13 @@ Pure functions of arrays first; `life` and `life_of_batch` gather all theories f
 
 from rolamento.life.conditions import LifeConditions, conditions_of, with_lubricant
 from rolamento.life.headline import Headline
-from rolamento.life.record import Life, Limit
+from rolamento.life.record import Life
 from rolamento.life.sensitivity import Change, sensitivity
-from rolamento.life.summary import LifeSummary, life, life_of_batch
+from rolamento.life.summary import LifeSummary, Limit, life, life_of_batch
+from rolamento.life.theories import THEORIES
 
 __all__ = [
+    "THEORIES",
     "Change",
     "Headline",
     "Life",

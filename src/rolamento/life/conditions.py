@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento.case import Case
-from rolamento.case.life_model import LifeModel
+from rolamento.case.life_model import LifeModel, TallianFactors
 from rolamento.errors import InputError
 from rolamento.life._figures import positive, within
 from rolamento.life.contamination import (
@@ -77,6 +77,8 @@ class LifeConditions:
         a_c, for L_able
     nsk_table
         a_NSK as read off the maker's chart; without it a_ISO stands in
+    tallian_subsurface, tallian_surface
+        factors of Tallian's form, by the origin of the failure
     inner_turning, outer_turning
         whether a ring turns against the load; by default those with a speed, and the inner where
         none has
@@ -108,6 +110,8 @@ class LifeConditions:
     depth: Depth = "local"
     nsk_cleanliness: ArrayLike | None = None
     nsk_table: FactorTable | None = None
+    tallian_subsurface: TallianFactors | None = None
+    tallian_surface: TallianFactors | None = None
     inner_turning: bool | None = None
     outer_turning: bool | None = None
     wanted_life: float | None = None
@@ -172,6 +176,8 @@ def conditions_of(case: Case, values: Mapping[str, ArrayLike] | None = None) -> 
         additives=model.additives,
         fatigue_load_limit=model.fatigue_load_method if limit is None else limit,
         depth=model.depth,
+        tallian_subsurface=model.tallian_subsurface,
+        tallian_surface=model.tallian_surface,
         bearing_temperature=_hottest(case, varied),
         inner_turning=False if model.rotating_load else None,
         outer_turning=True if model.rotating_load else None,

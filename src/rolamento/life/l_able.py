@@ -18,16 +18,28 @@ table 2.6.3.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento.errors import InputError
 from rolamento.life._figures import positive
-from rolamento.life.basic import load_notes
-from rolamento.life.reference import SLOPE
+from rolamento.life.iso281 import load_notes
+from rolamento.life.iso281_modified import life_modification_factor
+from rolamento.life.iso16281 import SLOPE
+from rolamento.life.theory import (
+    OF_BEARING,
+    OF_EQUIVALENT_LOAD,
+    VISCOSITY_RATIO,
+    Need,
+    Theory,
+)
 from rolamento.numerics import BoolArray, FloatArray
+
+if TYPE_CHECKING:
+    from rolamento.life.basis import Basis
+    from rolamento.life.record import Life
 
 CLEANLINESS: Final = {
     "very_clean": (1.0, 1.0),
@@ -191,3 +203,58 @@ def _placed(
     share = (value - axis[index]) / (axis[index + 1] - axis[index])
     inside = (share >= -1e-9) & (share <= 1.0 + 1e-9)
     return np.asarray(index, dtype=np.int64), np.where(inside, share, np.nan)
+
+
+def _evaluate(basis: Basis) -> Life:
+    """L_able of solved cases; InputError if κ is not known."""
+    given, ratio, ratings = basis.given, basis.viscosity_ratio, basis.ratings
+    if ratio is None:
+        raise InputError(
+            "is missing: L_able needs the viscosity ratio, or the viscosity",
+            field="viscosity_ratio",
+            example="viscosity_ratio = 1.5",
+        )
+    clean, load = basis.over_cases("nsk_cleanliness"), basis.loads.dynamic
+    hot = np.fmax(basis.over_cases("temperature"), basis.over_cases("bearing_temperature"))
+    refused = refusals(load, ratings.dynamic_of_set, ratings.static_of_set, basis.balls.speed, hot)
+    if given.nsk_table is None:
+        outside = "viscosity_ratio_too_small"
+        factor = life_modification_factor(
+            ratio, np.minimum(clean, 1.0), ratings.fatigue_of_set, load
+        )
+    else:
+        outside = "outside_the_table"
+        place = load_parameter(load, ratings.fatigue_of_set, ratings.dynamic_of_set, clean)
+        factor = given.nsk_table.at(ratio, place)
+    notes = {
+        **basis.notes_on_load(),
+        **refused,
+        "stand_in_for_the_chart": np.full(len(basis), given.nsk_table is None),
+        outside: np.isnan(factor) & ~np.isnan(load),
+    }
+    factors = {"a_1": basis.reliability_factor, "a_nsk": l_able(1.0, factor, refused)}
+    return basis.record(THEORY.name, basis.basic_life, factors, notes)
+
+
+NSK_CLEANLINESS: Final = Need(
+    "life.nsk_cleanliness",
+    "the maker's cleanliness factor",
+    "[life] with nsk_cleanliness = 0.8 in the case",
+    ("nsk_cleanliness",),
+)
+THEORY: Final = Theory(
+    name="l_able",
+    title="L_able of NSK",
+    evaluate=_evaluate,
+    asked=lambda basis: basis.given.nsk_cleanliness is not None,
+    needs=(NSK_CLEANLINESS, VISCOSITY_RATIO),
+    validity=(
+        *OF_BEARING,
+        *OF_EQUIVALENT_LOAD,
+        "viscosity_ratio_too_small",
+        "outside_the_table",
+        "too_slow",
+        "too_hot",
+    ),
+    rank=5,
+)

@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from rolamento.life.modified import GREATEST, life_modification_factor
+from rolamento.life.iso281_modified import GREATEST, life_modification_factor
 from rolamento.plots.frame import (
     GREY,
     add_title,

@@ -228,7 +228,7 @@ def _wanted(summary: LifeSummary) -> Floats | None:
 
 def _inner_share(summary: LifeSummary) -> Floats:
     """Part of the inner races in Σ L^-e over all races; NaN without an end."""
-    from rolamento.life.reference import SLOPE, system_life
+    from rolamento.life.iso16281 import SLOPE, system_life
 
     inner, whole = system_life(summary.reference.inner), summary.reference.life
     with np.errstate(divide="ignore", invalid="ignore"):

@@ -11,7 +11,7 @@ import numpy as np
 from rolamento.case import Case
 from rolamento.errors import InputError
 from rolamento.life import LifeConditions, LifeSummary, conditions_of, life
-from rolamento.life.reference import SLOPE
+from rolamento.life.iso16281 import SLOPE
 from rolamento.life.spectrum import shaft_life
 from rolamento.numerics import FloatArray
 from rolamento.solution import solve

@@ -18,8 +18,8 @@ from rolamento.case import Case
 from rolamento.case.life_model import LifeModel
 from rolamento.errors import InputError
 from rolamento.life import Headline
-from rolamento.life.basic import hours
-from rolamento.life.reference import SLOPE
+from rolamento.life.iso281 import hours
+from rolamento.life.iso16281 import SLOPE
 from rolamento.life.reliability import Edition, reliability_factor, reliability_of
 from rolamento.life.spectrum import miner_life, races_under_spectrum, revolution_shares
 from rolamento.numerics import BoolArray, FloatArray

@@ -1,4 +1,4 @@
-"""Ratings of solved rows, their loads in the standards' sense, and what the standards leave out."""
+"""What the theories share: ratings of solved rows, their loads in the standards' sense, notes."""
 
 from __future__ import annotations
 
@@ -10,13 +10,21 @@ from numpy.typing import ArrayLike
 
 from rolamento.errors import InputError
 from rolamento.life.conditions import LifeConditions
+from rolamento.life.contamination import ContaminationClass, contamination_factor
 from rolamento.life.equivalent_load import (
     STEEPEST,
     equivalent_load,
     static_equivalent_load,
     static_safety,
 )
-from rolamento.life.modified import fatigue_load_limit, fatigue_load_limit_of_contacts
+from rolamento.life.iso281 import basic_rating_life, hours, load_notes
+from rolamento.life.iso281_modified import (
+    fatigue_load_limit,
+    fatigue_load_limit_of_contacts,
+)
+from rolamento.life.iso16281 import ReferenceLife, race_ratings, reference_life
+from rolamento.life.record import BOUNDS, OUTSIDE, Life
+from rolamento.life.reliability import outside_print, reliability_factor
 from rolamento.life.solved_balls import SolvedRows
 from rolamento.lubrication.viscosity_ratio import viscosity_ratio
 from rolamento.numerics import BoolArray, FloatArray
@@ -74,7 +82,158 @@ class EquivalentLoads:
     limit: FloatArray
 
 
-def ratings_of(balls: SolvedRows, given: LifeConditions) -> Ratings:
+Notes = dict[str, BoolArray]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Basis:
+    """Solved rows, conditions, and what follows from them for every theory."""
+
+    balls: SolvedRows
+    given: LifeConditions
+    ratings: Ratings
+    loads: EquivalentLoads
+    turning: tuple[BoolArray, BoolArray]
+    reference: ReferenceLife
+    reliability_factor: FloatArray
+    viscosity_ratio: FloatArray | None
+    common_notes: Notes
+
+    @classmethod
+    def of(cls, balls: SolvedRows, given: LifeConditions) -> Basis:
+        """Gather what the theories share; InputError as `summary.life`."""
+        balls, steep = _without_thrust_bearings(balls)
+        ratings = _ratings(balls, given)
+        inner_turning, outer_turning = turning = _turning_rings(balls, given)
+        reference = reference_life(
+            balls.inner_load,
+            balls.outer_load,
+            race_ratings(
+                ratings.dynamic,
+                balls.ball_count,
+                balls.ball_diameter,
+                balls.pitch_diameter,
+                balls.inner_conformity,
+                balls.outer_conformity,
+                balls.contact_angle,
+            ),
+            balls.row_starts,
+            inner_turning=inner_turning,
+            outer_turning=outer_turning,
+        )
+        outside = bool(outside_print(given.reliability, given.edition))
+        return cls(
+            balls=balls,
+            given=given,
+            ratings=ratings,
+            loads=_equivalent_loads(balls, ratings),
+            turning=turning,
+            reference=reference,
+            reliability_factor=reliability_factor(given.reliability, given.edition),
+            viscosity_ratio=_viscosity_ratio(balls, given),
+            common_notes={
+                **_notes_on_bearing(balls, given),
+                "thrust_bearing": steep,
+                "no_dynamic_rating": np.isnan(ratings.dynamic_of_set) & ~steep,
+                "reliability_continued": np.full(len(balls), outside),
+            },
+        )
+
+    def __len__(self) -> int:
+        """Count the cases."""
+        return len(self.balls)
+
+    def over_cases(self, name: str) -> FloatArray:
+        """One of the conditions, a number for each case; NaN where it is not given."""
+        value = getattr(self.given, name)
+        return over_cases(np.nan if value is None else value, name, len(self))
+
+    @property
+    def basic_life(self) -> FloatArray:
+        """L_10 by the equivalent load; millions of revolutions."""
+        return basic_rating_life(self.ratings.dynamic_of_set, self.loads.dynamic)
+
+    @property
+    def reference_load(self) -> FloatArray:
+        """P_ref = C/L_10r^(1/3): load of the rating life that the reference life stands for; N."""
+        return np.asarray(self.ratings.dynamic_of_set / np.cbrt(self.reference.life))
+
+    @property
+    def contamination_factor(self) -> FloatArray | None:
+        """e_C of each case; None where it or κ is not known."""
+        return None if self.viscosity_ratio is None else self.cleanliness_at(self.viscosity_ratio)
+
+    def cleanliness_at(self, viscosity_ratio: FloatArray) -> FloatArray | None:
+        """e_C of each case if its viscosity ratio were another; None where it is not known."""
+        given = self.given.contamination
+        if given is None:
+            return None
+        if not isinstance(given, ContaminationClass):
+            return over_cases(given, "contamination", len(self))
+        return contamination_factor(given, viscosity_ratio, self.balls.pitch_diameter.min(axis=1))
+
+    def notes_on_load(self) -> Notes:
+        """What the theories of the equivalent load leave out or cannot judge."""
+        balls, ratings, load = self.balls, self.ratings, self.loads.dynamic
+        force = np.linalg.norm(balls.ring_load[:, :3], axis=1)
+        moment = np.linalg.norm(balls.ring_load[:, 3:], axis=1)
+        arm = balls.pitch_diameter.max(axis=1)
+        by_clearance = np.all(balls.contact_angle == 0.0, axis=1)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            outer, inner = balls.outer_load.sum(axis=1), balls.inner_load.sum(axis=1)
+            no_force = (force <= _FORCE * inner) & ~balls.unloaded
+            governs = 2.0 * moment > force * arm
+            ratio = self.basic_life / self.reference.life
+            otherwise = (ratio > _OTHERWISE) | (ratio < 1.0 / _OTHERWISE)
+            return {
+                **load_notes(load, ratings.dynamic_of_set, ratings.static_of_set),
+                "no_equivalent_load": np.isnan(load) & ~np.isnan(force),
+                "no_force": no_force,
+                "moment_governs": governs & ~no_force,
+                "moment_left_out": (moment > _MOMENT * force * arm) & ~governs,
+                "preload_left_out": np.full(len(self), balls.preloaded),
+                "centrifugal_left_out": outer > _CENTRIFUGAL * inner,
+                "load_shared_otherwise": otherwise & np.isfinite(self.basic_life) & by_clearance,
+                "light_load": load < _LEAST_LOAD * ratings.dynamic_of_set,
+                "no_static_rating": np.isnan(ratings.static_of_set),
+            }
+
+    def notes_on_reference_load(self) -> Notes:
+        """Where the load of the reference life is too great or too small for it."""
+        load, rating = self.reference_load, self.ratings.dynamic_of_set
+        return {
+            **load_notes(load, rating, self.ratings.static_of_set),
+            "light_load": load < _LEAST_LOAD * rating,
+        }
+
+    def record(
+        self, theory: str, basic: FloatArray, factors: dict[str, FloatArray], notes: Notes
+    ) -> Life:
+        """One theory's record; its factors, a_1 among them, multiply the basic life."""
+        cases = len(self)
+        whole = {name: np.broadcast_to(value, cases) for name, value in factors.items()}
+        known = [value for name, value in whole.items() if name.startswith("a_")]
+        unloaded = self.balls.unloaded
+        refused = unloaded | notes.get("no_force", np.zeros(cases, dtype=np.bool_))
+        result = np.where(refused, np.nan, np.prod([basic, *known], axis=0))
+        # what a number leaves out, or is a bound of, matters only where there is a number
+        kept = {
+            name: where if name in OUTSIDE - BOUNDS else where & ~refused
+            for name, where in (self.common_notes | notes).items()
+        }
+        kept["unloaded"] = unloaded
+        return Life(
+            theory=theory,
+            reliability=self.given.reliability,
+            basic=basic,
+            life=result,
+            hours=hours(result, self.balls.speed),
+            factors=whole,
+            notes={name: np.broadcast_to(where, cases) for name, where in kept.items()},
+        )
+
+
+def _ratings(balls: SolvedRows, given: LifeConditions) -> Ratings:
     """Ratings as given, or from the geometry.
 
     Raises
@@ -84,11 +243,11 @@ def ratings_of(balls: SolvedRows, given: LifeConditions) -> Ratings:
     """
     shape = (balls.ball_count, balls.ball_diameter, balls.pitch_diameter, balls.contact_angle)
     lowered = dynamic_rating(*shape, factor=_groove_factor(balls))
-    dynamic = _given(given.dynamic_rating, lowered, balls)
+    dynamic = _given_or(given.dynamic_rating, lowered, balls)
     if given.static_rating is None and not balls.steel_balls:
         static = np.full_like(balls.ball_diameter, np.nan)
     else:
-        static = _given(given.static_rating, static_rating(*shape), balls)
+        static = _given_or(given.static_rating, static_rating(*shape), balls)
     if np.all(np.isnan(dynamic)):
         raise InputError(
             "is missing: the geometry lies outside the standard's table (D cos α/d_m from 0.01 to"
@@ -108,7 +267,7 @@ def ratings_of(balls: SolvedRows, given: LifeConditions) -> Ratings:
     )
 
 
-def equivalent_loads(balls: SolvedRows, ratings: Ratings) -> EquivalentLoads:
+def _equivalent_loads(balls: SolvedRows, ratings: Ratings) -> EquivalentLoads:
     """P and P_0 of the shaft's load, for one row, a tandem, or a pair that faces each other."""
     cases = len(balls)
     fx, fy, fz = balls.ring_load[:, 0], balls.ring_load[:, 1], balls.ring_load[:, 2]
@@ -130,7 +289,7 @@ def equivalent_loads(balls: SolvedRows, ratings: Ratings) -> EquivalentLoads:
     return EquivalentLoads(*whole, *(np.broadcast_to(a, cases) + unsolved for a in factors))
 
 
-def without_thrust_bearings(balls: SolvedRows) -> tuple[SolvedRows, BoolArray]:
+def _without_thrust_bearings(balls: SolvedRows) -> tuple[SolvedRows, BoolArray]:
     """Take the angle from cases with one beyond 45°, and tell which they are, (cases,).
 
     Raises
@@ -150,7 +309,7 @@ def without_thrust_bearings(balls: SolvedRows) -> tuple[SolvedRows, BoolArray]:
     return replace(balls, contact_angle=np.where(steep, np.nan, balls.contact_angle)), whole
 
 
-def viscosity_ratio_of(balls: SolvedRows, given: LifeConditions) -> FloatArray | None:
+def _viscosity_ratio(balls: SolvedRows, given: LifeConditions) -> FloatArray | None:
     """κ of each case, (cases,), of the row that needs the thickest oil; None if not known."""
     if given.viscosity_ratio is not None:
         return over_cases(given.viscosity_ratio, "viscosity_ratio", len(balls))
@@ -163,44 +322,7 @@ def viscosity_ratio_of(balls: SolvedRows, given: LifeConditions) -> FloatArray |
     return np.asarray(ratio.min(axis=1))
 
 
-def left_out_of_load(balls: SolvedRows, loads: EquivalentLoads) -> dict[str, BoolArray]:
-    """What the equivalent load does not know, by note."""
-    force = np.linalg.norm(balls.ring_load[:, :3], axis=1)
-    moment = np.linalg.norm(balls.ring_load[:, 3:], axis=1)
-    arm = balls.pitch_diameter.max(axis=1)
-    with np.errstate(invalid="ignore"):
-        outer, inner = balls.outer_load.sum(axis=1), balls.inner_load.sum(axis=1)
-        none = (force <= _FORCE * inner) & ~balls.unloaded
-        governs = 2.0 * moment > force * arm
-        return {
-            "no_equivalent_load": np.isnan(loads.dynamic) & ~np.isnan(force),
-            "no_force": none,
-            "moment_governs": np.asarray(governs & ~none),
-            "moment_left_out": np.asarray((moment > _MOMENT * force * arm) & ~governs),
-            "preload_left_out": np.full(len(balls), balls.preloaded),
-            "centrifugal_left_out": np.asarray(outer > _CENTRIFUGAL * inner),
-        }
-
-
-def left_out_of_sharing(
-    balls: SolvedRows, rating_life: FloatArray, reference_life: FloatArray
-) -> dict[str, BoolArray]:
-    """Whether the balls of a bearing given by its clearance share the load otherwise, by note."""
-    by_clearance = np.all(balls.contact_angle == 0.0, axis=1)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        ratio = rating_life / reference_life
-        otherwise = (ratio > _OTHERWISE) | (ratio < 1.0 / _OTHERWISE)
-    return {
-        "load_shared_otherwise": np.asarray(otherwise & np.isfinite(rating_life) & by_clearance)
-    }
-
-
-def light_load(equivalent_load: FloatArray, dynamic_rating: FloatArray) -> BoolArray:
-    """Whether a load is below the least under which balls roll; arrays, N."""
-    return np.asarray(equivalent_load < _LEAST_LOAD * dynamic_rating)
-
-
-def notes_on_bearing(balls: SolvedRows, given: LifeConditions) -> dict[str, BoolArray]:
+def _notes_on_bearing(balls: SolvedRows, given: LifeConditions) -> dict[str, BoolArray]:
     """What every theory that starts from the rating has to say of the bearing, by note."""
     cases = len(balls)
     inner, outer = balls.inner_conformity, balls.outer_conformity
@@ -220,7 +342,7 @@ def notes_on_bearing(balls: SolvedRows, given: LifeConditions) -> dict[str, Bool
     }
 
 
-def turning_rings(balls: SolvedRows, given: LifeConditions) -> tuple[BoolArray, BoolArray]:
+def _turning_rings(balls: SolvedRows, given: LifeConditions) -> tuple[BoolArray, BoolArray]:
     """Whether the rings turn against the load, (cases,): as given, or by their speeds."""
     inner = np.asarray(balls.inner_speed != 0.0)
     outer = np.asarray(balls.outer_speed != 0.0)
@@ -255,7 +377,7 @@ def _groove_factor(balls: SolvedRows) -> FloatArray:
     return np.asarray(dynamic_factor(gamma) * dynamic_factor_of_grooves(gamma, inner, outer) / full)
 
 
-def _given(value: ArrayLike | None, computed: FloatArray, balls: SolvedRows) -> FloatArray:
+def _given_or(value: ArrayLike | None, computed: FloatArray, balls: SolvedRows) -> FloatArray:
     """A rating of each row, (cases or 1, rows)."""
     if value is None:
         return np.atleast_2d(computed)
@@ -267,9 +389,10 @@ def _given(value: ArrayLike | None, computed: FloatArray, balls: SolvedRows) -> 
 
 
 def _fatigue(balls: SolvedRows, static: FloatArray, given: LifeConditions) -> FloatArray:
-    wanted = given.fatigue_load_limit
-    if isinstance(wanted, str):
-        if wanted == "estimate":
+    """C_u of each row, (cases or 1, rows)."""
+    method = given.fatigue_load_limit
+    if isinstance(method, str):
+        if method == "estimate":
             usable = np.where(np.isnan(static), 1.0, static)
             found = fatigue_load_limit(usable, balls.pitch_diameter)
             return np.where(np.isnan(static) | (not balls.steel_balls), np.nan, found)
@@ -284,7 +407,7 @@ def _fatigue(balls: SolvedRows, static: FloatArray, given: LifeConditions) -> Fl
                 balls.modulus,
             )
         )
-    return _given(wanted, static, balls)
+    return _given_or(method, static, balls)
 
 
 def _equal_rows(balls: SolvedRows) -> bool:
