@@ -24,7 +24,7 @@ def solved(case_218: Case) -> Solved:
         lubricant=oil,
         temperature={"lubricant": 343.15},
         surface=roughness,
-        life={**life, "wanted_life": 3.6e7},
+        life={**life, "wanted_life": 3.6e7, "tallian_subsurface": {}},
     )
     return Solved(solve_batch(case, {"duty.load.fx": FX}), case)
 

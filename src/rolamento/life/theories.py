@@ -15,7 +15,7 @@ from rolamento.life import (
     l_able,
     tallian,
 )
-from rolamento.life.theory import Theory
+from rolamento.life.theory import REQUIRED_LIFE, Need, Theory
 
 THEORIES: Final[Mapping[str, Theory]] = {
     module.THEORY.name: module.THEORY
@@ -34,3 +34,9 @@ THEORIES: Final[Mapping[str, Theory]] = {
 
 BY_RANK: Final = tuple(sorted(THEORIES, key=lambda name: THEORIES[name].rank))
 """Names by weight: figures list theories so, and where there is little room the last give way."""
+
+NEEDS: Final[Mapping[str, Need]] = {
+    need.name: need
+    for need in (*(one for theory in THEORIES.values() for one in theory.needs), REQUIRED_LIFE)
+}
+"""What theories need of a case, by name."""

@@ -82,6 +82,13 @@ CLEANLINESS: Final = Need(
     '[life] with cleanliness = "-/17/14" and oil_supply = "circulating" in the case',
     DIRT,
 )
+REQUIRED_LIFE: Final = Need(
+    "life.wanted_life",
+    "the required life",
+    '[life] with wanted_life = "20000 h" in the case',
+    ("wanted_life",),
+)
+"""No theory needs it, but the reliability with which it is reached."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

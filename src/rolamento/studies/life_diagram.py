@@ -13,8 +13,8 @@ from rolamento.case import Case
 from rolamento.case.duty import LOADS
 from rolamento.errors import InputError
 from rolamento.life import Life, LifeSummary, conditions_of, life, life_of_batch
-from rolamento.life.load_zone import clearance_function, load_zone, zone_life
 from rolamento.life.iso16281 import race_ratings
+from rolamento.life.load_zone import clearance_function, load_zone, zone_life
 from rolamento.numerics import FloatArray
 from rolamento.state import State
 from rolamento.static._common import race_stiffness
