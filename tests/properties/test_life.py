@@ -9,12 +9,12 @@ from hypothesis import strategies as st
 
 from rolamento import Bearing, Case, Duty, Load
 from rolamento.life import LifeConditions, life_of_batch
-from rolamento.life.iso281 import basic_rating_life
 from rolamento.life.contamination import class_of_code, class_of_grease, contamination_factor
 from rolamento.life.equivalent_load import equivalent_load, load_factors, static_equivalent_load
-from rolamento.life.load_zone import clearance_function, continuous_life, load_zone
+from rolamento.life.iso281 import basic_rating_life
 from rolamento.life.iso281_modified import life_modification_factor
 from rolamento.life.iso16281 import race_ratings, reference_life, system_life
+from rolamento.life.load_zone import clearance_function, continuous_life, load_zone
 from rolamento.life.reliability import reliability_factor, reliability_of
 from rolamento.life.shear_field import passing_shear
 from rolamento.life.spectrum import miner_life, shaft_life

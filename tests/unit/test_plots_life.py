@@ -25,15 +25,19 @@ from rolamento import (
 )
 from rolamento.life import Change, LifeConditions, life, life_of_batch, sensitivity
 from rolamento.plots.frame import figure_of
-from rolamento.plots.life import life_figure, lives_by_theory, theory_look
-from rolamento.plots.life_charts import (
+from rolamento.plots.life import (
+    BearingTests,
     aiso_chart,
     helps_figure,
+    life_figure,
     life_over_zone,
+    lives_by_theory,
+    load_over_life,
     load_zone_figure,
+    sn_figure,
+    theory_look,
     what_helps,
 )
-from rolamento.plots.life_load import BearingTests, load_over_life, sn_figure
 from rolamento.plots.life_words import LifeWords, life_words
 from rolamento.plots.over_field import decades, short_label
 from rolamento.plots.style import new_figure

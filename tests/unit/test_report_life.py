@@ -20,15 +20,15 @@ from rolamento.life.sensitivity import CHANGES
 from rolamento.report.language import ENGLISH, PORTUGUESE, Words
 from rolamento.report.life import life_report
 from rolamento.report.life_curves import curves_report
-from rolamento.report.life_numbers import (
+from rolamento.report.life_sentences import ANALYSIS_SENTENCES, said_analysis_note
+from rolamento.report.life_spectrum import spectrum_report
+from rolamento.report.life_statement import (
     factor_text,
     given_percent,
     life_text,
     lives_column,
     percent,
 )
-from rolamento.report.life_sentences import ANALYSIS_SENTENCES, said_analysis_note
-from rolamento.report.life_spectrum import spectrum_report
 from rolamento.report.life_words import LIFE_WORDS
 from rolamento.report.medium import Medium
 from rolamento.report.page import Page

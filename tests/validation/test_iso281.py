@@ -8,14 +8,14 @@ import pytest
 from rolamento import Bearing, Case, Duty
 from rolamento.life import life_of_batch
 from rolamento.life.iso281 import basic_rating_life, hours
+from rolamento.life.iso281_modified import fatigue_load_limit, life_modification_factor
+from rolamento.life.iso16281 import race_ratings
 from rolamento.life.load_zone import (
     catalogue_stiffness,
     continuous_life,
     load_zone,
     zone_life,
 )
-from rolamento.life.iso281_modified import fatigue_load_limit, life_modification_factor
-from rolamento.life.iso16281 import race_ratings
 from rolamento.lubrication.viscosity_ratio import viscosity_ratio
 from rolamento.ratings import (
     dynamic_factor,

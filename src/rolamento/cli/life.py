@@ -202,8 +202,7 @@ def _one(
 ) -> bool:
     """Show the life of a case; tell whether it has a result."""
     from rolamento.life import sensitivity
-    from rolamento.report.life import life_report
-    from rolamento.report.life_data import life_json
+    from rolamento.report.life import life_json, life_report
     from rolamento.studies.shaft import conditions_with, life_of_case
 
     with waiting(lang):

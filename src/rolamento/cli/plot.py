@@ -183,7 +183,7 @@ def _life(kind: Kind, case: Case | None, language: str) -> Axes:
     """Draw the life of a state; its case is solved again, for a file does not hold all of it."""
     from rolamento.analysis.needs import has_life
     from rolamento.life import life, sensitivity
-    from rolamento.plots import life_charts, life_load
+    from rolamento.plots import life as figures
     from rolamento.solution import solve
     from rolamento.studies.life_diagram import lives_over_load, lives_over_zone
 
@@ -202,11 +202,11 @@ def _life(kind: Kind, case: Case | None, language: str) -> Axes:
         )
     state = solve(case)
     if kind is Kind.sn:
-        return life_load.load_over_life(lives_over_load(state), language=language)
+        return figures.load_over_life(lives_over_load(state), language=language)
     if kind is Kind.zone:
-        return life_charts.life_over_zone(lives_over_zone(state), language=language)
+        return figures.life_over_zone(lives_over_zone(state), language=language)
     if kind is Kind.helps:
-        return life_charts.what_helps(sensitivity(state), language=language)
+        return figures.what_helps(sensitivity(state), language=language)
     summary = life(state, stress_volume=False)
     if summary.contamination_factor is None:
         raise InputError(
@@ -216,7 +216,7 @@ def _life(kind: Kind, case: Case | None, language: str) -> Axes:
             value=kind.value,
             example="[life] with viscosity_ratio = 1.5 and contamination = 0.5",
         )
-    return life_charts.aiso_chart(summary, language=language)
+    return figures.aiso_chart(summary, language=language)
 
 
 def _plot_study(

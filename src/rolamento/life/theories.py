@@ -33,7 +33,9 @@ THEORIES: Final[Mapping[str, Theory]] = {
 """By name."""
 
 BY_RANK: Final = tuple(sorted(THEORIES, key=lambda name: THEORIES[name].rank))
-"""Names by weight: figures list theories so, and where there is little room the last give way."""
+"""Names by weight: figures list theories so."""
+FIRST_LEFT_OUT: Final = tuple(name for name in reversed(BY_RANK) if not THEORIES[name].standard)
+"""Names of those that give way in this order where a table has no room for all."""
 
 NEEDS: Final[Mapping[str, Need]] = {
     need.name: need

@@ -12,11 +12,11 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 from rich.text import Text
 
+from rolamento.life.theories import FIRST_LEFT_OUT
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.report.across import place_text, read_values, written_values
 from rolamento.report.language import ENGLISH, Words
-from rolamento.report.life_numbers import given_percent, life_text, lives_column, said_of
-from rolamento.report.life_remarks import remarks
+from rolamento.report.life_statement import given_percent, life_text, lives_column, remarks, said_of
 from rolamento.report.medium import Medium
 from rolamento.report.page import Lines, Page
 from rolamento.report.plain_data import csv_number, json_text
@@ -32,7 +32,6 @@ SCHEMA: Final = 1
 _MARK: Final = "*"
 _LESS: Final = "<"
 _LEADS: Final = "headline"
-_FIRST_LEFT_OUT: Final = ("ioannides_harris", "l_able", "iso281_1990")
 _RELIABILITY: Final = 0.9
 
 
@@ -111,7 +110,7 @@ def _curve(page: Page, curve: LifeCurve) -> Lines:
         lines += page.hanging(Text("  "), own.variant.format(label=curve.label))
     lives, unit = shown_lives(curve)
     leading = curve.headline
-    table, left_out = _table(page, curve, lives)
+    table, left_out = _life_table(page, curve, lives)
     lines += table
     reliability = _RELIABILITY if curve.case.life is None else curve.case.life.reliability
     varied = curve.field == "life.reliability"
@@ -136,14 +135,14 @@ def shown_lives(curve: LifeCurve) -> tuple[Mapping[str, FloatArray], str]:
     return (curve.lives, "h") if turns else (curve.revolutions, "Mrev")
 
 
-def _table(
+def _life_table(
     page: Page, curve: LifeCurve, lives: Mapping[str, FloatArray]
 ) -> tuple[Lines, list[str]]:
     """Set the lives below each other; theories for which there is no room are named instead."""
     own, said = _WORDS.get(page.words.code, _WORDS["en"]), said_of(page)
     across, symbol = read_values(curve.over.field, curve.values)
     values = written_values(page, across)
-    names = [name for name in said.names if name in lives]
+    names = list(lives)
     columns: dict[str, Lines] = {
         "": [Text(), page.text(symbol, "dim"), *map(page.text, values)],
         **{name: _life_column(page, curve, name, lives[name]) for name in names},
@@ -153,7 +152,7 @@ def _table(
         led = leading.hours if lives is curve.lives else leading.life
         columns[_LEADS] = _column(page, ("", own.leads), led, leading.holds, leading.below)
     left_out = []
-    for name in _FIRST_LEFT_OUT:
+    for name in FIRST_LEFT_OUT:
         if name in columns and page.width_of(list(columns.values())) > page.medium.width:
             del columns[name]
             left_out.append(said.names[name])
@@ -267,7 +266,11 @@ def curves_csv(curves: Sequence[LifeCurve]) -> str:
                     curve.label,
                     csv_number(curve.values[point]),
                     str(curve.status[point]),
-                    *(_written(of.get(name, nothing)[point]) for of in lives for name in theories),
+                    *(
+                        _life_cell(of.get(name, nothing)[point])
+                        for of in lives
+                        for name in theories
+                    ),
                     *(
                         "yes" if name in curve.holds and curve.holds[name][point] else "no"
                         for name in theories
@@ -283,13 +286,13 @@ def curves_csv(curves: Sequence[LifeCurve]) -> str:
 def _headline_cells(leading: Headline, point: int) -> list[str]:
     return [
         str(leading.theory[point]),
-        _written(leading.hours[point]),
-        _written(leading.life[point]),
+        _life_cell(leading.hours[point]),
+        _life_cell(leading.life[point]),
         *("yes" if where[point] else "no" for where in (leading.holds, leading.below)),
     ]
 
 
-def _written(value: float) -> str:
+def _life_cell(value: float) -> str:
     return "inf" if isinf(value) else csv_number(value)
 
 

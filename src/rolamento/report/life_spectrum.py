@@ -12,10 +12,18 @@ import numpy as np
 from numpy.typing import NDArray
 from rich.text import Text
 
+from rolamento.life.iso16281 import THEORY as REFERENCE
 from rolamento.report.language import ENGLISH, Words
-from rolamento.report.life_numbers import given_percent, lives_column, percent, said_of
-from rolamento.report.life_remarks import remarks, verdict
-from rolamento.report.life_statement import reached, wanted_sentence
+from rolamento.report.life_statement import (
+    given_percent,
+    lives_column,
+    percent,
+    reached,
+    remarks,
+    said_of,
+    verdict,
+    wanted_sentence,
+)
 from rolamento.report.medium import Medium
 from rolamento.report.page import Lines, Page
 from rolamento.report.plain_data import csv_number, json_text
@@ -30,7 +38,6 @@ SCHEMA: Final = 1
 _MOST_SHOWN: Final = 40
 _BAR: Final = 20
 _CONVERGED: Final = "converged"
-_REFERENCE: Final = "iso16281"
 
 
 @dataclass(frozen=True, slots=True)
@@ -182,7 +189,7 @@ def _worst(page: Page, own: _Words, found: SpectrumLife) -> list[tuple[str, str]
 
 def _theories(page: Page, own: _Words, found: SpectrumLife) -> Lines:
     said = said_of(page)
-    names = [name for name in said.names if name in found.life]
+    names = list(found.life)
     revolutions = lives_column(page, [found.life[name] for name in names])
     hours = lives_column(page, [found.hours[name] for name in names])
     rows = [
@@ -249,7 +256,7 @@ def _steps(page: Page, own: _Words, found: SpectrumLife) -> Lines:
             damage=percent(page, max(rest, 0.0)),
         )
         lines += page.hanging(Text("  "), text, "dim")
-    legend = own.legend.format(theory=said_of(page).long[leading.theory or _REFERENCE])
+    legend = own.legend.format(theory=said_of(page).long[leading.theory or REFERENCE.name])
     return [*lines, *page.hanging(Text("  "), legend, "dim"), *_failures(page, own, found)]
 
 

@@ -10,9 +10,16 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 from rich.text import Text
 
+from rolamento.life.theories import FIRST_LEFT_OUT, THEORIES
 from rolamento.report.language import ENGLISH, Words
-from rolamento.report.life_numbers import given_percent, life_text, lives_column, percent, said_of
-from rolamento.report.life_remarks import remarks
+from rolamento.report.life_statement import (
+    given_percent,
+    life_text,
+    lives_column,
+    percent,
+    remarks,
+    said_of,
+)
 from rolamento.report.medium import Medium
 from rolamento.report.page import Lines, Page
 from rolamento.report.plain_data import json_text
@@ -27,9 +34,6 @@ SCHEMA: Final = 1
 _SHORTEST_NAME, _LONGEST_NAME = 12, 30
 _NUMBER_WIDTH: Final = 6
 """Of the first column, with the gaps beside it."""
-_FIRST_LEFT_OUT: Final = ("l_able", "iso281_1990")
-_BOUND: Final = "ioannides_harris"
-"""A theory for single bearings: bounds of parts say little of the whole."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -123,7 +127,7 @@ def shaft_report(
     own = _WORDS.get(words.code, _WORDS["en"])
     parts = [_statement(page, own, found)]
     if found.hours:
-        parts.append([*_table(page, own, found, names), *_remarks(page, own, found)])
+        parts.append([*_bearing_table(page, own, found, names), *_remarks(page, own, found)])
     return rendered(page.medium, parts)
 
 
@@ -171,18 +175,18 @@ def _reached(page: Page, own: _Words, found: ShaftLife) -> list[tuple[str, str]]
     return [(text, "bold"), (limit, "")]
 
 
-def _table(page: Page, own: _Words, found: ShaftLife, names: Sequence[str]) -> Lines:
+def _bearing_table(page: Page, own: _Words, found: ShaftLife, names: Sequence[str]) -> Lines:
     """Set bearings below each other, theories side by side, all together at the foot."""
     said = said_of(page)
     columns = {
         name: _column(page, found, name)
-        for name in said.names
-        if name in found.hours and name != _BOUND
+        for name in found.hours
+        if not THEORIES[name].bound  # bounds of parts say little of the whole
     }
     risk = [percent(page, float(share)) for share in found.headline.risk]
     last: Lines = [Text(), page.text(own.risk), *map(page.text, [*risk, ""])]
     left_out = []
-    for name in _FIRST_LEFT_OUT:
+    for name in FIRST_LEFT_OUT:
         if name in columns and _room(page, [*columns.values(), last]) < _SHORTEST_NAME:
             del columns[name]
             left_out.append(said.names[name])
@@ -235,13 +239,13 @@ def _remarks(page: Page, own: _Words, found: ShaftLife) -> Lines:
     numbers: dict[tuple[str, str], list[str]] = {}
     for number, summary in enumerate(found.lives, start=1):
         for life in () if summary is None else summary.theories.values():
-            for name in () if life.theory == _BOUND else life.notes_of():
+            for name in () if THEORIES[life.theory].bound else life.notes_of():
                 numbers.setdefault((life.theory, name), []).append(str(number))
     notes = [
         (theory, name, "" if len(own_numbers) == len(found) else _place(own, own_numbers))
         for (theory, name), own_numbers in numbers.items()
     ]
-    return remarks(page, notes, sum(name != _BOUND for name in found.hours))
+    return remarks(page, notes, sum(not THEORIES[name].bound for name in found.hours))
 
 
 def _place(own: _Words, numbers: Sequence[str]) -> str:

@@ -219,7 +219,7 @@ def _what_follows(page: Page, analysis: Analysis, notes: list[str]) -> list[Line
 
         parts += friction_parts(page, analysis.state, analysis.friction)
     if analysis.life is not None:
-        from rolamento.report.life_section import life_notes, life_part
+        from rolamento.report.life import life_notes, life_part
 
         parts.append(life_part(page, analysis.state, analysis.life))
         notes += life_notes(page, analysis.life)
