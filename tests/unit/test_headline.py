@@ -36,9 +36,10 @@ from rolamento.report.life_spectrum import spectrum_report
 from rolamento.report.shaft import shaft_report
 from rolamento.report.terminal import terminal_report
 from rolamento.rows.ball import solve_batch
-from rolamento.studies.life_curves import life_curve, read_range
-from rolamento.studies.shaft import life_of_shaft
-from rolamento.studies.spectrum import life_under, read_spectrum
+from rolamento.studies.ranges import read_range
+from rolamento.tasks.life import life_of_shaft
+from rolamento.tasks.life_over import life_curve
+from rolamento.tasks.life_spectrum import life_under, read_spectrum
 
 CASE = load_case(Path(__file__).parents[2] / "src" / "rolamento" / "examples" / "6305_life.toml")
 KNOWN = {"viscosity_ratio": 1.0, "contamination": 0.5}

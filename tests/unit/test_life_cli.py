@@ -18,8 +18,8 @@ import rolamento
 from rolamento import load_case, solve
 from rolamento.cli.app import app
 from rolamento.life import life, sensitivity
-from rolamento.studies.shaft import life_of_shaft
-from rolamento.studies.spectrum import life_under, read_spectrum
+from rolamento.tasks.life import life_of_shaft
+from rolamento.tasks.life_spectrum import life_under, read_spectrum
 
 ROOT = Path(__file__).resolve().parents[2]
 EXAMPLES = Path(rolamento.__file__).parent / "examples"

@@ -10,7 +10,8 @@ import pytest
 from rolamento import Case, InputError, load_case, override, solve
 from rolamento.life import LifeSummary, life
 from rolamento.life.l_able import FactorTable
-from rolamento.studies.life_curves import LifeCurve, life_curve, read_range
+from rolamento.studies.ranges import read_range
+from rolamento.tasks.life_over import LifeCurve, life_curve
 
 ALONE = 1e-6
 FIVE = {"iso281", "iso281_modified", "iso16281", "iso16281_modified", "ioannides_harris"}

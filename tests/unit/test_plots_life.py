@@ -42,8 +42,14 @@ from rolamento.plots.life_words import LifeWords, life_words
 from rolamento.plots.over_field import decades, short_label
 from rolamento.plots.style import new_figure
 from rolamento.plots.words import ENGLISH, PORTUGUESE
-from rolamento.studies.life_curves import LifeCurve, life_curve, read_range
-from rolamento.studies.life_diagram import LoadLives, lives_over_load, lives_over_zone
+from rolamento.studies.ranges import read_range
+from rolamento.tasks.life_over import (
+    LifeCurve,
+    LoadLives,
+    life_curve,
+    lives_over_load,
+    lives_over_zone,
+)
 
 DIRT = {"cleanliness": "-/17/14", "oil_supply": "circulating"}
 THEORIES = {"iso281", "iso281_modified", "iso16281", "iso16281_modified", "ioannides_harris"}

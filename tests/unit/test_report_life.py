@@ -35,9 +35,10 @@ from rolamento.report.page import Page
 from rolamento.report.shaft import shaft_report
 from rolamento.report.terminal import terminal_report
 from rolamento.state import State
-from rolamento.studies.life_curves import life_curve, read_range
-from rolamento.studies.shaft import life_of_shaft
-from rolamento.studies.spectrum import life_under, read_spectrum
+from rolamento.studies.ranges import read_range
+from rolamento.tasks.life import life_of_shaft
+from rolamento.tasks.life_over import life_curve
+from rolamento.tasks.life_spectrum import life_under, read_spectrum
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "src" / "rolamento" / "examples"
 LANGUAGES = (ENGLISH, PORTUGUESE)

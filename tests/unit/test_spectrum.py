@@ -12,8 +12,8 @@ import pytest
 from rolamento import Case, InputError, load_case, override, solve
 from rolamento.errors import FileError
 from rolamento.life import life
-from rolamento.studies.factor_table import read_factor_table
-from rolamento.studies.spectrum import SpectrumLife, life_under, read_spectrum
+from rolamento.life.l_able import read_factor_table
+from rolamento.tasks.life_spectrum import SpectrumLife, life_under, read_spectrum
 
 HEADER = "share,duty.load.fz,duty.inner_speed"
 THREE = f"{HEADER}\n0.5,1 kN,1000 rpm\n0.3,2 kN,2000 rpm\n0.2,4 kN,3000 rpm\n"

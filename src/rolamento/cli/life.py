@@ -40,7 +40,7 @@ if TYPE_CHECKING:
 
     from rolamento.life.l_able import FactorTable
     from rolamento.report.medium import Medium
-    from rolamento.studies.life_curves import LifeCurve
+    from rolamento.tasks.life_over import LifeCurve
 
 __all__ = ["life"]
 
@@ -106,7 +106,7 @@ def life(
         if reliability is not None:
             own.append(_setting_of(reliability))
         cases = [rolamento.load_case(path, own) for path in case]
-        table = _factor_table(nsk_table, cases, decimal_mark)
+        table = _factor_table(nsk_table, decimal_mark)
         if over is not None:
             curves = _curves(cases[0], over, points, log, variants or [], table, lang)
             from rolamento.report import life_curves
@@ -178,20 +178,11 @@ def _check_files(
         )
 
 
-def _factor_table(
-    path: str | None, cases: list[rolamento.Case], decimal_mark: str | None
-) -> FactorTable | None:
-    """Read the user's a_NSK, which means nothing without a_c."""
+def _factor_table(path: str | None, decimal_mark: str | None) -> FactorTable | None:
+    """Read the user's a_NSK."""
     if path is None:
         return None
-    for case in cases:
-        if case.life is None or case.life.nsk_cleanliness is None:
-            raise InputError(
-                "is missing: the columns of --nsk-table hold it",
-                field="life.nsk_cleanliness",
-                example="--set life.nsk_cleanliness=0.8",
-            )
-    from rolamento.studies.factor_table import read_factor_table
+    from rolamento.life.l_able import read_factor_table
 
     with told_in_options():
         return read_factor_table(path, decimal_mark=decimal_mark)
@@ -201,21 +192,19 @@ def _one(
     case: rolamento.Case, table: FactorTable | None, json: str | None, lang: Language | None
 ) -> bool:
     """Show the life of a case; tell whether it has a result."""
-    from rolamento.life import sensitivity
     from rolamento.report.life import life_json, life_report
-    from rolamento.studies.shaft import conditions_with, life_of_case
+    from rolamento.tasks.life import life_of_case
 
     with waiting(lang):
-        state, found = life_of_case(case, nsk_table=table)
-    words = words_of(lang)
-    changes = () if found is None else sensitivity(state, conditions_with(state.case, table))
+        found = life_of_case(case, nsk_table=table)
     if json is not None:
-        put(life_json(state, found, changes) + "\n", json)
+        put(life_json(found.state, found.life, found.changes) + "\n", json)
     if json != STANDARD_STREAM:
-        print_text(life_report(state, found, changes, words, _medium()))
-    elif found is None:
-        complain_of(state.status, lang)
-    return found is not None
+        words = words_of(lang)
+        print_text(life_report(found.state, found.life, found.changes, words, _medium()))
+    elif not found.converged:
+        complain_of(found.state.status, lang)
+    return found.converged
 
 
 def _shaft(
@@ -227,7 +216,7 @@ def _shaft(
 ) -> bool:
     """Show the lives of several bearings and of all together."""
     from rolamento.report.shaft import shaft_json, shaft_report
-    from rolamento.studies.shaft import life_of_shaft
+    from rolamento.tasks.life import life_of_shaft
 
     with waiting(lang):
         found = life_of_shaft(cases, nsk_table=table)
@@ -255,7 +244,7 @@ def _spectrum(
 ) -> bool:
     """Show the life under a duty of several steps."""
     from rolamento.report.life_spectrum import spectrum_csv, spectrum_json, spectrum_report
-    from rolamento.studies.spectrum import life_under, read_spectrum
+    from rolamento.tasks.life_spectrum import life_under, read_spectrum
 
     with told_in_options():
         steps = read_spectrum(path, decimal_mark=decimal_mark)
@@ -284,7 +273,8 @@ def _curves(
     lang: Language | None,
 ) -> list[LifeCurve]:
     """Solve the case and its variants over a field."""
-    from rolamento.studies.life_curves import life_curve, read_range
+    from rolamento.studies.ranges import read_range
+    from rolamento.tasks.life_over import life_curve
 
     chosen = read_range(over, points, log=log)
     cases = [("", case), *((text, rolamento.override(case, [text])) for text in variants)]

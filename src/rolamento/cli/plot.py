@@ -185,7 +185,7 @@ def _life(kind: Kind, case: Case | None, language: str) -> Axes:
     from rolamento.life import life, sensitivity
     from rolamento.plots import life as figures
     from rolamento.solution import solve
-    from rolamento.studies.life_diagram import lives_over_load, lives_over_zone
+    from rolamento.tasks.life_over import lives_over_load, lives_over_zone
 
     if case is None:
         raise InputError(

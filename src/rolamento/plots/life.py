@@ -35,8 +35,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from rolamento.life import Change, LifeSummary
-    from rolamento.studies.life_curves import LifeCurve
-    from rolamento.studies.life_diagram import LoadLives, ZoneLife
+    from rolamento.tasks.life_over import LifeCurve, LoadLives, ZoneLife
 
 __all__ = [
     "BearingTests",
@@ -116,8 +115,8 @@ def lives_by_theory(
     with styled():
         axes = new_figure(height=110.0)[1] if axes is None else axes
         own = curves[0]
-        turns = any(not np.isnan(life).all() for life in own.lives.values())
-        lines = list(_lines_of_theories(curves, turns, words))
+        turns = own.in_hours
+        lines = list(_lines_of_theories(curves, words))
         limits = _limits_of_lives((life, theory) for life, _, theory, _, _ in lines)
         if limits is None:
             endless = any(np.isposinf(life).any() for life, *_ in lines)
@@ -168,25 +167,22 @@ def _limits_of_lives(lives: Iterable[tuple[Floats, str]]) -> tuple[float, float]
 
 
 def _lines_of_theories(
-    curves: Sequence[LifeCurve], turns: bool, words: LifeWords
+    curves: Sequence[LifeCurve], words: LifeWords
 ) -> Iterable[tuple[Floats, NDArray[np.bool_], str, str, dict[str, Any]]]:
-    """Life, where it holds, theory, name and look of every line."""
-
-    def found(curve: LifeCurve, theory: str) -> tuple[Floats, NDArray[np.bool_]]:
-        lives = curve.lives if turns else curve.revolutions
-        return lives[theory], curve.holds[theory]
-
-    for theory in _by_rank(curves[0].lives):
-        name = words.theories.get(theory, theory)
-        yield (*found(curves[0], theory), theory, name, theory_look(theory))
+    """Life, where it is valid, theory, name and look of every line."""
+    first = curves[0]
+    for theory in _by_rank(first.theories):
+        name, own = words.theories.get(theory, theory), first[theory]
+        yield first.shown(own), own.holds, theory, name, theory_look(theory)
     for place, curve in enumerate(curves[1:], start=1):
         leading = curve.headline
         names = dict.fromkeys(theory for theory in leading.theory.tolist() if theory)
         look = {"color": "#000000", "linestyle": _VARIANTS[place % len(_VARIANTS)]}
         theories = " / ".join(words.theories[theory] for theory in names)
-        led = leading.hours if turns else leading.life
+        # in the unit of the first, whether this one turns or not
+        led = leading.hours if first.in_hours else leading.life
         label = f"{theories}, {short_label(curve.label)}"
-        yield (led, leading.holds, next(iter(names), REFERENCE.name), label, look)
+        yield led, leading.holds, next(iter(names), REFERENCE.name), label, look
 
 
 def _mark_missing(axes: Axes, x: Floats, curve: LifeCurve, shared: PlotWords) -> None:
@@ -248,7 +244,7 @@ def load_over_life(
     Parameters
     ----------
     lives
-        Of `rolamento.studies.life_diagram.lives_over_load`.
+        Of `rolamento.tasks.life_over.lives_over_load`.
     axes
         To draw on; of a new figure if not given.
     language
@@ -402,7 +398,7 @@ def life_over_zone(life: ZoneLife, axes: Axes | None = None, *, language: str = 
     Parameters
     ----------
     life
-        Of `rolamento.studies.life_diagram.lives_over_zone`; where the case's load is radial, the
+        Of `rolamento.tasks.life_over.lives_over_zone`; where the case's load is radial, the
         clearance that makes each zone under it stands below.
     axes, language
         As `aiso_chart`.

@@ -15,7 +15,6 @@ from rolamento.report.language import ENGLISH, Words
 from rolamento.report.life_statement import (
     given_percent,
     life_text,
-    lives_column,
     percent,
     remarks,
     said_of,
@@ -26,7 +25,7 @@ from rolamento.report.plain_data import json_text
 from rolamento.report.terminal import rendered
 
 if TYPE_CHECKING:
-    from rolamento.studies.shaft import ShaftLife
+    from rolamento.tasks.life import ShaftLife, SystemLife
 
 __all__ = ["shaft_json", "shaft_report"]
 
@@ -115,7 +114,7 @@ def shaft_report(
     Parameters
     ----------
     found
-        Of `rolamento.studies.shaft.life_of_shaft`.
+        Of `rolamento.tasks.life.life_of_shaft`.
     names
         Of the bearings: their titles, or files.
     words
@@ -126,7 +125,7 @@ def shaft_report(
     page = Page(words, medium or Medium())
     own = _WORDS.get(words.code, _WORDS["en"])
     parts = [_statement(page, own, found)]
-    if found.hours:
+    if found.theories:
         parts.append([*_bearing_table(page, own, found, names), *_remarks(page, own, found)])
     return rendered(page.medium, parts)
 
@@ -179,8 +178,8 @@ def _bearing_table(page: Page, own: _Words, found: ShaftLife, names: Sequence[st
     """Set bearings below each other, theories side by side, all together at the foot."""
     said = said_of(page)
     columns = {
-        name: _column(page, found, name)
-        for name in found.hours
+        name: _hours_column(page, found, name)
+        for name in found.theories
         if not THEORIES[name].bound  # bounds of parts say little of the whole
     }
     risk = [percent(page, float(share)) for share in found.headline.risk]
@@ -206,13 +205,14 @@ def _bearing_table(page: Page, own: _Words, found: ShaftLife, names: Sequence[st
     return lines + page.hanging(Text("  "), legend, "dim")
 
 
-def _column(page: Page, found: ShaftLife, name: str) -> Lines:
+def _hours_column(page: Page, found: ShaftLife, name: str) -> Lines:
     """A theory's name, the hours of each bearing by it, and of all together."""
-    cells = lives_column(page, [*found.bearing_hours[name].tolist(), found.hours[name]])
+    cells = lives_column(page, [*found[name].bearing_hours.tolist(), found[name].hours])
     holds = [s is not None and bool(s[name].holds[0]) for s in found.lives]
     below = [s is not None and bool(s[name].below[0]) for s in found.lives]
+    whole = found[name]
     fine = all(h or b for h, b in zip(holds, below, strict=True))
-    marks = zip(cells, [*holds, fine], [*below, any(below) and fine], strict=True)
+    marks = zip(cells, [*holds, fine], [*below, whole.below], strict=True)
     marked = [_marked(page, *mark) for mark in marks]
     marked[-1].stylize("bold")
     return [*(page.text(f"{word} ") for word in said_of(page).short[name]), *marked]
@@ -245,7 +245,7 @@ def _remarks(page: Page, own: _Words, found: ShaftLife) -> Lines:
         (theory, name, "" if len(own_numbers) == len(found) else _place(own, own_numbers))
         for (theory, name), own_numbers in numbers.items()
     ]
-    return remarks(page, notes, sum(not THEORIES[name].bound for name in found.hours))
+    return remarks(page, notes, sum(not THEORIES[name].bound for name in found.theories))
 
 
 def _place(own: _Words, numbers: Sequence[str]) -> str:
@@ -275,16 +275,16 @@ def shaft_json(found: ShaftLife, names: Sequence[str]) -> str:
                 "below": found.headline.below,
                 "risk": found.headline.risk,
             },
-            "together": {name: _together(found, name) for name in found.hours},
+            "together": {name: _together(own) for name, own in found.theories.items()},
         }
     )
 
 
-def _together(found: ShaftLife, name: str) -> dict[str, Any]:
-    hours = found.hours[name]
+def _together(own: SystemLife) -> dict[str, Any]:
+    hours = own.hours
     return {
         "hours": hours if isfinite(hours) else None,
         "endless": bool(np.isposinf(hours)),
-        "holds": found.holds[name],
-        "risk": found.risk[name],
+        "holds": own.holds,
+        "risk": own.risk,
     }
