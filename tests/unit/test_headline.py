@@ -269,8 +269,8 @@ def test_an_idle_step_does_no_damage(tmp_path: Path) -> None:
     assert duty.headline.hours == pytest.approx(2.0 * of(CASE).headline.hours[0])
     assert duty.headline.damage.tolist() == pytest.approx([1.0, 0.0])
     assert duty.headline.holds
-    assert np.isnan(duty.headline.step_hours[1])
-    assert duty.holds["iso16281"]
+    assert np.isnan(duty.headline.steps.hours[1])
+    assert duty["iso16281"].holds
     file.write_text("share,duty.load.fz,duty.load.fx\n1,0 N,0 N\n", "utf-8")
     idle = life_under(CASE, read_spectrum(str(file)))
     assert not idle.headline.holds

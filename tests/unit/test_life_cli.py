@@ -213,10 +213,10 @@ def test_a_shaft(run: Run) -> None:
 def test_equal_bearings_on_a_shaft() -> None:
     case = load_case(EXAMPLES / CASE)
     found = life_of_shaft([case] * 3)
-    for theory, hours in found.hours.items():
-        own = found.bearing_hours[theory][0]
-        assert hours == pytest.approx(own * 3.0**-0.9), theory
-        assert found.risk[theory] == pytest.approx(np.full(3, 1.0 / 3.0))
+    for theory, together in found.theories.items():
+        own = together.bearing_hours[0]
+        assert together.hours == pytest.approx(own * 3.0**-0.9), theory
+        assert found[theory].risk == pytest.approx(np.full(3, 1.0 / 3.0))
 
 
 def test_a_shaft_with_a_bearing_without_equilibrium(run: Run) -> None:
@@ -242,7 +242,7 @@ def test_a_spectrum(run: Run) -> None:
     code, out, err = run(CASE, "--spectrum", "6305_steps.csv")
     assert (code, err) == (0, "")
     found = life_under(load_case(CASE), read_spectrum("6305_steps.csv"))
-    damage = 100.0 * found.damage["iso16281_modified"]
+    damage = 100.0 * found["iso16281_modified"].damage
     assert f"Step 3 takes most of it: {damage[2]:.3g} % of the damage in 10 % of the time." in out
     rows = re.findall(r"^ +(\d) .*?(\d+\.\d)(?: +█*)?$", out, re.MULTILINE)
     assert rows[-3:] == [(str(n + 1), f"{damage[n]:.1f}") for n in range(3)]

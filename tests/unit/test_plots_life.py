@@ -120,10 +120,10 @@ def test_lives_are_drawn_in_full_where_they_hold_and_faintly_where_not(curve: Li
     )  # fmt: skip
     y, z = np.asarray(full.get_ydata()), np.asarray(faint.get_ydata())
     np.testing.assert_allclose(np.asarray(full.get_xdata()), curve.values / 1e3)
-    holds = curve.holds["iso281"]
+    holds = curve["iso281"].holds
     assert 0 < holds.sum() < len(holds)
-    np.testing.assert_array_equal(y[holds], curve.lives["iso281"][holds])
-    np.testing.assert_array_equal(z[~holds], curve.lives["iso281"][~holds])
+    np.testing.assert_array_equal(y[holds], curve["iso281"].hours[holds])
+    np.testing.assert_array_equal(z[~holds], curve["iso281"].hours[~holds])
     assert np.isnan(y[~holds][1:]).all()
     assert np.isnan(z[holds][:-1]).all()
     legend = axes.get_legend()
@@ -136,8 +136,8 @@ def test_lives_are_drawn_in_full_where_they_hold_and_faintly_where_not(curve: Li
 
 def test_a_bound_far_above_does_not_lead_the_axis(curve: LifeCurve, case: Case) -> None:
     axes = lives_by_theory([curve])
-    others = np.concatenate([curve.lives[t] for t in THEORIES - {"ioannides_harris"}])
-    assert np.max(curve.lives["ioannides_harris"]) > 100.0 * others.max()
+    others = np.concatenate([curve[t].hours for t in THEORIES - {"ioannides_harris"}])
+    assert np.max(curve["ioannides_harris"].hours) > 100.0 * others.max()
     low, high = axes.get_ylim()
     assert low < others.min()
     assert others.max() < high < 20.0 * others.max()
@@ -146,7 +146,7 @@ def test_a_bound_far_above_does_not_lead_the_axis(curve: LifeCurve, case: Case) 
     warm = life_curve(case, read_range("temperature.lubricant=40..90degC", 5))
     axes = lives_by_theory([warm])
     assert "Ioannides–Harris (bound), above" in labels(axes)
-    assert axes.get_ylim()[1] < np.min(warm.lives["ioannides_harris"])
+    assert axes.get_ylim()[1] < np.min(warm["ioannides_harris"].hours)
     assert axes.get_xlabel() == "Temperature of the lubricant (°C)"
     np.testing.assert_allclose(axes.get_xlim(), (40.0, 90.0))
 
@@ -158,7 +158,7 @@ def test_variants_stand_beside_by_the_theory_that_knows_most(case: Case) -> None
     figure = life_figure([life_curve(case, chosen), variant])
     (axes,) = figure.axes
     found = line(axes, "ISO/TS 16281, modified, fz = 3kN")
-    np.testing.assert_array_equal(found.get_ydata(), variant.lives["iso16281_modified"])
+    np.testing.assert_array_equal(found.get_ydata(), variant["iso16281_modified"].hours)
     assert axes.get_xlabel() == "Diametral clearance (µm)"
     assert figure.get_suptitle() == case.title
     assert drawn(figure).startswith(b"\x89PNG")
@@ -175,7 +175,7 @@ def test_where_nothing_turns_revolutions_are_drawn(case: Case) -> None:
     axes = lives_by_theory([curve])
     assert axes.get_ylabel() == "Life (10⁶ rev)"
     shown = np.asarray(line(axes, "ISO 281").get_ydata())
-    np.testing.assert_array_equal(shown, curve.revolutions["iso281"])
+    np.testing.assert_array_equal(shown, curve["iso281"].life)
     assert "wanted life" not in labels(axes)
 
 
@@ -194,8 +194,8 @@ def test_without_any_life_the_frame_says_so(case: Case) -> None:
 
 
 def test_endless_lives_are_told(curve: LifeCurve) -> None:
-    endless = {"iso16281": np.full(len(curve), np.inf)}
-    axes = lives_by_theory([replace(curve, lives=endless)])
+    endless = replace(curve["iso16281"], hours=np.full(len(curve), np.inf))
+    axes = lives_by_theory([replace(curve, theories={"iso16281": endless})])
     assert texts(axes) == ["fatigue ends no life here"]
 
 

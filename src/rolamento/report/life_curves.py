@@ -257,8 +257,8 @@ def curves_csv(curves: Sequence[LifeCurve]) -> str:
                     _life_cell(leading.life[point]),
                     _yes_or_no(leading.holds[point]),
                     _yes_or_no(leading.below[point]),
-                    csv_number(curve.rows.viscosity_ratio[point]),
-                    csv_number(curve.rows.contamination_factor[point]),
+                    csv_number(curve.viscosity_ratio[point]),
+                    csv_number(curve.contamination_factor[point]),
                 ]
             )
     return text.getvalue()
@@ -313,7 +313,7 @@ def _curve_mapping(curve: LifeCurve) -> dict[str, Any]:
             "reason": leading.reason.tolist(),
         },
         "theories": theories,
-        "viscosity_ratio": curve.rows.viscosity_ratio,
-        "contamination_factor": curve.rows.contamination_factor,
+        "viscosity_ratio": curve.viscosity_ratio,
+        "contamination_factor": curve.contamination_factor,
         "case": curve.case.to_mapping(),
     }

@@ -17,6 +17,7 @@ from rolamento.life.iso16281 import THEORY as REFERENCE
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.life_statement import (
     given_percent,
+    lives_column,
     percent,
     reached,
     remarks,

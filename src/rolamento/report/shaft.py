@@ -15,6 +15,7 @@ from rolamento.report.language import ENGLISH, Words
 from rolamento.report.life_statement import (
     given_percent,
     life_text,
+    lives_column,
     percent,
     remarks,
     said_of,

@@ -52,7 +52,7 @@ _PURE: Final = 1e-6
 _LONGEST_STATUS: Final = "U24"
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class LifeRows:
     """Lives of a case at rows of values of its fields.
 
@@ -80,10 +80,19 @@ class LifeRows:
     contamination_factor: FloatArray
     refused: tuple[tuple[NDArray[np.int64], InputError], ...]
 
+    def __getitem__(self, theory: str) -> Life:
+        """Return the life by one theory, arrays (rows,)."""
+        return self.theories[theory]
 
-@dataclass(frozen=True, slots=True, eq=False)
-class LifeCurve:
-    """Lives of a case over the values of one field.
+    @property
+    def converged(self) -> bool:
+        """Whether every row has a result."""
+        return bool(np.all(self.status == CONVERGED))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class LifeCurve(LifeRows):
+    """Lives of a case over the values of one field; the rows are the points.
 
     Attributes
     ----------
@@ -93,37 +102,15 @@ class LifeCurve:
         what sets this curve apart from others beside it; empty of the case itself
     over
         the range that was chosen: the field and its values
-    rows
-        the lives at these values
     """
 
     case: Case
     label: str
     over: Range
-    rows: LifeRows
 
     def __len__(self) -> int:
         """Count the points."""
         return len(self.over.values)
-
-    def __getitem__(self, theory: str) -> Life:
-        """Return the life by one theory, arrays (points,)."""
-        return self.rows.theories[theory]
-
-    @property
-    def theories(self) -> Mapping[str, Life]:
-        """Lives by name, arrays (points,)."""
-        return self.rows.theories
-
-    @property
-    def headline(self) -> Headline:
-        """The life that leads, arrays (points,)."""
-        return self.rows.headline
-
-    @property
-    def status(self) -> NDArray[np.str_]:
-        """(points,), of each solved case."""
-        return self.rows.status
 
     @property
     def in_hours(self) -> bool:
@@ -143,11 +130,6 @@ class LifeCurve:
     def values(self) -> FloatArray:
         """What it takes, (points,), SI."""
         return self.over.values
-
-    @property
-    def converged(self) -> bool:
-        """Whether every point has a result."""
-        return bool(np.all(self.status == CONVERGED))
 
 
 def life_curve(
@@ -177,7 +159,8 @@ def life_curve(
         refuse_many_singles(count)
     columns = {name: chosen.values.tolist()}
     rows = lives_of_rows(base, columns, nsk_table=factor_table(nsk_table, base))
-    return LifeCurve(case=base, label=label, over=chosen, rows=rows)
+    own = {one.name: getattr(rows, one.name) for one in fields(rows)}
+    return LifeCurve(case=base, label=label, over=chosen, **own)
 
 
 # --- rows of values -----------------------------------------------------------------------------
