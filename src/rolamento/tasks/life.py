@@ -139,15 +139,18 @@ class ShaftLife:
         return all(state.status.converged for state in self.states)
 
 
-def life_of_case(case: CaseSource, *, nsk_table: TableSource = None) -> CaseLife:
+def life_of_case(
+    case: CaseSource, *, nsk_table: TableSource = None, decimal_mark: str | None = None
+) -> CaseLife:
     """Solve a case, and find its life and what would help.
 
     Parameters
     ----------
     case
         Or its file.
-    nsk_table
-        a_NSK of L_able, or its file.
+    nsk_table, decimal_mark
+        a_NSK of L_able, or its file; and the decimal mark in it, ``"point"`` or ``"comma"``, where
+        nothing there tells.
 
     Raises
     ------
@@ -155,14 +158,19 @@ def life_of_case(case: CaseSource, *, nsk_table: TableSource = None) -> CaseLife
         If the bearing is a thrust bearing, or has no rating and none follows.
     """
     base = case_of(case)
-    table = factor_table(nsk_table, base)
+    table = factor_table(nsk_table, [base], decimal_mark)
     state = solve(base)
     given = conditions_with(state.case, table)
     found = _life(state, given)
     return CaseLife(state, found, () if found is None else sensitivity(state, given))
 
 
-def life_of_shaft(cases: Sequence[CaseSource], *, nsk_table: TableSource = None) -> ShaftLife:
+def life_of_shaft(
+    cases: Sequence[CaseSource],
+    *,
+    nsk_table: TableSource = None,
+    decimal_mark: str | None = None,
+) -> ShaftLife:
     """Find the lives of several bearings, and of all of them together.
 
     Parameters
@@ -170,8 +178,9 @@ def life_of_shaft(cases: Sequence[CaseSource], *, nsk_table: TableSource = None)
     cases
         Two or more, or their files, one for each bearing; their lives in hours count, so that they
         may turn at different speeds.
-    nsk_table
-        a_NSK of L_able, or its file.
+    nsk_table, decimal_mark
+        a_NSK of L_able, or its file; and the decimal mark in it, ``"point"`` or ``"comma"``, where
+        nothing there tells.
 
     Raises
     ------
@@ -191,7 +200,7 @@ def life_of_shaft(cases: Sequence[CaseSource], *, nsk_table: TableSource = None)
             value=", ".join(f"{value:g}" for value in sorted(reliabilities)),
             example="--reliability 0.9",
         )
-    table = factor_table(nsk_table, *read)
+    table = factor_table(nsk_table, read, decimal_mark)
     states = tuple(solve(case) for case in read)
     lives = tuple(_life(state, conditions_with(state.case, table)) for state in states)
     known = [summary for summary in lives if summary is not None]
@@ -234,7 +243,9 @@ def case_of(source: CaseSource) -> Case:
     return source if isinstance(source, Case) else load_case(source)
 
 
-def factor_table(source: TableSource, *cases: Case) -> FactorTable | None:
+def factor_table(
+    source: TableSource, cases: Sequence[Case], decimal_mark: str | None
+) -> FactorTable | None:
     """Return a user's a_NSK; read from its file if that is given.
 
     Raises
@@ -250,7 +261,9 @@ def factor_table(source: TableSource, *cases: Case) -> FactorTable | None:
             field=NSK_CLEANLINESS.name,
             example="--set life.nsk_cleanliness=0.8",
         )
-    return source if isinstance(source, FactorTable) else read_factor_table(source)
+    if isinstance(source, FactorTable):
+        return source
+    return read_factor_table(source, decimal_mark=decimal_mark)
 
 
 def conditions_with(

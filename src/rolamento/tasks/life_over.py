@@ -133,7 +133,12 @@ class LifeCurve(LifeRows):
 
 
 def life_curve(
-    case: CaseSource, over: Range | str, *, label: str = "", nsk_table: TableSource = None
+    case: CaseSource,
+    over: Range | str,
+    *,
+    label: str = "",
+    nsk_table: TableSource = None,
+    decimal_mark: str | None = None,
 ) -> LifeCurve:
     """Solve a case over a range, and find its life by every theory.
 
@@ -145,8 +150,9 @@ def life_curve(
         From `read_range`, or its text: ``"duty.load.fz=1..8kN"``.
     label
         What sets this case apart.
-    nsk_table
-        a_NSK of L_able, or its file.
+    nsk_table, decimal_mark
+        a_NSK of L_able, or its file; and the decimal mark in it, ``"point"`` or ``"comma"``, where
+        nothing there tells.
 
     Raises
     ------
@@ -158,7 +164,7 @@ def life_curve(
     if name not in array_fields():
         refuse_many_singles(count)
     columns = {name: chosen.values.tolist()}
-    rows = lives_of_rows(base, columns, nsk_table=factor_table(nsk_table, base))
+    rows = lives_of_rows(base, columns, nsk_table=factor_table(nsk_table, [base], decimal_mark))
     own = {one.name: getattr(rows, one.name) for one in fields(rows)}
     return LifeCurve(case=base, label=label, over=chosen, **own)
 

@@ -192,6 +192,7 @@ def life_under(
     steps: DutySteps | str | os.PathLike[str],
     *,
     nsk_table: TableSource = None,
+    decimal_mark: str | None = None,
 ) -> SpectrumLife:
     """Solve every step of a duty, and find the life under all of them.
 
@@ -203,6 +204,8 @@ def life_under(
         From `read_spectrum`, or their file.
     nsk_table
         a_NSK of L_able, or its file.
+    decimal_mark
+        ``"point"`` or ``"comma"``, where nothing in these files tells.
 
     Raises
     ------
@@ -211,8 +214,11 @@ def life_under(
         turns.
     """
     base = case_of(case)
-    duty = steps if isinstance(steps, DutySteps) else read_spectrum(steps)
-    rows = _solved_steps(base, duty, factor_table(nsk_table, base))
+    table = factor_table(nsk_table, [base], decimal_mark)
+    duty = (
+        steps if isinstance(steps, DutySteps) else read_spectrum(steps, decimal_mark=decimal_mark)
+    )
+    rows = _solved_steps(base, duty, table)
     speed = _speeds(base, duty)
     time, turns = _both_shares(duty, speed)
     mean_speed = float(time @ speed)
