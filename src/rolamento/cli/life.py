@@ -187,12 +187,12 @@ def _one(
     with told_in_options(), waiting(lang):
         found = life_of_case(case, **tables)
     if json is not None:
-        put(life_json(found.state, found.life, found.changes) + "\n", json)
+        put(life_json(found.solved, found.life, found.changes) + "\n", json)
     if json != STANDARD_STREAM:
         words = words_of(lang)
-        print_text(life_report(found.state, found.life, found.changes, words, _medium()))
+        print_text(life_report(found.solved, found.life, found.changes, words, _medium()))
     elif not found.converged:
-        complain_of(found.state.status, lang)
+        complain_of(found.solved, lang)
     return found.converged
 
 
@@ -217,8 +217,8 @@ def _shaft(
         print_text(shaft_report(found, names, words_of(lang), _medium()))
     elif not found.converged:
         words = words_of(lang)
-        failed = next(state for state in found.states if not state.status.converged)
-        complain(f"{failed.title}: {words.reason(failed.status)}")
+        failed = next(solved for solved in found.bearings if not solved.converged[0])
+        complain(f"{failed.title}: {words.reason(failed)}")
     return found.converged
 
 

@@ -1,6 +1,6 @@
 """Rating and fatigue life: one file a theory, one record for all of them.
 
-Pure functions of arrays first; `life` and `life_of_batch` gather all theories for solved cases,
+Pure functions of arrays first; `life` gathers all theories for solved cases,
 `sensitivity` tells what would help.
 """
 
@@ -8,7 +8,7 @@ from rolamento.life.conditions import LifeConditions, conditions_of, with_lubric
 from rolamento.life.headline import Headline
 from rolamento.life.record import Life
 from rolamento.life.sensitivity import Change, sensitivity
-from rolamento.life.summary import LifeSummary, Limit, life, life_of_batch
+from rolamento.life.summary import LifeSummary, Limit, life
 from rolamento.life.theories import THEORIES
 
 __all__ = [
@@ -21,7 +21,6 @@ __all__ = [
     "Limit",
     "conditions_of",
     "life",
-    "life_of_batch",
     "sensitivity",
     "with_lubricant",
 ]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
@@ -25,7 +25,6 @@ from rolamento.life.iso281_modified import (
 from rolamento.life.iso16281 import ReferenceLife, race_ratings, reference_life
 from rolamento.life.record import BOUNDS, OUTSIDE, Life
 from rolamento.life.reliability import outside_print, reliability_factor
-from rolamento.life.solved_balls import SolvedRows
 from rolamento.lubrication.viscosity_ratio import viscosity_ratio
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.ratings import (
@@ -34,6 +33,7 @@ from rolamento.ratings import (
     dynamic_rating,
     static_rating,
 )
+from rolamento.solved import Rows, Solved
 
 _ROW_SHARE: Final = 0.7
 """C of i equal rows is i^0.7 times that of one."""
@@ -60,7 +60,7 @@ _HOTTEST_STEEL: Final = 120.0 + 273.15
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Ratings:
-    """C, C_0 and C_u of each row (cases or 1, rows), and of all of them (cases or 1,); N."""
+    """C, C_0 and C_u of each row (cases, rows), and of all of them (cases,); N."""
 
     dynamic: FloatArray
     static: FloatArray
@@ -87,61 +87,74 @@ Notes = dict[str, BoolArray]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Basis:
-    """Solved rows, conditions, and what follows from them for every theory."""
+    """Solved cases, conditions, and what follows from them for every theory.
 
-    balls: SolvedRows
+    contact_angle is the nominal one of the rows, (cases, rows), NaN beyond 45°; speed that of the
+    rings against each other, unsigned, (cases,), rad/s; unloaded: where no element carries load.
+    """
+
+    solved: Solved
+    contact_angle: FloatArray
     given: LifeConditions
     ratings: Ratings
     loads: EquivalentLoads
     turning: tuple[BoolArray, BoolArray]
     reference: ReferenceLife
     reliability_factor: FloatArray
+    speed: FloatArray
+    unloaded: BoolArray
     viscosity_ratio: FloatArray | None
     common_notes: Notes
 
     @classmethod
-    def of(cls, balls: SolvedRows, given: LifeConditions) -> Basis:
+    def of(cls, solved: Solved, given: LifeConditions) -> Basis:
         """Gather what the theories share; InputError as `summary.life`."""
-        balls, steep = _without_thrust_bearings(balls)
-        ratings = _ratings(balls, given)
-        inner_turning, outer_turning = turning = _turning_rings(balls, given)
+        rows, angle = solved.rows, _angle_of_radial(solved.rows)
+        steep = np.isnan(angle).any(axis=1)
+        ratings = _ratings(solved, angle, given)
+        inner_turning, outer_turning = turning = _turning_rings(solved, given)
         reference = reference_life(
-            balls.inner_load,
-            balls.outer_load,
+            solved.inner.load,
+            solved.outer.load,
             race_ratings(
                 ratings.dynamic,
-                balls.ball_count,
-                balls.ball_diameter,
-                balls.pitch_diameter,
-                balls.inner_conformity,
-                balls.outer_conformity,
-                balls.contact_angle,
+                rows.element_count,
+                rows.ball_diameter,
+                rows.pitch_diameter,
+                rows.inner_conformity,
+                rows.outer_conformity,
+                angle,
             ),
-            balls.row_starts,
+            tuple(rows.starts.tolist()),
             inner_turning=inner_turning,
             outer_turning=outer_turning,
         )
+        speed = _speed(solved)
         outside = bool(outside_print(given.reliability, given.edition))
         return cls(
-            balls=balls,
+            solved=solved,
+            contact_angle=angle,
             given=given,
             ratings=ratings,
-            loads=_equivalent_loads(balls, ratings),
+            loads=_equivalent_loads(solved, angle, ratings),
             turning=turning,
             reference=reference,
             reliability_factor=reliability_factor(given.reliability, given.edition),
-            viscosity_ratio=_viscosity_ratio(balls, given),
+            speed=speed,
+            unloaded=np.all(solved.inner.load == 0.0, axis=1),
+            viscosity_ratio=_viscosity_ratio(rows, speed, given),
             common_notes={
-                **_notes_on_bearing(balls, given),
+                **_notes_on_bearing(solved, given),
+                "at_rest": speed == 0.0,
                 "thrust_bearing": steep,
                 "no_dynamic_rating": np.isnan(ratings.dynamic_of_set) & ~steep,
-                "reliability_continued": np.full(len(balls), outside),
+                "reliability_continued": np.full(len(solved), outside),
             },
         )
 
     def __len__(self) -> int:
         """Count the cases."""
-        return len(self.balls)
+        return len(self.solved)
 
     def over_cases(self, name: str) -> FloatArray:
         """One of the conditions, a number for each case; NaN where it is not given."""
@@ -170,18 +183,20 @@ class Basis:
             return None
         if not isinstance(given, ContaminationClass):
             return over_cases(given, "contamination", len(self))
-        return contamination_factor(given, viscosity_ratio, self.balls.pitch_diameter.min(axis=1))
+        pitch = self.solved.rows.pitch_diameter.min(axis=1)
+        return contamination_factor(given, viscosity_ratio, pitch)
 
     def notes_on_load(self) -> Notes:
         """What the theories of the equivalent load leave out or cannot judge."""
-        balls, ratings, load = self.balls, self.ratings, self.loads.dynamic
-        force = np.linalg.norm(balls.ring_load[:, :3], axis=1)
-        moment = np.linalg.norm(balls.ring_load[:, 3:], axis=1)
-        arm = balls.pitch_diameter.max(axis=1)
-        by_clearance = np.all(balls.contact_angle == 0.0, axis=1)
+        solved, ratings, load = self.solved, self.ratings, self.loads.dynamic
+        force = np.linalg.norm(solved.load.array[:, :3], axis=1)
+        moment = np.linalg.norm(solved.load.array[:, 3:], axis=1)
+        arm = solved.rows.pitch_diameter.max(axis=1)
+        by_clearance = np.all(self.contact_angle == 0.0, axis=1)
+        preloaded = solved.case.bearing.preload is not None
         with np.errstate(divide="ignore", invalid="ignore"):
-            outer, inner = balls.outer_load.sum(axis=1), balls.inner_load.sum(axis=1)
-            no_force = (force <= _FORCE * inner) & ~balls.unloaded
+            outer, inner = solved.outer.load.sum(axis=1), solved.inner.load.sum(axis=1)
+            no_force = (force <= _FORCE * inner) & ~self.unloaded
             governs = 2.0 * moment > force * arm
             ratio = self.basic_life / self.reference.life
             otherwise = (ratio > _OTHERWISE) | (ratio < 1.0 / _OTHERWISE)
@@ -191,7 +206,7 @@ class Basis:
                 "no_force": no_force,
                 "moment_governs": governs & ~no_force,
                 "moment_left_out": (moment > _MOMENT * force * arm) & ~governs,
-                "preload_left_out": np.full(len(self), balls.preloaded),
+                "preload_left_out": np.full(len(self), preloaded),
                 "centrifugal_left_out": outer > _CENTRIFUGAL * inner,
                 "load_shared_otherwise": otherwise & np.isfinite(self.basic_life) & by_clearance,
                 "light_load": load < _LEAST_LOAD * ratings.dynamic_of_set,
@@ -213,7 +228,7 @@ class Basis:
         cases = len(self)
         whole = {name: np.broadcast_to(value, cases) for name, value in factors.items()}
         known = [value for name, value in whole.items() if name.startswith("a_")]
-        unloaded = self.balls.unloaded
+        unloaded = self.unloaded
         refused = unloaded | notes.get("no_force", np.zeros(cases, dtype=np.bool_))
         result = np.where(refused, np.nan, np.prod([basic, *known], axis=0))
         # what a number leaves out, or is a bound of, matters only where there is a number
@@ -227,13 +242,47 @@ class Basis:
             reliability=self.given.reliability,
             basic=basic,
             life=result,
-            hours=hours(result, self.balls.speed),
+            hours=hours(result, self.speed),
             factors=whole,
             notes={name: np.broadcast_to(where, cases) for name, where in kept.items()},
         )
 
 
-def _ratings(balls: SolvedRows, given: LifeConditions) -> Ratings:
+def _speed(solved: Solved) -> FloatArray:
+    """Of the rings against each other, unsigned, (cases,), rad/s."""
+    return np.abs(solved.field("duty.inner_speed") - solved.field("duty.outer_speed"))
+
+
+def _has_steel_balls(solved: Solved) -> bool:
+    """Whether the balls of all rows are as stiff as the rings, within a tenth."""
+    return all(
+        abs(p.bearing.ball_material.youngs_modulus / p.bearing.ring_material.youngs_modulus - 1.0)
+        <= 0.1
+        for p in solved.case.bearing.places
+    )
+
+
+def _angle_of_radial(rows: Rows) -> FloatArray:
+    """Nominal contact angle of the rows, NaN beyond 45°, (cases, rows).
+
+    Raises
+    ------
+    InputError
+        If all cases have such a row.
+    """
+    angle = rows.free_contact_angle
+    steep = angle > STEEPEST * (1.0 + _SAME)
+    if steep.size and np.all(steep.any(axis=1)):
+        raise InputError(
+            "is a thrust bearing's: the theories of life here are for radial bearings, up to 45°",
+            field="bearing.contact_angle",
+            value=f"{float(np.degrees(angle.max())):.4g} deg",
+            example='contact_angle = "25 deg"',
+        )
+    return np.where(steep, np.nan, angle)
+
+
+def _ratings(solved: Solved, angle: FloatArray, given: LifeConditions) -> Ratings:
     """Ratings as given, or from the geometry.
 
     Raises
@@ -241,91 +290,105 @@ def _ratings(balls: SolvedRows, given: LifeConditions) -> Ratings:
     InputError
         If the geometry is outside the standard's table, and no rating is given.
     """
-    shape = (balls.ball_count, balls.ball_diameter, balls.pitch_diameter, balls.contact_angle)
-    lowered = dynamic_rating(*shape, factor=_groove_factor(balls))
-    dynamic = _given_or(given.dynamic_rating, lowered, balls)
-    if given.static_rating is None and not balls.steel_balls:
-        static = np.full_like(balls.ball_diameter, np.nan)
+    rows, steel = solved.rows, _has_steel_balls(solved)
+    shape = (rows.element_count, rows.ball_diameter, rows.pitch_diameter, angle)
+    lowered = dynamic_rating(*shape, factor=_groove_factor(rows, angle))
+    dynamic = _rating_or(given.dynamic_rating, lowered)
+    if given.static_rating is None and not steel:
+        static = np.full_like(rows.ball_diameter, np.nan)
     else:
-        static = _given_or(given.static_rating, static_rating(*shape), balls)
-    if np.all(np.isnan(dynamic)):
+        static = _rating_or(given.static_rating, static_rating(*shape))
+    if dynamic.size and np.all(np.isnan(dynamic)):
         raise InputError(
             "is missing: the geometry lies outside the standard's table (D cos α/d_m from 0.01 to"
             " 0.40)",
             field="dynamic_rating",
             example="dynamic_rating = 20600.0",
         )
-    fatigue = _fatigue(balls, static, given)
-    count = balls.ball_count.size
+    method = given.fatigue_load_limit
+    if method == "contacts":
+        fatigue = fatigue_load_limit_of_contacts(
+            rows.element_count,
+            rows.ball_diameter,
+            rows.pitch_diameter,
+            rows.inner_conformity,
+            rows.outer_conformity,
+            angle,
+            rows.modulus,
+        )
+    elif method == "estimate":
+        known = np.where(np.isnan(static), 1.0, static)
+        estimate = fatigue_load_limit(known, rows.pitch_diameter)
+        fatigue = np.where(np.isnan(static) | (not steel), np.nan, estimate)
+    else:
+        assert not isinstance(method, str)
+        fatigue = _rating_or(method, static)
     return Ratings(
         dynamic,
         static,
         fatigue,
-        dynamic.sum(axis=1) * count ** (_ROW_SHARE - 1.0),
+        dynamic.sum(axis=1) * len(rows) ** (_ROW_SHARE - 1.0),
         static.sum(axis=1),
         fatigue.sum(axis=1),
     )
 
 
-def _equivalent_loads(balls: SolvedRows, ratings: Ratings) -> EquivalentLoads:
+def _rating_or(value: ArrayLike | None, computed: FloatArray) -> FloatArray:
+    """A rating of each row as it is given, or as computed; (cases, rows)."""
+    if value is None:
+        return computed
+    array = np.asarray(value, dtype=np.float64)
+    column = array.reshape(-1, 1) if array.ndim == 1 else array
+    if column.ndim > 2 or (column.ndim == 2 and len(column) not in (1, len(computed))):
+        raise InputError("must be one number, or one for each case", field="rating")
+    return np.broadcast_to(column, computed.shape).copy()
+
+
+def _equivalent_loads(solved: Solved, angles: FloatArray, ratings: Ratings) -> EquivalentLoads:
     """P and P_0 of the shaft's load, for one row, a tandem, or a pair that faces each other."""
-    cases = len(balls)
-    fx, fy, fz = balls.ring_load[:, 0], balls.ring_load[:, 1], balls.ring_load[:, 2]
-    radial, axial = np.hypot(fy, fz), np.abs(fx)
-    signs = balls.signs
-    facing = len(signs) == 2 and signs[0] != signs[1]
-    angle = balls.contact_angle[:, 0]
-    if not _equal_rows(balls) or (len(set(signs)) > 1 and not facing):
+    rows, load, cases = solved.rows, solved.load, len(solved)
+    radial, axial = np.hypot(load.fy, load.fz), np.abs(load.fx)
+    facing = len(rows) == 2 and bool(rows.sign[0] != rows.sign[1])
+    angle = angles[:, 0]
+    if not _equal_rows(rows, angles) or (len(set(rows.sign.tolist())) > 1 and not facing):
         nothing = np.full(cases, np.nan)
         return EquivalentLoads(*([nothing] * 6))
-    carrying = np.where(facing & (angle > 0.0), 1.0, float(len(signs)))
-    relative = axial / (carrying * balls.ball_count[0] * balls.ball_diameter[:, 0] ** 2)
+    carrying = np.where(facing & (angle > 0.0), 1.0, float(len(rows)))
+    relative = axial / (carrying * rows.element_count[0] * rows.ball_diameter[:, 0] ** 2)
     found = equivalent_load(radial, axial, angle, relative, double_row=facing)
     static = static_equivalent_load(radial, axial, angle, double_row=facing)
     safety = static_safety(ratings.static_of_set, static)
-    whole = (np.broadcast_to(a, cases).copy() for a in (found.load, static, safety))
     factors = (found.radial_factor, found.axial_factor, found.limit)
     unsolved = np.where(np.isnan(radial), np.nan, 0.0)
-    return EquivalentLoads(*whole, *(np.broadcast_to(a, cases) + unsolved for a in factors))
+    return EquivalentLoads(found.load, static, safety, *(a + unsolved for a in factors))
 
 
-def _without_thrust_bearings(balls: SolvedRows) -> tuple[SolvedRows, BoolArray]:
-    """Take the angle from cases with one beyond 45°, and tell which they are, (cases,).
-
-    Raises
-    ------
-    InputError
-        If all are such.
-    """
-    steep = balls.contact_angle > STEEPEST * (1.0 + _SAME)
-    if np.all(steep.any(axis=1)):
-        raise InputError(
-            "is a thrust bearing's: the theories of life here are for radial bearings, up to 45°",
-            field="bearing.contact_angle",
-            value=f"{float(np.degrees(balls.contact_angle.max())):.4g} deg",
-            example='contact_angle = "25 deg"',
+def _equal_rows(rows: Rows, angle: FloatArray) -> bool:
+    return bool(
+        np.all(rows.element_count == rows.element_count[0])
+        and all(
+            np.allclose(a, a[:, :1], rtol=_SAME, atol=_SAME, equal_nan=True)
+            for a in (rows.ball_diameter, rows.pitch_diameter, angle)
         )
-    whole = np.broadcast_to(steep.any(axis=1), len(balls))
-    return replace(balls, contact_angle=np.where(steep, np.nan, balls.contact_angle)), whole
+    )
 
 
-def _viscosity_ratio(balls: SolvedRows, given: LifeConditions) -> FloatArray | None:
+def _viscosity_ratio(rows: Rows, speed: FloatArray, given: LifeConditions) -> FloatArray | None:
     """κ of each case, (cases,), of the row that needs the thickest oil; None if not known."""
+    cases = len(speed)
     if given.viscosity_ratio is not None:
-        return over_cases(given.viscosity_ratio, "viscosity_ratio", len(balls))
+        return over_cases(given.viscosity_ratio, "viscosity_ratio", cases)
     if given.viscosity is None:
         return None
-    viscosity = over_cases(given.viscosity, "viscosity", len(balls))
-    ratio = viscosity_ratio(
-        viscosity[:, np.newaxis], balls.speed[:, np.newaxis], balls.pitch_diameter
-    )
+    viscosity = over_cases(given.viscosity, "viscosity", cases)
+    ratio = viscosity_ratio(viscosity[:, np.newaxis], speed[:, np.newaxis], rows.pitch_diameter)
     return np.asarray(ratio.min(axis=1))
 
 
-def _notes_on_bearing(balls: SolvedRows, given: LifeConditions) -> dict[str, BoolArray]:
+def _notes_on_bearing(solved: Solved, given: LifeConditions) -> Notes:
     """What every theory that starts from the rating has to say of the bearing, by note."""
-    cases = len(balls)
-    inner, outer = balls.inner_conformity, balls.outer_conformity
+    cases, rows = len(solved), solved.rows
+    inner, outer = rows.inner_conformity, rows.outer_conformity
     opened = (inner > _INNER_GROOVE + _GROOVE_MARGIN) | (outer > _OUTER_GROOVE + _GROOVE_MARGIN)
     closed = (inner < _INNER_GROOVE - _GROOVE_MARGIN) | (outer < _INNER_GROOVE - _GROOVE_MARGIN)
     hot = np.zeros(cases, dtype=np.bool_)
@@ -334,23 +397,22 @@ def _notes_on_bearing(balls: SolvedRows, given: LifeConditions) -> dict[str, Boo
         if warm is not None:
             hot = hot | (over_cases(warm, name, cases) > _HOTTEST_STEEL)
     return {
-        "open_grooves": np.broadcast_to(opened.any(axis=1), cases),
-        "close_grooves": np.broadcast_to(closed.any(axis=1), cases),
-        "ceramic_balls": np.full(cases, not balls.steel_balls),
+        "open_grooves": opened.any(axis=1),
+        "close_grooves": closed.any(axis=1),
+        "ceramic_balls": np.full(cases, not _has_steel_balls(solved)),
         "too_hot_for_steel": hot,
-        "at_rest": np.asarray(balls.speed == 0.0),
     }
 
 
-def _turning_rings(balls: SolvedRows, given: LifeConditions) -> tuple[BoolArray, BoolArray]:
+def _turning_rings(solved: Solved, given: LifeConditions) -> tuple[BoolArray, BoolArray]:
     """Whether the rings turn against the load, (cases,): as given, or by their speeds."""
-    inner = np.asarray(balls.inner_speed != 0.0)
-    outer = np.asarray(balls.outer_speed != 0.0)
+    inner = solved.field("duty.inner_speed") != 0.0
+    outer = solved.field("duty.outer_speed") != 0.0
     inner = inner | ~outer
     if given.inner_turning is not None:
-        inner = np.full(len(balls), given.inner_turning)
+        inner = np.full(len(solved), given.inner_turning)
     if given.outer_turning is not None:
-        outer = np.full(len(balls), given.outer_turning)
+        outer = np.full(len(solved), given.outer_turning)
     return inner, outer
 
 
@@ -368,52 +430,10 @@ def over_cases(value: ArrayLike, name: str, cases: int) -> FloatArray:
     return np.broadcast_to(array, (cases,)).copy()
 
 
-def _groove_factor(balls: SolvedRows) -> FloatArray:
+def _groove_factor(rows: Rows, angle: FloatArray) -> FloatArray:
     """f_c of the table, lowered for grooves that are more open than it takes, never raised."""
-    gamma = balls.ball_diameter * np.cos(balls.contact_angle) / balls.pitch_diameter
-    inner = np.maximum(balls.inner_conformity, _INNER_GROOVE)
-    outer = np.maximum(balls.outer_conformity, _OUTER_GROOVE)
+    gamma = rows.ball_diameter * np.cos(angle) / rows.pitch_diameter
+    inner = np.maximum(rows.inner_conformity, _INNER_GROOVE)
+    outer = np.maximum(rows.outer_conformity, _OUTER_GROOVE)
     full = dynamic_factor_of_grooves(gamma, _INNER_GROOVE, _OUTER_GROOVE)
     return np.asarray(dynamic_factor(gamma) * dynamic_factor_of_grooves(gamma, inner, outer) / full)
-
-
-def _given_or(value: ArrayLike | None, computed: FloatArray, balls: SolvedRows) -> FloatArray:
-    """A rating of each row, (cases or 1, rows)."""
-    if value is None:
-        return np.atleast_2d(computed)
-    array = np.asarray(value, dtype=np.float64)
-    column = array.reshape(-1, 1) if array.ndim == 1 else array
-    if column.ndim > 2 or (column.ndim == 2 and len(column) not in (1, len(balls))):
-        raise InputError("must be one number, or one for each case", field="rating")
-    return np.atleast_2d(column * np.ones(balls.ball_count.size))
-
-
-def _fatigue(balls: SolvedRows, static: FloatArray, given: LifeConditions) -> FloatArray:
-    """C_u of each row, (cases or 1, rows)."""
-    method = given.fatigue_load_limit
-    if isinstance(method, str):
-        if method == "estimate":
-            usable = np.where(np.isnan(static), 1.0, static)
-            found = fatigue_load_limit(usable, balls.pitch_diameter)
-            return np.where(np.isnan(static) | (not balls.steel_balls), np.nan, found)
-        return np.atleast_2d(
-            fatigue_load_limit_of_contacts(
-                balls.ball_count,
-                balls.ball_diameter,
-                balls.pitch_diameter,
-                balls.inner_conformity,
-                balls.outer_conformity,
-                balls.contact_angle,
-                balls.modulus,
-            )
-        )
-    return _given_or(method, static, balls)
-
-
-def _equal_rows(balls: SolvedRows) -> bool:
-    names = ("ball_diameter", "pitch_diameter", "contact_angle")
-    arrays = [getattr(balls, name) for name in names]
-    return bool(
-        np.all(balls.ball_count == balls.ball_count[0])
-        and all(np.allclose(a, a[:, :1], rtol=_SAME, atol=_SAME, equal_nan=True) for a in arrays)
-    )

@@ -41,6 +41,7 @@ from rolamento.numerics import FloatArray
 if TYPE_CHECKING:
     from rolamento.life.basis import Basis
     from rolamento.life.record import Life
+    from rolamento.solved import Contacts
 
 Depth = Literal["local", "mean"]
 
@@ -79,7 +80,7 @@ def fatigue_limit_of_pressure(pressure: ArrayLike, ellipticity: ArrayLike) -> Fl
 
 
 def risk_integral(
-    contacts: Ellipses,
+    contacts: Ellipses | Contacts,
     fatigue_limit: ArrayLike,
     *,
     depth: Depth = "local",
@@ -147,8 +148,8 @@ def race_risk(integral: ArrayLike, *, turning: ArrayLike, slope: float = SLOPE) 
 
 def stress_volume_life(
     reference: ReferenceLife,
-    inner: Ellipses,
-    outer: Ellipses,
+    inner: Ellipses | Contacts,
+    outer: Ellipses | Contacts,
     row_starts: tuple[int, ...] = (0,),
     *,
     fatigue_limit: ArrayLike = FATIGUE_LIMIT,
@@ -221,9 +222,9 @@ def _evaluate(basis: Basis) -> Life:
     (inner, outer), reference = basis.turning, basis.reference
     found = stress_volume_life(
         reference,
-        basis.balls.ellipses("inner"),
-        basis.balls.ellipses("outer"),
-        basis.balls.row_starts,
+        basis.solved.inner,
+        basis.solved.outer,
+        tuple(basis.solved.rows.starts.tolist()),
         fatigue_limit=basis.over_cases("fatigue_limit"),
         inner_turning=inner,
         outer_turning=outer,

@@ -95,10 +95,10 @@ def _evaluate(basis: Basis) -> Life:
         np.ones(len(basis)) if getattr(given, name) is None else basis.over_cases(name)
         for name in ("material_factor", "operation_factor")
     )
-    diameter = basis.balls.pitch_diameter.max(axis=1)
+    diameter = basis.solved.rows.pitch_diameter.max(axis=1)
     notes = {
         **basis.notes_on_load(),
-        **adjustment_notes(a2, a3, basis.over_cases("viscosity"), basis.balls.speed, diameter),
+        **adjustment_notes(a2, a3, basis.over_cases("viscosity"), basis.speed, diameter),
         "reliability_continued": outside_print(given.reliability, EDITION),
     }
     a1 = reliability_factor(given.reliability, EDITION)

@@ -280,7 +280,7 @@ def _evaluate(basis: Basis) -> Life:
         )
     clean, load = basis.over_cases("nsk_cleanliness"), basis.loads.dynamic
     hot = np.fmax(basis.over_cases("temperature"), basis.over_cases("bearing_temperature"))
-    refused = refusals(load, ratings.dynamic_of_set, ratings.static_of_set, basis.balls.speed, hot)
+    refused = refusals(load, ratings.dynamic_of_set, ratings.static_of_set, basis.speed, hot)
     if given.nsk_table is None:
         outside = "viscosity_ratio_too_small"
         factor = life_modification_factor(

@@ -1,4 +1,4 @@
-"""All theories of life side by side, for a solved state or a batch of them."""
+"""All theories of life side by side, for one solved case or many."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rolamento.case import Case
+from rolamento.errors import InputError
 from rolamento.life import iso16281, iso16281_modified
 from rolamento.life.basis import Basis, EquivalentLoads, Ratings
 from rolamento.life.conditions import LifeConditions, conditions_of
@@ -22,11 +22,9 @@ from rolamento.life.iso281_modified import (
 from rolamento.life.iso16281 import SLOPE, ReferenceLife
 from rolamento.life.record import Life, finite
 from rolamento.life.reliability import reliability_factor, reliability_of
-from rolamento.life.solved_balls import SolvedRows, rows_of_batch, rows_of_state
 from rolamento.life.theories import THEORIES
 from rolamento.numerics import FloatArray
-from rolamento.rows.ball import BatchState
-from rolamento.state import State
+from rolamento.solved import Solved
 
 _HOUR: Final = 3600.0
 _WORTH: Final = 1.5
@@ -174,56 +172,43 @@ class LifeSummary:
 
 
 def life(
-    state: State, conditions: LifeConditions | None = None, *, stress_volume: bool = True
+    solved: Solved,
+    conditions: LifeConditions | None = None,
+    *,
+    stress_volume: bool | None = None,
 ) -> LifeSummary:
-    """Life of a solved state by every theory that the conditions allow.
+    """Life of solved cases by every theory that the conditions ask for.
 
     Parameters
     ----------
-    state
-        Of `rolamento.solve`.
+    solved
+        Of `rolamento.solve`, one case or many.
     conditions
-        Ratings, lubrication and wishes; by default those of the case, `conditions_of`.
+        Ratings, lubrication and wishes, numbers or arrays (cases,); by default what the case says
+        and what varied from it, `conditions_of`.
     stress_volume
-        Whether to evaluate the theory of Ioannides and Harris.
+        Whether to evaluate theories that take milliseconds for a case, such as that of Ioannides
+        and Harris; by default of a single case only.
 
     Raises
     ------
     InputError
         If the bearing is a thrust bearing (above 45°), or no rating is given and none follows.
     """
-    given = conditions_of(state.case) if conditions is None else conditions
-    return _summary(rows_of_state(state), given, stress_volume)
-
-
-def life_of_batch(
-    case: Case,
-    batch: BatchState,
-    conditions: LifeConditions | None = None,
-    *,
-    stress_volume: bool = False,
-) -> LifeSummary:
-    """Life of solved cases; as `life`, with arrays over cases.
-
-    Parameters
-    ----------
-    case
-        The one that was solved.
-    batch
-        Of `solve_batch`.
-    conditions, stress_volume
-        As `life`; the numbers of the conditions may be arrays (cases,).
-    """
-    given = conditions_of(case) if conditions is None else conditions
-    return _summary(rows_of_batch(case, batch), given, stress_volume)
-
-
-def _summary(balls: SolvedRows, given: LifeConditions, stress_volume: bool) -> LifeSummary:
-    basis = Basis.of(balls, given)
+    if not isinstance(solved, Solved):
+        raise InputError(
+            "must be what rolamento.solve returned",
+            field="solved",
+            value=type(solved).__name__,
+            example="life(rolamento.solve(case))",
+        )
+    given = conditions_of(solved) if conditions is None else conditions
+    slow = len(solved) == 1 if stress_volume is None else stress_volume
+    basis = Basis.of(solved, given)
     theories = {
         name: theory.evaluate(basis)
         for name, theory in THEORIES.items()
-        if theory.asked(basis) and (stress_volume or not theory.slow)
+        if theory.asked(basis) and (slow or not theory.slow)
     }
     modified = theories.get(iso16281_modified.THEORY.name)
     return LifeSummary(
@@ -242,10 +227,10 @@ def _summary(balls: SolvedRows, given: LifeConditions, stress_volume: bool) -> L
 
 def _limit_of(basis: Basis) -> Limit:
     """Find what limits the life of solved cases."""
-    balls, reference = basis.balls, basis.reference
-    count = balls.ball_count.size
+    reference, rows = basis.reference, basis.solved.rows
+    count = len(rows)
     races = np.concatenate([reference.inner, reference.outer], axis=1)
-    ended = np.isfinite(reference.life) & ~balls.unloaded
+    ended = np.isfinite(reference.life) & ~basis.unloaded
     weakest = np.argmin(np.where(np.isnan(races), np.inf, races), axis=1)
     row = np.where(ended, weakest % count, 0)
     inner = weakest < count
@@ -253,10 +238,8 @@ def _limit_of(basis: Basis) -> Limit:
     with np.errstate(divide="ignore", invalid="ignore"):
         risk = races**-SLOPE
         share = np.take_along_axis(risk, weakest[:, np.newaxis], 1)[:, 0] / risk.sum(axis=1)
-    load = np.where(inner[:, np.newaxis], balls.inner_load, balls.outer_load)
-    starts = np.array([*balls.row_starts, balls.inner_load.shape[1]])
-    index = np.arange(balls.inner_load.shape[1])
-    own = (index >= starts[row][:, np.newaxis]) & (index < starts[row + 1][:, np.newaxis])
+    load = np.where(inner[:, np.newaxis], basis.solved.inner.load, basis.solved.outer.load)
+    own = rows.row_of_element == row[:, np.newaxis]
     heaviest = np.argmax(np.where(own & ~np.isnan(load), load, -1.0), axis=1)
     return Limit(
         row=np.asarray(row, dtype=np.int64),
@@ -299,4 +282,4 @@ def _at(array: FloatArray | None, case: int) -> float | None:
     """One case's number of an array over cases, or of one for all; None where there is none."""
     if array is None:
         return None
-    return finite(array[case if array.size > 1 else 0])
+    return finite(array[case])

@@ -24,7 +24,6 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento.case.life_model import TallianFactors
-from rolamento.contact.subsurface import orthogonal_shear
 from rolamento.errors import InputError
 from rolamento.life._figures import positive, within
 from rolamento.life.ioannides_harris import DEPTH_EXPONENT, STRESS_EXPONENT, race_risk
@@ -103,32 +102,28 @@ def lundberg_palmgren_integral(
     return np.asarray(np.asarray(race_length) * volume * tau**STRESS_EXPONENT)
 
 
+def _gamma(basis: Basis) -> FloatArray:
+    """D cos α/d_m of the rows, (cases, rows)."""
+    rows = basis.solved.rows
+    return rows.ball_diameter * np.cos(basis.contact_angle) / rows.pitch_diameter
+
+
 def _race_integrals(basis: Basis, race: Race, turning: BoolArray, slope: float) -> FloatArray:
     """φ3 φ4 of the rows of a race by Lundberg and Palmgren, (cases, rows)."""
-    balls, contacts = basis.balls, basis.balls.ellipses(race)
-    loaded = contacts.max_pressure > 0.0
-    a, b, pressure = (
-        np.where(loaded | np.isnan(contacts.max_pressure), part, 1.0)
-        for part in (contacts.semi_major, contacts.semi_minor, contacts.max_pressure)
-    )
-    shear = orthogonal_shear(pressure, a, b)
-    sign = -1.0 if race == "inner" else 1.0
-    gamma = balls.ball_diameter * np.cos(balls.contact_angle) / balls.pitch_diameter
-    length = np.pi * balls.pitch_diameter * (1.0 + sign * gamma)
+    rows, contacts = basis.solved.rows, basis.solved.contacts[race]
     integral = lundberg_palmgren_integral(
-        a, np.where(loaded, shear.amplitude, 0.0), shear.depth, 1.0
+        contacts.semi_major, contacts.orthogonal_shear, contacts.orthogonal_shear_depth, 1.0
     )
-    integral = np.where(np.isnan(contacts.max_pressure), np.nan, integral)
-    rows = np.split(integral, balls.row_starts[1:], axis=1)
-    mean = np.stack([race_risk(row, turning=turning, slope=slope) for row in rows], axis=1)
-    return np.asarray(mean * length)
+    integral = np.where(contacts.load == 0.0, 0.0, integral)
+    of_rows = np.split(integral, rows.starts[1:], axis=1)
+    mean = np.stack([race_risk(row, turning=turning, slope=slope) for row in of_rows], axis=1)
+    sign = -1.0 if race == "inner" else 1.0
+    return np.asarray(mean * np.pi * rows.pitch_diameter * (1.0 + sign * _gamma(basis)))
 
 
 def _cycles(basis: Basis) -> FloatArray:
-    """Stress cycles of the races in a million revolutions, (cases or 1, races)."""
-    balls = basis.balls
-    gamma = balls.ball_diameter * np.cos(balls.contact_angle) / balls.pitch_diameter
-    half = 0.5e6 * balls.ball_count
+    """Stress cycles of the races in a million revolutions, (cases, races)."""
+    gamma, half = _gamma(basis), 0.5e6 * basis.solved.rows.element_count
     return np.concatenate([half * (1.0 + gamma), half * (1.0 - gamma)], axis=1)
 
 

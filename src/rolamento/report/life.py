@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import asdict
 from math import degrees, isfinite, isnan
 from typing import TYPE_CHECKING, Final
 
@@ -33,7 +32,7 @@ from rolamento.report.terminal import notes_part, rendered, terminal_head
 
 if TYPE_CHECKING:
     from rolamento.life import Change, Life, LifeSummary
-    from rolamento.state import State
+    from rolamento.solved import Solved
 
 SCHEMA: Final = 1
 _FACTORS: Final = (
@@ -55,7 +54,7 @@ _GAP: Final = "  "
 
 
 def life_report(
-    state: State,
+    solved: Solved,
     summary: LifeSummary | None,
     changes: Sequence[Change] = (),
     words: Words = ENGLISH,
@@ -65,8 +64,8 @@ def life_report(
 
     Parameters
     ----------
-    state
-        What was solved.
+    solved
+        What was solved: a single case.
     summary
         Its life by every theory; None without a result.
     changes
@@ -77,17 +76,17 @@ def life_report(
         What the text is shown on; by default plain text of 80 columns in UTF-8.
     """
     page = Page(words, medium or Medium())
-    parts = [terminal_head(page, state)]
+    parts = [terminal_head(page, solved)]
     if summary is not None:
         parts += [
-            [page.heading(said_of(page).life), *statement(page, state, summary, changes)],
+            [page.heading(said_of(page).life), *statement(page, solved, summary, changes)],
             theories_part(page, summary),
             validity_part(page, summary),
             ratings_part(page, summary),
-            limit_part(page, state, summary),
+            limit_part(page, solved, summary),
         ]
         parts += [part for part in [changes_part(page, summary, changes)] if part]
-    notes = [words.note(note) for note in state.notes]
+    notes = [words.note(note) for note in solved.notes[0]]
     if notes:
         parts.append(notes_part(page, notes))
     return rendered(page.medium, parts)
@@ -232,25 +231,24 @@ def _force_rows(page: Page, shown: Sequence[tuple[str, float, str]]) -> Lines:
     return lines
 
 
-def limit_part(page: Page, state: State, summary: LifeSummary) -> Lines:
+def limit_part(page: Page, solved: Solved, summary: LifeSummary) -> Lines:
     """Name the race with the greatest part of the risk, its heaviest ball, and what costs most."""
     said, limit = said_of(page), summary.limit
     race = str(limit.race[0])
     if not race:
         reason = page.hanging(Text("  "), said.notes["unloaded"])
         return [page.heading(said.limits), *reason]
-    template = said.share_of_row if state.case.bearing.is_set else said.share_of_risk
+    template = said.share_of_row if solved.case.bearing.is_set else said.share_of_risk
     share = percent(page, float(limit.share[0]))
     texts = [template.format(race=said.races[race], row=int(limit.row[0]), share=share)]
     number = int(limit.ball[0])
     if number >= 0:
-        ball = state.balls[number]
-        contact = ball.inner if race == "inner" else ball.outer
+        contacts = solved.inner if race == "inner" else solved.outer
         texts.append(
             said.heaviest.format(
                 ball=number,
-                azimuth=page.digits.short(round(degrees(ball.azimuth), 2), 5),
-                load=page.digits.short(contact.load, 4),
+                azimuth=page.digits.short(round(degrees(solved.elements.azimuth[0, number]), 2), 5),
+                load=page.digits.short(float(contacts.load[0, number]), 4),
             )
         )
     cost = cost_text(page, summary)
@@ -301,7 +299,7 @@ def _gain_bar(page: Page, gain: float, greatest: float, room: int) -> str:
 # --- beside the state of a bearing -------------------------------------------------------------
 
 
-def life_part(page: Page, state: State, summary: LifeSummary) -> Lines:
+def life_part(page: Page, solved: Solved, summary: LifeSummary) -> Lines:
     """Show the statement, the lives by the standards, and how far the loads are from the ratings.
 
     All theories and what would help are for a report of their own.
@@ -320,7 +318,7 @@ def life_part(page: Page, state: State, summary: LifeSummary) -> Lines:
         numbers.append(said.load_ratio.format(ratio=ratio))
     if isfinite(loads.safety[0]):
         numbers.append(said.static_safety.format(safety=factor_text(page, float(loads.safety[0]))))
-    lines = [page.heading(said.life), *statement(page, state, summary)]
+    lines = [page.heading(said.life), *statement(page, solved, summary)]
     if numbers:
         lines += page.hanging(Text("  "), "; ".join(numbers))
     return lines + page.hanging(Text("  "), said.all_lives, "dim")
@@ -345,20 +343,18 @@ def _standard_lives(summary: LifeSummary) -> dict[str, Life]:
 # --- data --------------------------------------------------------------------------------------
 
 
-def life_json(state: State, summary: LifeSummary | None, changes: Sequence[Change] = ()) -> str:
+def life_json(solved: Solved, summary: LifeSummary | None, changes: Sequence[Change] = ()) -> str:
     """Return the life of one case as one JSON object, SI units, hours, millions of revolutions."""
+    of_case = solved.to_mapping()
     return json_text(
         {
             "schema": SCHEMA,
             "kind": "life",
-            "title": state.title,
-            "status": asdict(state.status),
+            **{name: of_case[name] for name in ("title", "status", "notes", "case")},
             "life": None if summary is None else summary.to_mapping(),
             "sensitivity": [
                 {"change": change.name, "life_ratio": change.life_ratio, "what": change.sentence}
                 for change in changes
             ],
-            "notes": list(state.notes),
-            "case": state.case.to_mapping(),
         }
     )

@@ -20,7 +20,7 @@ from rolamento.report.page import Lines, Page
 
 if TYPE_CHECKING:
     from rolamento.life import Change, Headline, LifeSummary
-    from rolamento.state import State
+    from rolamento.solved import Solved
 
 _LONGEST: Final = 1e8
 """From which a life is written by its order of magnitude."""
@@ -147,7 +147,7 @@ def verdict(page: Page, holds: bool, below: bool) -> Text:
 
 
 def statement(
-    page: Page, state: State, summary: LifeSummary, changes: Sequence[Change] | None = None
+    page: Page, solved: Solved, summary: LifeSummary, changes: Sequence[Change] | None = None
 ) -> Lines:
     """State the life that leads, or its bound and the reason; warn if nothing does.
 
@@ -157,10 +157,10 @@ def statement(
     if not leading.leads[0]:
         sentences = _warning(page, summary)
     elif isinf(leading.life[0]):
-        sentences = [_endless(page, state, leading), *_wanted(page, summary)]
+        sentences = [_endless(page, solved, leading), *_wanted(page, summary)]
     else:
-        sentences = [_life(page, state, leading), *_left_out(page, leading)]
-        sentences += [*_limit(page, state, summary), *_help(page, summary, changes)]
+        sentences = [_life(page, solved, leading), *_left_out(page, leading)]
+        sentences += [*_limit(page, solved, summary), *_help(page, summary, changes)]
         sentences += _wanted(page, summary)
     lines: Lines = []
     for text, style in sentences:
@@ -204,27 +204,27 @@ def wanted_sentence(page: Page, wanted: float, reliability: float, *, below: boo
     )
 
 
-def _life(page: Page, state: State, leading: Headline) -> Sentence:
+def _life(page: Page, solved: Solved, leading: Headline) -> Sentence:
     theory, life, hours = str(leading.theory[0]), float(leading.life[0]), float(leading.hours[0])
-    what, below = _what(page, state), bool(leading.below[0])
+    what, below = _what(page, solved), bool(leading.below[0])
     return reached(page, theory, life, hours, leading.reliability, what, below=below), "bold"
 
 
-def _endless(page: Page, state: State, leading: Headline) -> Sentence:
+def _endless(page: Page, solved: Solved, leading: Headline) -> Sentence:
     """Say that fatigue ends no such life."""
     said, theory = said_of(page), str(leading.theory[0])
-    return said.endless_life.format(what=_what(page, state), theory=said.long[theory]), "bold"
+    return said.endless_life.format(what=_what(page, solved), theory=said.long[theory]), "bold"
 
 
-def _what(page: Page, state: State) -> str:
-    return said_of(page).several if state.case.bearing.is_set else said_of(page).one
+def _what(page: Page, solved: Solved) -> str:
+    return said_of(page).several if solved.case.bearing.is_set else said_of(page).one
 
 
-def _limit(page: Page, state: State, summary: LifeSummary) -> list[Sentence]:
+def _limit(page: Page, solved: Solved, summary: LifeSummary) -> list[Sentence]:
     said, race = said_of(page), str(summary.limit.race[0])
     if not race:
         return []
-    template = said.limit_of_row if state.case.bearing.is_set else said.limit
+    template = said.limit_of_row if solved.case.bearing.is_set else said.limit
     return [(template.format(race=said.races[race], row=int(summary.limit.row[0])), "")]
 
 

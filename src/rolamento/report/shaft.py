@@ -142,9 +142,9 @@ def _statement(page: Page, own: _Words, found: ShaftLife) -> Lines:
     sentences: list[tuple[str, str]] = []
     if not found.converged:
         sentences.append((own.no_life, "bold red"))
-        for number, state in enumerate(found.states, start=1):
-            if not state.status.converged:
-                parts = (page.words.reason(state.status), page.words.advice(state.status))
+        for number, solved in enumerate(found.bearings, start=1):
+            if not solved.converged[0]:
+                parts = (page.words.reason(solved), page.words.advice(solved))
                 reason = ": ".join(part for part in parts if part)
                 sentences.append((own.failed.format(number=number, reason=reason), "red"))
     elif not (leading.holds or leading.below):
@@ -263,11 +263,11 @@ def shaft_json(found: ShaftLife, names: Sequence[str]) -> str:
             "bearings": [
                 {
                     "name": name,
-                    "status": state.status.code,
+                    "status": str(solved.status.code[0]),
                     "life": None if summary is None else summary.to_mapping(),
-                    "case": state.case.to_mapping(),
+                    "case": solved.case.to_mapping(),
                 }
-                for name, state, summary in zip(names, found.states, found.lives, strict=True)
+                for name, solved, summary in zip(names, found.bearings, found.lives, strict=True)
             ],
             "headline": {
                 "theories": list(found.headline.theories),

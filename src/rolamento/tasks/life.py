@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 import numpy as np
 
@@ -25,10 +25,8 @@ from rolamento.life.iso16281 import SLOPE
 from rolamento.life.l_able import NSK_CLEANLINESS, FactorTable, read_factor_table
 from rolamento.life.spectrum import shaft_life
 from rolamento.numerics import FloatArray
-from rolamento.solution import solve
-
-if TYPE_CHECKING:
-    from rolamento.state import State
+from rolamento.solved import Solved
+from rolamento.solving import solve
 
 __all__ = ["MOST_BEARINGS", "CaseLife", "ShaftLife", "SystemLife", "life_of_case", "life_of_shaft"]
 
@@ -46,7 +44,7 @@ TableSource = FactorTable | str | os.PathLike[str] | None
 class CaseLife:
     """A solved case, its life by every theory and what would help; None without a result."""
 
-    state: State
+    solved: Solved
     life: LifeSummary | None
     changes: tuple[Change, ...]
 
@@ -107,8 +105,8 @@ class ShaftLife:
 
     Attributes
     ----------
-    states
-        of the bearings
+    bearings
+        solved, each a single case
     lives
         by every theory; None of a bearing without a result
     theories
@@ -119,7 +117,7 @@ class ShaftLife:
         S, the same for all
     """
 
-    states: tuple[State, ...]
+    bearings: tuple[Solved, ...]
     lives: tuple[LifeSummary | None, ...]
     theories: Mapping[str, SystemLife]
     headline: SystemLife
@@ -127,7 +125,7 @@ class ShaftLife:
 
     def __len__(self) -> int:
         """Count the bearings."""
-        return len(self.states)
+        return len(self.bearings)
 
     def __getitem__(self, theory: str) -> SystemLife:
         """Return the life by one theory."""
@@ -136,7 +134,7 @@ class ShaftLife:
     @property
     def converged(self) -> bool:
         """Whether every bearing has a result."""
-        return all(state.status.converged for state in self.states)
+        return all(bool(solved.converged[0]) for solved in self.bearings)
 
 
 def life_of_case(
@@ -159,10 +157,10 @@ def life_of_case(
     """
     base = case_of(case)
     table = factor_table(nsk_table, [base], decimal_mark)
-    state = solve(base)
-    given = conditions_with(state.case, table)
-    found = _life(state, given)
-    return CaseLife(state, found, () if found is None else sensitivity(state, given))
+    solved = solve(base)
+    given = conditions_with(solved, table)
+    found = _life(solved, given)
+    return CaseLife(solved, found, () if found is None else sensitivity(solved, given))
 
 
 def life_of_shaft(
@@ -201,8 +199,8 @@ def life_of_shaft(
             example="--reliability 0.9",
         )
     table = factor_table(nsk_table, read, decimal_mark)
-    states = tuple(solve(case) for case in read)
-    lives = tuple(_life(state, conditions_with(state.case, table)) for state in states)
+    bearings = tuple(solve(case) for case in read)
+    lives = tuple(_life(solved, conditions_with(solved, table)) for solved in bearings)
     known = [summary for summary in lives if summary is not None]
     theories = [
         name
@@ -210,7 +208,7 @@ def life_of_shaft(
         if all(name in summary.theories for summary in known)
     ]
     return ShaftLife(
-        states=states,
+        bearings=bearings,
         lives=lives,
         theories={
             name: SystemLife.of([None if own is None else own[name] for own in lives])
@@ -227,11 +225,11 @@ def _leading(lives: Sequence[LifeSummary | None]) -> SystemLife:
     return replace(found, holds=found.holds and not found.below)
 
 
-def _life(state: State, given: LifeConditions) -> LifeSummary | None:
-    if not state.status.converged:
+def _life(solved: Solved, given: LifeConditions) -> LifeSummary | None:
+    if not solved.converged[0]:
         return None
     try:
-        return life(state, given)
+        return life(solved, given)
     except InputError as error:
         if error.field in _OF_LIFE:
             raise error.with_details(field=f"life.{error.field}") from None
@@ -266,8 +264,6 @@ def factor_table(
     return read_factor_table(source, decimal_mark=decimal_mark)
 
 
-def conditions_with(
-    case: Case, nsk_table: FactorTable | None, varied: Mapping[str, FloatArray] | None = None
-) -> LifeConditions:
-    """Return what a case says of its life, with the user's a_NSK if there is one."""
-    return replace(conditions_of(case, varied), nsk_table=nsk_table)
+def conditions_with(solved: Solved, nsk_table: FactorTable | None) -> LifeConditions:
+    """Return what solved cases say of their life, with the user's a_NSK if there is one."""
+    return replace(conditions_of(solved), nsk_table=nsk_table)

@@ -10,24 +10,23 @@ from dataclasses import dataclass, fields
 from typing import Any, Final, TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from rolamento.case import Case
 from rolamento.case.duty import LOADS
 from rolamento.errors import InputError
-from rolamento.life import Headline, Life, LifeSummary, conditions_of, life, life_of_batch
+from rolamento.life import Headline, Life, LifeSummary, life
 from rolamento.life.iso16281 import race_ratings
 from rolamento.life.l_able import FactorTable
 from rolamento.life.load_zone import clearance_function, load_zone, zone_life
 from rolamento.life.theories import THEORIES
 from rolamento.numerics import FloatArray
-from rolamento.state import State
+from rolamento.solved import Solved
+from rolamento.solving import solve
 from rolamento.static._common import race_stiffness
 from rolamento.studies.fields import Value
-from rolamento.studies.outputs import Solved
-from rolamento.studies.pressure import greatest_pressure
 from rolamento.studies.ranges import Range, read_range, refuse_many_singles
-from rolamento.studies.solving import CONVERGED, INVALID_INPUT, array_fields, base_case, solve
+from rolamento.studies.solving import CONVERGED, INVALID_INPUT, array_fields, base_case
 from rolamento.tasks.life import CaseSource, TableSource, case_of, conditions_with, factor_table
 
 __all__ = [
@@ -210,18 +209,20 @@ def lives_of_rows(
     refused = []
     for own, members in groups.items():
         index = np.array(members, dtype=np.int64)
-        varied = {
+        varied: dict[str, ArrayLike] = {
             name: np.array([columns[name][i] for i in members], np.float64) for name in arrays
         }
         try:
             changed = base_case(case, dict(zip(single, own, strict=True))) if single else case
-            conditions = conditions_with(changed, nsk_table, varied)
-            batch = solve(changed, varied, cases=len(index), threads=None)
-            found = life_of_batch(changed, batch, conditions, stress_volume=stress_volume)
+            # alike in all: the length has to come from somewhere
+            alike = {"duty.inner_speed": np.full(len(index), changed.duty.inner_speed)}
+            solved = solve(changed, varied or alike)
+            given = conditions_with(solved, nsk_table)
+            found = life(solved, given, stress_volume=stress_volume)
         except InputError as error:
             refused.append((index, error))
         else:
-            status[index] = batch.status
+            status[index] = solved.status.code
             blocks.append((index, found))
     if not blocks:
         raise refused[0][1]
@@ -351,13 +352,13 @@ class ZoneLife:
         return float(self.zone[place]), float(self.life_ratio[place])
 
 
-def lives_over_load(state: State, *, points: int = _POINTS) -> LoadLives:
+def lives_over_load(solved: Solved, *, points: int = _POINTS) -> LoadLives:
     """Lives by every theory under loads smaller and greater than a case's.
 
     Parameters
     ----------
-    state
-        Of `rolamento.solve`, with a result; its case has a life.
+    solved
+        Of `rolamento.solve`: a single case with a result, which has a life.
     points
         How many beside the case itself, from P/C of 0.02 to 1.
 
@@ -366,10 +367,10 @@ def lives_over_load(state: State, *, points: int = _POINTS) -> LoadLives:
     InputError
         If no load acts on the ring, or the case has no life.
     """
-    case = state.case
+    case = solved.case
     given = {name: getattr(case.duty.load, name) for name in LOADS}
     acting = {name: value for name, value in given.items() if value}
-    own = life(state, stress_volume=False)
+    own = life(solved, stress_volume=False)
     by_reference = bool(np.isnan(own.loads.dynamic[0]))
     load = float(_load_over_rating(own, by_reference)[0])
     if not acting or not load > 0.0:
@@ -380,21 +381,21 @@ def lives_over_load(state: State, *, points: int = _POINTS) -> LoadLives:
         )
     factor, place = _factors(load, points)
     values = {f"duty.load.{name}": value * factor for name, value in acting.items()}
-    batch = solve(case, values, cases=len(factor), threads=None)
-    found = life_of_batch(case, batch, conditions_of(case), stress_volume=True)
+    loaded = solve(case, values)
+    found = life(loaded, stress_volume=True)
     return LoadLives(
         case=case,
         factor=factor,
         load=_load_over_rating(found, by_reference),
         by_reference=by_reference,
-        pressure=_maximum_pressure(Solved(batch, case)),
+        pressure=np.fmax(*(c.max_pressure.max(axis=1) for c in loaded.contacts.values())),
         theories=found.theories,
         fatigue_load=float(own.ratings.fatigue_of_set[0] / own.ratings.dynamic_of_set[0]),
         own=place,
     )
 
 
-def lives_over_zone(state: State) -> ZoneLife:
+def lives_over_zone(solved: Solved) -> ZoneLife:
     """Life over the load zone of a solved case's bearing.
 
     Raises
@@ -402,7 +403,7 @@ def lives_over_zone(state: State) -> ZoneLife:
     InputError
         If the bearing is a set, has a contact angle, or has no life.
     """
-    case, bearing = state.case, state.case.bearing
+    case, bearing = solved.case, solved.case.bearing
     if bearing.is_set or bearing.contact_angle:
         raise InputError(
             "needs a single bearing of radial contact, given by its clearance",
@@ -410,7 +411,7 @@ def lives_over_zone(state: State) -> ZoneLife:
             example="diametral_clearance in the place of contact_angle",
         )
     ratings = race_ratings(
-        life(state, stress_volume=False).ratings.dynamic[0, 0],
+        life(solved, stress_volume=False).ratings.dynamic[0, 0],
         bearing.ball_count,
         bearing.ball_diameter,
         bearing.pitch_diameter,
@@ -419,7 +420,7 @@ def lives_over_zone(state: State) -> ZoneLife:
         0.0,
     )
     zone = np.linspace(_NARROWEST, _WIDEST, _ZONES)
-    scale = _clearance_scale(state)
+    scale = _clearance_scale(solved)
     own = None
     if np.isfinite(scale) and bearing.diametral_clearance is not None:
         epsilon = float(load_zone(bearing.diametral_clearance / scale, 1.0, 1.0, 1.0))
@@ -434,16 +435,16 @@ def lives_over_zone(state: State) -> ZoneLife:
     )
 
 
-def _clearance_scale(state: State) -> float:
+def _clearance_scale(solved: Solved) -> float:
     """(F_r/(Z K))^(2/3), by which f(ε) gives the clearance, m; NaN if the load is not radial."""
-    load = state.load
-    radial = float(np.hypot(load.fy, load.fz))
-    arm = state.case.bearing.pitch_diameter
-    others = (load.fx, load.my / arm, load.mz / arm)
+    bearing, load = solved.case.bearing, solved.load
+    radial = float(np.hypot(load.fy[0], load.fz[0]))
+    arm = bearing.pitch_diameter
+    others = (load.fx[0], load.my[0] / arm, load.mz[0] / arm)
     if not radial > 0.0 or max(map(abs, others)) > _PURE * radial:
         return float("nan")
-    stiffness = float(race_stiffness(state.case.bearing, 0.0).combined)
-    return float((radial / (state.case.bearing.ball_count * stiffness)) ** (2.0 / 3.0))
+    stiffness = float(race_stiffness(bearing, 0.0).combined)
+    return float((radial / (bearing.ball_count * stiffness)) ** (2.0 / 3.0))
 
 
 def _factors(load: float, points: int) -> tuple[FloatArray, int]:
@@ -457,7 +458,3 @@ def _factors(load: float, points: int) -> tuple[FloatArray, int]:
 def _load_over_rating(found: LifeSummary, by_reference: bool) -> FloatArray:
     load = found.reference_load if by_reference else found.loads.dynamic
     return np.asarray(load / found.ratings.dynamic_of_set)
-
-
-def _maximum_pressure(solved: Solved) -> NDArray[np.float64]:
-    return np.fmax(greatest_pressure(solved, "inner"), greatest_pressure(solved, "outer"))
