@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -19,14 +20,12 @@ from rolamento import (
     analyse,
     load_case,
     override,
-    solve,
 )
 from rolamento.life import (
     LifeConditions,
     LifeSummary,
     conditions_of,
     life,
-    life_of_batch,
     sensitivity,
 )
 from rolamento.life.record import BOUNDS, NOTES, OUTSIDE
@@ -35,7 +34,7 @@ from rolamento.report.life_curves import curves_report
 from rolamento.report.life_spectrum import spectrum_report
 from rolamento.report.shaft import shaft_report
 from rolamento.report.terminal import terminal_report
-from rolamento.rows.ball import solve_batch
+from rolamento.solving import solve
 from rolamento.studies.ranges import read_range
 from rolamento.tasks.life import life_of_shaft
 from rolamento.tasks.life_over import life_curve
@@ -194,12 +193,9 @@ def test_hot_parts_count(part: str) -> None:
 
 def test_hot_rings_count_one_by_one_in_a_batch() -> None:
     case = deep(fz=2000.0)
-    batch = solve_batch(case, fz=[2000.0] * 3)
-    varied = {
-        "temperature.inner_ring": [300.0, 400.0, 300.0],
-        "temperature.balls": [300.0, 300.0, 420.0],
-    }
-    found = life_of_batch(case, batch, conditions_of(case, varied))
+    batch = solve(case, fz=[2000.0] * 3)
+    hottest = replace(conditions_of(case), bearing_temperature=[300.0, 400.0, 420.0])
+    found = life(batch, hottest)
     assert found.headline.leads.tolist() == [True, False, False]
 
 

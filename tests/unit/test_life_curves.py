@@ -7,9 +7,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rolamento import Case, InputError, load_case, override, solve
+from rolamento import Case, InputError, load_case, override
 from rolamento.life import LifeSummary, life
 from rolamento.life.l_able import FactorTable
+from rolamento.solving import solve
 from rolamento.studies.ranges import read_range
 from rolamento.tasks.life_over import LifeCurve, life_curve
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import rolamento
-from rolamento import load_case, solve
+from rolamento import load_case
 from rolamento.case.life_model import LifeModel
 from rolamento.contact.hertz import elliptical_contact
 from rolamento.contact.subsurface import orthogonal_shear
@@ -36,6 +36,7 @@ from rolamento.life.tallian import (
     survival,
     tallian_life,
 )
+from rolamento.solving import solve
 
 EXAMPLE = Path(rolamento.__file__).parent / "examples" / "6305_life.toml"
 RPM = np.pi / 30.0

@@ -18,12 +18,9 @@ from rolamento import (
     Duty,
     InputError,
     Load,
-    State,
     override,
-    solve,
-    solve_batch,
 )
-from rolamento.life import Change, LifeConditions, life, life_of_batch, sensitivity
+from rolamento.life import Change, LifeConditions, life, sensitivity
 from rolamento.plots.frame import figure_of
 from rolamento.plots.life import (
     BearingTests,
@@ -42,6 +39,8 @@ from rolamento.plots.life_words import LifeWords, life_words
 from rolamento.plots.over_field import decades, short_label
 from rolamento.plots.style import new_figure
 from rolamento.plots.words import ENGLISH, PORTUGUESE
+from rolamento.solved import Solved
+from rolamento.solving import solve
 from rolamento.studies.ranges import read_range
 from rolamento.tasks.life_over import (
     LifeCurve,
@@ -68,12 +67,12 @@ def case() -> Case:
 
 
 @pytest.fixture(scope="module")
-def state(case: Case) -> State:
+def state(case: Case) -> Solved:
     return solve(case)
 
 
 @pytest.fixture(scope="module")
-def lives(state: State) -> LoadLives:
+def lives(state: Solved) -> LoadLives:
     return lives_over_load(state, points=25)
 
 
@@ -220,7 +219,7 @@ def test_a_setting_is_told_by_its_last_part() -> None:
 # --- a_ISO -------------------------------------------------------------------------------------
 
 
-def test_the_case_lies_on_the_chart_where_its_factor_is(state: State) -> None:
+def test_the_case_lies_on_the_chart_where_its_factor_is(state: Solved) -> None:
     summary = life(state, stress_volume=False)
     axes = aiso_chart(summary)
     for theory, name in (("iso16281_modified", "ISO/TS 16281"), ("iso281_modified", "ISO 281")):
@@ -252,7 +251,7 @@ def test_the_curves_are_those_of_the_standard() -> None:
     assert "ISO" not in "".join(labels(axes))
 
 
-def test_a_chart_with_a_case_far_out_holds_it(state: State) -> None:
+def test_a_chart_with_a_case_far_out_holds_it(state: Solved) -> None:
     clean = LifeConditions(viscosity_ratio=4.0, contamination=1.0, fatigue_load_limit=4e5)
     summary = life(state, clean, stress_volume=False)
     axes = aiso_chart(summary)
@@ -263,8 +262,8 @@ def test_a_chart_with_a_case_far_out_holds_it(state: State) -> None:
 
 
 def test_several_cases_lie_on_one_chart(case: Case) -> None:
-    batch = solve_batch(case, fz=[1e3, 4e3, 8e3])
-    summary = life_of_batch(case, batch)
+    batch = solve(case, fz=[1e3, 4e3, 8e3])
+    summary = life(batch)
     axes = aiso_chart(summary)
     mark = line(axes, "ISO/TS 16281, modified")
     np.testing.assert_allclose(
@@ -273,7 +272,7 @@ def test_several_cases_lie_on_one_chart(case: Case) -> None:
     assert len(mark.get_xdata()) == 3
 
 
-def test_additives_are_told(state: State) -> None:
+def test_additives_are_told(state: Solved) -> None:
     given = LifeConditions(viscosity_ratio=0.5, contamination=0.5, additives=True)
     assert any("with additives" in label for label in labels(aiso_chart(life(state, given))))
 
@@ -355,7 +354,7 @@ def test_life_over_load_needs_a_load(case: Case) -> None:
 # --- load zone ---------------------------------------------------------------------------------
 
 
-def test_life_is_longest_with_a_little_preload(state: State) -> None:
+def test_life_is_longest_with_a_little_preload(state: Solved) -> None:
     zone = lives_over_zone(state)
     assert zone.best[0] == pytest.approx(0.73, abs=0.01)
     # NSK, Rolling Bearings (E1102), 9.2: no clearance at 0.5, where life is the rating life
@@ -372,7 +371,7 @@ def test_life_is_longest_with_a_little_preload(state: State) -> None:
     assert "0.5\n0" in [tick.get_text() for tick in axes.get_xticklabels()]
 
 
-def test_the_own_zone_is_about_that_of_the_solved_balls(state: State) -> None:
+def test_the_own_zone_is_about_that_of_the_solved_balls(state: Solved) -> None:
     own = lives_over_zone(state).own
     assert own is not None
     deflected = max(ball.inner.deflection + ball.outer.deflection for ball in state.balls)
@@ -400,7 +399,7 @@ def test_a_load_zone_is_that_of_radial_contact(bearing_218: Bearing, case: Case)
 # --- what helps --------------------------------------------------------------------------------
 
 
-def test_bars_are_the_ratios(state: State) -> None:
+def test_bars_are_the_ratios(state: Solved) -> None:
     changes = sensitivity(state)
     axes = what_helps(changes)
     assert len(axes.patches) == len(changes) == 5
@@ -425,7 +424,7 @@ def test_a_change_without_a_ratio_has_no_bar() -> None:
 
 
 def test_all_figures_can_be_drawn_in_both_languages(
-    curve: LifeCurve, lives: LoadLives, state: State
+    curve: LifeCurve, lives: LoadLives, state: Solved
 ) -> None:
     zone, changes, summary = lives_over_zone(state), sensitivity(state), life(state)
     pictures: dict[str, list[bytes]] = {"en": [], "pt": []}

@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 
-from rolamento import Case, analyse, load_case, override, solve
+from rolamento import Case, analyse, load_case, override
 from rolamento.analysis import NOTES as ANALYSIS_NOTES
 from rolamento.life import LifeSummary, conditions_of, life, sensitivity
 from rolamento.life.record import NOTES, OUTSIDE
@@ -34,7 +34,8 @@ from rolamento.report.medium import Medium
 from rolamento.report.page import Page
 from rolamento.report.shaft import shaft_report
 from rolamento.report.terminal import terminal_report
-from rolamento.state import State
+from rolamento.solved import Solved
+from rolamento.solving import solve
 from rolamento.studies.ranges import read_range
 from rolamento.tasks.life import life_of_shaft
 from rolamento.tasks.life_over import life_curve
@@ -61,7 +62,7 @@ VARIED: dict[str, tuple[str, ...]] = {
 
 
 @cache
-def solved(name: str) -> tuple[State, LifeSummary]:
+def solved(name: str) -> tuple[Solved, LifeSummary]:
     state = solve(load_case(EXAMPLES / "6305_life.toml", VARIED[name]))
     return state, life(state)
 

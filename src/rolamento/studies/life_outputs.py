@@ -8,15 +8,17 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 
 from rolamento.errors import InputError
+from rolamento.life import LifeSummary, life
 from rolamento.life.theories import THEORIES
 from rolamento.life.theory import CLEANLINESS, REQUIRED_LIFE, VISCOSITY_RATIO
-from rolamento.studies.outputs import Floats, Output, Solved
+from rolamento.studies.outputs import Evaluation, Floats, Output
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from rolamento.case import Case
-    from rolamento.life import Headline, Life, LifeSummary
+    from rolamento.life import Headline, Life
+    from rolamento.solved import Solved
 
 __all__ = ["life_outputs", "refuse_lifeless"]
 
@@ -98,11 +100,11 @@ def _of_theories() -> Iterator[Output]:
 
 
 def _bound() -> Output:
-    def compute(solved: Solved) -> NDArray[np.int32]:
-        summary = solved.life(stress_volume=False)
+    def compute(found: Evaluation) -> NDArray[np.int32]:
+        summary = found.of(_life_if_any, stress_volume=False)
         if summary is None:
-            return np.zeros(len(solved.batch), np.int32)
-        return np.asarray(summary.headline.below & solved.batch.converged, np.int32)
+            return np.zeros(len(found.solved), np.int32)
+        return np.asarray(summary.headline.below & found.solved.converged, np.int32)
 
     words = "1 where the life that leads is below its number, an upper bound, else 0"
     return Output("life_below", "1", words, compute, kind="whole", needs=_LIFE)
@@ -152,24 +154,32 @@ def _of_limit() -> Iterator[Output]:
         yield Output(name, "1", words, _number(get), needs=_LIFE)
 
 
-def _number(get: Get, stress_volume: bool = False) -> Callable[[Solved], Floats]:
+def _life_if_any(solved: Solved, *, stress_volume: bool) -> LifeSummary | None:
+    """Life by every theory that the cases allow; None if they allow none."""
+    try:
+        return life(solved, stress_volume=stress_volume)
+    except InputError:  # a thrust bearing or one without a rating, one of many in a study
+        return None
+
+
+def _number(get: Get, stress_volume: bool = False) -> Callable[[Evaluation], Floats]:
     """Take a number of every case; NaN where there is none."""
 
-    def compute(solved: Solved) -> Floats:
-        summary = solved.life(stress_volume=stress_volume)
-        found = None if summary is None else get(summary)
-        return np.where(solved.batch.converged, np.nan if found is None else found, np.nan)
+    def compute(found: Evaluation) -> Floats:
+        summary = found.of(_life_if_any, stress_volume=stress_volume)
+        own = None if summary is None else get(summary)
+        return np.where(found.solved.converged, np.nan if own is None else own, np.nan)
 
     return compute
 
 
-def _holds(theory: str, stress_volume: bool) -> Callable[[Solved], NDArray[np.int32]]:
-    def compute(solved: Solved) -> NDArray[np.int32]:
-        summary = solved.life(stress_volume=stress_volume)
-        found = None if summary is None else _record(summary, theory)
-        if found is None:
-            return np.zeros(len(solved.batch), np.int32)
-        return np.asarray(found.holds & solved.batch.converged, np.int32)
+def _holds(theory: str, stress_volume: bool) -> Callable[[Evaluation], NDArray[np.int32]]:
+    def compute(found: Evaluation) -> NDArray[np.int32]:
+        summary = found.of(_life_if_any, stress_volume=stress_volume)
+        own = None if summary is None else _record(summary, theory)
+        if own is None:
+            return np.zeros(len(found.solved), np.int32)
+        return np.asarray(own.holds & found.solved.converged, np.int32)
 
     return compute
 
