@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -19,14 +20,12 @@ from rolamento import (
     analyse,
     load_case,
     override,
-    solve,
 )
 from rolamento.life import (
     LifeConditions,
     LifeSummary,
     conditions_of,
     life,
-    life_of_batch,
     sensitivity,
 )
 from rolamento.life.record import BOUNDS, NOTES, OUTSIDE
@@ -35,10 +34,11 @@ from rolamento.report.life_curves import curves_report
 from rolamento.report.life_spectrum import spectrum_report
 from rolamento.report.shaft import shaft_report
 from rolamento.report.terminal import terminal_report
-from rolamento.rows.ball import solve_batch
-from rolamento.studies.life_curves import life_curve, read_range
-from rolamento.studies.shaft import life_of_shaft
-from rolamento.studies.spectrum import life_under, read_spectrum
+from rolamento.solving import solve
+from rolamento.studies.ranges import read_range
+from rolamento.tasks.life import life_of_shaft
+from rolamento.tasks.life_over import life_curve
+from rolamento.tasks.life_spectrum import life_under, read_spectrum
 
 CASE = load_case(Path(__file__).parents[2] / "src" / "rolamento" / "examples" / "6305_life.toml")
 KNOWN = {"viscosity_ratio": 1.0, "contamination": 0.5}
@@ -193,12 +193,9 @@ def test_hot_parts_count(part: str) -> None:
 
 def test_hot_rings_count_one_by_one_in_a_batch() -> None:
     case = deep(fz=2000.0)
-    batch = solve_batch(case, fz=[2000.0] * 3)
-    varied = {
-        "temperature.inner_ring": [300.0, 400.0, 300.0],
-        "temperature.balls": [300.0, 300.0, 420.0],
-    }
-    found = life_of_batch(case, batch, conditions_of(case, varied))
+    batch = solve(case, fz=[2000.0] * 3)
+    hottest = replace(conditions_of(case), bearing_temperature=[300.0, 400.0, 420.0])
+    found = life(batch, hottest)
     assert found.headline.leads.tolist() == [True, False, False]
 
 
@@ -268,8 +265,8 @@ def test_an_idle_step_does_no_damage(tmp_path: Path) -> None:
     assert duty.headline.hours == pytest.approx(2.0 * of(CASE).headline.hours[0])
     assert duty.headline.damage.tolist() == pytest.approx([1.0, 0.0])
     assert duty.headline.holds
-    assert np.isnan(duty.headline.step_hours[1])
-    assert duty.holds["iso16281"]
+    assert np.isnan(duty.headline.steps.hours[1])
+    assert duty["iso16281"].holds
     file.write_text("share,duty.load.fz,duty.load.fx\n1,0 N,0 N\n", "utf-8")
     idle = life_under(CASE, read_spectrum(str(file)))
     assert not idle.headline.holds

@@ -6,9 +6,6 @@ import numpy as np
 import pytest
 
 from rolamento.errors import InputError
-from rolamento.iso4406 import cleanliness_numbers
-from rolamento.life.a23 import adjusted_life, adjustment_notes
-from rolamento.life.basic import basic_rating_life, hours, load_notes
 from rolamento.life.contamination import (
     class_of_code,
     class_of_filter,
@@ -21,13 +18,16 @@ from rolamento.life.equivalent_load import (
     static_equivalent_load,
     static_safety,
 )
-from rolamento.life.modified import (
+from rolamento.life.iso281 import basic_rating_life, hours, load_notes
+from rolamento.life.iso281_1990 import adjusted_life, adjustment_notes
+from rolamento.life.iso281_modified import (
     fatigue_load_limit,
     fatigue_load_limit_of_contacts,
     life_modification_factor,
     modification_notes,
 )
 from rolamento.life.reliability import outside_print, reliability_factor, reliability_of
+from rolamento.oil.cleanliness import cleanliness_numbers
 
 RPM = np.pi / 30.0
 MPA = 1e6

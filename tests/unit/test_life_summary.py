@@ -7,13 +7,12 @@ import json
 import numpy as np
 import pytest
 
-from rolamento import Bearing, Case, Displacement, Duty, InputError, Load, solve
+from rolamento import Bearing, Case, Displacement, Duty, InputError, Load
 from rolamento.case.temperature import Temperature
 from rolamento.life import (
     Life,
     LifeConditions,
     life,
-    life_of_batch,
     sensitivity,
     with_lubricant,
 )
@@ -22,8 +21,7 @@ from rolamento.life.l_able import FactorTable
 from rolamento.life.record import NOTES, OUTSIDE
 from rolamento.lubrication import film as film_of
 from rolamento.lubrication.oil_state import viscosity_ratio
-from rolamento.rows.ball import solve_batch
-from rolamento.solving import solve as solved_case
+from rolamento.solving import solve
 
 RPM = np.pi / 30.0
 SPEED = 2000.0 * RPM
@@ -60,7 +58,7 @@ def _case(bearing: Bearing = DEEP, speed: float = SPEED, **load: float) -> Case:
 def test_state_and_batch_agree_on_every_theory() -> None:
     case = _case(fz=4000.0, fx=600.0)
     one = life(solve(case), OILED)
-    many = life_of_batch(case, solve_batch(case, fz=[4000.0, 5000.0]), OILED, stress_volume=True)
+    many = life(solve(case, fz=[4000.0, 5000.0]), OILED, stress_volume=True)
     assert set(one.theories) == set(many.theories)
     assert len(one.theories) == 7
     for name in one.theories:
@@ -96,8 +94,8 @@ def test_viscosity_is_turned_into_its_ratio() -> None:
 
 def test_a_case_without_result_has_no_life() -> None:
     case = _case(fz=4000.0)
-    batch = solve_batch(case, {"bearing.diametral_clearance": [13e-6, 5.0]})
-    found = life_of_batch(case, batch, OILED, stress_volume=True)
+    batch = solve(case, {"bearing.diametral_clearance": [13e-6, 5.0]})
+    found = life(batch, OILED, stress_volume=True)
     for record in found.theories.values():
         assert np.isfinite(record.life[0])
         assert np.isnan(record.life[1])
@@ -176,7 +174,7 @@ def test_mapping_is_json() -> None:
 def test_heaviest_ball_limits() -> None:
     state = solve(_case(fz=4000.0, fx=500.0))
     found = life(state)
-    loads = [ball.inner.load for ball in state.balls]
+    loads = state.inner.load[0]
     assert found.limit.race[0] == "inner"
     assert found.limit.ball[0] == int(np.argmax(loads))
     assert 0.5 < found.limit.share[0] < 1.0
@@ -266,7 +264,7 @@ def test_lubricant_of_the_case_is_taken_where_nothing_is_given() -> None:
     assert filled.temperature == 343.15
     found = life(state, filled)
     assert found.viscosity_ratio is not None
-    assert found.viscosity_ratio[0] == pytest.approx(film_of(solved_case(oiled)).viscosity_ratio[0])
+    assert found.viscosity_ratio[0] == pytest.approx(film_of(solve(oiled)).viscosity_ratio[0])
     own = LifeConditions(viscosity_ratio=2.0, temperature=300.0)
     assert with_lubricant(own, oiled) is own
     dry = Case(bearing=DEEP, duty=oiled.duty)
@@ -320,15 +318,13 @@ def test_what_cannot_be_had() -> None:
         life(solve(_case(fz=1000.0)), LifeConditions(nsk_cleanliness=0.5))
     case = _case(fz=1000.0)
     with pytest.raises(InputError, match="each of the 2 cases"):
-        life_of_batch(
-            case, solve_batch(case, fz=[1.0, 2.0]), LifeConditions(viscosity_ratio=[1.0, 2.0, 3.0])
-        )
+        life(solve(case, fz=[1.0, 2.0]), LifeConditions(viscosity_ratio=[1.0, 2.0, 3.0]))
 
 
 def test_one_thrust_bearing_does_not_spoil_the_others() -> None:
     case = _case(Bearing(**ANGULAR), fx=2000.0)
-    batch = solve_batch(case, {"bearing.contact_angle": np.radians([25.0, 60.0])})
-    found = life_of_batch(case, batch, OILED, stress_volume=True)
+    batch = solve(case, {"bearing.contact_angle": np.radians([25.0, 60.0])})
+    found = life(batch, OILED, stress_volume=True)
     for record in found.theories.values():
         assert record.life[0] > 0.0
         assert np.isnan(record.life[1])

@@ -13,8 +13,8 @@ from rolamento._tables import Numerals, numerals_of, parse_table
 from rolamento.catalogue.tables import records_of_csv
 from rolamento.cli.app import app
 from rolamento.errors import InputError
-from rolamento.studies.duty_steps import read_spectrum
-from rolamento.studies.factor_table import read_factor_table
+from rolamento.life.l_able import read_factor_table
+from rolamento.tasks.life_spectrum import read_spectrum
 from rolamento.weibull import parse_life_test
 from rolamento.weibull.trend import parse_trend
 

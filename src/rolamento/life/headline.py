@@ -20,15 +20,15 @@ Sources: ISO 281:2007, 9.3.3; ADR 0010.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import isfinite
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from rolamento.life import theories as by
-from rolamento.life.modified import LEAST_RATIO, MOST_RATIO, bounded_modification_factor
-from rolamento.life.record import BOUNDS, OUTSIDE, Life
+from rolamento.life.basis import Basis
+from rolamento.life.iso281_modified import LEAST_RATIO, MOST_RATIO, bounded_modification_factor
+from rolamento.life.iso16281_modified import THEORY as MODIFIED_REFERENCE
+from rolamento.life.record import BOUNDS, OUTSIDE, Life, finite
 from rolamento.numerics import BoolArray, FloatArray
 
 __all__ = ["Headline", "headline_of"]
@@ -79,8 +79,8 @@ class Headline:
         return {
             "theory": str(self.theory[case]) or None,
             "reliability": self.reliability,
-            "life": _finite(self.life[case]),
-            "hours": _finite(self.hours[case]),
+            "life": finite(self.life[case]),
+            "hours": finite(self.hours[case]),
             "endless": bool(np.isposinf(self.life[case])),
             "holds": bool(self.holds[case]),
             "below": bool(self.below[case]),
@@ -88,7 +88,7 @@ class Headline:
         }
 
 
-def headline_of(basis: by.Basis, modified: Life | None, basic: Life) -> Headline:
+def headline_of(basis: Basis, modified: Life | None, basic: Life) -> Headline:
     """Choose the life that leads.
 
     Parameters
@@ -108,7 +108,7 @@ def headline_of(basis: by.Basis, modified: Life | None, basic: Life) -> Headline
     found = _headline(basic, basic.factors["a_1"] * share)
     below = binds & found.holds
     return Headline(
-        theory=np.where(binds, by.MODIFIED_REFERENCE, found.theory).astype(_NAME),
+        theory=np.where(binds, MODIFIED_REFERENCE.name, found.theory).astype(_NAME),
         reliability=found.reliability,
         life=found.life * share,
         hours=found.hours * share,
@@ -143,10 +143,11 @@ def _reason(record: Life) -> Names:
     return found
 
 
-def _half_known(basis: by.Basis, basic: Life) -> tuple[FloatArray, Names]:
+def _half_known(basis: Basis, basic: Life) -> tuple[FloatArray, Names]:
     """a_ISO with the best that may be where one of κ and e_C is unknown, and the note for it."""
-    cases = len(basis.balls)
-    ratio, clean = basis.viscosity_ratio, by.cleanliness_at_best(basis)
+    cases = len(basis)
+    ratio = basis.viscosity_ratio
+    clean = basis.cleanliness_at(np.full(cases, MOST_RATIO) if ratio is None else ratio)
     if ratio is None and clean is None:
         return np.full(cases, np.inf), np.full(cases, "", dtype=_NAME)
     kappa = np.full(cases, MOST_RATIO) if ratio is None else ratio
@@ -159,7 +160,3 @@ def _half_known(basis: by.Basis, basic: Life) -> tuple[FloatArray, Names]:
     reason = np.where(kappa < LEAST_RATIO, "viscosity_ratio_too_small", reason)
     reason = np.where(dirt <= 0.0, "contamination_severe", reason)
     return np.where(np.isnan(factor), np.inf, factor), reason.astype(_NAME)
-
-
-def _finite(value: float) -> float | None:
-    return float(value) if isfinite(value) else None

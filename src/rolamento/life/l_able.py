@@ -17,17 +17,31 @@ table 2.6.3.
 
 from __future__ import annotations
 
+import os
 from dataclasses import dataclass
-from typing import Final
+from math import isfinite
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento.errors import InputError
+from rolamento.errors import FileError, InputError
 from rolamento.life._figures import positive
-from rolamento.life.basic import load_notes
-from rolamento.life.reference import SLOPE
+from rolamento.life.iso281 import load_notes
+from rolamento.life.iso281_modified import life_modification_factor
+from rolamento.life.iso16281 import SLOPE
+from rolamento.life.theory import (
+    OF_BEARING,
+    OF_EQUIVALENT_LOAD,
+    VISCOSITY_RATIO,
+    Need,
+    Theory,
+)
 from rolamento.numerics import BoolArray, FloatArray
+
+if TYPE_CHECKING:
+    from rolamento.life.basis import Basis
+    from rolamento.life.record import Life
 
 CLEANLINESS: Final = {
     "very_clean": (1.0, 1.0),
@@ -42,6 +56,13 @@ LEAST_SPEED: Final = 20.0
 HOTTEST: Final = 130.0 + 273.15
 """K."""
 _MOST_POINTS: Final = 10_000
+_MOST_ROWS: Final = 1000
+_NAMES: Final = {
+    "viscosity_ratio": "κ of the rows",
+    "load_parameter": "load parameters of the header",
+    "factor": "a_NSK",
+}
+_EXAMPLE: Final = "kappa,0.01,0.05,0.2"
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -101,6 +122,61 @@ class FactorTable:
             for i in (0, 1)
         )
         return np.where(load <= 0.0, np.inf, np.exp(low * (1.0 - row_share) + high * row_share))
+
+
+def read_factor_table(
+    path: str | os.PathLike[str], *, decimal_mark: str | None = None
+) -> FactorTable:
+    """Read a table of a_NSK.
+
+    Parameters
+    ----------
+    path
+        Comma-separated values. The header has any word, then the load parameters (P - P_u)/(C a_c)
+        of the columns, rising; every row below has κ, rising from row to row, and a_NSK.
+    decimal_mark
+        ``"point"`` or ``"comma"``, where nothing in the table tells whether 1.500 is 1.5.
+
+    Raises
+    ------
+    FileError
+        If it is not such a file; with line and column.
+    """
+    from rolamento._tables import read_table
+
+    table = read_table(path, most_rows=_MOST_ROWS, example=_EXAMPLE).plain(decimal_mark)
+    loads = [_cell(text, table.source, table.header_line, text) for text in table.header[1:]]
+    rows = [
+        [
+            _cell(text, table.source, line, "κ" if column == 0 else table.header[column])
+            for column, text in enumerate(cells)
+        ]
+        for cells, line in zip(table.rows, table.lines, strict=True)
+    ]
+    if len(loads) < 2 or len(rows) < 2:
+        raise FileError(
+            "needs at least two rows (κ) of two columns (load parameters)",
+            source=table.source,
+            example=_EXAMPLE,
+        )
+    array = np.array(rows)
+    try:
+        return FactorTable(array[:, 0], np.array(loads), array[:, 1:])
+    except InputError as error:
+        field = _NAMES.get(error.field, error.field)
+        raise error.with_details(source=table.source, field=field) from None
+
+
+def _cell(text: str, source: str, line: int, column: str) -> float:
+    try:
+        value = float(text)
+    except ValueError:
+        value = float("nan")
+    if not isfinite(value):
+        raise FileError(
+            "must be a number", field=column, value=text, source=source, line=line, example="0.5"
+        )
+    return value
 
 
 def load_parameter(
@@ -191,3 +267,58 @@ def _placed(
     share = (value - axis[index]) / (axis[index + 1] - axis[index])
     inside = (share >= -1e-9) & (share <= 1.0 + 1e-9)
     return np.asarray(index, dtype=np.int64), np.where(inside, share, np.nan)
+
+
+def _evaluate(basis: Basis) -> Life:
+    """L_able of solved cases; InputError if κ is not known."""
+    given, ratio, ratings = basis.given, basis.viscosity_ratio, basis.ratings
+    if ratio is None:
+        raise InputError(
+            "is missing: L_able needs the viscosity ratio, or the viscosity",
+            field="viscosity_ratio",
+            example="viscosity_ratio = 1.5",
+        )
+    clean, load = basis.over_cases("nsk_cleanliness"), basis.loads.dynamic
+    hot = np.fmax(basis.over_cases("temperature"), basis.over_cases("bearing_temperature"))
+    refused = refusals(load, ratings.dynamic_of_set, ratings.static_of_set, basis.speed, hot)
+    if given.nsk_table is None:
+        outside = "viscosity_ratio_too_small"
+        factor = life_modification_factor(
+            ratio, np.minimum(clean, 1.0), ratings.fatigue_of_set, load
+        )
+    else:
+        outside = "outside_the_table"
+        place = load_parameter(load, ratings.fatigue_of_set, ratings.dynamic_of_set, clean)
+        factor = given.nsk_table.at(ratio, place)
+    notes = {
+        **basis.notes_on_load(),
+        **refused,
+        "stand_in_for_the_chart": np.full(len(basis), given.nsk_table is None),
+        outside: np.isnan(factor) & ~np.isnan(load),
+    }
+    factors = {"a_1": basis.reliability_factor, "a_nsk": l_able(1.0, factor, refused)}
+    return basis.record(THEORY.name, basis.basic_life, factors, notes)
+
+
+NSK_CLEANLINESS: Final = Need(
+    "life.nsk_cleanliness",
+    "the maker's cleanliness factor",
+    "[life] with nsk_cleanliness = 0.8 in the case",
+    ("nsk_cleanliness",),
+)
+THEORY: Final = Theory(
+    name="l_able",
+    title="L_able of NSK",
+    evaluate=_evaluate,
+    asked=lambda basis: basis.given.nsk_cleanliness is not None,
+    needs=(NSK_CLEANLINESS, VISCOSITY_RATIO),
+    validity=(
+        *OF_BEARING,
+        *OF_EQUIVALENT_LOAD,
+        "viscosity_ratio_too_small",
+        "outside_the_table",
+        "too_slow",
+        "too_hot",
+    ),
+    rank=5,
+)

@@ -20,7 +20,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento.life._figures import positive
-from rolamento.life.reference import RaceRatings, race_life, system_life
+from rolamento.life.iso16281 import RaceRatings, race_life, system_life
 from rolamento.numerics import FloatArray
 from rolamento.static.sjovall import sjovall_radial
 

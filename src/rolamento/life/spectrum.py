@@ -20,7 +20,7 @@ from numpy.typing import ArrayLike
 
 from rolamento.errors import InputError
 from rolamento.life._figures import positive
-from rolamento.life.reference import SLOPE, system_life
+from rolamento.life.iso16281 import SLOPE, system_life
 from rolamento.numerics import FloatArray
 
 ROLLER_SLOPE: Final = 9.0 / 8.0

@@ -201,7 +201,7 @@ def _what_follows(page: Page, solved: Solved, analysis: Analysis, notes: list[st
 
         parts += friction_parts(page, solved, analysis.friction)
     if analysis.life is not None:
-        from rolamento.report.life_section import life_notes, life_part
+        from rolamento.report.life import life_notes, life_part
 
         parts.append(life_part(page, solved, analysis.life))
         notes += life_notes(page, analysis.life)

@@ -14,12 +14,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rolamento.analysis.needs import has_life
-from rolamento.case.life_model import DIRT
 from rolamento.errors import InputError, UnknownKeyError, nearest
 
 if TYPE_CHECKING:
     from rolamento.case import Case
+    from rolamento.life.theory import Need
     from rolamento.solved import Solved
+
 
 T = TypeVar("T")
 Floats = NDArray[np.float64]
@@ -100,6 +101,14 @@ class Output:
 
 
 @cache
+def needs_of_life() -> Mapping[str, Need]:
+    """Return what theories of life need of a case, by name."""
+    from rolamento.life.theories import NEEDS
+
+    return NEEDS
+
+
+@cache
 def catalogue() -> Mapping[str, Output]:
     """Return all outputs by name."""
     from rolamento.studies.bearing_outputs import ball_outputs, ring_outputs
@@ -152,26 +161,6 @@ _MISSING: Final[Mapping[str, tuple[str, str]]] = {
         "a designation or a [life] table",
         '[life] with cleanliness = "-/17/14" and oil_supply = "circulating" in the case',
     ),
-    "viscosity ratio": (
-        "a viscosity ratio, or a lubricant and its temperature,",
-        "[life] with viscosity_ratio = 1.5 in the case",
-    ),
-    "cleanliness": (
-        "the cleanliness of the lubricant",
-        '[life] with cleanliness = "-/17/14" and oil_supply = "circulating" in the case',
-    ),
-    "adjustment": (
-        "a material factor or an operation factor",
-        "[life] with operation_factor = 0.8 in the case",
-    ),
-    "life.nsk_cleanliness": (
-        "the maker's cleanliness factor",
-        "[life] with nsk_cleanliness = 0.8 in the case",
-    ),
-    "life.wanted_life": (
-        "the life that is wanted",
-        '[life] with wanted_life = "20000 h" in the case',
-    ),
 }
 
 
@@ -187,7 +176,10 @@ def refuse_missing(outputs: Iterable[Output], case: Case, varied: Iterable[str])
     for output in outputs:
         for need in output.needs:
             if not _has(case, need, given):
-                what, example = _MISSING[need]
+                of_life = needs_of_life().get(need)
+                what, example = (
+                    _MISSING[need] if of_life is None else (of_life.what, of_life.example)
+                )
                 raise InputError(
                     f"needs {what}, which the case does not have",
                     field="outputs",
@@ -204,8 +196,10 @@ def refuse_missing(outputs: Iterable[Output], case: Case, varied: Iterable[str])
 def _has(case: Case, need: str, varied: frozenset[str]) -> bool:
     if need in varied or any(name.startswith(f"{need}.") for name in varied):
         return True
-    if need in _LIFE_NEEDS:
-        return _LIFE_NEEDS[need](case, varied)
+    if need == "life":
+        return has_life(case) or "bearing.designation" in varied
+    if need in needs_of_life():
+        return needs_of_life()[need].met(case, varied)
     lubricant = case.lubricant
     if need == "lubricant":
         return lubricant is not None and lubricant.kind != "dry"
@@ -217,27 +211,3 @@ def _has(case: Case, need: str, varied: frozenset[str]) -> bool:
     if need == "surface":
         return case.surface is not None
     return case.model.raceway_control == "friction" or "model.raceway_control" in varied
-
-
-def _has_of_life(case: Case, names: Iterable[str], varied: frozenset[str]) -> bool:
-    """Whether the [life] table has one of some fields, or one varies."""
-    return any(
-        f"life.{name}" in varied or getattr(case.life, name, None) is not None for name in names
-    )
-
-
-def _has_viscosity_ratio(case: Case, varied: frozenset[str]) -> bool:
-    given = _has_of_life(case, ("viscosity_ratio",), varied)
-    return given or all(_has(case, need, varied) for need in ("lubricant", "temperature.lubricant"))
-
-
-_LIFE_NEEDS: Final[Mapping[str, Callable[[Case, frozenset[str]], bool]]] = {
-    "life": lambda case, varied: has_life(case) or "bearing.designation" in varied,
-    "viscosity ratio": _has_viscosity_ratio,
-    "cleanliness": lambda case, varied: _has_of_life(case, DIRT, varied),
-    "adjustment": lambda case, varied: _has_of_life(
-        case, ("material_factor", "operation_factor"), varied
-    ),
-    "life.nsk_cleanliness": lambda case, varied: _has_of_life(case, ("nsk_cleanliness",), varied),
-    "life.wanted_life": lambda case, varied: _has_of_life(case, ("wanted_life",), varied),
-}

@@ -1,1 +1,1 @@
-"""Use cases from end to end, which the command line, a notebook or a page calls for records."""
+"""Use cases from end to end: what command line, app and notebook call; they return records."""

@@ -154,8 +154,8 @@ def _of_life(kind: Kind, solved: Solved, language: str) -> Axes:
     """Draw the life of a state."""
     from rolamento.analysis.needs import has_life
     from rolamento.life import life, sensitivity
-    from rolamento.plots import life_charts, life_load
-    from rolamento.studies.life_diagram import lives_over_load, lives_over_zone
+    from rolamento.plots import life as figures
+    from rolamento.tasks.life_over import lives_over_load, lives_over_zone
 
     if not has_life(solved.case):
         raise InputError(
@@ -164,11 +164,11 @@ def _of_life(kind: Kind, solved: Solved, language: str) -> Axes:
             example='[life] with cleanliness = "-/17/14" and oil_supply = "circulating"',
         )
     if kind is Kind.sn:
-        return life_load.load_over_life(lives_over_load(solved), language=language)
+        return figures.load_over_life(lives_over_load(solved), language=language)
     if kind is Kind.zone:
-        return life_charts.life_over_zone(lives_over_zone(solved), language=language)
+        return figures.life_over_zone(lives_over_zone(solved), language=language)
     if kind is Kind.helps:
-        return life_charts.what_helps(sensitivity(solved), language=language)
+        return figures.what_helps(sensitivity(solved), language=language)
     summary = life(solved, stress_volume=False)
     if summary.contamination_factor is None:
         raise InputError(
@@ -178,7 +178,7 @@ def _of_life(kind: Kind, solved: Solved, language: str) -> Axes:
             value=kind.value,
             example="[life] with viscosity_ratio = 1.5 and contamination = 0.5",
         )
-    return life_charts.aiso_chart(summary, language=language)
+    return figures.aiso_chart(summary, language=language)
 
 
 def _of_study(

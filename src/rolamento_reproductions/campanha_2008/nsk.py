@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from rolamento.life.basic import MOST_LOAD
+from rolamento.life.iso281 import MOST_LOAD
+from rolamento.life.iso281_modified import fatigue_load_limit, life_modification_factor
 from rolamento.life.l_able import l_able, refusals
-from rolamento.life.modified import fatigue_load_limit, life_modification_factor
 from rolamento.lubrication.oil_state import viscosity_ratio
 from rolamento_reproductions.campanha_2008.inputs import (
     GIVEN,

@@ -28,13 +28,18 @@ Sources: ISO/TS 16281:2008 and ISO 16281:2025; Lundberg and Palmgren (1947).
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento.life._figures import positive
+from rolamento.life.theory import OF_BEARING, OF_LOAD, Theory
 from rolamento.numerics import FloatArray
+
+if TYPE_CHECKING:
+    from rolamento.life.basis import Basis
+    from rolamento.life.record import Life
 
 SLOPE: Final = 10.0 / 9.0
 """Weibull's slope e of point contact."""
@@ -192,3 +197,19 @@ def reference_life(
     outer = race_life(ratings.outer, parts["outer"])
     life = system_life(np.concatenate([inner, outer], axis=1))
     return ReferenceLife(life, inner, outer, parts["inner"], parts["outer"])
+
+
+def _evaluate(basis: Basis) -> Life:
+    factors = {"a_1": basis.reliability_factor, "equivalent_load": basis.reference_load}
+    return basis.record(THEORY.name, basis.reference.life, factors, basis.notes_on_reference_load())
+
+
+THEORY: Final = Theory(
+    name="iso16281",
+    title="basic reference, ISO/TS 16281",
+    evaluate=_evaluate,
+    validity=(*OF_BEARING, *OF_LOAD),
+    rank=2,
+    standard=True,
+    by_race=True,
+)

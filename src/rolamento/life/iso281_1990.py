@@ -8,13 +8,19 @@ Source: ISO 281:1990, clause 8, as in Campanha (2008), 2.6.
 
 from __future__ import annotations
 
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento.life._figures import positive
+from rolamento.life.reliability import outside_print, reliability_factor
+from rolamento.life.theory import OF_BEARING, OF_EQUIVALENT_LOAD, Need, Theory
 from rolamento.numerics import BoolArray, FloatArray
+
+if TYPE_CHECKING:
+    from rolamento.life.basis import Basis
+    from rolamento.life.record import Life
 
 THIN_OIL: Final = 13e-6
 """Kinematic viscosity at the running temperature below which a_3 < 1 is to be considered; m²/s."""
@@ -81,3 +87,40 @@ def adjustment_notes(
         "operation_factor_too_great": np.asarray((a3 >= 1.0) & ((nu < THIN_OIL) | slow)),
         "operation_factor_unfounded": np.asarray(a3 > 1.0),
     }
+
+
+def _evaluate(basis: Basis) -> Life:
+    given = basis.given
+    a2, a3 = (
+        np.ones(len(basis)) if getattr(given, name) is None else basis.over_cases(name)
+        for name in ("material_factor", "operation_factor")
+    )
+    diameter = basis.solved.rows.pitch_diameter.max(axis=1)
+    notes = {
+        **basis.notes_on_load(),
+        **adjustment_notes(a2, a3, basis.over_cases("viscosity"), basis.speed, diameter),
+        "reliability_continued": outside_print(given.reliability, EDITION),
+    }
+    a1 = reliability_factor(given.reliability, EDITION)
+    return basis.record(THEORY.name, basis.basic_life, {"a_1": a1, "a_2": a2, "a_3": a3}, notes)
+
+
+EDITION: Final = "1990"
+ADJUSTMENT: Final = Need(
+    "adjustment",
+    "a material factor or an operation factor",
+    "[life] with operation_factor = 0.8 in the case",
+    ("material_factor", "operation_factor"),
+)
+THEORY: Final = Theory(
+    name="iso281_1990",
+    title="adjusted, ISO 281:1990",
+    evaluate=_evaluate,
+    asked=lambda basis: (
+        basis.given.material_factor is not None or basis.given.operation_factor is not None
+    ),
+    needs=(ADJUSTMENT,),
+    validity=(*OF_BEARING, *OF_EQUIVALENT_LOAD),
+    rank=6,
+    edition=EDITION,
+)

@@ -5,18 +5,23 @@ Source: ISO 281:2007, clause 5; Lundberg and Palmgren (1947).
 
 from __future__ import annotations
 
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento.life._figures import positive
+from rolamento.life.theory import OF_BEARING, OF_EQUIVALENT_LOAD, Theory
 from rolamento.numerics import BoolArray, FloatArray
+
+if TYPE_CHECKING:
+    from rolamento.life.basis import Basis
+    from rolamento.life.record import Life
 
 EXPONENT: Final = 3.0
 """Of load, for point contact."""
 MOST_LOAD: Final = 0.5
-"""P/C up to which the rating life holds: above, the balls' contacts deform plastically."""
+"""P/C up to which the rating life is valid: above, the balls' contacts deform plastically."""
 MILLION: Final = 1e6
 
 
@@ -57,7 +62,7 @@ def hours(life: ArrayLike, speed: ArrayLike) -> FloatArray:
 def load_notes(
     equivalent_load: ArrayLike, dynamic_rating: ArrayLike, static_rating: ArrayLike
 ) -> dict[str, BoolArray]:
-    """Where the load is too great for the rating life to hold, by name; arrays, N.
+    """Where the load is too great for the rating life to be valid, by name; arrays, N.
 
     load_above_half_rating: P > 0.5 C; load_above_static_rating: P > C_0. The formula still gives a
     number there. ISO 281:2007, 5.1.3 and 9.3.3.
@@ -67,3 +72,18 @@ def load_notes(
         "load_above_half_rating": np.asarray(load > MOST_LOAD * np.asarray(dynamic_rating)),
         "load_above_static_rating": np.asarray(load > np.asarray(static_rating)),
     }
+
+
+def _evaluate(basis: Basis) -> Life:
+    factors = {"a_1": basis.reliability_factor}
+    return basis.record(THEORY.name, basis.basic_life, factors, basis.notes_on_load())
+
+
+THEORY: Final = Theory(
+    name="iso281",
+    title="basic, ISO 281",
+    evaluate=_evaluate,
+    validity=(*OF_BEARING, *OF_EQUIVALENT_LOAD),
+    rank=3,
+    standard=True,
+)

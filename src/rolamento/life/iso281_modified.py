@@ -14,7 +14,7 @@ standard in the source of another bearing program; 0.2288 is J_r(½), the contin
 
 from __future__ import annotations
 
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -22,7 +22,19 @@ from numpy.typing import ArrayLike
 from rolamento.contact.hertz import elliptical_contact
 from rolamento.geometry import Race, race_curvature
 from rolamento.life._figures import figures, positive
+from rolamento.life.theory import (
+    CLEANLINESS,
+    OF_BEARING,
+    OF_EQUIVALENT_LOAD,
+    OF_LUBRICATION,
+    VISCOSITY_RATIO,
+    Theory,
+)
 from rolamento.numerics import BoolArray, FloatArray
+
+if TYPE_CHECKING:
+    from rolamento.life.basis import Basis
+    from rolamento.life.record import Life
 
 LEAST_RATIO: Final = 0.1
 """κ below which the standard gives no factor."""
@@ -194,3 +206,41 @@ def _factor(ratio: FloatArray, strength: FloatArray) -> FloatArray:
 def _size_factor(pitch_diameter: ArrayLike) -> FloatArray:
     diameter = positive(pitch_diameter, "pitch_diameter")
     return np.asarray(np.sqrt(_LARGE / np.maximum(diameter, _LARGE)))
+
+
+def modification(
+    basis: Basis, load: FloatArray
+) -> tuple[dict[str, FloatArray], dict[str, BoolArray]]:
+    """Factors of a modified life under an equivalent load, and notes on them; needs κ and e_C."""
+    ratio, clean, limit = (
+        basis.viscosity_ratio, basis.contamination_factor, basis.ratings.fatigue_of_set
+    )  # fmt: skip
+    assert ratio is not None
+    assert clean is not None
+    factor = bounded_modification_factor(ratio, clean, limit, load, additives=basis.given.additives)
+    notes = modification_notes(ratio, clean)
+    notes["no_fatigue_load_limit"] = np.isnan(limit) & ~notes["viscosity_ratio_too_small"]
+    factors = {
+        "a_1": basis.reliability_factor,
+        "a_iso": factor,
+        "viscosity_ratio": ratio,
+        "contamination_factor": clean,
+    }
+    return factors, notes
+
+
+def _evaluate(basis: Basis) -> Life:
+    factors, notes = modification(basis, basis.loads.dynamic)
+    return basis.record(THEORY.name, basis.basic_life, factors, {**basis.notes_on_load(), **notes})
+
+
+THEORY: Final = Theory(
+    name="iso281_modified",
+    title="modified, ISO 281",
+    evaluate=_evaluate,
+    asked=lambda basis: basis.contamination_factor is not None,
+    needs=(VISCOSITY_RATIO, CLEANLINESS),
+    validity=(*OF_BEARING, *OF_EQUIVALENT_LOAD, *OF_LUBRICATION),
+    rank=1,
+    standard=True,
+)
