@@ -12,7 +12,7 @@ from tests.one_case import solve_one
 
 from rolamento import Bearing, Case, Displacement, Duty, Load, Lubricant, Model
 from rolamento.friction.jones_full import jones_full
-from rolamento.friction.slip import BallVelocity, relative_motion
+from rolamento.friction.slip import BallVelocity, Patch, relative_motion
 from rolamento.friction.traction import ContactFriction, contact_friction, ellipse_mesh
 from rolamento.rows.ball import layout
 from rolamento.rows.ball.problem import ring_arms
@@ -269,7 +269,7 @@ def friction_at(
     """What the slip field of `rolamento.friction` makes of a result, or of one near it."""
     omega = rolling.angular_velocity if omega is None else omega
     cage = float(rolling.cage_speed[0]) if cage is None else cage
-    patch = loaded_balls(batch).patch(race)
+    patch = Patch.of(batch.contacts[race])
     ball = BallVelocity(omega[..., 0] - cage, omega[..., 1], omega[..., 2])
     speed = case.duty.inner_speed if race == "inner" else case.duty.outer_speed
     relative = abs(case.duty.inner_speed - case.duty.outer_speed)

@@ -27,7 +27,7 @@ from rolamento.life.iso281_modified import (
     modification_notes,
 )
 from rolamento.life.reliability import outside_print, reliability_factor, reliability_of
-from rolamento.oil.cleanliness import cleanliness_numbers
+from rolamento.iso4406 import cleanliness_numbers
 
 RPM = np.pi / 30.0
 MPA = 1e6

@@ -222,18 +222,17 @@ def _life(solved: Solved) -> tuple[LifeSummary | None, tuple[str, ...]]:
     case = solved.case
     if not has_life(case):
         return None, ()
-    from rolamento.life import conditions_of, life, life_of_batch
-    from rolamento.solution import solve, solve_batch
+    from rolamento.life import conditions_of, life
 
-    conditions = conditions_of(case, solved.varied)
+    conditions = conditions_of(solved)
     if len(solved) > 1:
-        return life_of_batch(case, solve_batch(case, solved.varied), conditions), ()
+        return life(solved, conditions), ()
     why_not: tuple[str, ...] = ()
     if conditions.nsk_cleanliness is not None and not _viscosity_known(conditions):
         conditions = replace(conditions, nsk_cleanliness=None)
         why_not = ("l_able_without_viscosity",)
     try:
-        return life(solve(case), conditions), why_not
+        return life(solved, conditions), why_not
     except InputError as error:
         if error.field == "bearing.contact_angle":
             return None, ("life_of_thrust_bearing",)

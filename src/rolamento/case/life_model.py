@@ -9,7 +9,7 @@ from pydantic import AfterValidator, Field, model_validator
 from rolamento.case.quantity import Line, Quantity, Ratio
 from rolamento.case.record import Record
 from rolamento.errors import InputError
-from rolamento.oil.cleanliness import cleanliness_numbers
+from rolamento.iso4406 import cleanliness_numbers
 
 __all__ = ["DIRT", "LifeModel", "TallianFactors"]
 
