@@ -28,15 +28,12 @@ from rolamento.plots.weibull_words import (
     weibull_plot_words,
 )
 from rolamento.plots.words import PlotWords, plot_words
-from rolamento.weibull.ranks import plotting_positions
+from rolamento.weibull import plotting_positions
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from rolamento.weibull.band import Band
-    from rolamento.weibull.fit import WeibullFit
-    from rolamento.weibull.life_test import LifeTest
-    from rolamento.weibull.summary import GroupSummary, LifeTestSummary
+    from rolamento.weibull import Band, GroupSummary, LifeTest, LifeTestSummary, WeibullFit
 
 __all__ = ["weibull_figure", "weibull_paper"]
 

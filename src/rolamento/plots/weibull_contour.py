@@ -29,9 +29,7 @@ from rolamento.plots.words import PlotWords, plot_words
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from rolamento.weibull.fit import WeibullFit
-    from rolamento.weibull.likelihood_region import LikelihoodRegion
-    from rolamento.weibull.summary import GroupSummary, LifeTestSummary
+    from rolamento.weibull import GroupSummary, LifeTestSummary, LikelihoodRegion, WeibullFit
 
 __all__ = ["contour_figure", "likelihood_contour"]
 

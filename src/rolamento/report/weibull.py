@@ -29,10 +29,14 @@ from rolamento.report.weibull_numbers import (
 from rolamento.report.weibull_sentences import said_note
 from rolamento.report.weibull_statement import comparison_part, statement_part
 from rolamento.report.weibull_words import WEIBULL_WORDS, WeibullWords, counted
-from rolamento.weibull.bounds import Bounds
-from rolamento.weibull.life_test import LifeTest
-from rolamento.weibull.quantity import Quantity
-from rolamento.weibull.summary import GroupSummary, LifeTestSummary, Wanted
+from rolamento.weibull import (
+    Bounds,
+    Estimand,
+    GroupSummary,
+    LifeTest,
+    LifeTestSummary,
+    Wanted,
+)
 
 __all__ = ["weibull_json", "weibull_report"]
 
@@ -184,7 +188,7 @@ def _bounds(page: Page, said: WeibullWords, group: GroupSummary) -> Lines:
     heads = ["", said.estimate, *_limit_heads(said, first)]
     rows = []
     for bound in group.bounds:
-        quantity = Quantity.of(bound.quantity)
+        quantity = Estimand.of(bound.quantity)
         scale = scale_of(quantity)
         cells = alike(page, [scale * number for number in (bound.estimate, *_limits(bound))])
         if bound.sides == "two":
@@ -229,10 +233,10 @@ def _assumed(page: Page, said: WeibullWords, group: GroupSummary, wanted: Wanted
     for assumed in group.assumed:
         cells = [page.digits.short(assumed.shape, 3)]
         for bound in assumed.bounds:
-            cells.append(_range_text(page, said, bound, scale_of(Quantity.of(bound.quantity))))
+            cells.append(_range_text(page, said, bound, scale_of(Estimand.of(bound.quantity))))
         rows.append(cells)
     for bound in group.assumed[0].bounds:
-        heads.append(label_of(page, said, Quantity.of(bound.quantity), unit))
+        heads.append(label_of(page, said, Estimand.of(bound.quantity), unit))
     confidence = percent(page, wanted.confidence)
     return [
         page.heading(said.assumed.format(confidence=confidence)),
@@ -259,7 +263,7 @@ def _credible(page: Page, said: WeibullWords, group: GroupSummary, wanted: Wante
     )
     rows = []
     for one in group.credible:
-        quantity = Quantity.of(one.quantity)
+        quantity = Estimand.of(one.quantity)
         scale = scale_of(quantity)
         cells = alike(page, [scale * x for x in (one.median, one.lower, one.upper)])
         rows.append([label_of(page, said, quantity, group.test.unit), *cells])

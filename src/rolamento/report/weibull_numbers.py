@@ -9,7 +9,7 @@ from typing import Final
 from rolamento.report.numbers import decimals_for
 from rolamento.report.page import Lines, Page
 from rolamento.report.weibull_words import WeibullWords
-from rolamento.weibull.quantity import Quantity
+from rolamento.weibull import Estimand
 
 __all__ = [
     "FIGURES",
@@ -84,12 +84,12 @@ def p_text(page: Page, p: float) -> str:
     return page.digits.short(p, 2)
 
 
-def scale_of(quantity: Quantity) -> float:
+def scale_of(quantity: Estimand) -> float:
     """Return what a quantity is multiplied with to be read: reliabilities in per cent."""
     return 100.0 if quantity.kind == "reliability" else 1.0
 
 
-def label_of(page: Page, said: WeibullWords, quantity: Quantity, unit: str) -> str:
+def label_of(page: Page, said: WeibullWords, quantity: Estimand, unit: str) -> str:
     """Write what a quantity is, with its unit."""
     if quantity.kind == "shape":
         return spelt(page, said.shape)
@@ -107,7 +107,7 @@ def spelt(page: Page, text: str) -> str:
     return text
 
 
-def life_name(page: Page, quantity: Quantity) -> str:
+def life_name(page: Page, quantity: Estimand) -> str:
     """Write the name of a life, with our decimal mark: L10, L0,1."""
     return quantity.name.replace(".", page.words.decimal_mark)
 

@@ -19,10 +19,14 @@ from rolamento.report.weibull_numbers import (
 )
 from rolamento.report.weibull_sentences import said_advice
 from rolamento.report.weibull_words import WeibullWords
-from rolamento.weibull.comparison import Comparison
-from rolamento.weibull.life_ratio import LifeRatio
-from rolamento.weibull.quantity import Quantity
-from rolamento.weibull.summary import GroupSummary, LifeTestSummary, Wanted
+from rolamento.weibull import (
+    Comparison,
+    Estimand,
+    GroupSummary,
+    LifeRatio,
+    LifeTestSummary,
+    Wanted,
+)
 
 __all__ = ["comparison_part", "statement_part"]
 
@@ -75,7 +79,7 @@ def _of_life(page: Page, said: WeibullWords, group: GroupSummary, wanted: Wanted
 
 
 def _of_shape(said: WeibullWords, group: GroupSummary) -> list[str]:
-    bound = group.bound(Quantity.of("shape"))
+    bound = group.bound(Estimand.of("shape"))
     if bound is None or not bound.converged or bound.sides != "two":
         return []
     inside = bound.lower <= _RATING_SHAPE <= bound.upper
@@ -128,7 +132,7 @@ def _difference(
 
 def _ratio(page: Page, said: WeibullWords, ratio: LifeRatio) -> str:
     first, second = (one_line(name) for name in ratio.groups)
-    quantity = life_name(page, Quantity.life(ratio.reliability))
+    quantity = life_name(page, Estimand.life(ratio.reliability))
     if not ratio.converged:
         advice = said_advice(ratio.code, page.words.code)
         advice = advice[:1].upper() + advice[1:]
