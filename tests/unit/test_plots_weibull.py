@@ -11,8 +11,12 @@ from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
 from rolamento.plots.saving import save_figure
-from rolamento.plots.weibull import weibull_figure, weibull_paper
-from rolamento.plots.weibull_contour import contour_figure, likelihood_contour
+from rolamento.plots.weibull import (
+    contour_figure,
+    likelihood_contour,
+    weibull_figure,
+    weibull_paper,
+)
 from rolamento.plots.weibull_plan import chance_of_passing, cost_of_precision
 from rolamento.plots.weibull_words import weibull_plot_words
 from rolamento.weibull import (

@@ -247,7 +247,7 @@ def weibull(
                 save_figure(weibull_figure(found, bands_of(found), words.code), plot)
             if contour is not None:
                 from rolamento.plots.saving import save_figure
-                from rolamento.plots.weibull_contour import contour_figure
+                from rolamento.plots.weibull import contour_figure
 
                 with told_in_options(quantity="--contour-of"):
                     regions = regions_of(found, contour_of)
