@@ -191,8 +191,7 @@ def precision(
             from rolamento.plots.saving import save_figure
             from rolamento.plots.weibull_plan import cost_figure
 
-            label = found.unit or f"L{100.0 * (1.0 - reliability):.6g}"
-            save_figure(cost_figure(found.plans, label, words.code), plot)
+            save_figure(cost_figure(found.plans, found.time_label, words.code), plot)
         if json != STANDARD_STREAM:
             print_text(precision_report(found, words, Medium.of(sys.stdout)))
         elif not found.planned:

@@ -28,7 +28,7 @@ from rolamento.plots.over_field import decades
 from rolamento.plots.style import Series, new_figure, series, styled
 from rolamento.plots.weibull_words import WeibullPlotWords, weibull_plot_words
 from rolamento.plots.words import PlotWords, plot_words
-from rolamento.weibull import EXPONENTS, plotting_positions
+from rolamento.weibull import EXPONENTS, plot_ordinate, plotting_positions
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -154,7 +154,7 @@ def _draw_group(
     if test.failures and group.ranked:
         points = plotting_positions(test)
         axes.plot(
-            points.times, _ordinate(points.failed_share), color=look.color, marker=look.marker,
+            points.times, plot_ordinate(points.failed_share), color=look.color, marker=look.marker,
             linestyle="", markersize=5.0, zorder=3.0, label=label,
         )  # fmt: skip
         label = None
@@ -176,8 +176,7 @@ def _label_of(group: GroupSummary, shared: PlotWords, words: WeibullPlotWords) -
 def _line(fit: WeibullFit, upright: tuple[float, float]) -> tuple[Floats, Floats]:
     """Times and ordinates of a fit from the lowest to the highest share."""
     ordinate = np.linspace(*upright, _CURVE)
-    with np.errstate(over="ignore"):
-        return fit.location + fit.scale * np.exp(ordinate / fit.shape), ordinate
+    return fit.life_at_ordinate(ordinate), ordinate
 
 
 def _draw_band(
@@ -189,7 +188,7 @@ def _draw_band(
     words: WeibullPlotWords,
 ) -> None:
     """Fill between the bounds of the lives; where nothing failed, draw the lower ones."""
-    ordinate, confidence = _ordinate(band.failed_share), number(100.0 * band.confidence, shared)
+    ordinate, confidence = plot_ordinate(band.failed_share), number(100.0 * band.confidence, shared)
     if band.sides == "lower":
         label = words.lower_bound.format(confidence=confidence)
         axes.plot(
@@ -295,7 +294,7 @@ def _limits(
     inside = [float(np.clip(time, low, high)) for time in times if np.isfinite(time) and time > 0.0]
     # a calculated life is what the reader asks about, however far
     inside += summary.wanted.calculated.values()
-    upright = _ordinate(np.array([min(shares) / 1.15, 1.0 - (1.0 - max(shares)) / 1.15]))
+    upright = plot_ordinate(np.array([min(shares) / 1.15, 1.0 - (1.0 - max(shares)) / 1.15]))
     return (0.8 * min(inside), 1.25 * max(inside)), (float(upright[0]), float(upright[1]))
 
 
@@ -303,18 +302,13 @@ def _percent_axis(
     axes: Axes, upright: tuple[float, float], shared: PlotWords, words: WeibullPlotWords
 ) -> None:
     """Number the upright axis by shares; those of L10 and of the scale are marked."""
-    ticks = [p for p in _PERCENTAGES if upright[0] <= _ordinate(np.array(p / 100.0)) <= upright[1]]
-    places = _ordinate(np.array(ticks) / 100.0)
+    ticks = [p for p in _PERCENTAGES if upright[0] <= plot_ordinate(p / 100.0) <= upright[1]]
+    places = plot_ordinate(np.array(ticks) / 100.0)
     axes.set_yticks(places, [number(tick, shared) for tick in ticks])
     axes.set_yticks([], minor=True)
     axes.set_ylim(*upright)
     axes.set_ylabel(words.failed_share, parse_math=False)
-    axes.axhline(float(_ordinate(np.array(0.1))), color=GREY, linewidth=0.7, zorder=1.0)
-
-
-def _ordinate(failed_share: Any) -> Floats:
-    with np.errstate(divide="ignore"):
-        return np.asarray(np.log(-np.log1p(-np.asarray(failed_share, dtype=np.float64))))
+    axes.axhline(float(plot_ordinate(0.1)), color=GREY, linewidth=0.7, zorder=1.0)
 
 
 def _calculated_lives(

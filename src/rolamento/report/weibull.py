@@ -198,7 +198,7 @@ def _table_of_bounds(page: Page, said: WeibullWords, group: GroupSummary) -> Lin
         cells = alike(page, [scale * number for number in (bound.estimate, *_limits(bound))])
         if bound.sides == "two":
             of_share = quantity.kind == "reliability" or bound.lower <= 0.0
-            cells.append("" if of_share else short_number(page, bound.upper / bound.lower, 3))
+            cells.append("" if of_share else short_number(page, bound.ratio, 3))
         rows.append([name_with_unit(page, said, quantity, group.test.unit), *cells])
     confidence = percent(page, first.confidence)
     return [page.heading(said.bounds.format(confidence=confidence)), *table(page, heads, rows)]
@@ -353,11 +353,9 @@ def _of_the_life(page: Page, said: WeibullWords, group: GroupSummary, wanted: Wa
     if bound is None or not bound.converged:
         return []
     two = bound.sides == "two"
-    # a limit of two sides is one of one side with half of what is left out
-    one_sided = 0.5 * (1.0 + bound.confidence) if two else bound.confidence
     lower, upper = alike(page, [bound.lower, bound.upper])
     shown = {
-        "confidence": percent(page, one_sided),
+        "confidence": percent(page, bound.one_sided_confidence),
         "share": percent(page, life.value),
         "lower": lower,
         "upper": upper,
@@ -369,7 +367,7 @@ def _of_the_life(page: Page, said: WeibullWords, group: GroupSummary, wanted: Wa
     if bound.lower <= 0.0:
         return []
     if two and isfinite(bound.upper):
-        apart = short_number(page, bound.upper / bound.lower, 2)
+        apart = short_number(page, bound.ratio, 2)
         return [said.life_two_sided.format(**shown, apart=apart)]
     return [said.life_at_least.format(**shown)]
 
@@ -378,7 +376,7 @@ def _of_the_shape(said: WeibullWords, group: GroupSummary) -> list[str]:
     bound = group.bound(Estimand.of("shape"))
     if bound is None or not bound.converged or bound.sides != "two":
         return []
-    inside = bound.lower <= EXPONENTS["ball"] <= bound.upper
+    inside = bound.contains(EXPONENTS["ball"])
     return [
         said.shape_below
         if bound.upper < 1.0

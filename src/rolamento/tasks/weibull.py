@@ -14,6 +14,7 @@ from rolamento.errors import InputError
 from rolamento.weibull import (
     Band,
     Demonstration,
+    Estimand,
     LifeTest,
     LifeTestPlan,
     LifeTestSummary,
@@ -281,6 +282,11 @@ class PrecisionStudy:
     plans: tuple[LifeTestPlan, ...]
     ratio: float | None
     unit: str
+
+    @property
+    def time_label(self) -> str:
+        """Unit of the times, or the life that they are multiples of."""
+        return self.unit or Estimand.life(self.plans[0].reliability).name
 
     @property
     def planned(self) -> bool:

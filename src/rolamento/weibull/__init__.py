@@ -40,7 +40,7 @@ from rolamento.weibull.estimates import (
     rank_regression,
     three_parameter,
 )
-from rolamento.weibull.fit import ADVICE, NOTES, Estimand, WeibullFit
+from rolamento.weibull.fit import ADVICE, NOTES, Estimand, WeibullFit, plot_ordinate
 from rolamento.weibull.life_test import LifeTest, Scheme
 from rolamento.weibull.likelihood_ratio import LikelihoodRegion, likelihood_region
 from rolamento.weibull.planning import PLAN_ADVICE, Demonstration, alternatives, demonstrate
@@ -144,6 +144,7 @@ __all__ = [
     "plan_for_ratio",
     "plan_of",
     "plans_for_ratio",
+    "plot_ordinate",
     "plotting_positions",
     "posterior",
     "published_life_test",

@@ -30,17 +30,6 @@ from rolamento.weibull.likelihood_ratio import (
 )
 from rolamento.weibull.sampled import sampled_limits
 
-__all__ = [
-    "METHODS",
-    "Band",
-    "Bounds",
-    "Method",
-    "Sides",
-    "all_bounds",
-    "bounds",
-    "confidence_band",
-]
-
 Method = Literal[
     "pivotal",
     "calibrated_likelihood_ratio",
@@ -103,6 +92,20 @@ class Bounds(Outcome):
     dropped: int = 0
     seed: int = 0
     notes: tuple[str, ...] = ()
+
+    @property
+    def one_sided_confidence(self) -> float:
+        """Of each limit by itself: of two sides each leaves out half of what they do together."""
+        return 0.5 * (1.0 + self.confidence) if self.sides == "two" else self.confidence
+
+    @property
+    def ratio(self) -> float:
+        """Upper over lower limit; infinite where one is open."""
+        return np.inf if self.lower == 0.0 else self.upper / self.lower
+
+    def contains(self, value: float) -> bool:
+        """Whether a value lies between the limits."""
+        return self.lower <= value <= self.upper
 
     def to_mapping(self) -> dict[str, Any]:
         """Give the bounds as plain values; None where there is no number, or the end is open."""

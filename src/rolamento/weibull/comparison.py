@@ -74,16 +74,6 @@ from rolamento.weibull.likelihood import (
 from rolamento.weibull.likelihood_ratio import calibrated_p_value, profile_fall
 from rolamento.weibull.sampled import pivotal_draws
 
-__all__ = [
-    "CalculatedLife",
-    "Comparison",
-    "Hypothesis",
-    "LifeRatio",
-    "against_calculated_life",
-    "compare",
-    "life_ratio",
-]
-
 Groups = Mapping[str, LifeTest | ArrayLike] | LifeTest
 Hypothesis = Literal["common_shape", "same_life", "homogeneous"]
 _MAXIMUM_GROUPS: Final = 50

@@ -19,7 +19,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Final, Protocol, Self
+from typing import Final, Self, TypeAlias
 
 import numpy as np
 
@@ -41,36 +41,6 @@ _MAXIMUM_DRAWN: Final = 400_000_000
 MANY: Final = 0.1
 """Part of drawn tests without a fit from which on it is noted."""
 MINIMUM_FITS: Final = 50
-
-
-class Model(Protocol):
-    """How a test is drawn."""
-
-    @property
-    def width(self) -> int:
-        """Numbers in one drawn test."""
-
-    @property
-    def exact(self) -> bool:
-        """Whether only lives are random."""
-
-    @property
-    def inspected(self) -> bool:
-        """Whether failures are only found at inspections."""
-
-    def fits(
-        self, shape: float, log_scale: float, samples: int, random: np.random.Generator
-    ) -> BatchFit:
-        """Draw so many tests and fit each."""
-
-
-class RightCensored(Model, Protocol):
-    """A model whose tests are right-censored, so that groups of them can be fitted together."""
-
-    def rows(
-        self, shape: float, log_scale: float, samples: int, random: np.random.Generator
-    ) -> Rows:
-        """Draw so many tests."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -97,7 +67,8 @@ class Drawing:
         """Note what was modelled, and what was left out."""
         if model.exact:
             return cls._noted(samples, dropped, "")
-        note = "inspections_shared" if model.inspected else "censoring_modelled"
+        inspected = isinstance(model, Inspected)
+        note = "inspections_shared" if inspected else "censoring_modelled"
         return cls._noted(samples, dropped, note)
 
     @classmethod
@@ -146,9 +117,13 @@ def draw_fits(
     model: Model, shape: float, log_scale: float, samples: int, random: np.random.Generator
 ) -> BatchFit:
     """Draw so many tests and fit each."""
-    return joined(
-        [model.fits(shape, log_scale, count, random) for count in portions(model.width, samples)]
-    )
+    parts = []
+    for count in portions(model.width, samples):
+        if isinstance(model, Inspected):
+            parts.append(fits_of(model.likelihood(shape, log_scale, count, random)))
+        else:
+            parts.append(fit_rows(model.rows(shape, log_scale, count, random)))
+    return joined(parts)
 
 
 def draw_common_fits(
@@ -176,7 +151,6 @@ class FirstFailures:
     size: int
     failures: int
     exact: bool = True
-    inspected: bool = False
 
     @property
     def width(self) -> int:
@@ -194,12 +168,6 @@ class FirstFailures:
         log_time = log_scale + np.log(np.cumsum(gaps, axis=1)) / shape
         return Rows(log_time, np.ones(self.failures), units)
 
-    def fits(
-        self, shape: float, log_scale: float, samples: int, random: np.random.Generator
-    ) -> BatchFit:
-        """Draw so many tests and fit each."""
-        return fit_rows(self.rows(shape, log_scale, samples, random))
-
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Blocks:
@@ -215,7 +183,6 @@ class Blocks:
     known: FloatArray
     cumulated: FloatArray
     skipped: FloatArray
-    inspected: bool = False
 
     @classmethod
     def of(cls, test: LifeTest) -> Self:
@@ -260,12 +227,6 @@ class Blocks:
         )
         return np.asarray(self.known[place])
 
-    def fits(
-        self, shape: float, log_scale: float, samples: int, random: np.random.Generator
-    ) -> BatchFit:
-        """Draw so many tests and fit each."""
-        return fit_rows(self.rows(shape, log_scale, samples, random))
-
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Inspected:
@@ -274,7 +235,6 @@ class Inspected:
     schedule: FloatArray
     blocks: Blocks
     exact: bool = False
-    inspected: bool = True
 
     @classmethod
     def of(cls, test: LifeTest) -> Self:
@@ -313,11 +273,11 @@ class Inspected:
             found.astype(np.float64),
         )
 
-    def fits(
-        self, shape: float, log_scale: float, samples: int, random: np.random.Generator
-    ) -> BatchFit:
-        """Draw so many tests and fit each."""
-        return fits_of(self.likelihood(shape, log_scale, samples, random))
+
+RightCensored: TypeAlias = FirstFailures | Blocks
+"""Models whose tests are right-censored, so that groups of them can be fitted together."""
+Model: TypeAlias = RightCensored | Inspected
+"""How a test is drawn: its width, and whether only lives are random (exact)."""
 
 
 def _blocks_of(test: LifeTest) -> tuple[FloatArray, FloatArray, BoolArray]:

@@ -45,7 +45,7 @@ from rolamento.errors import InputError
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.numerics.root import increasing_root
 from rolamento.weibull._checks import numbers, one_of, shape_of, whole_number
-from rolamento.weibull.fit import Estimand, WeibullFit
+from rolamento.weibull.fit import Estimand, WeibullFit, plot_ordinate
 from rolamento.weibull.life_test import MAXIMUM_UNITS, LifeTest
 from rolamento.weibull.likelihood import (
     CONVERGED,
@@ -59,18 +59,6 @@ from rolamento.weibull.likelihood import (
     fits_of,
     maximise,
 )
-
-__all__ = [
-    "PlottingPositions",
-    "Ranks",
-    "Regression",
-    "fixed_shape",
-    "maximum_likelihood",
-    "median_rank",
-    "plotting_positions",
-    "rank_regression",
-    "three_parameter",
-]
 
 Ranks = Literal["median", "benard"]
 Regression = Literal["x_on_y", "y_on_x"]
@@ -316,7 +304,7 @@ def three_parameter(test: LifeTest | ArrayLike) -> WeibullFit:
 
 
 def _best_location(test: LifeTest, grid: FloatArray, value: FloatArray) -> float | None:
-    """Location of the greatest maximum before the spike."""
+    """Location of the highest maximum before the spike."""
     inner = np.flatnonzero((value[1:-1] >= value[:-2]) & (value[1:-1] > value[2:])) + 1
     candidates = [_golden_section(test, grid[i - 1], grid[i + 1]) for i in inner]
     if value[0] > value[1]:
@@ -410,7 +398,7 @@ class PlottingPositions:
     @property
     def y(self) -> FloatArray:
         """Ordinate ln ln 1/(1 - F) of the Weibull plot."""
-        return np.asarray(np.log(-np.log1p(-self.failed_share)))
+        return plot_ordinate(self.failed_share)
 
 
 def plotting_positions(test: LifeTest | ArrayLike, ranks: Ranks = "median") -> PlottingPositions:

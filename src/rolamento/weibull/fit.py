@@ -21,8 +21,6 @@ from rolamento.numerics import FloatArray
 from rolamento.weibull._checks import finite_or_none, numbers, positive, share, shares
 from rolamento.weibull.life_test import MAXIMUM_TIME, LifeTest
 
-__all__ = ["ADVICE", "NOTES", "Estimand", "Outcome", "WeibullFit"]
-
 ADVICE: Final[Mapping[str, str]] = {
     "no_failures": (
         "Nothing failed: the test bounds the life from below only. With a shape from experience,"
@@ -214,6 +212,11 @@ class WeibullFit(Outcome):
             alive = np.exp(-((np.maximum(t, 0.0) / self.scale) ** self.shape))
         return np.where(np.isnan(t), np.nan, alive)
 
+    def life_at_ordinate(self, ordinate: FloatArray) -> FloatArray:
+        """Times of the fitted line at ordinates of the Weibull plot, see `plot_ordinate`."""
+        with np.errstate(over="ignore"):
+            return np.asarray(self.location + self.scale * np.exp(ordinate / self.shape))
+
     def with_notes(self, *notes: str) -> Self:
         """Return the same fit with more notes."""
         return replace(self, notes=tuple(dict.fromkeys((*self.notes, *notes))))
@@ -315,7 +318,7 @@ class Estimand:
 
     @property
     def ends(self) -> tuple[float, float]:
-        """The least and the greatest that it can be."""
+        """Minimum and maximum that it can be."""
         return (0.0, 1.0) if self.kind == "reliability" else (0.0, np.inf)
 
     def at(self, shape: FloatArray, log_scale: FloatArray) -> FloatArray:
@@ -329,3 +332,10 @@ class Estimand:
             if self.kind == "life":
                 return np.asarray(np.exp(log_scale + self.log_risk / shape))
             return np.asarray(np.exp(-np.exp(shape * (np.log(self.value) - log_scale))))
+
+
+def plot_ordinate(failed_share: ArrayLike) -> FloatArray:
+    """Ordinate ln ln 1/(1 - F) of the Weibull plot, F being the share that has failed."""
+    share_ = numbers(failed_share, "failed_share", "[0.1, 0.5]")
+    with np.errstate(divide="ignore"):
+        return np.asarray(np.log(-np.log1p(-share_)))

@@ -21,8 +21,6 @@ from rolamento.errors import InputError
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.weibull._checks import numbers
 
-__all__ = ["LifeTest", "Scheme"]
-
 Scheme = Literal["complete", "type_ii", "sudden_death", "type_i", "multiple", "interval"]
 TextArray = NDArray[np.str_]
 IntArray = NDArray[np.int64]

@@ -8,8 +8,6 @@ from typing import Final
 from rolamento.errors import InputError
 from rolamento.weibull._checks import positive
 
-__all__ = ["life_in", "life_with_unit"]
-
 _WRITTEN: Final = re.compile(r"\s*([+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d{1,3})?)\s*(.*?)\s*")
 _LONGEST: Final = 100
 _REVOLUTIONS: Final = {

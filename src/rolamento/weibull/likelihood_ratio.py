@@ -32,7 +32,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, Final, Literal
+from typing import Final, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -44,6 +44,7 @@ from rolamento.weibull._checks import generator, sample_count, shares
 from rolamento.weibull.drawing import (
     MINIMUM_FITS,
     Drawing,
+    Inspected,
     model_of,
     portions,
     right_censored_model,
@@ -52,8 +53,6 @@ from rolamento.weibull.estimates import maximum_likelihood
 from rolamento.weibull.fit import Estimand, WeibullFit
 from rolamento.weibull.life_test import LifeTest
 from rolamento.weibull.likelihood import CONVERGED, Likelihood, Rows, fit_rows, fits_of
-
-__all__ = ["LikelihoodRegion", "likelihood_region"]
 
 Kind = Literal["shape", "life", "reliability"]
 Limits = Callable[["Hill", Kind, FloatArray, list[int]], FloatArray]
@@ -317,23 +316,23 @@ def signed_roots(
     model = model_of(test)
     if isinstance(model, str):
         return np.empty((len(quantities), 0)), Drawing(model)
-    of_portion = _roots_of_inspected if model.inspected else _roots_of_right_censored
-    log_scale = float(np.log(fit.scale))
+    shape, log_scale = fit.shape, float(np.log(fit.scale))
     counts = portions(model.width, samples)
-    parts = [of_portion(model, fit.shape, log_scale, quantities, n, random) for n in counts]
+    parts = []
+    for count in counts:
+        if isinstance(model, Inspected):
+            likelihood = model.likelihood(shape, log_scale, count, random)
+            parts.append(_roots_of_inspected(likelihood, shape, log_scale, quantities))
+        else:
+            rows = model.rows(shape, log_scale, count, random)
+            parts.append(_roots_of_right_censored(rows, shape, log_scale, quantities))
     roots = np.concatenate(parts, axis=1)
     return roots, Drawing.of(model, sum(counts), sum(counts) - roots.shape[1])
 
 
 def _roots_of_right_censored(
-    model: Any,
-    shape: float,
-    log_scale: float,
-    quantities: list[Estimand],
-    samples: int,
-    random: np.random.Generator,
+    rows: Rows, shape: float, log_scale: float, quantities: list[Estimand]
 ) -> FloatArray:
-    rows = model.rows(shape, log_scale, samples, random)
     failures = np.broadcast_to(rows.failures, rows.log_time.shape).sum(axis=1)
     fit = fit_rows(rows)
     good = fit.code == CONVERGED
@@ -342,14 +341,8 @@ def _roots_of_right_censored(
 
 
 def _roots_of_inspected(
-    model: Any,
-    shape: float,
-    log_scale: float,
-    quantities: list[Estimand],
-    samples: int,
-    random: np.random.Generator,
+    likelihood: Likelihood, shape: float, log_scale: float, quantities: list[Estimand]
 ) -> FloatArray:
-    likelihood = model.likelihood(shape, log_scale, samples, random)
     fit = fits_of(likelihood)
     good = fit.code == CONVERGED
     hill = Hill(likelihood.lanes(good), fit.shape[good], fit.log_scale[0, good])
@@ -395,14 +388,14 @@ class _DrawnTests:
         return np.asarray(self.r * np.log(a) + a * self.failed + self.r * b - risk)
 
     def _at_shape(self, a: float) -> FloatArray:
-        """Greatest at a shape."""
+        """Maximum at a shape."""
         longest = self.y.max(axis=1)
         weight = np.exp(a * (self.y - longest[:, np.newaxis])) * self.units
         b = np.log(self.r) - a * longest - np.log(weight.sum(axis=1))
         return self._value(a, self.r, b)
 
     def _through(self, c: float, w: float) -> FloatArray:
-        """Greatest of the lines through the point (c, w) of the Weibull plot."""
+        """Maximum over the lines through the point (c, w) of the Weibull plot."""
         x, level = self.y - c, np.exp(w)
         sum_failed = self.failed - self.r * c
 
@@ -520,7 +513,7 @@ def likelihood_region(
 def _grids_around(
     test: LifeTest, fit: WeibullFit, life: Estimand, level: float
 ) -> tuple[FloatArray, FloatArray]:
-    """Shapes and lives that hold the greatest region, evenly spread in their logarithms."""
+    """Shapes and lives that hold the largest region, evenly spread in their logarithms."""
     # the limits of each by itself, at the same fall of the likelihood
     ends_of_fall = np.broadcast_to([-(level**0.5), level**0.5], (2, 2))
     limits = likelihood_ratio_limits(test, fit, [Estimand.of("shape"), life], ends_of_fall)

@@ -36,8 +36,6 @@ from rolamento.weibull._checks import (
 )
 from rolamento.weibull.life_test import MAXIMUM_TIME
 
-__all__ = ["PLAN_ADVICE", "Demonstration", "alternatives", "demonstrate"]
-
 PLAN_ADVICE: Final[Mapping[str, str]] = {
     "not_shown": (
         "So many bearings for so long do not show the life with this confidence. Run more of them,"

@@ -29,11 +29,9 @@ from rolamento.weibull.fit import ADVICE, Estimand
 from rolamento.weibull.life_test import LifeTest
 from rolamento.weibull.likelihood import Likelihood
 
-__all__ = ["Posterior", "ShapePrior", "posterior"]
-
 _REACH: Final = 60.0
 _FARTHEST: Final = 300.0
-_MOST_INSPECTED_ROWS: Final = 1000
+_MAXIMUM_INSPECTED_ROWS: Final = 1000
 _NODES: Final = 401
 _SUM_NODES: Final = 101
 _AT_ONCE: Final = 1_000_000
@@ -198,7 +196,7 @@ def posterior(test: LifeTest | ArrayLike, prior: ShapePrior) -> Posterior:
     code = "" if test.failures else "no_failures"
     if test.inspected and not code and not np.any((test.lower > 0.0) | np.isnan(test.lower)):
         code = "no_maximum"  # all failed before the first inspection: nothing bounds from below
-    if test.inspected and not code and len(test) > _MOST_INSPECTED_ROWS:
+    if test.inspected and not code and len(test) > _MAXIMUM_INSPECTED_ROWS:
         code = "too_large"
     if code:
         nothing = np.array([])

@@ -50,16 +50,6 @@ from rolamento.weibull.drawing import FirstFailures, draw_fits
 from rolamento.weibull.likelihood import CONVERGED
 from rolamento.weibull.planning import MAXIMUM_BEARINGS, PLAN_ADVICE, planned_shape
 
-__all__ = [
-    "FailureTime",
-    "LifeTestPlan",
-    "failure_time",
-    "mean_failure_times",
-    "plan_for_ratio",
-    "plan_of",
-    "plans_for_ratio",
-]
-
 MAXIMUM_FAILURES: Final = 1000
 MAXIMUM_RIGS: Final = 20_000
 MAXIMUM_RIG_SIZE: Final = 1000

@@ -49,14 +49,6 @@ from rolamento.weibull.life_test import (
     LifeTest,
 )
 
-__all__ = [
-    "PUBLISHED",
-    "parse_life_test",
-    "published_life_test",
-    "published_text",
-    "read_life_test",
-]
-
 
 def _words(text: str) -> frozenset[str]:
     return frozenset(text.split())
@@ -214,15 +206,15 @@ def parse_life_test(
         check_status(header, table.rows)
     except InputError as error:
         raise table.placed(error) from None
-    rows = _rows(table, header, decimal_mark)
+    rows = _rows_of(table, header, decimal_mark)
     label = unit or table.said.get("unit") or header.unit or "h"
     try:
-        return _test(rows, header, label, table.said, source)
+        return _life_test_of(rows, header, label, table.said, source)
     except InputError as error:
         raise error.with_details(source=source) from None
 
 
-def _rows(table: Table, header: Header, decimal_mark: str | None) -> list[Row]:
+def _rows_of(table: Table, header: Header, decimal_mark: str | None) -> list[Row]:
     numbers = [header.places[name] for name in ("time", "lower") if name in header.places]
     numerals = table.numerals(numbers, decimal_mark)
     rows: list[Row] = []
@@ -234,7 +226,7 @@ def _rows(table: Table, header: Header, decimal_mark: str | None) -> list[Row]:
     return rows
 
 
-def _test(
+def _life_test_of(
     rows: list[Row], header: Header, unit: str, said: Mapping[str, str], source: str
 ) -> LifeTest:
     """Put the rows together; a row of a rig with a size becomes two."""
@@ -323,13 +315,13 @@ def header_of(cells: Sequence[str], wanted: Mapping[str, str]) -> Header:
 
     wanted: titles of the columns ``time``, ``status`` and ``group``, over the usual names.
     """
-    chosen = _chosen(cells, wanted)
+    chosen = _chosen_columns(cells, wanted)
     places: dict[str, int] = {}
     unit = ""
     unknown: list[int] = []
     for place, title in enumerate(cells):
         word, said = word_and_unit(title)
-        column = _column(word)
+        column = _column_by_name(word)
         if place in chosen:
             kind = chosen[place]
             column = column if kind == "status" and column in _KINDS_OF_STATUS else kind
@@ -347,7 +339,7 @@ def header_of(cells: Sequence[str], wanted: Mapping[str, str]) -> Header:
             )
         places[column] = place
     _refuse_slips(cells, unknown, places)
-    _check(places)
+    _check_columns(places)
     names = {column: cells[place] for column, place in places.items()}
     return Header(places, tuple(cells), names, unit, tuple(cells[place] for place in unknown))
 
@@ -374,7 +366,7 @@ def row_of(cells: Sequence[str], header: Header, numerals: Numerals) -> Row:
     """Read one row."""
     given = {column: cells[place] for column, place in header.places.items()}
     titles = header.names
-    time = _number(given["time"], titles["time"], numerals)
+    time = _number_in(given["time"], titles["time"], numerals)
     if not MINIMUM_TIME <= time <= MAXIMUM_TIME:
         raise InputError(
             f"must be above zero, and {MAXIMUM_TIME:g} at most",
@@ -382,15 +374,15 @@ def row_of(cells: Sequence[str], header: Header, numerals: Numerals) -> Row:
             value=given["time"],
             example="120.5",
         )
-    failed = _failed(given, titles)
+    failed = _says_failed(given, titles)
     return Row(
         time,
         failed,
-        _lower(given, titles, time, failed, numerals),
-        _whole(given, titles, "count"),
-        _text(given, titles, "group"),
-        _text(given, titles, "rig"),
-        _whole(given, titles, "size") if "size" in given else 0,
+        _last_inspection(given, titles, time, failed, numerals),
+        _whole_number_in(given, titles, "count"),
+        _label_in(given, titles, "group"),
+        _label_in(given, titles, "rig"),
+        _whole_number_in(given, titles, "size") if "size" in given else 0,
     )
 
 
@@ -399,7 +391,7 @@ def _kind_of(column: str) -> str:
     return "status" if column in _KINDS_OF_STATUS else column
 
 
-def _chosen(cells: Sequence[str], wanted: Mapping[str, str]) -> dict[int, str]:
+def _chosen_columns(cells: Sequence[str], wanted: Mapping[str, str]) -> dict[int, str]:
     """Columns that were chosen, by their places."""
     chosen: dict[int, str] = {}
     for column, title in wanted.items():
@@ -430,7 +422,7 @@ def place_of(cells: Sequence[str], title: str) -> int:
     raise InputError(rule, field=title)
 
 
-def _column(word: str) -> str | None:
+def _column_by_name(word: str) -> str | None:
     """What a column holds by its name; empty for remarks and blanks, None if nobody knows."""
     if word in _COLUMN_OF:
         return _COLUMN_OF[word]
@@ -452,7 +444,7 @@ def _refuse_slips(cells: Sequence[str], unknown: Sequence[int], places: Mapping[
             )
 
 
-def _check(places: Mapping[str, int]) -> None:
+def _check_columns(places: Mapping[str, int]) -> None:
     if "time" not in places:
         raise InputError(
             "has no column of times by a usual name",
@@ -484,7 +476,7 @@ def word_and_unit(title: str) -> tuple[str, str]:
     return word, "h" if set(word.split("_")) & {"hours", "horas", "horimetro"} else ""
 
 
-def _failed(given: dict[str, str], titles: dict[str, str]) -> bool:
+def _says_failed(given: dict[str, str], titles: dict[str, str]) -> bool:
     for column, (failed, not_failed, examples) in _SAYINGS.items():
         if column not in given:
             continue
@@ -500,13 +492,13 @@ def _failed(given: dict[str, str], titles: dict[str, str]) -> bool:
     return True
 
 
-def _lower(
+def _last_inspection(
     given: dict[str, str], titles: dict[str, str], time: float, failed: bool, numerals: Numerals
 ) -> float:
     cell = given.get("lower", "")
     if not cell:
         return float("nan")
-    lower = _number(cell, titles["lower"], numerals)
+    lower = _number_in(cell, titles["lower"], numerals)
     if not failed:
         raise InputError(
             "must be empty for a bearing that did not fail", field=titles["lower"], value=cell
@@ -516,7 +508,7 @@ def _lower(
     return lower
 
 
-def _number(cell: str, title: str, numerals: Numerals) -> float:
+def _number_in(cell: str, title: str, numerals: Numerals) -> float:
     value = numerals.number(cell)
     if value is None:
         rule = "must be a number, without unit"
@@ -526,9 +518,9 @@ def _number(cell: str, title: str, numerals: Numerals) -> float:
     return value
 
 
-def _whole(given: dict[str, str], titles: dict[str, str], column: str) -> int:
+def _whole_number_in(given: dict[str, str], titles: dict[str, str], column: str) -> int:
     cell = given.get(column, "1")
-    number = _number(cell, titles.get(column, column), Numerals(commas=True))
+    number = _number_in(cell, titles.get(column, column), Numerals(commas=True))
     if not 1.0 <= number <= MAXIMUM_UNITS or number != int(number):
         raise InputError(
             f"must be a whole number from 1 to {MAXIMUM_UNITS}",
@@ -539,7 +531,7 @@ def _whole(given: dict[str, str], titles: dict[str, str], column: str) -> int:
     return int(number)
 
 
-def _text(given: dict[str, str], titles: dict[str, str], column: str) -> str:
+def _label_in(given: dict[str, str], titles: dict[str, str], column: str) -> str:
     cell = given.get(column, "")
     if len(cell) > LONGEST_LABEL or not cell.isprintable():
         raise InputError(

@@ -44,8 +44,6 @@ from rolamento.weibull.likelihood import (
     joined,
 )
 
-__all__ = ["Correction", "Draws", "pivotal_draws", "unbiased"]
-
 Correction = Literal["median", "mean", "ross"]
 
 MAXIMUM_RESAMPLED: Final = 2000

@@ -33,17 +33,6 @@ from rolamento.weibull.life_test import LifeTest
 from rolamento.weibull.posterior import ShapePrior, posterior
 from rolamento.weibull.sampled import unbiased
 
-__all__ = [
-    "FIT_METHODS",
-    "AssumedShape",
-    "Credible",
-    "FitMethod",
-    "GroupSummary",
-    "LifeTestSummary",
-    "Wanted",
-    "summarise",
-]
-
 FitMethod = Literal[
     "maximum_likelihood",
     "unbiased",

@@ -22,8 +22,6 @@ from rolamento.numerics import FloatArray
 from rolamento.numerics.root import increasing_root
 from rolamento.weibull._checks import numbers, one_of, shape_of, shares
 
-__all__ = ["EXPONENTS", "series_life", "series_reliability", "system_rating_life"]
-
 EXPONENTS: Final = {"ball": 10.0 / 9.0, "roller": 9.0 / 8.0}
 """Weibull exponent of the standards' ratings."""
 _MAXIMUM_PARTS: Final = 100_000

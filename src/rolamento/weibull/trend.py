@@ -33,16 +33,6 @@ from rolamento.weibull.reading import header_of, place_of, word_and_unit
 if TYPE_CHECKING:
     from rolamento.clearance.wear import WearFit, WearLaw
 
-__all__ = [
-    "PUBLISHED_TRENDS",
-    "Trend",
-    "parse_trend",
-    "published_trend",
-    "published_trend_text",
-    "read_trend",
-    "wear_of_each",
-]
-
 PUBLISHED_TRENDS: Final = ("campanha_2008_clearance", "campanha_2008_anderon")
 _HEAD: Final = re.compile(r"(.*?)\s*[\[(]([^\[\]()]{1,20})[\])]")
 _BEARINGS: Final = (
