@@ -217,7 +217,7 @@ def _draw(found: NoiseResult, plot: str, language: str) -> None:
         figure = noise_figure(one.noise, limits=limits, title=one.title, language=language)
     else:
         from rolamento.report.anderon_result import noise_record
-        from rolamento.weibull.trend import parse_trend
+        from rolamento.weibull import parse_trend
 
         record = parse_trend(noise_record(found, language))
         figure = noise_trend_figure(record, limits=limits, language=language)

@@ -24,6 +24,8 @@ _UPRIGHT_WIDTH: Final = 45
 _TITLE_CHARACTERS_PER_INCH: Final = 13.0
 _CHARACTERS_PER_INCH: Final = 17.0
 _HANDLE_CHARACTERS: Final = 7
+_HALF_LINE: Final = 42
+"""Characters of a label of which two stand side by side."""
 _LONG_NUMBER: Final = re.compile(r"\d{5,}")
 
 
@@ -119,6 +121,16 @@ def legend_above(
     for text in (*legend.get_texts(), legend.get_title()):
         text.set_parse_math(False)
     legend.get_title().set_fontsize(8.0)
+
+
+def legend_in_columns(axes: Axes, handles: Sequence[Artist] = (), title: str = "") -> None:
+    """Put the legend over the frame, in two columns where its labels are short enough.
+
+    handles: what to show, with labels of their own; all that is drawn if not given.
+    """
+    shown = handles or axes.get_legend_handles_labels()[0]
+    longest = max((len(shown_text(str(handle.get_label()), 60)) for handle in shown), default=0)
+    legend_above(axes, handles=shown, title=title, columns=2 if longest <= _HALF_LINE else None)
 
 
 def _columns(axes: Axes, labels: Sequence[str]) -> int:

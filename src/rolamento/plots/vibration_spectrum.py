@@ -14,11 +14,11 @@ from rolamento.plots.frame import (
     empty_frame,
     label_x,
     label_y,
+    legend_in_columns,
     number,
 )
 from rolamento.plots.style import Series, new_figure, series, styled
 from rolamento.plots.vibration_words import VibrationWords, vibration_words
-from rolamento.plots.weibull_words import legend_in_columns
 from rolamento.plots.words import plot_words
 from rolamento.vibration.diagnosis import COMPONENTS
 

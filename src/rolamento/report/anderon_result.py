@@ -12,8 +12,8 @@ from typing import Any, Final, Literal
 
 from rolamento.report.anderon_words import NOISE_WORDS, NoiseWords
 from rolamento.report.numbers import Digits
+from rolamento.report.page import one_line
 from rolamento.report.plain_data import csv_number, json_text
-from rolamento.report.weibull_numbers import one_line
 from rolamento.vibration.anderon import (
     ACCEPTED,
     BANDS,

@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from io import StringIO
 from itertools import zip_longest
+from math import isfinite
 from textwrap import wrap
 from typing import Final, TypeAlias
 
@@ -18,11 +19,18 @@ from rich.text import Text
 
 from rolamento.report.language import Words
 from rolamento.report.medium import Medium
-from rolamento.report.numbers import Digits
+from rolamento.report.numbers import Digits, decimals_for
 from rolamento.units import Dimension, from_si
 
 _LONGEST_GIVEN: Final = 12
 """Characters of a number that a person writes; a longer one is computed."""
+
+_LONGEST_LINE: Final = 200
+FIGURES: Final = 4
+"""Significant figures of a life; its bounds are seldom known to two."""
+_SMALLEST, _GREATEST = 1e-6, 1e9
+"""Beyond these a number is written by its order of magnitude."""
+_ENDLESS: Final = "∞"
 
 Lines: TypeAlias = list[Text]
 
@@ -166,3 +174,65 @@ def _set(cells: Sequence[Text], widths: Sequence[int], justify: str, gap: int) -
         line.append_text(cell)
         line.append(room if side == "l" else "")
     return line
+
+
+def table(
+    page: Page, heads: Sequence[str], rows: Sequence[Sequence[str]], justify: str = ""
+) -> Lines:
+    """Set cells in columns under faint heads: the first to the left, the others to the right."""
+    texts = [[page.text(head, "dim") for head in heads]]
+    texts += [[page.text(cell) for cell in row] for row in rows]
+    return page.columns(texts, justify or "l" + "r" * (len(heads) - 1))
+
+
+def one_line(text: str) -> str:
+    """Return a text of others as one line that a terminal can be given."""
+    plain = " ".join("".join(c if c.isprintable() else " " for c in text[:2000]).split())
+    return plain if len(plain) <= _LONGEST_LINE else plain[: _LONGEST_LINE - 1] + "…"
+
+
+def shortened(text: str, longest: int = 20) -> str:
+    """Return a text that fits into a cell."""
+    return text if len(text) <= longest else text[: longest - 1] + "…"
+
+
+# --- numbers that may be anything -------------------------------------------------------------
+
+
+def alike(page: Page, values: Sequence[float], figures: int = FIGURES) -> list[str]:
+    """Write numbers of one quantity, all with the same decimals, by the least of them."""
+    sizes = [abs(value) for value in values if isfinite(value) and value != 0.0]
+    decimals = decimals_for([min(sizes, default=0.0)], figures - 1, most=6)
+    fewest = decimals_for(sizes, figures, most=6)
+    return [_with_decimals(page, value, max(decimals - 1, fewest)) for value in values]
+
+
+def _with_decimals(page: Page, value: float, decimals: int) -> str:
+    if value == float("inf"):
+        return endless(page)
+    if _beyond_reading(value, 0.5 * 10.0**-decimals):
+        return page.digits.exponent(value)
+    return page.digits.fixed(value, decimals)
+
+
+def short_number(page: Page, value: float, figures: int = FIGURES) -> str:
+    """Write one number without trailing zeros; by its order of magnitude if it is far out."""
+    if value == float("inf"):
+        return endless(page)
+    if _beyond_reading(value, _SMALLEST):
+        return page.digits.exponent(value)
+    return page.digits.short(value, figures)
+
+
+def _beyond_reading(value: float, smallest: float) -> bool:
+    return isfinite(value) and value != 0.0 and not smallest <= abs(value) < _GREATEST
+
+
+def endless(page: Page) -> str:
+    """Write what is beyond any number."""
+    return _ENDLESS if page.medium.shows(_ENDLESS) else "inf"
+
+
+def percent(page: Page, share: float) -> str:
+    """Write a share in per cent, without the sign."""
+    return page.digits.short(100.0 * share, 6)

@@ -12,11 +12,10 @@ from rolamento.report.frequencies_words import FREQUENCY_WORDS
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium
 from rolamento.report.numbers import ABSENT
-from rolamento.report.page import Lines, Page
+from rolamento.report.page import Lines, Page, one_line, short_number, table
 from rolamento.report.synthesis_result import PlantedFault, PlantedLine, SynthesisResult
 from rolamento.report.synthesis_words import SYNTHESIS_WORDS, SynthesisWords
 from rolamento.report.terminal import rendered
-from rolamento.report.weibull_numbers import one_line, short_number, table
 from rolamento.vibration.synthesis import Fault, SwingingSpeed, WanderingSpeed
 
 __all__ = ["synthesis_report"]

@@ -1,4 +1,4 @@
-"""Times and lives on the command line: a number with a unit, in the unit of the data."""
+"""Times and lives as people write them: a number with a unit, turned into the unit of the data."""
 
 from __future__ import annotations
 
@@ -6,8 +6,7 @@ import re
 from typing import Final
 
 from rolamento.errors import InputError
-
-__all__ = ["given_life", "life_in", "named_life"]
+from rolamento.weibull._checks import positive
 
 _WRITTEN: Final = re.compile(r"\s*([+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d{1,3})?)\s*(.*?)\s*")
 _LONGEST: Final = 100
@@ -22,7 +21,7 @@ _TIMES: Final = {
 }  # fmt: skip
 
 
-def given_life(text: str, option: str, example: str = "1000 h") -> tuple[float, str]:
+def life_with_unit(text: object, field: str, example: str = "1000 h") -> tuple[float, str]:
     """Read a life with its unit, which may be any.
 
     Raises
@@ -30,46 +29,51 @@ def given_life(text: str, option: str, example: str = "1000 h") -> tuple[float, 
     InputError
         If it is no number above zero followed by a unit.
     """
-    match = _WRITTEN.fullmatch(text) if len(text) <= _LONGEST else None
+    match = None
+    if isinstance(text, str) and len(text) <= _LONGEST:
+        match = _WRITTEN.fullmatch(text)
+    rule = ""
     if match is None:
-        raise InputError(
-            "must be a number with its unit", source=option, value=text, example=f'"{example}"'
-        )
-    value, unit = float(match[1]), match[2]
-    if not unit:
-        raise InputError("needs its unit", source=option, value=text, example=f'"{example}"')
-    if not 0.0 < value < float("inf"):
-        raise InputError(
-            "must be greater than zero", source=option, value=text, example=f'"{example}"'
-        )
-    return value, unit
+        rule = "must be a number with its unit"
+    elif not match[2]:
+        rule = "needs its unit"
+    elif not 0.0 < float(match[1]) < float("inf"):
+        rule = "must be greater than zero"
+    if match is None or rule:
+        raise InputError(rule, field=field, value=text, example=f'"{example}"')
+    return float(match[1]), match[2]
 
 
-def life_in(text: str, unit: str, option: str) -> float:
-    """Read a life in the unit of the data, or in one that can be turned into it.
+def life_in(life: float | str, unit: str, field: str) -> float:
+    """Return a life in the unit of the data.
+
+    Parameters
+    ----------
+    life
+        A number in that unit, or a text with a unit that can be turned into it: "2 days".
+    unit
+        Of the data.
+    field
+        What to call it in messages.
 
     Raises
     ------
     InputError
-        If its unit is another, or it has none.
+        If its unit is another, or a text has none.
     """
     example = f"100 {unit}"
-    value, said = given_life(text, option, example)
+    if not isinstance(life, str):
+        return positive(life, field, f'"{example}"')
+    value, said = life_with_unit(life, field, example)
     factor = _factor(said, unit)
     if factor is None:
         raise InputError(
             f"must be in the unit of the data, {unit}",
-            source=option,
-            value=text,
+            field=field,
+            value=life,
             example=f'"{example}"',
         )
     return value * factor
-
-
-def named_life(text: str, unit: str, option: str) -> tuple[str, float]:
-    """Read a life with or without a name before it: ``"ISO 281=58 h"``."""
-    name, equals, life = text.rpartition("=")
-    return name.strip() if equals else "", life_in(life, unit, option)
 
 
 def _factor(said: str, unit: str) -> float | None:
