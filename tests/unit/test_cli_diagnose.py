@@ -26,8 +26,7 @@ from rolamento.cli.diagnose import diagnose
 from rolamento.cli.diagnose_bearing import searched
 from rolamento.cli.diagnose_options import DiagnoseCommand
 from rolamento.vibration.diagnosis import DiagnosisSettings
-from rolamento.vibration.fault_lines import FaultFrequencies
-from rolamento.vibration.frequencies import frequencies_of, nominal_frequencies
+from rolamento.vibration.frequencies import FaultFrequencies, frequencies_of, nominal_frequencies
 from rolamento.vibration.synthesis import Fault, Noise, Recipe, synthesise
 
 app = typer.Typer(rich_markup_mode=None, add_completion=False)

@@ -116,7 +116,7 @@ def test_a_short_record_is_told_before_it_is_read(
         raise AssertionError("the record was diagnosed")
 
     np.save("a.npy", NOISE[:40_000])
-    monkeypatch.setattr("rolamento.vibration.diagnosis.diagnose", never)
+    monkeypatch.setattr("rolamento.vibration.diagnosis.verdict", never)
     known = ("a.npy", "--speed", "30 rpm", "--rate", "50 kHz")
     code, out, _ = run(*known)
     assert code == 1
@@ -140,7 +140,7 @@ def test_a_shaft_too_slow_for_its_rate_is_told_before_it_is_read(
         raise AssertionError("the record was diagnosed")
 
     np.save("a.npy", np.zeros(3_000_000, dtype=np.float32))
-    monkeypatch.setattr("rolamento.vibration.diagnosis.diagnose", never)
+    monkeypatch.setattr("rolamento.vibration.diagnosis.verdict", never)
     code, out, _ = run("a.npy", "--speed", "2 rpm", "--rate", "50 kHz", "--lang", language)
     assert code == 1
     said = {"en": "spans 1.4 revolutions", "pt": "abrange 1,4 voltas"}

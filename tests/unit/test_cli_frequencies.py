@@ -18,8 +18,13 @@ from rolamento.report.frequencies import CSV_COLUMNS, FrequencyResult, frequenci
 from rolamento.report.frequencies_words import FREQUENCY_WORDS
 from rolamento.report.language import LANGUAGES, words_for
 from rolamento.report.medium import Medium
-from rolamento.vibration.fault_lines import FAULTS, LINES, NOTES
-from rolamento.vibration.frequencies import frequencies_of, nominal_frequencies
+from rolamento.vibration.frequencies import (
+    FAULTS,
+    LINES,
+    NOTES,
+    frequencies_of,
+    nominal_frequencies,
+)
 
 app = typer.Typer()
 app.command(cls=JsonCommand)(frequencies)

@@ -15,8 +15,10 @@ from rolamento.case.model import Model
 from rolamento.errors import InputError
 from rolamento.kinematics import ball_motion
 from rolamento.state import State
-from rolamento.vibration.fault_lines import FAULTS, LINES, NOTES
 from rolamento.vibration.frequencies import (
+    FAULTS,
+    LINES,
+    NOTES,
     FaultFrequencies,
     frequencies_of,
     nominal_frequencies,

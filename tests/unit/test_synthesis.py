@@ -20,7 +20,7 @@ from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.plots.vibration_modulation import envelope_depths
 from rolamento.state import State
-from rolamento.vibration.envelope import analytic_signal
+from rolamento.vibration.demodulation import analytic_signal
 from rolamento.vibration.frequencies import FaultFrequencies, frequencies_of, nominal_frequencies
 from rolamento.vibration.signal import Signal
 from rolamento.vibration.synthesis import (

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from rolamento.friction import Friction
     from rolamento.life import LifeConditions, LifeSummary
     from rolamento.lubrication import Film
-    from rolamento.vibration.fault_lines import FaultFrequencies
+    from rolamento.vibration.frequencies import FaultFrequencies
 
 DEFAULT_HYSTERESIS: Final = 0.01
 """Part α_h of the elastic work that the material loses."""

@@ -58,7 +58,7 @@ if TYPE_CHECKING:
     from rolamento.report.diagnosis import DiagnosisResult
     from rolamento.report.language import Words
     from rolamento.vibration.diagnosis import DiagnosisSettings
-    from rolamento.vibration.fault_lines import FaultFrequencies
+    from rolamento.vibration.frequencies import FaultFrequencies
 
 __all__ = ["diagnose"]
 

@@ -13,7 +13,7 @@ from rolamento.errors import InputError
 if TYPE_CHECKING:
     from rolamento.state import State
     from rolamento.vibration.diagnosis import DiagnosisSettings, FaultOrders
-    from rolamento.vibration.fault_lines import FaultFrequencies
+    from rolamento.vibration.frequencies import FaultFrequencies
 
 __all__ = ["GivenBearing", "Search", "Sought", "bearing_of", "searched", "sought"]
 

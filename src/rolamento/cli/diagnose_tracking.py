@@ -19,8 +19,7 @@ from rolamento.errors import FileError, InputError
 from rolamento.numerics import FloatArray
 from rolamento.report.diagnosis_result import Tracking
 from rolamento.vibration.reading import SignalFile, open_signal
-from rolamento.vibration.speed_estimate import estimate_speed
-from rolamento.vibration.tachometer import speed_from_pulses
+from rolamento.vibration.shaft_speed import estimate_speed, speed_from_pulses
 
 if TYPE_CHECKING:
     from rolamento.vibration.signal import Signal

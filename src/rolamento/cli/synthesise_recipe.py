@@ -36,7 +36,7 @@ from rolamento.vibration.synthesis import (
 
 if TYPE_CHECKING:
     from rolamento.state import State
-    from rolamento.vibration.fault_lines import FaultFrequencies
+    from rolamento.vibration.frequencies import FaultFrequencies
 
 __all__ = [
     "MOST_SAMPLES",

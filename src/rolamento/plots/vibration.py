@@ -199,7 +199,7 @@ def _phase(
     """Time from the first sample to the first blow, to a part of the period."""
     from dataclasses import replace
 
-    from rolamento.vibration.envelope import analytic_signal
+    from rolamento.vibration.demodulation import analytic_signal
 
     piece = replace(signal, samples=signal.samples[place[0] : place[1]], speed=None)
     # a narrow band of a short piece may hold no lines: then all frequencies tell

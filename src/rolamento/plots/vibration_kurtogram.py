@@ -24,7 +24,7 @@ from rolamento.plots.words import PlotWords, plot_words
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from rolamento.vibration.kurtogram import Kurtogram
+    from rolamento.vibration.demodulation import Kurtogram
     from rolamento.vibration.signal import Signal
 
 __all__ = ["kurtogram_figure", "kurtogram_map", "kurtogram_of"]
@@ -40,7 +40,7 @@ def kurtogram_of(signal: Signal) -> Kurtogram | None:
     """Return the kurtogram of a signal's first million samples; None if it has too few."""
     from dataclasses import replace
 
-    from rolamento.vibration.kurtogram import kurtogram
+    from rolamento.vibration.demodulation import kurtogram
 
     if len(signal.samples) < _LEAST_SAMPLES or np.ptp(signal.samples) == 0.0:
         return None

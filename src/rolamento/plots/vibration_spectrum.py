@@ -114,7 +114,7 @@ def envelope_lines(
     Parameters
     ----------
     diagnosis
-        Of `rolamento.vibration.diagnosis.diagnose`.
+        Of `rolamento.vibration.diagnosis.verdict`.
     axes
         To draw on; of a new figure if not given.
     band

@@ -25,7 +25,7 @@ from rolamento.report.page import Lines, Page
 from rolamento.report.reading_words import said_choice
 from rolamento.report.terminal import rendered
 from rolamento.vibration.diagnosis import DAMAGE, SEVERE, ComponentVerdict, Diagnosis
-from rolamento.vibration.fault_lines import FaultFrequencies
+from rolamento.vibration.frequencies import FaultFrequencies
 
 __all__ = [
     "CSV_COLUMNS",

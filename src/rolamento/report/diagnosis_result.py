@@ -10,10 +10,10 @@ from typing import Final, Literal
 from rolamento.case.bearing import Bearing
 from rolamento.state import State
 from rolamento.vibration.diagnosis import ComponentVerdict, Diagnosis, DiagnosisSettings
-from rolamento.vibration.fault_lines import FaultFrequencies
-from rolamento.vibration.indicators import Indicators, indicators
+from rolamento.vibration.frequencies import FaultFrequencies
 from rolamento.vibration.reading import ReadingNote
 from rolamento.vibration.signal import Signal
+from rolamento.vibration.spectrum import Indicators, indicators
 
 __all__ = ["DiagnosisResult", "ShaftSpeed", "SpeedSource", "Tracking"]
 

@@ -19,7 +19,7 @@ from rolamento.report.medium import Medium
 from rolamento.report.page import Lines, Page
 from rolamento.report.terminal import rendered
 from rolamento.state import State
-from rolamento.vibration.fault_lines import FAULTS, FaultFrequencies, FaultKind, Harmonic
+from rolamento.vibration.frequencies import FAULTS, FaultFrequencies, FaultKind, Harmonic
 from rolamento.vibration.frequency_band import Alternative
 
 __all__ = [

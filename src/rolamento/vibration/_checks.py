@@ -10,9 +10,8 @@ import numpy as np
 from rolamento.errors import InputError, shown
 from rolamento.vibration.signal import Signal
 
-__all__ = ["Band", "checked_band", "checked_count", "checked_number", "require_samples"]
-
 Band = tuple[float, float]
+
 """Lower and upper edge of a frequency band; Hz."""
 
 
@@ -117,3 +116,18 @@ def _rule(above: float | None, least: float | None, most: float | None) -> str:
     if most is not None:
         parts.append(f"{'and ' if len(parts) > 1 else ''}up to {most:g}")
     return " ".join(parts)
+
+
+def check_within(
+    field: str, value: float, least: float, most: float, example: str, unit: str = ""
+) -> None:
+    """Refuse a number that is not between two bounds, both allowed; NaN never is."""
+    if not least <= value <= most:
+        span = f"from {least:g} to {most:g}{f' {unit}' if unit else ''}"
+        raise InputError(f"must be {span}", field=field, value=value, example=example)
+
+
+def check_count(field: str, count: int, most: int) -> None:
+    """Refuse more of something than there may be."""
+    if count > most:
+        raise InputError(f"may hold at most {most}", field=field, value=count)

@@ -15,16 +15,6 @@ import numpy as np
 from rolamento.errors import InputError
 from rolamento.vibration.anderon import BANDS, BandName
 
-__all__ = [
-    "AfterTest",
-    "AnderonRecord",
-    "AnderonTrend",
-    "BandTrend",
-    "campanha_after_test",
-    "campanha_records",
-    "trend_of",
-]
-
 _LETTERS: Final[dict[str, BandName]] = {"L": "low", "M": "medium", "H": "high"}
 _REJECTED: Final = "x"
 

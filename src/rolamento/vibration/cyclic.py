@@ -43,8 +43,6 @@ from rolamento.vibration._checks import Band, checked_band, checked_count, check
 from rolamento.vibration.signal import Signal
 from rolamento.vibration.spectrum import Spectrum, axis_of, bins_of_band
 
-__all__ = ["CyclicCoherence", "cyclic_coherence", "enhanced_envelope_spectrum"]
-
 ComplexArray = NDArray[np.complex128]
 
 _MOST_VALUES: Final = 2**26

@@ -18,17 +18,19 @@ from rolamento.case.bearing import Bearing
 from rolamento.catalogue import Candidate, built_in_geometry
 from rolamento.errors import InputError
 from rolamento.geometry import ring_geometry
-from rolamento.vibration.fault_lines import LINES, Band, FaultFrequencies, FaultLine, LineName
 from rolamento.vibration.frequencies import (
+    LINES,
     AngleChoice,
+    Band,
+    FaultFrequencies,
+    FaultLine,
+    LineName,
     line_orders,
     nominal_angle,
     nominal_frequencies,
     shaft_of,
     turns_of,
 )
-
-__all__ = ["Alternative", "Tolerances", "alternatives_of", "banded_frequencies"]
 
 _RIGHT_ANGLE: Final = 0.5 * pi
 _LEAST_GAP: Final = 1e-9

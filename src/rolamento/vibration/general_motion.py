@@ -23,8 +23,6 @@ from numpy.typing import ArrayLike
 
 from rolamento.numerics import FloatArray
 
-__all__ = ["GeneralMotion", "general_motion"]
-
 _LEAST: Final = 1e-12
 """Of the ball's axis along the tangents: what is less is rounding."""
 

@@ -32,17 +32,6 @@ from scipy import interpolate, ndimage, special
 
 from rolamento.numerics import FloatArray
 
-__all__ = [
-    "HALF_WIDTH",
-    "LOWEST_LINE",
-    "line_scores",
-    "log_gamma_tail",
-    "mean_over_median",
-    "mean_scores",
-    "reaches",
-    "running_medians",
-]
-
 Table = tuple[FloatArray, FloatArray]
 
 HALF_WIDTH: Final = 250

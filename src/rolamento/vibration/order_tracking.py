@@ -21,15 +21,6 @@ from rolamento.vibration._checks import checked_number
 from rolamento.vibration.signal import Quantity, Signal
 from rolamento.vibration.spectrum import Spectrum, axis_of, one_sided_amplitudes
 
-__all__ = [
-    "AngularSignal",
-    "interpolated",
-    "order_spectrum",
-    "order_tracked",
-    "revolutions_of",
-    "turns_per_sample",
-]
-
 _TURN: Final = 2.0 * pi
 _SLOWEST: Final = 1e-3
 """Of the fastest: below, the shaft stands still for the purpose of this page."""

@@ -29,8 +29,6 @@ from rolamento.numerics import FloatArray
 from rolamento.vibration._checks import checked_count, checked_number
 from rolamento.vibration.signal import Signal
 
-__all__ = ["Separation", "separate"]
-
 _OVERLAP: Final = 4
 """Blocks start a quarter of their length apart; with Hann's window they then add up to a constant,
 and one of three is independent of the last."""

@@ -11,8 +11,6 @@ from numpy.typing import ArrayLike
 from rolamento.errors import InputError, nearest
 from rolamento.numerics import FloatArray
 
-__all__ = ["SI_UNITS", "Quantity", "Signal", "unit_scale"]
-
 Quantity = Literal["acceleration", "velocity", "displacement", "unknown"]
 
 SI_UNITS: Final[dict[Quantity, str]] = {

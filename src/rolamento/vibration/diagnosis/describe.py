@@ -9,14 +9,11 @@ import numpy as np
 
 from rolamento.vibration.diagnosis import wording
 from rolamento.vibration.diagnosis.field import SEEN, Field
-from rolamento.vibration.diagnosis.hypotheses import SearchedLine
-from rolamento.vibration.diagnosis.orders import Component
 from rolamento.vibration.diagnosis.record import ComponentVerdict, MatchedLine, Reason, Verdict
-from rolamento.vibration.diagnosis.search import Finding, chance
+from rolamento.vibration.diagnosis.search import Finding, SearchedLine, chance
+from rolamento.vibration.diagnosis.settings import Component
 from rolamento.vibration.diagnosis.size import Grade
 from rolamento.vibration.noise_floor import LOWEST_LINE
-
-__all__ = ["at_edge", "no_fault", "refined", "stated"]
 
 _CLEAR_SIDEBAND: Final = 9.0
 """dB above the noise from which a sideband is worth telling of; noise alone is above it once in

@@ -7,21 +7,8 @@ from typing import Literal
 
 from rolamento.numerics import FloatArray
 from rolamento.vibration._checks import Band
-from rolamento.vibration.diagnosis.orders import Component
+from rolamento.vibration.diagnosis.settings import Component
 from rolamento.vibration.diagnosis.size import GRADES, Grade
-
-__all__ = [
-    "Cause",
-    "ComponentVerdict",
-    "Diagnosis",
-    "EnvelopeSpectra",
-    "MatchedLine",
-    "Note",
-    "Reason",
-    "SpeedSource",
-    "UnexplainedLine",
-    "Verdict",
-]
 
 Verdict = Literal["fault", "undecided", "watch", "nothing_found", "not_tested"]
 """Of a part: damaged; damaged or not, what speaks against it is as strong; lines as many healthy

@@ -18,9 +18,7 @@ from typing import Final, Literal
 import numpy as np
 
 from rolamento.numerics import FloatArray
-from rolamento.vibration.diagnosis.leakage import taper
-
-__all__ = ["DAMAGE", "GRADES", "SEVERE", "Grade", "depth_error", "depth_of", "grade_of"]
+from rolamento.vibration.diagnosis.lines import taper
 
 Grade = Literal["nothing", "watch", "damage", "severe"]
 

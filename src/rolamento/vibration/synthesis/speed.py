@@ -13,17 +13,7 @@ import numpy as np
 
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
-from rolamento.vibration.synthesis._checks import check_count, check_within
-
-__all__ = [
-    "GivenSpeed",
-    "SpeedProfile",
-    "SteadySpeed",
-    "SwingingSpeed",
-    "WanderingSpeed",
-    "angle_of",
-    "speeds_of",
-]
+from rolamento.vibration._checks import check_count, check_within
 
 _MOST_SPEED: Final = 1e6
 _MOST_POINTS: Final = 1_000_000

@@ -21,9 +21,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
-from rolamento.vibration.synthesis._checks import check_count, check_within
-
-__all__ = ["DEFAULT_MODES", "Mode", "TransferPath", "modulated_in_frequency", "ringing"]
+from rolamento.vibration._checks import check_count, check_within
 
 _TURN: Final = 2.0 * np.pi
 _MOST_GAINS: Final = 3600
