@@ -12,8 +12,7 @@ import scipy.io
 import typer
 from typer.testing import CliRunner
 
-from rolamento.cli.diagnose import diagnose
-from rolamento.cli.diagnose_options import DiagnoseCommand
+from rolamento.cli.diagnose import DiagnoseCommand, diagnose
 
 app = typer.Typer(rich_markup_mode=None, add_completion=False)
 app.command(cls=DiagnoseCommand)(diagnose)

@@ -20,12 +20,10 @@ import pytest
 from rolamento import Bearing, Case, Duty, Load, solve
 from rolamento.report.diagnosis import (
     CSV_COLUMNS,
-    DiagnosisResult,
     diagnosis_csv,
     diagnosis_json,
     diagnosis_report,
 )
-from rolamento.report.diagnosis_result import ShaftSpeed, Tracking
 from rolamento.report.diagnosis_sentences import (
     said_chance,
     said_note,
@@ -36,6 +34,8 @@ from rolamento.report.diagnosis_sentences import (
 from rolamento.report.diagnosis_words import DIAGNOSIS_WORDS
 from rolamento.report.language import LANGUAGES, words_for
 from rolamento.report.medium import Medium
+from rolamento.tasks.diagnosis import DiagnosisResult
+from rolamento.tasks.shaft_speed import ShaftSpeed, Tracking
 from rolamento.vibration import diagnosis as engine
 from rolamento.vibration.diagnosis import (
     Diagnosis,

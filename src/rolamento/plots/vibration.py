@@ -19,7 +19,7 @@ from rolamento.plots.frame import (
 )
 from rolamento.plots.style import INNER, new_figure, new_stacked_figure, styled
 from rolamento.plots.vibration_kurtogram import kurtogram_figure, kurtogram_map, kurtogram_of
-from rolamento.plots.vibration_spectrum import clearest_fault, envelope_figure, envelope_lines
+from rolamento.plots.vibration_spectrum import envelope_figure, envelope_lines
 from rolamento.plots.vibration_words import vibration_words
 from rolamento.plots.words import plot_words
 
@@ -71,7 +71,7 @@ def diagnosis_figure(
     Figure
         Of a fault, the waveform shows a few of its periods, and the kurtogram its band.
     """
-    fault, words = clearest_fault(diagnosis), vibration_words(language)
+    fault, words = diagnosis.clearest_fault, vibration_words(language)
     period = span = band = None
     name = ""
     if fault is not None:

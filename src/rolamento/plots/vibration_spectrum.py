@@ -25,9 +25,9 @@ from rolamento.vibration.diagnosis import COMPONENTS
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from rolamento.vibration.diagnosis import Component, ComponentVerdict, Diagnosis
+    from rolamento.vibration.diagnosis import Component, Diagnosis
 
-__all__ = ["clearest_band", "clearest_fault", "envelope_figure", "envelope_lines", "line_threshold"]
+__all__ = ["envelope_figure", "envelope_lines", "line_threshold"]
 
 Floats = NDArray[np.float64]
 
@@ -48,26 +48,6 @@ class _Drawn(NamedTuple):
     level: Floats
     words: VibrationWords
     mark: str
-
-
-def clearest_fault(diagnosis: Diagnosis) -> ComponentVerdict | None:
-    """Return the fault with the most evidence; None if there is none."""
-    faults = [part for part in diagnosis.components if part.verdict == "fault"]
-    return max(faults, key=lambda part: part.evidence) if faults else None
-
-
-def clearest_band(diagnosis: Diagnosis) -> int:
-    """Return the number of the band of the clearest fault, unexplained line, or else best match."""
-    spectra, fault = diagnosis.spectra, clearest_fault(diagnosis)
-    if fault is not None and fault.band in spectra.bands:
-        return spectra.bands.index(fault.band)
-    if diagnosis.unexplained:
-        return spectra.bands.index(diagnosis.unexplained[0].band)
-    scores = [
-        np.nan_to_num(np.asarray(per_band, dtype=np.float64), nan=-1.0, posinf=1e300)
-        for per_band in spectra.evidence.values()
-    ]
-    return int(np.argmax(np.max(scores, axis=0))) if scores else 0
 
 
 def line_threshold(diagnosis: Diagnosis) -> float:
@@ -132,7 +112,7 @@ def envelope_lines(
     shared, words = plot_words(language), vibration_words(language)
     with styled():
         axes = new_figure(height=95.0)[1] if axes is None else axes
-        place = clearest_band(diagnosis) if band is None else band
+        place = diagnosis.clearest_band if band is None else band
         above = diagnosis.spectra.above_noise[place]
         known = np.flatnonzero(np.isfinite(above))
         if known.size == 0:

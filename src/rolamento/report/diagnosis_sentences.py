@@ -7,17 +7,18 @@ here is said in the engine's own words.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from math import floor, isfinite, pi
+from math import floor, isfinite
 from typing import TYPE_CHECKING, Final
 
 from rolamento.report.diagnosis_words import DIAGNOSIS_WORDS, DiagnosisWords
 from rolamento.report.frequencies_words import FREQUENCY_WORDS
 from rolamento.report.language import words_for
 from rolamento.report.numbers import Digits
+from rolamento.units import rpm_of
 from rolamento.vibration.diagnosis.size import DAMAGE
 
 if TYPE_CHECKING:
-    from rolamento.report.diagnosis_result import DiagnosisResult
+    from rolamento.tasks.diagnosis import DiagnosisResult, TooShort
     from rolamento.vibration.diagnosis import ComponentVerdict, Diagnosis, Reason
 
 __all__ = [
@@ -37,7 +38,6 @@ _DIGITS: Final = 15.0
 """Evidence beyond which a probability is no more than small: no noise is known so well."""
 _MOST_LINES: Final = 5
 """Unexplained lines that are said one by one."""
-_RPM: Final = 30.0 / pi
 
 
 def said_result(found: DiagnosisResult, language: str) -> list[str]:
@@ -63,21 +63,16 @@ def _said_untested(diagnosis: Diagnosis, language: str) -> list[str]:
     return [first, *reasons, *rest]
 
 
-def said_too_short(
-    turns: float, least: float, duration: float, language: str, *, is_stretch: bool
-) -> str:
-    """Return that a record is too short for any race, or its shaft too slow for its rate.
-
-    turns, least: revolutions that it spans, and from which on something can be told; duration: s.
-    is_stretch: whether they are of the longest stretch that is judged at once.
-    """
+def said_too_short(found: TooShort, language: str) -> str:
+    """Return that a record is too short for any race, or its shaft too slow for its rate."""
     said, digits = _of(language)
-    return (said.too_slow if is_stretch else said.too_short).format(
-        turns=digits.short(turns, 2),
-        duration=digits.short(duration, 3),
-        least=digits.short(least, 2),
-        seconds=digits.short(duration * least / turns, 2),
-        times=digits.short(least / turns, 2),
+    times = found.least_revolutions / found.revolutions
+    return (said.too_slow if found.is_stretch else said.too_short).format(
+        turns=digits.short(found.revolutions, 2),
+        duration=digits.short(found.duration, 3),
+        least=digits.short(found.least_revolutions, 2),
+        seconds=digits.short(found.duration * times, 2),
+        times=digits.short(times, 2),
     )
 
 
@@ -176,7 +171,7 @@ def said_own_note(name: str, found: DiagnosisResult, language: str) -> str:
     if name == "speed_not_found" and tracking is not None and tracking.lost is not None:
         numbers["start"], numbers["end"] = (digits.short(end, 4) for end in tracking.lost)
         numbers["within"] = digits.short(100.0 * tracking.within, 3)
-        numbers["nominal"] = digits.short(_RPM * abs(tracking.nominal), 6)
+        numbers["nominal"] = digits.short(rpm_of(abs(tracking.nominal)), 6)
     return said.note[name].format(**numbers)
 
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
+import numpy as np
+
 from rolamento.numerics import FloatArray
 from rolamento.vibration._checks import Band
 from rolamento.vibration.diagnosis.settings import Component
@@ -253,6 +255,26 @@ class Diagnosis:
     def _with(self, verdict: Verdict) -> tuple[Component, ...]:
         parts = [part for part in self.components if part.verdict == verdict]
         return tuple(p.component for p in sorted(parts, key=lambda part: -part.depth))
+
+    @property
+    def clearest_fault(self) -> ComponentVerdict | None:
+        """The fault with the most evidence; None if there is none."""
+        faults = [part for part in self.components if part.verdict == "fault"]
+        return max(faults, key=lambda part: part.evidence) if faults else None
+
+    @property
+    def clearest_band(self) -> int:
+        """Number of the band of the clearest fault, unexplained line, or else best match."""
+        fault, bands = self.clearest_fault, self.spectra.bands
+        if fault is not None and fault.band in bands:
+            return bands.index(fault.band)
+        if self.unexplained:
+            return bands.index(self.unexplained[0].band)
+        scores = [
+            np.nan_to_num(np.asarray(per_band, dtype=np.float64), nan=-1.0, posinf=1e300)
+            for per_band in self.spectra.evidence.values()
+        ]
+        return int(np.argmax(np.max(scores, axis=0))) if scores else 0
 
     def of(self, component: Component) -> ComponentVerdict:
         """Return the verdict for a component."""

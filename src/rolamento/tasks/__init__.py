@@ -1,0 +1,50 @@
+"""Use cases from end to end, for the command line, a notebook or a web page: a record each.
+
+>>> from rolamento import tasks
+>>> found = tasks.diagnose("signal.npz", "6205", speed="1797 rpm")  # doctest: +SKIP
+"""
+
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING, Any, Final
+
+if TYPE_CHECKING:
+    from rolamento.tasks.diagnosis import DiagnosisResult, TooShort, diagnose
+    from rolamento.tasks.frequencies import FrequencyResult, fault_frequencies
+    from rolamento.tasks.noise import FullScale, NoiseResult, anderons
+    from rolamento.tasks.synthesis import SynthesisResult, Unsolved, synthesise
+
+__all__ = [
+    "DiagnosisResult",
+    "FrequencyResult",
+    "FullScale",
+    "NoiseResult",
+    "SynthesisResult",
+    "TooShort",
+    "Unsolved",
+    "anderons",
+    "diagnose",
+    "fault_frequencies",
+    "synthesise",
+]
+
+_NAMES_OF_MODULES: Final = {
+    "diagnosis": ("DiagnosisResult", "TooShort", "diagnose"),
+    "frequencies": ("FrequencyResult", "fault_frequencies"),
+    "noise": ("FullScale", "NoiseResult", "anderons"),
+    "synthesis": ("SynthesisResult", "Unsolved", "synthesise"),
+}
+_MODULE_OF_NAME: Final = {
+    name: module for module, names in _NAMES_OF_MODULES.items() for name in names
+}
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _MODULE_OF_NAME:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(importlib.import_module(f"{__name__}.{_MODULE_OF_NAME[name]}"), name)
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)
