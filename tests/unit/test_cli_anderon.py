@@ -388,7 +388,7 @@ REFUSED: list[tuple[tuple[str, ...], str]] = [
     (("t60.npz", "--unit", "um/s", "--duration", "0.2"), "must be at least 0.5 s"),
     (("t60.npz", "--unit", "um/s", "--start", "9"), "must lie before the end"),
     (("still.npy", "--unit", "um/s", "--rate", "1e9"), "the bands end at 10 kHz"),
-    (("t60.npz",) * 501, "at most 500 at once"),
+    (("t60.npz",) * 501, "must be 1 to 500 files"),
 ]
 
 

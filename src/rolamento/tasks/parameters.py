@@ -10,7 +10,7 @@ from typing import Final, TypeVar
 from rolamento.errors import InputError
 
 _ARGUMENT: Final = re.compile(
-    r"""\b([a-z_]+)\ ?=\ ?("[^"]*"|\["[^"]*"\]|True|[-+.\d]+(?:e-?\d+)?|…)(?:,\ (?=([a-z_]+)=))?""",
+    r"""(?<![\w.])([a-z_]+)(?:=|\ =\ )("[^"]*"|\["[^"]*"\]|True|[-+.\d]+(?:e-?\d+)?|…)(?:,\ (?=([a-z_]+)=))?""",
     re.VERBOSE,
 )
 """A parameter with a value, and the name of another one that follows after a comma."""
@@ -75,9 +75,10 @@ def renamed(
         comma = "" if following is None else ", " if following == name else between
         return written(names[name], value) + comma
 
+    is_of_parameter = error.source in names
     return type(error)(
         _ARGUMENT.sub(argument, error.rule),
-        field=names.get(error.field, error.field),
+        field=error.field if is_of_parameter else names.get(error.field, error.field),
         value=error.value,
         example=_ARGUMENT.sub(argument, error.example),
         source=names.get(error.source, error.source),
