@@ -19,9 +19,10 @@ import scipy.io.wavfile
 import typer
 from typer.testing import CliRunner
 
-from rolamento import Bearing, load_case, solve
+from rolamento import Bearing, load_case
 from rolamento.case import parse_case
 from rolamento.cli.diagnose import DiagnoseCommand, diagnose
+from rolamento.solving import solve
 from rolamento.tasks import signals
 from rolamento.tasks.diagnosis import widened
 from rolamento.vibration.diagnosis import DiagnosisSettings

@@ -17,7 +17,7 @@ import pytest
 import typer
 from typer.testing import CliRunner
 
-from rolamento import Bearing, load_case, solve
+from rolamento import Bearing, load_case
 from rolamento.cli.app import app
 from rolamento.cli.field_list import fields_of
 from rolamento.cli.quantities import number_of
@@ -25,6 +25,7 @@ from rolamento.errors import InputError
 from rolamento.plots.vibration_modulation import envelope_depths, modulation_figure
 from rolamento.report import synthesis as page
 from rolamento.report.synthesis import synthesis_report
+from rolamento.solving import solve
 from rolamento.tasks.bearing import case_of, has_load, is_designation
 from rolamento.tasks.synthesis import SynthesisResult
 from rolamento.tasks.synthesis import synthesise as synthesise_task
@@ -145,7 +146,7 @@ class TestSignal:
             nominal_frequencies(load_case("fan.toml").bearing, SPEED).ball_pass_inner.order,
             rel=1e-3,
         )
-        load = LoadDistribution.of_state(state)
+        load = LoadDistribution.of_solved(state)
         recipe = Recipe(
             frequencies=frequencies_of(state), faults=(Fault(kind="inner_race"),), load=load,
             duration=1.0,

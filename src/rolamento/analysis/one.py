@@ -79,9 +79,10 @@ class Analysis:
         duty = self.state.case.duty
         if not self.state.status.converged or duty.inner_speed == duty.outer_speed:
             return None
+        from rolamento.solving import solve
         from rolamento.vibration.frequencies import frequencies_of
 
-        return frequencies_of(self.state)
+        return frequencies_of(solve(self.state.case))
 
     @property
     def sentences(self) -> tuple[str, ...]:

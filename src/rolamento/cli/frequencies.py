@@ -97,7 +97,7 @@ def frequencies(
             settings=settings or (),
         )
         _show(found, json, csv, lang)
-    failed = found.state is not None and not found.state.status.converged
+    failed = found.solved is not None and not found.solved.converged[0]
     raise typer.Exit(NO_RESULT if failed else SOLVED)
 
 

@@ -12,7 +12,6 @@ import typer
 from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
-    complain_of,
     plain_endings,
     words_of,
 )
@@ -28,7 +27,7 @@ from rolamento.cli.options import (
     SpeedOption,
 )
 from rolamento.cli.outputs import check_outputs
-from rolamento.cli.streams import STANDARD_STREAM, print_text
+from rolamento.cli.streams import STANDARD_STREAM, complain, print_text
 from rolamento.errors import InputError
 
 if TYPE_CHECKING:
@@ -305,7 +304,9 @@ def synthesise(
                 settings=settings or (),
             )
             if isinstance(found, tasks.Unsolved):
-                complain_of(found.state.status, lang)
+                from rolamento.report.frequencies import said_failure
+
+                complain(said_failure(found.solved, words))
                 raise typer.Exit(NO_RESULT)
         _show(found, truth, words)
     raise typer.Exit(SOLVED)

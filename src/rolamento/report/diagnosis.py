@@ -317,7 +317,7 @@ def diagnosis_json(found: DiagnosisResult) -> str:
             "order_resolution": diagnosis.resolution,
             "bearing": found.bearing_name,
             "frequencies": found.frequencies.to_mapping(),
-            "state": None if found.state is None else asdict(found.state.status),
+            "state": None if found.solved is None else found.solved.to_mapping()["status"],
             "signal": {
                 "rate": signal.rate,
                 "duration": found.duration,

@@ -11,6 +11,7 @@ from math import floor, isfinite
 from typing import TYPE_CHECKING, Final
 
 from rolamento.report.diagnosis_words import DIAGNOSIS_WORDS, DiagnosisWords
+from rolamento.report.frequencies import said_failure
 from rolamento.report.frequencies_words import FREQUENCY_WORDS
 from rolamento.report.language import words_for
 from rolamento.report.numbers import Digits
@@ -262,11 +263,9 @@ def _unexplained(diagnosis: Diagnosis, said: DiagnosisWords, digits: Digits) -> 
 def _why_not_loaded(found: DiagnosisResult, language: str) -> str:
     """Say why a load gives no frequencies."""
     words, said = words_for(language), FREQUENCY_WORDS[words_for(language).code]
-    status = None if found.state is None else found.state.status
-    if status is None or status.converged:
+    if found.solved is None or found.solved.converged[0]:
         return said.note["no_loaded_ball"]
-    told = (words.reason(status), words.advice(status))
-    return said.failed.format(reason=": ".join(part for part in told if part))
+    return said.failed.format(reason=said_failure(found.solved, words))
 
 
 def _hertz(frequency: float, digits: Digits) -> str:

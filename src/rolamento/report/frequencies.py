@@ -22,6 +22,7 @@ from rolamento.vibration.frequencies import FAULTS, FaultFrequencies, FaultKind,
 from rolamento.vibration.frequency_band import Alternative
 
 if TYPE_CHECKING:
+    from rolamento.solved import Solved
     from rolamento.tasks.frequencies import FrequencyResult
 
 SCHEMA: Final = 1
@@ -128,18 +129,13 @@ def _table(
         shown = " / ".join(page.digits.fixed(degrees(angle), 2) for angle in angles)
         title += f" ({said.angle.format(angle=shown)})"
     legend = said.band
-    if not nominal:
-        legend = said.over_balls.format(count=_loaded_balls(found, one.row))
+    if not nominal and found.solved is not None:
+        legend = said.over_balls.format(count=int(found.solved.loaded_elements[0, one.row]))
     return [
         page.heading(title),
         *page.columns(rows, "l" + "r" * (len(heads) - 1)),
         *page.hanging(Text("  "), legend, "dim"),
     ]
-
-
-def _loaded_balls(found: FrequencyResult, row: int) -> int:
-    balls = () if found.state is None else found.state.balls
-    return sum(ball.row == row and ball.inner.load > 0.0 for ball in balls)
 
 
 def _harmonics(page: Page, said: FrequencyWords, found: FrequencyResult) -> Lines:
@@ -196,17 +192,21 @@ def _alternatives(page: Page, said: FrequencyWords, alternatives: Sequence[Alter
 def _notes(page: Page, said: FrequencyWords, words: Words, found: FrequencyResult) -> Lines:
     names = dict.fromkeys(name for one in found.by_source for name in one.notes)
     sentences = [said.note[name] for name in names if name != "no_result"]
-    state = found.state
-    if state is not None and not state.status.converged:
-        status = state.status
-        told = (words.reason(status), words.advice(status))
-        sentences.append(said.failed.format(reason=": ".join(part for part in told if part)))
+    if found.solved is not None and not found.solved.converged[0]:
+        sentences.append(said.failed.format(reason=said_failure(found.solved, words)))
     if not sentences:
         return []
     lines = [page.heading(said.notes)]
     for sentence in sentences:
         lines += page.hanging(page.text("  • "), sentence)
     return lines
+
+
+def said_failure(solved: Solved, words: Words) -> str:
+    """Say why a case has no result, and what to do."""
+    code, advice = str(solved.status.code[0]), solved.advice[0]
+    told = (words.reasons.get(code, code), words.sentence(advice) if advice else "")
+    return ": ".join(part for part in told if part)
 
 
 # --- data ------------------------------------------------------------------------------------

@@ -12,8 +12,8 @@ from typing import Final, Literal, Unpack
 from rolamento.case import Case
 from rolamento.case.bearing import Bearing
 from rolamento.errors import InputError
-from rolamento.solution import solve
-from rolamento.state import State
+from rolamento.solved import Solved
+from rolamento.solving import solve
 from rolamento.tasks.bearing import BearingLike, angle_of, at_speeds, case_of, has_load, name_of
 from rolamento.tasks.parameters import Stages, quietly, speed_of
 from rolamento.tasks.shaft_speed import AskedSpeed, KnownSpeed, ShaftSpeed, known_speed
@@ -68,8 +68,8 @@ class DiagnosisResult:
         those of them that tell what was taken for the rate or the speed where it is told twice
     speed
         of the shaft; None if all that is known are the frequencies
-    state
-        of the loaded bearing; None if the frequencies are those of the geometry by choice
+    solved
+        the loaded bearing; None if the frequencies are those of the geometry by choice
     slip
         part by which the cage was allowed to be off before the range over the balls widened it;
         None if nothing did
@@ -90,7 +90,7 @@ class DiagnosisResult:
     reading_notes: tuple[str, ...] = ()
     choices: tuple[ReadingNote, ...] = ()
     speed: ShaftSpeed | None = None
-    state: State | None = None
+    solved: Solved | None = None
     slip: float | None = None
     covers_balls: bool = True
     other_rows: tuple[int, ...] = ()
@@ -144,7 +144,8 @@ class DiagnosisResult:
             "not_a_certificate": self.verdict in ("nothing_found", "watch"),
             "weak_lines": any(_highest_line(part) < _CLEAR for part in faults),
             "speed_not_found": self.speed_lost,
-            "no_loaded_frequencies": self.state is not None and self.frequencies.source != "loaded",
+            "no_loaded_frequencies": self.solved is not None
+            and self.frequencies.source != "loaded",
             "range_not_covered": not self.covers_balls,
             "other_rows": bool(self.other_rows),
             "inferred_inside": "inferred" in self.bearing.origins.values(),
@@ -279,7 +280,7 @@ def diagnose(
             known = known_speed(asked, of_case, source, part, progress)
         with stages("solving"):
             case = at_speeds(case, known.inner, known.outer)
-            frequencies, state = _frequencies_sought(case, nominal=nominal, angle=angle)
+            frequencies, solved = _frequencies_sought(case, nominal=nominal, angle=angle)
         wide = widened(frequencies, search or DiagnosisSettings())
         short = _too_short(frequencies, known, part.stop - part.start, source.rate)
         if short is not None:
@@ -302,7 +303,7 @@ def diagnose(
             reading_notes=(*source.notes, *(note.text for note in known.choices)),
             choices=(*source.choices, *known.choices),
             speed=known.shaft,
-            state=state,
+            solved=solved,
             slip=wide.slip,
             covers_balls=wide.covers_balls,
             other_rows=wide.other_rows,
@@ -323,8 +324,8 @@ def _case_sought(bearing: BearingLike, settings: Sequence[str]) -> Case:
 
 def _frequencies_sought(
     case: Case, *, nominal: bool, angle: str | float | None
-) -> tuple[FaultFrequencies, State | None]:
-    """Return the frequencies to look for, and the loaded bearing's state if its case has a load.
+) -> tuple[FaultFrequencies, Solved | None]:
+    """Return the frequencies to look for, and the loaded bearing's solution if its case has a load.
 
     Those of the loaded bearing, where it has a solution; else those of the geometry, with the
     contact angle that is wanted.
@@ -345,13 +346,13 @@ def _frequencies_sought(
             value=f"{rpm_of(outer):.6g} rpm",
             example='outer_speed="0 rpm"',
         )
-    state = solve(case) if loaded else None
-    if state is not None and state.status.converged:
-        found = frequencies_of(state)
+    solved = solve(case) if loaded else None
+    if solved is not None and solved.converged[0]:
+        found = frequencies_of(solved)
         if isfinite(found.cage.order):
-            return found, state
+            return found, solved
     choice = angle_of("zero" if angle is None else angle)
-    return nominal_frequencies(case.bearing, inner, outer, contact_angle=choice), state
+    return nominal_frequencies(case.bearing, inner, outer, contact_angle=choice), solved
 
 
 @dataclass(frozen=True, slots=True)

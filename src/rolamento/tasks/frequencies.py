@@ -9,8 +9,8 @@ from typing import Final
 
 from rolamento.case.bearing import Bearing
 from rolamento.errors import InputError
-from rolamento.solution import solve
-from rolamento.state import State
+from rolamento.solved import Solved
+from rolamento.solving import solve
 from rolamento.tasks.bearing import (
     BearingLike,
     angle_of,
@@ -44,7 +44,7 @@ class FrequencyResult:
         whose frequencies these are
     nominal
         by its geometry, with bands
-    loaded, state
+    loaded, solved
         of the case's load; None without one
     alternatives
         of an inferred inside
@@ -56,7 +56,7 @@ class FrequencyResult:
     bearing: Bearing
     nominal: FaultFrequencies
     loaded: FaultFrequencies | None
-    state: State | None
+    solved: Solved | None
     alternatives: tuple[Alternative, ...]
     harmonics: int
     sidebands: int
@@ -124,15 +124,15 @@ def fault_frequencies(
     has_no_duty = isinstance(bearing, Bearing) or is_designation(bearing)
     speeds = None if has_no_duty and not told else duty.inner_speed, duty.outer_speed
     contact_angle = angle_of(angle)
-    state = solve(case) if has_load(case) else None
+    solved = solve(case) if has_load(case) else None
     return FrequencyResult(
         title=name_of(bearing, case),
         bearing=case.bearing,
         nominal=banded_frequencies(
             case.bearing, *speeds, slip=slip, contact_angle=contact_angle, tolerances=tolerances
         ),
-        loaded=None if state is None else frequencies_of(state, slip=slip),
-        state=state,
+        loaded=None if solved is None else frequencies_of(solved, slip=slip),
+        solved=solved,
         alternatives=alternatives_of(case.bearing, *speeds, slip=slip, contact_angle=contact_angle),
         harmonics=harmonics,
         sidebands=sidebands,

@@ -9,10 +9,9 @@ from typing import Final, TypeVar
 
 from rolamento.errors import InputError
 
-_ARGUMENT: Final = re.compile(
-    r"""(?<![\w.])([a-z_]+)(?:=|\ =\ )("[^"]*"|\["[^"]*"\]|True|[-+.\d]+(?:e-?\d+)?|…)(?:,\ (?=([a-z_]+)=))?""",
-    re.VERBOSE,
-)
+_VALUE: Final = r'("[^"]*"|\["[^"]*"\]|True|[-+.\d]+(?:e-?\d+)?|…)(?:, (?=([a-z_]+)=))?'
+_IN_RULE: Final = re.compile(r"(?<![\w.])([a-z_]+)=" + _VALUE)
+_IN_EXAMPLE: Final = re.compile(r"(?<![\w.])([a-z_]+)(?:=| = )" + _VALUE)
 """A parameter with a value, and the name of another one that follows after a comma."""
 _SPEED_EXAMPLE: Final = 'speed="1797 rpm"'
 
@@ -77,10 +76,10 @@ def renamed(
 
     is_of_parameter = error.source in names
     return type(error)(
-        _ARGUMENT.sub(argument, error.rule),
+        _IN_RULE.sub(argument, error.rule),
         field=error.field if is_of_parameter else names.get(error.field, error.field),
         value=error.value,
-        example=_ARGUMENT.sub(argument, error.example),
+        example=_IN_EXAMPLE.sub(argument, error.example),
         source=names.get(error.source, error.source),
         line=error.line,
     )

@@ -16,8 +16,8 @@ from rolamento._writing import write_text
 from rolamento.case.bearing import Bearing
 from rolamento.errors import InputError
 from rolamento.report.synthesis import truth_json
-from rolamento.solution import solve
-from rolamento.state import State
+from rolamento.solved import Solved
+from rolamento.solving import solve
 from rolamento.tasks.bearing import BearingLike, case_of, has_load, name_of
 from rolamento.tasks.parameters import speed_of
 from rolamento.units import rpm_of
@@ -163,7 +163,7 @@ class SynthesisResult:
 class Unsolved:
     """A bearing whose case has a load and no solution: no signal can be made of it."""
 
-    state: State
+    solved: Solved
 
 
 def synthesise(
@@ -237,15 +237,15 @@ def synthesise(
             field="speed",
             example='speed="1797 rpm"',
         )
-    state = solve(case) if has_load(case) else None
-    if state is None:
+    solved = solve(case) if has_load(case) else None
+    if solved is None:
         frequencies = nominal_frequencies(case.bearing, inner, outer, slip=slip)
-    elif not state.status.converged:
-        return Unsolved(state)
+    elif not solved.converged[0]:
+        return Unsolved(solved)
     else:
-        frequencies = frequencies_of(state, slip=slip)
+        frequencies = frequencies_of(solved, slip=slip)
     _check_size(faults, waviness, shaft_harmonics, noise, duration, rate)
-    kind = load or ("uniform" if state is None else "solved")
+    kind = load or ("uniform" if solved is None else "solved")
     mean = frequencies.inner_speed if frequencies.shaft == "inner" else frequencies.outer_speed
     name = name_of(bearing, case)
     recipe = Recipe(
@@ -254,7 +254,7 @@ def synthesise(
         duration=duration,
         rate=rate,
         faults=tuple(faults),
-        load=_distribution(kind, extent, load_azimuth, state, frequencies),
+        load=_distribution(kind, extent, load_azimuth, solved, frequencies),
         load_turns=load_turns,
         path=transfer or TransferPath(),
         modes=tuple(modes) or DEFAULT_MODES,
@@ -317,7 +317,7 @@ def _distribution(
     kind: LoadName,
     extent: float,
     azimuth: float,
-    state: State | None,
+    solved: Solved | None,
     frequencies: FaultFrequencies,
 ) -> LoadDistribution:
     if kind == "uniform":
@@ -327,11 +327,11 @@ def _distribution(
     if kind != "solved":
         rule = "must be one of uniform, radial, solved"
         raise InputError(rule, field="load", value=kind, example='load="radial"')
-    if state is None:
+    if solved is None:
         raise InputError(
             "needs a case file with a load", field="load", value=kind, example='load="radial"'
         )
-    return LoadDistribution.of_state(state, row=frequencies.row)
+    return LoadDistribution.of_solved(solved, row=frequencies.row)
 
 
 def _check_work(recipe: Recipe) -> None:

@@ -1,4 +1,4 @@
-"""Fault frequencies of a bearing: of its geometry, and of a solved state.
+"""Fault frequencies of a bearing: of its geometry, and of a solved case.
 
 They are orders of the shaft and Hz, with harmonics and sidebands. With γ = D cos α/d_m, ring speeds
 ω_i and ω_o, and a cage that lags by the part s of what it does against the outer ring,
@@ -28,7 +28,7 @@ from rolamento.errors import InputError
 from rolamento.geometry import ring_geometry
 from rolamento.kinematics import ball_motion
 from rolamento.numerics import FloatArray
-from rolamento.state import BallState, State
+from rolamento.solved import Solved, refuse_other
 
 FaultKind = Literal["outer_race", "inner_race", "ball", "cage"]
 
@@ -92,7 +92,7 @@ class FaultLine:
     frequency
         Hz; NaN if the shaft's speed is not known
     minimum, mean, maximum
-        orders over the loaded balls of a solved state; `order` where the geometry alone tells
+        orders over the loaded balls of a solved case; `order` where the geometry alone tells
     band
         what uncertainty leaves open; None if nothing is said about it
     """
@@ -139,7 +139,7 @@ class FaultFrequencies:
     Attributes
     ----------
     source
-        "nominal", of the geometry, or "loaded", of a solved state
+        "nominal", of the geometry, or "loaded", of a solved case
     ball_count
         Z
     inner_speed, outer_speed
@@ -151,7 +151,7 @@ class FaultFrequencies:
     slip
         part by which the cage lags behind rolling, seen from the outer ring
     inner_contact_angle, outer_contact_angle
-        rad; of a state, the mean weighted by the loads
+        rad; of a solved case, the mean weighted by the loads
     turns
         signed speeds over the shaft's
     cage
@@ -380,8 +380,8 @@ def nominal_frequencies(
     return rows[0] if len(rows) == 1 else replace(rows[0], rows=tuple(rows))
 
 
-def frequencies_of(state: State, *, slip: float = 0.0) -> FaultFrequencies:
-    """Fault frequencies of a solved state, with its loaded contact angles and its cage speed.
+def frequencies_of(solved: Solved, *, slip: float = 0.0) -> FaultFrequencies:
+    """Fault frequencies of a solved case, with its loaded contact angles and its cage speed.
 
     Without friction control every ball would like an orbital speed of its own: the cage has the
     mean of the balls that the inner ring presses on, weighted by their loads. Minimum, mean and
@@ -389,29 +389,29 @@ def frequencies_of(state: State, *, slip: float = 0.0) -> FaultFrequencies:
 
     Parameters
     ----------
-    state
-        One that did not converge has NaN everywhere.
+    solved
+        One case of what `rolamento.solve` returns; without a result there are NaN everywhere.
     slip
-        Part of the cage's speed against the outer ring that it lags behind what the state says.
+        Part of the cage's speed against the outer ring that it lags behind what the result says.
 
     Raises
     ------
     InputError
-        If the slip is out of range.
+        If these are several cases, or the slip is out of range.
     """
+    refuse_other(solved, "vibration.frequencies_of")
+    if len(solved) != 1:
+        raise InputError(
+            "must be one case", field="solved", value=f"{len(solved)} cases", example="solved[0]"
+        )
     _check_slip(slip)
-    duty = state.case.duty
-    shaft = shaft_of(duty.inner_speed, duty.outer_speed)
-    rows = [
-        _loaded_row(state, place.bearing, shaft, slip, index)
-        for index, place in enumerate(state.case.bearing.places)
-    ]
+    speeds = (float(solved.field(f"duty.{ring}_speed")[0]) for ring in ("inner", "outer"))
+    shaft = shaft_of(*speeds)
+    rows = [_loaded_row(solved, shaft, slip, row) for row in range(len(solved.rows))]
     if len(rows) == 1:
         return rows[0]
-    carried = [
-        sum(ball.inner.load for ball in state.balls if ball.row == index and ball.inner.load > 0.0)
-        for index in range(len(rows))
-    ]
+    loads = np.where(solved.loaded[0], solved.inner.load[0], 0.0)
+    carried = np.add.reduceat(loads, solved.rows.starts)
     return replace(rows[int(np.argmax(carried))], rows=tuple(rows))
 
 
@@ -506,7 +506,7 @@ def _nominal_row(
     turns = turns_of(bearing.ball_diameter / bearing.pitch_diameter, angle, *shaft.ratios, slip)
     orders = line_orders(turns, bearing.ball_count)
     lines = {name: plain_line(order, shaft.frequency) for name, order in orders.items()}
-    row_of = _Row("nominal", bearing, shaft, slip, row)
+    row_of = _Row("nominal", bearing.ball_count, shaft, slip, row)
     return row_of.record((angle, angle), turns, lines, (*shaft.notes, *notes))
 
 
@@ -514,7 +514,7 @@ class _Row(NamedTuple):
     """What all frequencies of one row have in common."""
 
     source: Literal["nominal", "loaded"]
-    bearing: Bearing
+    ball_count: int
     shaft: _Shaft
     slip: float
     row: int
@@ -529,7 +529,7 @@ class _Row(NamedTuple):
         """Put the record together; angles: of the inner and the outer contact."""
         return FaultFrequencies(
             source=self.source,
-            ball_count=self.bearing.ball_count,
+            ball_count=self.ball_count,
             inner_speed=self.shaft.inner,
             outer_speed=self.shaft.outer,
             shaft=self.shaft.role,
@@ -553,10 +553,10 @@ class _Row(NamedTuple):
         return self.record((nan, nan), Turns(*self.shaft.ratios, nan, nan), lines, (note,))
 
 
-# --- of a state ------------------------------------------------------------------------------
+# --- of a solved case ------------------------------------------------------------------------
 
 
-class _Balls(NamedTuple):
+class _LoadedBalls(NamedTuple):
     """What the loaded balls of a row do; arrays (balls,), speeds over the shaft's."""
 
     cage: FloatArray
@@ -570,52 +570,51 @@ class _Balls(NamedTuple):
         return float(np.average(values, weights=self.weight))
 
 
-def _loaded_row(
-    state: State, bearing: Bearing, shaft: _Shaft, slip: float, row: int
-) -> FaultFrequencies:
-    loaded = [ball for ball in state.balls if ball.row == row and ball.inner.load > 0.0]
-    row_of = _Row("loaded", bearing, shaft, slip, row)
-    if not state.status.converged:
+def _loaded_row(solved: Solved, shaft: _Shaft, slip: float, row: int) -> FaultFrequencies:
+    count = int(solved.rows.element_count[row])
+    row_of = _Row("loaded", count, shaft, slip, row)
+    if not solved.converged[0]:
         return row_of.without_result("no_result")
-    if not loaded:
+    if not solved.loaded_elements[0, row]:
         return row_of.without_result("no_loaded_ball")
-    balls = _loaded_balls(state, loaded, bearing, shaft, slip)
+    balls = _loaded_balls(solved, shaft, slip, row)
     inner, outer = shaft.ratios
     turns = Turns(inner, outer, balls.mean(balls.cage), balls.mean(balls.ball))
     each = [
-        line_orders(Turns(inner, outer, float(cage), float(ball)), bearing.ball_count)
-        for cage, ball in zip(balls.cage, balls.ball, strict=True)
+        line_orders(Turns(inner, outer, *speeds), count)
+        for speeds in zip(balls.cage.tolist(), balls.ball.tolist(), strict=True)
     ]
     lines = {
         name: _spread_line(order, [one[name] for one in each], shaft.frequency)
-        for name, order in line_orders(turns, bearing.ball_count).items()
+        for name, order in line_orders(turns, count).items()
     }
     angles = (balls.mean(balls.inner_angle), balls.mean(balls.outer_angle))
-    friction = () if state.rolling is None else ("friction",)
+    friction = () if solved.rolling is None else ("friction",)
     return row_of.record(angles, turns, lines, (*shaft.notes, *friction))
 
 
-def _loaded_balls(
-    state: State, loaded: Sequence[BallState], bearing: Bearing, shaft: _Shaft, slip: float
-) -> _Balls:
+def _loaded_balls(solved: Solved, shaft: _Shaft, slip: float, row: int) -> _LoadedBalls:
     """Gather what loaded balls do; at rest, what they would do with the inner ring turning."""
-    inner_angle = np.array([ball.inner.contact_angle for ball in loaded])
-    outer_angle = np.array([ball.outer.contact_angle for ball in loaded])
+    own = (solved.elements.row == row) & solved.loaded[0]
+    elements, rows = solved.elements, solved.rows
+    inner_angle, outer_angle = (
+        contacts.contact_angle[0, own] for contacts in (solved.inner, solved.outer)
+    )
     if shaft.speed == 0.0:
-        control = [-1 if ball.raceway_control == "inner" else 1 for ball in loaded]
-        ratio = bearing.ball_diameter / bearing.pitch_diameter
+        control = np.where(elements.raceway_control[0, own] == -1, -1, 1)
+        ratio = rows.ball_diameter[0, row] / rows.pitch_diameter[0, row]
         motion = ball_motion(inner_angle, outer_angle, ratio, 1.0, control=control)
         cage, ball_speed = motion.orbital_speed, motion.ball_speed
     else:
-        cage = np.array([ball.orbital_speed for ball in loaded]) / shaft.speed
-        ball_speed = np.array([ball.ball_speed for ball in loaded]) / shaft.speed
-    if state.rolling is not None and shaft.speed != 0.0:
-        cage = np.full(len(loaded), state.rolling.cage_speed / shaft.speed)
+        cage = elements.orbital_speed[0, own] / shaft.speed
+        ball_speed = elements.ball_speed[0, own] / shaft.speed
+        if solved.rolling is not None:
+            cage = np.full(len(cage), solved.rolling.cage_speed[0] / shaft.speed)
     outer = shaft.ratios[1]
-    return _Balls(
+    return _LoadedBalls(
         cage=outer + (1.0 - slip) * (cage - outer),
         ball=(1.0 - slip) * ball_speed,
-        weight=np.array([ball.inner.load for ball in loaded]),
+        weight=solved.inner.load[0, own],
         inner_angle=inner_angle,
         outer_angle=outer_angle,
     )

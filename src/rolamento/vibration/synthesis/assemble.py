@@ -14,7 +14,7 @@ import numpy as np
 
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
-from rolamento.state import State
+from rolamento.solved import Solved
 from rolamento.vibration._checks import check_count, check_within
 from rolamento.vibration.frequencies import FaultFrequencies, FaultKind, frequencies_of
 from rolamento.vibration.signal import Signal
@@ -293,13 +293,13 @@ class Synthesis:
     truth: Truth
 
 
-def recipe_of(state: State, faults: Sequence[Fault], **parts: Any) -> Recipe:
-    """Return a recipe with the loaded frequencies and the load distribution of a solved state.
+def recipe_of(solved: Solved, faults: Sequence[Fault], **parts: Any) -> Recipe:
+    """Return a recipe with the loaded frequencies and the load distribution of a solved case.
 
     Parameters
     ----------
-    state
-        Of `rolamento.solve`; of a set, the row that carries most.
+    solved
+        One case of what `rolamento.solve` returns; of a set, the row that carries most.
     faults
         Damage.
     parts
@@ -308,10 +308,10 @@ def recipe_of(state: State, faults: Sequence[Fault], **parts: Any) -> Recipe:
     Raises
     ------
     InputError
-        If the state has no result, or a part is out of range.
+        If the case has no result, or a part is out of range.
     """
-    found = frequencies_of(state)
-    load = parts.pop("load", None) or LoadDistribution.of_state(state, row=found.row)
+    found = frequencies_of(solved)
+    load = parts.pop("load", None) or LoadDistribution.of_solved(solved, row=found.row)
     alone = replace(found, rows=())
     return Recipe(**{"frequencies": alone, "faults": tuple(faults), "load": load, **parts})
 

@@ -21,7 +21,7 @@ from numpy.typing import ArrayLike
 from rolamento.errors import InputError
 from rolamento.geometry import Race
 from rolamento.numerics import FloatArray
-from rolamento.state import State
+from rolamento.solved import Solved, refuse_other
 from rolamento.vibration._checks import check_within
 from rolamento.vibration.frequencies import FAULTS, FaultFrequencies, FaultKind
 from rolamento.vibration.synthesis.transfer import TransferPath
@@ -97,55 +97,52 @@ class LoadDistribution:
         return cls(psi, load, load)
 
     @classmethod
-    def of_state(cls, state: State, *, row: int = 0, positions: int = 8) -> Self:
-        """Of a solved state, solved again for so many positions of the cage.
+    def of_solved(cls, solved: Solved, *, row: int = 0, positions: int = 8) -> Self:
+        """Of a solved case, solved again for so many positions of the cage.
 
         Parameters
         ----------
-        state
-            With a result.
+        solved
+            One case with a result.
         row
             Of the balls.
         positions
             Of the cage within the angle from ball to ball. With 1, and under friction control,
-            only the state's own balls are taken, and nothing is solved.
+            only the result's own balls are taken, and nothing is solved.
 
         Raises
         ------
         InputError
-            If the state has no result, or no ball of the row is pressed.
+            If these are several cases, there is no result, or no ball of the row is pressed.
         """
+        refuse_other(solved, "vibration.LoadDistribution.of_solved")
         check_within("positions", positions, 1, _MOST_POSITIONS, "positions = 8")
-        balls = [ball for ball in state.balls if ball.row == row]
-        if not state.status.converged or not balls:
-            raise InputError("has no result, or no such row of balls", field="state", value=row)
-        azimuth = np.array([ball.azimuth for ball in balls])
-        inner = np.array([ball.inner.load for ball in balls])
-        outer = np.array([ball.outer.load for ball in balls])
-        if positions > 1 and state.rolling is None:
-            azimuth, inner, outer = _solved_between(state, row, positions)
+        own = solved.elements.row == row
+        if len(solved) != 1 or not solved.converged[0] or not own.any():
+            raise InputError(
+                "must be one case with a result and such a row of balls", field="solved", value=row
+            )
+        if positions > 1 and solved.rolling is None:
+            solved = _solved_between(solved, row, positions)
+        azimuth, inner, outer = (
+            table[solved.converged][:, own].ravel()
+            for table in (solved.elements.azimuth, solved.inner.load, solved.outer.load)
+        )
         if not (inner.max() > 0.0 and outer.max() > 0.0):
-            raise InputError("presses no ball of this row", field="state", value=row)
+            raise InputError("presses no ball of this row", field="solved", value=row)
         azimuth = np.mod(azimuth, _TURN)
         order = np.argsort(azimuth)
         return cls(azimuth[order], inner[order] / inner.max(), outer[order] / outer.max())
 
 
-def _solved_between(
-    state: State, row: int, positions: int
-) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Azimuths and loads of all balls of a row, at cage positions between those of the state."""
-    from rolamento.solution import solve_batch
+def _solved_between(solved: Solved, row: int, positions: int) -> Solved:
+    """Solve for cage positions from that of a case to where the next ball takes its place."""
+    from rolamento.solving import solve
 
-    case = state.case
-    count = case.bearing.places[row].bearing.ball_count
-    shifts = np.arange(positions) * (_TURN / count / positions)
-    batch = solve_batch(case, first_ball_azimuth=case.duty.first_ball_azimuth + shifts, threads=1)
-    table = batch.balls()
-    own = batch.row == row
-    found = (table.azimuth, table.inner.load, table.outer.load)
-    azimuth, inner, outer = (array[batch.converged][:, own].ravel() for array in found)
-    return azimuth, inner, outer
+    first = solved.field("duty.first_ball_azimuth")[0]
+    shifts = np.arange(positions) * (_TURN / int(solved.rows.element_count[row]) / positions)
+    varied = {name: float(values[0]) for name, values in solved.varied.items()}
+    return solve(solved.case, {**varied, "duty.first_ball_azimuth": first + shifts}, threads=1)
 
 
 # --- impacts of damage ---------------------------------------------------------------------------
