@@ -20,10 +20,10 @@ from rolamento.plots.vibration import (
     envelope_lines,
     kurtogram_figure,
     kurtogram_map,
+    line_threshold,
     waveform,
     waveform_figure,
 )
-from rolamento.plots.vibration_spectrum import line_threshold
 from rolamento.plots.vibration_words import vibration_words
 from rolamento.vibration.diagnosis import Diagnosis, FaultOrders, diagnose
 from rolamento.vibration.frequencies import nominal_frequencies

@@ -11,7 +11,6 @@ from rolamento.errors import InputError, shown
 from rolamento.vibration.signal import Signal
 
 Band = tuple[float, float]
-
 """Lower and upper edge of a frequency band; Hz."""
 
 

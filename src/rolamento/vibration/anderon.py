@@ -183,7 +183,6 @@ class _Total:
 
 
 BandName: TypeAlias = str
-
 """low, medium or high; any other name of bands that somebody else defines."""
 
 BANDS: Final[dict[BandName, Band]] = {
@@ -191,16 +190,11 @@ BANDS: Final[dict[BandName, Band]] = {
     "medium": (300.0, 1800.0),
     "high": (1800.0, 10_000.0),
 }
-
 """Hz, at 1800 rpm. Low: errors of form and large damage; medium: dents and waviness; high:
 roughness (Campanha 2008, chapter 2.8)."""
-
 SPEED: Final = 60.0 * pi
-
 """Of the inner ring: 1800 rpm; rad/s."""
-
 ACCEPTED: Final = 0.4
-
 """Of the full scale; Campanha 2008, chapter 2.8."""
 
 NOISE_NOTES: Final[dict[str, str]] = {
@@ -211,19 +205,12 @@ NOISE_NOTES: Final[dict[str, str]] = {
     ),
     "band_incomplete": "The sampling rate does not hold: {bands}.",
 }
-
 """Sentences by name; `Noise.sentences` fills them in."""
-
 _MICROINCH: Final = 25.4e-9
-
 _SPEED_TOLERANCE: Final = (-0.02 - 1e-9, 0.01 + 1e-9)
-
 """ISO 15242-2:2015, clause 4.1, and rounding."""
-
 _MOST_PARTS: Final = 1000
-
 _RESOLUTION: Final = 2.0
-
 """Of the spectrum; Hz: a twenty-fifth of the lowest edge."""
 
 

@@ -44,7 +44,6 @@ from rolamento.vibration.signal import Signal
 from rolamento.vibration.spectrum import Spectrum, axis_of, bins_of_band
 
 ComplexArray = NDArray[np.complex128]
-
 _MOST_VALUES: Final = 2**26
 """Of the map, carriers times modulations: half a gigabyte."""
 _AT_ONCE: Final = 2**16

@@ -55,9 +55,7 @@ from rolamento.vibration.signal import Signal
 from rolamento.vibration.spectrum import EDGE, Spectrum, axis_of, one_sided_amplitudes
 
 ComplexArray = NDArray[np.complex128]
-
 EnvelopeKind = Literal["squared", "plain"]
-
 _LEAST_LINES = 4
 
 
@@ -193,37 +191,21 @@ def prewhitened(signal: Signal) -> Signal:
 
 
 Bands = NDArray[Any]
-
 """(bands, values), real or complex."""
-
 Choice = Literal["kurtosis", "significance"]
-
 FILTER_ORDER: Final = 16
-
 CUTOFF: Final = 0.2
-
 """Of the prototype that halves; cycles per sample."""
-
 _ROUNDING: Final = 1e-24
-
 """Of the square of the greatest sample: a band with less power has none."""
-
 _LEAST_VALUES: Final = 64
-
 """In a band: with fewer a kurtosis tells nothing."""
-
 _MOST_LEVELS: Final = 12
-
 _OUTPUTS: Final = 8
-
 """Of a filter in one row of a product; even, as every second one of some filters is turned."""
-
 _AT_ONCE: Final = 2**15
-
 """Values that are split together: half a megabyte."""
-
 _MOST_PRODUCTS: Final = 2**16
-
 """Of numbers, in one product of matrices."""
 
 
@@ -384,7 +366,6 @@ class _Figures(NamedTuple):
 
 
 _Parts = tuple[list[_Figures], list[_Figures]]
-
 """Halves and thirds of the bands of a level, some bands after the other."""
 
 

@@ -31,7 +31,6 @@ from rolamento.numerics import FloatArray
 from rolamento.solved import Solved, refuse_other
 
 FaultKind = Literal["outer_race", "inner_race", "ball", "cage"]
-
 LineName = Literal["cage", "ball_pass_outer", "ball_pass_inner", "ball_spin", "ball_spin_twice"]
 
 LINES: Final[tuple[LineName, ...]] = (
@@ -41,7 +40,6 @@ LINES: Final[tuple[LineName, ...]] = (
     "ball_spin",
     "ball_spin_twice",
 )
-
 """Names of the lines of a `FaultFrequencies`."""
 
 FAULTS: Final[dict[FaultKind, LineName]] = {
@@ -50,7 +48,6 @@ FAULTS: Final[dict[FaultKind, LineName]] = {
     "ball": "ball_spin_twice",
     "cage": "cage",
 }
-
 """What is damaged, and the line that tells of it."""
 
 NOTES: Final[dict[str, str]] = {
@@ -65,9 +62,7 @@ NOTES: Final[dict[str, str]] = {
     "no_loaded_ball": "The inner ring presses on no ball: nothing drives the cage.",
     "friction": "The cage speed is that of friction control.",
 }
-
 """What a user should know about frequencies, by name."""
-
 _MOST_LINES: Final = 10_000
 
 
@@ -309,11 +304,8 @@ def _without_nan(value: Any) -> Any:
 
 
 AngleChoice = Literal["zero", "free"]
-
 _TURN: Final = 2.0 * pi
-
 _RIGHT_ANGLE: Final = 0.5 * pi
-
 _MOST_SPEED: Final = 1e7
 
 

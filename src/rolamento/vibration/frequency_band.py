@@ -35,7 +35,6 @@ from rolamento.vibration.frequencies import (
 _RIGHT_ANGLE: Final = 0.5 * pi
 _LEAST_GAP: Final = 1e-9
 """By which a pitch diameter stays above the balls', relatively."""
-
 Interval = tuple[float, float]
 
 

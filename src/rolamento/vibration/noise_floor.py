@@ -33,7 +33,6 @@ from scipy import interpolate, ndimage, special
 from rolamento.numerics import FloatArray
 
 Table = tuple[FloatArray, FloatArray]
-
 HALF_WIDTH: Final = 250
 """Lines on either side whose median is the level."""
 LOWEST_LINE: Final = 8

@@ -39,17 +39,11 @@ from rolamento.vibration.order_tracking import order_tracked, revolutions_of
 from rolamento.vibration.signal import Signal
 
 Edge = Literal["rising", "falling"]
-
 _HYSTERESIS: Final = 0.2
-
 """Of the span of the signal; to either side of the level half of it."""
-
 _LEAST_PULSES: Final = 4
-
 _MOST_PER_REVOLUTION: Final = 100_000
-
 _JUMP: Final = 1.6
-
 """Of neighbouring intervals: a pulse too many halves one, one missed doubles it."""
 
 
@@ -171,19 +165,12 @@ def _check_pulses(times: FloatArray) -> None:
 
 
 ComplexArray = NDArray[np.complex128]
-
 _TURN: Final = 2.0 * pi
-
 _TURNS_PER_BLOCK: Final = 24
-
 _PADDING: Final = 4
-
 _CLEAR: Final = 20.0
-
 """Power over noise at which a phase is good to a few hundredths of a revolution."""
-
 _MOST_BLOCKS: Final = 20_000
-
 _MOST_CANDIDATES: Final = 4_000
 
 

@@ -20,7 +20,6 @@ from rolamento.units import rpm_of
 from rolamento.vibration.signal import Signal
 
 ENDINGS: Final = (".wav", ".csv", ".npz")
-
 _MOST_ROWS: Final = 5_000_000
 _PIECE: Final = 2**16
 _FLOAT: Final = 3

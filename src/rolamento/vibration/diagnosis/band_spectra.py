@@ -46,17 +46,11 @@ from rolamento.vibration.noise_floor import HALF_WIDTH
 from rolamento.vibration.order_tracking import interpolated
 
 _LEFT_OUT_TO: Final = 0.3
-
 """Of the noise: what a line may add to its neighbours before they are left out."""
-
 _CONNECTED: Final = 3.0
-
 """Orders between which a modulation carries noise; farther, less than a hundredth of it."""
-
 _LEAST_SPREAD: Final = 2
-
 _MOST_SPREAD: Final = 6
-
 _SPREAD_ORDERS: Final = 0.02
 
 
@@ -185,27 +179,16 @@ def filled(power: FloatArray, left_out: BoolArray) -> FloatArray:
 
 
 ComplexArray = NDArray[np.complex128]
-
 _MARGIN: Final = 1.3
-
 """Lines that are kept before a product with the regular part, over those that are wanted."""
-
 _STEPS: Final = 4
-
 """Steps of an envelope, over the lines that are wanted of it."""
-
 _LEAST: Final = 0.1
-
 """Of the mean: lower the regular part is not taken, or a few samples would be blown up."""
-
 _NEIGHBOURS: Final = 50
-
 _CHANCE: Final = 0.01
-
 """That noise has any line which is taken for regular."""
-
 _SPREAD_TO: Final = 0.3
-
 """Of the noise: down to there the lines about a regular one are taken with it."""
 
 
@@ -357,9 +340,7 @@ def _base(of_window: ComplexArray, spread: int, steps: int) -> FloatArray:
 
 
 _DIVISIONS: Final = (1, 2, 3, 4, 6, 8)
-
 _BANDWIDTH: Final = 2.5
-
 """Of the narrowest band, over the highest modulation frequency that is looked at in it."""
 
 

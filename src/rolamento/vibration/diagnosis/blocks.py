@@ -20,11 +20,8 @@ from rolamento.vibration.order_tracking import revolutions_of, turns_per_sample
 from rolamento.vibration.signal import Signal
 
 MOST_SAMPLES: Final = 2**21
-
 """Of a block: keeps the memory of slow shafts bounded."""
-
 _LEAST_SAMPLES: Final = 1024
-
 _STEADY: Final = 1e-12
 
 
@@ -186,16 +183,10 @@ def _good_length(samples: int) -> int:
 
 
 _BEGINNING: Final = 64
-
 """Samples that noise does not give twice."""
-
-
 _GAP: Final = 8
-
 """Equal samples that follow each other, from which on they are a gap."""
-
 MOST_GAPS: Final = 20
-
 """That a record may have: more may well be periodic."""
 
 

@@ -12,12 +12,9 @@ from scipy import fft
 from rolamento.numerics import BoolArray, FloatArray
 
 _TAPERED: Final = 0.1
-
 """Of a block, half at either end: enough that strong tones do not spread far, and little enough
 that the lines of noise stay independent of their neighbours."""
-
 _LENGTH: Final = 4096
-
 _OVERSAMPLING: Final = 8
 
 
@@ -69,13 +66,9 @@ def runs(lines: BoolArray) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
 
 
 MAINS: Final = (50.0, 60.0)
-
 """Hz."""
-
 _OFF: Final = 0.001
-
 """Part by which a grid's frequency may be off."""
-
 _LINES: Final = 1.5
 
 

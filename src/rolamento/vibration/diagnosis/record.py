@@ -15,10 +15,8 @@ from rolamento.vibration.diagnosis.size import GRADES, Grade
 Verdict = Literal["fault", "undecided", "watch", "nothing_found", "not_tested"]
 """Of a part: damaged; damaged or not, what speaks against it is as strong; lines as many healthy
 bearings have; none, or none of its own; nothing can be told."""
-
 SpeedSource = Literal["given", "shaft_lines", "fault_lines"]
 """What tells the speed of the shaft: what was given, its own lines, or those of the fault."""
-
 Cause = Literal["outer_race", "inner_race", "ball", "cage", "ball_or_cage"]
 
 

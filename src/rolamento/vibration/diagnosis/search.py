@@ -35,11 +35,8 @@ from rolamento.vibration.diagnosis.settings import Component, FaultOrders
 from rolamento.vibration.noise_floor import log_gamma_tail, mean_scores, reaches
 
 WIDTHS: Final = (1, 2, 4, 8, 16)
-
 """Of the highest multiple; in lines."""
-
 _WIDTHS_WITH_SIDEBANDS: Final = WIDTHS[:4]
-
 """Sidebands lie close enough to share the noise that they are compared with; wide ones would feel
 its scatter together."""
 
@@ -166,9 +163,7 @@ def _hypothesis(
 
 
 PlaceArray = NDArray[np.int64]
-
 Number = TypeVar("Number", np.int64, np.float64)
-
 _FAR: Final = 1e5
 
 

@@ -14,15 +14,10 @@ if TYPE_CHECKING:
 
 
 Component = Literal["outer_race", "inner_race", "ball", "cage"]
-
 COMPONENTS: Final[tuple[Component, ...]] = ("outer_race", "inner_race", "ball", "cage")
-
 _HIGHEST: Final = 1000.0
-
 _MOST_KNOWN: Final = 20
-
 _LEAST_KNOWN: Final = 0.01
-
 """Multiples of a lower order would leave nothing to look at."""
 
 

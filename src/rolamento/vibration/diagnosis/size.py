@@ -21,10 +21,8 @@ from rolamento.numerics import FloatArray
 from rolamento.vibration.diagnosis.lines import taper
 
 Grade = Literal["nothing", "watch", "damage", "severe"]
-
 GRADES: Final[tuple[Grade, ...]] = ("nothing", "watch", "damage", "severe")
 """The least first; "watch" are lines as many healthy bearings have."""
-
 DAMAGE: Final = 0.30
 """Depth from which on a part counts as damaged; docs/adr/0012 tells how it was found."""
 SEVERE: Final = 1.0

@@ -43,11 +43,8 @@ from rolamento.vibration.diagnosis.size import DAMAGE, grade_of
 from rolamento.vibration.signal import Signal
 
 _SLOW: Final = 0.25
-
 """Of the lowest order that is looked for: modulations up to there are of the load."""
-
 _SPARE: Final = 1.0
-
 """Orders beyond the highest that is looked for, in which the noise about that is seen."""
 
 
@@ -123,42 +120,24 @@ def _combs(
 
 
 _FAIR_SHARE: Final = 0.5
-
 """Of the first part's depth, which a second one needs."""
-
 _SAME_CAGE: Final = 0.005
-
 """Of the cage's speed, by which two parts may differ: slip on two races need not be the same."""
-
 _CLEAR_BAND: Final = 0.5
-
 """Evidence in a band over that in the clearest one, from which on the depth there counts."""
-
 _ABOVE_SHAFT: Final = 2.0
-
 """Depth of a line on a multiple of the shaft over that of all lower multiples, from which on it is
 not the shaft's alone: what turns with the shaft has its own first multiples."""
-
 _FOOT: Final = 3.0
-
 """Lines within which one counts as lying on a multiple of the shaft."""
-
 _BESIDE: Final = 0.01
-
 """Orders likewise."""
-
 _MULTIPLES: Final = 5
-
 """Of a first part's order, near which a second part's lines tell nothing."""
-
 _CLOSE_CALL: Final = 1.3
-
 """Depth over the limit of damage, up to which the verdict is a close one."""
-
 _SURE: Final = 1.64
-
 """Standard deviations that 95 of 100 do not exceed."""
-
 _FEW_REVOLUTIONS: Final = 100.0
 
 

@@ -30,21 +30,13 @@ from rolamento.vibration.diagnosis.lines import reach, runs, taper, tone_leakage
 from rolamento.vibration.order_tracking import interpolated
 
 _CHANCE: Final = 0.01
-
 """That noise has any line which is taken for a tone."""
-
 _LEVEL_WIDTH: Final = 25.0
-
 """Hz over which a level is taken: narrower than resonances."""
-
 _LEVEL_LINES: Final = 64
-
 _TEETH: Final = 6
-
 _SIDEBANDS: Final = 2
-
 _MOST_CANDIDATES: Final = 20_000
-
 _MOST_TONES: Final = 500
 
 
@@ -170,29 +162,17 @@ def _are_multiples(
 
 
 ComplexArray = NDArray[np.complex128]
-
 _NOTHING: Final = 1e-20
-
 """Of the greatest level: rounding."""
-
 _BARE: Final = 1e-9
-
 """Of the power: what noise has less of beside tones may be the rounding of 16 bits."""
-
 _LARGEST: Final = log(50.0)
-
 """Power of a line over the noise's, which one of fifty lines of noise exceeds."""
-
 _MEDIAN_OF_NOISE: Final = 0.6745
-
 """Median size of Gaussian noise over its deviation."""
-
 _CHANCE_OF_LIMIT: Final = 0.01
-
 """That noise alone has a sample which is limited."""
-
 _SHOCK: Final = 2.0
-
 """Times that: what gears, which are not noise, do not reach either."""
 
 

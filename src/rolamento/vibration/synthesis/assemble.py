@@ -107,11 +107,8 @@ def noise_samples(
 
 
 _TURN: Final = 2.0 * np.pi
-
 _MOST_SAMPLES: Final = 50_000_000
-
 _MOST_PARTS: Final = 100
-
 _MOST_SEED: Final = 2**64
 
 

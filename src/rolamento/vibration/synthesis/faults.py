@@ -27,9 +27,7 @@ from rolamento.vibration.frequencies import FAULTS, FaultFrequencies, FaultKind
 from rolamento.vibration.synthesis.transfer import TransferPath
 
 _TURN: Final = 2.0 * np.pi
-
 _POINTS: Final = 720
-
 _MOST_POSITIONS: Final = 360
 
 
@@ -149,9 +147,7 @@ def _solved_between(solved: Solved, row: int, positions: int) -> Solved:
 
 
 _MOST_IMPACTS: Final = 5_000_000
-
 _LEAST_INTERVAL: Final = 0.05
-
 """Of the mean: no impact overtakes the one before."""
 
 

@@ -29,7 +29,6 @@ _NOTHING: Final = 40.0
 """Decay in nepers that leaves nothing in double precision."""
 _WORTH: Final = 20
 """Answers that overlap at a sample on the mean, up to which adding them up is the faster way."""
-
 Places: TypeAlias = NDArray[np.intp]
 Complexes: TypeAlias = NDArray[np.complex128]
 

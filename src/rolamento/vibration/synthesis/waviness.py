@@ -33,7 +33,6 @@ from rolamento.vibration.frequencies import FaultFrequencies
 
 Surface = Literal["outer", "inner", "ball"]
 Direction = Literal["radial", "axial"]
-
 _TURN: Final = 2.0 * np.pi
 _MOST_WAVES: Final = 10_000
 _LEAST_ANGLE: Final = 1e-3
