@@ -19,7 +19,7 @@ from rolamento.vibration.frequencies import (
     turns_of,
 )
 from rolamento.vibration.frequency_band import Tolerances, banded_frequencies
-from rolamento.vibration.general_motion import general_motion
+from rolamento.vibration.motion import general_motion
 
 RATIOS = st.floats(0.02, 0.4)
 ANGLES = st.floats(0.0, 1.4)

@@ -31,7 +31,7 @@ from rolamento.vibration.frequency_band import (
     alternatives_of,
     banded_frequencies,
 )
-from rolamento.vibration.general_motion import general_motion
+from rolamento.vibration.motion import general_motion
 
 RPM = pi / 30.0
 

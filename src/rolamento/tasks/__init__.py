@@ -29,21 +29,15 @@ __all__ = [
     "synthesise",
 ]
 
-_NAMES_OF_MODULES: Final = {
-    "diagnosis": ("DiagnosisResult", "TooShort", "diagnose"),
-    "frequencies": ("FrequencyResult", "fault_frequencies"),
-    "noise": ("FullScale", "NoiseResult", "anderons"),
-    "synthesis": ("SynthesisResult", "Unsolved", "synthesise"),
-}
-_MODULE_OF_NAME: Final = {
-    name: module for module, names in _NAMES_OF_MODULES.items() for name in names
-}
+_MODULES: Final = ("frequencies", "diagnosis", "synthesis", "noise")
 
 
 def __getattr__(name: str) -> Any:
-    if name not in _MODULE_OF_NAME:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    return getattr(importlib.import_module(f"{__name__}.{_MODULE_OF_NAME[name]}"), name)
+    for part in _MODULES if name in __all__ else ():
+        module = importlib.import_module(f"{__name__}.{part}")
+        if hasattr(module, name):
+            return getattr(module, name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 
 def __dir__() -> list[str]:

@@ -34,7 +34,7 @@ import numpy as np
 
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
-from rolamento.vibration._checks import Band, checked_band, checked_count, checked_number
+from rolamento.vibration._checks import Band, checked_band, checked_count, checked_number, pieces_of
 from rolamento.vibration.signal import Quantity, Signal
 from rolamento.vibration.spectrum import Spectrum, averaged_density, axis_of
 
@@ -85,10 +85,8 @@ def velocity_of(signal: Signal | Iterable[Signal], resolution: float) -> Velocit
         If the quantity is unknown, the signal is shorter than a segment or does not change, or the
         pieces differ in rate, quantity or unit.
     """
-    pieces = iter([signal] if isinstance(signal, Signal) else signal)
-    first = next(pieces, None)
-    if first is None:
-        raise InputError("holds no samples", field="signal")
+    pieces = pieces_of(signal)
+    first = next(pieces)
     if first.quantity not in _POWERS:
         raise InputError(
             "must be velocity, acceleration or displacement",

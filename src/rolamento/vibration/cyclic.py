@@ -39,7 +39,13 @@ from scipy import signal as scipy_signal
 
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
-from rolamento.vibration._checks import Band, checked_band, checked_count, checked_number
+from rolamento.vibration._checks import (
+    Band,
+    checked_band,
+    checked_count,
+    checked_number,
+    require_signal,
+)
 from rolamento.vibration.signal import Signal
 from rolamento.vibration.spectrum import Spectrum, axis_of, bins_of_band
 
@@ -94,6 +100,7 @@ def cyclic_coherence(signal: Signal, highest: float, window: int = 256) -> Cycli
     InputError
         If an argument is out of range, the signal is too short, or the map would be too large.
     """
+    require_signal(signal)
     samples, rate = signal.samples, signal.rate
     checked_count(window, "window", least=16, most=65536, example="window = 256")
     window += window % 2

@@ -26,7 +26,7 @@ from scipy import signal as scipy_signal
 
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
-from rolamento.vibration._checks import checked_count, checked_number
+from rolamento.vibration._checks import checked_count, checked_number, require_signal
 from rolamento.vibration.signal import Signal
 
 _OVERLAP: Final = 4
@@ -88,6 +88,7 @@ def separate(
     InputError
         If the signal is too short, or an argument out of range.
     """
+    require_signal(signal)
     count = len(signal.samples)
     size = _default_block(count) if block is None else _checked(block, "block", 16, count // 2)
     lag = size if delay is None else _checked(delay, "delay", 1, count // 2)

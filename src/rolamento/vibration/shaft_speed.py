@@ -33,7 +33,7 @@ from scipy import signal as scipy_signal
 
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
-from rolamento.vibration._checks import checked_count, checked_number
+from rolamento.vibration._checks import checked_count, checked_number, require_signal
 from rolamento.vibration.noise_floor import line_scores, log_gamma_tail
 from rolamento.vibration.order_tracking import order_tracked, revolutions_of
 from rolamento.vibration.signal import Signal
@@ -67,6 +67,7 @@ def pulse_times(tacho: Signal, level: float | None = None, edge: Edge = "rising"
     if edge not in ("rising", "falling"):
         rule = "must be rising or falling"
         raise InputError(rule, field="edge", value=edge, example='edge = "rising"')
+    require_signal(tacho)
     samples = tacho.samples if edge == "rising" else -tacho.samples
     low, high = np.quantile(samples, (0.05, 0.95))
     if high - low == 0.0:  # pulses shorter than a twentieth of the time
@@ -233,6 +234,7 @@ def estimate_speed(
     checked_count(harmonics, "harmonics", least=1, most=100, example="harmonics = 8")
     checked_number(agility, "agility", above=0.0, most=0.3, example="agility = 0.02")
     checked_number(false_alarm, "false_alarm", above=0.0, most=0.5, example="false_alarm = 0.01")
+    require_signal(signal)
     highest = 1.2 * harmonics * (1.0 + tolerance) * frequency
     if highest > 0.5 * signal.rate:
         raise InputError(

@@ -34,7 +34,13 @@ from scipy import fft
 from scipy import signal as scipy_signal
 
 from rolamento.numerics import BoolArray, FloatArray
-from rolamento.vibration._checks import Band, checked_band, checked_number, require_samples
+from rolamento.vibration._checks import (
+    Band,
+    checked_band,
+    checked_number,
+    require_samples,
+    require_signal,
+)
 from rolamento.vibration.signal import Signal
 
 
@@ -220,6 +226,7 @@ class SpectralIndicators:
 
 def indicators(signal: Signal) -> Indicators:
     """Return the indicators of a signal."""
+    require_signal(signal)
     mean = float(np.mean(signal.samples))
     x = signal.samples - mean
     size = np.abs(x)

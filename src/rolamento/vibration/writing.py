@@ -17,6 +17,7 @@ import numpy as np
 from rolamento._writing import written_whole
 from rolamento.errors import FileError, InputError
 from rolamento.units import rpm_of
+from rolamento.vibration._checks import require_signal
 from rolamento.vibration.signal import Signal
 
 ENDINGS: Final = (".wav", ".csv", ".npz")
@@ -65,6 +66,7 @@ def write_signal(signal: Signal, path: str | os.PathLike[str]) -> None:
     FileError, InputError
         As `check_signal_name`, or if it cannot be written.
     """
+    require_signal(signal)
     ending = check_signal_name(path, len(signal.samples), signal.rate)
     write = {".wav": _write_wav, ".csv": _write_csv, ".npz": _write_npz}[ending]
     with written_whole(path) as place, place.open("wb") as file:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from itertools import chain
 from math import pi
 from typing import Final
 
@@ -15,6 +16,7 @@ from scipy import fft
 
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
+from rolamento.vibration._checks import pieces_of
 from rolamento.vibration.diagnosis.lines import runs
 from rolamento.vibration.order_tracking import revolutions_of, turns_per_sample
 from rolamento.vibration.signal import Signal
@@ -78,7 +80,9 @@ def blocks_of(pieces: Signal | Iterable[Signal], wanted: float) -> Iterator[Bloc
         else:
             yield from _varying_blocks([pieces], _turns_of_block(revolutions_of(pieces), wanted))
         return
-    first, pieces = _peeked(pieces)
+    rest = pieces_of(pieces)
+    first = next(rest)
+    pieces = chain([first], rest)
     if _steady(first):
         samples = int(min(wanted / turns_per_sample(first), MOST_SAMPLES))
         yield from _steady_blocks(pieces, _good_length(samples))
@@ -149,19 +153,6 @@ def _alike(pieces: Iterable[Signal], *, steady: bool) -> Iterator[Signal]:
                 field="pieces of a signal",
             )
         yield piece
-
-
-def _peeked(pieces: Iterable[Signal]) -> tuple[Signal, Iterable[Signal]]:
-    iterator = iter(pieces)
-    first = next(iterator, None)
-    if first is None:
-        raise InputError("holds no samples", field="signal")
-
-    def again() -> Iterator[Signal]:
-        yield first
-        yield from iterator
-
-    return first, again()
 
 
 def _steady(signal: Signal) -> bool:

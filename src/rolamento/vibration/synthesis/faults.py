@@ -24,6 +24,7 @@ from rolamento.numerics import FloatArray
 from rolamento.solved import Solved, refuse_other
 from rolamento.vibration._checks import check_within
 from rolamento.vibration.frequencies import FAULTS, FaultFrequencies, FaultKind
+from rolamento.vibration.signal import real_numbers
 from rolamento.vibration.synthesis.transfer import TransferPath
 
 _TURN: Final = 2.0 * np.pi
@@ -48,7 +49,10 @@ class LoadDistribution:
     outer: FloatArray
 
     def __post_init__(self) -> None:
-        arrays = [np.asarray(a, dtype=np.float64) for a in (self.azimuth, self.inner, self.outer)]
+        arrays = [
+            real_numbers(getattr(self, name), name, f"{name} = [0.0, 1.0]")
+            for name in ("azimuth", "inner", "outer")
+        ]
         azimuth, inner, outer = arrays
         if azimuth.ndim != 1 or not azimuth.size or any(a.shape != azimuth.shape for a in arrays):
             raise InputError("must be three rows of as many numbers", field="azimuth")
@@ -67,7 +71,7 @@ class LoadDistribution:
         Straight between the points in the approach of ball and race, which goes with Q^(2/3).
         """
         loads = self.inner if race == "inner" else self.outer
-        angle = np.asarray(azimuth, dtype=np.float64)
+        angle = real_numbers(azimuth, "azimuth", "azimuth = [0.0, 1.57]")
         approach = np.interp(angle, self.azimuth, np.cbrt(loads**2), period=_TURN)
         return np.asarray(approach**1.5)
 

@@ -22,6 +22,7 @@ from numpy.typing import ArrayLike, NDArray
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.vibration._checks import check_count, check_within
+from rolamento.vibration.signal import real_numbers
 
 _TURN: Final = 2.0 * np.pi
 _MOST_GAINS: Final = 3600
@@ -89,7 +90,7 @@ class TransferPath:
 
     def at(self, azimuth: ArrayLike) -> FloatArray:
         """Gain of impacts at azimuths (rad); the shape of the azimuths."""
-        angle = np.asarray(azimuth, dtype=np.float64) - self.sensor_azimuth
+        angle = real_numbers(azimuth, "azimuth", "azimuth = [0.0, 1.57]") - self.sensor_azimuth
         if self.gains:
             steps = np.arange(len(self.gains)) * (_TURN / len(self.gains))
             return np.asarray(np.interp(angle, steps, self.gains, period=_TURN))
