@@ -39,13 +39,13 @@ def in_options(command: Callable[..., None], **others: str) -> Iterator[None]:
 
 def _option_names(command: Callable[..., None]) -> dict[str, str]:
     """Return the long name of each option of a command, by the name of its parameter."""
-    names = {}
+    names: dict[str, str] = {}
     for one in inspect.signature(command, eval_str=True).parameters.values():
         for part in getattr(one.annotation, "__metadata__", ()):
             if isinstance(part, OptionInfo):
                 # within `Annotated`, typer holds the first name in the place of the default
                 declared = (part.default, *(part.param_decls or ()))
-                names[one.name] = next(name for name in declared if str(name).startswith("--"))
+                names[one.name] = next(str(name) for name in declared if str(name)[:2] == "--")
     return names
 
 

@@ -1,8 +1,6 @@
 """What a bearing's vibration says: fault frequencies, synthetic signals, analysis and diagnosis.
 
-A `Signal` is what all analyses read. What has the same name in two chapters stands in its own:
-`rolamento.vibration.synthesis.Noise` is noise to be added, `rolamento.vibration.Noise` a bearing's.
-Names are imported when they are first used.
+A `Signal` is what all analyses read. Names are imported when they are first used.
 """
 
 from __future__ import annotations
@@ -14,7 +12,6 @@ if TYPE_CHECKING:
     from rolamento.vibration.anderon import (
         BANDS,
         BandNoise,
-        Noise,
         NoiseSteps,
         Velocity,
         accept,
@@ -85,6 +82,7 @@ if TYPE_CHECKING:
         GivenSpeed,
         LoadDistribution,
         Mode,
+        Noise,
         Recipe,
         SteadySpeed,
         SwingingSpeed,
@@ -117,8 +115,8 @@ __all__ = [
 
 _CHAPTERS: Final = (
     "signal", "writing", "spectrum", "frequencies", "frequency_band", "motion", "order_tracking",
-    "demodulation", "separation", "cyclic", "anderon", "anderon_trend", "shaft_speed", "reading",
-    "synthesis", "diagnosis",
+    "demodulation", "separation", "cyclic", "synthesis", "anderon", "anderon_trend", "shaft_speed",
+    "reading", "diagnosis",
 )  # fmt: skip
 """Where a name is looked for, what is quickly imported first."""
 
