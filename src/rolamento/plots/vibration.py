@@ -135,11 +135,11 @@ def waveform(
     shared, words = plot_words(language), vibration_words(language)
     with styled():
         axes = new_figure(height=70.0)[1] if axes is None else axes
-        first, last = _range(signal, span)
+        first, last = _sample_range(signal, span)
         samples = signal.samples[first:last]
         if samples.size < 2:
             return empty_frame(axes, words.no_lines)
-        _draw(axes, samples, first, signal.rate)
+        _draw_waveform(axes, samples, first, signal.rate)
         axes.set_xlim(first / signal.rate, last / signal.rate)
         if period is not None:
             text = words.period.format(part=part, period=number(1e3 * period, shared))
@@ -151,7 +151,7 @@ def waveform(
     return axes
 
 
-def _range(signal: Signal, span: tuple[float, float] | None) -> tuple[int, int]:
+def _sample_range(signal: Signal, span: tuple[float, float] | None) -> tuple[int, int]:
     count = len(signal.samples)
     if span is None:
         return 0, count
@@ -159,7 +159,7 @@ def _range(signal: Signal, span: tuple[float, float] | None) -> tuple[int, int]:
     return first, min(max(round(span[1] * signal.rate), first), count)
 
 
-def _draw(axes: Axes, samples: Floats, first: int, rate: float) -> None:
+def _draw_waveform(axes: Axes, samples: Floats, first: int, rate: float) -> None:
     """Draw samples as a line, or so many that they merge as the span of each column."""
     if len(samples) <= 4 * _COLUMNS:
         times = (first + np.arange(len(samples))) / rate
@@ -293,21 +293,21 @@ def kurtogram_map(
             vmin=min(0.0, float(values.min())),
         )  # fmt: skip
         axes.grid(visible=False)
-        _bar(axes, picture, words, shared)
-        _rows(axes, found, shared, words)
+        _color_bar(axes, picture, words, shared)
+        _label_levels(axes, found, shared, words)
         label_x(axes, words.frequency, shared)
         _frames(axes, found, band, shared, words)
     return axes
 
 
-def _bar(axes: Axes, picture: object, words: VibrationWords, shared: PlotWords) -> None:
+def _color_bar(axes: Axes, picture: object, words: VibrationWords, shared: PlotWords) -> None:
     bar = figure_of(axes).colorbar(picture, ax=axes, pad=0.02)  # type: ignore[arg-type]
     bar.set_label(words.kurtosis, parse_math=False)
     bar.ax.yaxis.set_major_formatter(lambda value, _: number(value, shared))
     bar.ax.tick_params(labelsize=8.0)
 
 
-def _rows(axes: Axes, found: Kurtogram, shared: PlotWords, words: VibrationWords) -> None:
+def _label_levels(axes: Axes, found: Kurtogram, shared: PlotWords, words: VibrationWords) -> None:
     """Number the rows by their bandwidths."""
     step = 1 if len(found.levels) <= 9 else 2
     places = range(0, len(found.levels), step)
@@ -449,10 +449,10 @@ def envelope_lines(
         top = max(_LEAST_TOP, threshold + 1.0, float(np.nanmax(level))) + _ROOM
         axes.set_ylim(_FLOOR, top)
         axes.set_xlim(0.0, float(hertz[known[-1]]))
-        _shaft(axes, diagnosis, words)
+        _mark_shaft(axes, diagnosis, words)
         drawn = _Drawn(hertz, level, words, shared.decimal_mark)
         for number_of, part in enumerate(COMPONENTS):
-            _mark(axes, diagnosis, part, series(number_of), drawn)
+            _mark_component(axes, diagnosis, part, series(number_of), drawn)
         _mark_unexplained(axes, diagnosis, drawn)
         label_x(axes, words.frequency, shared)
         label_y(axes, words.above_noise, shared)
@@ -468,7 +468,7 @@ def _decibels(above: Floats) -> Floats:
     return np.where(np.isneginf(level), _FLOOR, level)
 
 
-def _shaft(axes: Axes, diagnosis: Diagnosis, words: VibrationWords) -> None:
+def _mark_shaft(axes: Axes, diagnosis: Diagnosis, words: VibrationWords) -> None:
     """Tick the multiples of the shaft at the foot: they are left out of the search."""
     frequency, end = diagnosis.shaft_frequency, axes.get_xlim()[1]
     if frequency <= 0.0 or end / frequency > 1000.0:
@@ -480,7 +480,7 @@ def _shaft(axes: Axes, diagnosis: Diagnosis, words: VibrationWords) -> None:
     )  # fmt: skip
 
 
-def _mark(
+def _mark_component(
     axes: Axes,
     diagnosis: Diagnosis,
     part: Component,
@@ -492,7 +492,7 @@ def _mark(
     if verdict.band is not None:
         keywords: dict[str, Any] = {"color": look.color, "linestyle": "", "marker": look.marker}
         lines = [(line.frequency, f"{line.multiple:g}×") for line in verdict.lines]
-        tops = [_top(place, hertz, level) for place, _ in lines]
+        tops = [_peak_height(place, hertz, level) for place, _ in lines]
         axes.plot(
             [place for place, _ in lines], tops, **keywords, label=words.found.format(part=name)
         )
@@ -505,7 +505,7 @@ def _mark(
         if verdict.sidebands:
             sides = [line.frequency for line in verdict.sidebands]
             axes.plot(
-                sides, [_top(place, hertz, level) for place in sides], **keywords,
+                sides, [_peak_height(place, hertz, level) for place in sides], **keywords,
                 markerfacecolor="white", label=words.sidebands.format(part=name),
             )  # fmt: skip
     elif verdict.verdict == "nothing_found":
@@ -522,7 +522,7 @@ def _mark(
 def _mark_unexplained(axes: Axes, diagnosis: Diagnosis, drawn: _Drawn) -> None:
     """Point at lines that stand out and belong to nothing that is known."""
     places = [line.frequency for line in diagnosis.unexplained]
-    tops = [_top(place, drawn.hertz, drawn.level) for place in places]
+    tops = [_peak_height(place, drawn.hertz, drawn.level) for place in places]
     if not places:
         return
     axes.plot(
@@ -531,7 +531,7 @@ def _mark_unexplained(axes: Axes, diagnosis: Diagnosis, drawn: _Drawn) -> None:
     )  # fmt: skip
 
 
-def _top(place: float, hertz: Floats, level: Floats) -> float:
+def _peak_height(place: float, hertz: Floats, level: Floats) -> float:
     """Return the height of the peak at a frequency, as it is drawn."""
     index = int(np.searchsorted(hertz, place))
     near = level[max(index - _HALF_PEAK, 0) : index + _HALF_PEAK + 1]

@@ -58,9 +58,9 @@ def noise_report(found: NoiseResult, words: Words = ENGLISH, medium: Medium | No
     said = NOISE_WORDS[words.code]
     parts = [_statement(page, found)]
     if len(found.measured) == 1:
-        parts += [_facts(page, said, found.measured[0]), _bands(page, said, found)]
+        parts += [_facts(page, said, found.measured[0]), _band_table(page, said, found)]
     else:
-        parts.append(_signals(page, said, found))
+        parts.append(_signal_table(page, said, found))
         if found.trend is not None:
             parts.append(_over_time(page, said, found.trend))
     parts.append(_notes(page, said, found))
@@ -134,7 +134,7 @@ def _facts(page: Page, said: NoiseWords, one: MeasuredNoise) -> Lines:
     return lines
 
 
-def _bands(page: Page, said: NoiseWords, found: NoiseResult) -> Lines:
+def _band_table(page: Page, said: NoiseWords, found: NoiseResult) -> Lines:
     one, scales = found.measured[0], found.scales_of(found.measured[0])
     heads = said.heads + (said.limit_heads if scales else ())
     velocities = page.digits.column([_MICRO * band.velocity for band in one.noise.bands], 4, 2)
@@ -177,7 +177,7 @@ def _verdict_cells(page: Page, said: NoiseWords, found: NoiseResult, band: BandN
 # --- several ---------------------------------------------------------------------------------
 
 
-def _signals(page: Page, said: NoiseWords, found: NoiseResult) -> Lines:
+def _signal_table(page: Page, said: NoiseWords, found: NoiseResult) -> Lines:
     columns = [
         page.digits.column([one.noise.of(name).anderons for one in found.measured], 3, 2)
         for name in BANDS
@@ -196,7 +196,7 @@ def _signals(page: Page, said: NoiseWords, found: NoiseResult) -> Lines:
 
 
 def _over_time(page: Page, said: NoiseWords, trend: AnderonTrend) -> Lines:
-    rows = [_row_over_time(page, said, band) for band in trend.bands if band.anderons]
+    rows = [_trend_row(page, said, band) for band in trend.bands if band.anderons]
     if not rows:
         return []
     return [
@@ -206,7 +206,7 @@ def _over_time(page: Page, said: NoiseWords, trend: AnderonTrend) -> Lines:
     ]
 
 
-def _row_over_time(page: Page, said: NoiseWords, band: BandTrend) -> list[str]:
+def _trend_row(page: Page, said: NoiseWords, band: BandTrend) -> list[str]:
     digits = page.digits
     rejected = ABSENT
     if isfinite(band.rejected_by):

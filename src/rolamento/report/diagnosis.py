@@ -75,9 +75,9 @@ def diagnosis_report(
     """
     page = Page(words, medium or Medium())
     said = DIAGNOSIS_WORDS[words.code]
-    parts = [_statement(page, found), _facts(page, said, found), _table(page, said, found)]
+    parts = [_statement(page, found), _facts(page, said, found), _verdict_table(page, said, found)]
     if not found.still:
-        parts.append(_why(page, said, found))
+        parts.append(_reasons_by_part(page, said, found))
     parts.append(_notes(page, said, found))
     return rendered(page.medium, [part for part in parts if part])
 
@@ -208,10 +208,10 @@ def _search(page: Page, said: DiagnosisWords, found: DiagnosisResult) -> str:
     )
 
 
-def _table(page: Page, said: DiagnosisWords, found: DiagnosisResult) -> Lines:
+def _verdict_table(page: Page, said: DiagnosisWords, found: DiagnosisResult) -> Lines:
     rows = [[page.text(head, "dim") for head in said.heads]]
     for part in found.diagnosis.components:
-        rows.append(_row(page, said, found.diagnosis, part))
+        rows.append(_verdict_row(page, said, found.diagnosis, part))
     legend = said.legend.format(
         trials=found.diagnosis.trials,
         least=page.digits.short(-log10(found.diagnosis.false_alarm), 3),
@@ -225,7 +225,7 @@ def _table(page: Page, said: DiagnosisWords, found: DiagnosisResult) -> Lines:
     ]
 
 
-def _row(
+def _verdict_row(
     page: Page, said: DiagnosisWords, diagnosis: Diagnosis, part: ComponentVerdict
 ) -> list[Text]:
     digits = page.digits
@@ -248,7 +248,7 @@ def _row(
     ]
 
 
-def _why(page: Page, said: DiagnosisWords, found: DiagnosisResult) -> Lines:
+def _reasons_by_part(page: Page, said: DiagnosisWords, found: DiagnosisResult) -> Lines:
     """Give the reasons, those of faults first; parts that have the same stand together."""
     diagnosis, code = found.diagnosis, page.words.code
     by_evidence = sorted(

@@ -44,7 +44,7 @@ _MOST_LINES: Final = 5
 def said_result(found: DiagnosisResult, language: str) -> list[str]:
     """Return what all comes to, sentence by sentence."""
     if found.speed_lost and not found.still and not _stated(found.diagnosis):
-        return [_of(language)[0].no_speed]
+        return [_words_and_digits(language)[0].no_speed]
     if found.verdict == "no_verdict" and not found.still:
         return _said_untested(found.diagnosis, language)
     return said_statements(found.diagnosis, language, still=found.still)
@@ -52,7 +52,7 @@ def said_result(found: DiagnosisResult, language: str) -> list[str]:
 
 def _said_untested(diagnosis: Diagnosis, language: str) -> list[str]:
     """Return what could not be tested, why, and that nothing stands out of the rest."""
-    said, _ = _of(language)
+    said, _ = _words_and_digits(language)
     tested = [said.parts[p.component] for p in diagnosis.components if p.verdict != "not_tested"]
     untested = [part for part in diagnosis.components if part.verdict == "not_tested"]
     reasons = dict.fromkeys(text for p in untested for text in said_reasons(p, diagnosis, language))
@@ -66,7 +66,7 @@ def _said_untested(diagnosis: Diagnosis, language: str) -> list[str]:
 
 def said_too_short(found: TooShort, language: str) -> str:
     """Return that a record is too short for any race, or its shaft too slow for its rate."""
-    said, digits = _of(language)
+    said, digits = _words_and_digits(language)
     times = found.least_revolutions / found.revolutions
     return (said.too_slow if found.is_stretch else said.too_short).format(
         turns=digits.short(found.revolutions, 2),
@@ -82,7 +82,7 @@ def said_statements(diagnosis: Diagnosis, language: str, *, still: bool = False)
 
     still: whether the signal does not change at all, of which the spectra tell nothing.
     """
-    said, digits = _of(language)
+    said, digits = _words_and_digits(language)
     parts = diagnosis.components
     if still and not diagnosis.faults:
         return [said.no_change]
@@ -107,7 +107,7 @@ def said_statements(diagnosis: Diagnosis, language: str, *, still: bool = False)
 
 def said_advice(diagnosis: Diagnosis, language: str) -> list[str]:
     """Return what to do, and what speaks against a verdict; nothing where nothing is found."""
-    said, _ = _of(language)
+    said, _ = _words_and_digits(language)
     stated = _stated(diagnosis)
     if diagnosis.undecided:
         return [said.to_do["undecided_speed"]]
@@ -149,7 +149,7 @@ def said_reasons(part: ComponentVerdict, diagnosis: Diagnosis, language: str) ->
 
 def said_note(note: Reason, diagnosis: Diagnosis, language: str) -> str:
     """Return what a user should know about a diagnosis."""
-    said, digits = _of(language)
+    said, digits = _words_and_digits(language)
     if note.name == "unexplained_lines" and diagnosis.unexplained:
         return _unexplained(diagnosis, said, digits)
     if note.name not in said.note:
@@ -161,7 +161,7 @@ def said_note(note: Reason, diagnosis: Diagnosis, language: str) -> str:
 
 def said_own_note(name: str, found: DiagnosisResult, language: str) -> str:
     """Return one of the result's own notes."""
-    said, digits = _of(language)
+    said, digits = _words_and_digits(language)
     numbers = {
         "tolerance": digits.short(100.0 * found.settings.tolerance, 3),
         "rows": listed((said.row.format(row=row) for row in found.other_rows), said),
@@ -184,7 +184,7 @@ def listed(items: Iterable[str], said: DiagnosisWords, last: str | None = None) 
     return (last or said.all_of).format(list=", ".join(words[:-1]), last=words[-1])
 
 
-def _of(language: str) -> tuple[DiagnosisWords, Digits]:
+def _words_and_digits(language: str) -> tuple[DiagnosisWords, Digits]:
     words = words_for(language)
     return DIAGNOSIS_WORDS[words.code], Digits(words.decimal_mark)
 
@@ -273,7 +273,7 @@ def _hertz(frequency: float, digits: Digits) -> str:
 
 
 def _reason(reason: Reason, part: ComponentVerdict, diagnosis: Diagnosis, language: str) -> str:
-    said, digits = _of(language)
+    said, digits = _words_and_digits(language)
     template = said.reason.get(reason.name)
     if template is None:
         return reason.text

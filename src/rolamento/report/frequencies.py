@@ -64,8 +64,8 @@ def frequencies_report(
     """
     page = Page(words, medium or Medium())
     said = FREQUENCY_WORDS[words.code]
-    parts = [_head(page, said, found)]
-    parts += [_table(page, said, found, one) for one in found.by_source if _has_lines(one)]
+    parts = [_page_head(page, said, found)]
+    parts += [_line_table(page, said, found, one) for one in found.by_source if _has_lines(one)]
     parts.append(_harmonics(page, said, found))
     if found.alternatives:
         parts.append(_alternatives(page, said, found.alternatives))
@@ -73,7 +73,7 @@ def frequencies_report(
     return rendered(page.medium, [part for part in parts if part])
 
 
-def _head(page: Page, said: FrequencyWords, found: FrequencyResult) -> Lines:
+def _page_head(page: Page, said: FrequencyWords, found: FrequencyResult) -> Lines:
     digits, bearing, nominal = page.digits, found.bearing, found.nominal
     inside = said.inside.format(
         count=bearing.ball_count,
@@ -105,7 +105,7 @@ def _has_lines(one: FaultFrequencies) -> bool:
     return isfinite(one.cage.order)
 
 
-def _table(
+def _line_table(
     page: Page, said: FrequencyWords, found: FrequencyResult, one: FaultFrequencies
 ) -> Lines:
     nominal = one.source == "nominal"
@@ -149,7 +149,7 @@ def _harmonics(page: Page, said: FrequencyWords, found: FrequencyResult) -> Line
         lines = best.harmonics(kind, found.harmonics, found.sidebands)
         for number in range(1, found.harmonics + 1):
             own = {line.sideband: line for line in lines if line.harmonic == number}
-            cells = [_place(page, own.get(side), in_hertz) for side in sides]
+            cells = [_harmonic_cell(page, own.get(side), in_hertz) for side in sides]
             label = said.faults[kind] if number == 1 else ""
             rows.append([page.text(cell) for cell in (label, f"{number}×", *cells)])
     heading = said.harmonics if in_hertz else said.harmonics_in_orders
@@ -161,7 +161,7 @@ def _harmonics(page: Page, said: FrequencyWords, found: FrequencyResult) -> Line
     ]
 
 
-def _place(page: Page, line: Harmonic | None, in_hertz: bool) -> str:
+def _harmonic_cell(page: Page, line: Harmonic | None, in_hertz: bool) -> str:
     if line is None:
         return ""
     return page.digits.fixed(*((line.frequency, 2) if in_hertz else (line.order, 4)))

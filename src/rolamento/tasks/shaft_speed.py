@@ -239,7 +239,7 @@ def known_speed(
     along, tracking = found_in_vibration(source, part, nominal, within, progress)
     if along is None:
         return replace(steady, shaft=replace(steady.shaft, tracking=tracking))
-    shaft = replace(_shaft("vibration", along), tracking=tracking)
+    shaft = replace(_shaft_speed("vibration", along), tracking=tracking)
     return _of_turning_ring(shaft, (steady.inner, steady.outer), _interpolated(along))
 
 
@@ -320,12 +320,12 @@ def _of_tacho(
     rings = _one_ring(of_case, "tacho")
     pulses = 1 if asked.pulses is None else asked.pulses
     along, name = of_tacho(source, part, channel, pulses)
-    shaft = replace(_shaft("pulses", along), channel=name, pulses=pulses)
+    shaft = replace(_shaft_speed("pulses", along), channel=name, pulses=pulses)
     _check_range(shaft, "tacho")
     return _of_turning_ring(shaft, rings, _interpolated(along))
 
 
-def _shaft(by: SpeedSource, along: Along) -> ShaftSpeed:
+def _shaft_speed(by: SpeedSource, along: Along) -> ShaftSpeed:
     speed = along.speed
     return ShaftSpeed(by, float(speed.mean()), float(speed.min()), float(speed.max()))
 
@@ -476,7 +476,7 @@ def _opened_tacho(source: SignalFile, channel: str | int) -> SignalFile:
             tacho = open_signal(source.path, channel=channel, rate=rate, decimal_mark=mark)
     except InputError as error:
         raise renamed(error, {"channel": "tacho"}) from None
-    if _place(tacho) == _place(source):
+    if _channel_number(tacho) == _channel_number(source):
         tacho.close()
         raise InputError(
             "is the channel of the vibration; choose that of the pulses",
@@ -495,7 +495,7 @@ def _opened_tacho(source: SignalFile, channel: str | int) -> SignalFile:
     return tacho
 
 
-def _place(file: SignalFile) -> int:
+def _channel_number(file: SignalFile) -> int:
     """Return the number of the channel that was chosen, counted from 0."""
     return next(i for i, channel in enumerate(file.channels) if channel is file.channel)
 

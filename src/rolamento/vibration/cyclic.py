@@ -33,12 +33,11 @@ from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy import fft
 from scipy import signal as scipy_signal
 
 from rolamento.errors import InputError
-from rolamento.numerics import FloatArray
+from rolamento.numerics import ComplexArray, FloatArray
 from rolamento.vibration._checks import (
     Band,
     checked_band,
@@ -49,7 +48,6 @@ from rolamento.vibration._checks import (
 from rolamento.vibration.signal import Signal
 from rolamento.vibration.spectrum import Spectrum, axis_of, bins_of_band
 
-ComplexArray = NDArray[np.complex128]
 _MOST_VALUES: Final = 2**26
 """Of the map, carriers times modulations: half a gigabyte."""
 _AT_ONCE: Final = 2**16
@@ -58,7 +56,7 @@ _STEPS_PER_WINDOW: Final = 8
 _LOBE: Final = 3
 """Lines on either side over which R_w of Hann's window reaches; it is zero there."""
 _ROUNDING: Final = 1e-24
-"""Of the square of the greatest sample: a carrier with less power has none."""
+"""Of the square of the maximum sample: a carrier with less power has none."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -49,12 +49,11 @@ from scipy import fft
 from scipy import signal as scipy_signal
 
 from rolamento.errors import InputError
-from rolamento.numerics import FloatArray
+from rolamento.numerics import ComplexArray, FloatArray
 from rolamento.vibration._checks import Band, checked_band, checked_count, require_samples
 from rolamento.vibration.signal import Signal
 from rolamento.vibration.spectrum import EDGE, Spectrum, axis_of, one_sided_amplitudes
 
-ComplexArray = NDArray[np.complex128]
 EnvelopeKind = Literal["squared", "plain"]
 _LEAST_LINES = 4
 
@@ -197,7 +196,7 @@ FILTER_ORDER: Final = 16
 CUTOFF: Final = 0.2
 """Of the prototype that halves; cycles per sample."""
 _ROUNDING: Final = 1e-24
-"""Of the square of the greatest sample: a band with less power has none."""
+"""Of the square of the maximum sample: a band with less power has none."""
 _LEAST_VALUES: Final = 64
 """In a band: with fewer a kurtosis tells nothing."""
 _MOST_LEVELS: Final = 12
@@ -454,9 +453,9 @@ def _kurtosis(bands: Bands, of_noise: float, least: float) -> FloatArray:
     power = np.square(centred.real)
     if np.iscomplexobj(centred):
         power += np.square(centred.imag)
-    greatest = np.max(power, axis=1)
-    there = greatest > least
-    power /= np.where(there, greatest, 1.0)[:, np.newaxis]
+    maximum = np.max(power, axis=1)
+    there = maximum > least
+    power /= np.where(there, maximum, 1.0)[:, np.newaxis]
     mean = np.where(there, np.mean(power, axis=1), 1.0)
     squares = np.einsum("ij,ij->i", power, power) / power.shape[1]
     return np.where(there, squares / np.square(mean) - of_noise, 0.0)

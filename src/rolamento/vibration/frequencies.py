@@ -67,7 +67,7 @@ _MOST_LINES: Final = 10_000
 
 
 @dataclass(frozen=True, slots=True)
-class Band:
+class LineBand:
     """What uncertainty of geometry, slip and speed leaves open; orders of the shaft, and Hz."""
 
     order_low: float
@@ -97,7 +97,7 @@ class FaultLine:
     minimum: float
     mean: float
     maximum: float
-    band: Band | None = None
+    band: LineBand | None = None
 
 
 @dataclass(frozen=True, slots=True)

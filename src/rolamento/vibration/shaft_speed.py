@@ -10,7 +10,7 @@ blocks. For a candidate frequency f in a block, the evidence is
     s(f) = Σ_h ln(1 + P(h f)/P_0(h f)),   h = 1 … H,
 
 with P the power and P_0 the noise about it: sums of many harmonics, none of which alone decides.
-The path of f over the blocks with the greatest sum is found by dynamic programming (Viterbi 1967),
+The path of f over the blocks with the maximum sum is found by dynamic programming (Viterbi 1967),
 its steps limited by how fast the shaft can change. The signal is then tracked along the path, and
 the phase that its strongest harmonic still shows corrects it (Bonnardot et al., Mechanical Systems
 and Signal Processing 19 (2005), 766-785).
@@ -27,12 +27,11 @@ from math import exp, log, pi
 from typing import Final, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy import fft, interpolate
 from scipy import signal as scipy_signal
 
 from rolamento.errors import InputError
-from rolamento.numerics import FloatArray
+from rolamento.numerics import ComplexArray, FloatArray
 from rolamento.vibration._checks import checked_count, checked_number, require_signal
 from rolamento.vibration.noise_floor import line_scores, log_gamma_tail
 from rolamento.vibration.order_tracking import order_tracked, revolutions_of
@@ -165,7 +164,6 @@ def _check_pulses(times: FloatArray) -> None:
 # --- from the vibration itself -------------------------------------------------------------------
 
 
-ComplexArray = NDArray[np.complex128]
 _TURN: Final = 2.0 * pi
 _TURNS_PER_BLOCK: Final = 24
 _PADDING: Final = 4
@@ -222,7 +220,7 @@ def estimate_speed(
     agility
         Part by which it may change within 12 revolutions.
     false_alarm
-        Greatest probability at which noise is taken for a shaft.
+        Maximum probability at which noise is taken for a shaft.
 
     Raises
     ------

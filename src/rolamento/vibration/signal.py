@@ -28,7 +28,7 @@ _SCALES: Final[dict[Quantity, dict[str, float]]] = {
 }
 _LONGEST_TEXT: Final = 300
 _HIGHEST_RATE: Final = 1e9
-_GREATEST_SAMPLE: Final = 1e60
+_MAXIMUM_SAMPLE: Final = 1e60
 """The sum of fourth powers, as the kurtosis takes them, stays finite in double precision."""
 _HIGHEST_SPEED: Final = 1e7
 _SAMPLES_EXAMPLE: Final = "samples = [0.1, -0.2, 0.05]"
@@ -139,7 +139,7 @@ def _checked_samples(given: ArrayLike) -> FloatArray:
             field="samples",
             example=_SAMPLES_EXAMPLE,
         )
-    _refuse_bad(samples, _GREATEST_SAMPLE, "samples", _SAMPLES_EXAMPLE)
+    _refuse_bad(samples, _MAXIMUM_SAMPLE, "samples", _SAMPLES_EXAMPLE)
     return samples
 
 
@@ -188,13 +188,13 @@ def real_numbers(given: ArrayLike, field: str, example: str) -> FloatArray:
     return array
 
 
-def _refuse_bad(numbers: FloatArray, greatest: float, field: str, example: str) -> None:
+def _refuse_bad(numbers: FloatArray, maximum: float, field: str, example: str) -> None:
     """Refuse what is not finite or beyond a limit; the extremes tell without a copy."""
     lowest, highest = float(np.min(numbers)), float(np.max(numbers))
-    if not (lowest >= -greatest and highest <= greatest):
-        wrong = np.flatnonzero(~(np.abs(np.atleast_1d(numbers)) <= greatest))[0]
+    if not (lowest >= -maximum and highest <= maximum):
+        wrong = np.flatnonzero(~(np.abs(np.atleast_1d(numbers)) <= maximum))[0]
         raise InputError(
-            f"must be finite numbers of a size up to {greatest:g}; number {wrong} is not",
+            f"must be finite numbers of a size up to {maximum:g}; number {wrong} is not",
             field=field,
             value=float(np.atleast_1d(numbers)[wrong]),
             example=example,

@@ -33,11 +33,10 @@ from math import ceil, log
 from typing import Final, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy import fft
 
 from rolamento.errors import InputError
-from rolamento.numerics import BoolArray, FloatArray
+from rolamento.numerics import BoolArray, ComplexArray, FloatArray, IntArray
 from rolamento.vibration._checks import Band
 from rolamento.vibration.diagnosis.blocks import MOST_GAPS, Block, Watch
 from rolamento.vibration.diagnosis.lines import envelope_leakage, reach, runs, taper
@@ -84,7 +83,7 @@ def shaft_places(
 
 
 def lines_connected(
-    spreads: NDArray[np.int64], places: Sequence[Place], turns: float, lines: int
+    spreads: IntArray, places: Sequence[Place], turns: float, lines: int
 ) -> BoolArray:
     """Lines whose noise the division by the regular part made depend on that of others.
 
@@ -178,7 +177,6 @@ def filled(power: FloatArray, left_out: BoolArray) -> FloatArray:
 # --- what is regular in a band's squared envelope ------------------------------------------------
 
 
-ComplexArray = NDArray[np.complex128]
 _MARGIN: Final = 1.3
 """Lines that are kept before a product with the regular part, over those that are wanted."""
 _STEPS: Final = 4
@@ -204,7 +202,7 @@ class ModulationPowers(NamedTuple):
     plain: FloatArray
     even: FloatArray
     depth: FloatArray
-    spreads: NDArray[np.int64]
+    spreads: IntArray
 
 
 def limited(squared: FloatArray) -> FloatArray:
@@ -276,12 +274,14 @@ def modulation_powers(
     if mean <= 0.0:
         return ModulationPowers(plain, plain.copy(), np.zeros(lines), spreads)
     spreads[0] = min(slow, _slow_spread(plain, slow))
-    level = _part(spectrum, 0, int(spreads[0]), steps) / _base(of_window, int(spreads[0]), steps)
+    level = _made_of_lines(spectrum, 0, int(spreads[0]), steps) / _made_of_taper(
+        of_window, int(spreads[0]), steps
+    )
     for number, place in enumerate(regular, 1):
         spread = _spread(plain, place, most)
         if spread is not None:
-            part = _part(spectrum, round(place.line), spread, steps)
-            level += part / _base(of_window, spread, steps)
+            part = _made_of_lines(spectrum, round(place.line), spread, steps)
+            level += part / _made_of_taper(of_window, spread, steps)
             spreads[number] = spread
     even = envelope / np.maximum(level / mean, _LEAST)
     even -= window * (np.sum(even) / np.sum(window))
@@ -322,7 +322,7 @@ def _slow_spread(power: FloatArray, slow: int) -> int:
     return int(rises[-1]) + 1 + reach(envelope_leakage(), float(ratio[rises[-1]]) / _SPREAD_TO)
 
 
-def _part(spectrum: ComplexArray, centre: int, spread: int, steps: int) -> FloatArray:
+def _made_of_lines(spectrum: ComplexArray, centre: int, spread: int, steps: int) -> FloatArray:
     """What the lines about a place make; without its mirror image below zero frequency."""
     kept = np.zeros_like(spectrum)
     lines = slice(max(0, centre - spread), centre + spread + 1)
@@ -330,10 +330,10 @@ def _part(spectrum: ComplexArray, centre: int, spread: int, steps: int) -> Float
     return np.asarray(fft.irfft(kept, steps))
 
 
-def _base(of_window: ComplexArray, spread: int, steps: int) -> FloatArray:
+def _made_of_taper(of_window: ComplexArray, spread: int, steps: int) -> FloatArray:
     """What the same number of lines make of the taper; kept from zero at the block's ends."""
     mean = float(of_window[0].real) / steps
-    return np.maximum(_part(of_window, 0, spread, steps), _LEAST * mean)
+    return np.maximum(_made_of_lines(of_window, 0, spread, steps), _LEAST * mean)
 
 
 # --- all bands of all blocks ---------------------------------------------------------------------
@@ -387,7 +387,7 @@ class BandSpectra:
     regular
         places of multiples of what turns
     spreads
-        (bands, 1 + regular), greatest number of lines on either side of zero and of each of these
+        (bands, 1 + regular), maximum number of lines on either side of zero and of each of these
         that were taken for regular in any block; -1 for none
     bands
         Hz
@@ -417,7 +417,7 @@ class BandSpectra:
     power: FloatArray
     depth: FloatArray
     regular: tuple[Place, ...]
-    spreads: NDArray[np.int64]
+    spreads: IntArray
     bands: tuple[Band, ...]
     turns: float
     blocks: int

@@ -297,13 +297,13 @@ def unexplained_lines(
         about = slice(max(0, line - max(_WIDTHS)), line + max(_WIDTHS) + 1)
         ratio = field.spectra.power[band, about] / field.level[band, about]
         above = 10.0 * float(np.log10(np.max(ratio[~left_out[band, about]])))
-        found.append(_line(line, above, depth, band, probability, field))
+        found.append(_unexplained_line(line, above, depth, band, probability, field))
         apart = max(2 * max(_WIDTHS), int(_APART * line))
         peaks[:, max(0, line - apart) : line + apart + 1] = 0.0
     return tuple(found)
 
 
-def _line(
+def _unexplained_line(
     line: int, above: float, depth: float, band: int, probability: float, field: Field
 ) -> UnexplainedLine:
     order = line / field.turns

@@ -6,10 +6,9 @@ from functools import cache
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy import fft
 
-from rolamento.numerics import BoolArray, FloatArray
+from rolamento.numerics import BoolArray, FloatArray, IntArray
 
 _TAPERED: Final = 0.1
 """Of a block, half at either end: enough that strong tones do not spread far, and little enough
@@ -29,7 +28,7 @@ def taper(places: FloatArray) -> FloatArray:
 
 @cache
 def tone_leakage() -> FloatArray:
-    """Greatest power, over that of its peak, that a tone leaves so many lines away or farther."""
+    """Maximum power, over that of its peak, that a tone leaves so many lines away or farther."""
     return _spread(taper((np.arange(_LENGTH) + 0.5) / _LENGTH))
 
 
@@ -56,7 +55,7 @@ def _spread(window: FloatArray) -> FloatArray:
 # --- neighbouring lines that are alike -----------------------------------------------------------
 
 
-def runs(lines: BoolArray) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+def runs(lines: BoolArray) -> tuple[IntArray, IntArray]:
     """First places of runs of true values, and the places after their last."""
     edges = np.flatnonzero(np.diff(lines, prepend=False, append=False))
     return edges[::2], edges[1::2]

@@ -30,7 +30,7 @@ from typing import Final, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from rolamento.numerics import BoolArray, FloatArray
+from rolamento.numerics import BoolArray, FloatArray, IntArray
 from rolamento.vibration.diagnosis.settings import Component, FaultOrders
 from rolamento.vibration.noise_floor import log_gamma_tail, mean_scores, reaches
 
@@ -162,7 +162,6 @@ def _hypothesis(
 # --- the search ----------------------------------------------------------------------------------
 
 
-PlaceArray = NDArray[np.int64]
 Number = TypeVar("Number", np.int64, np.float64)
 _FAR: Final = 1e5
 
@@ -193,7 +192,7 @@ class Scores:
         self._averages = averages
         self._rows: dict[int, tuple[FloatArray, BoolArray, BoolArray]] = {}
 
-    def about(self, places: PlaceArray, width: int) -> tuple[FloatArray, BoolArray]:
+    def about(self, places: IntArray, width: int) -> tuple[FloatArray, BoolArray]:
         """Score of what lies within so many lines about each place, and whether any does.
 
         (bands, places) each; 0 and False where all lines are left out.
@@ -217,7 +216,7 @@ class Scores:
             self._rows[width] = rows
         return self._rows[width]
 
-    def _scored(self, lines: PlaceArray, width: int) -> tuple[FloatArray, BoolArray]:
+    def _scored(self, lines: IntArray, width: int) -> tuple[FloatArray, BoolArray]:
         first = np.clip(lines - (width - 1) // 2, 1, None)
         last = np.clip(lines + width // 2 + 1, None, self.lines)
         counts = self._counts[:, last] - self._counts[:, first]
@@ -247,7 +246,7 @@ class Finding:
     trials
         how many were tried in the whole search
     per_band
-        greatest evidence in each band
+        maximum evidence in each band
     """
 
     evidence: float
@@ -350,7 +349,7 @@ def _apart(hypothesis: Hypothesis, fundamental: float, spacing: float) -> bool:
     )
 
 
-def combined(scores: FloatArray, used: NDArray[np.int64]) -> FloatArray:
+def combined(scores: FloatArray, used: IntArray) -> FloatArray:
     """-ln of the probability that independent scores, none counted above the median, do as well.
 
     Parameters
@@ -372,12 +371,14 @@ def combined(scores: FloatArray, used: NDArray[np.int64]) -> FloatArray:
     for count in np.flatnonzero(np.bincount((used - above).ravel())):
         if count > 0:
             here = used - above == count
-            found[here] = totals[here] if count == 1 else np.interp(totals[here], *_table(count))
+            found[here] = (
+                totals[here] if count == 1 else np.interp(totals[here], *_gamma_tails(count))
+            )
     return found
 
 
 @cache
-def _table(count: int) -> tuple[FloatArray, FloatArray]:
+def _gamma_tails(count: int) -> tuple[FloatArray, FloatArray]:
     """Totals, and -ln of the tail of a gamma variable there."""
     near = np.linspace(0.0, 20.0 * count + 100.0, 3000)
     far = np.geomspace(20.0 * count + 101.0, _FAR, 300)

@@ -21,10 +21,9 @@ from math import ceil, log, sqrt
 from typing import Final, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy import fft
 
-from rolamento.numerics import BoolArray, FloatArray
+from rolamento.numerics import BoolArray, ComplexArray, FloatArray, IntArray
 from rolamento.vibration.diagnosis.blocks import Block
 from rolamento.vibration.diagnosis.lines import reach, runs, taper, tone_leakage
 from rolamento.vibration.order_tracking import interpolated
@@ -77,7 +76,7 @@ def local_level(power: FloatArray, resolution: float) -> FloatArray:
 
 
 def discrete_lines(
-    spectrum: NDArray[np.complex128], level: FloatArray, combs: Sequence[Comb] = ()
+    spectrum: ComplexArray, level: FloatArray, combs: Sequence[Comb] = ()
 ) -> Discrete:
     """Which lines of a tapered block's spectrum belong to discrete tones, and which to a comb.
 
@@ -112,7 +111,7 @@ def discrete_lines(
     return found
 
 
-def _teeth(tones: NDArray[np.int64], comb: Comb) -> BoolArray:
+def _teeth(tones: IntArray, comb: Comb) -> BoolArray:
     """Which tones are teeth of a full comb or their sidebands; none if there is no full comb."""
     of_shaft = _are_multiples(tones, comb.shaft, comb.uncertainty)
     others = tones[~of_shaft]
@@ -126,7 +125,7 @@ def _teeth(tones: NDArray[np.int64], comb: Comb) -> BoolArray:
     return teeth if full and 2 * np.count_nonzero(teeth) > len(others) else none
 
 
-def _near_comb(tones: NDArray[np.int64], fundamental: float, spacing: float) -> BoolArray:
+def _near_comb(tones: IntArray, fundamental: float, spacing: float) -> BoolArray:
     """Which tones are multiples of a fundamental, or up to two spacings away from one."""
     sides = range(-_SIDEBANDS, _SIDEBANDS + 1) if spacing > 0.0 else range(1)
     places = tones.astype(np.float64)
@@ -134,7 +133,7 @@ def _near_comb(tones: NDArray[np.int64], fundamental: float, spacing: float) -> 
     return np.asarray(np.any(near, axis=0))
 
 
-def _best_fundamental(tones: NDArray[np.int64], comb: Comb) -> float:
+def _best_fundamental(tones: IntArray, comb: Comb) -> float:
     """Of which most tones are multiples; tried in steps of a line at the last tone."""
     steps = int((comb.high - comb.low) * float(tones[-1]) / comb.low) + 2
     candidates = np.linspace(comb.low, comb.high, min(steps, _MOST_CANDIDATES))
@@ -146,7 +145,7 @@ def _best_fundamental(tones: NDArray[np.int64], comb: Comb) -> float:
 
 
 def _are_multiples(
-    tones: NDArray[np.int64] | FloatArray, fundamental: float | FloatArray, uncertainty: float = 0.0
+    tones: IntArray | FloatArray, fundamental: float | FloatArray, uncertainty: float = 0.0
 ) -> BoolArray:
     """Which tones lie within a line of a multiple, or within a part of themselves.
 
@@ -161,9 +160,8 @@ def _are_multiples(
 # --- whitening -----------------------------------------------------------------------------------
 
 
-ComplexArray = NDArray[np.complex128]
 _NOTHING: Final = 1e-20
-"""Of the greatest level: rounding."""
+"""Of the maximum level: rounding."""
 _BARE: Final = 1e-9
 """Of the power: what noise has less of beside tones may be the rounding of 16 bits."""
 _LARGEST: Final = log(50.0)

@@ -335,13 +335,13 @@ def synthesise(recipe: Recipe) -> Synthesis:
     docs/theory/vibration-frequencies.md.
     """
     sources = _Sources.of(recipe)
-    speeds = speeds_of(_profile(recipe), recipe.count, recipe.rate, sources.speed)
+    speeds = speeds_of(_speed_profile(recipe), recipe.count, recipe.rate, sources.speed)
     turning = Turning(angle_of(speeds, recipe.count, recipe.rate), recipe.rate)
     damage, truths = _damage(recipe, turning, sources)
     lines = tuple(
         line for wavy in recipe.waviness for line in waviness_lines(recipe.frequencies, wavy)
     )
-    clean = damage + _rest(recipe, lines, turning, speeds, sources)
+    clean = damage + _shaft_and_waviness(recipe, lines, turning, speeds, sources)
     power = {"signal": float(np.mean(clean**2)), "faults": float(np.mean(damage**2))}
     level = 0.0 if recipe.noise is None else recipe.noise.level_beside(power[recipe.noise.of])
     samples = clean
@@ -371,7 +371,7 @@ class _Sources:
         return cls(speed, noise, phases, waves, faults)
 
 
-def _profile(recipe: Recipe) -> SpeedProfile:
+def _speed_profile(recipe: Recipe) -> SpeedProfile:
     if recipe.speed is not None:
         return recipe.speed
     found = recipe.frequencies
@@ -402,7 +402,7 @@ def _damage(
             recipe.load_turns,
         )
         order = recipe.frequencies.of_fault(fault.kind).order
-        answer = _answer(recipe, fault, impacts, turning, order)
+        answer = _response(recipe, fault, impacts, turning, order)
         total += answer
         truths.append(
             FaultTruth(
@@ -419,7 +419,7 @@ def _damage(
     return total, tuple(truths)
 
 
-def _answer(
+def _response(
     recipe: Recipe, fault: Fault, impacts: Impacts, turning: Turning, order: float
 ) -> FloatArray:
     if fault.modulation == "amplitude":
@@ -428,7 +428,7 @@ def _answer(
     return modulated_in_frequency(cycles, recipe.modes, recipe.rate, fault.index, fault.strength)
 
 
-def _rest(
+def _shaft_and_waviness(
     recipe: Recipe,
     lines: Sequence[WavinessLine],
     turning: Turning,

@@ -41,7 +41,7 @@ class LoadDistribution:
     azimuth
         rising, within a turn; rad, 0 at +z
     inner, outer
-        loads over the greatest of their race, 0 to 1
+        loads over the maximum of their race, 0 to 1
     """
 
     azimuth: FloatArray
@@ -66,7 +66,7 @@ class LoadDistribution:
             object.__setattr__(self, name, array)
 
     def at(self, azimuth: ArrayLike, race: Race) -> FloatArray:
-        """Load at azimuths (rad) over the greatest; the shape of the azimuths.
+        """Load at azimuths (rad) over the maximum; the shape of the azimuths.
 
         Straight between the points in the approach of ball and race, which goes with Q^(2/3).
         """
@@ -164,7 +164,7 @@ class Fault:
     kind
         "outer_race", "inner_race", "ball" or "cage"
     strength
-        of an impact under the greatest load right at the sensor; times the gains of the modes
+        of an impact under the maximum load right at the sensor; times the gains of the modes
     azimuth
         of the damage when the signal begins (rad, 0 at +z): of the spot on a race or the cage, or
         of the damaged ball
