@@ -22,8 +22,7 @@ from rolamento.cli.common import (
     plain_endings,
     words_of,
 )
-from rolamento.cli.diagnose import diagnose
-from rolamento.cli.diagnose_options import DiagnoseCommand
+from rolamento.cli.diagnose import DiagnoseCommand, diagnose
 from rolamento.cli.frequencies import frequencies
 from rolamento.cli.friction import friction
 from rolamento.cli.grouped_help import GroupedCommands, Groups

@@ -103,7 +103,7 @@ def friction_report(
 ) -> str:
     """Return the friction of one case as text that ends in a newline."""
     page = Page(words, medium or Medium())
-    parts = [terminal_head(page, analysis.state)]
+    parts = [terminal_head(page, analysis.solved)]
     if analysis.friction is not None:
         parts += friction_parts(page, analysis.solved, analysis.friction)
     return rendered(page.medium, parts)

@@ -1,4 +1,4 @@
-"""The taper of a block, and how far the lines of a spectrum spread because of it."""
+"""Lines of a spectrum: how far the taper spreads them, which are alike, which are of the mains."""
 
 from __future__ import annotations
 
@@ -8,9 +8,7 @@ from typing import Final
 import numpy as np
 from scipy import fft
 
-from rolamento.numerics import FloatArray
-
-__all__ = ["envelope_leakage", "reach", "taper", "tone_leakage"]
+from rolamento.numerics import BoolArray, FloatArray, IntArray
 
 _TAPERED: Final = 0.1
 """Of a block, half at either end: enough that strong tones do not spread far, and little enough
@@ -30,7 +28,7 @@ def taper(places: FloatArray) -> FloatArray:
 
 @cache
 def tone_leakage() -> FloatArray:
-    """Greatest power, over that of its peak, that a tone leaves so many lines away or farther."""
+    """Maximum power, over that of its peak, that a tone leaves so many lines away or farther."""
     return _spread(taper((np.arange(_LENGTH) + 0.5) / _LENGTH))
 
 
@@ -52,3 +50,28 @@ def _spread(window: FloatArray) -> FloatArray:
     half = _OVERSAMPLING // 2
     lines = np.maximum(np.arange(_LENGTH // 4) * _OVERSAMPLING - half, 0)
     return np.asarray(farther[lines])
+
+
+# --- neighbouring lines that are alike -----------------------------------------------------------
+
+
+def runs(lines: BoolArray) -> tuple[IntArray, IntArray]:
+    """First places of runs of true values, and the places after their last."""
+    edges = np.flatnonzero(np.diff(lines, prepend=False, append=False))
+    return edges[::2], edges[1::2]
+
+
+# --- lines of the electric supply ----------------------------------------------------------------
+
+
+MAINS: Final = (50.0, 60.0)
+"""Hz."""
+_OFF: Final = 0.001
+"""Part by which a grid's frequency may be off."""
+_LINES: Final = 1.5
+
+
+def is_near_mains(hertz: FloatArray, resolution: float, mains: float) -> BoolArray:
+    """Which frequencies are multiples of the mains', as far as lines so far apart can tell; Hz."""
+    number = np.maximum(np.rint(hertz / mains), 1.0)
+    return np.abs(hertz - number * mains) <= np.maximum(_LINES * resolution, _OFF * hertz)

@@ -22,8 +22,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento.numerics import FloatArray
-
-__all__ = ["GeneralMotion", "general_motion"]
+from rolamento.vibration.signal import real_numbers
 
 _LEAST: Final = 1e-12
 """Of the ball's axis along the tangents: what is less is rounding."""
@@ -79,9 +78,16 @@ def general_motion(
     GeneralMotion of the broadcast shape; NaN where the ball's axis stands across both tangents,
     and no ring can turn it.
     """
-    pitch = 0.5 * np.asarray(pitch_diameter, dtype=np.float64)
-    inner_radius, outer_radius = (np.asarray(r, dtype=np.float64) for r in rolling_radii)
-    inner_angle, outer_angle = contact_angles
+
+    def numbers(given: ArrayLike, name: str) -> FloatArray:
+        return real_numbers(given, name, f"{name} = [0.1, 0.2]")
+
+    pitch = 0.5 * numbers(pitch_diameter, "pitch_diameter")
+    inner_radius, outer_radius = (numbers(radius, "rolling_radii") for radius in rolling_radii)
+    inner_angle, outer_angle = (numbers(angle, "contact_angles") for angle in contact_angles)
+    attitude, yaw = numbers(attitude, "attitude"), numbers(yaw, "yaw")
+    inner_speed = numbers(inner_speed, "inner_speed")
+    outer_speed = numbers(outer_speed, "outer_speed")
     outer_arm = pitch + outer_radius * np.cos(outer_angle)
     inner_arm = pitch - inner_radius * np.cos(inner_angle)
     # reciprocals of e and i: finite where the ball's axis stands across a tangent

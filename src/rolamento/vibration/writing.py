@@ -9,29 +9,25 @@ from __future__ import annotations
 
 import os
 import struct
-from math import isfinite, pi
-from typing import TYPE_CHECKING, BinaryIO, Final
+from math import isfinite
+from typing import BinaryIO, Final
 
 import numpy as np
 
 from rolamento._writing import written_whole
 from rolamento.errors import FileError, InputError
-
-if TYPE_CHECKING:
-    from rolamento.vibration.signal import Signal
-
-__all__ = ["ENDINGS", "check_signal_name", "write_signal"]
+from rolamento.units import rpm_of
+from rolamento.vibration._checks import require_signal
+from rolamento.vibration.signal import Signal
 
 ENDINGS: Final = (".wav", ".csv", ".npz")
-
-_RPM: Final = 30.0 / pi
 _MOST_ROWS: Final = 5_000_000
 _PIECE: Final = 2**16
 _FLOAT: Final = 3
 _HIGHEST_WAV_RATE: Final = 2**32 - 1
 
 
-def check_signal_name(path: str, count: int, rate: float) -> str:
+def check_signal_name(path: str | os.PathLike[str], count: int, rate: float) -> str:
     """Return the ending of a file for so many samples at a rate (Hz).
 
     Raises
@@ -39,6 +35,7 @@ def check_signal_name(path: str, count: int, rate: float) -> str:
     FileError, InputError
         If there is no such kind of file, or it cannot hold them.
     """
+    path = os.fspath(path)
     ending = os.path.splitext(path)[1].lower()
     if ending not in ENDINGS:
         raise FileError(f"must end in {', '.join(ENDINGS)}", source=path, example="signal.npz")
@@ -61,7 +58,7 @@ def check_signal_name(path: str, count: int, rate: float) -> str:
     return ending
 
 
-def write_signal(signal: Signal, path: str) -> None:
+def write_signal(signal: Signal, path: str | os.PathLike[str]) -> None:
     """Write a signal as a file of the kind that its name ends in; an old one is overwritten.
 
     Raises
@@ -69,6 +66,7 @@ def write_signal(signal: Signal, path: str) -> None:
     FileError, InputError
         As `check_signal_name`, or if it cannot be written.
     """
+    require_signal(signal)
     ending = check_signal_name(path, len(signal.samples), signal.rate)
     write = {".wav": _write_wav, ".csv": _write_csv, ".npz": _write_npz}[ending]
     with written_whole(path) as place, place.open("wb") as file:
@@ -93,14 +91,14 @@ def _write_npz(signal: Signal, file: BinaryIO) -> None:
         "unit": np.array(signal.unit),
     }
     if isfinite(signal.mean_speed):
-        arrays["rpm"] = np.array(_RPM * signal.mean_speed)
+        arrays["rpm"] = np.array(rpm_of(signal.mean_speed))
     np.savez(file, **arrays)  # type: ignore[arg-type]  # a name of an array is no option
 
 
 def _write_csv(signal: Signal, file: BinaryIO) -> None:
     head = [f"# fs = {signal.rate:.12g}"]
     if isfinite(signal.mean_speed):
-        head.append(f"# rpm = {_RPM * signal.mean_speed:.12g}")
+        head.append(f"# rpm = {rpm_of(signal.mean_speed):.12g}")
     head.append(f"time (s),{signal.quantity} ({signal.unit})\n")
     file.write("\n".join(head).encode())
     for first in range(0, len(signal.samples), _PIECE):

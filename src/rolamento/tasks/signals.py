@@ -1,32 +1,35 @@
-"""The signal of `rolamento diagnose`, from what its options say."""
+"""A part of a signal's file, as one signal if it is short, and piece by piece if it is long."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
 from itertools import chain, islice
-from typing import TYPE_CHECKING, Final
+from typing import Final, TypedDict
+
+import numpy as np
 
 from rolamento.errors import InputError
-
-if TYPE_CHECKING:
-    from rolamento.vibration.reading import SignalFile
-    from rolamento.vibration.signal import Signal
-
-    AtSpeed = Callable[[Signal, int], Signal]
-    """Gives a piece of a signal its speed, from the number of its first sample on."""
-
-__all__ = [
-    "PIECE",
-    "Streamed",
-    "part_of",
-    "streamed",
-]
+from rolamento.vibration.reading import SignalFile
+from rolamento.vibration.signal import Signal
 
 PIECE: Final = 2**20
 """Samples that are read at a time."""
 _WHOLE: Final = 8
 """Pieces up to which a signal is taken as one."""
+
+AtSpeed = Callable[[Signal, int], Signal]
+"""Gives a piece of a signal its speed, from the number of its first sample on."""
+
+
+class Reading(TypedDict, total=False):
+    """What a file does not tell of its signal; as of `rolamento.vibration.open_signal`."""
+
+    channel: str | int | None
+    rate: float | None
+    unit: str | None
+    scale: float | str | None
+    decimal_mark: str | None
 
 
 @dataclass(slots=True)
@@ -62,17 +65,18 @@ def part_of(file: SignalFile, start: float, duration: float | None) -> range:
         If the part does not lie within the file.
     """
     known = f"{file.duration:.6g} s"
+    if not start >= 0.0:
+        raise InputError("must be at least 0", field="start", value=start, example="start=2")
     first = round(start * file.rate)
     if first >= file.length:
         rule = f"must lie before the end of the signal, {known}"
-        raise InputError(rule, source="--start", value=f"{start:g} s", example="--start '2 s'")
+        raise InputError(rule, field="start", value=f"{start:g} s", example="start=2")
     count = file.length - first
     if duration is not None:
         # a part of a sample more is no more than rounding
         if not 1 <= round(duration * file.rate) <= count + 1:
             rule = f"must be over 0 and end within the signal, which lasts {known}"
-            example = "--duration '10 s'"
-            raise InputError(rule, source="--duration", value=f"{duration:g} s", example=example)
+            raise InputError(rule, field="duration", value=f"{duration:g} s", example="duration=10")
         count = min(round(duration * file.rate), count)
     return range(first, first + count, PIECE)
 
@@ -116,8 +120,6 @@ def _with_speed(pieces: Iterable[Signal], at: AtSpeed) -> Iterator[Signal]:
 
 
 def _joined(pieces: list[Signal]) -> Signal:
-    import numpy as np
-
     if len(pieces) == 1:
         return pieces[0]
     speed = pieces[0].speed
