@@ -280,7 +280,7 @@ def doubles(size: int, content: bytes = bytes(80)) -> bytes:
 @pytest.mark.parametrize(
     ("content", "message"),
     [
-        (matrix((2**31 - 1, 2**31 - 1), doubles(80)), "cannot reshape"),
+        (matrix((2**31 - 1, 2**31 - 1), doubles(80)), "declares 3.436e.10 GB and has"),
         (matrix((-10, 1), doubles(80)), "does not change over 10 samples"),
         (matrix((-10, -1), doubles(80)), "is not a readable MATLAB file"),
         (matrix((10, 1), doubles(2**32 - 1)), "asks for more memory"),
@@ -325,15 +325,15 @@ def test_hdf5_of_unwritten_samples(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("kind", ["f8", "i1"])
 def test_arrays_that_repeat_one_number(tmp_path: Path, kind: str) -> None:
-    """Half a megabyte that inflates to half a gigabyte, or to as many samples in one byte each."""
-    count = 500_000_000 // np.dtype(kind).itemsize
+    """A hundred kilobytes that inflate to a hundred megabytes, or to as many samples in one byte each."""
+    count = 100_000_000 // np.dtype(kind).itemsize
     matrix = struct.pack("<IIIIII", 6, 8, 6 if kind == "f8" else 8, 0, 5, 8)
     matrix += struct.pack("<iiHH4s", count, 1, 1, 1, b"x") + struct.pack(
-        "<II", 9 if kind == "f8" else 1, 500_000_000
+        "<II", 9 if kind == "f8" else 1, 100_000_000
     )
     compressor = zlib.compressobj(9)
-    pieces = [compressor.compress(struct.pack("<II", 14, len(matrix) + 500_000_000) + matrix)]
-    pieces += [compressor.compress(bytes(10**6)) for _ in range(500)]
+    pieces = [compressor.compress(struct.pack("<II", 14, len(matrix) + 100_000_000) + matrix)]
+    pieces += [compressor.compress(bytes(10**6)) for _ in range(100)]
     inner = b"".join([*pieces, compressor.flush()])
     mark = b"MATLAB".ljust(124) + b"\0\1IM"
     (tmp_path / "a.mat").write_bytes(mark + struct.pack("<II", 15, len(inner)) + inner)
@@ -344,7 +344,7 @@ def test_arrays_that_repeat_one_number(tmp_path: Path, kind: str) -> None:
         file.open("x.npy", "w") as member,
     ):
         member.write(npy(f"({count},)", repr(np.dtype(kind).str), b""))
-        for _ in range(500):
+        for _ in range(100):
             member.write(bytes(10**6))
     refused(tmp_path / "a.npz", "a file may declare 32 times its size, or 64 MB")
 

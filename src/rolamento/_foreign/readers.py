@@ -15,7 +15,12 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from rolamento._foreign.bounds import LARGEST_CHUNK, check_inflated, most_declared
+from rolamento._foreign.bounds import (
+    LARGEST_CHUNK,
+    check_declared,
+    check_inflated,
+    most_declared,
+)
 from rolamento.errors import FileError
 
 __all__ = ["MOST_VARIABLES", "Hdf5Arrays", "MatlabArrays", "NetcdfVariables", "Variable"]
@@ -60,13 +65,17 @@ class MatlabArrays:
     def __init__(self, path: str) -> None:
         import scipy.io
 
+        size = os.path.getsize(path)
+        # what lies in structures is not listed, and counted when it has been read
+        listed = sum(math.prod(shape) for _, shape, _ in scipy.io.whosmat(path))
+        check_declared(8 * listed, size, path)
         found = scipy.io.loadmat(path, simplify_cells=True)
         top = {name: value for name, value in found.items() if not name.startswith("__")}
         self._arrays = dict(_real_arrays(top, "", 0))
         if len(self._arrays) > MOST_VARIABLES:
             raise FileError(f"holds more than {MOST_VARIABLES} arrays")
         inflated = sum(array.nbytes for array in self._arrays.values())
-        check_inflated(inflated, os.path.getsize(path), path)
+        check_inflated(inflated, size, path)
 
     def variables(self) -> list[Variable]:
         """All arrays of real numbers."""
