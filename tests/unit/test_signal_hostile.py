@@ -325,7 +325,7 @@ def test_hdf5_of_unwritten_samples(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("kind", ["f8", "i1"])
 def test_arrays_that_repeat_one_number(tmp_path: Path, kind: str) -> None:
-    """A hundred kilobytes that inflate to a hundred megabytes, or to as many samples in one byte each."""
+    """100 kB that inflate to 100 MB, or to as many samples of one byte each."""
     count = 100_000_000 // np.dtype(kind).itemsize
     matrix = struct.pack("<IIIIII", 6, 8, 6 if kind == "f8" else 8, 0, 5, 8)
     matrix += struct.pack("<iiHH4s", count, 1, 1, 1, b"x") + struct.pack(

@@ -106,7 +106,7 @@ def short_name(name: str) -> str:
 def time_scale(name: str, unit: str) -> float | None:
     """Seconds in one unit of a column, if it is one of times; None if it is not."""
     plain = spelled(unit).lower()
-    if _folded(name) in _TIME and (not unit or plain in _TIME_UNITS):
+    if _without_unit(name) in _TIME and (not unit or plain in _TIME_UNITS):
         return _TIME_UNITS.get(plain, 1.0)
     return None
 
@@ -161,16 +161,16 @@ def rates_among(levels: Sequence[Mapping[str, float]]) -> RateClaims:
         if not clear:
             clear = (
                 *(RateClaim(f'"{short_name(name)}"', value) for name, value in numbers.items()
-                  if _folded(name) in _RATE and positive(value)),
+                  if _without_unit(name) in _RATE and positive(value)),
                 *(RateClaim(f'"{short_name(name)}" = {value:.9g} s', 1.0 / value)
                   for name, value in numbers.items()
-                  if _folded(name) in _STEP and positive(value) and positive(1.0 / value)),
+                  if _without_unit(name) in _STEP and positive(value) and positive(1.0 / value)),
             )  # fmt: skip
         if not loose:
             loose = tuple(
                 RateClaim(f'"{short_name(name)}"', value)
                 for name, value in numbers.items()
-                if _folded(name) in _LOOSE_RATE and positive(value)
+                if _without_unit(name) in _LOOSE_RATE and positive(value)
             )
     return RateClaims(clear, loose)
 
@@ -225,7 +225,7 @@ def _same(one: float, other: float) -> bool:
 def speed_among(numbers: Mapping[str, float]) -> float | None:
     """Speed of the shaft by the name of one of the numbers that a file gives; rad/s."""
     for name, value in numbers.items():
-        plain = _plain(name)
+        plain = _letters_and_digits(name)
         if not isfinite(value):
             continue
         if plain.endswith("rpm") and _SHAFT.fullmatch(plain.removesuffix("rpm")):
@@ -244,7 +244,7 @@ def speeds_perhaps(numbers: Mapping[str, float], rate: float) -> dict[str, float
     return {
         name: value
         for name, value in numbers.items()
-        if _folded(re.split(r"[./]", name)[-1]) in _PERHAPS_SPEED
+        if _without_unit(re.split(r"[./]", name)[-1]) in _PERHAPS_SPEED
         and positive(value)
         and not _same(value, rate)
     }
@@ -252,7 +252,9 @@ def speeds_perhaps(numbers: Mapping[str, float], rate: float) -> dict[str, float
 
 def unit_among(texts: Mapping[str, str]) -> str:
     """Unit by the name of one of the texts that a file gives; "" if there is none."""
-    return next((plain_unit(text) for name, text in texts.items() if _folded(name) in _UNIT), "")
+    return next(
+        (plain_unit(text) for name, text in texts.items() if _without_unit(name) in _UNIT), ""
+    )
 
 
 def positive(value: float) -> bool:
@@ -260,13 +262,13 @@ def positive(value: float) -> bool:
     return 0.0 < value < 1e12
 
 
-def _folded(name: str) -> str:
+def _without_unit(name: str) -> str:
     """Letters and digits only, in lower case: Sampling_Rate and "sampling rate" are one."""
     without = re.sub(r"[\[(]\s*(?:hz|s|rpm|1/min)\s*[\])]", "", name[:_LONGEST_NAME].lower())
-    return _plain(without)  # of "fs (kHz)" the kHz is left: not a rate in Hz
+    return _letters_and_digits(without)  # of "fs (kHz)" the kHz is left: not a rate in Hz
 
 
-def _plain(name: str) -> str:
+def _letters_and_digits(name: str) -> str:
     """Letters and digits of a name with its unit, in lower case and without accents."""
     parts = unicodedata.normalize("NFKD", name[:_LONGEST_NAME].lower())
     return re.sub(r"[^a-z0-9]", "", parts)
