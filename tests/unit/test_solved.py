@@ -201,9 +201,9 @@ def test_json_comes_back_to_the_last_bit(examples: Path, name: str) -> None:
 
 
 def test_friction_control_comes_back(case: Case) -> None:
-    alone = override(case, ["model.raceway_control=friction"])
     dry = Lubricant(kind="dry", friction_coefficient=0.07)
-    rolled = solve(alone.replace(lubricant=dry))
+    friction = case.model.replace(raceway_control="friction")
+    rolled = solve(case.replace(lubricant=dry, model=friction))
     assert rolled.rolling is not None
     back = Solved.from_json(rolled.to_json())
     assert back.rolling is not None
