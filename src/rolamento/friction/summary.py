@@ -9,6 +9,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rolamento._json import plain
 from rolamento.errors import InputError
 from rolamento.friction.closed_forms import DEFAULT_HYSTERESIS
 from rolamento.friction.machine import MachineBearing
@@ -90,23 +91,23 @@ class Friction:
     def to_mapping(self, case: int = 0) -> dict[str, Any]:
         """Give one case as plain mappings and lists in SI units, NaN as None."""
         return {
-            "friction_coefficient": _number(self.friction_coefficient[case]),
+            "friction_coefficient": plain(self.friction_coefficient[case]),
             "model": self.model,
             "regime": str(self.regime[case]),
-            "torque": _number(self.torque[case]),
-            "starting_torque": _number(self.starting_torque[case]),
-            "power": _number(self.power[case]),
+            "torque": plain(self.torque[case]),
+            "starting_torque": plain(self.starting_torque[case]),
+            "power": plain(self.power[case]),
             "torque_by_source": _numbers(self.torque_by_source, case),
             "heat": {
                 source: {
-                    race: [_number(value) for value in getattr(loss, race)[case]]
+                    race: [plain(value) for value in getattr(loss, race)[case]]
                     for race in ("inner", "outer")
                 }
                 for source, loss in self.heat.items()
             },
             "models": {
                 found.model: {
-                    "torque": _number(self.models[found.model].total[case]),
+                    "torque": plain(self.models[found.model].total[case]),
                     "parts": _numbers(self.models[found.model].parts, case),
                     "holds": bool(found.valid[case]),
                     "reasons": [name for name, where in found.notes.items() if where[case]],
@@ -269,9 +270,5 @@ def _rolling_resistance(setting: Setting, viscosity: FloatArray) -> Torque:
     )
 
 
-def _number(value: float) -> float | None:
-    return float(value) if np.isfinite(value) else None
-
-
 def _numbers(arrays: Mapping[str, FloatArray], case: int) -> dict[str, float | None]:
-    return {name: _number(array[case]) for name, array in arrays.items()}
+    return {name: plain(array[case]) for name, array in arrays.items()}

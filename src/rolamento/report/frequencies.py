@@ -14,9 +14,8 @@ from rich.text import Text
 from rolamento.report.frequencies_words import FREQUENCY_WORDS, FrequencyWords
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium
-from rolamento.report.page import Lines, Page
+from rolamento.report.page import Lines, Page, rendered
 from rolamento.report.plain_data import json_text
-from rolamento.report.terminal import rendered
 from rolamento.units import rpm_of
 from rolamento.vibration.frequencies import FAULTS, FaultFrequencies, FaultKind, Harmonic
 from rolamento.vibration.frequency_band import Alternative

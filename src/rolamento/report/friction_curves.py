@@ -19,9 +19,9 @@ from rolamento.report.friction import friction_parts, unit_of_torque
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium
 from rolamento.report.numbers import decimals_for
-from rolamento.report.page import Lines, Page
+from rolamento.report.page import Lines, Page, rendered
 from rolamento.report.plain_data import csv_number, json_text
-from rolamento.report.terminal import rendered, terminal_head
+from rolamento.report.terminal import terminal_head
 
 if TYPE_CHECKING:
     from rolamento.analysis import Analysis

@@ -9,12 +9,12 @@ from typing import Any, Final
 import numpy as np
 from rich.text import Text
 
+from rolamento._json import dumps
 from rolamento.errors import InputError
 from rolamento.plots.axes_units import ReadableUnit, readable_unit
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium
 from rolamento.report.page import Lines, Page, rendered
-from rolamento.report.plain_data import json_text
 from rolamento.studies.sensitivity import RankCorrelations, SobolIndices, ToleranceStudy
 from rolamento.studies.tolerance import Samples, ToleranceBand
 
@@ -335,7 +335,7 @@ def tolerance_json(study: ToleranceStudy) -> str:
             "confidence": sobol.confidence,
             **{name: getattr(sobol, name) for name in names},
         }
-    return json_text(mapping, indent=None)
+    return dumps(mapping)
 
 
 def _coordinate(samples: Samples, name: str) -> Any:

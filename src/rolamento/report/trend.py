@@ -12,9 +12,8 @@ from rich.text import Text
 from rolamento.clearance.wear import WearFit
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium
-from rolamento.report.page import Lines, Page, one_line, shortened, table
+from rolamento.report.page import Lines, Page, one_line, rendered, shortened, table
 from rolamento.report.plain_data import json_text
-from rolamento.report.terminal import rendered
 from rolamento.tasks.weibull import TrendStudy
 from rolamento.units import to_si
 from rolamento.weibull import Trend

@@ -13,11 +13,12 @@ import numpy as np
 from numpy.typing import NDArray
 from rich.text import Text
 
+from rolamento._json import dumps
 from rolamento.case.duty import AXES, LOADS
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium
 from rolamento.report.page import Lines, Page, rendered
-from rolamento.report.plain_data import csv_number, json_text
+from rolamento.report.plain_data import csv_number
 from rolamento.studies.cage_turn import BallHistory, CageTurn, Compared, ContactHistory, Variation
 
 SCHEMA: Final = 1
@@ -360,7 +361,7 @@ def turn_json(turn: CageTurn) -> str:
             for history in turn.histories
         ],
     }
-    return json_text(mapping, indent=None)
+    return dumps(mapping)
 
 
 def _variation_mapping(turn: CageTurn, quantity: Compared) -> dict[str, Any]:

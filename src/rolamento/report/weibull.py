@@ -20,12 +20,12 @@ from rolamento.report.page import (
     beside,
     one_line,
     percent,
+    rendered,
     short_number,
     shortened,
     table,
 )
 from rolamento.report.plain_data import json_text
-from rolamento.report.terminal import rendered
 from rolamento.report.weibull_sentences import said_advice, said_note
 from rolamento.report.weibull_words import WEIBULL_WORDS, WeibullWords, counted
 from rolamento.weibull import (

@@ -11,9 +11,8 @@ from rich.text import Text
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium
 from rolamento.report.numbers import ABSENT
-from rolamento.report.page import FIGURES, Lines, Page, one_line, percent, table
+from rolamento.report.page import FIGURES, Lines, Page, one_line, percent, rendered, table
 from rolamento.report.plain_data import json_text
-from rolamento.report.terminal import rendered
 from rolamento.report.weibull import life_name
 from rolamento.report.weibull_plan_words import PLAN_WORDS, PlanWords
 from rolamento.report.weibull_sentences import said_advice
