@@ -589,8 +589,11 @@ def test_the_guide_names_commands_that_run(run: Run) -> None:
 
 def test_python_of_the_guide_tells_both_modulations_apart(run: Run) -> None:
     blocks = re.findall(r"```python\n(.*?)```", GUIDE, re.DOTALL)
-    assert len(blocks) == 1
+    assert len(blocks) == 2
     names: dict[str, Any] = {}
+    exec(compile(blocks[1], "example", "exec"), names)
+    truth = json.loads(Path("run.json").read_text("utf-8"))
+    assert read_signal("run.npz").mean_speed == pytest.approx(truth["speed"]["mean"])
     exec(compile(blocks[0], "example", "exec"), names)
     assert Path("modulation.png").exists()
     amplitude, frequency = names["made"]
