@@ -26,7 +26,8 @@ def solved(case_218: Case) -> Solved:
         surface=roughness,
         life={**life, "wanted_life": 3.6e7},
     )
-    return Solved(solve_batch(case, {"duty.load.fx": FX}), case)
+    varied = {"duty.load.fx": FX}
+    return Solved(solve_batch(case, varied), case, varied)
 
 
 @pytest.fixture(scope="module")
