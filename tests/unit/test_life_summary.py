@@ -99,7 +99,7 @@ def test_a_case_without_result_has_no_life() -> None:
     for record in found.theories.values():
         assert np.isfinite(record.life[0])
         assert np.isnan(record.life[1])
-        assert not record.holds[1]
+        assert not record.valid[1]
     assert found.limit.race[1] == ""
     assert found.limit.ball[1] == -1
 
@@ -108,7 +108,7 @@ def test_notes_on_load_and_speed() -> None:
     heavy = life(solve(_case(fz=12_000.0)), OILED)
     assert {"load_above_half_rating", "load_above_static_rating"} <= set(heavy["iso281"].notes_of())
     assert np.isfinite(heavy["iso281"].life[0])
-    assert not heavy["iso281"].holds[0]
+    assert not heavy["iso281"].valid[0]
     assert np.isnan(heavy["l_able"].life[0])
     still = life(solve(_case(speed=0.0, fz=4000.0)), LifeConditions(viscosity_ratio=1.0))
     assert "at_rest" in still["iso281"].notes_of()
@@ -125,11 +125,11 @@ def test_notes_on_lubrication() -> None:
     assert "viscosity_ratio_too_small" in thin["iso281_modified"].notes_of()
     assert thin["iso281_modified"].life[0] == pytest.approx(0.1 * thin["iso281"].life[0])
     assert thin["iso281_modified"].below[0]
-    assert not thin["iso281_modified"].holds[0]
+    assert not thin["iso281_modified"].valid[0]
     assert thin.limit.factor[0] == "viscosity_ratio"
     hot = life(state, LifeConditions(temperature=400.0))
     assert "too_hot_for_steel" in hot["iso281"].notes_of()
-    assert not hot["iso281"].holds[0]
+    assert not hot["iso281"].valid[0]
     dirty = life(
         state, LifeConditions(viscosity_ratio=1.0, contamination=class_of_grease("very_severe"))
     )

@@ -12,7 +12,7 @@ from rolamento.errors import InputError
 from rolamento.life.conditions import LifeConditions
 from rolamento.life.contamination import ContaminationClass, contamination_factor
 from rolamento.life.equivalent_load import (
-    STEEPEST,
+    MAXIMUM_ANGLE,
     equivalent_load,
     static_equivalent_load,
     static_safety,
@@ -48,12 +48,12 @@ _OTHERWISE: Final = 2.0
 With normal clearances of 6012, 6205 and 6305 it lies between 0.5 and 2 under loads of C/10 and
 more, axial or radial: so far X, Y and e of the table go.
 """
-_LEAST_LOAD: Final = 0.01
+_MINIMUM_LOAD: Final = 0.01
 """P/C below which balls may slide. SKF, Rolling bearings (catalogue 10000 EN), minimum load."""
 _CENTRIFUGAL: Final = 1.05
 """Mean outer over mean inner ball load, likewise."""
 _INNER_GROOVE, _OUTER_GROOVE, _GROOVE_MARGIN = 0.52, 0.53, 1e-3
-_HOTTEST_STEEL: Final = 120.0 + 273.15
+_MAXIMUM_OF_STEEL: Final = 120.0 + 273.15
 """K; for rings that are not specially stabilised. Saurer Ball Bearings (ska.swiss) and SMB Bearings
 (smbbearings.com) say 120 °C for standard steel, SKF 120 to 200 °C by the heat treatment."""
 
@@ -209,7 +209,7 @@ class Basis:
                 "preload_left_out": np.full(len(self), preloaded),
                 "centrifugal_left_out": outer > _CENTRIFUGAL * inner,
                 "load_shared_otherwise": otherwise & np.isfinite(self.basic_life) & by_clearance,
-                "light_load": load < _LEAST_LOAD * ratings.dynamic_of_set,
+                "light_load": load < _MINIMUM_LOAD * ratings.dynamic_of_set,
                 "no_static_rating": np.isnan(ratings.static_of_set),
             }
 
@@ -218,7 +218,7 @@ class Basis:
         load, rating = self.reference_load, self.ratings.dynamic_of_set
         return {
             **load_notes(load, rating, self.ratings.static_of_set),
-            "light_load": load < _LEAST_LOAD * rating,
+            "light_load": load < _MINIMUM_LOAD * rating,
         }
 
     def record(
@@ -271,7 +271,7 @@ def _angle_of_radial(rows: Rows) -> FloatArray:
         If all cases have such a row.
     """
     angle = rows.free_contact_angle
-    steep = angle > STEEPEST * (1.0 + _SAME)
+    steep = angle > MAXIMUM_ANGLE * (1.0 + _SAME)
     if steep.size and np.all(steep.any(axis=1)):
         raise InputError(
             "is a thrust bearing's: the theories of life here are for radial bearings, up to 45°",
@@ -395,7 +395,7 @@ def _notes_on_bearing(solved: Solved, given: LifeConditions) -> Notes:
     for name in ("temperature", "bearing_temperature"):
         warm = getattr(given, name)
         if warm is not None:
-            hot = hot | (over_cases(warm, name, cases) > _HOTTEST_STEEL)
+            hot = hot | (over_cases(warm, name, cases) > _MAXIMUM_OF_STEEL)
     return {
         "open_grooves": opened.any(axis=1),
         "close_grooves": closed.any(axis=1),

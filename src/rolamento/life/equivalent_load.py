@@ -22,7 +22,7 @@ from rolamento.errors import InputError
 from rolamento.life._figures import figures, positive
 from rolamento.numerics import FloatArray
 
-STEEPEST: Final = float(np.radians(45.0))
+MAXIMUM_ANGLE: Final = float(np.radians(45.0))
 """Beyond it a bearing is a thrust bearing, with tables of its own."""
 _ROUNDING: Final = 1e-9
 _SAME_AS: Final = {"e2": "e"}
@@ -145,7 +145,7 @@ def static_safety(static_rating: ArrayLike, static_equivalent: ArrayLike) -> Flo
 
 def _angle(contact_angle: ArrayLike) -> FloatArray:
     angle = np.asarray(contact_angle, dtype=np.float64)
-    if np.any((angle < 0.0) | (angle > STEEPEST * (1.0 + _ROUNDING))):
+    if np.any((angle < 0.0) | (angle > MAXIMUM_ANGLE * (1.0 + _ROUNDING))):
         raise InputError(
             "must be from 0 to 45°: beyond it a thrust bearing, with tables of its own, begins",
             field="contact_angle",

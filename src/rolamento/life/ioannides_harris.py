@@ -49,7 +49,7 @@ FATIGUE_LIMIT: Final = 374e6
 """τ_u of bearing steel: the orthogonal shear under 1500 MPa of a usual contact ellipse; Pa."""
 STRESS_EXPONENT: Final = 31.0 / 3.0
 DEPTH_EXPONENT: Final = 7.0 / 3.0
-_GREATEST_SHEAR: Final = 0.25
+_MAXIMUM_SHEAR: Final = 0.25
 """τ_0/p0 of a line contact; every ellipse has less."""
 
 
@@ -112,7 +112,7 @@ def risk_integral(
     )
     result = np.where(np.isnan(p0), np.nan, 0.0)
     with np.errstate(invalid="ignore"):
-        harmed = (p0 > 0.0) & (limit < _GREATEST_SHEAR * p0)
+        harmed = (p0 > 0.0) & (limit < _MAXIMUM_SHEAR * p0)
     a, b, p0 = a[harmed], b[harmed], p0[harmed]
     found = shear_integrals(
         limit[harmed] / p0,

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 EXPONENT: Final = 3.0
 """Of load, for point contact."""
-MOST_LOAD: Final = 0.5
+MAXIMUM_LOAD: Final = 0.5
 """P/C up to which the rating life is valid: above, the balls' contacts deform plastically."""
 MILLION: Final = 1e6
 
@@ -69,7 +69,7 @@ def load_notes(
     """
     load = np.asarray(equivalent_load, dtype=np.float64)
     return {
-        "load_above_half_rating": np.asarray(load > MOST_LOAD * np.asarray(dynamic_rating)),
+        "load_above_half_rating": np.asarray(load > MAXIMUM_LOAD * np.asarray(dynamic_rating)),
         "load_above_static_rating": np.asarray(load > np.asarray(static_rating)),
     }
 

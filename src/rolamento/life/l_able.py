@@ -51,12 +51,12 @@ CLEANLINESS: Final = {
     "very_contaminated": (0.05, 0.05),
 }
 """a_c by word, least and most: filters to 10, 30, 100 µm, coarser, none. Campanha, table 2.6.3."""
-LEAST_SPEED: Final = 20.0
+MINIMUM_SPEED: Final = 20.0
 """r/min."""
-HOTTEST: Final = 130.0 + 273.15
+MAXIMUM_TEMPERATURE: Final = 130.0 + 273.15
 """K."""
-_MOST_POINTS: Final = 10_000
-_MOST_ROWS: Final = 1000
+_MAXIMUM_POINTS: Final = 10_000
+_MAXIMUM_ROWS: Final = 1000
 _NAMES: Final = {
     "viscosity_ratio": "κ of the rows",
     "load_parameter": "load parameters of the header",
@@ -91,8 +91,8 @@ class FactorTable:
     def __post_init__(self) -> None:
         for name in ("viscosity_ratio", "load_parameter", "factor"):
             array = np.array(positive(getattr(self, name), name))
-            if not np.all(np.isfinite(array)) or array.size > _MOST_POINTS:
-                raise InputError(f"must be at most {_MOST_POINTS} finite numbers", field=name)
+            if not np.all(np.isfinite(array)) or array.size > _MAXIMUM_POINTS:
+                raise InputError(f"must be at most {_MAXIMUM_POINTS} finite numbers", field=name)
             object.__setattr__(self, name, array)
         for name in ("viscosity_ratio", "load_parameter"):
             axis = getattr(self, name)
@@ -144,7 +144,7 @@ def read_factor_table(
     """
     from rolamento._tables import read_table
 
-    table = read_table(path, most_rows=_MOST_ROWS, example=_EXAMPLE).plain(decimal_mark)
+    table = read_table(path, most_rows=_MAXIMUM_ROWS, example=_EXAMPLE).plain(decimal_mark)
     loads = [_cell(text, table.source, table.header_line, text) for text in table.header[1:]]
     rows = [
         [
@@ -210,8 +210,8 @@ def refusals(
     turns = np.abs(np.asarray(speed, dtype=np.float64)) * 30.0 / np.pi
     return {
         **load_notes(equivalent_load, dynamic_rating, static_rating),
-        "too_slow": np.asarray(turns < LEAST_SPEED * (1.0 - 1e-12)),
-        "too_hot": np.asarray(np.asarray(temperature, dtype=np.float64) > HOTTEST),
+        "too_slow": np.asarray(turns < MINIMUM_SPEED * (1.0 - 1e-12)),
+        "too_hot": np.asarray(np.asarray(temperature, dtype=np.float64) > MAXIMUM_TEMPERATURE),
     }
 
 

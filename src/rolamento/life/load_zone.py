@@ -28,7 +28,7 @@ NO_CLEARANCE: Final = 0.5
 _CATALOGUE: Final = 0.00044
 """δ Q^(-2/3) D^(1/3) of steel balls; N, mm."""
 _NODES: Final = 64
-_LEAST, _MOST = 1e-5, 1e5
+_MINIMUM, _MAXIMUM = 1e-5, 1e5
 _GRID: Final = 4001
 _STEPS: Final = 4
 
@@ -146,7 +146,7 @@ def _mean(epsilon: FloatArray, power: float) -> FloatArray:
 @cache
 def _grid() -> tuple[FloatArray, FloatArray]:
     """Logarithms of ε and f there, from the narrowest zone to the widest."""
-    grid = np.linspace(np.log(_LEAST), np.log(_MOST), _GRID)
+    grid = np.linspace(np.log(_MINIMUM), np.log(_MAXIMUM), _GRID)
     return grid, clearance_function(np.exp(grid))
 
 

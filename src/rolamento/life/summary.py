@@ -15,7 +15,7 @@ from rolamento.life.basis import Basis, EquivalentLoads, Ratings
 from rolamento.life.conditions import LifeConditions, conditions_of
 from rolamento.life.headline import Headline, headline_of
 from rolamento.life.iso281_modified import (
-    MOST_RATIO,
+    MAXIMUM_RATIO,
     bounded_modification_factor,
     life_modification_factor,
 )
@@ -257,7 +257,7 @@ def _costliest(basis: Basis) -> NDArray[np.str_]:
         return np.full(len(basis), "", dtype="U15")
     limit, load = basis.ratings.fatigue_of_set, basis.reference_load
     additives = basis.given.additives
-    thick = np.full(len(basis), MOST_RATIO)
+    thick = np.full(len(basis), MAXIMUM_RATIO)
     clean_if_thick = basis.cleanliness_at(thick)
     assert clean_if_thick is not None
 

@@ -147,7 +147,7 @@ def _statement(page: Page, own: _Words, found: SpectrumLife) -> Lines:
     sentences: list[tuple[str, str]] = []
     if not found.converged:
         sentences.append((own.no_life, "bold red"))
-    elif not (leading.holds or leading.below):
+    elif not (leading.valid or leading.below):
         sentences += [(said.none_holds, "bold red"), (said.not_to_be_used, "bold")]
     else:
         text = reached(
@@ -200,7 +200,7 @@ def _theories(page: Page, own: _Words, found: SpectrumLife) -> Lines:
                 page.text(said.names[name]),
                 page.text(revolutions[index]),
                 page.text(hours[index]),
-                verdict(page, found[name].holds, found[name].below),
+                verdict(page, found[name].valid, found[name].below),
             ]
             for index, name in enumerate(names)
         ),
@@ -392,7 +392,7 @@ def _life_mapping(own: DutyLife) -> dict[str, Any]:
         "life": own.life,
         "hours": own.hours,
         "endless": bool(np.isposinf(own.life)),
-        "holds": own.holds,
+        "holds": own.valid,
         "below": own.below,
     }
 

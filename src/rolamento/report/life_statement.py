@@ -135,12 +135,12 @@ def remarks(page: Page, found: Iterable[tuple[str, str, str]], count: int) -> Li
     return lines
 
 
-def verdict(page: Page, holds: bool, below: bool) -> Text:
-    """Say in a word whether a theory holds, or gives an upper bound of the life."""
+def verdict(page: Page, valid: bool, below: bool) -> Text:
+    """Say in a word whether a theory is valid, or gives an upper bound of the life."""
     said = said_of(page)
     if below:
-        return page.text(said.bound, "green" if holds else "yellow")
-    return page.text(said.holds, "green") if holds else page.text(said.fails, "yellow")
+        return page.text(said.bound, "green" if valid else "yellow")
+    return page.text(said.holds, "green") if valid else page.text(said.fails, "yellow")
 
 
 # --- the statement ----------------------------------------------------------------------------
@@ -264,7 +264,7 @@ def cost_text(page: Page, summary: LifeSummary) -> str:
 
 
 def _wanted(page: Page, summary: LifeSummary) -> list[Sentence]:
-    """Say how reliable the wanted life is, if one is and the theory for it holds."""
+    """Say how reliable the required life is, if there is one and the theory for it is valid."""
     wanted = summary.conditions.wanted_life
     if wanted is None:
         return []

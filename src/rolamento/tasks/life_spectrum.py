@@ -104,7 +104,7 @@ class DutyLife:
         if a step were all of the duty: life, hours, whether it is valid; arrays (steps,)
     damage
         (steps,): share of each step in what ends the life
-    holds
+    valid
         whether it is valid in every step that takes part and carries load
     below
         whether the life is a bound: that of some step is
@@ -115,7 +115,7 @@ class DutyLife:
     hours: float
     steps: Life | Headline
     damage: FloatArray
-    holds: bool
+    valid: bool
     below: bool
 
 
@@ -341,18 +341,18 @@ def _summed(
         total = used.sum(axis=0)
         risk = total**SLOPE / np.sum(total**SLOPE)
         damage = np.asarray(np.where(total > 0.0, used / total, 0.0) @ risk)
-    theory, holds, below = steps.theory, steps.holds[part], steps.below[part]
+    theory, valid, below = steps.theory, steps.valid[part], steps.below[part]
     if isinstance(steps, Headline):
         theory = str(steps.theory[int(np.argmax(np.nan_to_num(damage)))])
         below = below & np.all(steps.leads[part])
-        holds = steps.leads[part] & ~np.any(below)
+        valid = steps.leads[part] & ~np.any(below)
     return DutyLife(
         theory=str(theory),
         life=life,
         hours=float(hours(life, mean_speed)),
         steps=steps,
         damage=damage,
-        holds=bool(part.any()) and bool(np.all(holds)),
+        valid=bool(part.any()) and bool(np.all(valid)),
         below=bool(np.any(below)),
     )
 
