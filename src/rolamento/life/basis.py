@@ -145,8 +145,8 @@ class Basis:
             viscosity_ratio=_viscosity_ratio(rows, speed, given),
             common_notes={
                 **_notes_on_bearing(solved, given),
-                "at_rest": speed == 0.0,
-                "thrust_bearing": steep,
+                "at_rest": np.asarray(speed == 0.0),
+                "thrust_bearing": np.asarray(steep),
                 "no_dynamic_rating": np.isnan(ratings.dynamic_of_set) & ~steep,
                 "reliability_continued": np.full(len(solved), outside),
             },
@@ -397,8 +397,8 @@ def _notes_on_bearing(solved: Solved, given: LifeConditions) -> Notes:
         if warm is not None:
             hot = hot | (over_cases(warm, name, cases) > _MAXIMUM_OF_STEEL)
     return {
-        "open_grooves": opened.any(axis=1),
-        "close_grooves": closed.any(axis=1),
+        "open_grooves": np.asarray(opened.any(axis=1)),
+        "close_grooves": np.asarray(closed.any(axis=1)),
         "ceramic_balls": np.full(cases, not _has_steel_balls(solved)),
         "too_hot_for_steel": hot,
     }

@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rolamento._reach import numbers
 from rolamento.contact.hertz import elliptical_contact
 from rolamento.geometry import Race, race_curvature
 from rolamento.life._figures import figures, positive
@@ -106,8 +107,13 @@ def fatigue_load_limit_of_contacts(
     for race, conformity in races:
         curvature = race_curvature(ball_diameter, pitch_diameter, conformity, contact_angle, race)
         unit = elliptical_contact(1.0, curvature.rolling, curvature.across, modulus)
-        loads.append((np.asarray(pressure) / unit.max_pressure) ** 3)
-    shared = _RADIAL_MEAN * np.asarray(ball_count) * np.asarray(rows) * np.cos(contact_angle)
+        loads.append((numbers(pressure, "pressure") / unit.max_pressure) ** 3)
+    shared = (
+        _RADIAL_MEAN
+        * numbers(ball_count, "ball_count")
+        * numbers(rows, "rows")
+        * np.cos(contact_angle)
+    )
     return np.asarray(shared * np.minimum(*loads) * _size_factor(pitch_diameter))
 
 
@@ -137,7 +143,7 @@ def life_modification_factor(
     ISO 281:2007, 9.3.3.
     """
     ratio = positive(viscosity_ratio, "viscosity_ratio", zero=True)
-    clean = np.asarray(contamination_factor, dtype=np.float64)
+    clean = numbers(contamination_factor, "contamination_factor")
     limit = positive(fatigue_load_limit, "fatigue_load_limit")
     load = positive(equivalent_load, "equivalent_load", zero=True)
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -170,7 +176,9 @@ def bounded_modification_factor(
         equivalent_load,
         additives=additives,
     )
-    return np.where(np.asarray(viscosity_ratio) < MINIMUM_RATIO, MINIMUM_FACTOR, factor)
+    return np.where(
+        numbers(viscosity_ratio, "viscosity_ratio") < MINIMUM_RATIO, MINIMUM_FACTOR, factor
+    )
 
 
 def modification_notes(
@@ -182,11 +190,13 @@ def modification_notes(
     viscosity_ratio_capped: κ > 4; contamination_severe: e_C of 0, wear and not fatigue ends the
     life, below a tenth.
     """
-    ratio = np.asarray(viscosity_ratio, dtype=np.float64)
+    ratio = numbers(viscosity_ratio, "viscosity_ratio")
     return {
         "viscosity_ratio_too_small": np.asarray(ratio < MINIMUM_RATIO),
         "viscosity_ratio_capped": np.asarray(ratio > MAXIMUM_RATIO),
-        "contamination_severe": np.asarray(np.asarray(contamination_factor) <= 0.0),
+        "contamination_severe": np.asarray(
+            numbers(contamination_factor, "contamination_factor") <= 0.0
+        ),
     }
 
 

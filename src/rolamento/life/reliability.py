@@ -19,6 +19,7 @@ from typing import Final, Literal, get_args
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rolamento._reach import numbers
 from rolamento.errors import InputError
 from rolamento.life._figures import positive, within
 from rolamento.numerics import BoolArray, FloatArray
@@ -77,7 +78,7 @@ def reliability_of(life_ratio: ArrayLike, edition: Edition = "2007") -> FloatArr
 
 def outside_print(reliability: ArrayLike, edition: Edition = "2007") -> BoolArray:
     """Tell whether a reliability lies outside the standard's table, so that a_1 is continued."""
-    s = np.asarray(reliability, dtype=np.float64)
+    s = numbers(reliability, "reliability")
     most = _PRINTED_TO[_checked(edition)]
     return np.asarray((s < RATING_RELIABILITY - _ROUNDING) | (s > most + _ROUNDING))
 

@@ -21,6 +21,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rolamento._reach import numbers
 from rolamento.contact.subsurface import point_stresses
 from rolamento.numerics import FloatArray
 
@@ -118,8 +119,8 @@ def shear_integrals(
     ShearIntegrals (contacts,): local, I with each point's own depth; plain, I without depth
     (h = 0); mean_depth, of the weight ⟨g - t⟩^c. Zero, zero and NaN where no point exceeds t.
     """
-    t = np.asarray(threshold, dtype=np.float64)
-    k = np.clip(np.asarray(ellipticity, dtype=np.float64), 1.0, MAXIMUM_ELLIPTICITY)
+    t = numbers(threshold, "threshold")
+    k = np.clip(numbers(ellipticity, "ellipticity"), 1.0, MAXIMUM_ELLIPTICITY)
     field = _field(mesh or FieldMesh())
     sums = np.empty((3, t.size))
     weights = np.stack(

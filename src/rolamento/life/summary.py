@@ -9,6 +9,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rolamento._reach import numbers
 from rolamento.errors import InputError
 from rolamento.life import iso16281, iso16281_modified
 from rolamento.life.basis import Basis, EquivalentLoads, Ratings
@@ -122,7 +123,7 @@ class LifeSummary:
         edition, leading = self.conditions.edition, self.headline
         for_ninety = leading.hours / reliability_factor(leading.reliability, edition)
         with np.errstate(divide="ignore", invalid="ignore"):
-            ratio = np.asarray(time, np.float64) / _HOUR / for_ninety
+            ratio = numbers(time, "time") / _HOUR / for_ninety
         known = np.where(np.isnan(ratio), 1.0, ratio)
         return np.where(np.isnan(ratio), np.nan, reliability_of(known, edition))
 

@@ -220,6 +220,7 @@ def _remarks(page: Page, own: _Words, found: SpectrumLife) -> Lines:
     count = int(part.sum())
     notes = []
     for theory, life in found.theories.items():
+        assert isinstance(life.steps, Life)
         for name, where in life.steps.notes.items():
             some = int((where & part).sum())
             if some:

@@ -262,8 +262,8 @@ def _solved_steps(case: Case, steps: DutySteps, nsk_table: FactorTable | None) -
         rows = lives_of_rows(case, columns, stress_volume=detailed, nsk_table=nsk_table)
     except InputError as error:
         raise error.with_details(source=steps.source, line=steps.lines[0]) from None
-    for index, error in rows.refused:
-        raise error.with_details(source=steps.source, line=steps.lines[index[0]])
+    for index, refusal in rows.refused:
+        raise refusal.with_details(source=steps.source, line=steps.lines[index[0]])
     for row in np.flatnonzero(rows.status == INVALID_INPUT).tolist():
         _refuse(case, steps, row)
     return rows
