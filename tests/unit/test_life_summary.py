@@ -19,8 +19,11 @@ from rolamento.life import (
 from rolamento.life.contamination import class_of_code, class_of_grease
 from rolamento.life.l_able import FactorTable
 from rolamento.life.record import NOTES, OUTSIDE
+from rolamento.life.theories import THEORIES
 from rolamento.lubrication import film_of
 from rolamento.lubrication.viscosity_ratio import viscosity_ratio
+from rolamento.plots.life_words import life_words
+from rolamento.report.life_words import LIFE_WORDS
 from rolamento.solving import solve
 
 RPM = np.pi / 30.0
@@ -373,3 +376,32 @@ def test_without_a_number_there_is_nothing_that_it_leaves_out() -> None:
     assert "no_force" in found
     assert not found & {"light_load", "centrifugal_left_out", "viscosity_ratio_too_small"}
     assert "viscosity_ratio_too_small" in tilting["iso16281_modified"].notes_of()
+
+
+# --- the list of theories ---------------------------------------------------------------------
+
+
+def test_every_theory_has_its_words_and_a_rank_of_its_own() -> None:
+    for code in ("en", "pt"):
+        said = LIFE_WORDS[code]
+        for names in (said.names, said.short, said.long, said.valid, life_words(code).theories):
+            assert set(names) == set(THEORIES)
+    assert sorted(theory.rank for theory in THEORIES.values()) == list(range(len(THEORIES)))
+
+
+def test_what_refuses_a_theory_is_in_its_validity() -> None:
+    case = _case(fz=4000.0).replace(
+        life={
+            "material_factor": 1.0,
+            "nsk_cleanliness": 0.8,
+            "viscosity_ratio": 1.0,
+            "contamination": 0.5,
+            "tallian_subsurface": {},
+        }
+    )
+    found = life(solve(case))
+    assert list(found.theories) == list(THEORIES)
+    for name, record in found.theories.items():
+        refusing = set(record.notes) & OUTSIDE
+        assert set(THEORIES[name].validity) <= OUTSIDE
+        assert refusing <= set(THEORIES[name].validity), name

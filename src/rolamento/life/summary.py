@@ -150,7 +150,7 @@ class LifeSummary:
             },
             "viscosity_ratio": _at(self.viscosity_ratio, case),
             "contamination_factor": _at(self.contamination_factor, case),
-            "wanted_life": self._wanted(case),
+            "wanted_life": self._required(case),
             "limit": {
                 "row": int(self.limit.row[case]),
                 "race": str(self.limit.race[case]) or None,
@@ -160,8 +160,8 @@ class LifeSummary:
             },
         }
 
-    def _wanted(self, case: int) -> dict[str, float | bool | None] | None:
-        """The life that is wanted (s), and its reliability; None if none is."""
+    def _required(self, case: int) -> dict[str, float | bool | None] | None:
+        """The required life (s), and its reliability; None if there is none."""
         wanted = self.conditions.wanted_life
         if wanted is None:
             return None

@@ -21,9 +21,9 @@ from rolamento.report.life_statement import (
     percent,
     reached,
     remarks,
+    required_sentence,
     said_of,
     verdict,
-    wanted_sentence,
 )
 from rolamento.report.medium import Medium
 from rolamento.report.page import Lines, Page
@@ -163,9 +163,9 @@ def _statement(page: Page, own: _Words, found: SpectrumLife) -> Lines:
         if leading.below:
             sentences.append((own.bounded, "yellow"))
         sentences += _worst(page, own, found)
-        reliability = found.reliability_of_wanted()
-        if found.wanted_life is not None and reliability is not None:
-            text = wanted_sentence(page, found.wanted_life, reliability, below=leading.below)
+        reliability = found.reliability_of_required()
+        if found.required_life is not None and reliability is not None:
+            text = required_sentence(page, found.required_life, reliability, below=leading.below)
             sentences.append((text, ""))
     if abs(found.steps.given_sum - 1.0) > 1e-9:
         total = page.digits.short(found.steps.given_sum, 5)
@@ -399,10 +399,10 @@ def _life_mapping(own: DutyLife) -> dict[str, Any]:
 
 
 def _required_life_mapping(found: SpectrumLife) -> dict[str, float | bool | None] | None:
-    if found.wanted_life is None:
+    if found.required_life is None:
         return None
     return {
-        "life": found.wanted_life,
-        "reliability": found.reliability_of_wanted(),
+        "life": found.required_life,
+        "reliability": found.reliability_of_required(),
         "below": found.headline.below,
     }

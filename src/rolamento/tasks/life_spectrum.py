@@ -141,7 +141,7 @@ class SpectrumLife:
         the life that leads
     reliability
         S that the lives are for
-    wanted_life
+    required_life
         the required life in s; None if none is required
     stress_volume
         whether the theory of Ioannides and Harris was evaluated
@@ -156,7 +156,7 @@ class SpectrumLife:
     theories: Mapping[str, DutyLife]
     headline: DutyLife
     reliability: float
-    wanted_life: float | None
+    required_life: float | None
     stress_volume: bool
 
     def __getitem__(self, theory: str) -> DutyLife:
@@ -173,7 +173,7 @@ class SpectrumLife:
         """Whether every step that takes part has a result."""
         return bool(np.all(self.status[self.taking_part] == CONVERGED))
 
-    def reliability_of_wanted(self, theory: str | None = None) -> float | None:
+    def reliability_of_required(self, theory: str | None = None) -> float | None:
         """Reliability with which the required life is reached; None if there is none.
 
         By a theory, or by the life that leads; where that is a bound, so is the reliability.
@@ -182,9 +182,9 @@ class SpectrumLife:
         edition = own or (self.case.life or LifeModel()).edition
         reached = self.headline if theory is None else self.theories[theory]
         hours_for_ninety = reached.hours / float(reliability_factor(self.reliability, edition))
-        if self.wanted_life is None or not hours_for_ninety > 0.0:
+        if self.required_life is None or not hours_for_ninety > 0.0:
             return None
-        return float(reliability_of(self.wanted_life / _HOUR / hours_for_ninety, edition))
+        return float(reliability_of(self.required_life / _HOUR / hours_for_ninety, edition))
 
 
 def life_under(
@@ -240,7 +240,7 @@ def life_under(
         },
         headline=_summed(rows.headline, leading, idle, turns, mean_speed),
         reliability=wishes.reliability,
-        wanted_life=wishes.wanted_life,
+        required_life=wishes.wanted_life,
         stress_volume=len(duty) <= MOST_WITH_STRESS_VOLUME,
     )
 
