@@ -306,7 +306,9 @@ def _ratings(solved: Solved, angle: FloatArray, given: LifeConditions) -> Rating
             example="dynamic_rating = 20600.0",
         )
     method = given.fatigue_load_limit
-    if method == "contacts":
+    if not isinstance(method, str):
+        fatigue = _rating_or(method, static)
+    elif method == "contacts":
         fatigue = fatigue_load_limit_of_contacts(
             rows.element_count,
             rows.ball_diameter,
@@ -316,13 +318,10 @@ def _ratings(solved: Solved, angle: FloatArray, given: LifeConditions) -> Rating
             angle,
             rows.modulus,
         )
-    elif method == "estimate":
+    else:
         known = np.where(np.isnan(static), 1.0, static)
         estimate = fatigue_load_limit(known, rows.pitch_diameter)
         fatigue = np.where(np.isnan(static) | (not steel), np.nan, estimate)
-    else:
-        assert not isinstance(method, str)
-        fatigue = _rating_or(method, static)
     return Ratings(
         dynamic,
         static,
