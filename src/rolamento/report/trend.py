@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 from math import isfinite
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 from rich.text import Text
 
@@ -15,9 +15,11 @@ from rolamento.report.medium import Medium
 from rolamento.report.page import Lines, Page, one_line, shortened, table
 from rolamento.report.plain_data import json_text
 from rolamento.report.terminal import rendered
-from rolamento.tasks.weibull import TrendStudy
 from rolamento.units import to_si
 from rolamento.weibull import Trend
+
+if TYPE_CHECKING:
+    from rolamento.tasks.weibull import TrendStudy
 
 __all__ = ["trend_json", "trend_report"]
 

@@ -1,1 +1,1 @@
-"""Use cases from end to end: one call each, which gives records."""
+"""Use cases from end to end: what command line, app and notebook call; they return records."""
