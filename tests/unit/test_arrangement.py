@@ -23,7 +23,7 @@ from rolamento import (
     parse_case,
     save_case,
 )
-from rolamento.case.arrangement import ARRANGEMENTS, Preload, Row
+from rolamento.case.arrangement import ARRANGEMENTS, BallRow, Preload
 from rolamento.case.bearing import MOST_ROWS
 
 GEOMETRY: dict[str, Any] = {
@@ -235,9 +235,13 @@ def test_a_preload_of_facing_rows_needs_rows_of_either_orientation() -> None:
 
 
 def test_what_a_row_has_of_its_own() -> None:
-    row = Row(position=0.0, ball_count=12, contact_angle="25 deg", orientation="-", phase=0.1)
-    assert row.own == {"ball_count": 12, "contact_angle": pytest.approx(0.4363323)}
-    assert Row(position=0.0).own == {}
+    row = BallRow(position=0.0, ball_count=12, contact_angle="25 deg", orientation="-", phase=0.1)
+    assert row.own == {
+        "ball_count": 12,
+        "contact_angle": pytest.approx(0.4363323),
+        "diametral_clearance": None,
+    }
+    assert BallRow(position=0.0).own == {}
 
 
 # --- round trips -----------------------------------------------------------------------------

@@ -44,7 +44,7 @@ def across(
     names: what is said of fields, by their dotted names; others by their own words.
     """
     x, symbol = read_values(field, values)
-    known = names.get(field.name, field.long_name[:1].upper() + field.long_name[1:])
+    known = names.get(field.name, field.label[:1].upper() + field.label[1:])
     label_x(axes, known if symbol == NONE.symbol else f"{known} ({symbol})", words)
     if is_geometric(values):
         log_scale(axes, "x", words)
