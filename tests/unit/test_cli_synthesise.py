@@ -20,8 +20,7 @@ from rolamento import Bearing, load_case, solve
 from rolamento.cli import signal_files
 from rolamento.cli.app import app
 from rolamento.cli.bearing_case import case_of, has_load, is_designation
-from rolamento.cli.field_list import fields_of
-from rolamento.cli.quantities import number_of
+from rolamento.cli.quantities import fields_of, number_of
 from rolamento.cli.signal_files import write_signal
 from rolamento.cli.synthesise_options import Asked
 from rolamento.cli.synthesise_recipe import given_of, load_name, recipe_from

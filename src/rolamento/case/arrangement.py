@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Final, Literal, Self
+from typing import Annotated, Any, ClassVar, Final, Literal, Self
 
 from pydantic import BeforeValidator, Field, model_validator
 
@@ -148,6 +148,8 @@ class Preload(Record):
     InputError
         If none or several are given, or a value is out of range.
     """
+
+    has_short_form: ClassVar = True
 
     force: Annotated[
         Annotated[float, Quantity("force", at_least="0 N", at_most="1e6 kN", varies=True)] | None,

@@ -188,7 +188,7 @@ _Found = tuple[str, tuple[str, ...], Kind, Quantity | Ratio | None, type[BaseMod
 def _fields_in(record: type[BaseModel], table: str) -> Iterator[_Found]:
     for leaf, info in record.model_fields.items():
         inner, kind = record_of(info.annotation), _kind_of(info)
-        if inner is None or kind == "list" or _has_short_form(inner):
+        if inner is None or kind == "list" or getattr(inner, "has_short_form", False):
             others = tuple(
                 other if "." in other else f"{table}{other}" for other in replaced(record, leaf)
             )
@@ -196,12 +196,6 @@ def _fields_in(record: type[BaseModel], table: str) -> Iterator[_Found]:
             yield f"{table}{leaf}", others, kind, bounds, record, info
         if inner is not None and kind != "list":
             yield from _fields_in(inner, f"{table}{leaf}.")
-
-
-def _has_short_form(record: type[BaseModel]) -> bool:
-    """Whether it may be given as text."""
-    own = getattr(record, "table_of_text", Record.table_of_text)
-    return own.__func__ is not Record.table_of_text.__func__
 
 
 def _kind_of(info: FieldInfo) -> Kind:
@@ -294,7 +288,7 @@ def changed(
     result = dict(mapping)
     for name, value in values.items():
         table = _table(name, record)
-        if table is not None and isinstance(value, Mapping | BaseModel) and not in_file:
+        if table is not None and isinstance(value, Mapping | Record) and not in_file:
             taken = value if isinstance(value, Record) else table(**value)
             _put(result, name, taken.to_mapping(), record)
             continue
@@ -375,15 +369,17 @@ def _put(mapping: dict[str, Any], name: str, value: object, record: type[Record]
     table = mapping
     for depth, part in enumerate(path, start=1):
         inner = table.get(part, {})
+        here = ".".join(path[:depth])
         if isinstance(inner, str) and value is not None:
-            above = _table(".".join(path[:depth]), record)
-            inner = inner if above is None else _spelt_out(inner, above, ".".join(path[:depth]))
+            above = _table(here, record)
+            if above is not None and above.has_short_form:
+                inner = _spelt_out(inner, above, here)
         if not isinstance(inner, dict):
             if value is None:
                 return
             raise InputError(
                 "is not a table in this case; set it as a whole, or give a table in the file",
-                field=".".join(path[:depth]),
+                field=here,
                 value=inner,
             )
         if value is None and part not in table:
@@ -395,9 +391,8 @@ def _put(mapping: dict[str, Any], name: str, value: object, record: type[Record]
         table[leaf] = value
 
 
-def _spelt_out(text: str, record: type[Record], name: str) -> object:
+def _spelt_out(text: str, record: type[Record], name: str) -> dict[str, Any]:
     try:
-        table = record.table_of_text(text)
+        return record.table_of_text(text)
     except InputError as error:
         raise error.with_details(field=name) from None
-    return text if table is None else table

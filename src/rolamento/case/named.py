@@ -25,6 +25,7 @@ __all__ = ["NamedRecord", "data_of_file"]
 class NamedRecord(Record):
     """A record of values, or of the data file by its name or an alias."""
 
+    has_short_form: ClassVar = True
     data_file: ClassVar[str]
     """In rolamento/data: a list of tables."""
     data_key: ClassVar[str] = "material"

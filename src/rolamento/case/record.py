@@ -11,7 +11,7 @@ import re
 from collections.abc import Mapping
 from functools import cache
 from types import UnionType
-from typing import Annotated, Any, Final, NoReturn, Self, Union, get_args, get_origin
+from typing import Annotated, Any, ClassVar, Final, NoReturn, Self, Union, get_args, get_origin
 
 from pydantic import (
     BaseModel,
@@ -79,16 +79,19 @@ class Record(BaseModel):
     def __setattr__(self, name: str, value: object) -> NoReturn:
         raise AttributeError(f"a {type(self).__name__} does not change; see its replace method")
 
+    has_short_form: ClassVar[bool] = False
+    """Whether a text may stand for the table that describes it in a case file."""
+
     @classmethod
-    def table_of_text(cls, text: str) -> dict[str, Any] | None:
-        """Return the table of a case file that a text stands for; None if it has to be a table.
+    def table_of_text(cls, text: str) -> dict[str, Any]:
+        """Return the table of a case file that a text stands for.
 
         Raises
         ------
         InputError
-            If the text is nothing that stands for one.
+            If the text stands for none.
         """
-        return None
+        raise InputError("must be a table", value=text)
 
     @classmethod
     def __get_pydantic_json_schema__(
@@ -222,7 +225,7 @@ def _plain_error(error: ValidationError, model: type[BaseModel]) -> InputError:
     cause = found.get("ctx", {}).get("error")
     if isinstance(cause, InputError):
         return _completed(cause, path, parent, found["input"])
-    value = ABSENT if found["type"] == "missing" else found["input"]
+    value: Any = ABSENT if found["type"] == "missing" else found["input"]
     if found["type"] == "union_tag_invalid":
         path, value = (*path, "element"), value["element"]
     return InputError(

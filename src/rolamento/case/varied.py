@@ -146,7 +146,8 @@ def _numbers(field: Field, value: Any) -> Floats:
     if isinstance(value, np.ma.MaskedArray):
         plain, mask = value.data, np.ma.getmaskarray(value)
         if plain.dtype.kind in "OUT":
-            plain = np.where(mask, None, plain.astype(object))
+            plain = plain.astype(object)
+            plain[mask] = None
     elif hasattr(value, "magnitude") or hasattr(value, "to_value"):  # of pint, of astropy
         raise _refused(field, type(value).__name__, "must be a plain number or text with its unit")
     else:

@@ -7,8 +7,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any, Final
 
-from rolamento.cli.field_list import fields_of
-from rolamento.cli.quantities import Kind
+from rolamento.cli.quantities import Kind, fields_of
 from rolamento.errors import InputError
 
 __all__ = ["EXAMPLES", "KINDS", "Asked", "fields_given", "in_option", "named", "options_named"]
