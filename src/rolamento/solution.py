@@ -9,7 +9,7 @@ from typing import Unpack, cast
 from numpy.typing import ArrayLike
 
 from rolamento.case import Case
-from rolamento.case.varied import DutyFields, varied_arrays
+from rolamento.case.varied import DutyFields, bounded, varied_arrays
 from rolamento.numerics.threads import thread_count
 from rolamento.rows import ball as equilibrium
 from rolamento.rows.ball import BatchState
@@ -101,5 +101,5 @@ def _mounted(case: Case, given: Mapping[str, ArrayLike]) -> tuple[Case, dict[str
     """The case without its mounting, and the fields with the clearance in operation."""
     from rolamento.clearance import operating_batch
 
-    running, fields = operating_batch(case, varied_arrays(given))
+    running, fields = operating_batch(case, bounded(varied_arrays(given)))
     return running, dict(fields)

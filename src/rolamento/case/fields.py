@@ -97,6 +97,12 @@ class Field:
         return example.partition(" ")[2] if self.dimension is not None else ""
 
     @property
+    def listed(self) -> type[Record] | None:
+        """The record that a list holds."""
+        found = record_of(self._info.annotation) if self.kind == "list" else None
+        return found if found is not None and issubclass(found, Record) else None
+
+    @property
     def limits(self) -> str:
         """The bounds in words; empty if there are none."""
         return self.bounds.limits if self.bounds is not None else ""
@@ -173,7 +179,7 @@ def fields_of(record: type[Record]) -> Mapping[str, Field]:
             kind=kind,
             bounds=bounds,
             replaces=others,
-            rivals=tuple(other for other in others if name in replaces[other]),
+            rivals=tuple(other for other in others if name in replaces.get(other, ())),
             meaning=meanings(holder).get(name.rpartition(".")[2], ""),
             _info=info,
             _example=example_of(holder, (name.rpartition(".")[2],)),
@@ -287,25 +293,32 @@ def changed(
     """
     result = dict(mapping)
     for name, value in values.items():
-        table = _table(name, record)
-        if table is not None and isinstance(value, Mapping | Record) and not in_file:
-            taken = value if isinstance(value, Record) else table(**value)
-            _put(result, name, taken.to_mapping(), record)
-            continue
-        field = None if table is not None and value is None else _field(name, record)
-        _put(result, name, value if in_file else _as_in_a_file(field, value), record)
+        _put(result, name, value if in_file else _as_in_a_file(name, value, record), record)
+        field = fields_of(record).get(name)
         for rival in field.replaces if field is not None and value is not None else ():
             if rival not in values:
                 _put(result, rival, None, record)
     return result
 
 
-def _as_in_a_file(field: Field | None, value: Any) -> object:
+def _as_in_a_file(name: str, value: Any, record: type[Record]) -> object:
+    table, field = _table(name, record), fields_of(record).get(name)
+    if table is not None and (value is None or isinstance(value, Mapping | Record)):
+        return value if value is None else _mapping_of(value, table)
+    if field is not None and field.kind == "list" and isinstance(value, list | tuple):
+        return [_mapping_of(entry, field.listed) for entry in value]
+    field = _field(name, record)
     if getattr(value, "ndim", None) == 0:  # of NumPy
         value = value.item()
-    if field is None or value is None or isinstance(value, str) or field.dimension is None:
+    if value is None or isinstance(value, str) or field.dimension is None:
         return value
     return field.written(field.checked(value, in_file=False))
+
+
+def _mapping_of(value: object, record: type[Record] | None) -> object:
+    if isinstance(value, Mapping) and record is not None:
+        value = record(**value)
+    return value.to_mapping() if isinstance(value, Record) else value
 
 
 def _table(name: str, record: type[BaseModel]) -> type[Record] | None:

@@ -15,7 +15,14 @@ from rolamento.case.fields import Field
 from rolamento.errors import InputError, UnknownKeyError, nearest
 from rolamento.units import to_si
 
-__all__ = ["SHORT_NAMES", "DutyFields", "batch_fields", "varied_arrays"]
+__all__ = [
+    "SHORT_NAMES",
+    "DutyFields",
+    "batch_fields",
+    "bounded",
+    "refuse_rivals",
+    "varied_arrays",
+]
 
 Floats = NDArray[np.float64]
 
@@ -53,7 +60,7 @@ def batch_fields() -> tuple[str, ...]:
     return tuple(name for name, field in Case.fields().items() if field.varies)
 
 
-def varied_arrays(values: Any) -> dict[str, Floats]:
+def varied_arrays(values: Any = None, /, **short: Any) -> dict[str, Floats]:
     """Return values of fields by full name, checked for names, kinds, shapes and rivals.
 
     Parameters
@@ -63,12 +70,14 @@ def varied_arrays(values: Any) -> dict[str, Floats]:
         table whose columns are such names (a data frame of pandas or its like). Each a number in
         SI units, a text with a unit, or an array, list or series of one length of either; None is
         no values at all.
+    short
+        Likewise by the short names of the duty.
 
     Returns
     -------
     dict
-        Of scalars or arrays (cases,). NaN is where a value is missing or masked, or where the
-        field would refuse it: that is its own case's affair.
+        Of scalars or arrays (cases,), SI; NaN where a value is missing or masked. What a field
+        would refuse is its own case's affair: see `bounded`.
 
     Raises
     ------
@@ -78,8 +87,8 @@ def varied_arrays(values: Any) -> dict[str, Floats]:
     """
     fields = Case.fields()
     arrays: dict[str, Floats] = {}
-    for short, value in _columns(values):
-        name = SHORT_NAMES.get(short, short) if isinstance(short, str) else str(short)
+    for key, value in (*_columns(values), *short.items()):
+        name = SHORT_NAMES.get(key, key) if isinstance(key, str) else str(key)
         field = fields.get(name)
         if field is None or not field.varies:
             known = (*SHORT_NAMES, *batch_fields())
@@ -100,11 +109,17 @@ def varied_arrays(values: Any) -> dict[str, Floats]:
             example=f"{_EXAMPLE}, fz=[0.0, 500.0]",
         )
     refuse_rivals(tuple(arrays))
-    for name, array in arrays.items():
-        bounds = fields[name].bounds
-        assert bounds is not None
-        arrays[name] = np.where(bounds.allows(array), array, np.nan)
     return arrays
+
+
+def bounded(arrays: Mapping[str, Floats]) -> dict[str, Floats]:
+    """Return the arrays of `varied_arrays` with NaN for values that their fields would refuse."""
+    found: dict[str, Floats] = {}
+    for name, array in arrays.items():
+        bounds = Case.fields()[name].bounds
+        assert bounds is not None  # else it would not vary
+        found[name] = np.where(bounds.allows(array), array, np.nan)
+    return found
 
 
 def refuse_rivals(names: tuple[str, ...]) -> None:

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from rolamento.case import Case
 from rolamento.case.bearing import Bearing, RowPlace
 from rolamento.case.duty import AXES, LOADS
-from rolamento.case.varied import varied_arrays
+from rolamento.case.varied import bounded, varied_arrays
 from rolamento.clearance.batch import MOUNTED_FIELDS
 from rolamento.errors import InputError
 from rolamento.rows.ball import layout
@@ -91,7 +91,7 @@ def spread(case: Case, values: Mapping[str, ArrayLike]) -> Columns:
             field="mounting",
             example="rolamento.solve_batch(case, ...)",
         )
-    arrays = varied_arrays(values)
+    arrays = bounded(varied_arrays(values))
     for name in MOUNTED_FIELDS:
         if name in arrays:
             raise InputError(
@@ -199,8 +199,7 @@ def _own_fields(bearing: Bearing, place: RowPlace) -> set[str]:
     """What the row does not take from the set; an own angle excludes the set's clearance too."""
     if bearing.rows is None:
         return set()
-    own = set(bearing.rows[bearing.places.index(place)].own)
-    return own | {"diametral_clearance"} if "contact_angle" in own else own
+    return set(bearing.rows[bearing.places.index(place)].own)
 
 
 def _material(material: Any, part: str, arrays: Mapping[str, Floats]) -> Any:
