@@ -21,7 +21,25 @@ from rolamento.errors import UnitError, nearest, shown
 if TYPE_CHECKING:
     import pint
 
-__all__ = ["SI_UNIT", "Dimension", "from_si", "to_si"]
+__all__ = [
+    "DEGREES",
+    "HOUR",
+    "RPM",
+    "SI_UNIT",
+    "ZERO_CELSIUS",
+    "Dimension",
+    "from_si",
+    "to_si",
+]
+
+RPM: Final = 30.0 / math.pi
+"""rpm in one rad/s."""
+DEGREES: Final = 180.0 / math.pi
+"""Degrees in one rad."""
+HOUR: Final = 3600.0
+"""Seconds in it."""
+ZERO_CELSIUS: Final = 273.15
+"""0 °C in K."""
 
 Dimension = Literal[
     "length",

@@ -17,7 +17,7 @@ from rolamento import (
     analyse_batch,
     solve_batch,
 )
-from rolamento.case.varied import SHORT_NAMES, batch_fields, varied_arrays
+from rolamento.case.varied import SHORT_NAMES, batch_fields, bounded, varied_arrays
 from rolamento.rows.ball.preload import preload_of
 
 ANGULAR: dict[str, Any] = {
@@ -164,7 +164,7 @@ def test_a_bad_scalar_spoils_all() -> None:
 
 def test_bounds_are_the_fields_own() -> None:
     def valid(name: str, *values: float) -> list[bool]:
-        return [bool(kept == kept) for kept in varied_arrays({name: values})[name]]
+        return [bool(kept == kept) for kept in bounded(varied_arrays({name: values}))[name]]
 
     assert valid("bearing.contact_angle", 0.0, 1.57, 1.5708, np.nan) == [True, True, False, False]
     assert valid("bearing.preload.spring", 0.0, 1e-9) == [False, True]

@@ -9,9 +9,10 @@ import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
+from rolamento.plots.axes_units import read_values
 from rolamento.plots.frame import GREY, add_title, empty_frame, legend_above
 from rolamento.plots.life_words import LifeWords, life_words
-from rolamento.plots.over_field import across, decades, judged_line, read_values, short_label
+from rolamento.plots.over_field import across, decades, judged_line, short_label
 from rolamento.plots.style import new_figure, series, styled
 from rolamento.plots.words import PlotWords, plot_words
 

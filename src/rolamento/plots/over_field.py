@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 from numpy.typing import NDArray
 
-from rolamento.plots.axes_units import NONE, readable_unit
+from rolamento.plots.axes_units import NONE, read_values
 from rolamento.plots.frame import label_x, log_scale, number
 from rolamento.plots.words import PlotWords
 
@@ -18,11 +18,10 @@ if TYPE_CHECKING:
 
     from rolamento.studies.fields import Field
 
-__all__ = ["across", "decades", "is_geometric", "judged_line", "read_values", "short_label"]
+__all__ = ["across", "decades", "is_geometric", "judged_line", "short_label"]
 
 Floats = NDArray[np.float64]
 
-_ZERO_CELSIUS: Final = 273.15
 _FAINT: Final = 0.3
 """Of a line where its model does not hold."""
 _DECADES: Final = 100.0
@@ -71,14 +70,6 @@ def _tick(value: float, words: PlotWords) -> str:
     if value >= _LONG and np.isclose(value, 10.0**power):
         return "10" + str(power).translate(_RAISED)
     return number(value, words)
-
-
-def read_values(field: Field, values: Floats) -> tuple[Floats, str]:
-    """Return the values of a field as a person reads them, and their unit."""
-    if field.dimension == "temperature":
-        return values - _ZERO_CELSIUS, "°C"
-    unit = readable_unit(field.unit, values)
-    return unit.of(values), unit.symbol
 
 
 def judged_line(

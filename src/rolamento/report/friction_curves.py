@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 from rich.text import Text
 
-from rolamento.plots.axes_units import readable_unit
-from rolamento.report.across import place_text, read_values, written_values
+from rolamento.plots.axes_units import read_values, readable_unit
+from rolamento.report.across import place_text, written_values
 from rolamento.report.friction import friction_parts, model_name, unit_of_torque
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium

@@ -13,7 +13,8 @@ import numpy as np
 from rich.text import Text
 
 from rolamento.numerics import BoolArray, FloatArray
-from rolamento.report.across import place_text, read_values, written_values
+from rolamento.plots.axes_units import read_values
+from rolamento.report.across import place_text, written_values
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.life_numbers import given_percent, life_text, lives_column, said_of
 from rolamento.report.life_remarks import remarks
