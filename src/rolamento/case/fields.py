@@ -50,8 +50,6 @@ class Field:
         Names of the fields that a value of this one takes the place of.
     rivals
         Those of them that replace this one too: a case takes one of them.
-    meaning
-        What the record's documentation says of it, with the SI unit.
     """
 
     name: str
@@ -59,9 +57,8 @@ class Field:
     bounds: Quantity | Ratio | None
     replaces: tuple[str, ...]
     rivals: tuple[str, ...]
-    meaning: str
+    _record: type[BaseModel]
     _info: FieldInfo
-    _example: str
 
     @property
     def leaf(self) -> str:
@@ -110,7 +107,12 @@ class Field:
     @property
     def example(self) -> str:
         """A value as it is written in a file."""
-        return self._example.partition(" = ")[2]
+        return example_of(self._record, (self.leaf,)).partition(" = ")[2]
+
+    @property
+    def meaning(self) -> str:
+        """What the record's documentation says of it, with the SI unit."""
+        return meanings(self._record).get(self.leaf, "")
 
     @property
     def label(self) -> str:
@@ -176,40 +178,37 @@ def fields_of(record: type[Record]) -> Mapping[str, Field]:
     return {
         name: Field(
             name=name,
-            kind=kind,
+            kind="number" if (bounds := _bounds_in(info)) is not None else _kind_of(info),
             bounds=bounds,
             replaces=others,
             rivals=tuple(other for other in others if name in replaces.get(other, ())),
-            meaning=meanings(holder).get(name.rpartition(".")[2], ""),
+            _record=holder,
             _info=info,
-            _example=example_of(holder, (name.rpartition(".")[2],)),
         )
-        for name, others, kind, bounds, holder, info in found
+        for name, others, holder, info in found
     }
 
 
-_Found = tuple[str, tuple[str, ...], Kind, Quantity | Ratio | None, type[BaseModel], FieldInfo]
+_Found = tuple[str, tuple[str, ...], type[BaseModel], FieldInfo]
 
 
 def _fields_in(record: type[BaseModel], table: str) -> Iterator[_Found]:
     for leaf, info in record.model_fields.items():
-        inner, kind = record_of(info.annotation), _kind_of(info)
-        if inner is None or kind == "list" or getattr(inner, "has_short_form", False):
-            others = tuple(
-                other if "." in other else f"{table}{other}" for other in replaced(record, leaf)
-            )
-            bounds = next(_numbers_in((*info.metadata, info.annotation)), None)
-            yield f"{table}{leaf}", others, kind, bounds, record, info
-        if inner is not None and kind != "list":
+        inner = record_of(info.annotation)
+        is_list = _kind_of(info) == "list"
+        if inner is None or is_list or getattr(inner, "has_short_form", False):
+            others = replaced(record, leaf)
+            dotted = (other if "." in other else f"{table}{other}" for other in others)
+            yield f"{table}{leaf}", tuple(dotted), record, info
+        if inner is not None and not is_list:
             yield from _fields_in(inner, f"{table}{leaf}.")
 
 
 def _kind_of(info: FieldInfo) -> Kind:
+    """The kind of a field that is no number."""
     types = set(_types_in(info.annotation))
     if tuple in types:
         return "list"
-    if next(_numbers_in((*info.metadata, info.annotation)), None) is not None:
-        return "number"
     return "switch" if bool in types else "count" if int in types else "text"
 
 
@@ -218,6 +217,11 @@ def _types_in(annotation: object) -> Iterator[object]:
         yield get_origin(annotation) or annotation
         for part in get_args(annotation):
             yield from _types_in(part)
+
+
+def _bounds_in(info: FieldInfo) -> Quantity | Ratio | None:
+    """The annotation that bounds a number."""
+    return next(_numbers_in((*info.metadata, info.annotation)), None)
 
 
 def _numbers_in(parts: tuple[Any, ...]) -> Iterator[Quantity | Ratio]:
