@@ -6,15 +6,17 @@ from typing import Any
 
 import numpy as np
 import pytest
+from tests.one_case import solve_one
 
 import rolamento as ro
+from rolamento.assembly import balance, result, solve_cases, spread
 from rolamento.errors import InputError
 from rolamento.lubrication import film_of_batch
 from rolamento.lubrication.film_control import ShearedFilm, solve_on_film
 from rolamento.oil.piezoviscosity import roelands
 from rolamento.rows import ball as equilibrium
-from rolamento.rows.ball.columns import spread
 from rolamento.rows.ball.traction.contact import ellipse_nodes
+from rolamento.solving import solve
 
 BEARING = ro.Bearing(
     ball_count=16,
@@ -38,7 +40,7 @@ def case(oil: str = "ISO VG 68", fz: float = 0.0, **model: Any) -> ro.Case:
 
 
 def test_a_film_that_shears_costs_less_than_friction_and_balances() -> None:
-    dry, wet = ro.solve(case()), ro.solve(case(traction="film"))
+    dry, wet = solve_one(case()), solve_one(case(traction="film"))
     assert dry.rolling is not None
     assert wet.rolling is not None
     assert wet.status.converged
@@ -55,7 +57,7 @@ def test_a_film_that_shears_costs_less_than_friction_and_balances() -> None:
 def test_a_thicker_oil_resists_slip_sooner() -> None:
     """At the races' pressures every oil is all but solid; at a thousandth of it, it is not."""
     nodes = ellipse_nodes(20, 5)
-    batch = ro.solve_batch(case())
+    batch = ro.solve(case())
     thin, thick = (_film(case(oil), batch) for oil in ("ISO VG 32", "ISO VG 460"))
     light = [
         ShearedFilm(
@@ -88,31 +90,29 @@ def test_without_film_it_is_coulomb() -> None:
     film = ShearedFilm(
         nothing, nothing, np.array([MU]), np.array([0.03]), np.array([2e-8]), True, True
     )
-    from rolamento.rows.ball.assemble import solve_columns_of
-
-    one, other = solve_columns_of(columns), solve_columns_of(columns, film=film)
-    np.testing.assert_array_equal(one.displacement, other.displacement)
-    np.testing.assert_array_equal(one.load, other.load)
+    one, other = solve_cases(columns), result(columns, balance(columns, film))
+    np.testing.assert_array_equal(one.displacement.array, other.displacement.array)
+    np.testing.assert_array_equal(one.load.array, other.load.array)
 
 
 def test_a_film_in_the_contact_lifts_the_ring_off_by_its_thickness() -> None:
     """Under thrust both films together move the ring back by their sum over sin α, or nearly."""
-    flat, lifted = ro.solve_batch(case()), ro.solve_batch(case(film_in_contact=True))
+    flat, lifted = ro.solve(case()), ro.solve(case(film_in_contact=True))
     films = film_of_batch(case(), lifted)
     both = films.inner.central_thickness[0, 0] + films.outer.central_thickness[0, 0]
-    moved = flat.displacement[0, 0] - lifted.displacement[0, 0]
-    angles = lifted.balls()
+    moved = flat.displacement.array[0, 0] - lifted.displacement.array[0, 0]
+    angles = lifted
     inner, outer = angles.inner.contact_angle[0, 0], angles.outer.contact_angle[0, 0]
     expected = films.inner.central_thickness[0, 0] / np.sin(inner)
     expected += films.outer.central_thickness[0, 0] / np.sin(outer)
     assert both > 1e-7
     assert moved == pytest.approx(expected, rel=0.25)
-    assert angles.inner.load[0, 0] == pytest.approx(flat.balls().inner.load[0, 0], rel=1e-2)
+    assert angles.inner.load[0, 0] == pytest.approx(flat.inner.load[0, 0], rel=1e-2)
 
 
 def test_loads_are_those_of_the_lifted_contacts() -> None:
     """Loads shown come from the approach with the film in it: they balance the ring."""
-    state = ro.solve(case(film_in_contact=True, traction="film", fz=15e3))
+    state = solve_one(case(film_in_contact=True, traction="film", fz=15e3))
     assert state.rolling is not None
     axial = 0.0
     for ball, moved in zip(state.balls, state.rolling.balls, strict=True):
@@ -124,10 +124,10 @@ def test_loads_are_those_of_the_lifted_contacts() -> None:
 def test_the_film_belongs_to_the_motion_that_it_brings_about() -> None:
     wanted = case(traction="film", film_in_contact=True)
     batch = solve_on_film(wanted, spread(wanted, {}))
-    once_more = ro.solve_batch(wanted)
-    np.testing.assert_allclose(batch.displacement, once_more.displacement, rtol=1e-12)
+    once_more = ro.solve(wanted)
+    np.testing.assert_allclose(batch.displacement.array, once_more.displacement.array, rtol=1e-12)
     again = film_of_batch(wanted, batch).inner.central_thickness
-    used = batch.rows[0].rolling
+    used = batch.answer.motion
     assert used is not None
     np.testing.assert_allclose(used.lift[..., 0], np.nan_to_num(again), rtol=1e-5)
 
@@ -135,11 +135,11 @@ def test_the_film_belongs_to_the_motion_that_it_brings_about() -> None:
 def test_a_batch_is_the_cases_one_by_one() -> None:
     wanted = case(traction="film")
     loads = [15e3, 25e3]
-    batch = ro.solve_batch(wanted, fx=loads)
+    batch = ro.solve(wanted, fx=loads)
     for index, load in enumerate(loads):
-        alone = ro.solve_batch(wanted, fx=[load])
+        alone = ro.solve(wanted, fx=[load])
         np.testing.assert_allclose(
-            batch.displacement[index], alone.displacement[0], rtol=1e-6, atol=1e-12
+            batch.displacement.array[index], alone.displacement.array[0], rtol=1e-6, atol=1e-12
         )
 
 
@@ -166,10 +166,10 @@ def test_what_a_film_needs(change: dict[str, Any], words: str) -> None:
         case(traction="film").replace(**change)
 
 
-def _film(wanted: ro.Case, batch: ro.BatchState) -> ShearedFilm:
+def _film(wanted: ro.Case, batch: ro.Solved) -> ShearedFilm:
     films = film_of_batch(wanted, batch)
     thickness = np.stack([films.inner.central_thickness, films.outer.central_thickness], axis=-1)
-    pressure = np.stack([batch.contact(race).max_pressure for race in ("inner", "outer")], axis=-1)
+    pressure = np.stack([batch.contacts[race].max_pressure for race in ("inner", "outer")], axis=-1)
     # the same gap for both: only the oil differs
     gap = np.full_like(thickness, 3e-7)
     return ShearedFilm(
@@ -180,12 +180,12 @@ def _film(wanted: ro.Case, batch: ro.BatchState) -> ShearedFilm:
 
 def test_a_film_that_does_not_settle_leaves_no_number(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("rolamento.lubrication.film_control.PASSES", 1)
-    batch = ro.solve_batch(case(film_in_contact=True))
-    assert batch.status.tolist() == ["not_converged"]
-    rolling = batch.rows[0].rolling
+    batch = solve(case(film_in_contact=True))
+    assert batch.status.code.tolist() == ["not_converged"]
+    rolling = batch.answer.motion
     assert rolling is not None
     for array in (
-        batch.displacement, batch.load, batch.stiffness, batch.rows[0].load, rolling.power,
-        batch.balls().inner.load,
+        batch.displacement.array, batch.load.array, batch.stiffness.array, batch.rows.load, rolling.power,
+        batch.inner.load,
     ):  # fmt: skip
         assert np.isnan(array).all()
