@@ -185,7 +185,7 @@ def test_a_film_that_does_not_settle_leaves_no_number(monkeypatch: pytest.Monkey
     rolling = batch.answer.motion
     assert rolling is not None
     for array in (
-        batch.displacement.array, batch.load.array, batch.stiffness.array, batch.rows.load, rolling.power,
-        batch.inner.load,
+        batch.displacement.array, batch.load.array, batch.stiffness.array, batch.rows.load,
+        rolling.power, batch.inner.load,
     ):  # fmt: skip
         assert np.isnan(array).all()

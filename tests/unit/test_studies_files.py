@@ -19,7 +19,7 @@ import xarray as xr
 
 import rolamento
 from rolamento import Case
-from rolamento._foreign import child
+from rolamento._foreign import isolated
 from rolamento.errors import FileError
 from rolamento.studies import (
     Axis,
@@ -175,10 +175,9 @@ def test_a_reader_that_comes_to_no_end(
     study: Study, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     run_to_file(study, tmp_path / "r.nc")
-    monkeypatch.setattr(child, "PATIENCE", 0.5)
+    monkeypatch.setattr(isolated, "PATIENCE", 0.5)
     for text in ("import time; time.sleep(60)", "import os; os.abort()"):
-        (tmp_path / "worker.py").write_text(text, "utf-8")
-        monkeypatch.setattr(child, "_SCRIPT", tmp_path / "worker.py")
+        monkeypatch.setattr(isolated, "_PROGRAM", text)
         with pytest.raises(FileError, match="broke off, or came to no end"):
             load_result(tmp_path / "r.nc")
 

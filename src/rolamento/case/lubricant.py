@@ -7,7 +7,8 @@ from typing import Annotated, Any, ClassVar, Final, Literal, NamedTuple, Self
 
 from pydantic import BeforeValidator, Field, model_validator
 
-from rolamento.case.named import NamedRecord, data_of_file
+from rolamento._data import toml_of
+from rolamento.case.named import NamedRecord
 from rolamento.case.quantity import Line, Quantity, Ratio, Replaces
 from rolamento.case.record import Record
 from rolamento.errors import InputError
@@ -105,7 +106,7 @@ class Lubricant(NamedRecord):
         If a value is missing or out of range, or the values contradict each other.
     """
 
-    data_file: ClassVar = "lubricants.toml"
+    data_file: ClassVar = "lubricants"
     data_key: ClassVar = "lubricant"
     called: ClassVar = "lubricant"
     usual: ClassVar = _EXAMPLE
@@ -157,7 +158,7 @@ class Lubricant(NamedRecord):
     @classmethod
     def tables(cls) -> tuple[dict[str, Any], ...]:
         """Return the tables of the data file, the grades of viscosity spelt out."""
-        shared = dict(data_of_file(cls.data_file)["grades"])
+        shared = dict(toml_of(cls.data_file)["grades"])
         grades = (
             {
                 "name": f"ISO VG {grade}",

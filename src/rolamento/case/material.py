@@ -36,7 +36,7 @@ class Material(NamedRecord):
         If a value is missing or out of range.
     """
 
-    data_file: ClassVar = "materials.toml"
+    data_file: ClassVar = "materials"
     usual: ClassVar = DEFAULT_MATERIAL
 
     name: Line = Field("custom", examples=["Si3N4, supplier's certificate"])

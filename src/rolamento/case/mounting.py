@@ -46,7 +46,7 @@ class SeatMaterial(NamedRecord):
         If a value is missing or out of range.
     """
 
-    data_file: ClassVar = "seat_materials.toml"
+    data_file: ClassVar = "seat_materials"
     called: ClassVar = "material of seats"
     usual: ClassVar = "steel"
 

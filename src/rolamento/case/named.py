@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Mapping
 from functools import cache
-from importlib import resources
 from typing import Any, ClassVar, Self
 
 from pydantic import (
@@ -15,11 +13,12 @@ from pydantic import (
     model_serializer,
 )
 
+from rolamento._data import toml_of
 from rolamento.case.quantity import Line, at_the_border
 from rolamento.case.record import Record
 from rolamento.errors import InputError, nearest
 
-__all__ = ["NamedRecord", "data_of_file"]
+__all__ = ["NamedRecord"]
 
 
 class NamedRecord(Record):
@@ -27,7 +26,7 @@ class NamedRecord(Record):
 
     has_short_form: ClassVar = True
     data_file: ClassVar[str]
-    """In rolamento/data: a list of tables."""
+    """Of rolamento/data, without its ending."""
     data_key: ClassVar[str] = "material"
     """Of the list."""
     called: ClassVar[str] = "material"
@@ -67,7 +66,7 @@ class NamedRecord(Record):
     @classmethod
     def tables(cls) -> tuple[dict[str, Any], ...]:
         """Return the tables of the data file."""
-        return tuple(data_of_file(cls.data_file)[cls.data_key])
+        return tuple(toml_of(cls.data_file)[cls.data_key])
 
     @classmethod
     def table_of_text(cls, text: str) -> dict[str, Any]:
@@ -98,13 +97,6 @@ class NamedRecord(Record):
 
 def _folded(name: str) -> str:
     return "".join(name.split()).casefold()
-
-
-@cache
-def data_of_file(file: str) -> dict[str, Any]:
-    """Return the content of a file of rolamento/data."""
-    path = resources.files("rolamento") / "data" / file
-    return tomllib.loads(path.read_text(encoding="utf-8"))
 
 
 @cache

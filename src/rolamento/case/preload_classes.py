@@ -9,7 +9,7 @@ from functools import lru_cache
 from math import degrees
 from typing import Any, Final, Literal
 
-from rolamento.case.named import data_of_file
+from rolamento._data import toml_of
 from rolamento.errors import InputError, nearest
 from rolamento.units import to_si
 
@@ -74,7 +74,7 @@ def _folded(designation: str) -> str:
 @lru_cache(maxsize=1)
 def _records() -> dict[str, list[dict[str, Any]]]:
     found: dict[str, list[dict[str, Any]]] = {}
-    for maker in data_of_file("preloads.toml")["maker"]:
+    for maker in toml_of("preloads")["maker"]:
         for line in maker["bearings"]:
             record = {
                 "designation": line["designation"],

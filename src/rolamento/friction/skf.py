@@ -27,17 +27,16 @@ double-row and four-point contact angular-contact bearings from table 2b, in dat
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
-from importlib import resources
 from math import pi, radians
 from typing import Any, Final, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rolamento._data import toml_of
 from rolamento.errors import InputError, nearest
 from rolamento.friction.torque import Torque, checked_positive, torque_of_parts
 from rolamento.numerics import FloatArray
@@ -91,18 +90,12 @@ class SkfConstants:
 
 
 @cache
-def _table() -> dict[str, Any]:
-    file = resources.files("rolamento") / "data" / "skf_friction.toml"
-    return tomllib.loads(file.read_text(encoding="utf-8"))
-
-
-@cache
 def deep_groove_series() -> Mapping[str, SkfConstants]:
     """Return the constants by bearing series, such as "62" of 6205."""
-    k_z = _table()["K_Z"]["deep_groove"]
+    k_z = toml_of("skf_friction")["K_Z"]["deep_groove"]
     return {
         name: SkfConstants("deep_groove", **_numbers(row), k_z=k_z)
-        for row in _table()["deep_groove"]
+        for row in toml_of("skf_friction")["deep_groove"]
         for name in row["series"]
     }
 
@@ -116,7 +109,7 @@ def _angular_contact_designs() -> Mapping[str, SkfConstants]:
             k_z=row["K_Z"],
             contact_angle=radians(row["contact_angle_deg"]),
         )
-        for name, row in _table()["angular_contact"].items()
+        for name, row in toml_of("skf_friction")["angular_contact"].items()
     }
 
 

@@ -9,6 +9,7 @@ from typing import Any, Final, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rolamento._json import plain
 from rolamento.errors import InputError
 from rolamento.friction import (
     harris_1971,
@@ -87,13 +88,13 @@ class Friction:
         return {
             "model": self.model,
             "regime": str(self.regime[case]),
-            "torque": _plain(self.torque[case]),
-            "starting_torque": _plain(self.starting_torque[case]),
-            "power": _plain(self.power[case]),
-            "torque_by_source": {k: _plain(v[case]) for k, v in self.torque_by_source.items()},
+            "torque": plain(self.torque[case]),
+            "starting_torque": plain(self.starting_torque[case]),
+            "power": plain(self.power[case]),
+            "torque_by_source": {k: plain(v[case]) for k, v in self.torque_by_source.items()},
             "heat": [
                 {
-                    race: {k: _plain(getattr(v, race)[case, j]) for k, v in self.heat.items()}
+                    race: {k: plain(getattr(v, race)[case, j]) for k, v in self.heat.items()}
                     for race in ("inner", "outer")
                 }
                 for j in range(self._ball_count)
@@ -101,7 +102,7 @@ class Friction:
             "models": [
                 {
                     "model": found.model,
-                    "torque": _plain(self.models[found.model].total[case]),
+                    "torque": plain(self.models[found.model].total[case]),
                     "holds": bool(found.holds[case]),
                     "notes": [name for name, where in found.notes.items() if where[case]],
                 }
@@ -206,10 +207,6 @@ def friction(
             for name, found in compared.items()
         ),
     )
-
-
-def _plain(value: float) -> float | None:
-    return float(value) if np.isfinite(value) else None
 
 
 def _compares(state: State | BatchState, compare: bool | None) -> bool:

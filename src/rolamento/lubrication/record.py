@@ -9,6 +9,7 @@ from dataclasses import asdict, dataclass
 from math import isfinite
 from typing import Any
 
+from rolamento._json import plain
 from rolamento.geometry import Race
 
 
@@ -101,14 +102,5 @@ class Film:
 
     def to_mapping(self) -> dict[str, Any]:
         """Give the film as plain mappings and lists in SI units, NaN and infinity as None."""
-        mapping: dict[str, Any] = _without_nan(asdict(self))
+        mapping: dict[str, Any] = plain(asdict(self))
         return mapping
-
-
-def _without_nan(value: Any) -> Any:
-    """Replace what is not finite by None, at any depth."""
-    if isinstance(value, dict):
-        return {key: _without_nan(item) for key, item in value.items()}
-    if isinstance(value, list | tuple):
-        return [_without_nan(item) for item in value]
-    return None if isinstance(value, float) and not isfinite(value) else value

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from math import isfinite
 from typing import Any, Final
 
 import numpy as np
 from rich.text import Text
 
+from rolamento._json import dumps
 from rolamento.errors import InputError
 from rolamento.plots.axes_units import ReadableUnit, readable_unit
 from rolamento.report.language import ENGLISH, Words
@@ -354,7 +353,7 @@ def tolerance_json(study: ToleranceStudy) -> str:
             "confidence": sobol.confidence,
             **{name: getattr(sobol, name) for name in names},
         }
-    return json.dumps(_plain(mapping), ensure_ascii=False, allow_nan=False)
+    return dumps(mapping)
 
 
 def _coordinate(samples: Samples, name: str) -> Any:
@@ -387,14 +386,3 @@ def _rank_mapping(ranks: RankCorrelations) -> dict[str, Any]:
             one.output: {name: getattr(one, name) for name in names} for one in ranks.outputs
         },
     }
-
-
-def _plain(value: Any) -> Any:
-    """Turn arrays into lists and what is not finite into None, at any depth."""
-    if isinstance(value, dict):
-        return {key: _plain(item) for key, item in value.items()}
-    if isinstance(value, np.ndarray | np.generic):
-        return _plain(value.tolist())
-    if isinstance(value, list | tuple):
-        return [_plain(item) for item in value]
-    return None if isinstance(value, float) and not isfinite(value) else value

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import csv
-import json
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from io import StringIO
@@ -14,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 from rich.text import Text
 
+from rolamento._json import dumps
 from rolamento.case.duty import AXES, LOADS
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium
@@ -372,7 +372,7 @@ def turn_json(turn: CageTurn) -> str:
             for history in turn.histories
         ],
     }
-    return json.dumps(_plain(mapping), ensure_ascii=False, allow_nan=False)
+    return dumps(mapping)
 
 
 def _variation_mapping(values: NDArray[np.float64], variation: Variation) -> dict[str, Any]:
@@ -391,14 +391,3 @@ def _contact_mapping(contact: ContactHistory) -> dict[str, Any]:
         "contact_angle": contact.contact_angle,
         "max_pressure": contact.max_pressure,
     }
-
-
-def _plain(value: Any) -> Any:
-    """Turn arrays into lists and what is not finite into None, at any depth."""
-    if isinstance(value, dict):
-        return {key: _plain(item) for key, item in value.items()}
-    if isinstance(value, np.ndarray):
-        return _plain(value.tolist())
-    if isinstance(value, list):
-        return [_plain(item) for item in value]
-    return None if isinstance(value, float) and not isfinite(value) else value

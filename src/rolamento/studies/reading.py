@@ -9,6 +9,8 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any, Final
 
+import tomli_w
+
 from rolamento._reading import (
     STANDARD_INPUT,
     LineIndex,
@@ -22,13 +24,12 @@ from rolamento._reading import (
 )
 from rolamento.case import Case, load_case
 from rolamento.case.fields import OVERRIDE_SOURCE, overridden
-from rolamento.errors import InputError, shown
+from rolamento.errors import InputError
 from rolamento.studies.study import Study
 
 __all__ = ["case_file_of", "load_study", "parse_study", "study_to_json", "study_to_toml"]
 
 _LIST_HEADER: Final = re.compile(r"^([ \t]*)\[\[[ \t]*([A-Za-z_.]{1,60})[ \t]*\]\]", re.MULTILINE)
-_PLAIN_KEY: Final = re.compile(r"[A-Za-z0-9_-]+")
 
 
 def case_file_of(path: str | os.PathLike[str]) -> Path | None:
@@ -111,9 +112,7 @@ def parse_study(
 
 def study_to_toml(study: Study) -> str:
     """Return a study as the text of a study file that holds its case: one file says it all."""
-    lines: list[str] = []
-    _add_table(lines, study.to_mapping(), ())
-    return "\n".join(lines).strip() + "\n"
+    return tomli_w.dumps(study.to_mapping())
 
 
 def study_to_json(study: Study) -> str:
@@ -161,42 +160,3 @@ def _lines(text: str, text_format: TextFormat) -> LineIndex:
     for path, line in lines_of_keys(text, text_format).items():
         index.setdefault(tuple(".".join(path).split(".")), line)
     return index
-
-
-def _add_table(lines: list[str], table: Mapping[str, Any], path: tuple[str, ...]) -> None:
-    """Write a table: its own values, then the tables inside, then the lists of tables."""
-    tables = {key: value for key, value in table.items() if isinstance(value, dict)}
-    lists = {key: value for key, value in table.items() if _is_list_of_tables(value)}
-    for key, value in table.items():
-        if key not in tables and key not in lists:
-            lines.append(f"{_key(key)} = {_value(value)}")
-    for key, inner in tables.items():
-        if any(not isinstance(value, dict) for value in inner.values()):
-            lines += ["", f"[{_dotted((*path, key))}]"]
-        _add_table(lines, inner, (*path, key))
-    for key, entries in lists.items():
-        for entry in entries:
-            lines += ["", f"[[{_dotted((*path, key))}]]"]
-            _add_table(lines, entry, (*path, key))
-
-
-def _is_list_of_tables(value: object) -> bool:
-    return (
-        isinstance(value, list | tuple) and bool(value) and all(isinstance(v, dict) for v in value)
-    )
-
-
-def _dotted(path: tuple[str, ...]) -> str:
-    return ".".join(_key(part) for part in path)
-
-
-def _key(name: str) -> str:
-    return name if _PLAIN_KEY.fullmatch(name) else json.dumps(name, ensure_ascii=False)
-
-
-def _value(value: object) -> str:
-    # Strings of one line, numbers, booleans and lists of them are written alike in TOML and JSON.
-    if isinstance(value, list | tuple):
-        return "[" + ", ".join(_value(entry) for entry in value) + "]"
-    assert isinstance(value, str | int | float | bool), shown(value)
-    return json.dumps(value, ensure_ascii=False)

@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Iterable
 from dataclasses import dataclass
-from functools import cache
-from importlib import resources
 from math import inf, isfinite, isnan, log, nan
 from typing import Any, Final
 
 import numpy as np
 
+from rolamento._data import toml_of
 from rolamento.errors import InputError
 from rolamento.vibration.anderon import BANDS, BandName
 
@@ -207,10 +205,8 @@ def _growth(values: list[tuple[float, float]]) -> float:
     return float(np.sum(away * logs) / np.sum(np.square(away)))
 
 
-@cache
 def _table() -> dict[str, Any]:
-    file = resources.files("rolamento.vibration") / "data" / "campanha_2008_anderon.toml"
-    return tomllib.loads(file.read_text(encoding="utf-8"))
+    return toml_of("campanha_2008_anderon", "rolamento.vibration")
 
 
 def _rows(name: str) -> list[dict[str, Any]]:

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, replace
-from math import isfinite, nan
+from math import nan
 from typing import Any, Final, Literal
 
+from rolamento._json import plain
 from rolamento.errors import InputError
 
 __all__ = [
@@ -247,7 +248,7 @@ class FaultFrequencies:
 
     def to_mapping(self) -> dict[str, Any]:
         """Give the frequencies as plain mappings and lists in SI units, NaN as None."""
-        mapping: dict[str, Any] = _without_nan(asdict(self))
+        mapping: dict[str, Any] = plain(asdict(self))
         return mapping
 
 
@@ -282,12 +283,3 @@ def plain_line(order: float, shaft_frequency: float) -> FaultLine:
 def missing_line() -> FaultLine:
     """Return the line of a case without a result."""
     return FaultLine(nan, nan, nan, nan, nan)
-
-
-def _without_nan(value: Any) -> Any:
-    """Replace what is not finite by None, at any depth."""
-    if isinstance(value, dict):
-        return {key: _without_nan(item) for key, item in value.items()}
-    if isinstance(value, list | tuple):
-        return [_without_nan(item) for item in value]
-    return None if isinstance(value, float) and not isfinite(value) else value

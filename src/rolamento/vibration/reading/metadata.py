@@ -13,14 +13,18 @@ from dataclasses import dataclass
 from math import isfinite, pi
 from typing import Final, NamedTuple
 
-from rolamento.vibration.reading._limits import LONGEST_NAME
-from rolamento.vibration.reading._timeline import SAME_RATE
-from rolamento.vibration.reading._units import SPEED_UNITS, is_unit, plain_unit, spelled
+import numpy as np
+
+from rolamento.errors import FileError
+from rolamento.numerics import FloatArray
+from rolamento.vibration.reading.units import SPEED_UNITS, is_unit, plain_unit, spelled
 
 __all__ = [
+    "SAME_RATE",
     "FileRate",
     "RateClaim",
     "RateClaims",
+    "Timeline",
     "label_parts",
     "positive",
     "rate_of",
@@ -31,6 +35,9 @@ __all__ = [
     "time_scale",
     "unit_among",
 ]
+
+_LONGEST_NAME: Final = 100
+"""Characters of a channel's name; longer ones are cut."""
 
 _RATE: Final = (
     *("fs", "sr", "sps", "fsamp", "fsample", "abtastrate", "taxadeamostragem"),
@@ -82,7 +89,7 @@ def label_parts(label: str) -> tuple[str, str]:
 
     In square brackets everything is a unit; in round ones only what is known to be one.
     """
-    match = _BRACKETED.fullmatch(label[: 2 * LONGEST_NAME])
+    match = _BRACKETED.fullmatch(label[: 2 * _LONGEST_NAME])
     if match:
         unit = plain_unit(match[2] if match[2] is not None else match[3])
         if match[2] is not None or is_unit(unit) or unit in _TIME_UNITS:
@@ -92,14 +99,14 @@ def label_parts(label: str) -> tuple[str, str]:
 
 def short_name(name: str) -> str:
     """Return a name in one line, cut where it is too long."""
-    line = " ".join(name[: 4 * LONGEST_NAME].split())
-    return line if len(line) <= LONGEST_NAME else line[: LONGEST_NAME - 1] + "…"
+    line = " ".join(name[: 4 * _LONGEST_NAME].split())
+    return line if len(line) <= _LONGEST_NAME else line[: _LONGEST_NAME - 1] + "…"
 
 
 def time_scale(name: str, unit: str) -> float | None:
     """Seconds in one unit of a column, if it is one of times; None if it is not."""
     plain = spelled(unit).lower()
-    if _folded(name) in _TIME and (not unit or plain in _TIME_UNITS):
+    if _without_unit(name) in _TIME and (not unit or plain in _TIME_UNITS):
         return _TIME_UNITS.get(plain, 1.0)
     return None
 
@@ -154,16 +161,16 @@ def rates_among(levels: Sequence[Mapping[str, float]]) -> RateClaims:
         if not clear:
             clear = (
                 *(RateClaim(f'"{short_name(name)}"', value) for name, value in numbers.items()
-                  if _folded(name) in _RATE and positive(value)),
+                  if _without_unit(name) in _RATE and positive(value)),
                 *(RateClaim(f'"{short_name(name)}" = {value:.9g} s', 1.0 / value)
                   for name, value in numbers.items()
-                  if _folded(name) in _STEP and positive(value) and positive(1.0 / value)),
+                  if _without_unit(name) in _STEP and positive(value) and positive(1.0 / value)),
             )  # fmt: skip
         if not loose:
             loose = tuple(
                 RateClaim(f'"{short_name(name)}"', value)
                 for name, value in numbers.items()
-                if _folded(name) in _LOOSE_RATE and positive(value)
+                if _without_unit(name) in _LOOSE_RATE and positive(value)
             )
     return RateClaims(clear, loose)
 
@@ -218,7 +225,7 @@ def _same(one: float, other: float) -> bool:
 def speed_among(numbers: Mapping[str, float]) -> float | None:
     """Speed of the shaft by the name of one of the numbers that a file gives; rad/s."""
     for name, value in numbers.items():
-        plain = _plain(name)
+        plain = _letters_and_digits(name)
         if not isfinite(value):
             continue
         if plain.endswith("rpm") and _SHAFT.fullmatch(plain.removesuffix("rpm")):
@@ -237,7 +244,7 @@ def speeds_perhaps(numbers: Mapping[str, float], rate: float) -> dict[str, float
     return {
         name: value
         for name, value in numbers.items()
-        if _folded(re.split(r"[./]", name)[-1]) in _PERHAPS_SPEED
+        if _without_unit(re.split(r"[./]", name)[-1]) in _PERHAPS_SPEED
         and positive(value)
         and not _same(value, rate)
     }
@@ -245,7 +252,9 @@ def speeds_perhaps(numbers: Mapping[str, float], rate: float) -> dict[str, float
 
 def unit_among(texts: Mapping[str, str]) -> str:
     """Unit by the name of one of the texts that a file gives; "" if there is none."""
-    return next((plain_unit(text) for name, text in texts.items() if _folded(name) in _UNIT), "")
+    return next(
+        (plain_unit(text) for name, text in texts.items() if _without_unit(name) in _UNIT), ""
+    )
 
 
 def positive(value: float) -> bool:
@@ -253,13 +262,89 @@ def positive(value: float) -> bool:
     return 0.0 < value < 1e12
 
 
-def _folded(name: str) -> str:
+def _without_unit(name: str) -> str:
     """Letters and digits only, in lower case: Sampling_Rate and "sampling rate" are one."""
-    without = re.sub(r"[\[(]\s*(?:hz|s|rpm|1/min)\s*[\])]", "", name[:LONGEST_NAME].lower())
-    return _plain(without)  # of "fs (kHz)" the kHz is left: not a rate in Hz
+    without = re.sub(r"[\[(]\s*(?:hz|s|rpm|1/min)\s*[\])]", "", name[:_LONGEST_NAME].lower())
+    return _letters_and_digits(without)  # of "fs (kHz)" the kHz is left: not a rate in Hz
 
 
-def _plain(name: str) -> str:
+def _letters_and_digits(name: str) -> str:
     """Letters and digits of a name with its unit, in lower case and without accents."""
-    parts = unicodedata.normalize("NFKD", name[:LONGEST_NAME].lower())
+    parts = unicodedata.normalize("NFKD", name[:_LONGEST_NAME].lower())
     return re.sub(r"[^a-z0-9]", "", parts)
+
+
+SAME_RATE: Final = 1e-3
+"""Part by which two statements of a sampling rate may differ: files round the step of time."""
+
+_STEP_OFF: Final = 0.3
+"""Of a step: what rounding to the file's digits may do to one. A sample left out does more."""
+_PLACE_OFF: Final = 1.0
+"""Of a step: how far an instant may lie from the straight line of its number."""
+
+
+@dataclass(frozen=True, slots=True)
+class Timeline:
+    """Evenly spaced instants.
+
+    Attributes
+    ----------
+    first
+        instant of sample 0, in the column's unit
+    step
+        between samples, in the column's unit
+    scale
+        seconds in the column's unit
+    """
+
+    first: float
+    step: float
+    scale: float
+
+    @classmethod
+    def between(cls, first: float, last: float, count: int, scale: float, source: str) -> Timeline:
+        """Return the even spacing between the first and the last instant of a column.
+
+        Raises
+        ------
+        FileError
+            If there are fewer than two, or time does not run forward.
+        """
+        with np.errstate(all="ignore"):
+            step = float((np.float64(last) - first) / (count - 1)) if count > 1 else float("nan")
+        if not 1e-12 < step * scale < 1e12:
+            raise FileError(
+                "does not run forward from its first row to its last",
+                field="time column",
+                example="0.0, 0.0001, 0.0002",
+                source=source,
+            )
+        return cls(first, step, scale)
+
+    @property
+    def rate(self) -> float:
+        """Hz."""
+        return 1.0 / (self.step * self.scale)
+
+    def check(self, times: FloatArray, start: int, source: str) -> None:
+        """Refuse instants, of which the first is that of sample `start`, that are not even.
+
+        Raises
+        ------
+        FileError
+            If a sample is missing, doubled, or out of step.
+        """
+        with np.errstate(all="ignore"):
+            place = (times - self.first) / self.step - (start + np.arange(len(times)))
+            wrong = ~(np.abs(place) <= _PLACE_OFF)
+            wrong[1:] |= ~(np.abs(np.diff(place)) <= _STEP_OFF)
+        if np.any(wrong):
+            number = int(np.argmax(wrong))
+            raise FileError(
+                f"is not evenly spaced: sample {start + number} (counted from 0) is off the mean "
+                f"step of {self.step * self.scale:.6g} s; a sample is missing, or time was stored "
+                "with too few digits",
+                field="time column",
+                value=float(times[number]),
+                source=source,
+            )

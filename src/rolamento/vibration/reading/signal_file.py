@@ -9,16 +9,24 @@ from typing import Self
 
 import numpy as np
 
+from rolamento._foreign.bounds import guarded
 from rolamento._tables import checked_mark
 from rolamento.errors import FileError, InputError
 from rolamento.numerics import FloatArray
 from rolamento.vibration._checks import checked_count, checked_number
-from rolamento.vibration.reading._channel import Channel, ReadingNote, Source
-from rolamento.vibration.reading._choice import Meaning, chosen_channel
-from rolamento.vibration.reading._limits import MOST_SAMPLES, guarded
-from rolamento.vibration.reading._metadata import speeds_perhaps
-from rolamento.vibration.reading._speed import ShaftSpeed, channel_beside, chosen_speed
+from rolamento.vibration.reading.channels import (
+    MOST_SAMPLES,
+    Channel,
+    Meaning,
+    ReadingNote,
+    ShaftSpeed,
+    Source,
+    channel_beside,
+    chosen_channel,
+    chosen_speed,
+)
 from rolamento.vibration.reading.formats import open_source
+from rolamento.vibration.reading.metadata import speeds_perhaps
 from rolamento.vibration.signal import Quantity, Signal
 
 __all__ = ["SignalFile", "channels_of", "open_signal", "read_signal"]
