@@ -137,7 +137,7 @@ def _of_state(path: str, kind: Kind, words: PlotWords) -> tuple[Axes, str, str |
         axes: Axes = ellipses.ellipses_of_both_races(solved, words=words)[0]
     elif kind in _OF_LIFE and failure is None:
         axes = _of_life(kind, solved, words.code)
-    elif kind in _OF_LIFE:
+    elif failure is not None and kind in _OF_LIFE:
         axes = empty_frame(new_figure()[1], words.reason(failure))
     else:
         drawers = {
