@@ -6,12 +6,17 @@ import pytest
 
 from rolamento import Bearing, Case, Duty, Load, solve
 from rolamento.lubrication import film_of
-from rolamento.verification import Check, campanha_2008_clearance
-from rolamento.verification.campanha_2008 import STRIBECK, checks, inner_contact
-from rolamento.verification.campanha_2008_film import right_film
-from rolamento.verification.published import bearing_of, published, steel
+from rolamento.verification import Check
+from rolamento.verification.campanha_2008 import (
+    STRIBECK,
+    checks,
+    clearance_checks,
+    inner_contact,
+    right_film,
+)
+from rolamento.verification.check import bearing_of, published, steel
 
-CLEARANCES = {check.quantity for check in campanha_2008_clearance.checks()}
+CLEARANCES = {check.quantity for check in clearance_checks()}
 CHECKS = tuple(check for check in checks() if check.quantity not in CLEARANCES)
 GIVEN = published("campanha_2008")["bearing_6305"]
 LOAD = published("campanha_2008")["shear_depth"]["radial_load_N"]

@@ -14,10 +14,10 @@ import pytest
 from rolamento import Case, Duty, Load, solve
 from rolamento.static import axial_load
 from rolamento.verification import Check
-from rolamento.verification.iso_16281 import bearing, checks
-from rolamento.verification.published import published
+from rolamento.verification.check import published
+from rolamento.verification.standards import iso_16281_bearing, iso_16281_checks
 
-CHECKS = tuple(checks())
+CHECKS = tuple(iso_16281_checks())
 DATA = published("iso_16281")
 RADIAL, AXIAL = DATA["radial"]["example"], DATA["axial"]
 
@@ -30,7 +30,9 @@ def test_printed_number(check: Check) -> None:
 @pytest.mark.parametrize("case", RADIAL, ids=lambda case: f"clearance {case['clearance_mm']} mm")
 def test_radial(case: dict[str, float]) -> None:
     state = solve(
-        Case(bearing=bearing(case["clearance_mm"]), duty=Duty(load=Load(fz=case["load_N"])))
+        Case(
+            bearing=iso_16281_bearing(case["clearance_mm"]), duty=Duty(load=Load(fz=case["load_N"]))
+        )
     )
     assert state.status.converged
     assert state.displacement.z * 1e6 == pytest.approx(float(case["displacement_um"]), rel=1e-5)
@@ -38,7 +40,7 @@ def test_radial(case: dict[str, float]) -> None:
 
 
 def test_axial() -> None:
-    rings, force = bearing(AXIAL["clearance_mm"]), AXIAL["load_N"]
+    rings, force = iso_16281_bearing(AXIAL["clearance_mm"]), AXIAL["load_N"]
     printed = float(AXIAL["displacement_um"])
     frozen = axial_load(rings, force, stiffness_angle="free").axial_displacement
     assert float(frozen) * 1e6 == pytest.approx(printed, rel=1e-6)

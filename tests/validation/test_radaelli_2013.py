@@ -21,10 +21,9 @@ from rolamento.rows.ball.columns import spread
 from rolamento.rows.ball.solve import solve_columns_of
 from rolamento.static import axial_load, radial_load
 from rolamento.verification import Check
-from rolamento.verification.check import half_unit
-from rolamento.verification.published import published
+from rolamento.verification.check import half_unit, published
+from rolamento.verification.harris_1991 import bearing_209, bearing_218, radaelli_steel
 from rolamento.verification.radaelli_2013 import case_5_3, case_5_4, checks, numbers_of_balls
-from rolamento.verification.static_examples import bearing_209, bearing_218, radaelli_steel
 
 CHECKS = tuple(checks())
 DATA = published("radaelli_2013")

@@ -15,7 +15,7 @@ from rolamento.report.numbers import ABSENT
 from rolamento.report.page import Lines, Page
 from rolamento.report.terminal import rendered
 from rolamento.report.verification_words import VERIFICATION_WORDS, VerificationWords
-from rolamento.verification import VERDICTS, Check, Verdict, Verification
+from rolamento.verification import VERDICTS, Check, CheckVerdict, Verification
 
 __all__ = ["Cells", "Notes", "cells", "summary", "tables", "verification_report"]
 
@@ -169,7 +169,7 @@ def _set(page: Page, lines: list[list[Text]], justify: str) -> Lines:
     return [line[2:] for line in body]
 
 
-def _style(column: int, verdict: Verdict) -> str:
+def _style(column: int, verdict: CheckVerdict) -> str:
     """Return the style of a cell: computed numbers stand out, wrong ones more so."""
     if column != Cells._fields.index("computed"):
         return ""

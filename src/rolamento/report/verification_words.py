@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Final
 
-from rolamento.verification import Verdict
+from rolamento.verification import CheckVerdict
 
 __all__ = ["VERIFICATION_WORDS", "VerificationWords"]
 
@@ -28,7 +28,7 @@ class VerificationWords:
     tolerance: str
     proof: str
     verdict: str
-    verdicts: Mapping[Verdict, str]
+    verdicts: Mapping[CheckVerdict, str]
     summary: str
     proof_note: str
     progress: str

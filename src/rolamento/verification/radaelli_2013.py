@@ -17,14 +17,14 @@ from rolamento.kinematics import ball_mass, ball_motion, centrifugal_force, gyro
 from rolamento.rows.ball import solve
 from rolamento.state import State
 from rolamento.static import radial_load
-from rolamento.verification.check import Check, cut, last_unit, rounded
-from rolamento.verification.published import MM, RPM, published
-from rolamento.verification.static_examples import (
+from rolamento.units import MILLIMETRE, RPM
+from rolamento.verification.check import Check, cut, last_unit, published, rounded
+from rolamento.verification.harris_1991 import (
     AXIAL,
     BY_INTEGRAL,
     RADIAL,
+    Label,
     Number,
-    Quantity,
     axial_example,
     bearing_209,
     bearing_218,
@@ -33,11 +33,11 @@ from rolamento.verification.static_examples import (
 
 __all__ = ["case_5_3", "case_5_4", "checks", "numbers_of_balls"]
 
-BALL_QUANTITIES: Final[Mapping[str, Quantity]] = {
-    "outer_angle_deg": Quantity("α_o", "°"),
-    "inner_angle_deg": Quantity("α_i", "°"),
-    "outer_load_N": Quantity("Q_o", "N"),
-    "inner_load_N": Quantity("Q_i", "N"),
+BALL_QUANTITIES: Final[Mapping[str, Label]] = {
+    "outer_angle_deg": Label("α_o", "°"),
+    "inner_angle_deg": Label("α_i", "°"),
+    "outer_load_N": Label("Q_o", "N"),
+    "inner_load_N": Label("Q_i", "N"),
 }
 
 _INTEGRAL: Final = (
@@ -93,7 +93,7 @@ def checks() -> Iterator[Check]:
 
 
 def _example(
-    table: str, quantities: Mapping[str, Quantity], found: Mapping[str, Number], reason: Any
+    table: str, quantities: Mapping[str, Label], found: Mapping[str, Number], reason: Any
 ) -> Iterator[Check]:
     data = published("radaelli_2013")[table]
     for key, printed in data["printed"].items():
@@ -153,9 +153,9 @@ def _static_text() -> Iterator[Check]:
         quantity="δ_r at rest",
         unit="mm",
         printed=text["static_radial_displacement_mm"],
-        computed=solve(case_5_3(speed_rpm=0.0)).displacement.z / MM,
+        computed=solve(case_5_3(speed_rpm=0.0)).displacement.z / MILLIMETRE,
         explanation=_AS_RADIAL,
-        evidence=float(as_radial.radial_displacement) / MM,
+        evidence=float(as_radial.radial_displacement) / MILLIMETRE,
         deviation=HALF_AGAIN * float(text["static_radial_displacement_mm"]),
     )
 
@@ -215,7 +215,7 @@ def _table_5_3() -> Iterator[Check]:
         quantity="δ_z",
         unit="mm",
         printed=table["radial_displacement_mm"],
-        computed=state.displacement.z / MM,
+        computed=state.displacement.z / MILLIMETRE,
         explanation=_HELD,
     )
     found = numbers_of_balls(state)
@@ -239,7 +239,11 @@ def _table_5_4() -> Iterator[Check]:
     table = published("radaelli_2013")["table_5_4"]
     for tilt, *row in table["rows"]:
         state = solve(case_5_4(float(tilt)))
-        computed = (state.displacement.x / MM, state.displacement.z / MM, state.load.my)
+        computed = (
+            state.displacement.x / MILLIMETRE,
+            state.displacement.z / MILLIMETRE,
+            state.load.my,
+        )
         names = (("δ_a", "mm"), ("δ_z", "mm"), ("M_y", "N·m"))
         for (name, unit), printed, value in zip(names, row, computed, strict=True):
             yield Check(

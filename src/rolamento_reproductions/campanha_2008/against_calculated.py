@@ -11,7 +11,7 @@ from functools import cache
 from math import isfinite
 from typing import Final
 
-from rolamento.verification.campanha_2008_weibull import condition
+from rolamento.verification.campanha_2008 import condition
 from rolamento.weibull import (
     CalculatedLife,
     against_calculated_life,

@@ -10,9 +10,9 @@ import numpy as np
 from rolamento.contact.hertz import effective_modulus, elliptical_contact
 from rolamento.geometry import Race, race_curvature
 from rolamento.static import radial_load
+from rolamento.units import MILLIMETRE
 from rolamento.verification import Check
 from rolamento.verification.campanha_2008 import STRIBECK
-from rolamento.verification.published import MM
 from rolamento_reproductions.campanha_2008.inputs import (
     GIVEN,
     bearing,
@@ -204,7 +204,7 @@ def _radii() -> tuple[Number, ...]:
             said("R_x, along rolling (mm)", "R_x, na direção de rolagem (mm)"),
             given["rolling_radius_mm"],
             1.0 / (1.0 / of_ball + 1.0 / of_ring),
-            1.0 / (rolling * MM),
+            1.0 / (rolling * MILLIMETRE),
             said(
                 "Both bodies are convex along rolling.",
                 "Na direção de rolagem os dois são convexos.",
@@ -215,7 +215,7 @@ def _radii() -> tuple[Number, ...]:
             said("R_y, across (mm)", "R_y, transversal (mm)"),
             given["across_radius_mm"],
             1.0 / (1.0 / of_ball + 1.0 / of_groove),
-            said("{:.0f}", "{:.0f}", 1.0 / (across * MM)),
+            said("{:.0f}", "{:.0f}", 1.0 / (across * MILLIMETRE)),
             said(
                 "Eq. 2.3.1 gives a hollow body a minus; the dissertation adds the groove's"
                 " curvature as if it were convex.",
@@ -231,8 +231,8 @@ def curvatures(race: Race = "inner") -> tuple[float, float]:
     rings, film = printed("bearing_6305"), printed("film")
     inner = film["groove_radius_mm"] / rings["ball_diameter_mm"]
     curvature = race_curvature(
-        rings["ball_diameter_mm"] * MM,
-        rings["pitch_diameter_mm"] * MM,
+        rings["ball_diameter_mm"] * MILLIMETRE,
+        rings["pitch_diameter_mm"] * MILLIMETRE,
         inner if race == "inner" else outer_conformity(),
         0.0,
         race,
@@ -252,7 +252,7 @@ def _ellipse() -> tuple[Number, ...]:
             same("R′ (mm)"),
             radius.printed,
             radius.computed,
-            1.0 / ((rolling + across) * MM),
+            1.0 / ((rolling + across) * MILLIMETRE),
             said(
                 "Of all curvatures, the groove taken for convex. The film's formula wants R_x in"
                 " its place.",

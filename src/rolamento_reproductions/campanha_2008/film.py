@@ -15,8 +15,8 @@ from rolamento.lubrication.regime import regime_of
 from rolamento.lubrication.roughness import rms_of_mean_roughness
 from rolamento.oil.pressure_viscosity import wooster
 from rolamento.rows.ball import solve
+from rolamento.units import MILLIMETRE
 from rolamento.verification import Check
-from rolamento.verification.published import MM
 from rolamento_reproductions.campanha_2008.contact import (
     check_of,
     contact_table,
@@ -231,7 +231,7 @@ def _film(
     exact = float(elliptical_contact(force, rolling, across, modulus).ellipticity)
     scale = rolling if curvature is None else curvature
     groups = film_groups(
-        speeds * check_of("U").computed * MM,
+        speeds * check_of("U").computed * MILLIMETRE,
         force,
         scale,
         exact if ellipticity is None else ellipticity,
@@ -245,7 +245,7 @@ def _film(
 def _steps() -> list[tuple[Text, list[float]]]:
     """Return what is put together, and the films of both conditions; m."""
     convex = {
-        "curvature": 1.0 / (check_of("R, convex").computed * MM),
+        "curvature": 1.0 / (check_of("R, convex").computed * MILLIMETRE),
         "ellipticity": check_of("k, convex").computed,
     }
     ways: list[tuple[Text, dict[str, Any]]] = [

@@ -6,13 +6,13 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Final
 
-from rolamento.verification.campanha_2008_weibull import (
+from rolamento.verification.campanha_2008 import (
     as_if_failed,
     as_plotted,
     condition,
     five_failures,
     four_failures,
-    least_life,
+    minimum_life,
 )
 from rolamento.weibull import (
     LifeTest,
@@ -185,7 +185,7 @@ def _at_shape(name: str, shape: float) -> _Row:
         said("condition II as it ended, β given", "condição II como terminou, β dado"),
         condition("II"),
         Text(name, localised(name, "pt")),
-        said("at least {:.0f}", "no mínimo {:.0f}", least_life(shape)),
+        said("at least {:.0f}", "no mínimo {:.0f}", minimum_life(shape)),
     )
 
 

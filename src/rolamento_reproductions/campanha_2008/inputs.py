@@ -16,8 +16,9 @@ from rolamento.contact.hertz import HertzContact, effective_modulus, elliptical_
 from rolamento.geometry import Race, race_curvature
 from rolamento.life.basic import basic_rating_life, hours
 from rolamento.lubrication.oil_state import OilState, oil_state
-from rolamento.verification import Check, campanha_2008_clearance, campanha_2008_film
-from rolamento.verification.published import MM, bearing_of, published, steel
+from rolamento.units import MILLIMETRE
+from rolamento.verification import Check, campanha_2008
+from rolamento.verification.check import bearing_of, published, steel
 from rolamento_reproductions.given import RPM, Given
 
 __all__ = [
@@ -72,7 +73,7 @@ def ball_count() -> int:
 
 def pitch_diameter() -> float:
     """Return d_m; m."""
-    return float(printed("bearing_6305")["pitch_diameter_mm"]) * MM
+    return float(printed("bearing_6305")["pitch_diameter_mm"]) * MILLIMETRE
 
 
 def basic_life_hours(rating: float) -> float:
@@ -82,7 +83,7 @@ def basic_life_hours(rating: float) -> float:
 
 def ball_diameter() -> float:
     """Return D; m."""
-    return float(printed("bearing_6305")["ball_diameter_mm"]) * MM
+    return float(printed("bearing_6305")["ball_diameter_mm"]) * MILLIMETRE
 
 
 def outer_conformity() -> float:
@@ -135,13 +136,13 @@ def oil_at(celsius: ArrayLike) -> OilState:
 @cache
 def film_checks() -> tuple[Check, ...]:
     """Return the verified numbers of oil, contact and film, in the order of the dissertation."""
-    return tuple(campanha_2008_film.checks())
+    return tuple(campanha_2008.film_checks())
 
 
 @cache
 def clearance_checks() -> tuple[Check, ...]:
     """Return the verified numbers of table 3.2 and of the clearance classes."""
-    return tuple(campanha_2008_clearance.checks())
+    return tuple(campanha_2008.clearance_checks())
 
 
 def steel_of_film() -> Material:

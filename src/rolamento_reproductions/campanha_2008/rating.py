@@ -14,8 +14,8 @@ from rolamento.ratings import (
     dynamic_rating,
     static_rating,
 )
+from rolamento.units import MILLIMETRE
 from rolamento.verification.campanha_2008 import STRIBECK
-from rolamento.verification.published import MM
 from rolamento_reproductions.campanha_2008.inputs import (
     GIVEN,
     ball_count,
@@ -176,7 +176,9 @@ def _by_measured_grooves(given: dict[str, Any], rated: float) -> tuple[Number, N
     )
     gain = 100.0 * (raised / usual - 1.0)
     radii = (printed("life")["groove_radius_mm"], given["outer_groove_mm"])
-    rounded = [round(radius * MM / ball_diameter(), given["conformity_digits"]) for radius in radii]
+    rounded = [
+        round(radius * MILLIMETRE / ball_diameter(), given["conformity_digits"]) for radius in radii
+    ]
     factor = float(dynamic_factor_of_grooves(_gamma(), *rounded))
     return (
         Number(

@@ -11,8 +11,8 @@ from rolamento.contact.subsurface import greatest_shear
 from rolamento.life.reference import race_ratings, reference_life
 from rolamento.lubrication.regime import crack_origin
 from rolamento.static import RadialSolution, radial_load
+from rolamento.units import MILLIMETRE
 from rolamento.verification.campanha_2008 import LINE_CONTACT_DEPTH
-from rolamento.verification.published import MM
 from rolamento_reproductions.campanha_2008.inputs import (
     GIVEN,
     ball_diameter,
@@ -74,7 +74,8 @@ def _depths(inner_conformity: float) -> list[float]:
     """Depth of the greatest shear; mm."""
     poisson = printed("bearing_6305")["poisson_ratio"]
     return [
-        float(greatest_shear(c.max_pressure, c.semi_major, c.semi_minor, poisson).depth) / MM
+        float(greatest_shear(c.max_pressure, c.semi_major, c.semi_minor, poisson).depth)
+        / MILLIMETRE
         for c in _contacts(inner_conformity)
     ]
 
@@ -84,13 +85,13 @@ def shear_numbers() -> tuple[Number, ...]:
     """Return the printed depth."""
     whole = contact_at(load(), _nominal(), "inner")
     contact = _contacts(_measured())[0]
-    share = _depths(_measured())[0] * MM / float(contact.semi_minor)
+    share = _depths(_measured())[0] * MILLIMETRE / float(contact.semi_minor)
     return (
         Number(
             "depth",
             said("z of the greatest shear (mm)", "z da máxima tensão de cisalhamento (mm)"),
             printed("shear_depth")["greatest_shear_depth_mm"],
-            LINE_CONTACT_DEPTH * float(whole.semi_minor) / MM,
+            LINE_CONTACT_DEPTH * float(whole.semi_minor) / MILLIMETRE,
             said("{:.3f} to {:.3f}", "{:.3f} a {:.3f}", *_depths(_measured())),
             said(
                 "The whole load on one ball, the catalogue's groove of 0.52, and 0.5 b of a line"
@@ -112,7 +113,7 @@ def shear_numbers() -> tuple[Number, ...]:
 def _subsurface() -> Claim:
     depth = float(np.mean(_depths(_measured())))
     lost = GIVEN.inputs_of("shear")["lost_metal_mm"]
-    origins = {crack_origin(value * MM, depth * MM) for value in lost}
+    origins = {crack_origin(value * MILLIMETRE, depth * MILLIMETRE) for value in lost}
     return Claim(
         said(
             "Bearing 1 lost metal to a depth of 0.1 to 0.2 mm: fatigue from beneath the surface.",
@@ -133,7 +134,7 @@ def _surface() -> Claim:
     given = GIVEN.inputs_of("shear")
     depth = float(np.mean(_depths(_measured())))
     cracks = [given["crack_share"] * value for value in given["lost_metal_mm"]]
-    origins = {crack_origin(value * MM, depth * MM) for value in cracks}
+    origins = {crack_origin(value * MILLIMETRE, depth * MILLIMETRE) for value in cracks}
     return Claim(
         said(
             "The cracks of bearing 22 are an order of magnitude less deep: fatigue from the"
@@ -192,7 +193,7 @@ def _race_lives(state: RadialSolution) -> tuple[float, float]:
         printed("life")["dynamic_rating_N"],
         rings["ball_count"],
         ball_diameter(),
-        rings["pitch_diameter_mm"] * MM,
+        rings["pitch_diameter_mm"] * MILLIMETRE,
         _measured(),
         outer_conformity(),
         0.0,

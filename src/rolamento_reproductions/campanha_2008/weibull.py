@@ -10,14 +10,14 @@ from fractions import Fraction
 from functools import cache
 from typing import Final
 
-from rolamento.verification.campanha_2008_weibull import (
+from rolamento.verification.campanha_2008 import (
     SHAPE,
     as_if_failed,
     as_plotted,
     condition,
     five_failures,
     four_failures,
-    least_life,
+    minimum_life,
 )
 from rolamento.weibull import (
     Bounds,
@@ -173,7 +173,7 @@ def _of_condition_two() -> Number:
         ),
         _printed("condition_II"),
         as_plotted(chosen).l10,
-        said("at least {:.0f}", "no mínimo {:.0f}", least_life(SHAPE)),
+        said("at least {:.0f}", "no mínimo {:.0f}", minimum_life(SHAPE)),
         said(
             "The same regression, each of {} tests taken to end with a failure. None of the {}"
             " bearings failed, and the end of a test is no life: it tells when somebody stopped the"

@@ -10,7 +10,7 @@ from typing import Any, Final
 
 import numpy as np
 
-from rolamento.verification.campanha_2008_weibull import (
+from rolamento.verification.campanha_2008 import (
     as_plotted,
     condition,
     five_failures,
