@@ -18,11 +18,11 @@ from __future__ import annotations
 from typing import Final
 
 from rolamento.case.bearing import Bearing
-from rolamento.clearance.tables import MILLIMETRE, step_of
+from rolamento.clearance.standards import step_of
 from rolamento.errors import InputError
 from rolamento.static import radial_load
 from rolamento.static.radial import Distribution
-from rolamento.units import from_si
+from rolamento.units import MILLIMETRE, from_si
 
 __all__ = [
     "MEASURING_LOAD_SOURCE",

@@ -205,7 +205,7 @@ PORTUGUESE: Final = VerificationWords(
             "A norma mantém a rigidez de contato do ângulo livre, 0°, enquanto o ângulo sobe a"
             " 13,1°, o que faz menos de 1e-4 do número. Margem como na carga radial."
         ),
-        "The author puts the whole load on one ball, and the greatest shear at half the minor"
+        "The author puts the whole load on one ball, and the maximum shear at half the minor"
         " semi-axis. The heaviest of 8 balls carries 5/8 of the load, and the exact depth for this"
         " ellipse is nearly a third greater. Both with the conformity 0.52 of the catalogue, at the"
         " inner race.": (

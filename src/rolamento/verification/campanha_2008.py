@@ -21,15 +21,15 @@ import numpy as np
 
 from rolamento.case.bearing import Bearing
 from rolamento.case.material import Material
-from rolamento.clearance.classes import CLEARANCE_CLASSES, class_clearance
 from rolamento.clearance.measuring_load import measuring_load_correction
+from rolamento.clearance.standards import CLEARANCE_CLASSES, class_clearance
 from rolamento.contact.hertz import (
     HertzContact,
     brewe_hamrock_ellipticity,
     effective_modulus,
     elliptical_contact,
 )
-from rolamento.contact.subsurface import greatest_shear
+from rolamento.contact.subsurface import maximum_shear
 from rolamento.geometry import race_curvature
 from rolamento.life.basic import basic_rating_life, hours
 from rolamento.lubrication.entrainment import rolling_entrainment_speed
@@ -57,7 +57,7 @@ A_THIRD: Final = 1.0 / 3.0
 """The most by which the exact depth may exceed the printed one, and a printed film be too thin."""
 
 _WHOLE_LOAD: Final = (
-    "The author puts the whole load on one ball, and the greatest shear at half the minor"
+    "The author puts the whole load on one ball, and the maximum shear at half the minor"
     " semi-axis. The heaviest of 8 balls carries 5/8 of the load, and the exact depth for this"
     " ellipse is nearly a third greater. Both with the conformity 0.52 of the catalogue, at the"
     " inner race."
@@ -80,7 +80,7 @@ def inner_contact(load: float) -> HertzContact:
 
 
 def checks() -> Iterator[Check]:
-    """Compare depth of the greatest shear, oil, film, clearances, rating, life and life tests."""
+    """Compare depth of the maximum shear, oil, film, clearances, rating, life and life tests."""
     yield _shear_depth()
     yield from film_checks()
     yield from clearance_checks()
@@ -93,7 +93,7 @@ def _shear_depth() -> Check:
     given, printed = data["bearing_6305"], data["shear_depth"]
     whole = printed["radial_load_N"]
     contact = inner_contact(STRIBECK * whole / given["ball_count"])
-    shear = greatest_shear(
+    shear = maximum_shear(
         contact.max_pressure, contact.semi_major, contact.semi_minor, given["poisson_ratio"]
     )
     return Check(

@@ -10,15 +10,13 @@ Reads what was published: data files with the package, and the bearings that the
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass
 from decimal import ROUND_DOWN, ROUND_HALF_UP, Decimal
-from functools import cache
-from importlib import resources
 from math import isfinite, isnan, nan, radians, sqrt
 from typing import Any, Final, Literal
 
+from rolamento._shipped import shipped_table
 from rolamento.case.bearing import Bearing
 from rolamento.case.material import Material
 from rolamento.units import MILLIMETRE
@@ -180,11 +178,9 @@ MODULUS_SCALE: Final = 3.0 / sqrt(8.0)
 _UNKNOWN_DENSITY: Final = 7810.0
 
 
-@cache
 def published(name: str) -> Mapping[str, Any]:
     """Return what a source prints, from its data file; not to be changed."""
-    data = resources.files("rolamento.verification") / "data" / f"{name}.toml"
-    return tomllib.loads(data.read_text(encoding="utf-8"))
+    return shipped_table(f"verification/data/{name}.toml")
 
 
 def modulus_of_constant(constant: float, poisson_ratio: float) -> float:

@@ -310,6 +310,6 @@ def _correction(table: str, key: str, corrected: str) -> dict[str, Any]:
 
 
 def _stated_share(table: str, key: str) -> float:
-    """Return the greatest difference of the two authors that rounds to the stated percentage."""
+    """Return the maximum difference of the two authors that rounds to the stated percentage."""
     percent = published("radaelli_2013")[table]["difference_percent"][key]
     return (float(percent) + half_unit(percent)) / 100.0

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from rolamento.clearance.classes import CLEARANCE_CLASSES
+from rolamento.clearance.standards import CLEARANCE_CLASSES
 from rolamento_reproductions.campanha_2008.inputs import (
     GIVEN,
     HOUR,

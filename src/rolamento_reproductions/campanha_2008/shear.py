@@ -7,7 +7,7 @@ from functools import cache
 import numpy as np
 
 from rolamento.contact.hertz import HertzContact
-from rolamento.contact.subsurface import greatest_shear
+from rolamento.contact.subsurface import maximum_shear
 from rolamento.life.reference import race_ratings, reference_life
 from rolamento.lubrication.regime import crack_origin
 from rolamento.static import RadialSolution, radial_load
@@ -74,7 +74,7 @@ def _depths(inner_conformity: float) -> list[float]:
     """Depth of the greatest shear; mm."""
     poisson = printed("bearing_6305")["poisson_ratio"]
     return [
-        float(greatest_shear(c.max_pressure, c.semi_major, c.semi_minor, poisson).depth)
+        float(maximum_shear(c.max_pressure, c.semi_major, c.semi_minor, poisson).depth)
         / MILLIMETRE
         for c in _contacts(inner_conformity)
     ]
