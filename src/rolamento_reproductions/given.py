@@ -11,7 +11,7 @@ from typing import Any, Final
 import numpy as np
 
 from rolamento.rows.ball import BatchState
-from rolamento_reproductions.record import Column, Floats
+from rolamento_reproductions.record import Floats, Series
 from rolamento_reproductions.text import Text, said
 
 __all__ = ["KILO", "MILLI", "RPM", "Given", "grid", "status_column"]
@@ -58,6 +58,6 @@ def grid(lowest: float, highest: float, step: float) -> Floats:
     return np.linspace(lowest, highest, round((highest - lowest) / step) + 1)
 
 
-def status_column(state: BatchState) -> Column:
+def status_column(state: BatchState) -> Series:
     """Return how each case of a batch ended."""
-    return Column("status", "", said("status", "estado"), tuple(str(s) for s in state.status))
+    return Series("status", "", said("status", "estado"), tuple(str(s) for s in state.status))

@@ -8,8 +8,6 @@ from dataclasses import dataclass
 from string import Formatter
 from typing import Any, Final, Literal
 
-__all__ = ["Language", "Text", "formula", "localised", "said", "same", "with_indices"]
-
 Language = Literal["en", "pt"]
 
 _MINUS: Final = "−"
@@ -43,6 +41,11 @@ def said(en: str, pt: str, *values: object, **named: object) -> Text:
 def same(text: str) -> Text:
     """Return what is the same in both languages."""
     return Text(text, text)
+
+
+def in_both(speak: Callable[[Language], str]) -> Text:
+    """Return what is said in each of the languages."""
+    return Text(speak("en"), speak("pt"))
 
 
 def formula(text: str) -> Text:

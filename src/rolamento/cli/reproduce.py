@@ -93,7 +93,7 @@ def _entry(source: Source, code: Code) -> str:
 
 
 def _told(sections: tuple[Section, ...], page: str, code: Code) -> str:
-    from rolamento_reproductions.wording import summary
+    from rolamento_reproductions.page import summary
 
     lines = [text.speak(code) for text in summary(sections)]
     return "\n".join([*lines, page]) + "\n"

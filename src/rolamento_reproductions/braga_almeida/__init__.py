@@ -9,8 +9,7 @@ from rolamento_reproductions.braga_almeida.slip import inner_section, outer_sect
 from rolamento_reproductions.braga_almeida.solved import GIVEN
 from rolamento_reproductions.braga_almeida.speeds import speeds_section
 from rolamento_reproductions.braga_almeida.turning import orbit_section
-from rolamento_reproductions.errata import ERRATA_STEM
-from rolamento_reproductions.record import Part, Source
+from rolamento_reproductions.record import ERRATA_STEM, Part, Source
 from rolamento_reproductions.text import said
 
 __all__ = ["SOURCE"]

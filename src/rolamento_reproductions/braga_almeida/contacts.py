@@ -7,7 +7,7 @@ from typing import Final
 import numpy as np
 
 from rolamento_reproductions.braga_almeida.attitudes import Attitudes, Contact, Floats, attitudes
-from rolamento_reproductions.errata import Misprint, Proof, Sound, proven, residual
+from rolamento_reproductions.record import Misprint, Proof, ValidEquation, proven, residual
 from rolamento_reproductions.text import Text, formula, said
 
 __all__ = ["contact_misprints", "contact_sound", "equation"]
@@ -45,7 +45,7 @@ def contact_misprints() -> tuple[Misprint, ...]:
     )
 
 
-def contact_sound() -> tuple[Sound, ...]:
+def contact_sound() -> tuple[ValidEquation, ...]:
     """Return the equations of the rotation at the inner contact, which hold."""
     a = attitudes()
     c = a.inner
@@ -57,13 +57,13 @@ def contact_sound() -> tuple[Sound, ...]:
     by_angles = c.ring * (ratio * turn - sine)
     what = said("rotation at the inner contact", "rotação no contato interno")
     return (
-        Sound(
+        ValidEquation(
             "43",
             what,
             formula("ω_rot = ω_x sin θ_i − ω_i sin θ_i − ω_z cos θ_i"),
             residual(by_parts, c.spin, _turning(c)),
         ),
-        Sound(
+        ValidEquation(
             "44",
             what,
             formula("ω_rot = ω_R (cos β cos β′ sin θ_i − sin β cos θ_i) − ω_i sin θ_i"),

@@ -10,8 +10,7 @@ from rolamento_reproductions.braga_almeida.orbit import (
     orbit_sound,
     radaelli_misprint,
 )
-from rolamento_reproductions.errata import Errata
-from rolamento_reproductions.record import Section
+from rolamento_reproductions.record import Errata, Section
 from rolamento_reproductions.text import Text, said
 
 __all__ = ["misprints_section"]
@@ -33,7 +32,7 @@ def misprints_section(title: Text) -> Section:
         source=said("equations 19 to 50 of the paper", "equações 19 a 50 do artigo"),
         remarks=_REMARKS,
         misprints=found,
-        sound=tuple(sound),
+        valid=tuple(sound),
         attitudes=COUNT,
     )
     return Section(title, (errata,))

@@ -10,7 +10,14 @@ import numpy as np
 
 from rolamento_reproductions.braga_almeida.attitudes import COUNT, Floats, attitudes
 from rolamento_reproductions.braga_almeida.contacts import equation
-from rolamento_reproductions.errata import Misprint, Proof, Residual, Sound, proven, residual
+from rolamento_reproductions.record import (
+    Misprint,
+    Proof,
+    Residual,
+    ValidEquation,
+    proven,
+    residual,
+)
 from rolamento_reproductions.text import formula, said
 
 __all__ = [
@@ -153,32 +160,32 @@ def orbit_misprint() -> Misprint:
     )
 
 
-def orbit_sound() -> tuple[Sound, ...]:
+def orbit_sound() -> tuple[ValidEquation, ...]:
     """Return the equations of sections 2 and 5 that hold."""
     orbits = _orbits()
     outer, inner, ball = orbits.from_vectors()
     ratio = said("ball speed over ring speed", "rotação da esfera pela do anel")
     cage, middle = _mean_speeds()
     return (
-        Sound(
+        ValidEquation(
             "19",
             said("cage speed", "rotação da gaiola"),
             formula("n_m = ½ [n_i (1 − γ) + n_e (1 + γ)]"),
             cage,
         ),
-        Sound(
+        ValidEquation(
             "22",
             said("ball speed", "rotação da esfera"),
             formula("n_R = ½ (d_m/D) (1 − γ) (1 + γ) (n_e − n_i)"),
             middle,
         ),
-        Sound(
+        ValidEquation(
             "38",
             ratio,
             formula("ω_R/ω_e = (d_m/2 + r_e cos θ_e)/[r_e (cos β cos β′ cos θ_e + sin β sin θ_e)]"),
             residual(orbits.outer_part * outer, ball, np.abs(ball)),
         ),
-        Sound(
+        ValidEquation(
             "45",
             ratio,
             formula(
@@ -186,13 +193,13 @@ def orbit_sound() -> tuple[Sound, ...]:
             ),
             residual(-orbits.inner_part * inner, ball, np.abs(ball)),
         ),
-        Sound(
+        ValidEquation(
             "49",
             said("the outer ring's speed from the cage", "rotação do anel externo vista da gaiola"),
             formula("ω_e = −ω/{1 + (38) r_i (cos β cos β′ cos θ_i + …)/[(d_m/2) − r_i cos θ_i]}"),
             residual(orbits.outer_speed(), outer, orbits.speed),
         ),
-        Sound(
+        ValidEquation(
             "50",
             said("ball speed", "rotação da esfera"),
             formula("ω_R = −ω/{1/(38) − 1/(45)}"),

@@ -10,7 +10,6 @@ from rolamento_reproductions.braga_almeida.solved import GIVEN, Ball, ball
 from rolamento_reproductions.given import MILLI
 from rolamento_reproductions.record import (
     Claim,
-    Column,
     Curves,
     Figure,
     Floats,
@@ -19,6 +18,7 @@ from rolamento_reproductions.record import (
     Maps,
     Panel,
     Section,
+    Series,
     Table,
     TableColumn,
 )
@@ -69,21 +69,21 @@ def _map(race: Race) -> Figure:
     rolling, transverse = _slip(one, race, across, along)
     first, second, chapter = _EQUATIONS[race]
     columns = (
-        Column(
+        Series(
             "across",
             "mm",
             said("Across rolling x_0", "Transversal ao rolamento x_0"),
             across * patch.semi_major[0] / MILLI,
         ),
-        Column(
+        Series(
             "along",
             "mm",
             said("Along rolling y_0", "No rolamento y_0"),
             along * patch.semi_minor[0] / MILLI,
         ),
-        Column("rolling_slip", "m/s", said("rolling slip", "no rolamento"), rolling),
-        Column("transverse_slip", "m/s", said("transverse slip", "transversal"), transverse),
-        Column("slip", "m/s", said("slip", "deslizamento"), np.hypot(rolling, transverse)),
+        Series("rolling_slip", "m/s", said("rolling slip", "no rolamento"), rolling),
+        Series("transverse_slip", "m/s", said("transverse slip", "transversal"), transverse),
+        Series("slip", "m/s", said("slip", "deslizamento"), np.hypot(rolling, transverse)),
     )
     maps = (
         Map(
@@ -173,14 +173,14 @@ def _profile(race: Race) -> Figure:
     printed = motion.drift[0] + motion.side * patch.rolling_radius(across) * motion.roll[0]
     first, _, chapter = _EQUATIONS[race]
     columns = (
-        Column(
+        Series(
             "across",
             "mm",
             said("Across rolling x_0", "Transversal ao rolamento x_0"),
             across * patch.semi_major[0] / MILLI,
         ),
-        Column("as_printed", "m/s", said("as printed", "como impressa"), printed),
-        Column("with_spin", "m/s", said("with spin", "com rotação"), whole),
+        Series("as_printed", "m/s", said("as printed", "como impressa"), printed),
+        Series("with_spin", "m/s", said("with spin", "com rotação"), whole),
     )
     lines = (
         Line("with_spin", 0, said("with the spin term", "com o termo da rotação")),

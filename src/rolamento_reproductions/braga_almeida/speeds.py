@@ -10,13 +10,13 @@ from rolamento_reproductions.braga_almeida.solved import GIVEN, Ball, ball, bear
 from rolamento_reproductions.given import grid
 from rolamento_reproductions.record import (
     Claim,
-    Column,
     Curves,
     Figure,
     Floats,
     Line,
     Panel,
     Section,
+    Series,
     Table,
     TableColumn,
 )
@@ -61,14 +61,14 @@ def _figure(
     number: str, caption: Text, title: Text, speeds: Floats, values: dict[str, Floats]
 ) -> Figure:
     columns = (
-        Column(
+        Series(
             "inner_speed",
             "rpm",
             said("Inner ring speed n_i", "Rotação do anel interno n_i"),
             speeds,
         ),
-        *(Column(name, "", label, values[name]) for name, label in _WAYS),
-        Column(
+        *(Series(name, "", label, values[name]) for name, label in _WAYS),
+        Series(
             "status",
             "",
             said("status", "estado"),

@@ -8,12 +8,12 @@ from rolamento_reproductions.braga_almeida.solved import GIVEN, ball
 from rolamento_reproductions.given import grid
 from rolamento_reproductions.record import (
     Claim,
-    Column,
     Curves,
     Figure,
     Line,
     Panel,
     Section,
+    Series,
     Table,
     TableColumn,
 )
@@ -56,14 +56,14 @@ def _figure(number: str, name: str, title: Text, words: Text) -> Figure:
         else np.concatenate([-o.ball_speed() / o.speed for o in found])
     )
     columns = [
-        Column("yaw", "°", said("β′", "β′"), np.repeat(yaws, degrees.size)),
-        Column(
+        Series("yaw", "°", said("β′", "β′"), np.repeat(yaws, degrees.size)),
+        Series(
             "attitude",
             "°",
             said("Attitude of the ball's axis β", "Inclinação do eixo da esfera β"),
             np.tile(degrees, len(yaws)),
         ),
-        Column(name, "", title, value),
+        Series(name, "", title, value),
     ]
     lines = [
         Line(name, look, said("β′ = {:.0f}°", "β′ = {:.0f}°", yaw), ("yaw", yaw))
@@ -71,7 +71,7 @@ def _figure(number: str, name: str, title: Text, words: Text) -> Figure:
     ]
     if name == "orbital_speed":
         columns.append(
-            Column("as_printed", "", said("(48) as printed", "(48) como impressa"), printed)
+            Series("as_printed", "", said("(48) as printed", "(48) como impressa"), printed)
         )
         label = said("from (48) as printed, β′ = 0°", "de (48) como impressa, β′ = 0°")
         lines.append(Line("as_printed", len(yaws), label, ("yaw", yaws[0])))

@@ -24,16 +24,16 @@ from rolamento_reproductions.campanha_2008.wear import (
     wear_of,
 )
 from rolamento_reproductions.given import grid
-from rolamento_reproductions.printed import Cell
 from rolamento_reproductions.record import (
+    Cell,
     Claim,
-    Column,
     Curves,
     Figure,
     Floats,
     Line,
     Panel,
     Section,
+    Series,
     Table,
     TableColumn,
 )
@@ -201,14 +201,14 @@ def _by_condition() -> Figure:
     time = np.concatenate([*times.values(), curve])
     order = np.argsort(time, kind="stable")
     none = [np.full(part.size, np.nan) for part in (*times.values(), curve)]
-    columns = [Column("time", "h", TIME, time[order])]
+    columns = [Series("time", "h", TIME, time[order])]
     for place, name in enumerate(times):
         values = list(none)
         values[place] = _after_test(name)
         title = said("Condition {}", "Condição {}", name)
-        columns.append(Column(f"condition_{name}", "µm", title, np.concatenate(values)[order]))
+        columns.append(Series(f"condition_{name}", "µm", title, np.concatenate(values)[order]))
     law = np.mean([wear_of(b).clearance(time[order] * HOUR) / MICRO for b in BEARINGS], axis=0)
-    columns.append(Column("law", "µm", said("Law of test 5", "Lei do ensaio 5"), law))
+    columns.append(Series("law", "µm", said("Law of test 5", "Lei do ensaio 5"), law))
     means = {name: float(_after_test(name).mean()) for name in times}
     lines = (
         *(

@@ -23,9 +23,9 @@ from rolamento_reproductions.campanha_2008.inputs import (
 )
 from rolamento_reproductions.campanha_2008.numbers import NONE, Number, numbers_table
 from rolamento_reproductions.given import KILO
+from rolamento_reproductions.page import PRINTED
 from rolamento_reproductions.record import Table
 from rolamento_reproductions.text import Text, said
-from rolamento_reproductions.wording import PRINTED
 
 __all__ = ["nsk_numbers", "nsk_table"]
 

@@ -6,10 +6,9 @@ from dataclasses import dataclass
 from decimal import Decimal
 from typing import Final
 
-from rolamento_reproductions.printed import Cell
-from rolamento_reproductions.record import Claim, Table, TableColumn
+from rolamento_reproductions.page import PRINTED
+from rolamento_reproductions.record import Cell, Claim, Table, TableColumn
 from rolamento_reproductions.text import Text, said, same
-from rolamento_reproductions.wording import PRINTED
 
 __all__ = ["NONE", "NUMBER_HEADS", "Number", "by_key", "numbers_table", "said_like"]
 

@@ -29,8 +29,7 @@ from rolamento_reproductions.campanha_2008.inputs import (
 from rolamento_reproductions.campanha_2008.nsk import nsk_table
 from rolamento_reproductions.campanha_2008.numbers import Number, numbers_table
 from rolamento_reproductions.given import KILO
-from rolamento_reproductions.printed import Cell
-from rolamento_reproductions.record import Claim, Section, Table, TableColumn
+from rolamento_reproductions.record import Cell, Claim, Section, Table, TableColumn
 from rolamento_reproductions.text import Text, said, same
 
 __all__ = ["rating_numbers", "rating_section"]

@@ -21,12 +21,12 @@ from rolamento_reproductions.campanha_2008.life_tests import life_tests
 from rolamento_reproductions.given import grid
 from rolamento_reproductions.record import (
     Claim,
-    Column,
     Curves,
     Figure,
     Line,
     Panel,
     Section,
+    Series,
     Table,
     TableColumn,
 )
@@ -194,12 +194,12 @@ def _temperatures() -> Figure:
         np.full(celsius.size, value) for value in (given["reference_viscosity_mm2_s"], _needed())
     ]
     columns = (
-        Column("temperature", "°C", said("Temperature", "Temperatura"), celsius),
-        Column("viscosity", "mm²/s", title, viscosity),
-        Column("of_conditions", "mm²/s", title, at_means),
-        Column("as_printed", "mm²/s", title, as_printed),
-        Column("of_1990", "mm²/s", title, levels[0]),
-        Column("of_2007", "mm²/s", title, levels[1]),
+        Series("temperature", "°C", said("Temperature", "Temperatura"), celsius),
+        Series("viscosity", "mm²/s", title, viscosity),
+        Series("of_conditions", "mm²/s", title, at_means),
+        Series("as_printed", "mm²/s", title, as_printed),
+        Series("of_1990", "mm²/s", title, levels[0]),
+        Series("of_2007", "mm²/s", title, levels[1]),
     )
     lines = (
         Line("viscosity", 0, same("Tonna S 68, ASTM D341")),

@@ -74,8 +74,7 @@ def _depths(inner_conformity: float) -> list[float]:
     """Depth of the greatest shear; mm."""
     poisson = printed("bearing_6305")["poisson_ratio"]
     return [
-        float(maximum_shear(c.max_pressure, c.semi_major, c.semi_minor, poisson).depth)
-        / MILLIMETRE
+        float(maximum_shear(c.max_pressure, c.semi_major, c.semi_minor, poisson).depth) / MILLIMETRE
         for c in _contacts(inner_conformity)
     ]
 

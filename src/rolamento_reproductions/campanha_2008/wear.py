@@ -10,7 +10,7 @@ import numpy as np
 from rolamento.clearance import WearFit, fit_wear
 from rolamento_reproductions.campanha_2008.inputs import GIVEN, HOUR, MICRO
 from rolamento_reproductions.given import grid
-from rolamento_reproductions.record import Claim, Column, Curves, Figure, Floats, Line, Panel
+from rolamento_reproductions.record import Claim, Curves, Figure, Floats, Line, Panel, Series
 from rolamento_reproductions.text import Text, said
 
 __all__ = ["BEARINGS", "CLEARANCE", "TIME", "measured_of", "wear_figures", "wear_of"]
@@ -42,9 +42,9 @@ def _by_measurement() -> Figure:
     count = len(GIVEN.inputs_of("clearance")["hours"])
     number = np.arange(1.0, count + 1.0)
     columns = (
-        Column("measurement", "", said("Measurement", "Medição"), number),
+        Series("measurement", "", said("Measurement", "Medição"), number),
         *(
-            Column(f"bearing_{b}", "µm", said("Bearing {}", "Rolamento {}", b), measured_of(b))
+            Series(f"bearing_{b}", "µm", said("Bearing {}", "Rolamento {}", b), measured_of(b))
             for b in BEARINGS
         ),
     )
@@ -87,7 +87,7 @@ def _over_time() -> Figure:
     hours = np.array(given["hours"])
     time = np.unique(np.concatenate([grid(0.0, 625.0, 5.0), hours]))
     at = np.searchsorted(time, hours)
-    columns = [Column("time", "h", TIME, time)]
+    columns = [Series("time", "h", TIME, time)]
     lines = []
     for look, bearing in enumerate(BEARINGS):
         measured = np.full(time.size, np.nan)
@@ -95,8 +95,8 @@ def _over_time() -> Figure:
         law = wear_of(bearing).clearance(time * HOUR) / MICRO
         title = said("Bearing {}", "Rolamento {}", bearing)
         columns += [
-            Column(f"bearing_{bearing}_measured", "µm", title, measured),
-            Column(f"bearing_{bearing}_law", "µm", title, law),
+            Series(f"bearing_{bearing}_measured", "µm", title, measured),
+            Series(f"bearing_{bearing}_law", "µm", title, law),
         ]
         lines += [
             Line(

@@ -26,8 +26,7 @@ from rolamento_reproductions.campanha_2008.weibull import (
     six_failures,
     without_test,
 )
-from rolamento_reproductions.printed import Cell
-from rolamento_reproductions.record import Claim, Column, Curves, Figure, Floats, Line, Panel
+from rolamento_reproductions.record import Cell, Claim, Curves, Figure, Floats, Line, Panel, Series
 from rolamento_reproductions.text import Text, said
 
 __all__ = ["figure_of_condition_one", "figure_without_test_5"]
@@ -111,9 +110,9 @@ def _paper(
     }
     title = said(_ORDINATE, _ORDINATE)
     columns = (
-        Column("time", "h", said("Time t", "Tempo t"), time),
-        Column("log_time", "", said("Time t (h)", "Tempo t (h)"), np.log10(time)),
-        *(Column(name, "", title, _within(values)) for name, values in upright.items()),
+        Series("time", "h", said("Time t", "Tempo t"), time),
+        Series("log_time", "", said("Time t (h)", "Tempo t (h)"), np.log10(time)),
+        *(Series(name, "", title, _within(values)) for name, values in upright.items()),
     )
     return Figure(
         number=number,

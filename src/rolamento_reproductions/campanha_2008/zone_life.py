@@ -35,13 +35,13 @@ from rolamento_reproductions.campanha_2008.zone_load import (
 from rolamento_reproductions.given import grid
 from rolamento_reproductions.record import (
     Claim,
-    Column,
     Curves,
     Figure,
     Floats,
     Line,
     Panel,
     Section,
+    Series,
     Table,
 )
 from rolamento_reproductions.text import Text, said
@@ -118,12 +118,12 @@ def _life_figure() -> Figure:
     taken = np.where(microns == taken_at, by_maker, np.nan)
     life = said("Life over that without clearance", "Vida sobre a vida sem folga")
     columns = (
-        Column("clearance", "µm", said("Radial clearance Δ", "Folga radial Δ"), microns),
-        Column("load_zone", "", said("Load factor ε", "Fator de carga ε"), zone),
-        Column("life_by_maker", "", life, by_maker),
-        Column("life_ball_by_ball", "", life, balls),
-        Column("life_of_tested", "", life, marked),
-        Column("life_as_taken", "", life, taken),
+        Series("clearance", "µm", said("Radial clearance Δ", "Folga radial Δ"), microns),
+        Series("load_zone", "", said("Load factor ε", "Fator de carga ε"), zone),
+        Series("life_by_maker", "", life, by_maker),
+        Series("life_ball_by_ball", "", life, balls),
+        Series("life_of_tested", "", life, marked),
+        Series("life_as_taken", "", life, taken),
     )
     lines = (
         Line("life_by_maker", 0, said("maker's formula", "fórmula do fabricante")),

@@ -20,7 +20,7 @@ from rolamento_reproductions.campanha_2008.inputs import (
     printed,
 )
 from rolamento_reproductions.given import KILO, grid
-from rolamento_reproductions.record import Claim, Column, Curves, Figure, Floats, Line, Panel
+from rolamento_reproductions.record import Claim, Curves, Figure, Floats, Line, Panel, Series
 from rolamento_reproductions.text import said
 
 __all__ = ["NO_CLEARANCE", "distribution_figure", "elastic_approach", "loaded"]
@@ -59,15 +59,15 @@ def distribution_figure() -> Figure:
     ball = np.where(np.isclose(place, np.round(place)), np.round(place) + 1.0, np.nan)
     microns = [clearance / MICRO for clearance in clearances]
     columns = (
-        Column(
+        Series(
             "clearance",
             "µm",
             said("Radial clearance Δ", "Folga radial Δ"),
             np.repeat(microns, azimuth.size),
         ),
-        Column("azimuth", "°", said("Azimuth ψ", "Azimute ψ"), np.tile(azimuth, len(clearances))),
-        Column("ball", "", said("Ball", "Esfera"), np.tile(ball, len(clearances))),
-        Column(
+        Series("azimuth", "°", said("Azimuth ψ", "Azimute ψ"), np.tile(azimuth, len(clearances))),
+        Series("ball", "", said("Ball", "Esfera"), np.tile(ball, len(clearances))),
+        Series(
             "ball_load",
             "kN",
             said("Ball load Q", "Carga na esfera Q"),

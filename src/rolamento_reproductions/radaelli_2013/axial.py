@@ -19,13 +19,13 @@ from rolamento_reproductions.radaelli_2013.inputs import (
 )
 from rolamento_reproductions.record import (
     Claim,
-    Column,
     Curves,
     Figure,
     Floats,
     Line,
     Panel,
     Section,
+    Series,
 )
 from rolamento_reproductions.text import Text, said, same
 
@@ -82,16 +82,16 @@ def _sweep() -> _Sweep:
     )
 
 
-def _columns(sweep: _Sweep, *columns: Column) -> tuple[Column, ...]:
+def _columns(sweep: _Sweep, *columns: Series) -> tuple[Series, ...]:
     speeds, loads = sweep.speeds, sweep.loads
     return (
-        Column(
+        Series(
             "inner_speed",
             "rpm",
             said("Inner ring speed n_i", "Rotação do anel interno n_i"),
             np.repeat(speeds, loads.size),
         ),
-        Column(
+        Series(
             "axial_load",
             "kN",
             said("Axial load F_a", "Carga axial F_a"),
@@ -117,7 +117,7 @@ def _lines(sweep: _Sweep, y: str, dashed: str | None = None) -> tuple[Line, ...]
 def _figure(
     number: str,
     caption: Text,
-    columns: tuple[Column, ...],
+    columns: tuple[Series, ...],
     panel: Panel,
     claims: tuple[Claim, ...],
     notes: tuple[Text, ...] = (),
@@ -148,8 +148,8 @@ def _angles(sweep: _Sweep) -> Figure:
         ),
         _columns(
             sweep,
-            Column("inner_contact_angle", "°", title, inner.ravel()),
-            Column("outer_contact_angle", "°", title, outer.ravel()),
+            Series("inner_contact_angle", "°", title, inner.ravel()),
+            Series("outer_contact_angle", "°", title, outer.ravel()),
         ),
         Panel(
             "axial_load",
@@ -199,8 +199,8 @@ def _ball_loads(sweep: _Sweep) -> Figure:
         ),
         _columns(
             sweep,
-            Column("inner_load", "kN", title, sweep.inner_load.ravel()),
-            Column("outer_load", "kN", title, outer.ravel()),
+            Series("inner_load", "kN", title, sweep.inner_load.ravel()),
+            Series("outer_load", "kN", title, outer.ravel()),
         ),
         Panel("axial_load", title, "kN", _lines(sweep, "inner_load", "outer_load"), keys=_RACES),
         (
@@ -233,7 +233,7 @@ def _shifts(sweep: _Sweep) -> Figure:
             "218 sob carga axial em várias rotações: deslocamento axial do anel interno, contado"
             " do primeiro contato em repouso.",
         ),
-        _columns(sweep, Column("axial_displacement", "mm", _SHIFT, sweep.shift.ravel())),
+        _columns(sweep, Series("axial_displacement", "mm", _SHIFT, sweep.shift.ravel())),
         Panel("axial_load", _SHIFT, "mm", _lines(sweep, "axial_displacement")),
         (
             Claim(
@@ -266,7 +266,7 @@ def _moments(sweep: _Sweep) -> Figure:
             "The 218 under axial load at several speeds: gyroscopic moment on a ball.",
             "218 sob carga axial em várias rotações: momento giroscópico na esfera.",
         ),
-        _columns(sweep, Column("gyroscopic_moment", "N·m", _MOMENT, sweep.moment.ravel())),
+        _columns(sweep, Series("gyroscopic_moment", "N·m", _MOMENT, sweep.moment.ravel())),
         Panel("axial_load", _MOMENT, "N·m", _lines(sweep, "gyroscopic_moment")),
         (
             Claim(

@@ -15,7 +15,7 @@ import numpy as np
 from rolamento.case import Case
 from rolamento.rows.ball import BatchState, solve_batch
 from rolamento_reproductions.radaelli_2013.inputs import MILLI, status_column
-from rolamento_reproductions.record import Column, Curves, Figure, Floats, Line, Panel
+from rolamento_reproductions.record import Curves, Figure, Floats, Line, Panel, Series
 from rolamento_reproductions.text import Text, said
 
 __all__ = ["Round", "figure_pair", "solved_round"]
@@ -108,8 +108,8 @@ def figure_pair(
         source,
         found,
         (
-            Column("inner_load", "N", load, found.inner_load),
-            Column("outer_load", "N", load, found.outer_load),
+            Series("inner_load", "N", load, found.inner_load),
+            Series("outer_load", "N", load, found.outer_load),
         ),
         ("Q_i", "Q_o"),
     )
@@ -125,8 +125,8 @@ def figure_pair(
         source,
         found,
         (
-            Column("inner_contact_angle", "°", angle, found.inner_angle),
-            Column("outer_contact_angle", "°", angle, found.outer_angle),
+            Series("inner_contact_angle", "°", angle, found.inner_angle),
+            Series("outer_contact_angle", "°", angle, found.outer_angle),
         ),
         ("α_i", "α_o"),
     )
@@ -138,13 +138,13 @@ def _figure(
     caption: Text,
     source: Text,
     found: Round,
-    pair: tuple[Column, Column],
+    pair: tuple[Series, Series],
     symbols: tuple[str, str],
 ) -> Figure:
     places = (
-        Column("azimuth", "°", said("Azimuth ψ", "Azimute ψ"), found.azimuth),
-        Column("ball", "", said("Ball", "Esfera"), found.ball),
-        Column("cage_turned", "°", said("Cage turned by", "Giro da gaiola"), found.turn),
+        Series("azimuth", "°", said("Azimuth ψ", "Azimute ψ"), found.azimuth),
+        Series("ball", "", said("Ball", "Esfera"), found.ball),
+        Series("cage_turned", "°", said("Cage turned by", "Giro da gaiola"), found.turn),
     )
     status = status_column(found.state)
     states = np.asarray(status.values).repeat(found.case.bearing.ball_count)[found.order]
@@ -160,7 +160,7 @@ def _figure(
         number=number,
         caption=caption,
         source=source,
-        columns=(*places, *pair, Column("status", "", status.title, tuple(map(str, states)))),
+        columns=(*places, *pair, Series("status", "", status.title, tuple(map(str, states)))),
         picture=Curves(
             (Panel("azimuth", pair[0].title, pair[0].unit, lines, tick=45.0, around=True),)
         ),

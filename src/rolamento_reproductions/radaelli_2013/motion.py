@@ -11,13 +11,13 @@ from rolamento.kinematics import ball_mass, ball_motion, centrifugal_force, gyro
 from rolamento_reproductions.radaelli_2013.inputs import RPM, bearing, grid, inputs_of, source_of
 from rolamento_reproductions.record import (
     Claim,
-    Column,
     Curves,
     Figure,
     Floats,
     Line,
     Panel,
     Section,
+    Series,
 )
 from rolamento_reproductions.text import Text, said
 
@@ -106,9 +106,9 @@ def _values(speeds: Floats, angles: Floats) -> dict[str, Floats]:
 def _figure(what: _Quantity, speeds: Floats, angles: Floats, values: Floats) -> Figure:
     given = inputs_of("motion")
     columns = (
-        Column("contact_angle", "°", _ANGLE, np.repeat(angles, speeds.size)),
-        Column("inner_speed", "rpm", _SPEED, np.tile(speeds, angles.size)),
-        Column(what.name, what.unit, what.title, values.ravel()),
+        Series("contact_angle", "°", _ANGLE, np.repeat(angles, speeds.size)),
+        Series("inner_speed", "rpm", _SPEED, np.tile(speeds, angles.size)),
+        Series(what.name, what.unit, what.title, values.ravel()),
     )
     signed = said(
         "The size is drawn; its sign is negative when only the inner ring turns.",

@@ -16,7 +16,7 @@ from rolamento_reproductions.radaelli_2013.inputs import (
     source_of,
     status_column,
 )
-from rolamento_reproductions.record import Claim, Column, Curves, Figure, Line, Panel, Section
+from rolamento_reproductions.record import Claim, Curves, Figure, Line, Panel, Section, Series
 from rolamento_reproductions.text import Text, said
 
 __all__ = ["shift_section"]
@@ -47,7 +47,7 @@ def shift_section(title: Text) -> Section:
     return Section(title, (_figure_over_load(over_load), _figure_over_speed(over_speed, weaker)))
 
 
-def _over_axial_load() -> tuple[Column, ...]:
+def _over_axial_load() -> tuple[Series, ...]:
     given = inputs_of("radial_over_axial_load")
     loads = grid(given["lowest_load_kN"], given["highest_load_kN"], given["step_kN"])
     duty = Duty(
@@ -55,30 +55,30 @@ def _over_axial_load() -> tuple[Column, ...]:
     )
     state = solve_batch(case(duty), fx=loads * KILO)
     return (
-        Column("axial_load", "kN", said("Axial load F_a", "Carga axial F_a"), loads),
-        Column("radial_displacement", "mm", _SHIFT, state.displacement[:, 2] / MILLI),
+        Series("axial_load", "kN", said("Axial load F_a", "Carga axial F_a"), loads),
+        Series("radial_displacement", "mm", _SHIFT, state.displacement[:, 2] / MILLI),
         status_column(state),
     )
 
 
-def _over_speed() -> tuple[Column, ...]:
+def _over_speed() -> tuple[Series, ...]:
     given = inputs_of("radial_over_speed")
     speeds = grid(given["lowest_speed_rpm"], given["highest_speed_rpm"], given["step_rpm"])
     load = Load(fx=given["axial_load_kN"] * KILO, fz=given["radial_load_kN"] * KILO)
     state = solve_batch(case(Duty(load=load)), inner_speed=speeds * RPM)
     return (
-        Column(
+        Series(
             "inner_speed",
             "rpm",
             said("Inner ring speed n_i", "Rotação do anel interno n_i"),
             speeds,
         ),
-        Column("radial_displacement", "mm", _SHIFT, state.displacement[:, 2] / MILLI),
+        Series("radial_displacement", "mm", _SHIFT, state.displacement[:, 2] / MILLI),
         status_column(state),
     )
 
 
-def _figure_over_load(columns: tuple[Column, ...]) -> Figure:
+def _figure_over_load(columns: tuple[Series, ...]) -> Figure:
     given = inputs_of("radial_over_axial_load")
     loads, shift = columns[0].numbers, columns[1].numbers
     low, high = 20.0, 80.0
@@ -118,7 +118,7 @@ def _figure_over_load(columns: tuple[Column, ...]) -> Figure:
     )
 
 
-def _figure_over_speed(columns: tuple[Column, ...], weaker: Claim) -> Figure:
+def _figure_over_speed(columns: tuple[Series, ...], weaker: Claim) -> Figure:
     given = inputs_of("radial_over_speed")
     speeds, shift = columns[0].numbers, columns[1].numbers
     return Figure(
@@ -155,12 +155,12 @@ def _figure_over_speed(columns: tuple[Column, ...], weaker: Claim) -> Figure:
     )
 
 
-def _picture(columns: tuple[Column, ...], tick: float) -> Curves:
+def _picture(columns: tuple[Series, ...], tick: float) -> Curves:
     x, y = columns[0], columns[1]
     return Curves((Panel(x.name, y.title, y.unit, (Line(y.name, 0),), tick=tick),))
 
 
-def _ratio(columns: tuple[Column, ...]) -> float:
+def _ratio(columns: tuple[Series, ...]) -> float:
     """Last value over first."""
     shift = columns[1].numbers
     return float(shift[-1] / shift[0])

@@ -15,13 +15,13 @@ from rolamento_reproductions.radaelli_2013.inputs import (
 )
 from rolamento_reproductions.record import (
     Claim,
-    Column,
     Curves,
     Figure,
     Floats,
     Line,
     Panel,
     Section,
+    Series,
 )
 from rolamento_reproductions.text import Text, said
 
@@ -59,15 +59,15 @@ def _distribution() -> Figure:
     place = np.mod(azimuth, 360.0) / spacing
     ball = np.where(np.isclose(place, np.round(place)), np.round(place) + 1.0, np.nan)
     columns = (
-        Column(
+        Series(
             "diametral_clearance",
             "mm",
             said("Diametral clearance P_d", "Folga diametral P_d"),
             np.repeat(clearances, azimuth.size),
         ),
-        Column("azimuth", "°", said("Azimuth ψ", "Azimute ψ"), np.tile(azimuth, len(clearances))),
-        Column("ball", "", said("Ball", "Esfera"), np.tile(ball, len(clearances))),
-        Column(
+        Series("azimuth", "°", said("Azimuth ψ", "Azimute ψ"), np.tile(azimuth, len(clearances))),
+        Series("ball", "", said("Ball", "Esfera"), np.tile(ball, len(clearances))),
+        Series(
             "ball_load",
             "N",
             said("Ball load Q", "Carga na esfera Q"),
@@ -189,14 +189,14 @@ def _loads() -> Floats:
 def _radial_curves() -> tuple[Figure, Figure]:
     loads = _loads()
     state = radial_load(bearing("209"), loads * KILO)
-    x = Column("radial_load", "kN", _RADIAL, loads)
-    shift = Column(
+    x = Series("radial_load", "kN", _RADIAL, loads)
+    shift = Series(
         "radial_displacement",
         "mm",
         said("Radial displacement δ_r", "Deslocamento radial δ_r"),
         state.radial_displacement / MILLI,
     )
-    ball = Column("max_ball_load", "kN", _LOAD, state.max_ball_load / KILO)
+    ball = Series("max_ball_load", "kN", _LOAD, state.max_ball_load / KILO)
     return (
         _curve(
             "5.2",
@@ -229,14 +229,14 @@ def _radial_curves() -> tuple[Figure, Figure]:
 def _axial_curves() -> tuple[Figure, Figure]:
     loads = _loads()
     state = axial_load(bearing("218"), loads * KILO, stiffness_angle="free")
-    x = Column("axial_load", "kN", _AXIAL, loads)
-    shift = Column(
+    x = Series("axial_load", "kN", _AXIAL, loads)
+    shift = Series(
         "axial_displacement",
         "mm",
         said("Axial displacement δ_a", "Deslocamento axial δ_a"),
         state.axial_displacement / MILLI,
     )
-    ball = Column("ball_load", "kN", _LOAD, state.ball_load / KILO)
+    ball = Series("ball_load", "kN", _LOAD, state.ball_load / KILO)
     frozen = said(
         "The contact stiffness is kept as at the free contact angle, as table C.2 shows that the"
         " dissertation does.",
@@ -278,7 +278,7 @@ def _axial_curves() -> tuple[Figure, Figure]:
 def _curve(
     number: str,
     caption: Text,
-    columns: tuple[Column, Column],
+    columns: tuple[Series, Series],
     claim: Claim,
     notes: tuple[Text, ...] = (),
 ) -> Figure:

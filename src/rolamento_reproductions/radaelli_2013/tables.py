@@ -10,7 +10,6 @@ from rolamento.geometry import Race, race_curvature
 from rolamento.rows.ball import solve
 from rolamento.state import State
 from rolamento.static import axial_load, radial_load, sjovall_radial
-from rolamento_reproductions.printed import Cell
 from rolamento_reproductions.radaelli_2013.inputs import (
     KILO,
     MILLI,
@@ -21,11 +20,12 @@ from rolamento_reproductions.radaelli_2013.inputs import (
     source_of,
 )
 from rolamento_reproductions.record import (
+    Cell,
     Claim,
-    Column,
     Figure,
     Positions,
     Section,
+    Series,
     Table,
     TableColumn,
 )
@@ -50,8 +50,8 @@ def _positions() -> Figure:
     ball = np.arange(1.0, rings.ball_count + 1.0)
     azimuth = 180.0 - np.mod(180.0 - (ball - 1.0) * 360.0 / rings.ball_count, 360.0)
     columns = (
-        Column("ball", "", said("Ball", "Esfera"), ball),
-        Column("azimuth", "°", said("Azimuth ψ", "Azimute ψ"), azimuth),
+        Series("ball", "", said("Ball", "Esfera"), ball),
+        Series("azimuth", "°", said("Azimuth ψ", "Azimute ψ"), azimuth),
     )
     return Figure(
         number="5.10",

@@ -7,10 +7,9 @@ from dataclasses import replace
 import numpy as np
 
 from rolamento.case.duty import Displacement, Duty, Load
-from rolamento_reproductions.printed import Cell
 from rolamento_reproductions.radaelli_2013.balls import Round, figure_pair, solved_round
 from rolamento_reproductions.radaelli_2013.inputs import KILO, RPM, case, inputs_of, source_of
-from rolamento_reproductions.record import Claim, Figure, Section, Table, TableColumn
+from rolamento_reproductions.record import Cell, Claim, Figure, Section, Table, TableColumn
 from rolamento_reproductions.text import Text, said
 
 __all__ = ["tilt_section"]

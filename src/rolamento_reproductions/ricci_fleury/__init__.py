@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from rolamento_reproductions.errata import ERRATA_STEM
-from rolamento_reproductions.record import Part, Source
+from rolamento_reproductions.record import ERRATA_STEM, Part, Source
 from rolamento_reproductions.ricci_fleury.inputs import GIVEN
 from rolamento_reproductions.ricci_fleury.misprints import misprints_section
 from rolamento_reproductions.ricci_fleury.spin import spin_section

@@ -10,15 +10,16 @@ import numpy as np
 
 from rolamento.contact.hertz import elliptical_contact
 from rolamento.numerics.elliptic import complete
-from rolamento_reproductions.errata import (
+from rolamento_reproductions.record import (
     Errata,
+    Floats,
     Misprint,
     Proof,
-    Sound,
+    Section,
+    ValidEquation,
     proven,
     residual,
 )
-from rolamento_reproductions.record import Floats, Section
 from rolamento_reproductions.text import Text, formula, said
 
 __all__ = ["misprints_section"]
@@ -87,7 +88,7 @@ def misprints_section(title: Text) -> Section:
         source=said("equations 5 to 19 of the paper", "equações 5 a 19 do artigo"),
         remarks=_REMARKS,
         misprints=(_curvature(), _modulus(), _arc_centre(), _inner_line()),
-        sound=(*_clearances(), _outer_line()),
+        valid=(*_clearances(), _outer_line()),
         attitudes=_COUNT,
     )
     return Section(title, (errata,))
@@ -273,11 +274,11 @@ def _inner_line() -> Misprint:
     )
 
 
-def _outer_line() -> Sound:
+def _outer_line() -> ValidEquation:
     c = _contacts()
     x, z, slip, size = _line_terms(1.0)
     form = c.ring * (c.pitch_radius + z) + c.ball[:, 2] * x - c.ball[:, 0] * z
-    return Sound(
+    return ValidEquation(
         "18",
         said("line without slip, outer contact", "linha sem deslizamento, contato externo"),
         formula("ω_0 (e + z′) − ω_z x′ − ω_x z′ = 0"),
@@ -285,7 +286,7 @@ def _outer_line() -> Sound:
     )
 
 
-def _clearances() -> tuple[Sound, ...]:
+def _clearances() -> tuple[ValidEquation, ...]:
     """Angle and play of a bearing from where its grooves touch the balls."""
     c = _contacts()
     distance = c.diameter * 0.05
@@ -293,13 +294,13 @@ def _clearances() -> tuple[Sound, ...]:
     radial = distance - 0.5 * clearance
     axial = np.sqrt(distance**2 - radial**2)  # shift until the groove centres are D apart
     return (
-        Sound(
+        ValidEquation(
             "5",
             said("free contact angle", "ângulo de contato livre"),
             formula("cos β_f = (D − P_d/2)/D"),
             residual(radial / distance, np.cos(np.arctan2(axial, radial)), np.ones_like(axial)),
         ),
-        Sound(
+        ValidEquation(
             "8",
             said("axial play", "folga axial"),
             formula("P_a = 2 D sin β_f"),

@@ -18,13 +18,13 @@ from rolamento.rows.ball import BatchState, solve_batch
 from rolamento_reproductions.given import MILLI, RPM, grid
 from rolamento_reproductions.record import (
     Claim,
-    Column,
     Curves,
     Figure,
     Floats,
     Line,
     Panel,
     Section,
+    Series,
 )
 from rolamento_reproductions.ricci_fleury.inputs import GIVEN, case
 from rolamento_reproductions.text import Text, said
@@ -90,49 +90,49 @@ def _figure() -> Figure:
     found = [_solved(value) for value in values]
     speeds = _speeds()
     columns = (
-        Column(
+        Series(
             "outer_conformity",
             "",
             said("Outer conformity f_o", "Conformidade externa f_o"),
             np.repeat(values, speeds.size),
         ),
-        Column(
+        Series(
             "inner_speed",
             "rpm",
             said("Shaft speed n", "Rotação do eixo n"),
             np.tile(speeds, len(values)),
         ),
-        Column(
+        Series(
             "inner_spin_to_roll",
             "",
             said("inner", "interno"),
             np.concatenate([one.inner for one in found]),
         ),
-        Column(
+        Series(
             "outer_spin_to_roll",
             "",
             said("outer", "externo"),
             np.concatenate([one.outer for one in found]),
         ),
-        Column(
+        Series(
             "inner_rolling_lines",
             "",
             said("lines of pure rolling, inner", "linhas de rolamento puro, interno"),
             np.concatenate([one.inner_lines for one in found]),
         ),
-        Column(
+        Series(
             "outer_rolling_lines",
             "",
             said("lines of pure rolling, outer", "linhas de rolamento puro, externo"),
             np.concatenate([one.outer_lines for one in found]),
         ),
-        Column(
+        Series(
             "friction_torque",
             "N·mm",
             said("Friction torque T", "Torque de atrito T"),
             np.concatenate([one.torque for one in found]) / MILLI,
         ),
-        Column(
+        Series(
             "status",
             "",
             said("status", "estado"),

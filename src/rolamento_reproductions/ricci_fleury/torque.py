@@ -21,13 +21,13 @@ from rolamento.rows.ball import BatchState, solve_batch
 from rolamento_reproductions.given import MILLI, grid, status_column
 from rolamento_reproductions.record import (
     Claim,
-    Column,
     Curves,
     Figure,
     Floats,
     Line,
     Panel,
     Section,
+    Series,
     Table,
     TableColumn,
 )
@@ -94,9 +94,9 @@ def torque_section(title: Text) -> Section:
 
 def _figure(found: _Solved) -> Figure:
     columns = (
-        Column("axial_load", "N", said("Axial load F_a", "Carga axial F_a"), found.loads),
-        *(Column(name, "N·mm", title, found.totals[name] / MILLI) for name, title in _MODELS),
-        Column(
+        Series("axial_load", "N", said("Axial load F_a", "Carga axial F_a"), found.loads),
+        *(Series(name, "N·mm", title, found.totals[name] / MILLI) for name, title in _MODELS),
+        Series(
             "contact_angle",
             "°",
             said("Contact angle α", "Ângulo de contato α"),
