@@ -300,11 +300,7 @@ def _look(line: Line) -> dict[str, Any]:
 def _sparse_marker(line: Line) -> dict[str, Any]:
     """Mark a line here and there, each of a family at other places."""
     start = 0.03 + 0.03 * line.look
-    return {
-        "marker": series(line.look).marker,
-        "markevery": (start, _SPARSE),
-        "markersize": 3.5,
-    }
+    return {"marker": series(line.look).marker, "markevery": (start, _SPARSE), "markersize": 3.5}
 
 
 # --- legends ----------------------------------------------------------------

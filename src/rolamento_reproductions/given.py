@@ -14,9 +14,6 @@ from rolamento.rows.ball import BatchState
 from rolamento_reproductions.record import Floats, Series
 from rolamento_reproductions.text import Text, said
 
-__all__ = ["KILO", "MILLI", "RPM", "Given", "grid", "status_column"]
-
-RPM: Final = np.pi / 30.0
 MILLI: Final = 1e-3
 KILO: Final = 1e3
 

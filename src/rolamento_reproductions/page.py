@@ -211,14 +211,14 @@ def misprints_page(source: Source, errata: Errata) -> Page:
     ]
     for one in errata.misprints:
         blocks += [
-            Heading(said("{}: {}", "{}: {}", one.place, one.what)),
+            Heading(same("{}: {}", one.place, one.what)),
             Formula(said("Printed", "Impresso"), one.printed),
             Formula(said("Should be", "O correto"), one.corrected),
             Paragraph(said("Derivation:", "Dedução:"), small=True),
             Paragraph(one.derivation),
         ]
     blocks += [Heading(_VALID_AS_PRINTED), _grid_of_valid(errata)]
-    return Page(source.name, said("{}: {}", "{}: {}", _MISPRINTS, source.title), tuple(blocks))
+    return Page(source.name, same("{}: {}", _MISPRINTS, source.title), tuple(blocks))
 
 
 _EMPTY: Final = same("")
@@ -229,7 +229,7 @@ def _framed(item: Figure | Table, endings: Sequence[Ending]) -> Frame:
     figure = isinstance(item, Figure)
     pictures = [(same(ending.upper()), f"{item.stem}.{ending}") for ending in endings]
     links = (*(pictures if figure else ()), (_DATA, f"{item.stem}.csv"))
-    name = said("{} {}", "{} {}", _FIGURE if figure else _TABLE, same(item.number))
+    name = same("{} {}", _FIGURE if figure else _TABLE, same(item.number))
     shown: Block
     if isinstance(item, Figure):
         shown = Picture(f"{item.stem}.{endings[0]}", name, item.caption)
@@ -250,8 +250,8 @@ def _framed(item: Figure | Table, endings: Sequence[Ending]) -> Frame:
 
 def _pointer_to_misprints(errata: Errata) -> Iterator[Block]:
     """Name the misprints, and point to the page that has them."""
-    yield Paragraph(said("{} {}", "{} {}", errata.caption, _misprints_sentence(errata)))
-    yield Lines(tuple(said("{}: {}", "{}: {}", m.place, m.what) for m in errata.misprints))
+    yield Paragraph(same("{} {}", errata.caption, _misprints_sentence(errata)))
+    yield Lines(tuple(same("{}: {}", m.place, m.what) for m in errata.misprints))
     yield Paragraph(_EMPTY, ((_MISPRINTS, errata.stem), (_DATA, f"{errata.stem}.csv")))
 
 

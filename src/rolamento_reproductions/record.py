@@ -175,11 +175,7 @@ class Proof:
 
 
 def proven(
-    place: tuple[str, Text],
-    what: Text,
-    forms: tuple[Text, Text],
-    derivation: Text,
-    proof: Proof,
+    place: tuple[str, Text], what: Text, forms: tuple[Text, Text], derivation: Text, proof: Proof
 ) -> Misprint:
     """Put a misprint together with the residuals of its proof.
 

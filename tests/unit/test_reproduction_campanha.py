@@ -24,16 +24,14 @@ from typer.testing import CliRunner
 
 from rolamento.cli.reproduce import reproduce
 from rolamento_reproductions import computed, find, open_folder, write
-from rolamento_reproductions.campanha_2008.contact import contact_numbers
+from rolamento_reproductions.campanha_2008.contact import contact_numbers, shear_numbers
 from rolamento_reproductions.campanha_2008.film import film_numbers
+from rolamento_reproductions.campanha_2008.inputs import NONE, Number, said_like
 from rolamento_reproductions.campanha_2008.life_tests import comparison_numbers, life_tests
-from rolamento_reproductions.campanha_2008.noise import anderon_speed
-from rolamento_reproductions.campanha_2008.nsk import nsk_numbers
-from rolamento_reproductions.campanha_2008.numbers import NONE, Number, said_like
-from rolamento_reproductions.campanha_2008.rating import rating_numbers
-from rolamento_reproductions.campanha_2008.shear import shear_numbers
+from rolamento_reproductions.campanha_2008.load_zone import load_zone_numbers
+from rolamento_reproductions.campanha_2008.rating import nsk_numbers, rating_numbers
+from rolamento_reproductions.campanha_2008.surfaces import anderon_speed
 from rolamento_reproductions.campanha_2008.weibull import lives_of_tests
-from rolamento_reproductions.campanha_2008.zone_life import load_zone_numbers
 from rolamento_reproductions.drawing import drawn, rendered
 from rolamento_reproductions.page import (
     html,

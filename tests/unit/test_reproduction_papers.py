@@ -17,11 +17,13 @@ from typer.testing import CliRunner
 from rolamento.cli.reproduce import reproduce
 from rolamento.friction.slip import rolling_lines
 from rolamento_reproductions import computed, find, open_folder, write
-from rolamento_reproductions.braga_almeida.solved import ball
+from rolamento_reproductions.braga_almeida.speeds import ball
 from rolamento_reproductions.drawing import drawn, rendered
 from rolamento_reproductions.page import (
-    claims_by_kind,
+    Claims,
+    Frame,
     html,
+    index_page,
     markdown,
     misprints_page,
     summary,
@@ -132,10 +134,13 @@ def test_every_statement_ends_as_told(items: dict[str, Any]) -> None:
 
 
 def test_statements_of_theory_are_apart(items: dict[str, Any]) -> None:
-    kinds = claims_by_kind(items["ricci-fleury/figure-08"])
-    assert [len(claims) for _, claims in kinds] == [2, 6]
-    assert [heading.pt.split()[0] for heading, _ in kinds] == ["O", "O"]
-    assert "theory" in kinds[1][0].en
+    section = Section(Text("t", "t"), (items["ricci-fleury/figure-08"],))
+    page = index_page(find("ricci-fleury"), (section,), ("svg",))
+    (frame,) = (block for block in page.blocks if isinstance(block, Frame))
+    kinds = [block for block in frame.blocks if isinstance(block, Claims)]
+    assert [len(kind.claims) for kind in kinds] == [2, 6]
+    assert [kind.heading.pt.split()[0] for kind in kinds] == ["O", "O"]
+    assert "theory" in kinds[1].heading.en
 
 
 def test_summary_counts_what_there_is(papers: dict[str, tuple[Section, ...]]) -> None:
@@ -334,7 +339,7 @@ def test_a_residual_sees_the_worst_component() -> None:
     truth = np.zeros((3, 2))
     form = np.array([[0.0, 0.0], [0.0, -2.0], [1.0, 0.5]])
     found = residual(form, truth, np.array([1.0, 4.0, 1.0]))
-    assert (found.median, found.greatest) == (0.5, 1.0)
+    assert (found.median, found.maximum) == (0.5, 1.0)
 
 
 @pytest.mark.parametrize(

@@ -162,10 +162,7 @@ def practice_of(maker: str) -> Practice:
 
 
 def inferred_geometry(
-    bearing: CatalogueBearing,
-    *,
-    practice: Practice | None = None,
-    most: int = MAX_CANDIDATES,
+    bearing: CatalogueBearing, *, practice: Practice | None = None, most: int = MAX_CANDIDATES
 ) -> tuple[Candidate, ...]:
     """Return what could be inside a bearing, the best first.
 

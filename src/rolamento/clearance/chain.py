@@ -367,11 +367,7 @@ def _shaft_growth(bearing: Any, mounting: Any, speed: ArrayLike) -> Any:
     material: Material | SeatMaterial = mounting.shaft_material or bearing.ring_material
     return _number_or_array(
         spin_growth(
-            speed,
-            mounting.bore,
-            bore=mounting.shaft_bore,
-            outside=mounting.bore,
-            material=material,
+            speed, mounting.bore, bore=mounting.shaft_bore, outside=mounting.bore, material=material
         )
     )
 

@@ -257,12 +257,7 @@ class SpinningMaterial(Protocol):
 
 
 def spin_growth(
-    speed: ArrayLike,
-    diameter: float,
-    *,
-    bore: float,
-    outside: float,
-    material: SpinningMaterial,
+    speed: ArrayLike, diameter: float, *, bore: float, outside: float, material: SpinningMaterial
 ) -> FloatArray:
     """Growth of a diameter of a spinning annulus, free on both sides; m.
 

@@ -6,7 +6,7 @@ import numpy as np
 
 from rolamento.friction.slip import rolling_lines, slip_velocity
 from rolamento.geometry import Race
-from rolamento_reproductions.braga_almeida.solved import GIVEN, Ball, ball
+from rolamento_reproductions.braga_almeida.speeds import GIVEN, Ball, ball
 from rolamento_reproductions.given import MILLI
 from rolamento_reproductions.record import (
     Claim,
@@ -23,8 +23,6 @@ from rolamento_reproductions.record import (
     TableColumn,
 )
 from rolamento_reproductions.text import Text, said, same
-
-__all__ = ["inner_section", "outer_section"]
 
 _RACES: dict[Race, Text] = {
     "outer": said("outer contact", "contato externo"),

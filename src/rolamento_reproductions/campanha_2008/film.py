@@ -28,10 +28,12 @@ from rolamento_reproductions.campanha_2008.inputs import (
     GIVEN,
     MICRO,
     ZERO_CELSIUS,
+    Number,
     bearing,
     clearances_of_class,
     film_checks,
     load,
+    numbers_table,
     oil,
     oil_at,
     printed,
@@ -39,11 +41,8 @@ from rolamento_reproductions.campanha_2008.inputs import (
     steel_of_film,
     temperature,
 )
-from rolamento_reproductions.campanha_2008.numbers import Number, numbers_table
 from rolamento_reproductions.record import Claim, Section, Table, TableColumn
 from rolamento_reproductions.text import Text, said
-
-__all__ = ["REGIMES", "film_numbers", "film_section"]
 
 REGIMES = {
     "full_film": said("full film", "filme completo"),
@@ -332,8 +331,7 @@ def _choices() -> Table:
     return Table(
         number="J",
         caption=said(
-            "What each choice does to the central film.",
-            "O que cada escolha faz ao filme central.",
+            "What each choice does to the central film.", "O que cada escolha faz ao filme central."
         ),
         source=GIVEN.source_of("contact"),
         columns=(

@@ -10,15 +10,9 @@ from rolamento.geometry import Race, race_curvature
 from rolamento.rows.ball import solve
 from rolamento.state import State
 from rolamento.static import axial_load, radial_load, sjovall_radial
-from rolamento_reproductions.radaelli_2013.inputs import (
-    KILO,
-    MILLI,
-    RPM,
-    bearing,
-    case,
-    inputs_of,
-    source_of,
-)
+from rolamento.units import RPM
+from rolamento_reproductions.given import KILO, MILLI
+from rolamento_reproductions.radaelli_2013.inputs import bearing, case, inputs_of, source_of
 from rolamento_reproductions.record import (
     Cell,
     Claim,
@@ -30,8 +24,6 @@ from rolamento_reproductions.record import (
     TableColumn,
 )
 from rolamento_reproductions.text import Text, said, same
-
-__all__ = ["examples_section", "radial_section"]
 
 _PER_MM = 10.0**4.5  # N/m^1.5 in a N/mm^1.5
 _DIGITS = 9  # what is looked at of two numbers that should be equal
@@ -106,17 +98,13 @@ def _radial_table() -> Table:
             " δ_z: impresso {} mm, calculado {:.5f} mm.",
             given["inner_speed_rpm"],
             given["radial_load_kN"],
-            said("{:.4f}", "{:.4f}", float(given["radial_displacement_mm"])),
+            same("{:.4f}", float(given["radial_displacement_mm"])),
             state.displacement.z / MILLI,
         ),
         source=source_of("table_5_3"),
         columns=(
             TableColumn("balls", said("Balls", "Esferas"), numbered),
-            TableColumn(
-                "azimuth_deg",
-                said("± ψ (°)", "± ψ (°)"),
-                tuple(str(row[0]) for row in rows),
-            ),
+            TableColumn("azimuth_deg", same("± ψ (°)"), tuple(str(row[0]) for row in rows)),
             *(
                 TableColumn(
                     name,
@@ -144,7 +132,7 @@ def _displacement(state: State) -> Claim:
     cell = Cell(printed, state.displacement.z / MILLI)
     return Claim(
         said("δ_z is {:.4f} mm.", "δ_z é {:.4f} mm.", float(printed)),
-        said("{:.5f} mm.", "{:.5f} mm.", cell.computed),
+        same("{:.5f} mm.", cell.computed),
         cell.agreement == "printed",
     )
 

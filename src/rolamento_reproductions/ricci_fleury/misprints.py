@@ -22,8 +22,6 @@ from rolamento_reproductions.record import (
 )
 from rolamento_reproductions.text import Text, formula, said
 
-__all__ = ["misprints_section"]
-
 _COUNT: Final = 2000
 _SEED: Final = 1993
 
@@ -132,10 +130,7 @@ def _curvature() -> Misprint:
     truth = np.stack([contact.semi_major, contact.semi_minor, contact.deflection], axis=-1)
     modulus = 2.0 / (first + second)
     return proven(
-        (
-            "10",
-            said("Equations (10) to (12)", "Equações (10) a (12)"),
-        ),
+        ("10", said("Equations (10) to (12)", "Equações (10) a (12)")),
         said("contact ellipse and approach", "elipse de contato e aproximação"),
         (
             said("R_c: the sum of curvatures", "R_c: a soma das curvaturas"),

@@ -1,12 +1,17 @@
-"""Figure 9: spin over roll at both contacts over the speed of the shaft, by Harris's model."""
+"""Spin over roll at both contacts over the speed: the bearing of Ricci and Fleury under thrust."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cache
+from typing import Final
 
 import numpy as np
 
+from rolamento.case import Case
+from rolamento.case.bearing import Bearing
+from rolamento.case.duty import Duty, Load
+from rolamento.case.model import Model
 from rolamento.friction import loaded_balls
 from rolamento.friction.control import controlling_race, unit_motion
 from rolamento.friction.ellipse_mesh import ellipse_mesh
@@ -15,7 +20,8 @@ from rolamento.friction.least_power import start_of
 from rolamento.friction.minimum_power import flat_balls, least_power_motion
 from rolamento.friction.slip import rolling_lines
 from rolamento.rows.ball import BatchState, solve_batch
-from rolamento_reproductions.given import MILLI, RPM, grid
+from rolamento.units import RPM
+from rolamento_reproductions.given import MILLI, Given, grid
 from rolamento_reproductions.record import (
     Claim,
     Curves,
@@ -26,10 +32,33 @@ from rolamento_reproductions.record import (
     Section,
     Series,
 )
-from rolamento_reproductions.ricci_fleury.inputs import GIVEN, case
-from rolamento_reproductions.text import Text, said
+from rolamento_reproductions.text import Text, said, same
 
-__all__ = ["spin_section"]
+GIVEN: Final = Given("ricci_fleury")
+
+
+def case(axial_load: float, speed_rpm: float, *, outer_conformity: float | None = None) -> Case:
+    """Return a case of the bearing under thrust.
+
+    Without the gyroscopic moment: Harris's model of 1971 has no force that could carry it, and
+    the models of figure 8 are for speeds at which it is nothing.
+    """
+    given = GIVEN.inputs_of("bearing")
+    conformity = given["conformity"]
+    bearing = Bearing(
+        ball_count=given["ball_count"],
+        ball_diameter=given["ball_diameter_mm"] * MILLI,
+        pitch_diameter=0.5 * (given["bore_mm"] + given["outside_mm"]) * MILLI,
+        contact_angle=np.radians(given["contact_angle_deg"]),
+        inner_conformity=conformity,
+        outer_conformity=conformity if outer_conformity is None else outer_conformity,
+    )
+    return Case(
+        bearing=bearing,
+        duty=Duty(inner_speed=speed_rpm * RPM, load=Load(fx=axial_load)),
+        model=Model(gyroscopic_moment=False),
+    )
+
 
 _POINTS = 400
 """Along the ellipse: Harris's model has slip along rolling only, one point across is exact."""
@@ -49,7 +78,7 @@ class _Bearing:
 
 def spin_section(title: Text) -> Section:
     """Compute figure 9."""
-    return Section(title, (_figure(),))
+    return Section(title, (_spin_figure(),))
 
 
 def _speeds() -> Floats:
@@ -58,7 +87,7 @@ def _speeds() -> Floats:
 
 
 @cache
-def _solved(conformity: float, load: float | None = None) -> _Bearing:
+def _solved_over_speed(conformity: float, load: float | None = None) -> _Bearing:
     given = GIVEN.inputs_of("spin")
     speeds = _speeds()
     load = given["axial_load_N"] if load is None else load
@@ -84,10 +113,10 @@ def _solved(conformity: float, load: float | None = None) -> _Bearing:
     return _Bearing(state, ratios[0], ratios[1], lines[0], lines[1], torque)
 
 
-def _figure() -> Figure:
+def _spin_figure() -> Figure:
     given = GIVEN.inputs_of("spin")
     values = [float(f) for f in given["outer_conformities"]]
-    found = [_solved(value) for value in values]
+    found = [_solved_over_speed(value) for value in values]
     speeds = _speeds()
     columns = (
         Series(
@@ -152,7 +181,7 @@ def _figure() -> Figure:
         ),
         source=GIVEN.source_of("spin"),
         columns=columns,
-        picture=Curves((_panel(values),)),
+        picture=Curves((_spin_panel(values),)),
         claims=(
             _improvement(values, found),
             _lines_of(found[0], values[0]),
@@ -170,23 +199,19 @@ def _figure() -> Figure:
     )
 
 
-def _panel(values: list[float]) -> Panel:
+def _spin_panel(values: list[float]) -> Panel:
     contacts = (
         ("inner_spin_to_roll", said("inner contact", "contato interno")),
         ("outer_spin_to_roll", said("outer contact", "contato externo")),
     )
     lines = tuple(
         Line(
-            name,
-            look,
-            None if place else contact,
-            ("outer_conformity", value),
-            dashed=bool(place),
+            name, look, None if place else contact, ("outer_conformity", value), dashed=bool(place)
         )
         for place, value in enumerate(values)
         for look, (name, contact) in enumerate(contacts)
     )
-    solid, dashed = (said("f_o = {:.3f}", "f_o = {:.3f}", value) for value in values)
+    solid, dashed = (same("f_o = {:.3f}", value) for value in values)
     return Panel(
         "inner_speed",
         said("Spin over roll", "Pivotamento sobre rolamento"),
@@ -239,7 +264,7 @@ def _change(one: _Bearing) -> float:
 def _lines_of(one: _Bearing, conformity: float) -> Claim:
     """Count the lines of pure rolling over speed."""
     heavier = float(GIVEN.inputs_of("spin")["heavier_load_N"])
-    seen, under_more = _pairs(one), _pairs(_solved(conformity, heavier))
+    seen, under_more = _pairs(one), _pairs(_solved_over_speed(conformity, heavier))
     stated = [(2, 1), (1, 1), (1, 2)]
     return Claim(
         said(
@@ -254,8 +279,8 @@ def _lines_of(one: _Bearing, conformity: float) -> Claim:
             " under {:.0f} N. It depends on the load.",
             "Linhas interno/externo com rotação crescente, f_o = f_i: {} com a carga da figura; {}"
             " sob {:.0f} N. Depende da carga.",
-            _told(seen),
-            _told(under_more),
+            _pairs_in_words(seen),
+            _pairs_in_words(under_more),
             heavier,
         ),
         holds=seen == stated and under_more == stated,
@@ -269,7 +294,7 @@ def _pairs(one: _Bearing) -> list[tuple[int, int]]:
     return list(dict.fromkeys((int(inner), int(outer)) for inner, outer in pairs))
 
 
-def _told(pairs: list[tuple[int, int]]) -> str:
+def _pairs_in_words(pairs: list[tuple[int, int]]) -> str:
     return ", ".join(f"{inner}/{outer}" for inner, outer in pairs)
 
 

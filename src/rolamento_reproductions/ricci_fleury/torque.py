@@ -31,10 +31,8 @@ from rolamento_reproductions.record import (
     Table,
     TableColumn,
 )
-from rolamento_reproductions.ricci_fleury.inputs import GIVEN, case
+from rolamento_reproductions.ricci_fleury.spin import GIVEN, case
 from rolamento_reproductions.text import Text, said, same
-
-__all__ = ["torque_section"]
 
 _MODELS = (
     ("jones_simplified", said("Jones, simplified", "Jones simplificado")),
@@ -42,7 +40,7 @@ _MODELS = (
     ("todd_bare", said("Todd, without", "Todd, sem histerese")),
     ("jones_control", said("Jones, with control", "Jones com controle")),
     ("jones_full", said("Jones, full", "Jones completo")),
-    ("harris", said("Harris (1971)", "Harris (1971)")),
+    ("harris", same("Harris (1971)")),
 )
 _MOST_OF_FRICTION = 0.80
 _NEAR_TODD = 3e-3
@@ -51,7 +49,7 @@ _BY_E = 0.01
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class _Solved:
+class _TorqueSweep:
     """Torques of all models at the loads of the figure; N and N·m."""
 
     loads: Floats
@@ -63,7 +61,7 @@ class _Solved:
 
 
 @cache
-def _solved() -> _Solved:
+def _solved_over_load() -> _TorqueSweep:
     given = GIVEN.inputs_of("torque")
     loads = grid(given["lowest_load_N"], given["highest_load_N"], given["step_N"])
     state = solve_batch(case(float(loads[0]), given["speed_rpm"]), fx=loads)
@@ -83,16 +81,16 @@ def _solved() -> _Solved:
         "todd_bare": todd(balls, mu, hysteresis=0.0),
     }
     totals = {name: torque.total for name, torque in torques.items()}
-    return _Solved(loads, state, balls, totals, by_todd, (inner, outer))
+    return _TorqueSweep(loads, state, balls, totals, by_todd, (inner, outer))
 
 
 def torque_section(title: Text) -> Section:
     """Compute figure 8 and its table."""
-    found = _solved()
-    return Section(title, (_figure(found), _table(found)))
+    found = _solved_over_load()
+    return Section(title, (_torque_figure(found), _torque_table(found)))
 
 
-def _figure(found: _Solved) -> Figure:
+def _torque_figure(found: _TorqueSweep) -> Figure:
     columns = (
         Series("axial_load", "N", said("Axial load F_a", "Carga axial F_a"), found.loads),
         *(Series(name, "N·mm", title, found.totals[name] / MILLI) for name, title in _MODELS),
@@ -175,7 +173,7 @@ def _beyond() -> Text:
 # --- statements of the text -------------------------------------------------
 
 
-def _of_the_text(found: _Solved) -> tuple[Claim, ...]:
+def _of_the_text(found: _TorqueSweep) -> tuple[Claim, ...]:
     parts = found.todd.parts
     slip = (parts["spin"] + parts["rolling_slip"]) / found.todd.total
     inner, outer = found.balls.inner, found.balls.outer
@@ -225,11 +223,11 @@ def _expected(statement: Text, finding: Text, holds: object) -> Claim:
     return Claim(statement, finding, bool(holds), of_theory=True)
 
 
-def _range(values: Floats) -> tuple[float, float]:
+def _extremes(values: Floats) -> tuple[float, float]:
     return float(values.min()), float(values.max())
 
 
-def _of_theory(found: _Solved) -> tuple[Claim, ...]:
+def _of_theory(found: _TorqueSweep) -> tuple[Claim, ...]:
     t = found.totals
     return (
         _harris(found),
@@ -241,12 +239,11 @@ def _of_theory(found: _Solved) -> tuple[Claim, ...]:
     )
 
 
-def _harris(found: _Solved) -> Claim:
+def _harris(found: _TorqueSweep) -> Claim:
     ratio = found.totals["jones_full"] / found.totals["harris"]
     patches = (found.balls.inner, found.balls.outer)
     second = np.mean(
-        [complete((patch.semi_minor / patch.semi_major)[:, 0] ** 2)[1] for patch in patches],
-        axis=0,
+        [complete((patch.semi_minor / patch.semi_major)[:, 0] ** 2)[1] for patch in patches], axis=0
     )
     return _expected(
         said(
@@ -258,7 +255,7 @@ def _harris(found: _Solved) -> Claim:
         said(
             "Jones full over Harris: {:.3f} to {:.3f}; E = {:.3f}.",
             "Jones completo sobre Harris: {:.3f} a {:.3f}; E = {:.3f}.",
-            *_range(ratio),
+            *_extremes(ratio),
             float(second.mean()),
         ),
         np.all(np.abs(ratio - second) < _BY_E) and ratio.min() > 1.015 and ratio.max() < 1.035,
@@ -285,7 +282,7 @@ def _above(values: Floats) -> Text:
     return said(
         "{:.0f} to {:.0f} % above, more with more load.",
         "{:.0f} a {:.0f} % acima, mais com mais carga.",
-        *(100.0 * (value - 1.0) for value in _range(values)),
+        *(100.0 * (value - 1.0) for value in _extremes(values)),
     )
 
 
@@ -315,7 +312,7 @@ def _simplified_over_full(t: dict[str, Floats]) -> Claim:
     )
 
 
-def _both_spin(found: _Solved) -> Claim:
+def _both_spin(found: _TorqueSweep) -> Claim:
     inner, outer = found.spins
     return _expected(
         said(
@@ -326,8 +323,8 @@ def _both_spin(found: _Solved) -> Claim:
             "Spin over roll {:.3f} to {:.3f} at the inner contact, {:.3f} to {:.3f} at the outer.",
             "Pivotamento sobre rolamento {:.3f} a {:.3f} no contato interno, {:.3f} a {:.3f} no"
             " externo.",
-            *_range(inner),
-            *_range(outer),
+            *_extremes(inner),
+            *_extremes(outer),
         ),
         min(inner.min(), outer.min()) > 0.01,
     )
@@ -358,7 +355,7 @@ def _order(t: dict[str, Floats]) -> Claim:
 # --- table ------------------------------------------------------------------
 
 
-def _table(found: _Solved) -> Table:
+def _torque_table(found: _TorqueSweep) -> Table:
     loads = GIVEN.inputs_of("table")["loads_N"]
     rows = [int(np.argmin(np.abs(found.loads - load))) for load in loads]
     full = found.totals["jones_full"]
@@ -377,8 +374,7 @@ def _table(found: _Solved) -> Table:
                     f"{name}_Nmm",
                     title,
                     tuple(
-                        said(
-                            "{:.3f} ({:.3f})",
+                        same(
                             "{:.3f} ({:.3f})",
                             float(found.totals[name][row] / MILLI),
                             float(found.totals[name][row] / full[row]),

@@ -1,18 +1,17 @@
-"""Figures 5.1 to 5.5: the 209 and the 218 at rest."""
+"""Figures 5.1 to 5.9: the 209 and the 218 at rest, and the speeds of balls and cage of the 209."""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from typing import Any
+
 import numpy as np
 
+from rolamento.kinematics import ball_mass, ball_motion, centrifugal_force, gyroscopic_moment
 from rolamento.static import RadialSolution, axial_load, radial_load
-from rolamento_reproductions.radaelli_2013.inputs import (
-    KILO,
-    MILLI,
-    bearing,
-    grid,
-    inputs_of,
-    source_of,
-)
+from rolamento.units import RPM
+from rolamento_reproductions.given import KILO, MILLI, grid
+from rolamento_reproductions.radaelli_2013.inputs import bearing, inputs_of, source_of
 from rolamento_reproductions.record import (
     Claim,
     Curves,
@@ -23,11 +22,9 @@ from rolamento_reproductions.record import (
     Section,
     Series,
 )
-from rolamento_reproductions.text import Text, said
+from rolamento_reproductions.text import Text, said, same
 
-__all__ = ["static_section"]
-
-_MOST_BENT = 0.03
+_MAX_BEND = 0.03
 """How far from a straight line, as a part of the greatest value, still reads as one in print."""
 _FIRST, _LAST = 5.0, -5.0  # kN, ends of a curve that are compared
 
@@ -78,7 +75,7 @@ def _distribution() -> Figure:
         Line(
             "ball_load",
             look,
-            said("P_d = {:.2f} mm", "P_d = {:.2f} mm", value),
+            same("P_d = {:.2f} mm", value),
             by=("diametral_clearance", value),
             marked="ball",
         )
@@ -134,7 +131,7 @@ def _claims_on_clearance(solved: dict[float, RadialSolution]) -> tuple[Claim, ..
                 "Without clearance the load zone ends at exactly ±90°.",
                 "Sem folga, a zona de carga termina exatamente em ±90°.",
             ),
-            said("±{:.4f}°.", "±{:.4f}°.", none),
+            same("±{:.4f}°.", none),
             abs(none - 90.0) < 1e-6,
         ),
         Claim(
@@ -142,7 +139,7 @@ def _claims_on_clearance(solved: dict[float, RadialSolution]) -> tuple[Claim, ..
                 "The greater the clearance, the greater the load on the ball at ψ = 0.",
                 "Quanto maior a folga, maior a carga na esfera em ψ = 0.",
             ),
-            said("{:,.0f} N, {:,.0f} N, {:,.0f} N.", "{:,.0f} N, {:,.0f} N, {:,.0f} N.", *greatest),
+            same("{:,.0f} N, {:,.0f} N, {:,.0f} N.", *greatest),
             greatest == sorted(greatest) and len(set(greatest)) == len(greatest),
         ),
         Claim(
@@ -150,11 +147,7 @@ def _claims_on_clearance(solved: dict[float, RadialSolution]) -> tuple[Claim, ..
                 "The greater the clearance, the fewer balls carry load.",
                 "Quanto maior a folga, menos esferas sob carga.",
             ),
-            said(
-                "{}, {} and {} of the nine balls.",
-                "{}, {} e {} das nove esferas.",
-                *counts,
-            ),
+            said("{}, {} and {} of the nine balls.", "{}, {} e {} das nove esferas.", *counts),
             counts == sorted(counts, reverse=True) and counts[0] > counts[-1],
         ),
     )
@@ -181,13 +174,13 @@ def _note_on_integral() -> Text:
 # --- figures 5.2 to 5.5 -----------------------------------------------------
 
 
-def _loads() -> Floats:
+def _static_loads() -> Floats:
     given = inputs_of("static_curves")
     return grid(0.0, given["highest_load_kN"], given["step_kN"])
 
 
 def _radial_curves() -> tuple[Figure, Figure]:
-    loads = _loads()
+    loads = _static_loads()
     state = radial_load(bearing("209"), loads * KILO)
     x = Series("radial_load", "kN", _RADIAL, loads)
     shift = Series(
@@ -198,7 +191,7 @@ def _radial_curves() -> tuple[Figure, Figure]:
     )
     ball = Series("max_ball_load", "kN", _LOAD, state.max_ball_load / KILO)
     return (
-        _curve(
+        _figure_over_load(
             "5.2",
             said(
                 "The 209 under radial load, at rest: displacement of the inner ring.",
@@ -214,7 +207,7 @@ def _radial_curves() -> tuple[Figure, Figure]:
                 ),
             ),
         ),
-        _curve(
+        _figure_over_load(
             "5.3",
             said(
                 "The 209 under radial load, at rest: load on the ball at ψ = 0.",
@@ -227,7 +220,7 @@ def _radial_curves() -> tuple[Figure, Figure]:
 
 
 def _axial_curves() -> tuple[Figure, Figure]:
-    loads = _loads()
+    loads = _static_loads()
     state = axial_load(bearing("218"), loads * KILO, stiffness_angle="free")
     x = Series("axial_load", "kN", _AXIAL, loads)
     shift = Series(
@@ -244,7 +237,7 @@ def _axial_curves() -> tuple[Figure, Figure]:
         " que a dissertação faz.",
     )
     return (
-        _curve(
+        _figure_over_load(
             "5.4",
             said(
                 "The 218 under axial load, at rest: displacement of the inner ring.",
@@ -254,7 +247,7 @@ def _axial_curves() -> tuple[Figure, Figure]:
             _stiffening(loads, shift.numbers),
             (frozen,),
         ),
-        _curve(
+        _figure_over_load(
             "5.5",
             said(
                 "The 218 under axial load, at rest: load on each ball.",
@@ -275,7 +268,7 @@ def _axial_curves() -> tuple[Figure, Figure]:
     )
 
 
-def _curve(
+def _figure_over_load(
     number: str,
     caption: Text,
     columns: tuple[Series, Series],
@@ -326,5 +319,180 @@ def _proportion(loads: Floats, ball: Floats) -> Claim:
             "A melhor reta erra no máximo {:.2f} % do maior valor.",
             100.0 * miss,
         ),
-        miss < _MOST_BENT,
+        miss < _MAX_BEND,
+    )
+
+
+_LITTLE_CHANGE = 0.25
+"""A change over the range of contact angles that still counts as little, beside that by speed."""
+
+_SPEED = said("Inner ring speed n_i", "Rotação do anel interno n_i")
+_ANGLE = said("Contact angle α", "Ângulo de contato α")
+
+
+@dataclass(frozen=True, slots=True)
+class _Motion:
+    """One of the four: number of its figure, name, unit, title, and its power of the speed."""
+
+    number: str
+    name: str
+    unit: str
+    title: Text
+    caption: Text
+    power: int
+
+
+_MOTIONS = (
+    _Motion(
+        "5.6",
+        "ball_speed",
+        "rpm",
+        said("Ball speed n_R", "Rotação da esfera n_R"),
+        said("speed of a ball about its own axis", "rotação da esfera em torno do próprio eixo"),
+        1,
+    ),
+    _Motion(
+        "5.7",
+        "orbital_speed",
+        "rpm",
+        said("Cage speed n_m", "Rotação da gaiola n_m"),
+        said("speed of the cage", "rotação da gaiola (separador)"),
+        1,
+    ),
+    _Motion(
+        "5.8",
+        "centrifugal_force",
+        "N",
+        said("Centrifugal force F_c", "Força centrífuga F_c"),
+        said("centrifugal force on a ball", "força centrífuga na esfera"),
+        2,
+    ),
+    _Motion(
+        "5.9",
+        "gyroscopic_moment",
+        "N·m",
+        said("Gyroscopic moment |M_g|", "Momento giroscópico |M_g|"),
+        said("gyroscopic moment on a ball", "momento giroscópico na esfera"),
+        2,
+    ),
+)
+
+
+def motion_section(title: Text) -> Section:
+    """Compute figures 5.6 to 5.9."""
+    given = inputs_of("motion")
+    speeds = grid(0.0, given["highest_speed_rpm"], given["speed_step_rpm"])
+    angles = grid(0.0, given["highest_angle_deg"], given["angle_step_deg"])
+    values = _speeds_and_forces(speeds, angles)
+    return Section(
+        title, tuple(_motion_figure(what, speeds, angles, values[what.name]) for what in _MOTIONS)
+    )
+
+
+def _speeds_and_forces(speeds: Floats, angles: Floats) -> dict[str, Floats]:
+    """Evaluate the four, (angles, speeds), in the units of the figures; their sizes."""
+    rings = bearing("209")
+    alpha = np.radians(angles)[:, np.newaxis]
+    motion = ball_motion(alpha, alpha, rings.ball_diameter / rings.pitch_diameter, speeds * RPM)
+    mass = ball_mass(rings.ball_diameter, rings.ring_material.density)
+    return {
+        "ball_speed": np.abs(motion.ball_speed) / RPM,
+        "orbital_speed": motion.orbital_speed / RPM,
+        "centrifugal_force": centrifugal_force(mass, rings.pitch_diameter, motion.orbital_speed),
+        "gyroscopic_moment": np.abs(gyroscopic_moment(mass, rings.ball_diameter, motion)),
+    }
+
+
+def _motion_figure(what: _Motion, speeds: Floats, angles: Floats, values: Floats) -> Figure:
+    given = inputs_of("motion")
+    columns = (
+        Series("contact_angle", "°", _ANGLE, np.repeat(angles, speeds.size)),
+        Series("inner_speed", "rpm", _SPEED, np.tile(speeds, angles.size)),
+        Series(what.name, what.unit, what.title, values.ravel()),
+    )
+    signed = said(
+        "The size is drawn; its sign is negative when only the inner ring turns.",
+        "Desenha-se o módulo; o sinal é negativo quando só o anel interno gira.",
+    )
+    return Figure(
+        number=what.number,
+        caption=said(
+            "The 209: {}, over speed and over contact angle; outer ring at rest.",
+            "209: {}, em função da rotação e do ângulo de contato; anel externo parado.",
+            what.caption,
+        ),
+        source=source_of("motion"),
+        columns=columns,
+        picture=Curves((_panel_over_speed(what, given), _panel_over_angle(what, given))),
+        claims=(_growth_with_speed(what, speeds, values), _growth_with_angle(what, values)),
+        notes=(signed,) if what.name == "gyroscopic_moment" else (),
+    )
+
+
+def _panel_over_speed(what: _Motion, given: dict[str, Any]) -> Panel:
+    lines = tuple(
+        Line(what.name, look, same("α = {:.0f}°", angle), ("contact_angle", angle))
+        for look, angle in enumerate(given["angles_drawn_deg"])
+    )
+    return Panel("inner_speed", what.title, what.unit, lines, tick=25_000.0)
+
+
+def _panel_over_angle(what: _Motion, given: dict[str, Any]) -> Panel:
+    lines = tuple(
+        Line(what.name, look, same("{:,.0f} rpm", speed), ("inner_speed", speed))
+        for look, speed in enumerate(given["speeds_drawn_rpm"])
+    )
+    return Panel("contact_angle", what.title, what.unit, lines, tick=15.0)
+
+
+def _growth_with_speed(what: _Motion, speeds: Floats, values: Floats) -> Claim:
+    """Fit the exponent of the speed at the greatest contact angle."""
+    turning = speeds > 0.0
+    x, y = np.log(speeds[turning]), np.log(values[-1][turning])
+    exponent = float(np.polynomial.Polynomial.fit(x, y, 1).convert().coef[1])
+    statement = (
+        said("It is proportional to the speed.", "É proporcional à rotação.")
+        if what.power == 1
+        else said(
+            "It grows with the square of the speed: four times as much at twice the speed.",
+            "Cresce com o quadrado da rotação: quatro vezes maior com o dobro da rotação.",
+        )
+    )
+    return Claim(
+        statement,
+        said("Exponent of the speed: {:.3f}.", "Expoente da rotação: {:.3f}.", exponent),
+        abs(exponent - what.power) < 5e-4,
+    )
+
+
+def _growth_with_angle(what: _Motion, values: Floats) -> Claim:
+    """Compare the ends of the range of contact angles, at the greatest speed."""
+    first, last = float(values[0, -1]), float(values[-1, -1])
+    if what.name == "gyroscopic_moment":
+        return Claim(
+            said(
+                "The contact angle matters as much as the speed does.",
+                "O ângulo de contato influi fortemente, assim como a rotação.",
+            ),
+            said(
+                "From nothing at 0° to {:.2f} N·m at {:.0f}°, at the highest speed.",
+                "De zero a 0° até {:.2f} N·m a {:.0f}°, na maior rotação.",
+                last,
+                inputs_of("motion")["highest_angle_deg"],
+            ),
+            first == 0.0 and last > 0.0,
+        )
+    change = last / first - 1.0
+    return Claim(
+        said(
+            "The contact angle matters little; with it there is a slight growth.",
+            "O ângulo de contato influi pouco; há um aumento discreto com ele.",
+        ),
+        said(
+            "{:+.1f} % from 0° to {:.0f}°.",
+            "{:+.1f} % de 0° a {:.0f}°.",
+            100.0 * change,
+            inputs_of("motion")["highest_angle_deg"],
+        ),
+        0.0 < change < _LITTLE_CHANGE and bool((np.diff(values[:, -1]) > 0.0).all()),
     )
