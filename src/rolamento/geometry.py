@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from math import pi, sin
-from typing import Literal, NamedTuple, Protocol
+from typing import Any, Literal, NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -268,6 +268,17 @@ def groove_places(
         axial, radial = 0.0 * distance, distance - 0.5 * clearance
     radius = 0.5 * np.asarray(pitch_diameter) + inner * np.cos(angle)
     return GroovePlaces(*np.broadcast_arrays(inner, outer, axial, radial, radius))
+
+
+def edge_cosine(bearing: Any, race: Race) -> FloatArray:
+    """Cosine of the angle at which a groove ends: that of its shoulder, or 0.
+
+    cos α = 1 - h / (f D) of a shoulder of height h. A groove without a given height is taken as
+    a half circle, so that a contact may lie anywhere below 90°.
+    """
+    radius = getattr(bearing, f"{race}_conformity") * bearing.ball_diameter
+    height = getattr(bearing, f"{race}_shoulder_height")
+    return np.asarray(0.0 if height is None else np.clip(1.0 - height / radius, 0.0, 1.0))
 
 
 def _angle_and_clearance(bearing: BearingGeometry, distance: float) -> tuple[float, float]:

@@ -36,12 +36,18 @@ from typing import Final, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rolamento._reach import in_reach
+from rolamento.geometry import Race
 from rolamento.numerics import FloatArray
 from rolamento.numerics.elliptic import complete
 
 LEAST_COSINE: Final = -0.5
 """Bound of cos(α_i - α_o): no ball that carries load comes near angles 120° apart, and without
 a bound the orbit of one that carries none would have no limit when the outer ring turns."""
+
+_TURN: Final = 2.0 * np.pi
+_FASTEST: Final = 1e9
+"""rad/s, far beyond any bearing: a number above has the wrong unit."""
 
 ControlCodes = NDArray[np.int64]
 ControlName = Literal["outer", "inner", "none"]
@@ -77,12 +83,12 @@ class BallMotion:
     @property
     def inner_spin_to_roll(self) -> FloatArray:
         """Ratio of spin to roll at the inner contact; NaN where nothing rolls."""
-        return _ratio(self.inner_spin, self.inner_roll)
+        return spin_to_roll(self.inner_spin, self.inner_roll)
 
     @property
     def outer_spin_to_roll(self) -> FloatArray:
         """Ratio of spin to roll at the outer contact; NaN where nothing rolls."""
-        return _ratio(self.outer_spin, self.outer_roll)
+        return spin_to_roll(self.outer_spin, self.outer_roll)
 
 
 def control_codes(control: ControlName | ArrayLike) -> ControlCodes:
@@ -354,6 +360,89 @@ def _slave_share(
     return np.asarray((1.0 - sigma * ratio * np.cos(slave)) / (1.0 + cosine))
 
 
-def _ratio(spin: FloatArray, roll: FloatArray) -> FloatArray:
+def spin_to_roll(spin: FloatArray, roll: FloatArray) -> FloatArray:
+    """Ratio of the angular speeds about the normal and along the surface; NaN where none rolls."""
     with np.errstate(divide="ignore", invalid="ignore"):
         return np.asarray(np.where(roll == 0.0, np.nan, spin / roll))
+
+
+@dataclass(frozen=True, slots=True)
+class SurfaceSpeeds:
+    """Speeds of ring and ball at a contact, seen from it, along rolling; arrays, m/s, signed."""
+
+    ring: FloatArray
+    ball: FloatArray
+
+    @property
+    def entrainment(self) -> FloatArray:
+        """Mean speed u = ½ |v_r + v_b|; m/s. Hamrock and Dowson (1977)."""
+        return np.asarray(0.5 * np.abs(self.ring + self.ball))
+
+    @property
+    def sliding(self) -> FloatArray:
+        """Sliding speed |v_r - v_b|; m/s."""
+        return np.asarray(np.abs(self.ring - self.ball))
+
+
+def surface_speeds(
+    race: Race,
+    ball_diameter: ArrayLike,
+    pitch_diameter: ArrayLike,
+    contact_angle: ArrayLike,
+    ring_speed: ArrayLike,
+    orbital_speed: ArrayLike,
+    ball_speed: ArrayLike,
+    attitude: ArrayLike,
+    yaw: ArrayLike = 0.0,
+) -> SurfaceSpeeds:
+    """Speeds of both surfaces at the centre of a contact.
+
+    The contact travels with the ball about the shaft, so both are taken in the frame of the cage
+    and in the rolling direction, with β' the yaw of the ball's axis (zero under raceway control):
+
+        ring   v_r = (ω_ring - ω_m) (d_m/2 ∓ (D/2) cos α)        inner -, outer +
+        ball   v_b = ∓ (D/2) ω_R (cos β cos β' cos α + sin β sin α)
+
+    The entrainment speed is their *mean*; some books print the sum.
+
+    Parameters
+    ----------
+    race : "inner" or "outer".
+    ball_diameter, pitch_diameter : arrays; m.
+    contact_angle : array, of this contact under load; rad.
+    ring_speed : array, of this race's ring about the shaft; rad/s.
+    orbital_speed, ball_speed, attitude : arrays, as in `BallMotion`; rad/s, rad/s, rad.
+    yaw : array, β' of the ball's axis; rad.
+        All broadcast against each other.
+
+    Returns
+    -------
+    SurfaceSpeeds of the broadcast shape.
+
+    Derivation in docs/theory/film.md.
+    """
+    side = -1.0 if race == "inner" else 1.0
+    radius = 0.5 * in_reach(ball_diameter, "ball_diameter", "m", 0.0, 1e3)
+    angle = in_reach(contact_angle, "contact_angle", "rad", -_TURN, _TURN)
+    beta = in_reach(attitude, "attitude", "rad", -_TURN, _TURN)
+    arm = 0.5 * in_reach(pitch_diameter, "pitch_diameter", "m", 0.0, 1e3)
+    arm = arm + side * radius * np.cos(angle)
+    orbit = in_reach(orbital_speed, "orbital_speed", "rad/s", -_FASTEST, _FASTEST)
+    ring = (in_reach(ring_speed, "ring_speed", "rad/s", -_FASTEST, _FASTEST) - orbit) * arm
+    tangent = np.cos(beta) * np.cos(in_reach(yaw, "yaw", "rad", -_TURN, _TURN)) * np.cos(angle)
+    tangent = tangent + np.sin(beta) * np.sin(angle)
+    ball = (
+        side * radius * in_reach(ball_speed, "ball_speed", "rad/s", -_FASTEST, _FASTEST) * tangent
+    )
+    return SurfaceSpeeds(*np.broadcast_arrays(ring, ball))
+
+
+def rolling_entrainment_speed(
+    pitch_diameter: ArrayLike, gamma: ArrayLike, inner_speed: ArrayLike, outer_speed: ArrayLike
+) -> FloatArray:
+    """Entrainment speed of pure rolling at one contact angle, (d_m/4)(1 - γ²)|ω_i - ω_o|; m/s.
+
+    Parameters: arrays that broadcast; m, D cos α / d_m, rad/s. Returns the broadcast shape.
+    """
+    difference = np.abs(np.subtract(inner_speed, outer_speed, dtype=np.float64))
+    return np.asarray(0.25 * np.asarray(pitch_diameter) * (1.0 - np.square(gamma)) * difference)

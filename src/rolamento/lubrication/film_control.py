@@ -16,14 +16,24 @@ from typing import Final
 
 import numpy as np
 
+from rolamento import assembly
+from rolamento.assembly import Cases, solve_cases
 from rolamento.case import Case
-from rolamento.lubrication.table import FilmTable, film_of_batch
+from rolamento.lubrication.running import running_balls
+from rolamento.lubrication.table import (
+    FilmTable,
+    film_of_batch,
+    film_table,
+    lubricant_of,
+    lubricant_temperature_of,
+)
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.oil.piezoviscosity import roelands
 from rolamento.rows.ball import BatchState
-from rolamento.rows.ball.accept import CONVERGED, NOT_CONVERGED
 from rolamento.rows.ball.assemble import solve_columns_of
 from rolamento.rows.ball.columns import Columns
+from rolamento.solved import Solved
+from rolamento.status import CONVERGED, NOT_CONVERGED
 
 PASSES: Final = 25
 SAME: Final = 1e-6
@@ -110,3 +120,38 @@ def _sheared(case: Case, columns: Columns, batch: BatchState) -> ShearedFilm:
 def _thickness(films: FilmTable) -> FloatArray:
     """Central film at both races; (cases, balls, 2)."""
     return np.stack([films.inner.central_thickness, films.outer.central_thickness], axis=-1)
+
+
+def solved_on_film(cases: Cases) -> Solved:
+    """Solve cases whose model wants the film in the balance of the balls.
+
+    A case whose film still changes after `PASSES` solutions has no result.
+    """
+    before = _film_felt(cases, solve_cases(cases))
+    for _ in range(PASSES):
+        balanced = assembly.balance(cases, before)
+        after = _film_felt(cases, assembly.result(cases, balanced))
+        moved = np.abs(after.thickness - before.thickness).max(axis=(1, 2), initial=0.0)
+        size = after.thickness.max(axis=(1, 2), initial=0.0)
+        before = after
+        settled = ~(moved > SAME * size)
+        if settled.all():
+            break
+    return assembly.result(cases, balanced.without(~settled))
+
+
+def _film_felt(cases: Cases, solved: Solved) -> ShearedFilm:
+    """The films that a solution brings about."""
+    case = cases.case
+    temperature = np.full(len(solved), lubricant_temperature_of(case))
+    films = film_table(case, lubricant_of(case), running_balls(solved), temperature)
+    contacts = solved.contacts.values()
+    return ShearedFilm(
+        thickness=np.nan_to_num(_thickness(films)),
+        pressure=np.nan_to_num(np.stack([c.max_pressure for c in contacts], axis=-1)),
+        friction=cases.traction.friction,
+        viscosity=films.oil.dynamic_viscosity,
+        pressure_viscosity=films.oil.pressure_viscosity,
+        shears=case.model.traction == "film",
+        lifts=case.model.film_in_contact,
+    )

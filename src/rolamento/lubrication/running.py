@@ -14,6 +14,7 @@ from rolamento.numerics import FloatArray
 from rolamento.rows.ball import BatchState, layout
 from rolamento.rows.ball.batch_state import RowBatch
 from rolamento.rows.ball.detail import ContactTable
+from rolamento.solved import Solved
 from rolamento.state import State
 
 NO_LOAD: Final = 1e-9
@@ -221,4 +222,27 @@ def _contacts_of_state(state: State, race: Race) -> ContactTable:
             np.array([[getattr(contact, name) for contact in contacts]])
             for name in ("load", "contact_angle", "deflection")
         )
+    )
+
+
+def running_balls(solved: Solved) -> RunningBalls:
+    """Gather the elements of solved cases."""
+    found = {}
+    for race, other in (_RACES, _RACES[::-1]):
+        own, opposite = solved.contacts[race], solved.contacts[other]
+        found[race] = RunningContacts(
+            np.where(own.load > NO_LOAD * opposite.load, own.load, np.nan),
+            own.surface_speeds,
+            own.rolling_curvature,
+            own.ellipticity,
+            own.semi_minor,
+            own.max_pressure,
+        )
+    speed = np.abs(solved.field("duty.inner_speed") - solved.field("duty.outer_speed"))
+    return RunningBalls(
+        found["inner"],
+        found["outer"],
+        solved.inner.pitch_diameter,
+        solved.inner.modulus,
+        np.broadcast_to(speed[:, np.newaxis], solved.inner.load.shape),
     )

@@ -21,13 +21,13 @@ from numpy.typing import ArrayLike
 
 from rolamento.case.bearing import Bearing
 from rolamento.errors import InputError
+from rolamento.geometry import edge_cosine
 from rolamento.plots.axes_units import DEGREE, MILLIMETRE
 from rolamento.plots.balls import RACES, Race
 from rolamento.plots.frame import GREY, empty_frame, label_y, legend_above, number
 from rolamento.plots.reading import PlottedBall, PlottedState, contact_value, rows_of
 from rolamento.plots.style import INNER, OUTER, in_style, new_figure, new_stacked_figure
 from rolamento.plots.words import ENGLISH, PlotWords
-from rolamento.rows.ball.problem import edge_cosine
 
 __all__ = ["contact_ellipses", "ellipses_of_both_races"]
 

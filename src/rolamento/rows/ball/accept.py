@@ -28,17 +28,18 @@ from rolamento.rows.ball.single import (
     static_ball,
 )
 from rolamento.rows.ball.types import Array
+from rolamento.status import (
+    CONVERGED,
+    NO_EQUILIBRIUM,
+    NOT_CONVERGED,
+    OVER_SHOULDER,
+    OVERLOADED,
+    TOLERANCE,
+    UNHELD_BALL,
+)
 
-CONVERGED: Final = 0
-NO_EQUILIBRIUM: Final = 1
-NOT_CONVERGED: Final = 2
-OVERLOADED: Final = 3
-INVALID_INPUT: Final = 4
-UNHELD_BALL: Final = 5
-OVER_SHOULDER: Final = 6
 NEEDS_INERTIA: Final = 7  # to be solved again: at rest this would be the result
 
-TOLERANCE: Final = 5e-9  # of ring and balls: half of what is promised
 GREATEST_APPROACH: Final = 0.02  # of the ball diameter: far beyond any elastic contact
 FRICTION_SLACK: Final = 1e-6  # of a ball's load, at a contact that carries none
 LOST_ANGLE: Final = 1e-9  # rad, below which a one-sided bearing has left its shoulder

@@ -5,11 +5,10 @@ from __future__ import annotations
 from math import acos, degrees, pi
 from typing import Final
 
+from rolamento import status
 from rolamento.case import Case
-from rolamento.geometry import Race, ring_geometry
-from rolamento.rows.ball import accept
+from rolamento.geometry import Race, edge_cosine, ring_geometry
 from rolamento.rows.ball.batch_state import BatchState
-from rolamento.rows.ball.problem import edge_cosine
 
 _DIRECTIONS: Final = (
     "along x",
@@ -33,29 +32,29 @@ _LOST_SHOULDER: Final = (
 def advise(case: Case, batch: BatchState) -> str | None:
     """Advice on the status of the first case of a batch; None where it has a result."""
     code = int(batch.code[0])
-    if code == accept.CONVERGED:
+    if code == status.CONVERGED:
         return None
-    if code == accept.NO_EQUILIBRIUM:
+    if code == status.NO_EQUILIBRIUM:
         return _no_equilibrium(case, int(batch.unsupported[0]))
     factor = _speed_factor(case)
-    if factor > _FASTEST and code != accept.INVALID_INPUT:
+    if factor > _FASTEST and code != status.INVALID_INPUT:
         return (
             f"An overspeed: the rings turn at n d_m = {1e-6 * factor:.3g} million mm r/min, and no "
             f"ball bearing is known to have run beyond some {1e-6 * _FASTEST:.0f} million: "
             "centrifugal force presses the balls out of all elastic contact. Check the unit of the "
             "speed, or lower it."
         )
-    if code == accept.OVERLOADED:
+    if code == status.OVERLOADED:
         return (
             "A ball would sink into its groove by more than 2 % of its diameter, far beyond any "
             "elastic contact: check the units of the loads and displacements."
         )
-    if code == accept.INVALID_INPUT:
+    if code == status.INVALID_INPUT:
         return "A number of this case is not finite."
-    if code == accept.OVER_SHOULDER:
+    if code == status.OVER_SHOULDER:
         return _over_shoulder(case)
     alone = case.model.raceway_control == "inner" and case.model.cage == "none"
-    if code == accept.UNHELD_BALL or alone:
+    if code == status.UNHELD_BALL or alone:
         return (
             "This raceway control cannot hold a ball that a race loads too lightly to "
             'bear its gyroscopic moment. Take model.cage = "loose", model.raceway_control = '
@@ -71,7 +70,7 @@ def advise(case: Case, batch: BatchState) -> str | None:
         )
     return (
         f"The solver stopped at a residual of {batch.residual[0]:.1e} of the loads, above "
-        f"{accept.TOLERANCE:.0e}, so it shows no result. Vary a load or the speed a little, hold "
+        f"{status.TOLERANCE:.0e}, so it shows no result. Vary a load or the speed a little, hold "
         "the tilts, or approach the duty in steps; and please report the case."
     )
 
@@ -161,7 +160,7 @@ def _set_without_equilibrium(case: Case) -> str:
 
 def _friction_alone(residual: float) -> str:
     """Advice where balls that friction controls found no balance, or one that cannot be shown."""
-    if residual <= accept.TOLERANCE:
+    if residual <= status.TOLERANCE:
         return (
             "Under friction alone the forces balance, but a ball stands where none can be or the "
             "power does not balance, so there is no result to show. Vary a little the load, the "

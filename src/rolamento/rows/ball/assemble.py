@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from rolamento.rows.ball import accept, layout
+from rolamento import status
+from rolamento.rows.ball import layout
 from rolamento.rows.ball.batch_state import BatchState, RowBatch
 from rolamento.rows.ball.columns import Columns
 from rolamento.rows.ball.jones import S, System, solve_by_jones
@@ -43,7 +44,7 @@ def solve_columns_of(
     arms = ring_arms(row.p).T
     free = row.p[layout.FREE : layout.FREE + 5].T > 0.0
     applied = row.p[layout.APPLIED : layout.APPLIED + 5].T
-    failed = solution.code != accept.CONVERGED
+    failed = solution.code != status.CONVERGED
     load = np.where(free, applied, solution.reaction) * arms
     displacement = solution.displacement / arms
     stiffness = solution.stiffness * arms[:, :, np.newaxis] * arms[:, np.newaxis, :]
@@ -84,7 +85,7 @@ def _solve_set(columns: Columns, threads: int | None, fast: bool) -> BatchState:
     solution, control, verdict = _controlled(system, columns.control)
     first = columns.rows[0]
     arms = ring_arms(first.p).T
-    failed = solution.code != accept.CONVERGED
+    failed = solution.code != status.CONVERGED
     load = np.where(columns.free.T, columns.load.T, solution.reaction[:, :5] * arms)
     displacement = solution.displacement[:, :5] / arms
     stiffness = _condensed(solution.stiffness, columns.preload == "spring")

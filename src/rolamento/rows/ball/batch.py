@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from rolamento import status
 from rolamento.numerics.compiled import kernel, shared
-from rolamento.rows.ball import accept, layout
+from rolamento.rows.ball import layout
 from rolamento.rows.ball.accept import judge
 from rolamento.rows.ball.blocks import (
     START_TOLERANCE,
@@ -79,16 +80,16 @@ def solve_cases(
         column = case if p.shape[1] > 1 else 0
         balls = control[case if control.shape[0] > 1 else 0]
         u, x = displacement[case], position[case]
-        code[case] = accept.NOT_CONVERGED
+        code[case] = status.NOT_CONVERGED
         proposed = fast and iterations[case] != 0
         if proposed and iterations[case] > 0:
             code[case], residual[case], unsupported[case] = judge(
                 p, column, moving, balls, cosines, sines, u, cage[case], x, ring, errors
             )
         # a proposal that is not quite there is a start; failing that, begin anew
-        escaping, fate = -1, accept.NO_EQUILIBRIUM
+        escaping, fate = -1, status.NO_EQUILIBRIUM
         for attempt in range(3):
-            if code[case] != accept.NOT_CONVERGED or (attempt == 0 and not proposed):
+            if code[case] != status.NOT_CONVERGED or (attempt == 0 and not proposed):
                 continue
             if attempt > 0:
                 _start_safely(p, column, cosines, sines, u, x, attempt == 1)
@@ -103,10 +104,10 @@ def solve_cases(
             code[case], residual[case], unsupported[case] = judge(
                 p, column, moving, balls, cosines, sines, u, cage[case], x, ring, errors
             )
-        if code[case] == accept.NOT_CONVERGED and escaping >= 0:
+        if code[case] == status.NOT_CONVERGED and escaping >= 0:
             code[case] = fate
-            unsupported[case] = escaping if fate == accept.NO_EQUILIBRIUM else -1
-        if code[case] == accept.NOT_CONVERGED:
+            unsupported[case] = escaping if fate == status.NO_EQUILIBRIUM else -1
+        if code[case] == status.NOT_CONVERGED:
             heavy = np.empty((p.shape[0], 1))
             put_factors(p, column, heaviest_factor(p, column, cosines.size), 0.0, heavy)
             _start_safely(heavy, 0, cosines, sines, u, x, True)
@@ -115,7 +116,7 @@ def solve_cases(
                 p, column, moving, balls, cosines, sines, u, x, ring, errors
             )
             iterations[case] += steps
-        if code[case] == accept.OVER_SHOULDER:
+        if code[case] == status.OVER_SHOULDER:
             on_groove[:] = balls
             ring.work[0] = 0.2 * most_work
             code[case], residual[case], unsupported[case], steps, cage[case] = solve_off_groove(

@@ -9,9 +9,10 @@ from typing import Any, Final, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from rolamento import status
 from rolamento.contact.hertz import HertzContact
 from rolamento.geometry import Race
-from rolamento.rows.ball import accept, layout
+from rolamento.rows.ball import layout
 from rolamento.rows.ball.detail import BallTable, ball_table, groove_centres, hertz
 from rolamento.rows.ball.problem import Floats
 from rolamento.rows.ball.rolling import Rolling
@@ -19,13 +20,13 @@ from rolamento.rows.ball.rolling import Rolling
 T = TypeVar("T")
 
 STATUS_NAMES: Final = {
-    accept.CONVERGED: "converged",
-    accept.NO_EQUILIBRIUM: "no_equilibrium",
-    accept.NOT_CONVERGED: "not_converged",
-    accept.OVERLOADED: "overloaded",
-    accept.INVALID_INPUT: "invalid_input",
-    accept.UNHELD_BALL: "unheld_ball",
-    accept.OVER_SHOULDER: "over_shoulder",
+    status.CONVERGED: "converged",
+    status.NO_EQUILIBRIUM: "no_equilibrium",
+    status.NOT_CONVERGED: "not_converged",
+    status.OVERLOADED: "overloaded",
+    status.INVALID_INPUT: "invalid_input",
+    status.UNHELD_BALL: "unheld_ball",
+    status.OVER_SHOULDER: "over_shoulder",
 }
 
 
@@ -115,7 +116,7 @@ class BatchState:
     @property
     def converged(self) -> NDArray[np.bool_]:
         """(cases,): whether there is a result."""
-        converged: NDArray[np.bool_] = self.code == accept.CONVERGED
+        converged: NDArray[np.bool_] = self.code == status.CONVERGED
         return converged
 
     @property

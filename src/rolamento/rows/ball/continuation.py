@@ -14,6 +14,7 @@ from typing import Final
 
 import numpy as np
 
+from rolamento import status
 from rolamento.numerics.compiled import inline_exact, shared
 from rolamento.rows.ball import accept, layout
 from rolamento.rows.ball.accept import inertia_of, judge
@@ -74,7 +75,7 @@ def _follow(
     cage = first * p[layout.NOMINAL_ORBIT, case] if moving else 0.0
     good_u, good_x, good_cage = u.copy(), x.copy(), cage
     before_u, before = u.copy(), 0.0
-    code, residual, unsupported = accept.NOT_CONVERGED, np.nan, -1
+    code, residual, unsupported = status.NOT_CONVERGED, np.nan, -1
     for _ in range(MOST_STEPS):
         put_factors(p, case, 1.0 if moving else factor, factor if moving else 1.0, part)
         _, more, escaping, cage = solve_robust(
@@ -84,11 +85,11 @@ def _follow(
         code, residual, unsupported = judge(
             part, 0, moving, control, cosines, sines, u, cage, x, ring, errors
         )
-        if code == accept.NOT_CONVERGED and escaping >= 0 and not moving:
+        if code == status.NOT_CONVERGED and escaping >= 0 and not moving:
             code = escaped(part, 0, cosines.size, ring)
-            lost = escaping if code == accept.NO_EQUILIBRIUM else -1
+            lost = escaping if code == status.NO_EQUILIBRIUM else -1
             return code, residual, lost, steps, cage
-        if code != accept.NOT_CONVERGED:
+        if code != status.NOT_CONVERGED:
             if factor == 1.0:
                 break
             before_u[:], before = good_u, done
@@ -101,12 +102,12 @@ def _follow(
         u[:], x[:] = good_u, good_x
         factor = min(done * ratio, 1.0) if first < 1.0 else max(done / ratio, 1.0)
         cage = good_cage * factor / done if moving else 0.0
-        if before > 0.0 and code != accept.NOT_CONVERGED:  # on along the way it came
+        if before > 0.0 and code != status.NOT_CONVERGED:  # on along the way it came
             ahead = log(factor / done) / log(done / before)
             for i in range(layout.DEGREES_OF_FREEDOM):
                 u[i] += ahead * (good_u[i] - before_u[i])
-    if factor != 1.0 and code != accept.NOT_CONVERGED:
-        code, unsupported = accept.NOT_CONVERGED, -1
+    if factor != 1.0 and code != status.NOT_CONVERGED:
+        code, unsupported = status.NOT_CONVERGED, -1
     return code, residual, unsupported, steps, cage
 
 
@@ -140,7 +141,7 @@ def solve_by_steps(
         ring,
         errors,
     )
-    done = code in (accept.CONVERGED, accept.OVER_SHOULDER, accept.NEEDS_INERTIA)
+    done = code in (status.CONVERGED, status.OVER_SHOULDER, accept.NEEDS_INERTIA)
     if not moving or not done:
         return code, residual, unsupported, steps, cage
     heaviest = 0.0
@@ -148,7 +149,7 @@ def solve_by_steps(
         heaviest = max(heaviest, errors[j, 1])
     first = min(sqrt(FIRST * heaviest / inertia_of(p, case)), 1.0)
     if not first > 0.0:
-        return accept.NOT_CONVERGED, residual, -1, steps, cage
+        return status.NOT_CONVERGED, residual, -1, steps, cage
     code, residual, unsupported, more, cage = _follow(
         p, case, True, first, control, cosines, sines, u, x, ring, errors
     )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,11 +29,16 @@ Floats = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True)
 class ContactTable:
-    """One race's contacts: load (N), contact_angle (rad), deflection (m); (cases, balls)."""
+    """One race's contacts: load (N), contact_angle (rad), deflection (m); (cases, balls).
+
+    approach (m) is the deflection, or a gap below zero; past the edge of the groove it is into the
+    groove's flank, were that higher.
+    """
 
     load: Floats
     contact_angle: Floats
     deflection: Floats
+    approach: Any = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -127,13 +132,14 @@ def _contacts(y1: Floats, y2: Floats, column: Floats, race: Race, lift: Floats) 
     up = np.maximum(y2, 0.0)
     distance = np.sqrt(y1 * y1 + up * up + TINY)
     cosine = up / distance
-    approach = np.maximum(distance - (column[length] - lift), 0.0)
-    approach = np.where(cosine > 0.0, approach, 0.0 * approach)
+    approach = distance - (column[length] - lift)
+    pressed = np.maximum(approach, 0.0)
+    pressed = np.where(cosine > 0.0, pressed, 0.0 * pressed)
     value = _polynomial(column, stiffness, layout.COEFFICIENTS, cosine)
     if len(column) > layout.COLUMN:
         long = _polynomial(column, layout.long_polynomial(stiffness), layout.MOST_TERMS, cosine)
         value = np.where(column[layout.TERMS] > layout.COEFFICIENTS, long, value)
-    return ContactTable(value * approach * np.sqrt(approach), np.arctan2(y1, up), approach)
+    return ContactTable(value * pressed * np.sqrt(pressed), np.arctan2(y1, up), pressed, approach)
 
 
 _ROWS: Final[dict[Race, tuple[int, int]]] = {

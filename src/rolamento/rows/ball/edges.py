@@ -11,8 +11,9 @@ from __future__ import annotations
 
 from typing import Final
 
+from rolamento import status
 from rolamento.numerics.compiled import shared
-from rolamento.rows.ball import accept, layout
+from rolamento.rows.ball import layout
 from rolamento.rows.ball.accept import judge
 from rolamento.rows.ball.robust import solve_robust
 from rolamento.rows.ball.single import OFF_GROOVE, Ring, direction, groove
@@ -62,7 +63,7 @@ def solve_off_groove(
     cage's speed); over_shoulder where no set of balls on the groove holds by itself.
     """
     steps = 0
-    code, residual, unsupported = accept.OVER_SHOULDER, 0.0, -1
+    code, residual, unsupported = status.OVER_SHOULDER, 0.0, -1
     for _ in range(TRIALS):
         if _regroup(p, case, control, cosines, sines, u, x) == 0:
             return code, residual, unsupported, steps, cage
@@ -71,6 +72,6 @@ def solve_off_groove(
         code, residual, unsupported = judge(
             p, case, moving, control, cosines, sines, u, cage, x, ring, errors
         )
-        if code != accept.CONVERGED and code != accept.OVER_SHOULDER:
+        if code != status.CONVERGED and code != status.OVER_SHOULDER:
             break
-    return accept.OVER_SHOULDER, residual, -1, steps, cage
+    return status.OVER_SHOULDER, residual, -1, steps, cage

@@ -7,8 +7,8 @@ from typing import Final, Protocol, Self, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from rolamento import status
 from rolamento.kinematics import RacewayControl
-from rolamento.rows.ball import accept
 from rolamento.rows.ball.problem import Floats
 
 PASSES: Final = 20
@@ -63,7 +63,7 @@ def solve_by_jones(system: System[S]) -> tuple[S, Floats, NDArray[np.int64]]:
         verdict = system.verdict(solution, control)
         decided = (verdict != RacewayControl.INDETERMINATE) & (flips < FLIPS)
         wanted = np.where(decided, verdict, control)
-        wanted[solution.code != accept.CONVERGED] = control[solution.code != accept.CONVERGED]
+        wanted[solution.code != status.CONVERGED] = control[solution.code != status.CONVERGED]
         flips += wanted != control
         wanted[flips >= FLIPS] = 1.0
         changed = np.flatnonzero((wanted != control).any(axis=1))

@@ -14,12 +14,12 @@ import numpy as np
 
 from rolamento.case.duty import AXES
 from rolamento.catalogue import built_in_geometry
-from rolamento.geometry import Race
+from rolamento.geometry import Race, edge_cosine
 from rolamento.kinematics import RacewayControl, friction_demand
 from rolamento.rows.ball import layout
 from rolamento.rows.ball.batch_state import BatchState
 from rolamento.rows.ball.detail import criterion
-from rolamento.rows.ball.problem import edge_cosine, ring_arms
+from rolamento.rows.ball.problem import ring_arms
 from rolamento.rows.ball.rolling_notes import notes_on_rolling
 from rolamento.rows.ball.wording import azimuths as _azimuths
 from rolamento.rows.ball.wording import count as _count

@@ -13,7 +13,7 @@ from rolamento.case import Case
 from rolamento.case.bearing import Bearing
 from rolamento.case.model import Model
 from rolamento.contact.hertz import effective_modulus
-from rolamento.geometry import Race, groove_places
+from rolamento.geometry import edge_cosine, groove_places
 from rolamento.kinematics import ball_mass, nominal_orbit
 from rolamento.rows.ball import layout
 from rolamento.static import race_stiffness
@@ -139,17 +139,6 @@ def bearing_columns(bearing: Any, shape: tuple[int, ...]) -> Floats:
     for count in np.unique(terms[terms > layout.COEFFICIENTS]).tolist():
         _put_polynomials(p, bearing, int(count), where=p[layout.TERMS] == count)
     return p
-
-
-def edge_cosine(bearing: Any, race: Race) -> Floats:
-    """Cosine of the angle at which a groove ends: that of its shoulder, or 0.
-
-    cos α = 1 - h / (f D) of a shoulder of height h. A groove without a given height is taken as
-    a half circle, so that a contact may lie anywhere below 90°.
-    """
-    radius = getattr(bearing, f"{race}_conformity") * bearing.ball_diameter
-    height = getattr(bearing, f"{race}_shoulder_height")
-    return np.asarray(0.0 if height is None else np.clip(1.0 - height / radius, 0.0, 1.0))
 
 
 def _terms(ratio: Any) -> Floats:

@@ -10,6 +10,7 @@ from typing import Any, Final, Self
 import numpy as np
 from numpy.typing import NDArray
 
+from rolamento import status
 from rolamento.numerics.threads import thread_count
 from rolamento.rows.ball import accept, layout
 from rolamento.rows.ball.batch import solve_cases
@@ -56,7 +57,7 @@ class Solution:
                 (cases, layout.DEGREES_OF_FREEDOM, layout.DEGREES_OF_FREEDOM), np.nan
             ),
             residual=np.full(cases, np.nan),
-            code=np.full(cases, accept.INVALID_INPUT),
+            code=np.full(cases, status.INVALID_INPUT),
             unsupported=np.full(cases, -1),
             iterations=np.zeros(cases, np.int64),
             safe=np.zeros(cases, np.bool_),
@@ -91,7 +92,7 @@ def solve_columns(
     moving = has_inertia(p)
     _solve_some(np.flatnonzero(finite & ~moving), p, control, balls, False, threads, fast, solution)
     # what is left out of those is part of their residual: some have to be solved with it
-    again = np.isin(solution.code, (accept.NEEDS_INERTIA, accept.NOT_CONVERGED))
+    again = np.isin(solution.code, (accept.NEEDS_INERTIA, status.NOT_CONVERGED))
     moving |= again & turns(p)
     _solve_some(np.flatnonzero(finite & moving), p, control, balls, True, threads, fast, solution)
     return solution
@@ -181,7 +182,7 @@ def _interpret(*arguments: Any) -> bool:
     except (ZeroDivisionError, OverflowError, ValueError):
         return False
     codes = arguments[-1][6]
-    return not (codes == accept.NOT_CONVERGED).any()
+    return not (codes == status.NOT_CONVERGED).any()
 
 
 def ball_azimuths(p: Floats, balls: int) -> Floats:

@@ -22,8 +22,9 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from rolamento import status
 from rolamento.numerics.newton import Balance, balance
-from rolamento.rows.ball import accept, layout
+from rolamento.rows.ball import layout
 from rolamento.rows.ball.columns import Columns, RowColumns
 from rolamento.rows.ball.problem import Floats, ring_arms
 from rolamento.rows.ball.run import Solution, row_verdict, solve_columns
@@ -32,7 +33,7 @@ UNKNOWNS: Final = 6
 SLIDE: Final = 5  # of the spring-loaded outer rings
 PRECISION: Final = 1e-10
 USABLE: Final = (
-    accept.CONVERGED, accept.OVERLOADED, accept.UNHELD_BALL, accept.OVER_SHOULDER,
+    status.CONVERGED, status.OVERLOADED, status.UNHELD_BALL, status.OVER_SHOULDER,
 )  # fmt: skip
 """Verdicts on a row that come with its forces; so does no_equilibrium while it touches."""
 
@@ -186,7 +187,7 @@ class _Problem:
             view.force[:] += np.einsum("nij,ni->nj", t, solution.reaction)
             view.stiffness[:] += np.einsum("nki,nkl,nlj->nij", t, solution.stiffness, t)
             np.maximum(view.scale, np.abs(solution.reaction).max(axis=1), out=view.scale)
-            usable = np.isin(solution.code, USABLE) | (solution.code == accept.NO_EQUILIBRIUM)
+            usable = np.isin(solution.code, USABLE) | (solution.code == status.NO_EQUILIBRIUM)
             view.sound[:] &= usable
         return view
 
@@ -206,7 +207,7 @@ class _Problem:
             reaction=np.full((n, UNKNOWNS), np.nan),
             stiffness=np.full((n, UNKNOWNS, UNKNOWNS), np.nan),
             residual=np.full(n, np.nan),
-            code=np.full(n, accept.INVALID_INPUT),
+            code=np.full(n, status.INVALID_INPUT),
             unsupported=np.full(n, -1),
             iterations=np.zeros(n, np.int64),
             safe=np.zeros(n, np.bool_),
@@ -265,19 +266,19 @@ def transform(row: RowColumns, first: RowColumns, sprung: bool) -> Floats:
 
 def _judged(found: Balance, view: _View) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     """The verdict on each case: the ring's own, or the gravest of its rows'."""
-    code = np.full(len(found.settled), accept.CONVERGED)
+    code = np.full(len(found.settled), status.CONVERGED)
     unsupported = np.full(len(code), -1)
     for verdict in (
-        accept.OVERLOADED, accept.UNHELD_BALL, accept.OVER_SHOULDER, accept.NO_EQUILIBRIUM,
-        accept.NOT_CONVERGED,
+        status.OVERLOADED, status.UNHELD_BALL, status.OVER_SHOULDER, status.NO_EQUILIBRIUM,
+        status.NOT_CONVERGED,
     ):  # fmt: skip
         hit = np.any([row.code == verdict for row in view.rows], axis=0)
         code[hit] = verdict
-        unsupported[hit & (verdict == accept.NO_EQUILIBRIUM)] = 0
-    near = found.residual <= accept.TOLERANCE
-    code[~(found.settled | near)] = accept.NOT_CONVERGED
+        unsupported[hit & (verdict == status.NO_EQUILIBRIUM)] = 0
+    near = found.residual <= status.TOLERANCE
+    code[~(found.settled | near)] = status.NOT_CONVERGED
     escaped = ~found.settled & (found.escaping >= 0)
-    code[escaped] = accept.NO_EQUILIBRIUM
+    code[escaped] = status.NO_EQUILIBRIUM
     unsupported[escaped] = np.where(found.escaping[escaped] == SLIDE, 0, found.escaping[escaped])
     return code, unsupported
 
@@ -321,5 +322,5 @@ def _approach(row: RowColumns, force: Floats, threads: int | None) -> Floats:
     p[layout.IMPOSED : layout.IMPOSED + 5] = 0.0
     p[layout.FREE], p[layout.APPLIED] = 1.0, force
     solution = solve_columns(p, np.ones((1, row.balls)), row.balls, threads=threads)
-    settled = solution.code == accept.CONVERGED
+    settled = solution.code == status.CONVERGED
     return np.where(settled, solution.displacement[:, 0], np.nan)

@@ -14,9 +14,10 @@ from typing import Final, Protocol
 
 import numpy as np
 
+from rolamento import status
 from rolamento.contact.hertz import elliptical_contact
 from rolamento.geometry import Race, race_curvature
-from rolamento.rows.ball import accept, layout
+from rolamento.rows.ball import layout
 from rolamento.rows.ball.detail import BallTable, ball_table
 from rolamento.rows.ball.problem import Floats, directions
 from rolamento.rows.ball.rolling import Rolling
@@ -84,7 +85,7 @@ def solve_rolling(
     if not system.solve_with_friction.is_cached:
         _log.warning("compiling the friction solver for this machine, once: %s", _PATIENCE)
     turning = p[layout.INNER_SPEED] != p[layout.OUTER_SPEED]
-    wanted = np.flatnonzero((start.code == accept.CONVERGED) & turning).tolist()
+    wanted = np.flatnonzero((start.code == status.CONVERGED) & turning).tolist()
     workers = min(threads or os.cpu_count() or 1, max(len(wanted), 1))
     if workers == 1:
         for case in wanted:
@@ -167,7 +168,7 @@ def _solve_case(problem: _Problem, case: int, solution: Solution, rolling: Rolli
     )
     solution.iterations[case] += steps
     if code != system.CONVERGED:
-        solution.code[case] = accept.NOT_CONVERGED
+        solution.code[case] = status.NOT_CONVERGED
         return
     touched = np.asarray(forces[:, :2].sum(axis=1) > 0.0)
     rolling.cage_speed[case] = place.u[balance.CAGE]
@@ -189,7 +190,7 @@ def _check_power(p: Floats, drag: Floats, solution: Solution, rolling: Rolling) 
         rolling.imbalance[:] = np.abs(work - lost) / lost
     failed = np.isfinite(rolling.cage_speed)
     failed &= ~(rolling.imbalance <= MOST_IMBALANCE)
-    solution.code[failed] = accept.NOT_CONVERGED
+    solution.code[failed] = status.NOT_CONVERGED
     rolling.forget(failed)
 
 

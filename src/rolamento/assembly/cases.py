@@ -1,0 +1,262 @@
+"""Many cases of one bearing: its rows, and what is asked of their common ring."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from types import SimpleNamespace
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from rolamento.case import Case
+from rolamento.case.bearing import Bearing, RowPlace
+from rolamento.case.duty import AXES, LOADS
+from rolamento.clearance.batch import MOUNTED_FIELDS
+from rolamento.errors import InputError
+from rolamento.numerics import BoolArray, FloatArray
+from rolamento.rows.ball.columns import batch_arrays, bounded
+from rolamento.rows.ball.fields import GEOMETRY, PRELOADS, consistent
+from rolamento.rows.ball.row import BallRow, Traction, ball_row
+from rolamento.rows.row import Row
+
+__all__ = ["Cases", "PlacedRow", "spread"]
+
+ROWS: Final = {"ball": ball_row}
+"""How a row is made, by its kind of element."""
+
+_GEOMETRY_RIVALS: Final = {
+    "contact_angle": "diametral_clearance",
+    "diametral_clearance": "contact_angle",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class PlacedRow:
+    """A row, the way it faces (+1 or -1), and where it is along x; (cases,), m."""
+
+    row: Row
+    sign: float
+    position: FloatArray
+
+
+@dataclass(frozen=True, slots=True)
+class Cases:
+    """Many cases of one bearing.
+
+    Attributes
+    ----------
+    case
+        what they have in common
+    varied
+        what varies from it, by the dotted names; (cases,)
+    rows
+        of rolling elements, from -x to +x
+    free
+        whether the load is given on a degree of freedom, else the displacement; (cases, 5)
+    load, displacement
+        what is given; (cases, 5), SI
+    preload
+        how the rows press on each other: "force", "offset", "spring", "pair" for the force in a
+        pair of such bearings, or ""
+    preload_value
+        how much; (cases,), SI
+    valid
+        which cases the records would take; (cases,)
+    traction
+        what friction control takes
+    """
+
+    case: Case
+    varied: Mapping[str, FloatArray]
+    rows: tuple[PlacedRow, ...]
+    free: BoolArray
+    load: FloatArray
+    displacement: FloatArray
+    preload: str
+    preload_value: FloatArray
+    valid: BoolArray
+    traction: Traction
+
+    def __len__(self) -> int:
+        """Count the cases."""
+        return len(self.free)
+
+    @property
+    def alone(self) -> BallRow | None:
+        """The row of a plain ball bearing, whose ring is the bearing's; None of any other."""
+        placed = self.rows[0]
+        plain = len(self.rows) == 1 and placed.sign > 0.0 and not np.any(placed.position != 0.0)
+        return placed.row if plain and isinstance(placed.row, BallRow) else None
+
+
+def spread(
+    case: Case,
+    values: Mapping[str, ArrayLike] | None = None,
+    *,
+    threads: int | None = None,
+    fast: bool = True,
+) -> Cases:
+    """Repeat a case over a batch, and put the fields in; threads, fast: how to solve them.
+
+    values: scalars or arrays of one length, by the dotted names of fields that may vary or the
+    short names of the duty, SI units. A load frees its degree of freedom, a displacement holds
+    it; an angle takes the place of a clearance, and the other way round. Cases whose values the
+    records would refuse are not `valid`.
+
+    Raises
+    ------
+    InputError
+        For an unknown field, lengths that differ, two fields that exclude each other, or a case
+        that still has a mounting.
+    """
+    if case.mounting is not None:
+        raise InputError(
+            "is for rolamento.solve, which finds the clearance first",
+            field="mounting",
+            example="rolamento.solve(case)",
+        )
+    given = batch_arrays(values or {})
+    for name in MOUNTED_FIELDS:
+        if name in given:
+            raise InputError(
+                "acts by way of the [mounting], and this case has none",
+                field=name,
+                example='[mounting] with bore = "25 mm" and outside_diameter = "62 mm"',
+            )
+    cases = max((array.size for array in given.values() if array.ndim), default=1)
+    if any(array.ndim and array.size == 0 for array in given.values()):
+        cases = 0
+    arrays = bounded(given)
+    valid = np.ones(cases, np.bool_)
+    for array in arrays.values():
+        valid &= ~np.isnan(array)
+    free, load, displacement = _duty(case, arrays, cases)
+    kind, amount = _preload(case.bearing, arrays, cases)
+    held = {axis: displacement[:, i] for i, axis in enumerate(AXES)}
+    # what the rows have in common has to be sound by itself, as the case has it
+    common = _varied(case.bearing, case.bearing, set(), arrays)
+    valid &= consistent(common, held, case.bearing.ball_count)
+    placed = []
+    for place in case.bearing.places:
+        bearing = _varied(case.bearing, place.bearing, _own_fields(case.bearing, place), arrays)
+        valid &= consistent(bearing, {}, place.bearing.ball_count)
+        row = ROWS["ball"](case, place, bearing, arrays, cases, threads=threads, fast=fast)
+        placed.append(PlacedRow(row, place.sign, _position(case.bearing, place, arrays, cases)))
+    for part in placed:
+        part.row.refuse(~valid)
+    friction, drag = _friction(case, arrays)
+    return Cases(
+        case=case,
+        varied={name: np.broadcast_to(array, (cases,)) for name, array in given.items()},
+        rows=tuple(placed),
+        free=free,
+        load=load,
+        displacement=displacement,
+        preload=kind,
+        preload_value=amount,
+        valid=valid,
+        traction=Traction(np.full(cases, friction), np.full(cases, drag), case.model.mesh),
+    )
+
+
+def _duty(
+    case: Case, arrays: Mapping[str, FloatArray], cases: int
+) -> tuple[BoolArray, FloatArray, FloatArray]:
+    """Which degrees of freedom are free, the loads and the displacements; (cases, 5) each."""
+    duty = case.duty
+    free = np.repeat(np.array(duty.free)[np.newaxis], cases, axis=0)
+    load = np.repeat(np.array(duty.applied_load)[np.newaxis], cases, axis=0)
+    displacement = np.repeat(np.array(duty.imposed_displacement)[np.newaxis], cases, axis=0)
+    for i, (axis, name) in enumerate(zip(AXES, LOADS, strict=True)):
+        if (given := arrays.get(f"duty.load.{name}")) is not None:
+            free[:, i], load[:, i], displacement[:, i] = True, given, 0.0
+        if (given := arrays.get(f"duty.displacement.{axis}")) is not None:
+            free[:, i], load[:, i], displacement[:, i] = False, 0.0, given
+    return free, load, displacement
+
+
+def _friction(case: Case, arrays: Mapping[str, FloatArray]) -> tuple[FloatArray, FloatArray]:
+    """Coefficient of friction and drag of the cage; 0 where none is given."""
+    name = "lubricant.friction_coefficient"
+    if name in arrays and case.lubricant is None:
+        raise InputError(
+            "belongs to a lubricant, and this case has none",
+            field=name,
+            example='lubricant = "ISO VG 68"',
+        )
+    own = 0.0 if case.lubricant is None else case.lubricant.friction_coefficient or 0.0
+    drag = arrays.get("model.cage_drag", np.asarray(case.model.cage_drag))
+    return arrays.get(name, np.asarray(own)), drag
+
+
+def _preload(
+    bearing: Bearing, arrays: Mapping[str, FloatArray], cases: int
+) -> tuple[str, FloatArray]:
+    """How the rows press on each other, and how much; (cases,)."""
+    signs = {place.sign for place in bearing.places}
+    for name in PRELOADS:
+        given = arrays.get(f"bearing.preload.{name}")
+        if given is None:
+            continue
+        if len(signs) < 2:
+            raise InputError(
+                "needs rows that face each other",
+                field=f"bearing.preload.{name}",
+                example='arrangement = "DB"',
+            )
+        return name, np.broadcast_to(given, cases).astype(np.float64)
+    if bearing.preload is None:
+        return "", np.zeros(cases)
+    pair_force = bearing.preload.pair_force(bearing.contact_angle)
+    if pair_force is not None:
+        return "pair", np.full(cases, pair_force)
+    kind = next(name for name in PRELOADS if getattr(bearing.preload, name) is not None)
+    return kind, np.full(cases, getattr(bearing.preload, kind))
+
+
+def _varied(bearing: Bearing, row: Bearing, own: set[str], arrays: Mapping[str, FloatArray]) -> Any:
+    """A row's bearing with the arrays for its attributes; what the row has of its own stays."""
+    given = {name: arrays[f"bearing.{name}"] for name in GEOMETRY if f"bearing.{name}" in arrays}
+    given = {name: array for name, array in given.items() if name not in own}
+    for name in list(given):
+        if name in _GEOMETRY_RIVALS:
+            given.setdefault(_GEOMETRY_RIVALS[name], None)  # type: ignore[arg-type]
+    rings = _material(row.ring_material, "ring_material", arrays)
+    follows = "ball_material" not in bearing.model_fields_set
+    balls = _material(rings if follows else row.ball_material, "ball_material", arrays)
+    names = (*GEOMETRY, "inner_shoulder_height", "outer_shoulder_height")
+    attributes = {name: getattr(row, name) for name in names}
+    return SimpleNamespace(**{**attributes, **given}, ring_material=rings, ball_material=balls)
+
+
+def _own_fields(bearing: Bearing, place: RowPlace) -> set[str]:
+    """What the row does not take from the set; an own angle excludes the set's clearance too."""
+    if bearing.rows is None:
+        return set()
+    own = set(bearing.rows[bearing.places.index(place)].own)
+    return own | {"diametral_clearance"} if "contact_angle" in own else own
+
+
+def _material(material: Any, part: str, arrays: Mapping[str, FloatArray]) -> Any:
+    names = ("youngs_modulus", "poisson_ratio", "density")
+    return SimpleNamespace(
+        **{name: arrays.get(f"bearing.{part}.{name}", getattr(material, name)) for name in names}
+    )
+
+
+def _position(
+    bearing: Bearing, place: RowPlace, arrays: Mapping[str, FloatArray], cases: int
+) -> FloatArray:
+    """Where a row is along x; (cases,), m."""
+    position = np.full(cases, place.position)
+    if "bearing.spacing" not in arrays:
+        return position
+    if bearing.spacing is None:
+        raise InputError(
+            "belongs to an arrangement, and this bearing has none",
+            field="bearing.spacing",
+            example='arrangement = "DB"',
+        )
+    return place.position / bearing.spacing * arrays["bearing.spacing"] + 0.0 * position

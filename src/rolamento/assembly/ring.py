@@ -1,0 +1,318 @@
+"""Rows on one rigid inner ring, or on rings clamped on one shaft.
+
+Every row is held where the ring holds it; the ring is in balance when what the rows answer adds up
+to the load. A row that faces -x is the mirror image of one that faces +x. With the ring's
+displacement u = (x, y, z, ry, rz), taken at the bearing's origin, the row at axial position a,
+facing σ = ±1, has in its own frame
+
+    x_r = σ x + e,   y_r = y + a rz,   z_r = z - a ry,   ry_r = σ ry,   rz_r = σ rz
+
+where e is how far the clamped rings press it in. Springs add a sixth unknown: how far they have
+pushed the outer rings of the rows that face -x. This is v = T u + e, the ring's force is the sum of
+T' f, and its stiffness the sum of T' k T. Tilts times the first row's arm make one unit of all.
+
+Rigid-body kinematics; Harris, Rolling Bearing Analysis, 3rd ed. (1991), chapters 8 and 9.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from rolamento.assembly.cases import Cases, PlacedRow
+from rolamento.numerics import BoolArray, FloatArray
+from rolamento.numerics.newton import Balance, balance
+from rolamento.rows.row import Held, Indices, IntArray
+from rolamento.status import (
+    CONVERGED,
+    INVALID_INPUT,
+    NO_EQUILIBRIUM,
+    NOT_CONVERGED,
+    OVER_SHOULDER,
+    OVERLOADED,
+    TOLERANCE,
+    UNHELD_BALL,
+)
+
+UNKNOWNS: Final = 6
+SLIDE: Final = 5  # of the spring-loaded outer rings
+PRECISION: Final = 1e-10
+ANSWERED: Final = (CONVERGED, OVERLOADED, UNHELD_BALL, OVER_SHOULDER, NO_EQUILIBRIUM)
+"""Verdicts on a row that come with its forces; no_equilibrium while it touches."""
+
+
+@dataclass(slots=True)
+class RingSolution:
+    """Where the ring came to rest, in SI; place, force (cases, 6), stiffness (cases, 6, 6).
+
+    The sixth is the springs' slide.
+    """
+
+    place: FloatArray
+    force: FloatArray
+    stiffness: FloatArray
+    residual: FloatArray
+    number: IntArray
+    unsupported: IntArray
+    iterations: IntArray
+    safe_path: BoolArray
+    rows: list[Held]
+
+    def put(self, cases: Indices, part: RingSolution) -> None:
+        """Copy the solution of some of the cases to their places."""
+        for name in ("place", "force", "stiffness", "residual", "number", "unsupported"):
+            getattr(self, name)[cases] = getattr(part, name)
+        self.iterations[cases], self.safe_path[cases] = part.iterations, part.safe_path
+        for whole, piece in zip(self.rows, part.rows, strict=True):
+            whole.put(cases, piece)
+
+
+@dataclass(frozen=True, slots=True)
+class _View:
+    """The rows seen from the ring, scaled: their forces and stiffness, summed."""
+
+    force: FloatArray
+    stiffness: FloatArray
+    scale: FloatArray
+    sound: BoolArray
+    rows: list[Held]
+
+
+@dataclass(frozen=True, slots=True)
+class RowsOnRing:
+    """Cases of several rows, as `guidance` asks for a system; press: how far each is pressed in."""
+
+    cases: Cases
+    press: tuple[FloatArray, ...]
+
+    @classmethod
+    def of(cls, cases: Cases) -> RowsOnRing:
+        """Clamp the rings."""
+        return cls(cases, pressed_in(cases))
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Cases and elements."""
+        return len(self.cases), sum(placed.row.element_count for placed in self.cases.rows)
+
+    def solve(self, control: FloatArray, which: Indices | None = None) -> RingSolution:
+        """Solve all cases, or some."""
+        chosen = np.arange(len(self.cases)) if which is None else which
+        control = np.broadcast_to(control, (len(chosen), self.shape[1]))
+        return _Problem.of(self, control, chosen).solve()
+
+    def verdict(self, solution: RingSolution, control: FloatArray) -> IntArray:
+        """What guides every element by its row's own criterion; (cases, elements)."""
+        parts = zip(self.cases.rows, solution.rows, self.split(control), strict=True)
+        return np.concatenate(
+            [placed.row.verdict(held, own) for placed, held, own in parts], axis=1
+        )
+
+    def split(self, control: FloatArray) -> list[FloatArray]:
+        """The columns of an array over all elements, row by row."""
+        ends = np.cumsum([placed.row.element_count for placed in self.cases.rows])[:-1]
+        return list(np.split(control, ends, axis=1))
+
+
+@dataclass(frozen=True, slots=True)
+class _Problem:
+    """Some cases as the equations of a ring, and where to begin.
+
+    By row: control (cases, elements), transforms (cases, 5, 6), press (cases,). Of the ring: arms
+    (cases, 6), and scaled: free, target (what is asked of a free unknown) and start (where a held
+    one is), (cases, 6).
+    """
+
+    system: RowsOnRing
+    chosen: Indices
+    control: list[FloatArray]
+    transforms: list[FloatArray]
+    press: list[FloatArray]
+    arms: FloatArray
+    free: BoolArray
+    target: FloatArray
+    start: FloatArray
+
+    @classmethod
+    def of(cls, system: RowsOnRing, control: FloatArray, chosen: Indices) -> _Problem:
+        """Set up the chosen cases."""
+        cases = system.cases
+        sprung = cases.preload == "spring"
+        arms = np.ones((len(chosen), UNKNOWNS))
+        arms[:, 3:5] = cases.rows[0].row.sizes.arm[chosen, np.newaxis]
+        press = [press[chosen] for press in system.press]
+        free = np.zeros((len(chosen), UNKNOWNS), np.bool_)
+        target, held = np.zeros(free.shape), np.zeros(free.shape)
+        free[:, :5] = cases.free[chosen]
+        free[:, SLIDE] = sprung
+        target[:, :5] = cases.load[chosen]
+        target[:, SLIDE] = cases.preload_value[chosen] if sprung else 0.0
+        held[:, :5] = cases.displacement[chosen]
+        target, held = target / arms, held * arms
+        touching = np.max([np.abs(e) for e in press], axis=0) > 0.0
+        return cls(
+            system=system,
+            chosen=chosen,
+            control=system.split(control),
+            transforms=[transform(placed, sprung)[chosen] for placed in cases.rows],
+            press=press,
+            arms=arms,
+            free=free,
+            target=target,
+            start=held + _pushed(cases, chosen, free & ~touching[:, np.newaxis], target),
+        )
+
+    def solve(self) -> RingSolution:
+        rows = [placed.row for placed in self.system.cases.rows]
+        finite = self.system.cases.valid[self.chosen] & np.isfinite(self.target).all(axis=1)
+        finite &= np.isfinite(self.start).all(axis=1) & np.isfinite(np.sum(self.press, axis=0))
+        finite &= np.all([row.valid[self.chosen] for row in rows], axis=0)
+        which = np.flatnonzero(finite)
+        sizes = rows[0].sizes
+        of_ring = self.chosen[which]
+        found = balance(
+            lambda some, u: self._view(which[some], u),
+            self.start[which],
+            self.target[which],
+            self.free[which],
+            precision=PRECISION,
+            longest=0.3 * sizes.reach[of_ring],
+            limit=sizes.diameter[of_ring],
+            reference=1.5e-6 * sizes.stiffness[of_ring],
+        )
+        return self._solution(which, found)
+
+    def _view(self, which: Indices, u: FloatArray) -> _View:
+        """Hold every row where the ring holds it, and sum up what they answer."""
+        n = len(which)
+        force, stiffness = np.zeros((n, UNKNOWNS)), np.zeros((n, UNKNOWNS, UNKNOWNS))
+        scale, sound = np.zeros(n), np.ones(n, np.bool_)
+        answers: list[Held] = []
+        arms = self.arms[which]
+        parts = zip(self.system.cases.rows, self.transforms, self.press, self.control, strict=True)
+        for placed, transforms, press, control in parts:
+            t = transforms[which] / arms[:, np.newaxis, :]
+            place = np.einsum("nij,nj->ni", t, u)
+            place[:, 0] += press[which]
+            held = placed.row.held(place, self.chosen[which], control[which])
+            answers.append(held)
+            force += np.einsum("nij,ni->nj", t, held.force)
+            stiffness += np.einsum("nki,nkl,nlj->nij", t, held.stiffness, t)
+            np.maximum(scale, held.scale, out=scale)
+            sound &= np.isin(held.number, ANSWERED)
+        return _View(force, stiffness, scale, sound, answers)
+
+    def _solution(self, which: Indices, found: Balance) -> RingSolution:
+        """Evaluate the rows once more where the ring came to rest, and judge."""
+        n = len(self.chosen)
+        solution = RingSolution(
+            place=np.full((n, UNKNOWNS), np.nan),
+            force=np.full((n, UNKNOWNS), np.nan),
+            stiffness=np.full((n, UNKNOWNS, UNKNOWNS), np.nan),
+            residual=np.full(n, np.nan),
+            number=np.full(n, INVALID_INPUT),
+            unsupported=np.full(n, -1),
+            iterations=np.zeros(n, np.int64),
+            safe_path=np.zeros(n, np.bool_),
+            rows=[placed.row.nothing(n) for placed in self.system.cases.rows],
+        )
+        if not len(which):
+            return solution
+        view, arms = self._view(which, found.displacement), self.arms[which]
+        solution.place[which] = found.displacement / arms
+        solution.force[which] = view.force * arms
+        solution.stiffness[which] = view.stiffness * arms[:, :, np.newaxis] * arms[:, np.newaxis, :]
+        for whole, part in zip(solution.rows, view.rows, strict=True):
+            whole.put(which, part)
+        rest = np.max([held.residual for held in view.rows], axis=0)
+        solution.residual[which] = np.fmax(found.residual, rest)
+        solution.iterations[which] = found.steps
+        solution.safe_path[which] = np.any([held.safe_path for held in view.rows], axis=0)
+        solution.number[which], solution.unsupported[which] = _judged(found, view)
+        return solution
+
+
+def _pushed(cases: Cases, chosen: Indices, loose: BoolArray, target: FloatArray) -> FloatArray:
+    """Where to begin with what is loose: pushed in by the load, for rows that touch are stiff."""
+    sizes = [placed.row.sizes for placed in cases.rows]
+    counts = [placed.row.element_count for placed in cases.rows]
+    stiffness = np.sum(
+        [size.stiffness[chosen] * count for size, count in zip(sizes, counts, strict=True)], axis=0
+    )
+    begin = np.zeros(target.shape)
+    radial = np.hypot(target[:, 1], target[:, 2])
+    away = (4.5 * radial / stiffness) ** (2.0 / 3.0)
+    for i in (1, 2):
+        unit = np.divide(target[:, i], radial, where=radial > 0.0, out=np.zeros(len(chosen)))
+        begin[:, i] = np.where(loose[:, i], away * unit, 0.0)
+    axial, force = target[:, 0], target[:, SLIDE]
+    yielding = stiffness * np.maximum(sizes[0].sine[chosen], 0.2) ** 2.5
+    into = np.sign(axial) * (np.abs(axial) / yielding) ** (2.0 / 3.0)
+    if cases.preload == "spring":
+        begin[:, SLIDE] = 2.0 * (force / yielding) ** (2.0 / 3.0)
+        into += np.where(axial == 0.0, 0.5 * begin[:, SLIDE], 0.0)
+    begin[:, 0] = np.where(loose[:, 0], into, 0.0)
+    return begin
+
+
+def transform(placed: PlacedRow, sprung: bool) -> FloatArray:
+    """The matrices T that take the ring's displacement to a row's place; (cases, 5, 6)."""
+    t = np.zeros((len(placed.position), 5, UNKNOWNS))
+    t[:, 0, 0] = placed.sign
+    t[:, 0, SLIDE] = 1.0 if sprung and placed.sign < 0.0 else 0.0
+    t[:, 1, 1] = t[:, 2, 2] = 1.0
+    t[:, 1, 4] = placed.position
+    t[:, 2, 3] = -placed.position
+    t[:, 3, 3] = t[:, 4, 4] = placed.sign
+    return t
+
+
+def _judged(found: Balance, view: _View) -> tuple[IntArray, IntArray]:
+    """The verdict on each case: the ring's own, or the gravest of its rows'."""
+    number = np.full(len(found.settled), CONVERGED)
+    unsupported = np.full(len(number), -1)
+    for verdict in (OVERLOADED, UNHELD_BALL, OVER_SHOULDER, NO_EQUILIBRIUM, NOT_CONVERGED):
+        hit = np.any([held.number == verdict for held in view.rows], axis=0)
+        number[hit] = verdict
+        unsupported[hit & (verdict == NO_EQUILIBRIUM)] = 0
+    near = found.residual <= TOLERANCE
+    number[~(found.settled | near)] = NOT_CONVERGED
+    escaped = ~found.settled & (found.escaping >= 0)
+    number[escaped] = NO_EQUILIBRIUM
+    unsupported[escaped] = np.where(found.escaping[escaped] == SLIDE, 0, found.escaping[escaped])
+    return number, unsupported
+
+
+def pressed_in(cases: Cases) -> tuple[FloatArray, ...]:
+    """How far the clamped rings press each row in axially, e of the module; (cases,) each, m.
+
+    Rows count from first contact on their own side. A clamped force is shared equally by the
+    rows that face the same way, and acts at rest; the force of a pair is that of two such rows.
+    """
+    shares = {sign: sum(placed.sign == sign for placed in cases.rows) for sign in (1.0, -1.0)}
+    press = []
+    for placed in cases.rows:
+        touch = placed.row.first_contact()
+        if cases.preload == "offset":
+            press.append(touch + cases.preload_value)
+        elif cases.preload in ("force", "pair"):
+            force = cases.preload_value / (shares[placed.sign] if cases.preload == "force" else 1)
+            press.append(np.where(force > 0.0, placed.row.pressed_in(force), touch))
+        else:
+            press.append(touch if cases.preload == "spring" else np.zeros(len(cases)))
+    return tuple(press)
+
+
+def condensed(stiffness: FloatArray, sprung: bool) -> FloatArray:
+    """The ring's stiffness (cases, 5, 5), with the springs' slide following."""
+    ring = stiffness[:, :5, :5].copy()
+    if sprung:
+        slide = stiffness[:, SLIDE, SLIDE]
+        follow = np.divide(
+            stiffness[:, SLIDE, :5], slide[:, np.newaxis], where=slide[:, np.newaxis] > 0.0,
+            out=np.zeros((len(slide), 5)),
+        )  # fmt: skip
+        ring -= stiffness[:, :5, SLIDE, np.newaxis] * follow[:, np.newaxis, :]
+    return ring

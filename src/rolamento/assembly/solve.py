@@ -1,0 +1,198 @@
+"""From cases to the result: one plain row by its own fast path, rows on a ring around them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import reduce
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from rolamento.assembly.cases import Cases
+from rolamento.assembly.guidance import S, System, solve_by_jones
+from rolamento.assembly.ring import RowsOnRing, condensed, transform
+from rolamento.numerics import BoolArray, FloatArray
+from rolamento.rows.ball.row import BallRow, HeldBalls
+from rolamento.rows.row import Held, Indices, IntArray
+from rolamento.solved import (
+    Answer,
+    Index,
+    RingDisplacement,
+    RingLoad,
+    Rows,
+    Solved,
+    Status,
+    Stiffness,
+    Tables,
+)
+from rolamento.status import NOT_CONVERGED
+
+if TYPE_CHECKING:
+    from rolamento.rows.ball.traction.solve import Film
+
+
+@dataclass(frozen=True, slots=True)
+class Balanced:
+    """Cases in balance: the ring's place, force and stiffness in SI, and the rows held there.
+
+    control: what guided each element, of all rows; shown: what the result says of that.
+    """
+
+    status: Status
+    place: FloatArray
+    force: FloatArray
+    stiffness: FloatArray
+    rows: tuple[Held, ...]
+    control: FloatArray
+    shown: IntArray
+
+    def without(self, cases: BoolArray) -> Balanced:
+        """The same with cases that, after all, did not converge."""
+        number = np.where(cases & self.status.converged, NOT_CONVERGED, self.status.number)
+        return replace(self, status=replace(self.status, number=number))
+
+
+def solve_cases(cases: Cases) -> Solved:
+    """Solve cases whose balance has no lubricant film in it."""
+    return result(cases, balance(cases))
+
+
+def balance(cases: Cases, film: Film | None = None) -> Balanced:
+    """Find the equilibrium of every case.
+
+    film: what shears in the contacts under friction control, instead of Coulomb's friction.
+    """
+    row = cases.alone
+    if row is None:
+        return _on_ring(cases)
+    system = _Alone(row.asked(cases.free, cases.load, cases.displacement))
+    held, control, shown = _guided(system, cases.case.model.raceway_control)
+    if cases.case.model.raceway_control == "friction":
+        held = row.rolled(held, replace(cases.traction, film=film))
+    solution = held.solution
+    status = Status(
+        solution.code, solution.residual, solution.iterations, solution.safe, solution.unsupported
+    )
+    return Balanced(status, held.place, held.force, held.stiffness, (held,), control, shown)
+
+
+def _on_ring(cases: Cases) -> Balanced:
+    system = RowsOnRing.of(cases)
+    solution, control, shown = _guided(system, cases.case.model.raceway_control)
+    status = Status(
+        solution.number, solution.residual, solution.iterations, solution.safe_path,
+        solution.unsupported,
+    )  # fmt: skip
+    stiffness = condensed(solution.stiffness, cases.preload == "spring")
+    place, force = solution.place[:, :5], solution.force[:, :5]
+    return Balanced(status, place, force, stiffness, tuple(solution.rows), control, shown)
+
+
+@dataclass(frozen=True, slots=True)
+class _Alone:
+    """Cases of a bearing that is one row of balls, as `guidance` asks for a system."""
+
+    row: BallRow
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Cases and balls."""
+        return self.row.cases, self.row.element_count
+
+    def solve(self, control: FloatArray, which: Indices | None = None) -> HeldBalls:
+        """Solve all cases, or some."""
+        return self.row.alone(control, which)
+
+    def verdict(self, solution: HeldBalls, control: FloatArray) -> IntArray:
+        """Jones's criterion for every ball; (cases, balls)."""
+        return self.row.verdict(solution, control)
+
+
+def _guided(system: System[S], mode: str) -> tuple[S, FloatArray, IntArray]:
+    """Solve under the raceway control asked for: solution, control used, verdict to show."""
+    if mode == "jones":
+        return solve_by_jones(system)
+    control = np.full((1, system.shape[1]), -1.0 if mode == "inner" else 1.0)
+    solution = system.solve(control)
+    everywhere = np.broadcast_to(control, system.shape)
+    return solution, everywhere, everywhere.astype(np.int64)
+
+
+def result(cases: Cases, balanced: Balanced) -> Solved:
+    """Put the result together; a case without one carries NaN."""
+    lost = ~balanced.status.converged
+    counts = [placed.row.element_count for placed in cases.rows]
+    ends = np.cumsum(counts)[:-1]
+    parts = zip(
+        cases.rows, balanced.rows, np.split(balanced.control, ends, axis=1),
+        np.split(balanced.shown, ends, axis=1), strict=True,
+    )  # fmt: skip
+    answers = tuple(
+        placed.row.answer(held, control, shown, lost) for placed, held, control, shown in parts
+    )
+    geometry = [placed.row.geometry for placed in cases.rows]
+    displacement = _forgotten(balanced.place, lost)
+    load = _forgotten(np.where(cases.free, cases.load, balanced.force), lost)
+    return Solved(
+        case=cases.case,
+        varied=cases.varied,
+        status=balanced.status,
+        displacement=RingDisplacement(*displacement.T),
+        load=RingLoad(*load.T),
+        stiffness=Stiffness(_forgotten(balanced.stiffness, lost)),
+        rows=Rows(
+            sign=np.array([placed.sign for placed in cases.rows]),
+            element_count=np.array(counts),
+            position=np.stack([placed.position for placed in cases.rows], axis=1),
+            load=_forgotten(_carried(cases, balanced, load), lost),
+            **{
+                name: np.stack([getattr(own, name) for own in geometry], axis=1)
+                for name in type(geometry[0]).__dataclass_fields__
+            },
+        ),
+        answer=answers[0] if len(answers) == 1 else RowAnswers(answers),
+    )
+
+
+def _carried(cases: Cases, balanced: Balanced, load: FloatArray) -> FloatArray:
+    """What the ring carries through each row; (cases, rows, 5), in the bearing's frame."""
+    if cases.alone is not None:
+        return load[:, np.newaxis]
+    parts = [
+        np.einsum("nij,ni->nj", transform(placed, sprung=False)[:, :, :5], held.force)
+        for placed, held in zip(cases.rows, balanced.rows, strict=True)
+    ]
+    return np.stack(parts, axis=1)
+
+
+def _forgotten(array: FloatArray, lost: BoolArray) -> FloatArray:
+    array[lost] = np.nan
+    return array
+
+
+@dataclass(frozen=True, slots=True)
+class RowAnswers:
+    """What several rows answer, side by side."""
+
+    rows: tuple[Answer, ...]
+
+    def part(self, index: Index) -> RowAnswers:
+        """Return some of the cases."""
+        return RowAnswers(tuple(row.part(index) for row in self.rows))
+
+    def tables(self) -> Tables:
+        """Evaluate every element of every case, row after row."""
+        parts = []
+        for number, row in enumerate(self.rows):
+            own = row.tables()
+            elements = replace(own.elements, row=np.full_like(own.elements.row, number))
+            parts.append(replace(own, elements=elements))
+        return reduce(_beside, parts)
+
+
+def _beside(one: Any, other: Any) -> Any:
+    """Join records of arrays along the elements, their last axis; friction moves single rows."""
+    if one is None or isinstance(one, np.ndarray):
+        return None if one is None else np.concatenate([one, other], axis=-1)
+    names = type(one).__dataclass_fields__
+    return type(one)(*(_beside(getattr(one, name), getattr(other, name)) for name in names))

@@ -1,0 +1,357 @@
+"""A row of balls as `rolamento.rows.row` asks for it: from numbers of a case to its tables."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any, Self, cast
+
+import numpy as np
+
+from rolamento import status
+from rolamento.case import Case
+from rolamento.case.bearing import RowPlace
+from rolamento.geometry import Race
+from rolamento.numerics import BoolArray, FloatArray
+from rolamento.rows.ball import layout
+from rolamento.rows.ball.batch import solve_cases
+from rolamento.rows.ball.detail import ContactTable, ball_table
+from rolamento.rows.ball.problem import apply_model, bearing_column, bearing_columns, ring_arms
+from rolamento.rows.ball.rolling import Rolling as Motion
+from rolamento.rows.ball.run import Solution, ball_azimuths, row_verdict, solve_columns
+from rolamento.rows.row import Held, Indices, RowGeometry, RowSizes
+from rolamento.solved import (
+    Elements,
+    Index,
+    IntArray,
+    Pressed,
+    Rolling,
+    RollingContacts,
+    Tables,
+    taken,
+)
+
+if TYPE_CHECKING:
+    from rolamento.rows.ball.traction.solve import Film
+
+__all__ = ["BallRow", "Traction", "ball_row"]
+
+
+@dataclass(frozen=True, slots=True)
+class Traction:
+    """What friction control takes beside the row: μ and the cage's drag (N·m), (cases,)."""
+
+    friction: FloatArray
+    cage_drag: FloatArray
+    mesh: str
+    film: Film | None = None
+
+
+@dataclass(slots=True)
+class HeldBalls:
+    """Balls in their places: the kernels' arrays, and the lengths that turn them into SI."""
+
+    solution: Solution
+    arms: FloatArray
+    motion: Motion | None = None
+
+    @property
+    def force(self) -> FloatArray:
+        """(cases, 5), N and N·m."""
+        return self.solution.reaction * self.arms
+
+    @property
+    def stiffness(self) -> FloatArray:
+        """(cases, 5, 5)."""
+        return self.solution.stiffness * self.arms[:, :, np.newaxis] * self.arms[:, np.newaxis, :]
+
+    @property
+    def place(self) -> FloatArray:
+        """(cases, 5), m and rad."""
+        return self.solution.displacement / self.arms
+
+    @property
+    def scale(self) -> FloatArray:
+        """(cases,), N."""
+        return np.asarray(np.abs(self.solution.reaction).max(axis=1))
+
+    @property
+    def number(self) -> IntArray:
+        """(cases,)."""
+        return self.solution.code
+
+    @property
+    def residual(self) -> FloatArray:
+        """(cases,)."""
+        return self.solution.residual
+
+    @property
+    def iterations(self) -> IntArray:
+        """(cases,)."""
+        return self.solution.iterations
+
+    @property
+    def safe_path(self) -> BoolArray:
+        """(cases,)."""
+        return self.solution.safe
+
+    def put(self, cases: Indices, part: Self) -> None:
+        """Copy what some of the cases answered to their places."""
+        self.solution.put(cases, part.solution)
+        self.arms[cases] = part.arms
+
+
+@dataclass(frozen=True, slots=True)
+class BallRow:
+    """Many cases of a row of balls; p: their numbers as `layout` has them, a column a case."""
+
+    p: FloatArray
+    element_count: int
+    geometry: RowGeometry
+    threads: int | None = None
+    fast: bool = True
+
+    @property
+    def cases(self) -> int:
+        """How many."""
+        return int(self.p.shape[1])
+
+    @property
+    def valid(self) -> BoolArray:
+        """Which cases have numbers that can be solved; (cases,)."""
+        return np.asarray(np.isfinite(self.p).all(axis=0))
+
+    @property
+    def sizes(self) -> RowSizes:
+        """For the assembly."""
+        p = self.p
+        reach = p[layout.INNER_LENGTH] + p[layout.OUTER_LENGTH]
+        return RowSizes(
+            arm=p[layout.ARM],
+            diameter=p[layout.BALL_DIAMETER],
+            reach=reach,
+            stiffness=p[layout.SERIES_STIFFNESS],
+            sine=np.clip(p[layout.AXIAL_OFFSET], 0.0, None) / reach,
+        )
+
+    def refuse(self, cases: BoolArray) -> None:
+        """Take some cases for invalid: they are left alone."""
+        self.p[:, cases] = np.nan
+
+    # --- solving --------------------------------------------------------------------------------
+
+    def asked(self, free: BoolArray, load: FloatArray, place: FloatArray) -> BallRow:
+        """Put in what is asked of the ring of a bearing that is this row; (cases, 5) each.
+
+        In its own columns, which nobody else has: copying millions of them would show.
+        """
+        p, arms = self.p, ring_arms(self.p)
+        p[layout.FREE : layout.FREE + 5] = free.T
+        p[layout.APPLIED : layout.APPLIED + 5] = load.T / arms
+        p[layout.IMPOSED : layout.IMPOSED + 5] = place.T * arms
+        return self
+
+    def alone(self, control: FloatArray, which: Indices | None = None) -> HeldBalls:
+        """Balance ring and balls of a bearing that is this row: the monolithic fast path.
+
+        control: (cases or 1, balls), of the chosen cases; the row has been `asked`.
+        """
+        return self._solved(self.p if which is None else self.p[:, which], control)
+
+    def held(self, place: FloatArray, which: Indices, control: FloatArray) -> HeldBalls:
+        """Hold some of the cases at a place; (len(which), 5)."""
+        p = self.p[:, which]
+        p[layout.FREE : layout.FREE + 5] = 0.0
+        p[layout.APPLIED : layout.APPLIED + 5] = 0.0
+        p[layout.IMPOSED : layout.IMPOSED + 5] = place.T * ring_arms(p)
+        return self._solved(p, control)
+
+    def nothing(self, cases: int) -> HeldBalls:
+        """Make room for so many cases without a result."""
+        return HeldBalls(Solution.empty(cases, self.element_count), np.ones((cases, 5)))
+
+    def _solved(self, p: FloatArray, control: FloatArray) -> HeldBalls:
+        solution = solve_columns(
+            p, control, self.element_count, threads=self.threads, fast=self.fast
+        )
+        return HeldBalls(solution, ring_arms(p).T)
+
+    def first_contact(self) -> FloatArray:
+        """Place along x where the unloaded balls touch; (cases,), m."""
+        p = self.p
+        length = p[layout.INNER_LENGTH] + p[layout.OUTER_LENGTH]
+        square = np.maximum(length**2 - p[layout.RADIAL_OFFSET] ** 2, 0.0)
+        touching = np.sqrt(square) - p[layout.AXIAL_OFFSET]
+        return np.asarray(np.where(p[layout.ONE_SIDED] > 0.0, 0.0, touching))
+
+    def pressed_in(self, force: FloatArray) -> FloatArray:
+        """Place along x under an axial force at rest; (cases,), m, NaN where there is none."""
+        p = self.p.copy()
+        p[layout.INNER_SPEED] = p[layout.OUTER_SPEED] = 0.0
+        free = np.zeros((self.cases, 5), np.bool_)
+        free[:, 0] = True
+        load = np.zeros((self.cases, 5))
+        load[:, 0] = force
+        still = replace(self, p=p, fast=True).asked(free, load, np.zeros_like(load))
+        held = still.alone(np.ones((1, self.element_count)))
+        return np.where(held.number == status.CONVERGED, held.place[:, 0], np.nan)
+
+    def verdict(self, held: Held, control: FloatArray) -> IntArray:
+        """Jones's criterion for every ball; (cases, balls)."""
+        return row_verdict(self.p, control, cast(HeldBalls, held).solution)
+
+    def rolled(self, start: HeldBalls, traction: Traction) -> HeldBalls:
+        """Let friction alone move the balls of a bearing that is this row.
+
+        start: under outer raceway control, of all cases.
+        """
+        from rolamento.rows.ball.traction.solve import solve_rolling
+
+        solution, motion = solve_rolling(
+            self.p, start.solution, self.element_count, traction.friction, traction.cage_drag,
+            mesh=traction.mesh, film=traction.film, threads=self.threads,
+        )  # fmt: skip
+        return HeldBalls(solution, start.arms, motion)
+
+    def answer(
+        self, held: Held, control: FloatArray, shown: IntArray, lost: BoolArray
+    ) -> BallAnswer:
+        """Keep what the tables are made from, of cases that are not lost."""
+        balls = cast(HeldBalls, held)
+        solution = balls.solution
+        solution.position[lost], solution.displacement[lost] = np.nan, np.nan
+        if balls.motion is not None:
+            balls.motion.forget(lost)
+        return BallAnswer(
+            self.p,
+            np.broadcast_to(control, (self.cases, self.element_count)),
+            solution.position,
+            solution.displacement,
+            shown,
+            balls.motion,
+        )
+
+
+def ball_row(
+    case: Case,
+    place: RowPlace,
+    bearing: Any,
+    varied: Mapping[str, FloatArray],
+    cases: int,
+    *,
+    threads: int | None = None,
+    fast: bool = True,
+) -> BallRow:
+    """The numbers of a row of balls.
+
+    bearing: the row's `Bearing`, or an object with arrays (cases,) for its attributes.
+    """
+    if any(name.startswith("bearing.") for name in varied):
+        with np.errstate(invalid="ignore", divide="ignore"):
+            p = bearing_columns(bearing, (cases,))
+    else:
+        p = np.repeat(bearing_column(place.bearing)[:, np.newaxis], cases, axis=1)
+    duty = case.duty
+    p[layout.INNER_SPEED] = varied.get("duty.inner_speed", duty.inner_speed)
+    p[layout.OUTER_SPEED] = varied.get("duty.outer_speed", duty.outer_speed)
+    apply_model(p, case.model)
+    first = varied.get("duty.first_ball_azimuth", np.asarray(duty.first_ball_azimuth))
+    p[layout.COS_FIRST] = np.cos(first + place.phase)
+    p[layout.SIN_FIRST] = np.sin(first + place.phase)
+    angle = 0.0 if bearing.contact_angle is None else bearing.contact_angle
+    numbers = (
+        bearing.ball_diameter, bearing.pitch_diameter, bearing.inner_conformity,
+        bearing.outer_conformity, angle, p[layout.MODULUS],
+    )  # fmt: skip
+    geometry = RowGeometry(*(np.broadcast_to(np.asarray(n, np.float64), cases) for n in numbers))
+    return BallRow(p, place.bearing.ball_count, geometry, threads, fast)
+
+
+def compiled_but_not_loaded() -> bool:
+    """Whether the kernels are on disk, and this process has not needed them yet."""
+    return solve_cases.is_cached and not solve_cases.is_loaded
+
+
+@dataclass(frozen=True, slots=True)
+class BallAnswer:
+    """Where the balls of solved cases are: what their tables are made from."""
+
+    p: FloatArray
+    control: FloatArray
+    position: FloatArray
+    displacement: FloatArray
+    shown: IntArray
+    motion: Motion | None
+
+    def part(self, index: Index) -> BallAnswer:
+        """Return some of the cases."""
+        p = self.p[:, index]
+        return BallAnswer(
+            p,
+            self.control[index],
+            self.position[index],
+            self.displacement[index],
+            self.shown[index],
+            None if self.motion is None else taken(self.motion, index),
+        )
+
+    def tables(self) -> Tables:
+        """Evaluate every ball of every case."""
+        p = self.p
+        azimuth = ball_azimuths(p, self.position.shape[1])
+        found = ball_table(p, self.control, self.displacement, self.position, azimuth, self.motion)
+        motion = found.motion
+        elements = Elements(
+            row=np.zeros(azimuth.shape[1], np.int64),
+            azimuth=azimuth,
+            centrifugal_force=found.centrifugal_force,
+            gyroscopic_moment=found.gyroscopic_moment,
+            orbital_speed=motion.orbital_speed,
+            ball_speed=motion.ball_speed,
+            attitude=motion.attitude,
+            yaw=found.yaw,
+            raceway_control=self.shown,
+        )
+        return Tables(
+            elements,
+            _pressed(found.inner, motion.inner_spin, motion.inner_roll),
+            _pressed(found.outer, motion.outer_spin, motion.outer_roll),
+            self._rolling(found.inner, found.outer),
+        )
+
+    def _rolling(self, inner: ContactTable, outer: ContactTable) -> Rolling | None:
+        motion = self.motion
+        if motion is None or not np.isfinite(motion.cage_speed).any():
+            return None
+        return Rolling(
+            cage_speed=motion.cage_speed,
+            control_cage_speed=motion.control_cage_speed,
+            inner_torque=motion.torque("inner"),
+            outer_torque=motion.torque("outer"),
+            imbalance=motion.imbalance,
+            angular_velocity=motion.angular_velocity,
+            inner=self._rolling_contacts(motion, "inner", inner.contact_angle),
+            outer=self._rolling_contacts(motion, "outer", outer.contact_angle),
+        )
+
+    def _rolling_contacts(self, motion: Motion, race: Race, angle: FloatArray) -> RollingContacts:
+        """The friction of one race on the balls."""
+        inner = race == "inner"
+        forces = motion.inner if inner else motion.outer
+        speed = self.p[layout.INNER_SPEED if inner else layout.OUTER_SPEED][:, np.newaxis]
+        omega, cage = motion.angular_velocity, motion.cage_speed[:, np.newaxis]
+        across = (omega[..., 0] - speed) * np.cos(angle) - omega[..., 2] * np.sin(angle)
+        radius = 0.5 * self.p[layout.BALL_DIAMETER][:, np.newaxis] * (-1.0 if inner else 1.0)
+        slip = (speed - cage) * motion.radius[:, np.newaxis] - radius * across
+        # the normal load has no part along t, nor along the orbit
+        sideways = forces[..., 0] * np.cos(angle) - forces[..., 1] * np.sin(angle)
+        return RollingContacts(
+            power=motion.power[..., 0 if inner else 1],
+            slip=np.where(forces.any(axis=-1), slip, np.nan),
+            force_along=forces[..., 2],
+            force_across=sideways,
+        )
+
+
+def _pressed(table: ContactTable, spin: FloatArray, roll: FloatArray) -> Pressed:
+    return Pressed(table.load, table.contact_angle, table.deflection, table.approach, spin, roll)

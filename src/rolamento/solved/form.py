@@ -1,0 +1,472 @@
+"""A result as JSON and back: the keys that files and other programs know.
+
+What is written is read again to the last bit. What is read is taken for hostile: every key is
+looked at, and the message names the one that is missing or not what it should be.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import asdict, dataclass, fields, replace
+from math import isfinite
+from typing import TYPE_CHECKING, Any, Final
+
+import numpy as np
+
+from rolamento.case import Case
+from rolamento.case.duty import AXES, LOADS
+from rolamento.errors import ABSENT, FileError, InputError
+from rolamento.geometry import Race
+from rolamento.kinematics import RacewayControl
+from rolamento.numerics import FloatArray
+from rolamento.solved.tables import (
+    CONTACT_COLUMNS,
+    ELEMENT_COLUMNS,
+    GEOMETRY_COLUMNS,
+    MORE_COLUMNS,
+    RACES,
+    Elements,
+    Index,
+    IntArray,
+    Preloading,
+    Pressed,
+    RingDisplacement,
+    RingLoad,
+    Rolling,
+    RollingContacts,
+    Rows,
+    Status,
+    Stiffness,
+    Tables,
+    taken,
+)
+from rolamento.status import STATUS_NUMBERS
+
+if TYPE_CHECKING:
+    from rolamento.solved.result import Solved
+
+SCHEMA: Final = 1
+EXAMPLE: Final = "rolamento solve case.toml --json state.json"
+_LARGEST: Final = 1e20
+_MOST_ROWS: Final = 1000
+
+
+def mapping_of(solved: Solved) -> dict[str, Any]:
+    """The only case of a result as plain values."""
+    status, rows = solved.status, solved.rows
+    control = control_names(solved)
+    of_race = {
+        race: _columns(contacts, (*CONTACT_COLUMNS, *MORE_COLUMNS))
+        for race, contacts in solved.contacts.items()
+    }
+    elements = _columns(solved.elements, ELEMENT_COLUMNS)
+    geometry = _columns(rows, GEOMETRY_COLUMNS)
+    return {
+        "schema": SCHEMA,
+        "title": solved.title,
+        "status": {
+            "code": str(status.code[0]),
+            "converged": bool(status.converged[0]),
+            "residual": plain(float(status.residual[0])),
+            "iterations": int(status.iterations[0]),
+            "advice": solved.advice[0],
+        },
+        "displacement": {
+            name: plain(float(v[0])) for name, v in solved.displacement._asdict().items()
+        },
+        "load": {name: plain(float(v[0])) for name, v in solved.load._asdict().items()},
+        "stiffness": plain(solved.stiffness.array[0].tolist()),
+        "balls": [
+            {
+                "row": int(row),
+                "azimuth": elements["azimuth"][j],
+                **{race: {name: v[j] for name, v in of_race[race].items()} for race in RACES},
+                **{name: elements[name][j] for name in ELEMENT_COLUMNS[1:]},
+                "raceway_control": control[j],
+            }
+            for j, row in enumerate(solved.elements.row)
+        ],
+        "rows": [
+            {
+                "row": index,
+                "orientation": "+" if rows.sign[index] > 0.0 else "-",
+                "position": plain(float(rows.position[0, index])),
+                "load": dict(zip(LOADS, plain((rows.load[0, index] + 0.0).tolist()), strict=True)),
+                "loaded_balls": int(solved.loaded_elements[0, index]),
+                "ball_count": int(rows.element_count[index]),
+                **{name: geometry[name][index] for name in GEOMETRY_COLUMNS},
+            }
+            for index in range(len(rows))
+        ],
+        "preload": None if solved.preload is None else plain(asdict(solved.preload)),
+        "rolling": _rolling_mapping(solved),
+        "notes": list(solved.notes[0]),
+        "case": solved.case.to_mapping(),
+    }
+
+
+def control_names(solved: Solved) -> list[str]:
+    """Which race controls each element of the first case, in words."""
+    mode = solved.case.model.raceway_control
+    codes = solved.elements.raceway_control[0]
+    if mode in ("none", "friction"):
+        return [mode] * len(codes)
+    return [RacewayControl(int(code)).name.lower() for code in codes]
+
+
+def _columns(record: object, names: Iterable[str]) -> dict[str, list[Any]]:
+    """Numbers of the first case by name, NaN as None."""
+    return {name: plain(getattr(record, name)[0].tolist()) for name in names}
+
+
+def _rolling_mapping(solved: Solved) -> dict[str, Any] | None:
+    rolling = solved.rolling
+    if rolling is None or not solved.converged[0]:
+        return None
+    names = (
+        "cage_speed", "control_cage_speed", "skid", "inner_torque", "outer_torque", "power",
+        "imbalance",
+    )  # fmt: skip
+    parts = [part.name for part in fields(RollingContacts)]
+    races = {race: _columns(getattr(rolling, race), parts) for race in RACES}
+    velocity, yaw = rolling.angular_velocity[0].tolist(), solved.elements.yaw[0].tolist()
+    mapping: dict[str, Any] = {name: plain(float(getattr(rolling, name)[0])) for name in names}
+    mapping["balls"] = [
+        {
+            "angular_velocity": plain(velocity[j]),
+            "yaw": plain(yaw[j]),
+            **{race: {name: column[j] for name, column in races[race].items()} for race in RACES},
+        }
+        for j in range(len(yaw))
+    ]
+    return mapping
+
+
+def plain(value: Any) -> Any:
+    """Replace what is not finite by None, at any depth."""
+    if isinstance(value, dict):
+        return {key: plain(item) for key, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [plain(item) for item in value]
+    return None if isinstance(value, float) and not isfinite(value) else value
+
+
+@dataclass(frozen=True, slots=True)
+class ReadAnswer:
+    """Tables as a file has them; kept: by race and name, what need not be worked out again."""
+
+    read: Tables
+    kept: Mapping[Race, Mapping[str, FloatArray]]
+
+    def tables(self) -> Tables:
+        """As they were read."""
+        return self.read
+
+    def part(self, index: Index) -> ReadAnswer:
+        """Return some of the cases."""
+        kept = {race: {k: v[index] for k, v in own.items()} for race, own in self.kept.items()}
+        return ReadAnswer(taken(self.read, index), kept)
+
+
+@dataclass(frozen=True, slots=True)
+class Pieces:
+    """What a file holds of a result, beside its case."""
+
+    status: Status
+    displacement: RingDisplacement
+    load: RingLoad
+    stiffness: Stiffness
+    rows: Rows
+    answer: ReadAnswer
+    preload: Preloading | None
+    written_notes: tuple[tuple[str, ...], ...]
+    written_advice: tuple[str | None, ...]
+
+
+def pieces_of(mapping: Mapping[str, Any]) -> tuple[Case, dict[str, FloatArray], Pieces]:
+    """Case, what varied and the rest, of parsed JSON that is taken for hostile.
+
+    Raises
+    ------
+    FileError
+        If this is no result at all, or one of another schema.
+    InputError
+        If a key is missing or not what it should be.
+    """
+    schema = mapping.get("schema")
+    if schema is None or not ("balls" in mapping or "states" in mapping):
+        raise FileError("is not the JSON of a state", example=EXAMPLE)
+    if schema is True or schema != SCHEMA:
+        raise FileError("is of another release: known is 1", field="schema", value=schema)
+    case = _case(_value(mapping, "case"))
+    one = "balls" in mapping
+    states = [mapping] if one else _list(mapping, "states")
+    parts = [_state(item, "" if one else f"states.{i}.") for i, item in enumerate(states)]
+    if len({part.answer.read.elements.azimuth.shape for part in parts}) != 1:
+        raise InputError("must all be of one bearing", field="states")
+    varied = {}
+    table = _table(mapping, "varied") if "varied" in mapping else {}
+    for name, values in table.items():
+        if not isinstance(values, list) or len(values) != len(parts):
+            raise InputError(f"must be a list of {len(parts)} numbers", field=f"varied.{name}")
+        varied[name] = np.array([_number_of(value, f"varied.{name}") for value in values])
+    return case, varied, parts[0] if len(parts) == 1 else _after_one_another(parts)
+
+
+def _state(item: Any, at: str) -> Pieces:
+    """One case from its mapping; at: where it stands, for messages."""
+    if not isinstance(item, dict):
+        raise InputError("must be a table", field=at.rstrip("."), value=item)
+    status = _table(item, f"{at}status")
+    balls = [_entry(ball, f"{at}balls.{j}") for j, ball in enumerate(_list(item, f"{at}balls"))]
+    where = [f"{at}balls.{j}" for j in range(len(balls))]
+    row = np.array([_row(b, f"{w}.row") for b, w in zip(balls, where, strict=True)])
+    contacts = {
+        race: _contact_columns(
+            [_table(ball, f"{place}.{race}") for ball, place in zip(balls, where, strict=True)],
+            [f"{place}.{race}" for place in where],
+        )
+        for race in RACES
+    }
+    own = {
+        name: np.array([[_number(b, f"{w}.{name}") for b, w in zip(balls, where, strict=True)]])
+        for name in ELEMENT_COLUMNS
+    }
+    rolling, yaw = _rolling_of(item, len(balls), at)
+    elements = Elements(row=row, yaw=yaw, raceway_control=_codes(balls), **own)
+    pressed = {
+        race: Pressed(**{p.name: columns[p.name] for p in fields(Pressed)})
+        for race, columns in contacts.items()
+    }
+    tables = Tables(elements, pressed["inner"], pressed["outer"], rolling)
+    code = _text(status, f"{at}status.code")
+    if code not in STATUS_NUMBERS:
+        raise InputError(
+            f"must be one of {', '.join(STATUS_NUMBERS)}", field=f"{at}status.code", value=code
+        )
+    if _truth(status, f"{at}status.converged") != (code == "converged"):
+        raise InputError("contradicts status.code", field=f"{at}status.converged")
+    notes = _list(item, f"{at}notes", least=0)
+    if not all(isinstance(note, str) for note in notes):
+        raise InputError("must be texts", field=f"{at}notes")
+    advice = status.get("advice")
+    return Pieces(
+        status=Status(
+            number=np.array([STATUS_NUMBERS[code]]),
+            residual=np.array([_number(status, f"{at}status.residual")]),
+            iterations=np.array([int(np.nan_to_num(_number(status, f"{at}status.iterations")))]),
+            safe_path=np.array([False]),
+            unsupported=np.array([-1]),
+        ),
+        displacement=RingDisplacement(*_five(item, f"{at}displacement", AXES)),
+        load=RingLoad(*_five(item, f"{at}load", LOADS)),
+        stiffness=Stiffness(_matrix(item, f"{at}stiffness")),
+        rows=_rows_of(item, at, row),
+        answer=ReadAnswer(tables, contacts),
+        preload=_preloading_of(item, at),
+        written_notes=(tuple(notes),),
+        written_advice=(advice if isinstance(advice, str) else None,),
+    )
+
+
+def _contact_columns(items: list[Mapping[str, Any]], where: list[str]) -> dict[str, FloatArray]:
+    columns = {}
+    for name in (*CONTACT_COLUMNS, *MORE_COLUMNS):
+        numbers = [_number(item, f"{at}.{name}") for item, at in zip(items, where, strict=True)]
+        if name in ("load", "deflection", "semi_major", "semi_minor", "max_pressure"):
+            for number, at in zip(numbers, where, strict=True):
+                if number < 0.0:
+                    raise InputError("must not be negative", field=f"{at}.{name}", value=number)
+        columns[name] = np.array([numbers])
+    return columns
+
+
+def _codes(balls: list[Mapping[str, Any]]) -> IntArray:
+    codes = {"outer": 1, "inner": -1, "indeterminate": 0, "none": 1, "friction": 1}
+    return np.array([[codes.get(str(ball.get("raceway_control")), 0) for ball in balls]])
+
+
+def _rolling_of(item: Mapping[str, Any], count: int, at: str) -> tuple[Rolling | None, FloatArray]:
+    """The motion under friction, and the yaw of the elements' axes, which it alone gives them."""
+    if item.get("rolling") is None:
+        return None, np.zeros((1, count))
+    table = _table(item, f"{at}rolling")
+    balls = [
+        _entry(b, f"{at}rolling.balls.{j}")
+        for j, b in enumerate(_list(table, f"{at}rolling.balls"))
+    ]
+    if len(balls) != count:
+        raise InputError(f"must have {count} balls", field=f"{at}rolling.balls")
+    yaw = [_number(ball, f"{at}rolling.balls.{j}.yaw") for j, ball in enumerate(balls)]
+    races = {
+        race: RollingContacts(
+            **{
+                part.name: np.array(
+                    [[_number(_table(ball, race), f"{race}.{part.name}") for ball in balls]]
+                )
+                for part in fields(RollingContacts)
+            }
+        )
+        for race in RACES
+    }
+    velocity = [
+        [_number_of(v, "angular_velocity") for v in _list(ball, "angular_velocity", least=3)[:3]]
+        for ball in balls
+    ]
+
+    def number(name: str) -> FloatArray:
+        return np.array([_number(table, f"{at}rolling.{name}")])
+
+    rolling = Rolling(
+        cage_speed=number("cage_speed"),
+        control_cage_speed=number("control_cage_speed"),
+        inner_torque=number("inner_torque"),
+        outer_torque=number("outer_torque"),
+        imbalance=number("imbalance"),
+        angular_velocity=np.array([velocity]),
+        inner=races["inner"],
+        outer=races["outer"],
+    )
+    return rolling, np.array([yaw])
+
+
+def _rows_of(item: Mapping[str, Any], at: str, row: IntArray) -> Rows:
+    rows = [_entry(r, f"{at}rows.{i}") for i, r in enumerate(_list(item, f"{at}rows"))]
+    count = np.bincount(row, minlength=len(rows))
+    if len(count) != len(rows) or np.any(count == 0) or np.any(np.diff(row) < 0):
+        raise InputError("do not go with the rows of the balls", field=f"{at}rows")
+    where = [f"{at}rows.{i}" for i in range(len(rows))]
+    load = [[_five(r, f"{w}.load", LOADS) for r, w in zip(rows, where, strict=True)]]
+    return Rows(
+        sign=np.array([1.0 if r.get("orientation") != "-" else -1.0 for r in rows]),
+        element_count=count.astype(np.int64),
+        load=np.array(load)[..., 0],
+        **{
+            name: np.array([[_number(r, f"{w}.{name}") for r, w in zip(rows, where, strict=True)]])
+            for name in ("position", *GEOMETRY_COLUMNS)
+        },
+    )
+
+
+def _preloading_of(item: Mapping[str, Any], at: str) -> Preloading | None:
+    if item.get("preload") is None:
+        return None
+    table = _table(item, f"{at}preload")
+
+    def number(name: str) -> float:
+        return _number(table, f"{at}preload.{name}")
+
+    def row(name: str) -> int | None:
+        return None if table.get(name) is None else _row(table, f"{at}preload.{name}")
+
+    return Preloading(
+        _text(table, f"{at}preload.kind"), number("at_rest"), number("at_speed"),
+        number("lift_factor"), row("lift_row"), number("loss_factor"), row("lost_row"),
+    )  # fmt: skip
+
+
+def _after_one_another(parts: list[Pieces]) -> Pieces:
+    """The pieces of several cases of one bearing as those of one result."""
+    whole: Pieces = _joined(parts)
+    return replace(whole, preload=None)
+
+
+_SHARED: Final = ("row", "sign", "element_count", "preload")
+
+
+def _joined(records: list[Any]) -> Any:
+    """Records of arrays over cases, one after another."""
+    first = records[0]
+    if first is None or isinstance(first, np.ndarray):
+        return None if first is None else np.concatenate(records)
+    if isinstance(first, dict):
+        return {key: _joined([record[key] for record in records]) for key in first}
+    if isinstance(first, RingDisplacement | RingLoad):
+        return type(first)(*(np.concatenate(columns) for columns in zip(*records, strict=True)))
+    if isinstance(first, tuple):
+        return tuple(item for record in records for item in record)
+    names = [part.name for part in fields(first) if part.name not in _SHARED]
+    return replace(first, **{n: _joined([getattr(r, n) for r in records]) for n in names})
+
+
+def _case(value: object) -> Case:
+    if not isinstance(value, dict):
+        raise InputError("must be a table", field="case", value=value)
+    try:
+        return Case.from_mapping(value)
+    except InputError as error:
+        raise error.with_details(field=f"case.{error.field}") from None
+
+
+def _five(item: Mapping[str, Any], at: str, names: tuple[str, ...]) -> list[FloatArray]:
+    table = _table(item, at)
+    return [np.array([_number(table, f"{at}.{name}")]) for name in names]
+
+
+def _matrix(item: Mapping[str, Any], at: str) -> FloatArray:
+    lines = _list(item, at)
+    if len(lines) != 5 or any(not isinstance(line, list) or len(line) != 5 for line in lines):
+        raise InputError("must be a matrix of 5 by 5", field=at)
+    return np.array([[[_number_of(value, at) for value in line] for line in lines]])
+
+
+def _value(item: Mapping[str, Any], field: str) -> Any:
+    """What stands under the last name of a dotted field."""
+    value = item.get(field.rpartition(".")[2], ABSENT)
+    if value is ABSENT:
+        raise InputError("is missing", field=field)
+    return value
+
+
+def _entry(item: object, field: str) -> Mapping[str, Any]:
+    if not isinstance(item, dict):
+        raise InputError("must be a table", field=field, value=item)
+    return item
+
+
+def _table(item: Mapping[str, Any], field: str) -> Mapping[str, Any]:
+    return _entry(_value(item, field), field)
+
+
+def _list(item: Mapping[str, Any], field: str, least: int = 1) -> list[Any]:
+    value = _value(item, field)
+    if not isinstance(value, list) or len(value) < least:
+        what = "a list" if least == 0 else f"a list of at least {least}"
+        raise InputError(f"must be {what}", field=field, value=value)
+    return value
+
+
+def _text(item: Mapping[str, Any], field: str) -> str:
+    value = _value(item, field)
+    if not isinstance(value, str):
+        raise InputError("must be text", field=field, value=value)
+    return value
+
+
+def _truth(item: Mapping[str, Any], field: str) -> bool:
+    value = _value(item, field)
+    if not isinstance(value, bool):
+        raise InputError("must be true or false", field=field, value=value)
+    return value
+
+
+def _row(item: Mapping[str, Any], field: str) -> int:
+    value = _value(item, field)
+    if isinstance(value, bool) or not isinstance(value, int) or not 0 <= value < _MOST_ROWS:
+        raise InputError("must be the number of a row, from 0", field=field, value=value)
+    return value
+
+
+def _number(item: Mapping[str, Any], field: str) -> float:
+    """A number; null stands for one that does not exist."""
+    return _number_of(_value(item, field), field)
+
+
+def _number_of(value: object, field: str) -> float:
+    if value is None:
+        return float("nan")
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        raise InputError("must be a number or null", field=field, value=value)
+    if not isfinite(value) or abs(value) > _LARGEST:
+        raise InputError(f"must be within ±{_LARGEST:g}", field=field, value=value)
+    return float(value)

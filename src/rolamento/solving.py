@@ -1,0 +1,116 @@
+"""Solve cases: one or many, with or without a mounting, with or without a film in the balance."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Unpack, cast
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from rolamento.assembly import solve_cases, spread
+from rolamento.assembly.preload import preload_of
+from rolamento.case import Case, load_case
+from rolamento.errors import InputError
+from rolamento.numerics import FloatArray
+from rolamento.numerics.threads import thread_count
+from rolamento.rows.ball.columns import DutyFields, batch_arrays, bounded
+from rolamento.solved import Solved
+
+__all__ = ["solve"]
+
+
+def solve(
+    case: Case | str | os.PathLike[str],
+    values: Mapping[str, ArrayLike] | None = None,
+    *,
+    threads: int | None = None,
+    **fields: Unpack[DutyFields],
+) -> Solved:
+    """Find the internal state of a bearing: Jones-Harris equilibrium, five degrees of freedom.
+
+    Rows that share a bearing share one rigid inner ring. Never raises for a duty that has no
+    solution: the status of the case tells, with advice, and its numbers are NaN. A case with a
+    mounting is solved with the clearance in operation of each case, that of its temperatures,
+    speeds and whatever else varies: `Solved.case` is the case that it comes to.
+
+    Parameters
+    ----------
+    case
+        Or the file of one; supplies what does not vary.
+    values
+        What varies: arrays of one length, or scalars, in SI units, by the dotted names of the
+        case's fields, such as ``{"bearing.contact_angle": [0.6, 0.7]}``.
+    threads
+        As many as there are processors by default.
+    fields
+        Likewise by the short names of the duty's fields: inner_speed, outer_speed (rad/s),
+        first_ball_azimuth (rad), loads fx, fy, fz (N), my, mz (N·m) and displacements x, y, z
+        (m), ry, rz (rad). A load frees its degree of freedom, a displacement holds it.
+
+    Returns
+    -------
+    Solved
+        Of one case if nothing varies.
+
+    Raises
+    ------
+    InputError
+        For an unknown field, arrays of different lengths, fields that exclude each other, fewer
+        threads than one, or a mounting that is not one for this bearing or closes it. A value
+        that the case would refuse is that case's affair: its status is "invalid_input".
+    FileError
+        If the file cannot be read.
+
+    Harris, Rolling Bearing Analysis, 3rd ed. (1991), chapter 8; Jones (1960); Radaelli (2013),
+    chapter 4. See docs/theory/equilibrium.md.
+    """
+    if not isinstance(case, Case):
+        if not isinstance(case, str | os.PathLike):
+            raise InputError(
+                "must be a Case, or the path of its file",
+                field="case",
+                value=type(case).__name__,
+                example='rolamento.solve("case.toml")',
+            )
+        case = load_case(case)
+    thread_count(threads)
+    given = {**(values or {}), **cast("dict[str, ArrayLike]", fields)}
+    if not given:
+        return _solve_one(case)
+    if case.mounting is None:
+        return _solve_many(case, given, threads)
+    from rolamento.clearance import operating_batch
+
+    varied = batch_arrays(given)
+    running, of_running = operating_batch(case, bounded(varied))
+    solved = _solve_many(running, dict(of_running), threads)
+    return replace(solved, varied={**_spread_over(len(solved), varied), **solved.varied})
+
+
+def _spread_over(cases: int, arrays: Mapping[str, ArrayLike]) -> dict[str, FloatArray]:
+    return {name: np.broadcast_to(np.asarray(v, np.float64), cases) for name, v in arrays.items()}
+
+
+def _solve_many(case: Case, given: Mapping[str, ArrayLike], threads: int | None) -> Solved:
+    cases = spread(case, given, threads=threads)
+    if case.model.needs_film:
+        from rolamento.lubrication.film_control import solved_on_film
+
+        return solved_on_film(cases)
+    return solve_cases(cases)
+
+
+def _solve_one(case: Case) -> Solved:
+    notes: tuple[str, ...] = ()
+    if case.mounting is not None:
+        from rolamento.clearance import clearance_notes, clearance_of_case, operating_case
+
+        notes = clearance_notes(clearance_of_case(case))
+        case = operating_case(case)
+    solved = _solve_many(case, {}, threads=1)
+    if case.bearing.preload is not None and solved.converged[0]:
+        solved = replace(solved, preload=preload_of(case))
+    return replace(solved, first_notes=notes) if notes else solved
