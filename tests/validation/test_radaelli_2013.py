@@ -15,10 +15,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rolamento import State, solve
 from rolamento.rows.ball import layout
 from rolamento.rows.ball.columns import spread
 from rolamento.rows.ball.solve import solve_columns_of
+from rolamento.solved import Solved
+from rolamento.solving import solve
 from rolamento.static import axial_load, radial_load
 from rolamento.verification import Check
 from rolamento.verification.check import half_unit, published
@@ -130,9 +131,9 @@ def test_the_static_start_value_is_that_of_a_radial_bearing() -> None:
 
 
 def test_table_5_3_is_alike_on_both_sides() -> None:
-    state = solve(case_5_3())
-    assert state.status.converged
-    found = numbers_of_balls(state)
+    solved = solve(case_5_3())
+    assert solved.converged.all()
+    found = numbers_of_balls(solved)
     assert len(found) == 16 * 4
     for (azimuth, key), value in found.items():
         other = found[(360.0 - azimuth) % 360.0, key]
@@ -141,13 +142,13 @@ def test_table_5_3_is_alike_on_both_sides() -> None:
 
 def test_axial_reaction_of_table_5_3() -> None:
     """Not printed: what holding the ring at x = 0 takes."""
-    state = solve(case_5_3())
-    assert state.load.fx == pytest.approx(31140.0, abs=0.5)
-    assert state.displacement.x == 0.0
+    solved = solve(case_5_3())
+    assert solved.load.fx == pytest.approx(31140.0, abs=0.5)
+    assert solved.displacement.x == 0.0
 
 
-def worst_of_5_3(state: State) -> float:
-    found = numbers_of_balls(state)
+def worst_of_5_3(solved: Solved) -> float:
+    found = numbers_of_balls(solved)
     return max(
         half_units(printed, found[float(row[0]), column])
         for row in T53["rows"]
@@ -171,9 +172,9 @@ def test_all_but_the_tie_round_to_the_print() -> None:
 
 @pytest.mark.parametrize("row", T54["rows"], ids=lambda row: f"tilt {row[0]}°")
 def test_table_5_4_has_no_moment_across(row: list[str]) -> None:
-    state = solve(case_5_4(float(row[0])))
-    assert state.status.converged
-    assert abs(state.load.mz) < 1e-9 * state.load.my
+    solved = solve(case_5_4(float(row[0])))
+    assert solved.converged.all()
+    assert abs(solved.load.mz) < 1e-9 * solved.load.my
 
 
 def test_sign_of_the_gyroscopic_moment() -> None:

@@ -13,6 +13,8 @@ from functools import cache
 from math import degrees, nan, pi, radians, sin
 from typing import Any, Final, NamedTuple
 
+import numpy as np
+
 from rolamento.case import Case
 from rolamento.case.bearing import Bearing
 from rolamento.case.duty import Duty, Load
@@ -20,8 +22,7 @@ from rolamento.case.material import Material
 from rolamento.contact.hertz import hertz_coefficients
 from rolamento.geometry import Race, race_curvature
 from rolamento.numerics.elliptic import complete
-from rolamento.rows.ball import solve
-from rolamento.state import State
+from rolamento.solving import solve
 from rolamento.static import axial_load, race_stiffness, radial_load, sjovall_radial
 from rolamento.units import MILLIMETRE
 from rolamento.verification.check import (
@@ -108,8 +109,9 @@ def radial_example() -> Mapping[str, Number]:
     load = published("radaelli_2013")["table_C1"]["radial_load_N"]
     bearing = bearing_209()
     integral = radial_load(bearing, load)
-    state = solve(Case(bearing=bearing, duty=Duty(load=Load(fz=load))))
-    counted = _load_by_azimuth(state)
+    solved = solve(Case(bearing=bearing, duty=Duty(load=Load(fz=load))))
+    azimuths = np.degrees(solved.elements.azimuth[0]).round().astype(int).tolist()
+    counted = dict(zip(azimuths, solved.inner.load[0].tolist(), strict=True))
     smeared = {round(degrees(a)): float(q) for a, q in zip(
         integral.ball_azimuths, integral.ball_loads, strict=True)}  # fmt: skip
     return {
@@ -117,9 +119,10 @@ def radial_example() -> Mapping[str, Number]:
         "load_zone_parameter": Number(float(integral.load_zone_parameter)),
         "radial_integral": Number(float(sjovall_radial(integral.load_zone_parameter))),
         "radial_displacement": Number(
-            state.displacement.z / MILLIMETRE, float(integral.radial_displacement) / MILLIMETRE
+            float(solved.displacement.z[0]) / MILLIMETRE,
+            float(integral.radial_displacement) / MILLIMETRE,
         ),
-        "max_ball_load": Number(max(counted.values(), default=nan), float(integral.max_ball_load)),
+        "max_ball_load": Number(max(counted.values()), float(integral.max_ball_load)),
         **{
             f"ball_load_{azimuth}": Number(counted.get(azimuth, nan), smeared[azimuth])
             for azimuth in AZIMUTHS
@@ -133,16 +136,16 @@ def axial_example() -> Mapping[str, Number]:
     load = published("radaelli_2013")["table_C2"]["axial_load_N"]
     bearing = bearing_218()
     frozen = axial_load(bearing, load, stiffness_angle="free")
-    state = solve(Case(bearing=bearing, duty=Duty(load=Load(fx=load))))
-    ball = state.balls[0].inner if state.balls else None
-    angle = ball.contact_angle if ball else nan
+    solved = solve(Case(bearing=bearing, duty=Duty(load=Load(fx=load))))
+    angle = float(solved.inner.contact_angle[0, 0])
     return {
         "axial_displacement": Number(
-            state.displacement.x / MILLIMETRE, float(frozen.axial_displacement) / MILLIMETRE
+            float(solved.displacement.x[0]) / MILLIMETRE,
+            float(frozen.axial_displacement) / MILLIMETRE,
         ),
         "contact_angle_rad": Number(angle, float(frozen.contact_angle)),
         "contact_angle_deg": Number(degrees(angle), degrees(float(frozen.contact_angle))),
-        "ball_load": Number(ball.load if ball else nan, float(frozen.ball_load)),
+        "ball_load": Number(float(solved.inner.load[0, 0]), float(frozen.ball_load)),
     }
 
 
@@ -161,11 +164,6 @@ def _contact_numbers(bearing: Bearing) -> dict[str, Number]:
         found[f"stiffness_{race}"] = getattr(stiffness, race) / PER_MM
     found["stiffness_combined"] = stiffness.combined / PER_MM
     return {key: Number(float(value)) for key, value in found.items()}
-
-
-def _load_by_azimuth(state: State) -> dict[int, float]:
-    """Loads on the inner contacts by azimuth in whole degrees."""
-    return {round(degrees(ball.azimuth)): ball.inner.load for ball in state.balls}
 
 
 SYMBOLS: Final = {"semi_major": "a*", "semi_minor": "b*", "deflection": "δ*"}

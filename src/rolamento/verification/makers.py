@@ -19,12 +19,10 @@ from rolamento.case.bearing import Bearing
 from rolamento.case.duty import Duty, Load
 from rolamento.life.basic import basic_rating_life, hours
 from rolamento.life.equivalent_load import equivalent_load, load_factors, static_equivalent_load
-from rolamento.rows.ball import solve, solve_batch
-from rolamento.rows.ball.preload import preload_of
-from rolamento.units import RPM
+from rolamento.solving import solve
+from rolamento.units import MICROMETRE, RPM
 from rolamento.verification.check import Check, bearing_of, half_unit, published, steel
 
-_PER_MICROMETRE: Final = 1e-6
 _RIGIDITY_FIT: Final = 0.01
 """Relative: how well one conformity and one modulus fit the bearings that are compared."""
 _FACTOR_BEARING: Final = "S 6012 E"
@@ -94,10 +92,8 @@ def _rigidities() -> Iterator[Check]:
     for designation in data["assumed"]["designations"]:
         row = gmn_row(designation)
         pair = bearing(designation, **_arranged("DB"), preload={"force": 1.0})
-        batch = solve_batch(
-            Case(bearing=pair, duty=Duty()), {"bearing.preload.force": row["preload_N"]}
-        )
-        found = batch.stiffness[:, 0, 0] * _PER_MICROMETRE
+        solved = solve(Case(bearing=pair, duty=Duty()), {"bearing.preload.force": row["preload_N"]})
+        found = solved.stiffness["fx", "x"] * MICROMETRE
         for force, printed, computed in zip(
             row["preload_N"], row["rigidity_N_per_um"], found.tolist(), strict=True
         ):
@@ -144,18 +140,18 @@ def set_factor(quantity: str, arrangement: str, pair_preload: float) -> float:
         In N.
     """
     alone = Case(bearing=bearing(_FACTOR_BEARING), duty=Duty(load=Load(fx=pair_preload)))
-    preload = {"offset": solve(alone).displacement.x}
+    preload = {"offset": float(solve(alone).displacement.x[0])}
     pair, several = (
         Case(bearing=bearing(_FACTOR_BEARING, **_arranged(name), preload=preload), duty=Duty())
         for name in ("DB", arrangement)
     )
     if quantity == "rigidity":
-        stiffness = (float(solve_batch(case).stiffness[0, 0, 0]) for case in (several, pair))
+        stiffness = (float(solve(case).stiffness["fx", "x"][0]) for case in (several, pair))
         return next(stiffness) / next(stiffness)
     # the single row of TBT and QBT faces +x: a load toward -x unloads it
     toward = 1.0 if arrangement == "DB" else -1.0
     load = several.replace(duty=Duty(load=Load(fx=toward * pair_preload)))
-    found = preload_of(load if quantity == "lift_off" else several)
+    found = solve(load if quantity == "lift_off" else several).preload
     assert found is not None
     return found.loss_factor if quantity == "lift_off" else found.at_rest / pair_preload
 

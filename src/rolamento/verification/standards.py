@@ -15,16 +15,19 @@ from collections.abc import Iterator
 from math import radians
 from typing import Final
 
+import numpy as np
+
 from rolamento.case import Case
 from rolamento.case.bearing import Bearing
 from rolamento.case.duty import Duty, Load
 from rolamento.life.equivalent_load import load_factors
 from rolamento.life.reference import race_ratings, reference_life
 from rolamento.life.reliability import reliability_factor
+from rolamento.numerics import FloatArray
 from rolamento.ratings import dynamic_factor_of_grooves, static_factor_of_grooves
-from rolamento.rows.ball import solve
+from rolamento.solving import solve
 from rolamento.static import axial_load
-from rolamento.units import MILLIMETRE
+from rolamento.units import MICROMETRE, MILLIMETRE
 from rolamento.verification.check import Check, bearing_of, half_unit, last_unit, published, steel
 
 _MPA: Final = 1e6
@@ -126,7 +129,6 @@ def iso_76_checks() -> Iterator[Check]:
         )
 
 
-_PER_MICROMETRE: Final = 1e6
 _PRECISION: Final = 1e-5
 """Relative, of the reference program: its elliptic integrals are approximate."""
 _LIFE_PRECISION: Final = 1e-4
@@ -165,13 +167,13 @@ def iso_16281_checks() -> Iterator[Check]:
     """Compare displacement and life of all examples."""
     data = published("iso_16281")
     for example in data["radial"]["example"]:
-        state = solve(_iso_16281_case(example["clearance_mm"], Load(fz=example["load_N"])))
+        solved = solve(_iso_16281_case(example["clearance_mm"], Load(fz=example["load_N"])))
         yield Check(
             source=data["radial"]["source"],
             quantity=f"δ_r, P_d = {example['clearance_mm']:g} mm",
             unit="µm",
             printed=example["displacement_um"],
-            computed=state.displacement.z * _PER_MICROMETRE,
+            computed=float(solved.displacement.z[0]) / MICROMETRE,
             tolerance=_iso_16281_tolerance(example["displacement_um"]),
             explanation=_APPROXIMATE,
         )
@@ -180,12 +182,12 @@ def iso_16281_checks() -> Iterator[Check]:
             quantity=f"L_10r, P_d = {example['clearance_mm']:g} mm",
             unit="10⁶",
             printed=example["life_million"],
-            computed=iso_16281_life([ball.inner.load for ball in state.balls]),
+            computed=iso_16281_life(solved.inner.load),
             tolerance=_LIFE_PRECISION * float(example["life_million"]),
             explanation=_APPROXIMATE_LOADS,
         )
     example = data["axial"]
-    state = solve(_iso_16281_case(example["clearance_mm"], Load(fx=example["load_N"])))
+    solved = solve(_iso_16281_case(example["clearance_mm"], Load(fx=example["load_N"])))
     frozen = axial_load(
         iso_16281_bearing(example["clearance_mm"]), example["load_N"], stiffness_angle="free"
     )
@@ -194,10 +196,10 @@ def iso_16281_checks() -> Iterator[Check]:
         quantity="δ_a",
         unit="µm",
         printed=example["displacement_um"],
-        computed=state.displacement.x * _PER_MICROMETRE,
+        computed=float(solved.displacement.x[0]) / MICROMETRE,
         tolerance=_iso_16281_tolerance(example["displacement_um"]),
         explanation=_FROZEN,
-        evidence=float(frozen.axial_displacement) * _PER_MICROMETRE,
+        evidence=float(frozen.axial_displacement) / MICROMETRE,
         deviation=_FROZEN_DEVIATION * float(example["displacement_um"]),
     )
     printed = example["life_million"]
@@ -206,16 +208,16 @@ def iso_16281_checks() -> Iterator[Check]:
         quantity="L_10r",
         unit="10⁶",
         printed=printed,
-        computed=iso_16281_life([ball.inner.load for ball in state.balls]),
+        computed=iso_16281_life(solved.inner.load),
         tolerance=3.0 * _PRECISION * float(printed),
         explanation=_FROZEN_ANGLE,
-        evidence=iso_16281_life([float(frozen.ball_load)] * len(state.balls)),
+        evidence=iso_16281_life(np.full_like(solved.inner.load, frozen.ball_load)),
         deviation=_FROZEN_LIFE * float(printed),
     )
 
 
-def iso_16281_life(loads: list[float]) -> float:
-    """Return the reference life of the examples' bearing under ball loads (N); 10⁶ revolutions."""
+def iso_16281_life(loads: FloatArray) -> float:
+    """Return the examples' reference life under ball loads, (1, balls), in N; 10⁶ revolutions."""
     given = published("iso_16281")["bearing"]
     ratings = race_ratings(
         given["dynamic_rating_N"],
@@ -226,7 +228,7 @@ def iso_16281_life(loads: list[float]) -> float:
         given["outer_conformity"],
         0.0,
     )
-    return float(reference_life([loads], [loads], ratings).life[0])
+    return float(reference_life(loads, loads, ratings).life[0])
 
 
 def _iso_16281_case(clearance_mm: float, load: Load) -> Case:
