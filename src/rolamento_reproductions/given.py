@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import tomllib
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cache
 from importlib import resources
@@ -10,7 +11,6 @@ from typing import Any, Final
 
 import numpy as np
 
-from rolamento.rows.ball import BatchState
 from rolamento_reproductions.record import Floats, Series
 from rolamento_reproductions.text import Text, said
 
@@ -55,6 +55,6 @@ def grid(lowest: float, highest: float, step: float) -> Floats:
     return np.linspace(lowest, highest, round((highest - lowest) / step) + 1)
 
 
-def status_column(state: BatchState) -> Series:
-    """Return how each case of a batch ended."""
-    return Series("status", "", said("status", "estado"), tuple(str(s) for s in state.status))
+def status_column(codes: Iterable[str]) -> Series:
+    """Return how each case ended, such as `rolamento.solved.Status.code`."""
+    return Series("status", "", said("status", "estado"), tuple(map(str, codes)))

@@ -7,7 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from rolamento.case.duty import Duty, Load
-from rolamento.rows.ball import BatchState, solve_batch
+from rolamento.solved import Solved
+from rolamento.solving import solve
 from rolamento.units import RPM
 from rolamento_reproductions.given import KILO, MILLI, grid, status_column
 from rolamento_reproductions.radaelli_2013.inputs import case, inputs_of, source_of
@@ -34,7 +35,7 @@ class _Sweep:
 
     speeds: Floats
     loads: Floats
-    state: BatchState
+    solved: Solved
     inner_load: Floats
     outer_load: Floats
     inner_angle: Floats
@@ -53,24 +54,23 @@ def _solved_sweep() -> _Sweep:
     given = inputs_of("axial_at_speed")
     speeds = np.asarray(given["speeds_rpm"], dtype=np.float64)
     loads = grid(0.0, given["highest_load_kN"], given["step_kN"])
-    state = solve_batch(
+    solved = solve(
         case(),
         inner_speed=np.repeat(speeds, loads.size) * RPM,
         fx=np.tile(loads, speeds.size) * KILO,
     )
-    balls = state.balls()
     shape = speeds.size, loads.size
-    inner, outer = balls.inner, balls.outer
+    inner, outer = solved.inner, solved.outer
     return _Sweep(
         speeds=speeds,
         loads=loads,
-        state=state,
+        solved=solved,
         inner_load=inner.load[:, 0].reshape(shape) / KILO,
         outer_load=outer.load[:, 0].reshape(shape) / KILO,
         inner_angle=np.degrees(inner.contact_angle[:, 0]).reshape(shape),
         outer_angle=np.degrees(outer.contact_angle[:, 0]).reshape(shape),
-        shift=state.displacement[:, 0].reshape(shape) / MILLI,
-        moment=np.abs(balls.gyroscopic_moment[:, 0]).reshape(shape),
+        shift=solved.displacement.x.reshape(shape) / MILLI,
+        moment=np.abs(solved.elements.gyroscopic_moment[:, 0]).reshape(shape),
     )
 
 
@@ -90,7 +90,7 @@ def _with_speed_and_load(sweep: _Sweep, *columns: Series) -> tuple[Series, ...]:
             np.tile(loads, speeds.size),
         ),
         *columns,
-        status_column(sweep.state),
+        status_column(sweep.solved.status.code),
     )
 
 
@@ -359,11 +359,11 @@ def _over_axial_load() -> tuple[Series, ...]:
     duty = Duty(
         inner_speed=given["inner_speed_rpm"] * RPM, load=Load(fz=given["radial_load_kN"] * KILO)
     )
-    state = solve_batch(case(duty), fx=loads * KILO)
+    solved = solve(case(duty), fx=loads * KILO)
     return (
         Series("axial_load", "kN", said("Axial load F_a", "Carga axial F_a"), loads),
-        Series("radial_displacement", "mm", _RADIAL_SHIFT, state.displacement[:, 2] / MILLI),
-        status_column(state),
+        Series("radial_displacement", "mm", _RADIAL_SHIFT, solved.displacement.z / MILLI),
+        status_column(solved.status.code),
     )
 
 
@@ -371,7 +371,7 @@ def _over_speed() -> tuple[Series, ...]:
     given = inputs_of("radial_over_speed")
     speeds = grid(given["lowest_speed_rpm"], given["highest_speed_rpm"], given["step_rpm"])
     load = Load(fx=given["axial_load_kN"] * KILO, fz=given["radial_load_kN"] * KILO)
-    state = solve_batch(case(Duty(load=load)), inner_speed=speeds * RPM)
+    solved = solve(case(Duty(load=load)), inner_speed=speeds * RPM)
     return (
         Series(
             "inner_speed",
@@ -379,8 +379,8 @@ def _over_speed() -> tuple[Series, ...]:
             said("Inner ring speed n_i", "Rotação do anel interno n_i"),
             speeds,
         ),
-        Series("radial_displacement", "mm", _RADIAL_SHIFT, state.displacement[:, 2] / MILLI),
-        status_column(state),
+        Series("radial_displacement", "mm", _RADIAL_SHIFT, solved.displacement.z / MILLI),
+        status_column(solved.status.code),
     )
 
 

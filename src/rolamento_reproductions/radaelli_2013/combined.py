@@ -13,7 +13,8 @@ import numpy as np
 from rolamento.case import Case
 from rolamento.case.duty import Displacement, Duty, Load
 from rolamento.case.model import Model
-from rolamento.rows.ball import BatchState, solve_batch
+from rolamento.solved import Solved
+from rolamento.solving import solve
 from rolamento.units import RPM
 from rolamento_reproductions.given import KILO, MILLI, status_column
 from rolamento_reproductions.radaelli_2013.inputs import case, inputs_of, source_of
@@ -45,7 +46,7 @@ class Round:
     """
 
     case: Case
-    state: BatchState
+    solved: Solved
     turn: Floats
     azimuth: Floats
     ball: Floats
@@ -63,25 +64,24 @@ class Round:
     @property
     def shift(self) -> Floats:
         """Displacement (x, y, z) of the inner ring; mm."""
-        shift: Floats = self.state.displacement[0, :3] / MILLI
+        shift: Floats = self.solved.displacement.array[0, :3] / MILLI
         return shift
 
     @property
     def moment(self) -> float:
         """Reaction my; N·m."""
-        return float(self.state.load[0, 3])
+        return float(self.solved.load.my[0])
 
 
 def solved_round(case: Case) -> Round:
     """Solve a case, and again with the cage turned."""
     count = case.bearing.ball_count
     turns = np.arange(_STEPS) * 2.0 * np.pi / (count * _STEPS)
-    state = solve_batch(case, first_ball_azimuth=case.duty.first_ball_azimuth + turns)
-    balls = state.balls()
+    solved = solve(case, first_ball_azimuth=case.duty.first_ball_azimuth + turns)
     number = np.full((_STEPS, count), np.nan)
     number[0] = np.arange(1.0, count + 1.0)
     # From above -180° to 180°; rounded, lest noise move a ball from one end to the other.
-    azimuth = 180.0 - np.mod(np.round(180.0 - np.degrees(balls.azimuth), 9), 360.0)
+    azimuth = 180.0 - np.mod(np.round(180.0 - np.degrees(solved.elements.azimuth), 9), 360.0)
     order = np.argsort(azimuth.ravel(), kind="stable")
     turned = np.broadcast_to(np.degrees(turns)[:, np.newaxis], azimuth.shape)
 
@@ -91,14 +91,14 @@ def solved_round(case: Case) -> Round:
 
     return Round(
         case=case,
-        state=state,
+        solved=solved,
         turn=sorted_by_azimuth(turned),
         azimuth=sorted_by_azimuth(azimuth),
         ball=sorted_by_azimuth(number),
-        inner_load=sorted_by_azimuth(balls.inner.load),
-        outer_load=sorted_by_azimuth(balls.outer.load),
-        inner_angle=sorted_by_azimuth(np.degrees(balls.inner.contact_angle)),
-        outer_angle=sorted_by_azimuth(np.degrees(balls.outer.contact_angle)),
+        inner_load=sorted_by_azimuth(solved.inner.load),
+        outer_load=sorted_by_azimuth(solved.outer.load),
+        inner_angle=sorted_by_azimuth(np.degrees(solved.inner.contact_angle)),
+        outer_angle=sorted_by_azimuth(np.degrees(solved.outer.contact_angle)),
         order=order,
     )
 
@@ -158,7 +158,7 @@ def _figure_round_the_ring(
         Series("ball", "", said("Ball", "Esfera"), found.ball),
         Series("cage_turned", "°", said("Cage turned by", "Giro da gaiola"), found.turn),
     )
-    status = status_column(found.state)
+    status = status_column(found.solved.status.code)
     states = np.asarray(status.values).repeat(found.case.bearing.ball_count)[found.order]
     races = (
         said("inner race, {}", "pista interna, {}", symbols[0]),

@@ -7,8 +7,8 @@ import numpy as np
 from rolamento.case.duty import Displacement, Duty, Load
 from rolamento.contact.hertz import hertz_coefficients
 from rolamento.geometry import Race, race_curvature
-from rolamento.rows.ball import solve
-from rolamento.state import State
+from rolamento.solved import Solved
+from rolamento.solving import solve
 from rolamento.static import axial_load, radial_load, sjovall_radial
 from rolamento.units import RPM
 from rolamento_reproductions.given import KILO, MILLI
@@ -60,7 +60,7 @@ def _positions() -> Figure:
     )
 
 
-def _radial_case(speed_rpm: float) -> State:
+def _radial_case(speed_rpm: float) -> Solved:
     given = inputs_of("table_5_3")
     duty = Duty(
         inner_speed=speed_rpm * RPM,
@@ -72,15 +72,14 @@ def _radial_case(speed_rpm: float) -> State:
 
 def _radial_table() -> Table:
     given = inputs_of("table_5_3")
-    state = _radial_case(given["inner_speed_rpm"])
+    solved = _radial_case(given["inner_speed_rpm"])
     rows: list[list[str]] = given["rows"]
-    balls = state.balls[: len(rows)]
-    count = len(state.balls)
+    count = solved.elements.azimuth.shape[1]
     computed = (
-        [np.degrees(ball.outer.contact_angle) for ball in balls],
-        [np.degrees(ball.inner.contact_angle) for ball in balls],
-        [ball.outer.load for ball in balls],
-        [ball.inner.load for ball in balls],
+        np.degrees(solved.outer.contact_angle[0, : len(rows)]),
+        np.degrees(solved.inner.contact_angle[0, : len(rows)]),
+        solved.outer.load[0, : len(rows)],
+        solved.inner.load[0, : len(rows)],
     )
     titles = (same("α_o (°)"), same("α_i (°)"), same("Q_o (N)"), same("Q_i (N)"))
     numbered = tuple(
@@ -99,7 +98,7 @@ def _radial_table() -> Table:
             given["inner_speed_rpm"],
             given["radial_load_kN"],
             same("{:.4f}", float(given["radial_displacement_mm"])),
-            state.displacement.z / MILLI,
+            float(solved.displacement.z[0]) / MILLI,
         ),
         source=source_of("table_5_3"),
         columns=(
@@ -116,20 +115,20 @@ def _radial_table() -> Table:
                 )
             ),
         ),
-        claims=(_displacement(state), _mirrored(state), *_static_estimate(state)),
+        claims=(_displacement(solved), _mirrored(solved), *_static_estimate(solved)),
         notes=(
             said(
                 "Holding the ring at x = 0 takes an axial force of {:,.0f} N.",
                 "Manter o anel em x = 0 exige uma força axial de {:,.0f} N.",
-                state.load.fx,
+                float(solved.load.fx[0]),
             ),
         ),
     )
 
 
-def _displacement(state: State) -> Claim:
+def _displacement(solved: Solved) -> Claim:
     printed = inputs_of("table_5_3")["radial_displacement_mm"]
-    cell = Cell(printed, state.displacement.z / MILLI)
+    cell = Cell(printed, float(solved.displacement.z[0]) / MILLI)
     return Claim(
         said("δ_z is {:.4f} mm.", "δ_z é {:.4f} mm.", float(printed)),
         same("{:.5f} mm.", cell.computed),
@@ -137,8 +136,8 @@ def _displacement(state: State) -> Claim:
     )
 
 
-def _mirrored(state: State) -> Claim:
-    loads = np.array([ball.inner.load for ball in state.balls])
+def _mirrored(solved: Solved) -> Claim:
+    loads = solved.inner.load[0]
     apart = float(np.abs(loads[1:] - loads[:0:-1]).max() / loads.max())
     digits = min(_DIGITS, int(-np.log10(max(apart, 1e-99))))
     return Claim(
@@ -152,14 +151,14 @@ def _mirrored(state: State) -> Claim:
     )
 
 
-def _static_estimate(state: State) -> tuple[Claim, Claim]:
+def _static_estimate(solved: Solved) -> tuple[Claim, Claim]:
     """Look into the static estimate, and why the result at speed is so much greater."""
     given = inputs_of("table_5_3")
     printed = given["static_estimate_mm"]
     without = bearing("218").replace(contact_angle=None, diametral_clearance=0.0)
     estimate = radial_load(without, given["radial_load_kN"] * KILO)
     cell = Cell(printed, float(estimate.radial_displacement) / MILLI)
-    at_rest, turning = _radial_case(0.0).displacement.z / MILLI, state.displacement.z / MILLI
+    at_rest, turning = (float(one.displacement.z[0]) / MILLI for one in (_radial_case(0.0), solved))
     gap = turning - cell.computed
     by_speed = (turning - at_rest) / gap
     return (

@@ -100,7 +100,7 @@ def _torque_figure(found: _TorqueSweep) -> Figure:
             said("Contact angle α", "Ângulo de contato α"),
             np.degrees(found.balls.inner.contact_angle[:, 0]),
         ),
-        status_column(found.state),
+        status_column(found.state.status),
     )
     lines = tuple(Line(name, look, title) for look, (name, title) in enumerate(_MODELS))
     return Figure(
