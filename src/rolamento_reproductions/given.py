@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Iterable
 from dataclasses import dataclass
-from functools import cache
-from importlib import resources
 from typing import Any, Final
 
 import numpy as np
 
+from rolamento._data import toml_of
 from rolamento_reproductions.record import Floats, Series
 from rolamento_reproductions.text import Text, said
 
@@ -27,7 +25,7 @@ class Given:
     @property
     def data(self) -> dict[str, Any]:
         """All of it."""
-        return _read(self.name)
+        return toml_of(self.name, "rolamento_reproductions")
 
     @property
     def title(self) -> Text:
@@ -42,12 +40,6 @@ class Given:
     def source_of(self, name: str) -> Text:
         """Return where a table's inputs stand, or how they were chosen."""
         return Text(**self.inputs_of(name)["source"])
-
-
-@cache
-def _read(name: str) -> dict[str, Any]:
-    file = resources.files("rolamento_reproductions") / "data" / f"{name}.toml"
-    return tomllib.loads(file.read_text(encoding="utf-8"))
 
 
 def grid(lowest: float, highest: float, step: float) -> Floats:

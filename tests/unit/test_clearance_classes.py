@@ -7,7 +7,7 @@ from itertools import pairwise
 import pytest
 
 from rolamento import Bearing
-from rolamento._shipped import shipped_table
+from rolamento._data import toml_of
 from rolamento.clearance import (
     CLEARANCE_CLASSES,
     class_clearance,
@@ -55,7 +55,7 @@ def test_classes_as_printed(bore: float, clearance_class: str, low: float, high:
 
 
 def test_every_class_lies_above_the_one_before_and_grows_with_the_bore() -> None:
-    data = shipped_table("clearance/data/iso5753.toml")
+    data = toml_of("iso5753", "rolamento.clearance")
     steps = len(data["bore_mm"]) - 1
     for name in CLEARANCE_CLASSES:
         pairs = data["classes"][name]

@@ -7,7 +7,7 @@ from math import sqrt
 
 import pytest
 
-from rolamento._shipped import shipped_table
+from rolamento._data import toml_of
 from rolamento.clearance import (
     Band,
     bore_deviations,
@@ -18,7 +18,7 @@ from rolamento.clearance import (
 )
 from rolamento.errors import InputError
 
-SIZES = shipped_table("clearance/data/iso286.toml")["sizes_mm"]
+SIZES = toml_of("iso286", "rolamento.clearance")["sizes_mm"]
 STEPS = list(pairwise(SIZES))
 
 

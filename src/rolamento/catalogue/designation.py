@@ -12,13 +12,13 @@ from functools import lru_cache
 from math import radians
 from typing import Any, Final, Literal, NamedTuple, cast
 
-from rolamento._shipped import shipped_table
+from rolamento._data import toml_of
 from rolamento.errors import InputError
 
 
 def designation_data() -> dict[str, Any]:
     """Return what the parts of designations mean; not to be changed."""
-    return shipped_table("data/designations.toml")
+    return toml_of("designations")
 
 
 _INSERT: Final = re.compile(

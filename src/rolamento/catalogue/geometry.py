@@ -9,7 +9,7 @@ from itertools import pairwise
 from math import radians
 from typing import Any, Final, Literal
 
-from rolamento._shipped import shipped_table
+from rolamento._data import toml_of
 from rolamento.catalogue.designation import ClearanceClass, Designation
 from rolamento.catalogue.inference import Candidate, inferred_geometry
 from rolamento.catalogue.records import CatalogueBearing
@@ -184,7 +184,7 @@ def middle_clearance(bore: float, clearance_class: str) -> float | None:
     clearance_class
         Of ISO 5753-1.
     """
-    data = shipped_table("clearance/data/iso5753.toml")
+    data = toml_of("iso5753", "rolamento.clearance")
     limits = [_MILLIMETRE * limit for limit in data["bore_mm"]]
     for step, (over, to) in enumerate(pairwise(limits)):
         if over * (1.0 + _ROUNDING) < bore <= to * (1.0 + _ROUNDING):

@@ -18,7 +18,7 @@ from typing import Any, Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from rolamento._shipped import shipped_table
+from rolamento._data import toml_of
 from rolamento.catalogue.records import CatalogueBearing
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
@@ -56,7 +56,7 @@ def ball_name(diameter: float) -> str:
 
 @lru_cache(maxsize=1)
 def _named_sizes() -> tuple[tuple[float, str], ...]:
-    data = shipped_table("data/ball_sizes.toml")
+    data = toml_of("ball_sizes")
     inches = [
         Fraction(number, parts)
         for key, parts in (("inch_64ths", 64), ("inch_32nds", 32), ("inch_16ths", 16))
@@ -441,4 +441,4 @@ def _dynamic_factor_extended() -> FloatArray:
 
 
 def _practices() -> Mapping[str, Any]:
-    return shipped_table("data/rating_practice.toml")
+    return toml_of("rating_practice")

@@ -51,7 +51,7 @@ from typing import Final, Literal, Protocol
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento._shipped import shipped_table
+from rolamento._data import toml_of
 from rolamento.case.material import Material
 from rolamento.contact.hertz import ElasticMaterial
 from rolamento.errors import InputError
@@ -224,7 +224,7 @@ def expansion_of(material: Material, field: str) -> float:
     InputError
         If none is on file, naming the field that gives it.
     """
-    known = shipped_table("clearance/data/expansion.toml")
+    known = toml_of("expansion", "rolamento.clearance")
     if material.name not in known:
         raise InputError(
             f"is missing: no expansion is on file for {material.name}, only for {', '.join(known)}",

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from math import isfinite
 from typing import Any, Final, Literal, NamedTuple, NoReturn, get_args
 
-from rolamento._shipped import shipped_table
+from rolamento._data import toml_of
 from rolamento.errors import InputError
 from rolamento.units import MICROMETRE, MILLIMETRE, from_si
 
@@ -100,7 +100,7 @@ def class_clearance(bore: float, clearance_class: str) -> Band:
             value=clearance_class,
             example='clearance_class = "C3"',
         )
-    data = shipped_table("clearance/data/iso5753.toml")
+    data = toml_of("iso5753", "rolamento.clearance")
     step = step_of(bore, data["bore_mm"], field="bore", standard=CLEARANCE_SOURCE)
     pair = data["classes"][clearance_class][step]
     if not pair:
@@ -141,7 +141,7 @@ def outside_deviations(diameter: float, tolerance_class: ToleranceClass = "norma
 
 
 def _bearing_deviations(ring: str, diameter: float, field: str, tolerance_class: str) -> Band:
-    data = shipped_table("clearance/data/iso492.toml")[ring]
+    data = toml_of("iso492", "rolamento.clearance")[ring]
     if tolerance_class not in data or tolerance_class == "sizes_mm":
         known = ", ".join(name for name in data if name != "sizes_mm")
         raise InputError(
@@ -185,7 +185,7 @@ def standard_tolerance(diameter: float, grade: int) -> float:
     InputError
         If there is no such grade here, or the diameter (m) is outside over 3 mm to 500 mm.
     """
-    grades = shipped_table("clearance/data/iso286.toml")["grades"]
+    grades = toml_of("iso286", "rolamento.clearance")["grades"]
     if str(grade) not in grades:
         raise InputError(
             f"must be a grade from 1 to {len(grades)}", field="grade", value=grade, example="6"
@@ -210,7 +210,7 @@ def shaft_deviations(diameter: float, tolerance: str) -> Band:
     """
     letters, grade = _parsed(tolerance, _SHAFTS, "shaft_tolerance", "k5")
     step = _size_step(diameter, "bore")
-    width, data = _grade_width(grade, step), shipped_table("clearance/data/iso286.toml")
+    width, data = _grade_width(grade, step), toml_of("iso286", "rolamento.clearance")
     if letters == "js":
         return _band(-0.5 * width, 0.5 * width)
     if letters in _UPPER_SHAFTS:
@@ -247,7 +247,7 @@ def hole_deviations(diameter: float, tolerance: str) -> Band:
     """
     letters, grade = _parsed(tolerance, _HOLES, "housing_tolerance", "H7")
     step = _size_step(diameter, "outside_diameter")
-    width, data = _grade_width(grade, step), shipped_table("clearance/data/iso286.toml")
+    width, data = _grade_width(grade, step), toml_of("iso286", "rolamento.clearance")
     shaft = letters.lower()
     if letters == "JS":
         return _band(-0.5 * width, 0.5 * width)
@@ -263,7 +263,7 @@ def hole_deviations(diameter: float, tolerance: str) -> Band:
 
 def _shifted(letters: str, grade: int, step: int, tolerance: str) -> float:
     """Upper deviation of the holes K to P."""
-    data = shipped_table("clearance/data/iso286.toml")
+    data = toml_of("iso286", "rolamento.clearance")
     last = _LAST_SHIFTED[letters]
     if letters == "K" and grade > last:
         _refuse("has K with grades up to 8 only", "housing_tolerance", tolerance, "K7")
@@ -282,7 +282,7 @@ def _parsed(tolerance: str, letters: tuple[str, ...], field: str, example: str) 
     if (
         found is None
         or found[1] not in letters
-        or found[2] not in shipped_table("clearance/data/iso286.toml")["grades"]
+        or found[2] not in toml_of("iso286", "rolamento.clearance")["grades"]
     ):
         _refuse(
             f"must be one of {', '.join(letters)} and a grade from 1 to 12",
@@ -304,12 +304,12 @@ def _of_j(
 
 
 def _size_step(diameter: float, field: str) -> int:
-    sizes = shipped_table("clearance/data/iso286.toml")["sizes_mm"]
+    sizes = toml_of("iso286", "rolamento.clearance")["sizes_mm"]
     return step_of(diameter, sizes, field=field, standard=TOLERANCE_SOURCE)
 
 
 def _grade_width(grade: int, step: int) -> float:
-    return float(shipped_table("clearance/data/iso286.toml")["grades"][str(grade)][step])
+    return float(toml_of("iso286", "rolamento.clearance")["grades"][str(grade)][step])
 
 
 def _band(lower: float, upper: float) -> Band:

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Sequence
 from math import degrees
 from typing import Any, Final
 
 from rich.text import Text
 
+from rolamento._json import dumps
 from rolamento.catalogue import (
     Candidate,
     CatalogueBearing,
@@ -265,7 +265,7 @@ def search_json(found: Sequence[CatalogueBearing]) -> str:
         "kind": "catalogue",
         "bearings": [_bearing_mapping(b) for b in found],
     }
-    return json.dumps(mapping, ensure_ascii=False, allow_nan=False)
+    return dumps(mapping)
 
 
 def bearing_json(geometry: InternalGeometry | None, bearing: CatalogueBearing) -> str:
@@ -291,7 +291,7 @@ def bearing_json(geometry: InternalGeometry | None, bearing: CatalogueBearing) -
             },
             "candidates": [_candidate_mapping(one) for one in geometry.candidates],
         }
-    return json.dumps(mapping, ensure_ascii=False, allow_nan=False)
+    return dumps(mapping)
 
 
 def _bearing_mapping(bearing: CatalogueBearing) -> dict[str, Any]:

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from math import isfinite
 from typing import Final
 
 from rich.text import Text
 
+from rolamento._json import dumps
 from rolamento.clearance import WARNINGS, ClearanceSamples, OperatingClearance, Step
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium
@@ -154,15 +153,14 @@ def clearance_json(
     """Return everything as one JSON object, in SI units."""
     whole = {"schema": SCHEMA, **found.to_mapping()}
     if samples is not None:
-        deviation = samples.standard_deviation
         whole["samples"] = {
             "count": len(samples.clearance),
             "mean": samples.mean,
-            "standard_deviation": deviation if isfinite(deviation) else None,
+            "standard_deviation": samples.standard_deviation,
             "percentiles": {f"{p:g}": samples.percentile(p) for p in PERCENTILES},
             "preloaded": samples.preloaded,
         }
-    return json.dumps(whole, indent=indent, ensure_ascii=False, allow_nan=False)
+    return dumps(whole, indent)
 
 
 def _chain_of_steps(page: Page, said: _ClearanceWords, found: OperatingClearance) -> Lines:

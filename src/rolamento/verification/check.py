@@ -16,7 +16,8 @@ from decimal import ROUND_DOWN, ROUND_HALF_UP, Decimal
 from math import isfinite, isnan, nan, radians, sqrt
 from typing import Any, Final, Literal
 
-from rolamento._shipped import shipped_table
+from rolamento._data import toml_of
+from rolamento._json import plain
 from rolamento.case.bearing import Bearing
 from rolamento.case.material import Material
 from rolamento.units import MILLIMETRE
@@ -90,19 +91,20 @@ class Check:
 
     def to_mapping(self) -> dict[str, Any]:
         """Give the check as a plain mapping; NaN as None."""
-        return {
+        mapping = {
             "source": self.source,
             "quantity": self.quantity,
             "unit": self.unit,
             "printed": self.printed,
-            "computed": _finite(self.computed),
-            "difference": _finite(self.difference),
+            "computed": self.computed,
+            "difference": self.difference,
             "tolerance": self.tolerance,
             "verdict": self.verdict,
             "explanation": self.explanation,
-            "evidence": None if self.evidence is None else _finite(self.evidence),
+            "evidence": self.evidence,
             "corrected": self.corrected or None,
         }
+        return {key: plain(value) for key, value in mapping.items()}
 
     def _proved(self) -> bool:
         """Tell whether the evidence, if there is any, gives the number that it must give."""
@@ -169,10 +171,6 @@ def _near(value: float, printed: str, tolerance: float) -> bool:
     return abs(value - float(printed)) <= tolerance * (1.0 + _ROUNDING)
 
 
-def _finite(value: float) -> float | None:
-    return value if isfinite(value) else None
-
-
 MODULUS_SCALE: Final = 3.0 / sqrt(8.0)
 """K = √8/3 · E/(1 - ν²) · Σρ^-½ δ*^-3/2 for two bodies of one material."""
 _UNKNOWN_DENSITY: Final = 7810.0
@@ -180,7 +178,7 @@ _UNKNOWN_DENSITY: Final = 7810.0
 
 def published(name: str) -> Mapping[str, Any]:
     """Return what a source prints, from its data file; not to be changed."""
-    return shipped_table(f"verification/data/{name}.toml")
+    return toml_of(name, "rolamento.verification")
 
 
 def modulus_of_constant(constant: float, poisson_ratio: float) -> float:

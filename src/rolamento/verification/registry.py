@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any, Final
 
+from rolamento._json import dumps
 from rolamento.errors import InputError, nearest
 from rolamento.verification.campanha_2008 import checks as campanha_2008_checks
 from rolamento.verification.check import VERDICTS, Check, CheckVerdict, published
@@ -83,7 +83,7 @@ class Verification:
 
     def to_json(self, *, indent: int | None = 2) -> str:
         """Give everything as one JSON object."""
-        return json.dumps(self.to_mapping(), indent=indent, ensure_ascii=False, allow_nan=False)
+        return dumps(self.to_mapping(), indent)
 
 
 def sources() -> tuple[Source, ...]:
