@@ -58,7 +58,7 @@ def table_csv(table: Table) -> str:
 
 
 def errata_csv(errata: Errata) -> str:
-    """Return misprints and sound equations with their residuals.
+    """Return misprints and valid equations with their residuals.
 
     What is left by rounding alone is given as the power of ten above it, the same everywhere.
     """

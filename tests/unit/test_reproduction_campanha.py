@@ -418,7 +418,7 @@ def test_load_round_the_ring_carries_the_load(figures: dict[str, Figure]) -> Non
     assert all(a < b for a, b in pairwise(greatest))
 
 
-def test_depth_of_the_greatest_shear(numbers: dict[str, Number]) -> None:
+def test_depth_of_the_maximum_shear(numbers: dict[str, Number]) -> None:
     """0.5 b under 10.8 kN with 0.52 is b under an eighth of it, and the printed number."""
     modulus = 208e9 / (1.0 - 0.3**2)
 

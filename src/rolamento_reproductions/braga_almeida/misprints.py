@@ -318,7 +318,7 @@ def modulation_misprint() -> Misprint:
 def misprints_section(title: Text) -> Section:
     """Derive the misprints and prove them."""
     found = (*contact_misprints(), orbit_misprint(), modulation_misprint(), radaelli_misprint())
-    sound = sorted(
+    valid = sorted(
         (*valid_orbit_equations(), *valid_contact_equations()), key=lambda one: int(one.number)
     )
     errata = Errata(
@@ -333,7 +333,7 @@ def misprints_section(title: Text) -> Section:
         source=said("equations 19 to 50 of the paper", "equações 19 a 50 do artigo"),
         remarks=_REMARKS,
         misprints=found,
-        valid=tuple(sound),
+        valid=tuple(valid),
         attitudes=COUNT,
     )
     return Section(title, (errata,))

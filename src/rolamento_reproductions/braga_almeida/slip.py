@@ -34,7 +34,7 @@ _EQUATIONS: dict[Race, tuple[str, str, str]] = {
 }
 _ROUNDING = 1e-9
 _STILL = 0.01
-"""Of the greatest slip in the contact: less counts as pure rolling."""
+"""Of the maximum slip in the contact: less counts as pure rolling."""
 _LITTLE_LEFT = 0.1
 """A part of a motion that counts as practically gone."""
 
@@ -149,7 +149,7 @@ def _between_the_lines(one: Ball) -> Claim:
         ),
         said(
             "Only on the two lines, at {:+.2f} a and {:+.2f} a, is there no slip along rolling"
-            " (below {:.0e} m/s); between them it reaches {:.3f} m/s, {:.0f} % of the greatest.",
+            " (below {:.0e} m/s); between them it reaches {:.3f} m/s, {:.0f} % of the maximum.",
             "Só sobre as duas linhas, em {:+.2f} a e {:+.2f} a, não há deslizamento no sentido do"
             " rolamento (menos de {:.0e} m/s); entre elas chega a {:.3f} m/s, {:.0f} % do maior.",
             *(float(line) for line in lines),
@@ -219,7 +219,7 @@ def _spin_part(race: Race, printed: Floats, whole: Floats, speed_rpm: float) -> 
             "Fora do centro da elipse, a rotação é grande parte do deslizamento no rolamento.",
         ),
         said(
-            "At {:,.0f} rpm what is left out reaches {:.2f} m/s, {:.0f} % of the greatest slip.",
+            "At {:,.0f} rpm what is left out reaches {:.2f} m/s, {:.0f} % of the maximum slip.",
             "A {:,.0f} rpm o que se omite chega a {:.2f} m/s, {:.0f} % do maior deslizamento.",
             speed_rpm,
             left_out,

@@ -179,7 +179,7 @@ def _no_steady_wear() -> Text:
     fits = [
         fit_wear(hours * HOUR, measured_of(b) * MICRO, "running_in_and_steady") for b in BEARINGS
     ]
-    greatest = max(fit.constants["wear_rate"] for fit in fits) * 1e3 * HOUR / MICRO
+    maximum = max(fit.constants["wear_rate"] for fit in fits) * 1e3 * HOUR / MICRO
     return said(
         "A steady rate of wear beside the running in comes out below {:.1f} µm per 1000 h: the late"
         " increase is the end of the running in. What another bearing will do, two of one test do"
@@ -187,7 +187,7 @@ def _no_steady_wear() -> Text:
         "Uma taxa constante de desgaste ao lado do amaciamento resulta menor que {:.1f} µm por 1000"
         " h: o aumento tardio é o fim do amaciamento. O que outro rolamento fará, dois de um mesmo"
         " ensaio não dizem.",
-        max(0.1, float(np.ceil(10.0 * greatest) / 10.0)),
+        max(0.1, float(np.ceil(10.0 * maximum) / 10.0)),
     )
 
 
@@ -264,13 +264,13 @@ def _measuring_load() -> Table:
 
 
 def _ends(numbers: list[str]) -> tuple[str, ...]:
-    """Of a class with one number for the least clearance and one for the greatest."""
+    """Of a class with one number for the minimum clearance and one for the maximum."""
     return ("least", "greatest") if len(numbers) == 2 else ("um",)
 
 
 def _class_title(head: str) -> Text:
     name, end = head.split("_")
-    ends = {"least": said(", least", ", mínima"), "greatest": said(", greatest", ", máxima")}
+    ends = {"least": said(", minimum", ", mínima"), "greatest": said(", maximum", ", máxima")}
     return same("{}{}", name, ends.get(end, same("")))
 
 
@@ -339,7 +339,7 @@ def _classes() -> Table:
 def _class_quantity(quantity: str) -> Text:
     """Say ``"P_d min, 6305 C3"`` in both languages."""
     which, bearing = quantity.removeprefix("P_d ").split(", ")
-    words = {"min": said("least", "mínima"), "max": said("greatest", "máxima")}
+    words = {"min": said("minimum", "mínima"), "max": said("maximum", "máxima")}
     return same("{} {} (µm)", bearing, words[which])
 
 

@@ -339,7 +339,7 @@ def shear_section(title: Text) -> Section:
     table = numbers_table(
         "F",
         said(
-            "Depth of the greatest shear stress under the heaviest ball of the 6305.",
+            "Depth of the maximum shear stress under the heaviest ball of the 6305.",
             "Profundidade da máxima tensão de cisalhamento sob a esfera mais carregada do 6305.",
         ),
         GIVEN.source_of("shear"),
@@ -351,7 +351,7 @@ def shear_section(title: Text) -> Section:
 
 @cache
 def _heaviest() -> tuple[RadialSolution, RadialSolution]:
-    """The new bearing with its least and its greatest clearance, a ball under the load."""
+    """The new bearing with its minimum and its maximum clearance, a ball under the load."""
     low, high = (
         radial_load(bearing(clearance), load(), distribution="discrete")
         for clearance in clearances_of_class()
@@ -375,7 +375,7 @@ def _nominal() -> float:
 
 
 def _depths(inner_conformity: float) -> list[float]:
-    """Depth of the greatest shear; mm."""
+    """Depth of the maximum shear; mm."""
     poisson = printed("bearing_6305")["poisson_ratio"]
     return [
         float(maximum_shear(c.max_pressure, c.semi_major, c.semi_minor, poisson).depth) / MILLIMETRE
@@ -392,7 +392,7 @@ def shear_numbers() -> tuple[Number, ...]:
     return (
         Number(
             "depth",
-            said("z of the greatest shear (mm)", "z da máxima tensão de cisalhamento (mm)"),
+            said("z of the maximum shear (mm)", "z da máxima tensão de cisalhamento (mm)"),
             printed("shear_depth")["greatest_shear_depth_mm"],
             LINE_CONTACT_DEPTH * float(whole.semi_minor) / MILLIMETRE,
             said("{:.3f} to {:.3f}", "{:.3f} a {:.3f}", *_depths(_measured())),
@@ -423,7 +423,7 @@ def _subsurface() -> Claim:
             "O rolamento 1 perdeu material até 0,1 a 0,2 mm: fadiga sub-superficial.",
         ),
         said(
-            "{:.1f} to {:.1f} times the depth of the greatest shear; 0.5 to 1.5 times is beneath"
+            "{:.1f} to {:.1f} times the depth of the maximum shear; 0.5 to 1.5 times is beneath"
             " the surface.",
             "{:.1f} a {:.1f} vezes a profundidade da máxima tensão; de 0,5 a 1,5 vez é"
             " sub-superficial.",
@@ -446,7 +446,7 @@ def _surface() -> Claim:
             " superficial.",
         ),
         said(
-            "Some {:.2f} to {:.2f} times the depth of the greatest shear; up to 0.2 times is from"
+            "Some {:.2f} to {:.2f} times the depth of the maximum shear; up to 0.2 times is from"
             " the surface.",
             "Cerca de {:.2f} a {:.2f} vezes a profundidade da máxima tensão; até 0,2 vez é"
             " superficial.",
@@ -465,7 +465,7 @@ def _inner_ring() -> Claim:
     lives = _race_lives(state)
     return Claim(
         said(
-            "Fatigue starts at the inner ring, the part with the greatest load and stress.",
+            "Fatigue starts at the inner ring, the part with the maximum load and stress.",
             "A fadiga se origina no anel interno, o componente com maior carga e tensão.",
         ),
         said(

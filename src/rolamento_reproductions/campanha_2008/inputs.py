@@ -94,7 +94,7 @@ def contact_at(ball_load: float, conformity: float, race: Race) -> HertzContact:
 
 
 def clearances_of_class() -> tuple[float, float]:
-    """Return the least and the greatest clearance of the new 6305, class C3; m."""
+    """Return the minimum and the maximum clearance of the new 6305, class C3; m."""
     low, high = (
         check.computed * MICRO for check in clearance_checks() if check.quantity.endswith("6305 C3")
     )

@@ -46,7 +46,7 @@ NO_CLEARANCE = 0.5
 """ε without clearance."""
 
 
-def elastic_approach() -> float:
+def elastic_deflection() -> float:
     """Return what a ball approaches the rings by under 5 F_r/Z, with the maker's stiffness; m."""
     ball = STRIBECK * load() / ball_count()
     return float((ball / catalogue_stiffness(ball_diameter())) ** (2.0 / 3.0))
@@ -58,7 +58,7 @@ def _clearances() -> list[float]:
     return [
         given["preload_um"] * MICRO,
         *(value * MICRO for value in given["clearances_um"]),
-        elastic_approach(),
+        elastic_deflection(),
     ]
 
 
@@ -106,8 +106,8 @@ def distribution_figure() -> Figure:
         caption=said(
             "What the load factor ε means for the 6305 under {:,.0f} N: ball load round the ring"
             " with preload, without clearance, with the clearance of a new bearing of class C3, of"
-            " one worn for 628 h, and with the elastic approach taken for a clearance. Markers: the"
-            " eight balls.",
+            " one worn for 628 h, and with the elastic deflection taken for a clearance. Markers:"
+            " the eight balls.",
             "O que o fator de carga ε significa para o 6305 sob {:,.0f} N: carga nas esferas ao"
             " redor do anel com pré-carga, sem folga, com a folga de um rolamento novo da classe"
             " C3, com a de um gasto por 628 h e com a aproximação elástica tomada por folga."
@@ -144,9 +144,9 @@ def distribution_figure() -> Figure:
 
 def _round_the_ring(solved: RadialSolution, azimuth_deg: Floats) -> Floats:
     """Q(ψ) = Q_max [1 - (1 - cos ψ)/(2ε)]^1.5 where positive. Sjövall (1933)."""
-    epsilon, greatest = float(solved.load_zone_parameter), float(solved.max_ball_load)
+    epsilon, maximum = float(solved.load_zone_parameter), float(solved.max_ball_load)
     share = 1.0 - (1.0 - np.cos(np.radians(azimuth_deg))) / (2.0 * epsilon)
-    return np.asarray(greatest * np.maximum(share, 0.0) ** 1.5)
+    return np.asarray(maximum * np.maximum(share, 0.0) ** 1.5)
 
 
 def _half() -> Claim:
@@ -191,7 +191,7 @@ def _heaviest() -> Claim:
 _OTHER_LOADS = (0.1, 0.01)
 """Of the test load: where the mistaken clearance is shown to cost as much as there."""
 _BEST = (0.7, 0.8)
-"""ε between which life is greatest, by the maker's own table."""
+"""ε between which life is longest, by the maker's own table."""
 
 
 def load_zone_section(title: Text) -> Section:
@@ -249,7 +249,7 @@ def relative_life(clearance: float) -> float:
 
 def _life_figure() -> Figure:
     given = GIVEN.inputs_of("load_zone")
-    taken_at = elastic_approach() / MICRO
+    taken_at = elastic_deflection() / MICRO
     shown = grid(given["lowest_um"], given["highest_um"], given["step_um"])
     microns = np.unique([*shown, *given["clearances_um"], taken_at])
     zone, by_maker = _by_the_maker(microns * MICRO)
@@ -299,7 +299,7 @@ def _life_figure() -> Figure:
 def _fifth() -> Claim:
     new = [relative_life(clearance) for clearance in clearances_of_class()]
     worn = relative_life(GIVEN.inputs_of("load_zone")["clearances_um"][-1] * MICRO)
-    zone, life = _by_the_maker(np.array([elastic_approach()]))
+    zone, life = _by_the_maker(np.array([elastic_deflection()]))
     return Claim(
         said(
             "In condition I the clearance takes 20 % off the life.",
@@ -307,13 +307,13 @@ def _fifth() -> Claim:
         ),
         said(
             "{:.0f} to {:.0f} % with the 13 to 28 µm of a new bearing, {:.0f} % with the 50 µm of"
-            " one worn for 628 h. The dissertation puts the elastic approach of the heaviest ball,"
-            " {:.0f} µm, in the place of the clearance: that gives ε = {:.3f} and {:.0f} %.",
+            " one worn for 628 h. The dissertation puts the elastic deflection of the heaviest"
+            " ball, {:.0f} µm, in the place of the clearance: that gives ε = {:.3f} and {:.0f} %.",
             "{:.0f} a {:.0f} % com os 13 a 28 µm de um rolamento novo, {:.0f} % com os 50 µm de um"
             " gasto por 628 h. A dissertação põe a aproximação elástica da esfera mais carregada,"
             " {:.0f} µm, no lugar da folga: disso resultam ε = {:.3f} e {:.0f} %.",
             *(100.0 * (1.0 - value) for value in (*new, worn)),
-            elastic_approach() / MICRO,
+            elastic_deflection() / MICRO,
             float(zone[0]),
             100.0 * (1.0 - float(life[0])),
         ),
@@ -346,7 +346,7 @@ def _best_zone() -> Claim:
     best = int(np.argmax(life))
     return Claim(
         said(
-            "Life is greatest with a little preload, ε between 0.7 and 0.8.",
+            "Life is longest with a little preload, ε between 0.7 and 0.8.",
             "A vida é máxima com pequena pré-carga, ε entre 0,7 e 0,8.",
         ),
         said(
@@ -371,7 +371,7 @@ def _same_everywhere() -> Text:
         zone = load_zone(taken, force, ball_count(), stiffness)
         lives.append(100.0 * (1.0 - float(zone_life(zone, _ratings()))))
     return said(
-        "The mistake shows by itself: with Q = 5 F_r/Z the approach taken for a clearance makes"
+        "The mistake shows by itself: with Q = 5 F_r/Z the deflection taken for a clearance makes"
         " f(ε) = 5^(2/3) = {:.3f}, whatever the load, the bearing or the clearance. Under"
         " {:,.0f}, {:,.0f} and {:,.0f} N the loss would be {:.1f}, {:.1f} and {:.1f} %.",
         "O engano se revela por si: com Q = 5 F_r/Z a aproximação tomada por folga dá f(ε) ="
@@ -411,14 +411,14 @@ def load_zone_numbers() -> tuple[Number, ...]:
             100.0 * (1.0 - kept),
             said("{:.0f} to {:.0f}", "{:.0f} a {:.0f}", *(100.0 * (1.0 - value) for value in new)),
             said(
-                "The elastic approach, {:.1f} µm, taken for the clearance, and the life read off a"
-                " table in steps of ε of 0.1, as makers print it; without the table {:.1f} %. The"
+                "The elastic deflection, {:.1f} µm, taken for the clearance, and the life read off"
+                " a table in steps of ε of 0.1, as makers print it; without the table {:.1f} %. The"
                 " real clearance is 13 to 28 µm.",
                 "A aproximação elástica, {:.1f} µm, tomada por folga, e a vida lida em uma tabela"
                 " com passos de ε de 0,1, como a dos fabricantes; sem a tabela, {:.1f} %. A folga"
                 " real é de 13 a 28 µm.",
-                elastic_approach() / MICRO,
-                100.0 * (1.0 - float(_by_the_maker(np.array([elastic_approach()]))[1][0])),
+                elastic_deflection() / MICRO,
+                100.0 * (1.0 - float(_by_the_maker(np.array([elastic_deflection()]))[1][0])),
             ),
         ),
         Number(
@@ -449,7 +449,7 @@ def _read_off_a_table() -> float:
 
 def _load_zone_table() -> Table:
     lives = [_ball_by_ball(clearance) for clearance in (0.0, *clearances_of_class())]
-    none, least, most = (float(hours(life, speed())) for life in lives)
+    none, low, high = (float(hours(life, speed())) for life in lives)
     return numbers_table(
         "D",
         said(
@@ -467,8 +467,8 @@ def _load_zone_table() -> Table:
                 " reais das oito esferas, é {:.1f} h sem folga e {:.1f} a {:.1f} h com a da classe"
                 " C3; (C/P)³ dá {:.1f} h.",
                 none,
-                most,
-                least,
+                high,
+                low,
                 basic_life_hours(printed("life")["dynamic_rating_N"]),
             ),
         ),

@@ -60,7 +60,7 @@ _MEANING = {
     ),
     "measured_I": said("It rests on the raised rating.", "Baseia-se na capacidade elevada."),
     "reduction": said(
-        "The elastic approach is no clearance; a C3 bearing loses 5 to 10 %.",
+        "The elastic deflection is no clearance; a C3 bearing loses 5 to 10 %.",
         "A aproximação elástica não é folga; um rolamento C3 perde de 5 a 10 %.",
     ),
     "life_I": said(

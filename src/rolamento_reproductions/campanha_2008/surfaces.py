@@ -296,7 +296,7 @@ def _enough() -> Claim:
     needed = _needed()
     return Claim(
         said(
-            "13 mm²/s is the least viscosity with which a ball bearing runs without trouble from"
+            "13 mm²/s is the minimum viscosity with which a ball bearing runs without trouble from"
             " its film.",
             "13 mm²/s é a viscosidade mínima para um rolamento de esferas trabalhar sem problemas"
             " na formação do filme.",
@@ -431,8 +431,8 @@ def _low() -> Claim:
 
 def _reliable() -> Claim:
     failed = {number for test in life_tests() for number in test.failed}
-    sound = {n: bands for n, bands in _rejected().items() if n not in failed}
-    counts = [sum(band in bands for bands in sound.values()) for band in _BANDS]
+    passed = {n: bands for n, bands in _rejected().items() if n not in failed}
+    counts = [sum(band in bands for bands in passed.values()) for band in _BANDS]
     return Claim(
         said(
             "Identifying trouble by noise is very reliable.",
@@ -443,7 +443,7 @@ def _reliable() -> Claim:
             " failure from wear here.",
             "De {} rolamentos que não haviam falhado, L reprova {}, M {} e H {}. Aqui só a faixa L"
             " distingue falha de desgaste.",
-            len(sound),
+            len(passed),
             *counts,
         ),
         holds=counts[-1] == 0,

@@ -25,12 +25,12 @@ from rolamento_reproductions.record import (
 from rolamento_reproductions.text import Text, said, same
 
 _MAX_BEND = 0.03
-"""How far from a straight line, as a part of the greatest value, still reads as one in print."""
+"""How far from a straight line, as a part of the maximum value, still reads as one in print."""
 _FIRST, _LAST = 5.0, -5.0  # kN, ends of a curve that are compared
 
 _RADIAL = said("Radial load F_r", "Carga radial F_r")
 _AXIAL = said("Axial load F_a", "Carga axial F_a")
-_LOAD = said("Greatest ball load Q_max", "Carga máxima na esfera Q_max")
+_LOAD = said("Maximum ball load Q_max", "Carga máxima na esfera Q_max")
 
 
 def static_section(title: Text) -> Section:
@@ -100,15 +100,15 @@ def _distribution() -> Figure:
 
 def _load_round_the_ring(solved: RadialSolution, azimuth_deg: Floats) -> Floats:
     """Q(ψ) = Q_max [1 - (1 - cos ψ)/(2ε)]^1.5 where positive. Radaelli (2013) eq. 13."""
-    epsilon, greatest = float(solved.load_zone_parameter), float(solved.max_ball_load)
+    epsilon, maximum = float(solved.load_zone_parameter), float(solved.max_ball_load)
     share = 1.0 - (1.0 - np.cos(np.radians(azimuth_deg))) / (2.0 * epsilon)
-    return np.asarray(greatest * np.maximum(share, 0.0) ** 1.5)
+    return np.asarray(maximum * np.maximum(share, 0.0) ** 1.5)
 
 
 def _claims_on_clearance(solved: dict[float, RadialSolution]) -> tuple[Claim, ...]:
     states = [solved[value] for value in sorted(solved)]
     zones = [float(np.degrees(state.load_zone_half_angle)) for state in states]
-    greatest = [float(state.max_ball_load) for state in states]
+    maximum = [float(state.max_ball_load) for state in states]
     counts = [int((state.ball_loads > 0.0).sum()) for state in states]
     none = float(np.degrees(solved[0.0].load_zone_half_angle))
     return (
@@ -139,8 +139,8 @@ def _claims_on_clearance(solved: dict[float, RadialSolution]) -> tuple[Claim, ..
                 "The greater the clearance, the greater the load on the ball at ψ = 0.",
                 "Quanto maior a folga, maior a carga na esfera em ψ = 0.",
             ),
-            same("{:,.0f} N, {:,.0f} N, {:,.0f} N.", *greatest),
-            greatest == sorted(greatest) and len(set(greatest)) == len(greatest),
+            same("{:,.0f} N, {:,.0f} N, {:,.0f} N.", *maximum),
+            maximum == sorted(maximum) and len(set(maximum)) == len(maximum),
         ),
         Claim(
             said(
@@ -315,7 +315,7 @@ def _proportion(loads: Floats, ball: Floats) -> Claim:
     return Claim(
         said("The ball load is linear in the load.", "A carga na esfera é linear com a carga."),
         said(
-            "The best straight line misses it by at most {:.2f} % of the greatest value.",
+            "The best straight line misses it by at most {:.2f} % of the maximum value.",
             "A melhor reta erra no máximo {:.2f} % do maior valor.",
             100.0 * miss,
         ),
@@ -446,7 +446,7 @@ def _panel_over_angle(what: _Motion, given: dict[str, Any]) -> Panel:
 
 
 def _growth_with_speed(what: _Motion, speeds: Floats, values: Floats) -> Claim:
-    """Fit the exponent of the speed at the greatest contact angle."""
+    """Fit the exponent of the speed at the maximum contact angle."""
     turning = speeds > 0.0
     x, y = np.log(speeds[turning]), np.log(values[-1][turning])
     exponent = float(np.polynomial.Polynomial.fit(x, y, 1).convert().coef[1])
@@ -466,7 +466,7 @@ def _growth_with_speed(what: _Motion, speeds: Floats, values: Floats) -> Claim:
 
 
 def _growth_with_angle(what: _Motion, values: Floats) -> Claim:
-    """Compare the ends of the range of contact angles, at the greatest speed."""
+    """Compare the ends of the range of contact angles, at the maximum speed."""
     first, last = float(values[0, -1]), float(values[-1, -1])
     if what.name == "gyroscopic_moment":
         return Claim(

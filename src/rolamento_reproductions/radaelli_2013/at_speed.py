@@ -300,7 +300,7 @@ def _moments(sweep: _Sweep) -> Figure:
 
 
 def _towards_rest(sweep: _Sweep, distance: Floats, symbol: Text, unit: str) -> Claim:
-    """State how far a quantity is from its value at rest, at a small and at the greatest load."""
+    """State how far a quantity is from its value at rest, at a small and at the maximum load."""
     small, great = float(_at_load(sweep, distance, 5.0)[-1]), float(distance[-1, -1])
     return Claim(
         said(

@@ -180,9 +180,9 @@ def _figure_round_the_ring(
 
 
 _ALIKE_LOAD, _ALIKE_ANGLE = 0.10, 5.0
-"""Differences that still read as alike: a part of the greatest load, and degrees."""
+"""Differences that still read as alike: a part of the maximum load, and degrees."""
 _NEAR_ZERO = 5.0  # degrees
-_NEARLY_EQUAL = 0.05  # of the greatest load
+_NEARLY_EQUAL = 0.05  # of the maximum load
 _NEAR_DIRECTION = 3.0  # degrees
 
 
@@ -310,19 +310,19 @@ def _opposite_angles(whole: Round) -> Claim:
 
 
 def _alike_loads(whole: Round, still: Round) -> Claim:
-    difference, greatest = _load_difference(whole, still), float(whole.outer_load.max())
+    difference, maximum = _load_difference(whole, still), float(whole.outer_load.max())
     return Claim(
         said(
             "Without the gyroscopic moment the loads are much as with it.",
             "Sem o momento giroscópico as cargas são muito parecidas.",
         ),
         said(
-            "They differ from figure 5.15 by at most {:,.0f} N, {:.1f} % of the greatest load.",
+            "They differ from figure 5.15 by at most {:,.0f} N, {:.1f} % of the maximum load.",
             "Diferem da figura 5.15 em no máximo {:,.0f} N, {:.1f} % da maior carga.",
             difference,
-            100.0 * difference / greatest,
+            100.0 * difference / maximum,
         ),
-        difference < _ALIKE_LOAD * greatest,
+        difference < _ALIKE_LOAD * maximum,
     )
 
 
@@ -346,7 +346,7 @@ def _equal_inside_and_outside(whole: Round, light: Round) -> Claim:
     def apart(found: Round) -> float:
         return float(np.abs(found.outer_load - found.inner_load)[found.placed].max())
 
-    greatest = float(light.outer_load.max())
+    maximum = float(light.outer_load.max())
     return Claim(
         said(
             "Without the centrifugal force the loads at the inner and outer race are nearly equal.",
@@ -354,15 +354,15 @@ def _equal_inside_and_outside(whole: Round, light: Round) -> Claim:
             " iguais.",
         ),
         said(
-            "They are at most {:,.0f} N apart, {:.1f} % of the greatest load; with it, up to"
+            "They are at most {:,.0f} N apart, {:.1f} % of the maximum load; with it, up to"
             " {:,.0f} N.",
             "A diferença é de no máximo {:,.0f} N, {:.1f} % da maior carga; com ela, até"
             " {:,.0f} N.",
             apart(light),
-            100.0 * apart(light) / greatest,
+            100.0 * apart(light) / maximum,
             apart(whole),
         ),
-        apart(light) < _NEARLY_EQUAL * greatest < apart(whole),
+        apart(light) < _NEARLY_EQUAL * maximum < apart(whole),
     )
 
 
@@ -467,7 +467,7 @@ def _turned_loads(found: Round, direction: float) -> Claim:
             "As tendências são as da figura 5.15, giradas para a direção da carga radial, {:.1f}°.",
             direction,
         ),
-        said("Q_i is greatest at {:.1f}°.", "Q_i é máxima em {:.1f}°.", peak),
+        said("Q_i is maximum at {:.1f}°.", "Q_i é máxima em {:.1f}°.", peak),
         abs(peak - direction) < _NEAR_DIRECTION,
     )
 
@@ -481,7 +481,7 @@ def _turned_angles(found: Round, direction: float) -> Claim:
             "As tendências são as da figura 5.16, giradas do mesmo modo.",
         ),
         said(
-            "α_i is greatest at {:.1f}°, opposite the load at {:.1f}°.",
+            "α_i is maximum at {:.1f}°, opposite the load at {:.1f}°.",
             "α_i é máximo em {:.1f}°, oposto à carga em {:.1f}°.",
             peak,
             opposite,
@@ -545,7 +545,7 @@ def _moved_ring(still: Round, moved: Round) -> Text:
 
 
 def _by_ball(one: Round, other: Round, values: np.ndarray, others: np.ndarray) -> float:
-    """Greatest difference between balls of one number."""
+    """Maximum difference between balls of one number."""
     first = values[one.placed][np.argsort(one.ball[one.placed])]
     second = others[other.placed][np.argsort(other.ball[other.placed])]
     return float(np.abs(first - second).max())
@@ -555,9 +555,9 @@ _TILTED_FIGURES = (("5.27", "5.28"), ("5.29", "5.30"), ("5.31", "5.32"))
 _STRONG_CHANGE = 0.10
 """A change of a displacement that counts as strong."""
 _WEAK_LOAD, _WEAK_ANGLE = 0.10, 5.0
-"""Changes that count as weak: a part of the greatest load, and degrees."""
+"""Changes that count as weak: a part of the maximum load, and degrees."""
 _LOADED_PART = 0.10
-"""Part of the greatest load from which a ball counts as loaded."""
+"""Part of the maximum load from which a ball counts as loaded."""
 
 
 def tilt_section(title: Text) -> Section:
@@ -615,7 +615,7 @@ def _weak_on_loads(level: Round, tilted: Round) -> Claim:
             "O desalinhamento influi fracamente nas cargas das esferas.",
         ),
         said(
-            "They differ from figure 5.29 by at most {:,.0f} N, {:.1f} % of the greatest.",
+            "They differ from figure 5.29 by at most {:,.0f} N, {:.1f} % of the maximum.",
             "Diferem da figura 5.29 em no máximo {:,.0f} N, {:.1f} % da maior.",
             change,
             100.0 * share,
@@ -629,7 +629,7 @@ def _weak_on_angles(level: Round, tilted: Round) -> Claim:
     outer = np.abs(level.outer_angle - tilted.outer_angle)
     change = np.maximum(inner, outer)[level.placed]
     loaded = level.inner_load[level.placed] > _LOADED_PART * level.inner_load.max()
-    of_loaded, greatest = float(change[loaded].max()), float(change.max())
+    of_loaded, maximum = float(change[loaded].max()), float(change.max())
     return Claim(
         said(
             "The tilt has a weak influence on the contact angles.",
@@ -637,15 +637,15 @@ def _weak_on_angles(level: Round, tilted: Round) -> Claim:
         ),
         said(
             "They differ from figure 5.30 by at most {:.1f}° on the {} balls that carry more than"
-            " {:.0f} % of the greatest load, and by up to {:.1f}° on the others.",
+            " {:.0f} % of the maximum load, and by up to {:.1f}° on the others.",
             "Diferem da figura 5.30 em no máximo {:.1f}° nas {} esferas com mais de {:.0f} % da"
             " maior carga, e em até {:.1f}° nas outras.",
             of_loaded,
             int(loaded.sum()),
             100.0 * _LOADED_PART,
-            greatest,
+            maximum,
         ),
-        holds=greatest < _WEAK_ANGLE,
+        holds=maximum < _WEAK_ANGLE,
         partly=of_loaded < _WEAK_ANGLE,
     )
 

@@ -337,7 +337,7 @@ def _greatest_difference(given: dict[str, object]) -> Claim:
     ]
     return Claim(
         said(
-            "The greatest difference from Harris is {:g} %.",
+            "The maximum difference from Harris is {:g} %.",
             "A maior diferença em relação a Harris é de {:g} %.",
             stated,
         ),

@@ -131,7 +131,7 @@ def _curvature() -> Misprint:
     modulus = 2.0 / (first + second)
     return proven(
         ("10", said("Equations (10) to (12)", "Equações (10) a (12)")),
-        said("contact ellipse and approach", "elipse de contato e aproximação"),
+        said("contact ellipse and deflection", "elipse de contato e aproximação"),
         (
             said("R_c: the sum of curvatures", "R_c: a soma das curvaturas"),
             said(

@@ -257,7 +257,7 @@ def _improvement(values: list[float], found: list[_Bearing]) -> Claim:
 
 
 def _change(one: _Bearing) -> float:
-    """Return the least speed at which the inner contact spins more; rpm."""
+    """Return the minimum speed at which the inner contact spins more; rpm."""
     return float(_speeds()[np.argmax(one.inner > one.outer)])
 
 
@@ -300,7 +300,7 @@ def _pairs_in_words(pairs: list[tuple[int, int]]) -> str:
 
 def _no_free_lunch(found: list[_Bearing]) -> tuple[Claim, ...]:
     """The contacts' angles leave a sum to be shared: no bearing here rolls purely on both."""
-    least = min(float((one.inner + one.outer).min()) for one in found)
+    minimum = min(float((one.inner + one.outer).min()) for one in found)
     return (
         Claim(
             said(
@@ -312,9 +312,9 @@ def _no_free_lunch(found: list[_Bearing]) -> tuple[Claim, ...]:
             said(
                 "Their sum is nowhere below {:.3f}.",
                 "Sua soma não é menor que {:.3f} em parte alguma.",
-                least,
+                minimum,
             ),
-            least > 0.05,
+            minimum > 0.05,
             of_theory=True,
         ),
     )

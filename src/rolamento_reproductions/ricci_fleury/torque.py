@@ -125,7 +125,7 @@ def _torque_figure(found: _TorqueSweep) -> Figure:
                 "The text finds that Jones's simplified model fits Todd's measurements perfectly."
                 " Neither the measured points nor the printed curves are in the text, so this is"
                 " not checked here. Over the load the contact angle rises from {:.1f}° to {:.1f}°,"
-                " the greatest pressure from {:.2f} to {:.2f} GPa.",
+                " the maximum pressure from {:.2f} to {:.2f} GPa.",
                 "O texto conclui que o modelo simplificado de Jones se ajusta perfeitamente às"
                 " medições de Todd. Nem os pontos medidos nem as curvas impressas estão no texto,"
                 " de modo que isso não é verificado aqui. Com a carga o ângulo de contato sobe de"
@@ -333,7 +333,7 @@ def _both_spin(found: _TorqueSweep) -> Claim:
 def _order(t: dict[str, Floats]) -> Claim:
     names = ("harris", "jones_full", "todd_bare", "todd", "jones_simplified")
     rising = all(np.all(t[a] < t[b]) for a, b in pairwise(names))
-    least = np.all(t["jones_full"] <= t["jones_control"])
+    smaller = np.all(t["jones_full"] <= t["jones_control"])
     return _expected(
         said(
             "From below: Harris, Jones full, Todd without hysteresis (Jones with control), Todd"
@@ -344,11 +344,11 @@ def _order(t: dict[str, Floats]) -> Claim:
             " controle prescreve.",
         ),
         said(
-            "So at all {} loads." if rising and least else "Not at all {} loads.",
-            "Assim em todas as {} cargas." if rising and least else "Não em todas as {} cargas.",
+            "So at all {} loads." if rising and smaller else "Not at all {} loads.",
+            "Assim em todas as {} cargas." if rising and smaller else "Não em todas as {} cargas.",
             t["jones_full"].size,
         ),
-        rising and least,
+        rising and smaller,
     )
 
 
