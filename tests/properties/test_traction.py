@@ -8,13 +8,12 @@ from typing import Any
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from rolamento.friction.loaded_balls import loaded_balls
 
 from rolamento import Bearing, Case, Displacement, Duty, Load, Lubricant, Model
-from rolamento.friction.ellipse_mesh import ellipse_mesh
 from rolamento.friction.jones_full import jones_full
-from rolamento.friction.loaded_balls import loaded_balls
 from rolamento.friction.slip import BallVelocity, relative_motion
-from rolamento.friction.traction import ContactFriction, contact_friction
+from rolamento.friction.traction import ContactFriction, contact_friction, ellipse_mesh
 from rolamento.rows.ball import BatchState, layout, solve, solve_batch
 from rolamento.rows.ball.problem import ring_arms
 from rolamento.rows.ball.rolling import Rolling

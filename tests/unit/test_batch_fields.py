@@ -14,7 +14,6 @@ from rolamento import (
     InputError,
     Load,
     UnknownKeyError,
-    analyse_batch,
     solve_batch,
 )
 from rolamento.rows.ball.fields import BATCH_FIELDS, SHORT_NAMES, batch_fields, within_bounds
@@ -257,5 +256,3 @@ def test_a_masked_value_is_no_value(case_218: Case) -> None:
     assert list(batch.status) == ["converged", "invalid_input", "converged"]
     assert np.isnan(batch.displacement[1]).all()
     np.testing.assert_allclose(batch.displacement[[0, 2]], whole.displacement[[0, 2]], rtol=1e-9)
-    with pytest.raises(InputError, match="absolute zero"):
-        analyse_batch(case_218, whole, lubricant_temperature=np.ma.masked_less([1e3] * 3, 2e3))

@@ -20,9 +20,10 @@ from rolamento.life import (
 from rolamento.life.contamination import class_of_code, class_of_grease
 from rolamento.life.l_able import FactorTable
 from rolamento.life.record import NOTES, OUTSIDE
-from rolamento.lubrication import film_of
-from rolamento.lubrication.viscosity_ratio import viscosity_ratio
+from rolamento.lubrication import film as film_of
+from rolamento.lubrication.oil_state import viscosity_ratio
 from rolamento.rows.ball import solve_batch
+from rolamento.solving import solve as solved_case
 
 RPM = np.pi / 30.0
 SPEED = 2000.0 * RPM
@@ -265,7 +266,7 @@ def test_lubricant_of_the_case_is_taken_where_nothing_is_given() -> None:
     assert filled.temperature == 343.15
     found = life(state, filled)
     assert found.viscosity_ratio is not None
-    assert found.viscosity_ratio[0] == pytest.approx(film_of(state).viscosity_ratio)
+    assert found.viscosity_ratio[0] == pytest.approx(film_of(solved_case(oiled)).viscosity_ratio[0])
     own = LifeConditions(viscosity_ratio=2.0, temperature=300.0)
     assert with_lubricant(own, oiled) is own
     dry = Case(bearing=DEEP, duty=oiled.duty)

@@ -11,9 +11,8 @@ import pytest
 from numpy.typing import NDArray
 
 from rolamento import Case, Lubricant, Model, load_case, solve
-from rolamento.friction.ellipse_mesh import ellipse_mesh
 from rolamento.friction.slip import BallVelocity, Patch, relative_motion
-from rolamento.friction.traction import contact_friction
+from rolamento.friction.traction import contact_friction, ellipse_mesh
 from rolamento.kinematics import RacewayControl, ball_motion
 from rolamento.rows.ball import layout
 from rolamento.rows.ball.columns import spread

@@ -16,7 +16,7 @@ from rolamento.life.load_zone import (
 )
 from rolamento.life.modified import fatigue_load_limit, life_modification_factor
 from rolamento.life.reference import race_ratings
-from rolamento.lubrication.viscosity_ratio import viscosity_ratio
+from rolamento.lubrication.oil_state import viscosity_ratio
 from rolamento.ratings import (
     dynamic_factor,
     dynamic_factor_of_grooves,

@@ -208,7 +208,7 @@ class Lubricant(Record):
 
     def _hot_viscosity(self, viscosity_40: float) -> float:
         """At 100 °C, as given or by the viscosity index; NaN if there is none."""
-        from rolamento.oil.viscosity_index import viscosity_100_of_index
+        from rolamento.oil import viscosity_100_of_index
 
         if self.viscosity_100 is not None:
             return self.viscosity_100

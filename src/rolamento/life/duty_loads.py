@@ -18,7 +18,7 @@ from rolamento.life.equivalent_load import (
 )
 from rolamento.life.modified import fatigue_load_limit, fatigue_load_limit_of_contacts
 from rolamento.life.solved_balls import SolvedRows
-from rolamento.lubrication.viscosity_ratio import viscosity_ratio
+from rolamento.lubrication.oil_state import viscosity_ratio
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.ratings import (
     dynamic_factor,

@@ -217,7 +217,7 @@ def _what_follows(page: Page, analysis: Analysis, notes: list[str]) -> list[Line
     if analysis.friction is not None:
         from rolamento.report.friction import friction_parts
 
-        parts += friction_parts(page, analysis.state, analysis.friction)
+        parts += friction_parts(page, analysis.solved, analysis.friction)
     if analysis.life is not None:
         from rolamento.report.life_section import life_notes, life_part
 

@@ -31,7 +31,7 @@ def lubrication_outputs() -> tuple[Output, ...]:
             "film_parameter",
             "1",
             "film parameter λ: least of all contacts",
-            _least_parameter,
+            lambda solved: solved.film.minimum_film_parameter,
             needs=_ROUGH,
         ),
         Output(
@@ -46,7 +46,7 @@ def lubrication_outputs() -> tuple[Output, ...]:
             "m^2/s",
             "kinematic viscosity of the lubricant",
             lambda solved: np.where(
-                solved.batch.converged, solved.film.oil.kinematic_viscosity, np.nan
+                solved.batch.converged, solved.film.kinematic_viscosity, np.nan
             ),
             needs=_OIL,
         ),
@@ -61,15 +61,4 @@ def _of_contacts() -> Iterator[Output]:
 
 
 def _contact(race: Race, attribute: str) -> Callable[[Solved], Floats]:
-    def get(solved: Solved) -> Floats:
-        films = solved.film.inner if race == "inner" else solved.film.outer
-        values: Floats = getattr(films, attribute)
-        return values
-
-    return get
-
-
-def _least_parameter(solved: Solved) -> Floats:
-    from rolamento.analysis import least_film_parameter
-
-    return least_film_parameter(solved.film)
+    return lambda solved: getattr(solved.film.of(race), attribute)

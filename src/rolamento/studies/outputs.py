@@ -6,7 +6,7 @@ Each module of outputs offers its own as a tuple; a new one is named in `catalog
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from functools import cache, cached_property
 from typing import TYPE_CHECKING, Any, Final, Literal
 
@@ -18,13 +18,13 @@ from rolamento.case.life_model import DIRT
 from rolamento.errors import InputError, UnknownKeyError, nearest
 
 if TYPE_CHECKING:
+    from rolamento import solved
     from rolamento.case import Case
     from rolamento.contact.hertz import HertzContact
-    from rolamento.friction import Friction, LoadedBalls
-    from rolamento.friction.summary import ContactModel
+    from rolamento.friction import Friction
     from rolamento.geometry import Race
     from rolamento.life import LifeSummary
-    from rolamento.lubrication import FilmTable
+    from rolamento.lubrication import Film
     from rolamento.rows.ball import BatchState
     from rolamento.rows.ball.detail import BallTable, ContactTable
 
@@ -75,27 +75,25 @@ class Solved:
         return self._case
 
     @cached_property
+    def cases(self) -> solved.Solved:
+        """The cases as film and friction read them."""
+        from rolamento.solving import solve
+
+        return solve(self.case, self._values, threads=1)
+
+    @cached_property
     def shared(self) -> BatchState:
         """The batch, whose balls and ellipses are made once for all that follows from it."""
-        from rolamento.analysis import remembering
+        from rolamento.rows.ball.remembering import RememberingBatch
 
-        return remembering(self.batch)
-
-    @cached_property
-    def loaded_balls(self) -> LoadedBalls:
-        """The balls as the friction models see them."""
-        from rolamento.friction import loaded_balls
-
-        return loaded_balls(self.shared)
+        return RememberingBatch(*(getattr(self.batch, part.name) for part in fields(self.batch)))
 
     @cached_property
-    def film(self) -> FilmTable:
+    def film(self) -> Film:
         """The film of every contact."""
-        from rolamento.lubrication import film_of_batch
+        from rolamento.lubrication import film
 
-        given = self._values.get("temperature.lubricant")
-        warm = None if given is None else self._sound(given)
-        return film_of_batch(self.case, self.shared, lubricant_temperature=warm, threads=1)
+        return film(self.cases, threads=1)
 
     @cached_property
     def friction_coefficient(self) -> Floats:
@@ -114,7 +112,7 @@ class Solved:
     def _frictions(self) -> dict[str, Friction]:
         return {}
 
-    def friction(self, model: ContactModel) -> Friction:
+    def friction(self, model: str) -> Friction:
         """Torque, power and heat with a model of the contacts.
 
         Where there is no coefficient that the models take, it is taken as zero: `has_friction`.
@@ -123,11 +121,12 @@ class Solved:
 
         if model not in self._frictions:
             self._frictions[model] = friction(
-                self.shared,
+                self.cases,
                 friction_coefficient=np.where(self.has_friction, self.friction_coefficient, 0.0),
                 model=model,
-                dynamic_viscosity=self.film.oil.dynamic_viscosity if self._has_film else None,
+                film_parameter=np.nan,
                 compare=False,
+                threads=1,
             )
         return self._frictions[model]
 
@@ -154,14 +153,6 @@ class Solved:
             return life_of_batch(self.case, self.shared, conditions, stress_volume=stress_volume)
         except InputError:  # a thrust bearing or one without a rating, one of many in a study
             return None
-
-    @property
-    def _has_film(self) -> bool:
-        lubricant = self.case.lubricant
-        warm = (
-            "temperature.lubricant" in self._values or self.case.lubricant_temperature is not None
-        )
-        return lubricant is not None and lubricant.kind != "dry" and warm
 
     def _sound(self, values: NDArray[Any]) -> Floats:
         """Replace what made a case invalid: its results are NaN whatever stands there."""

@@ -31,12 +31,10 @@ from rolamento.contact.hertz import (
 )
 from rolamento.contact.subsurface import maximum_shear
 from rolamento.geometry import race_curvature
+from rolamento.kinematics import rolling_entrainment_speed
 from rolamento.life.basic import basic_rating_life, hours
-from rolamento.lubrication.entrainment import rolling_entrainment_speed
 from rolamento.lubrication.film_thickness import central_film, film_groups
-from rolamento.oil.pressure_viscosity import wooster
-from rolamento.oil.viscosity import ViscosityLine, astm_d341, astm_d341_line
-from rolamento.oil.viscosity_index import viscosity_index
+from rolamento.oil import ViscosityLine, astm_d341, astm_d341_line, viscosity_index, wooster
 from rolamento.ratings import dynamic_factor_of_grooves
 from rolamento.units import MICROMETRE, MILLIMETRE, RPM
 from rolamento.verification.check import Check, bearing_of, half_unit, published, steel

@@ -13,11 +13,10 @@ from rolamento.case.bearing import Bearing
 from rolamento.case.duty import Duty, Load
 from rolamento.case.lubricant import Lubricant
 from rolamento.case.model import Model
-from rolamento.friction import loaded_balls
-from rolamento.friction.slip import BallVelocity, Patch, RelativeMotion, relative_motion
+from rolamento.friction.slip import Patch, RelativeMotion, solved_motion
 from rolamento.geometry import Race
-from rolamento.rows.ball import solve
-from rolamento.state import State
+from rolamento.solved import Solved
+from rolamento.solving import solve
 from rolamento.units import RPM
 from rolamento_reproductions.braga_almeida.misprints import Orbits
 from rolamento_reproductions.given import KILO, MILLI, Given, grid
@@ -54,40 +53,44 @@ def bearing() -> Bearing:
 
 @dataclass(frozen=True, slots=True)
 class Ball:
-    """One ball of the solved bearing; under thrust all are alike.
+    """One ball of the solved bearing; under thrust all are alike."""
 
-    velocity: seen from the cage, along x, the orbit and outward; orbit: of the cage; rad/s.
-    """
+    solved: Solved
 
-    state: State
-    speed: float
-    orbit: float
-    velocity: tuple[float, float, float]
+    @property
+    def speed(self) -> float:
+        """Of the inner ring; rad/s."""
+        return self.solved.case.duty.inner_speed
+
+    @property
+    def orbit(self) -> float:
+        """Of the cage; rad/s."""
+        return float(self.solved.elements.orbital_speed[0, 0])
 
     @property
     def ball_speed(self) -> float:
         """ω_R, negative: against the orbit; rad/s."""
-        return -float(np.linalg.norm(self.velocity))
+        return float(self.solved.elements.ball_speed[0, 0])
 
     @property
     def attitude(self) -> float:
         """β; rad."""
-        return float(np.arcsin(-self.velocity[2] / self.ball_speed))
+        return float(self.solved.elements.attitude[0, 0])
 
     @property
     def yaw(self) -> float:
         """β′; rad."""
-        return float(np.arctan2(-self.velocity[1], -self.velocity[0]))
+        return float(self.solved.elements.yaw[0, 0])
 
     def patch(self, race: Race) -> Patch:
         """The contact with a race, arrays of one."""
-        return loaded_balls(self.state).patch(race).mapped(lambda array: array[0, :1])
+        return Patch.of(self.solved.contacts[race]).mapped(lambda array: array[0, :1])
 
     def motion(self, race: Race) -> RelativeMotion:
         """How the race moves relative to the ball, arrays of one."""
-        ring = (self.speed if race == "inner" else 0.0) - self.orbit
-        velocity = BallVelocity(*(np.array([part]) for part in self.velocity))
-        return relative_motion(self.patch(race), velocity, np.array([ring]))
+        found = solved_motion(self.solved, race)
+        parts = ("drift", "roll", "twist", "tumble")
+        return replace(found, **{name: getattr(found, name)[0, :1] for name in parts})
 
     def rolling_radius(self, race: Race) -> float:
         """r′ of (37), where ball and race would move alike on the normal; m."""
@@ -99,11 +102,11 @@ class Ball:
 
         idle: with rolling radii of D/2 and β′ = 0; beta: at other attitudes, with that yaw.
         """
-        half = 0.5 * self.state.case.bearing.ball_diameter
+        half = 0.5 * self.solved.case.bearing.ball_diameter
         one = np.ones(1) if beta is None else np.ones_like(beta)
         inner, outer = self.patch("inner"), self.patch("outer")
         return Orbits(
-            pitch_radius=0.5 * self.state.case.bearing.pitch_diameter * one,
+            pitch_radius=0.5 * self.solved.case.bearing.pitch_diameter * one,
             r_e=(half if idle else self.rolling_radius("outer")) * one,
             r_i=(half if idle else self.rolling_radius("inner")) * one,
             theta_e=outer.contact_angle * one,
@@ -128,18 +131,7 @@ def ball(
         model=Model(raceway_control=control),
         lubricant=Lubricant(kind="dry", friction_coefficient=mu),
     )
-    state = solve(case)
-    first = state.balls[0]
-    if state.rolling is None:
-        velocity = (
-            first.ball_speed * np.cos(first.attitude),
-            0.0,
-            -first.ball_speed * np.sin(first.attitude),
-        )
-        return Ball(state, speed, first.orbital_speed, velocity)
-    turning = state.rolling.balls[0].angular_velocity  # seen from the housing
-    orbit = state.rolling.cage_speed
-    return Ball(state, speed, orbit, (turning[0] - orbit, turning[1], turning[2]))
+    return Ball(solve(case))
 
 
 _NOTICED = 0.005

@@ -8,16 +8,17 @@ from itertools import pairwise
 
 import numpy as np
 
-from rolamento.friction import LoadedBalls, Torque, loaded_balls
-from rolamento.friction.control import controlling_race
+from rolamento.friction import Torque
 from rolamento.friction.harris_1971 import harris_1971
 from rolamento.friction.jones_control import jones_control
 from rolamento.friction.jones_full import jones_full_motion
 from rolamento.friction.jones_simplified import jones_simplified
-from rolamento.friction.minimum_power import flat_balls
+from rolamento.friction.minimum_power import loaded_contacts
+from rolamento.friction.model import controlling_race
 from rolamento.friction.todd import todd
 from rolamento.numerics.elliptic import complete
-from rolamento.rows.ball import BatchState, solve_batch
+from rolamento.solved import Solved
+from rolamento.solving import solve
 from rolamento_reproductions.given import MILLI, grid, status_column
 from rolamento_reproductions.record import (
     Claim,
@@ -53,8 +54,7 @@ class _TorqueSweep:
     """Torques of all models at the loads of the figure; N and N·m."""
 
     loads: Floats
-    state: BatchState
-    balls: LoadedBalls
+    solved: Solved
     totals: dict[str, Floats]
     todd: Torque
     spins: tuple[Floats, Floats]
@@ -64,24 +64,24 @@ class _TorqueSweep:
 def _solved_over_load() -> _TorqueSweep:
     given = GIVEN.inputs_of("torque")
     loads = grid(given["lowest_load_N"], given["highest_load_N"], given["step_N"])
-    state = solve_batch(case(float(loads[0]), given["speed_rpm"]), fx=loads)
-    balls, mu = loaded_balls(state), given["friction_coefficient"]
-    full, motion = jones_full_motion(balls, mu)
-    by_todd = todd(balls, mu, hysteresis=given["hysteresis"])
+    solved = solve(case(float(loads[0]), given["speed_rpm"]), fx=loads)
+    mu = given["friction_coefficient"]
+    full, motion = jones_full_motion(solved, mu)
+    by_todd = todd(solved, mu, hysteresis=given["hysteresis"])
     assert motion is not None  # every ball is loaded under thrust
     inner, outer = (
-        np.abs(motion.relative_motion(patch).spin_to_roll) for patch in flat_balls(balls)[:2]
+        np.abs(motion.relative_motion(patch).spin_to_roll) for patch in loaded_contacts(solved)[:2]
     )
     torques = {
         "jones_full": full,
-        "jones_control": jones_control(balls, mu),
-        "jones_simplified": jones_simplified(balls, mu),
-        "harris": harris_1971(balls, mu),
+        "jones_control": jones_control(solved, mu),
+        "jones_simplified": jones_simplified(solved, mu),
+        "harris": harris_1971(solved, mu),
         "todd": by_todd,
-        "todd_bare": todd(balls, mu, hysteresis=0.0),
+        "todd_bare": todd(solved, mu, hysteresis=0.0),
     }
     totals = {name: torque.total for name, torque in torques.items()}
-    return _TorqueSweep(loads, state, balls, totals, by_todd, (inner, outer))
+    return _TorqueSweep(loads, solved, totals, by_todd, (inner, outer))
 
 
 def torque_section(title: Text) -> Section:
@@ -98,9 +98,9 @@ def _torque_figure(found: _TorqueSweep) -> Figure:
             "contact_angle",
             "°",
             said("Contact angle α", "Ângulo de contato α"),
-            np.degrees(found.balls.inner.contact_angle[:, 0]),
+            np.degrees(found.solved.inner.contact_angle[:, 0]),
         ),
-        status_column(found.state.status),
+        status_column(found.solved.status.code),
     )
     lines = tuple(Line(name, look, title) for look, (name, title) in enumerate(_MODELS))
     return Figure(
@@ -130,8 +130,8 @@ def _torque_figure(found: _TorqueSweep) -> Figure:
                 " medições de Todd. Nem os pontos medidos nem as curvas impressas estão no texto,"
                 " de modo que isso não é verificado aqui. Com a carga o ângulo de contato sobe de"
                 " {:.1f}° a {:.1f}°, e a maior pressão, de {:.2f} a {:.2f} GPa.",
-                *np.degrees(found.balls.inner.contact_angle[[0, -1], 0]),
-                *(found.balls.inner.max_pressure[[0, -1], 0] / 1e9),
+                *np.degrees(found.solved.inner.contact_angle[[0, -1], 0]),
+                *(found.solved.inner.max_pressure[[0, -1], 0] / 1e9),
             ),
             _beyond(),
         ),
@@ -154,10 +154,10 @@ def _beyond() -> Text:
     """Tell the ratios at loads outside the range drawn, where the expectations end."""
     given = GIVEN.inputs_of("torque")
     loads, mu = [float(load) for load in given["beyond_N"]], given["friction_coefficient"]
-    balls = loaded_balls(solve_batch(case(loads[0], given["speed_rpm"]), fx=np.array(loads)))
-    simplified = jones_simplified(balls, mu).total
-    over_control = 100.0 * (simplified / jones_control(balls, mu).total - 1.0)
-    over_full = 100.0 * (simplified / jones_full_motion(balls, mu)[0].total - 1.0)
+    solved = solve(case(loads[0], given["speed_rpm"]), fx=np.array(loads))
+    simplified = jones_simplified(solved, mu).total
+    over_control = 100.0 * (simplified / jones_control(solved, mu).total - 1.0)
+    over_full = 100.0 * (simplified / jones_full_motion(solved, mu)[0].total - 1.0)
     pairs = np.column_stack([loads, over_control, over_full]).ravel()
     return said(
         "The range of load was chosen so that these expectations cover it; beyond it they do not:"
@@ -176,12 +176,12 @@ def _beyond() -> Text:
 def _of_the_text(found: _TorqueSweep) -> tuple[Claim, ...]:
     parts = found.todd.parts
     slip = (parts["spin"] + parts["rolling_slip"]) / found.todd.total
-    inner, outer = found.balls.inner, found.balls.outer
+    inner, outer = found.solved.inner, found.solved.outer
     eccentric = [
         float(np.sqrt(1.0 - (patch.semi_minor / patch.semi_major)[0, 0] ** 2))
         for patch in (inner, outer)
     ]
-    held = controlling_race(found.balls, "jones")
+    held = controlling_race(found.solved, "jones")
     return (
         Claim(
             said(
@@ -241,7 +241,7 @@ def _of_theory(found: _TorqueSweep) -> tuple[Claim, ...]:
 
 def _harris(found: _TorqueSweep) -> Claim:
     ratio = found.totals["jones_full"] / found.totals["harris"]
-    patches = (found.balls.inner, found.balls.outer)
+    patches = (found.solved.inner, found.solved.outer)
     second = np.mean(
         [complete((patch.semi_minor / patch.semi_major)[:, 0] ** 2)[1] for patch in patches], axis=0
     )
