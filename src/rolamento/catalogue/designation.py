@@ -14,6 +14,7 @@ from typing import Any, Final, Literal, NamedTuple, cast
 
 from rolamento._data import toml_of
 from rolamento.errors import InputError
+from rolamento.units import MILLIMETRE
 
 
 def designation_data() -> dict[str, Any]:
@@ -142,7 +143,6 @@ _NUMBER: Final = re.compile(
 """Of a text whose blanks, hyphens, strokes and points are one stroke each."""
 _ANGLE: Final = re.compile(r"(?<=[\s/-])(?P<angle>\d{1,2}(?:\.\d+)?)\s*(?:DEG|°)(?![A-Z])")
 _CLASS: Final = re.compile(r"C[0-9N]")
-_MILLIMETRE: Final = 1e-3
 _MOST_LETTERS: Final = 2
 """Suffixes of one letter in a row; more of them are a word that nobody meant so."""
 
@@ -322,7 +322,7 @@ def _of_another_system(
 
 def _bore(code: str) -> float:
     millimetres = designation_data()["bore_codes"].get(code, 5 * int(code))
-    return float(millimetres) * _MILLIMETRE
+    return float(millimetres) * MILLIMETRE
 
 
 def _angle(rest: str) -> tuple[float | None, str]:

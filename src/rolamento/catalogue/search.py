@@ -24,8 +24,6 @@ from rolamento.catalogue.designation import (
 from rolamento.catalogue.records import CatalogueBearing, records_of_csv, records_of_toml
 from rolamento.errors import FileError, InputError
 
-__all__ = ["Catalogue", "Found", "catalogue"]
-
 _MOST_RESULTS: Final = 1000
 _NEAREST: Final = 3
 _BOUNDARY: Final = ("bore", "outside_diameter", "width")

@@ -28,8 +28,6 @@ from rolamento.errors import InputError
 from rolamento.geometry import free_contact_angle
 from rolamento.numerics import FloatArray
 
-__all__ = ["MOUNTED_FIELDS", "operating_batch"]
-
 _PARTS: Final = ("inner_ring", "outer_ring", "balls", "shaft", "housing")
 _MOUNTING: Final = (
     "shaft_interference",

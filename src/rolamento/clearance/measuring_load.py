@@ -24,13 +24,6 @@ from rolamento.static import radial_load
 from rolamento.static.radial import Distribution
 from rolamento.units import MILLIMETRE, from_si
 
-__all__ = [
-    "MEASURING_LOAD_SOURCE",
-    "clearance_from_reading",
-    "measuring_load_correction",
-    "usual_measuring_load",
-]
-
 MEASURING_LOAD_SOURCE: Final = "Campanha 2008, table 3.2"
 
 _BORES: Final = (2.5, 18.0, 50.0, 280.0)

@@ -24,8 +24,6 @@ from numpy.typing import ArrayLike
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 
-__all__ = ["WearFit", "WearLaw", "fit_wear"]
-
 WearLaw = Literal["running_in", "running_in_and_steady", "power"]
 _LAWS: Final[tuple[WearLaw, ...]] = get_args(WearLaw)
 _NAMES: Final[dict[WearLaw, tuple[str, ...]]] = {

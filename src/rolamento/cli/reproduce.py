@@ -19,8 +19,6 @@ if TYPE_CHECKING:
     from rolamento_reproductions.text import Language as Code
     from rolamento_reproductions.text import Text
 
-__all__ = ["Pictures", "reproduce"]
-
 
 class Pictures(StrEnum):
     """Formats of the pictures."""

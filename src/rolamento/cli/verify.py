@@ -24,8 +24,6 @@ if TYPE_CHECKING:
     from rolamento.report.language import Words
     from rolamento.verification import Progress, Source, Verification
 
-__all__ = ["verify"]
-
 
 def verify(
     source: Annotated[

@@ -24,8 +24,6 @@ from rolamento.report.page import Lines, Page
 from rolamento.report.terminal import rendered
 from rolamento.units import MILLIMETRE, from_si
 
-__all__ = ["axis_toml", "bearing_json", "bearing_report", "search_json", "search_report"]
-
 SCHEMA: Final = 1
 _SHORT_NAMES: Final = {"dynamic_rating": "C", "static_rating": "C0", "f0": "f0"}
 

@@ -17,8 +17,6 @@ from rolamento.report.sentences import portuguese_sentence
 from rolamento.report.terminal import rendered
 from rolamento.units import MICROMETRE
 
-__all__ = ["clearance_json", "clearance_report"]
-
 SCHEMA: Final = 1
 PERCENTILES: Final = (0.135, 5.0, 50.0, 95.0, 99.865)
 

@@ -33,8 +33,6 @@ from rolamento.verification.harris_1991 import (
     radial_example,
 )
 
-__all__ = ["case_5_3", "case_5_4", "checks", "numbers_of_balls"]
-
 BALL_QUANTITIES: Final[Mapping[str, Label]] = {
     "outer_angle_deg": Label("α_o", "°"),
     "inner_angle_deg": Label("α_i", "°"),

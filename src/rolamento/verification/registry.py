@@ -17,8 +17,6 @@ from rolamento.verification.radaelli_2013 import checks as radaelli_2013_checks
 from rolamento.verification.rigs import case_western_checks, rig_checks
 from rolamento.verification.standards import iso_76_checks, iso_281_checks, iso_16281_checks
 
-__all__ = ["Progress", "Source", "SourceResult", "Verification", "run", "sources"]
-
 SCHEMA: Final = 1
 
 
