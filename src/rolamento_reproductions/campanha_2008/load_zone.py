@@ -88,7 +88,7 @@ def distribution_figure() -> Figure:
             "ball_load",
             "kN",
             said("Ball load Q", "Carga na esfera Q"),
-            np.concatenate([_round_the_ring(loaded(c), azimuth) / KILO for c in clearances]),
+            np.concatenate([loaded(c).load_at(np.radians(azimuth)) / KILO for c in clearances]),
         ),
     )
     lines = tuple(
@@ -140,13 +140,6 @@ def distribution_figure() -> Figure:
             ),
         ),
     )
-
-
-def _round_the_ring(solved: RadialSolution, azimuth_deg: Floats) -> Floats:
-    """Q(ψ) = Q_max [1 - (1 - cos ψ)/(2ε)]^1.5 where positive. Sjövall (1933)."""
-    epsilon, maximum = float(solved.load_zone_parameter), float(solved.max_ball_load)
-    share = 1.0 - (1.0 - np.cos(np.radians(azimuth_deg))) / (2.0 * epsilon)
-    return np.asarray(maximum * np.maximum(share, 0.0) ** 1.5)
 
 
 def _half() -> Claim:

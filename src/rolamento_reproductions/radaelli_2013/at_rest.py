@@ -68,7 +68,7 @@ def _distribution() -> Figure:
             "ball_load",
             "N",
             said("Ball load Q", "Carga na esfera Q"),
-            np.concatenate([_load_round_the_ring(solved[v], azimuth) for v in clearances]),
+            np.concatenate([solved[v].load_at(np.radians(azimuth)) for v in clearances]),
         ),
     )
     lines = tuple(
@@ -96,13 +96,6 @@ def _distribution() -> Figure:
         claims=_claims_on_clearance(solved),
         notes=(_note_on_integral(),),
     )
-
-
-def _load_round_the_ring(solved: RadialSolution, azimuth_deg: Floats) -> Floats:
-    """Q(ψ) = Q_max [1 - (1 - cos ψ)/(2ε)]^1.5 where positive. Radaelli (2013) eq. 13."""
-    epsilon, maximum = float(solved.load_zone_parameter), float(solved.max_ball_load)
-    share = 1.0 - (1.0 - np.cos(np.radians(azimuth_deg))) / (2.0 * epsilon)
-    return np.asarray(maximum * np.maximum(share, 0.0) ** 1.5)
 
 
 def _claims_on_clearance(solved: dict[float, RadialSolution]) -> tuple[Claim, ...]:
