@@ -31,7 +31,7 @@ def measure(name: str, sample: int, repeats: int) -> Findings:
     duties_of, tilting = SETS[name]
     case = example()
     everything = duty_sets.some(duties_of(duty_sets.CASES), BATCH)
-    engine = partial(rolamento.solve_batch, case, threads=1, **everything)
+    engine = partial(rolamento.solve, case, threads=1, **everything)
     sides = _Sample(case, duty_sets.some(everything, sample), tilting)
     runs = (
         ("cold", sides.cold, True, None),
@@ -56,19 +56,19 @@ class _Sample:
         self.bearing = ScipyBearing(case.bearing, tilting=tilting)
         self.speeds = duties["inner_speed"]
         self.loads = [load_of(duties, i) for i in range(len(self.speeds))]
-        solution = rolamento.solve_batch(case, threads=1, **duties)
-        self.expected = solution.displacement * self.bearing.arms
+        solution = rolamento.solve(case, threads=1, **duties)
+        self.expected = solution.displacement.array * self.bearing.arms
         self.cold = [self.bearing.static_guess(load) for load in self.loads]
         self.warm = self._neighbours(case, duties)
 
     def _neighbours(self, case: rolamento.Case, duties: duty_sets.Duties) -> list[Floats]:
         """The solutions of duties with loads and speed a little lower."""
-        near = rolamento.solve_batch(case, **{k: NEIGHBOUR * v for k, v in duties.items()})
-        outer = near.balls().outer
+        near = rolamento.solve(case, **{k: NEIGHBOUR * v for k, v in duties.items()})
+        outer = near.outer
         reach = self.bearing.free_length[1, 0] + outer.deflection
         angle = outer.contact_angle
         places = np.stack([reach * np.sin(angle), reach * np.cos(angle)], axis=1)
-        rings = near.displacement
+        rings = near.displacement.array
         return [self.bearing.unknowns(r, x) for r, x in zip(rings, places, strict=True)]
 
     def solve(self, starts: list[Floats], exact_jacobian: bool) -> list[tuple[bool, Floats]]:

@@ -42,7 +42,7 @@ def measure(cases: int, sample: int, repeats: int) -> Findings:
     findings, spent = Findings.none(), {}
     for mesh, target in (("fine", 50.0), ("coarse", 5.0)):
         case = case_of(mesh)  # type: ignore[arg-type]
-        run = partial(rolamento.solve_batch, case, threads=1, **duties)
+        run = partial(rolamento.solve, case, threads=1, **duties)
         solved = run()
         seconds = alternately([run], repeats)[0]
         spent[mesh] = seconds / cases
@@ -60,8 +60,8 @@ def measure(cases: int, sample: int, repeats: int) -> Findings:
 
 def _beside_scipy(duties: duty_sets.Duties, sample: int, spent: float) -> Findings:
     some = duty_sets.some(duties, sample)
-    fine = rolamento.solve_batch(case_of("fine"), threads=1, **some)
-    rolling = fine.rows[0].rolling
+    fine = rolamento.solve(case_of("fine"), threads=1, **some)
+    rolling = fine.answer.motion
     assert rolling is not None
     found: list[Found] = []
 
@@ -91,9 +91,8 @@ def _solved(duties: duty_sets.Duties, index: int) -> Found:
     """One duty by SciPy, from the engine's solution under outer raceway control."""
     case = duty_sets.example()
     given: dict[str, Any] = {name: values[index : index + 1] for name, values in duties.items()}
-    batch = rolamento.solve_batch(case, threads=1, **given)
-    table, row = batch.balls(), batch.rows[0]
-    motion, azimuth = table.motion, row.azimuth[0]
+    batch = rolamento.solve(case, threads=1, **given)
+    motion, azimuth = batch.elements, batch.elements.azimuth[0]
     out = -motion.ball_speed[0] * np.sin(motion.attitude[0])
     spins = np.stack(
         [
@@ -103,12 +102,13 @@ def _solved(duties: duty_sets.Duties, index: int) -> Found:
         ],
         axis=1,
     )
-    load = table.inner.load[0]
+    load = batch.inner.load[0]
     cage = float(np.average(motion.orbital_speed[0], weights=load))
-    start = Found(True, batch.displacement[0], cage, row.position[0], spins, 0.0, 0.0)
+    place = batch.answer.position[0]
+    start = Found(True, batch.displacement.array[0], cage, place, spins, 0.0, 0.0)
     free = np.array([True, True, True, False, False])
     duty = Duty(
-        np.where(free, batch.load[0], 0.0), np.zeros(5), free, float(duties["inner_speed"][index]),
+        np.where(free, batch.load.array[0], 0.0), np.zeros(5), free, float(duties["inner_speed"][index]),
         0.0, FRICTION,
     )  # fmt: skip
     return FrictionModel(case.bearing, *NODES).solve(duty, start, STAGES)

@@ -89,11 +89,10 @@ def check(case: rolamento.Case, batch: Any, duty: dict[str, Floats], worst: Wors
         return
     bearing, model = case.bearing, case.model
     duty = {name: np.broadcast_to(values, len(batch))[good] for name, values in duty.items()}
-    table = batch.balls()
-    inner, outer, motion = table.inner, table.outer, table.motion
+    inner, outer, motion = batch.inner, batch.outer, batch.elements
     q_i, q_o = inner.load[good], outer.load[good]
     a_i, a_o = inner.contact_angle[good], outer.contact_angle[good]
-    force, gyro = table.centrifugal_force[good], table.gyroscopic_moment[good]
+    force, gyro = motion.centrifugal_force[good], motion.gyroscopic_moment[good]
     orbit = motion.orbital_speed[good]
     d, pitch = bearing.ball_diameter, bearing.pitch_diameter
     f_i, f_o = bearing.inner_conformity, bearing.outer_conformity
@@ -131,7 +130,7 @@ def check(case: rolamento.Case, batch: Any, duty: dict[str, Floats], worst: Wors
     if model.raceway_control == "none":
         share += 1.0
     if model.raceway_control in ("inner", "jones"):
-        controls = np.broadcast_to(batch.rows[0].control, batch.raceway_control.shape)[good]
+        controls = batch.answer.control[good]
         share = np.where(controls < 0.0, 2.0, 0.0)
     t = gyro / d
     m_i, m_o = share * t, (2.0 - share) * t
@@ -150,7 +149,7 @@ def check(case: rolamento.Case, batch: Any, duty: dict[str, Floats], worst: Wors
     note("at rest Q_i = Q_o", unlike, PROMISED)
 
     # the ring in balance, in space
-    psi = table.azimuth[good]
+    psi = motion.azimuth[good]
     if bearing.contact_angle is not None:
         free_angle = bearing.contact_angle
     else:
@@ -170,7 +169,7 @@ def check(case: rolamento.Case, batch: Any, duty: dict[str, Floats], worst: Wors
         ],
         axis=1,
     )
-    load = batch.load[good] / np.array([1.0, 1.0, 1.0, radius, radius])
+    load = batch.load.array[good] / np.array([1.0, 1.0, 1.0, radius, radius])
     ring_scale = np.maximum(np.abs(load).max(axis=1), heaviest[:, 0])
     note(
         "balance of the ring",
@@ -179,7 +178,7 @@ def check(case: rolamento.Case, batch: Any, duty: dict[str, Floats], worst: Wors
     )
 
     # the vectors close: the balls stand where the ring's displacement puts the grooves
-    u = batch.displacement[good]
+    u = batch.displacement.array[good]
     if bearing.contact_angle is not None:
         a10, a20 = (l_i + l_o) * math.sin(free_angle), (l_i + l_o) * math.cos(free_angle)
     else:
@@ -277,12 +276,12 @@ def measure(cases: int, seed: int = 13) -> Findings:
         case = random_case(random)
         duty = random_duty(random, case.bearing, lot)
         start = time.perf_counter()
-        batch = rolamento.solve_batch(case, threads=1, **duty)
+        batch = rolamento.solve(case, threads=1, **duty)
         if first:  # the first one compiles
             slowest = max(slowest, (time.perf_counter() - start) / lot)
-        counts.update(batch.status.tolist())
+        counts.update(batch.status.code.tolist())
         against = duty["inner_speed"] * duty["outer_speed"] < 0.0
-        ordinary.update(batch.status[~against].tolist())
+        ordinary.update(batch.status.code[~against].tolist())
         check(case, batch, duty, worst)
     group = "laws over random duties"
     figures = [

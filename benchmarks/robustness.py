@@ -122,11 +122,11 @@ def measure(name: str, cases: int) -> Findings:
         lot = min(CASES_PER_BEARING, cases - first)
         case = random_case(random, kind.control)
         duties = random_duties(random, case.bearing, lot, counter_rotating=kind.counter_rotating)
-        batch = rolamento.solve_batch(case, **duties)
-        counts.update(batch.status.tolist())
-        safe += int(batch.safe_path.sum())
-        worst = max(worst, float(np.max(batch.residual[batch.converged], initial=0.0)))
-        failed = np.flatnonzero(batch.status == "not_converged")
+        batch = rolamento.solve(case, **duties)
+        counts.update(batch.status.code.tolist())
+        safe += int(batch.status.safe_path.sum())
+        worst = max(worst, float(np.max(batch.status.residual[batch.converged], initial=0.0)))
+        failed = np.flatnonzero(batch.status.code == "not_converged")
         astray += [description(case, duties, int(i)) for i in failed]
 
     figures = [

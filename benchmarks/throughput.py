@@ -13,11 +13,11 @@ import rolamento
 from benchmarks import duty_sets
 from benchmarks.duty_sets import Floats
 from benchmarks.figures import Figure, Findings, Target, alternately, at_least, seconds
+from rolamento.assembly import spread
 from rolamento.numerics.compiled import shared
 from rolamento.rows.ball import lanes, layout
-from rolamento.rows.ball.batch_state import BatchState
-from rolamento.rows.ball.columns import spread
 from rolamento.rows.ball.run import solve_columns
+from rolamento.solved import Solved
 
 PROMISED_RESIDUAL: Final = 1e-8
 
@@ -33,11 +33,11 @@ def measure(name: str, cases: int, repeats: int) -> Findings:
     """Solve a set on one and on two threads; count statuses, iterations and residuals."""
     duties_of, target, all_solvable = SETS[name]
     case, duties = duty_sets.example(), duty_sets.some(duties_of(duty_sets.CASES), cases)
-    batch = rolamento.solve_batch(case, **duties)
-    iterations = float(batch.iterations.mean())
+    batch = rolamento.solve(case, **duties)
+    iterations = float(batch.status.iterations.mean())
 
     threads = (1, 2)
-    solves = [partial(rolamento.solve_batch, case, threads=n, **duties) for n in threads]
+    solves = [partial(rolamento.solve, case, threads=n, **duties) for n in threads]
     rate = {n: cases / time for n, time in zip(threads, alternately(solves, repeats), strict=True)}
     per_ball = 1e9 / (rate[1] * case.bearing.ball_count * iterations)
     figures = [
@@ -45,29 +45,29 @@ def measure(name: str, cases: int, repeats: int) -> Findings:
         Figure(name, "two threads", rate[2], "cases/s", target),
         Figure(name, "a ball, of all an iteration takes", per_ball, "ns"),
         Figure(name, "iterations, mean", iterations),
-        Figure(name, "iterations, greatest", float(batch.iterations.max())),
-        Figure(name, "cases on the safe path", 100.0 * float(batch.safe_path.mean()), "%"),
+        Figure(name, "iterations, greatest", float(batch.status.iterations.max())),
+        Figure(name, "cases on the safe path", 100.0 * float(batch.status.safe_path.mean()), "%"),
         Figure(name, "converged", 100.0 * float(batch.converged.mean()), "%"),
-        Figure(name, "greatest residual", float(np.nanmax(batch.residual[batch.converged]))),
+        Figure(name, "greatest residual", float(np.nanmax(batch.status.residual[batch.converged]))),
     ]
     return Findings(figures, [statuses(name, batch)], complaints(name, batch, all_solvable))
 
 
-def statuses(name: str, batch: BatchState) -> str:
+def statuses(name: str, batch: Solved) -> str:
     """How many cases ended how."""
-    counts = Counter(batch.status.tolist())
+    counts = Counter(batch.status.code.tolist())
     return f"{name}: " + ", ".join(f"{count} {status}" for status, count in counts.most_common())
 
 
-def complaints(name: str, batch: BatchState, all_solvable: bool) -> list[str]:
+def complaints(name: str, batch: Solved, all_solvable: bool) -> list[str]:
     """What must not happen: no convergence, or a residual above what is promised."""
     found = []
-    status = batch.status
+    status = batch.status.code
     bad = np.flatnonzero(status != "converged" if all_solvable else status == "not_converged")
     if len(bad):
         shown = ", ".join(f"{case} ({status[case]})" for case in bad[:10])
         found.append(f"{name}: {len(bad)} cases without a result: {shown}")
-    worst = float(np.max(batch.residual[batch.converged], initial=0.0))
+    worst = float(np.max(batch.status.residual[batch.converged], initial=0.0))
     if not worst <= PROMISED_RESIDUAL:
         found.append(f"{name}: a converged case has a residual of {worst:.1e}")
     return found
@@ -75,13 +75,13 @@ def complaints(name: str, batch: BatchState, all_solvable: bool) -> list[str]:
 
 def warm_up() -> None:
     """Compile the kernels, or load them: a few cases would be solved without."""
-    rolamento.solve_batch(duty_sets.example(), threads=1, **duty_sets.tilts_held(1000))
+    rolamento.solve(duty_sets.example(), threads=1, **duty_sets.tilts_held(1000))
 
 
 def measure_kernels(cases: int, repeats: int) -> Findings:
     """The compiled part alone, one thread, and within it the evaluation of a ball."""
     case = duty_sets.example()
-    p = spread(case, duty_sets.some(duty_sets.tilts_held(), cases)).rows[0].p
+    p = spread(case, duty_sets.some(duty_sets.tilts_held(), cases)).rows[0].row.p
     control, balls = np.ones((1, case.bearing.ball_count)), case.bearing.ball_count
     kernels = seconds(lambda: solve_columns(p, control, balls, threads=1), repeats)
     group = "kernels, tilts held"
@@ -114,7 +114,7 @@ def _pass_over_balls(w: Floats, b: Floats, passes: int) -> None:
 def _filled_lanes() -> tuple[Floats, Floats]:
     """The workspace of the ring and of its balls, one solved case of the duty set in each lane."""
     case = duty_sets.example()
-    p = spread(case, duty_sets.tilts_held(layout.LANES)).rows[0].p
+    p = spread(case, duty_sets.tilts_held(layout.LANES)).rows[0].row.p
     balls = case.bearing.ball_count
     solution = solve_columns(p, np.ones((1, balls)), balls, threads=1)
     azimuth = 2.0 * np.pi * np.arange(balls)[:, np.newaxis] / balls

@@ -19,7 +19,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from rolamento import Bearing, Case, Duty, solve_batch
+from rolamento import Bearing, Case, Duty, solve
 from rolamento.plots.saving import save_figure
 from rolamento.plots.style import in_style, new_stacked_figure, series
 
@@ -53,12 +53,12 @@ class Curve:
 def curve_of(kind: str, rpm: Floats) -> Curve:
     """Solve the pair at every speed; kind: "force" or "spring", of the same force at rest."""
     case = Case(bearing=PAIR.replace(preload={kind: FORCE}), duty=Duty())
-    batch = solve_batch(case, inner_speed=rpm * pi / 30.0)
+    batch = solve(case, inner_speed=rpm * pi / 30.0)
     assert batch.converged.all()
     return Curve(
-        axial_stiffness=batch.stiffness[:, 0, 0],
-        radial_stiffness=batch.stiffness[:, 2, 2],
-        force=batch.rows[0].load[:, 0],
+        axial_stiffness=batch.stiffness["fx", "x"],
+        radial_stiffness=batch.stiffness["fz", "z"],
+        force=batch.rows.load[:, 0, 0],
     )
 
 

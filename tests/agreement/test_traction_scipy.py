@@ -10,16 +10,16 @@ from __future__ import annotations
 import importlib
 import sys
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
+from tests.one_case import solve_one
 
 from rolamento import Bearing, Case, Displacement, Load, Lubricant, Model
 from rolamento import Duty as CaseDuty
-from rolamento.rows.ball import solve
 from rolamento.rows.ball.traction import solve as traction
-from rolamento.state import State
 
 ROOT = Path(__file__).resolve().parents[2]
 MU = 0.08
@@ -57,7 +57,11 @@ def case_of(of: Bearing, duty: CaseDuty, **model: Any) -> Case:
 
 
 def solved_by_scipy(
-    rival: Any, state: State, nodes: tuple[int, int], smoothing: list[float], drag: float = 0.0
+    rival: Any,
+    state: SimpleNamespace,
+    nodes: tuple[int, int],
+    smoothing: list[float],
+    drag: float = 0.0,
 ) -> Any:
     """The rival's solution, from a place a little off the package's."""
     case, rolling = state.case, state.rolling
@@ -80,7 +84,7 @@ def solved_by_scipy(
     return rival.FrictionModel(case.bearing, *nodes).solve(duty, start, smoothing)
 
 
-def pairs(state: State) -> list[tuple[Any, Any]]:
+def pairs(state: SimpleNamespace) -> list[tuple[Any, Any]]:
     assert state.rolling is not None
     return list(zip(state.balls, state.rolling.balls, strict=True))
 
@@ -114,7 +118,7 @@ def test_smooth_friction_agrees_closely(
 ) -> None:
     monkeypatch.setattr(traction, "SMOOTHING", 0.02)
     monkeypatch.setattr(traction, "SMOOTHEST", 0.2)
-    state = solve(case_of(bearing(balls), duty, cage_drag=drag))
+    state = solve_one(case_of(bearing(balls), duty, cage_drag=drag))
     assert state.status.converged
     assert state.rolling is not None
     found = solved_by_scipy(rival, state, (32, 64), [0.02], drag)
@@ -130,7 +134,7 @@ def test_smooth_friction_agrees_closely(
 
 @pytest.mark.parametrize("duty", [THRUST, COMBINED])
 def test_friction_as_sharp_as_it_is_solved(rival: Any, duty: CaseDuty) -> None:
-    state = solve(case_of(bearing(3, ball_material="Si3N4"), duty))
+    state = solve_one(case_of(bearing(3, ball_material="Si3N4"), duty))
     assert state.status.converged
     assert state.rolling is not None
     found = solved_by_scipy(rival, state, (40, 80), [0.1, 0.01, 1e-3, 1e-4])
@@ -144,13 +148,13 @@ def test_friction_as_sharp_as_it_is_solved(rival: Any, duty: CaseDuty) -> None:
 def test_balls_of_the_218_in_thrust(rival: Any, bearing_218: Bearing) -> None:
     """One ball of sixteen carries its share: the symmetry that the rival's one ball rests on."""
     duty = CaseDuty(inner_speed="10000 rpm", load=Load(fx="20 kN"))
-    state = solve(case_of(bearing_218, duty))
+    state = solve_one(case_of(bearing_218, duty))
     one = bearing_218.model_copy(update={"ball_count": 1})
     share = CaseDuty(
         inner_speed="10000 rpm", load=Load(fx="1250 N"), displacement=Displacement(y=0.0, z=0.0)
     )
     assert state.rolling is not None
-    start = solve(case_of(bearing_218, duty, mesh="coarse"))
+    start = solve_one(case_of(bearing_218, duty, mesh="coarse"))
     duty_of_one = rival.Duty(
         np.array(share.applied_load), np.zeros(5), np.array(share.free),
         share.inner_speed, 0.0, MU,

@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rolamento import Bearing, Case, Duty, Model, solve_batch
+from rolamento import Bearing, Case, Duty, Model
 from rolamento.case.model import CageKind, RacewayControl
+from rolamento.solving import solve
 
 ANGULAR = Bearing(
     ball_count=16,
@@ -40,16 +41,16 @@ def test_nothing_jumps_as_balls_touch_and_are_taken_hold_of(
     changes = []
     for count in (401, 4001):
         load = np.linspace(4e3, 16e3, count)
-        batch = solve_batch(case, fx=5e3, fz=load)
+        batch = solve(case, fx=5e3, fz=load)
         assert batch.converged.all()
-        balls = batch.balls()
+        balls = batch
         touching = (balls.inner.load > 0.0).sum(axis=1)
         assert touching.min() < touching.max()
         parts = (
-            batch.displacement[:, :3] / 1e-4,
-            balls.motion.orbital_speed / 1e3,
-            balls.centrifugal_force / 1e3,
-            balls.gyroscopic_moment / 1.0,
+            batch.displacement.array[:, :3] / 1e-4,
+            balls.elements.orbital_speed / 1e3,
+            balls.elements.centrifugal_force / 1e3,
+            balls.elements.gyroscopic_moment / 1.0,
             balls.outer.load / 1e3,
         )
         changes.append([np.abs(np.diff(part, axis=0)).max() for part in parts])
@@ -68,11 +69,11 @@ def test_the_stiffness_does_not_jump_as_a_ball_touches(
     jumps = []
     for _ in range(6):
         load = np.linspace(low, high, 101)
-        batch = solve_batch(case, fx=5e3, fz=load)
+        batch = solve(case, fx=5e3, fz=load)
         assert batch.converged.all()
-        touching = (batch.balls().inner.load > 0.0).sum(axis=1)
+        touching = (batch.inner.load > 0.0).sum(axis=1)
         at = int(np.flatnonzero(np.diff(touching))[0])
-        before, after = batch.stiffness[at : at + 2]
+        before, after = batch.stiffness.array[at : at + 2]
         jumps.append(np.abs(after - before).max() / np.abs(before).max())
         low, high = load[at : at + 2]
     assert high - low < 1e-7
@@ -85,10 +86,10 @@ def test_the_stiffness_does_not_jump_as_a_ball_touches(
 def test_a_free_ball_has_the_cage_s_speed_and_no_ball_leaves_those_of_the_rings(
     control: RacewayControl, speeds: str
 ) -> None:
-    batch = solve_batch(case_of(control, "loose", speeds), fx=[5e3, 8e3], fz=[25e3, 20e3])
+    batch = solve(case_of(control, "loose", speeds), fx=[5e3, 8e3], fz=[25e3, 20e3])
     assert batch.converged.all()
-    balls = batch.balls()
-    load, orbit = balls.inner.load, balls.motion.orbital_speed
+    balls = batch
+    load, orbit = balls.inner.load, balls.elements.orbital_speed
     assert ((load == 0.0).sum(axis=1) > 1).all()
     # but for the pull of the nominal speed, a hundredth of a ball's F_c among all loads
     cage = (load * orbit).sum(axis=1) / load.sum(axis=1)
@@ -104,14 +105,14 @@ def test_a_free_ball_has_the_cage_s_speed_and_no_ball_leaves_those_of_the_rings(
 def test_where_all_balls_are_firmly_held_the_cage_has_no_say() -> None:
     """At more than 0.8 of the reference force on every ball, to the last digits."""
     loads = {"fx": np.array([40e3, 60e3]), "fz": 2e3}
-    found = {cage: solve_batch(case_of("outer", cage), **loads) for cage in ("loose", "none")}  # type: ignore[arg-type]
-    assert found["loose"].balls().inner.load.min() > 1.6e3
+    found = {cage: solve(case_of("outer", cage), **loads) for cage in ("loose", "none")}  # type: ignore[arg-type]
+    assert found["loose"].inner.load.min() > 1.6e3
     for name in ("displacement", "stiffness"):
         loose, none = getattr(found["loose"], name), getattr(found["none"], name)
         np.testing.assert_allclose(loose, none, rtol=1e-8, atol=1e-8 * np.abs(none).max())
 
 
 def test_a_rigid_cage_has_one_speed() -> None:
-    batch = solve_batch(case_of("outer", "rigid"), fx=[5e3, 20e3], fz=[25e3, 15e3])
-    orbit = batch.balls().motion.orbital_speed
+    batch = solve(case_of("outer", "rigid"), fx=[5e3, 20e3], fz=[25e3, 15e3])
+    orbit = batch.elements.orbital_speed
     np.testing.assert_allclose(orbit, np.repeat(orbit[:, :1], 16, axis=1), rtol=1e-12)

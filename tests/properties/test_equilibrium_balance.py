@@ -14,11 +14,13 @@ from typing import Any
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from tests.one_case import solve_one
 
-from rolamento import Bearing, Case, Duty, Load, Model, solve, solve_batch
+from rolamento import Bearing, Case, Duty, Load, Model
 from rolamento.contact.hertz import contact_stiffness, effective_modulus
 from rolamento.geometry import race_curvature, ring_geometry
-from rolamento.rows.ball.batch_state import BatchState
+from rolamento.solved import Solved
+from rolamento.solving import solve
 
 Floats = NDArray[np.float64]
 PROMISED = 1e-8
@@ -72,7 +74,7 @@ class Group:
         model = Model(raceway_control=self.control)
         return Case(bearing=Bearing(**self.bearing), duty=Duty(), model=model)
 
-    def solve(self) -> BatchState:
+    def solve(self) -> Solved:
         rng = np.random.default_rng(2013)
         fx = rng.uniform(*self.axial, DUTIES)
         size, rpm = np.abs(fx), np.pi / 30.0
@@ -90,7 +92,7 @@ class Group:
                 fields[shift] = np.radians(self.tilt_deg) * share
             else:
                 fields[load] = size * 0.125 * self.moment * share
-        return solve_batch(self.case(), **fields)
+        return solve(self.case(), **fields)
 
 
 GROUPS = [
@@ -113,23 +115,23 @@ GROUPS = [
 
 
 @pytest.fixture(scope="module", params=GROUPS, ids=lambda group: group.name)
-def solved(request: pytest.FixtureRequest) -> tuple[Case, BatchState]:
+def solved(request: pytest.FixtureRequest) -> tuple[Case, Solved]:
     group: Group = request.param
     return group.case(), group.solve()
 
 
-def lambda_inner(case: Case, batch: BatchState) -> Floats:
+def lambda_inner(case: Case, batch: Solved) -> Floats:
     """The inner race's share λ_i of the gyroscopic moment, ball by ball; λ_o is the rest of 2."""
     if case.model.raceway_control == "none":
-        return np.ones(batch.raceway_control.shape)
-    return np.where(batch.rows[0].control < 0, 2.0, 0.0)
+        return np.ones(batch.elements.raceway_control.shape)
+    return np.where(batch.elements.raceway_control < 0, 2.0, 0.0)
 
 
-def forces(case: Case, batch: BatchState) -> dict[str, Floats]:
+def forces(case: Case, batch: Solved) -> dict[str, Floats]:
     """(x, r) forces on each ball from both races, and the scale of its loads; (…, balls, 2)."""
-    balls, diameter = batch.balls(), case.bearing.ball_diameter
+    balls, diameter = batch, case.bearing.ball_diameter
     share = lambda_inner(case, batch)
-    friction = balls.gyroscopic_moment / diameter
+    friction = balls.elements.gyroscopic_moment / diameter
     (si, ci), (so, co) = (
         (np.sin(contact.contact_angle), np.cos(contact.contact_angle))
         for contact in (balls.inner, balls.outer)
@@ -138,69 +140,71 @@ def forces(case: Case, batch: BatchState) -> dict[str, Floats]:
     inner = np.stack([qi * si - share * friction * ci, qi * ci + share * friction * si], axis=-1)
     rest = 2.0 - share
     outer = np.stack([-qo * so + rest * friction * co, -qo * co - rest * friction * so], axis=-1)
-    own = np.maximum(np.maximum(qi, qo), balls.centrifugal_force)
+    own = np.maximum(np.maximum(qi, qo), balls.elements.centrifugal_force)
     scale = np.maximum(own, FLOOR * own.max(axis=1, keepdims=True))
     return {"inner": inner, "outer": outer, "scale": scale}
 
 
-def test_most_have_a_result_and_the_claim_is_true(solved: tuple[Case, BatchState]) -> None:
+def test_most_have_a_result_and_the_claim_is_true(solved: tuple[Case, Solved]) -> None:
     _, batch = solved
     assert batch.converged.mean() > 0.5
-    assert (batch.residual[batch.converged] < PROMISED).all()
-    assert set(batch.status) <= {"converged", "no_equilibrium"}
+    assert (batch.status.residual[batch.converged] < PROMISED).all()
+    assert set(batch.status.code) <= {"converged", "no_equilibrium"}
 
 
-def test_forces_on_every_ball(solved: tuple[Case, BatchState]) -> None:
+def test_forces_on_every_ball(solved: tuple[Case, Solved]) -> None:
     case, batch = solved
     force = forces(case, batch)
     error = force["inner"] + force["outer"]
-    error[..., 1] += batch.balls().centrifugal_force
+    error[..., 1] += batch.elements.centrifugal_force
     relative = np.linalg.norm(error, axis=-1) / force["scale"]
     assert relative[batch.converged].max() < PROMISED
 
 
-def test_forces_and_moments_on_the_inner_ring(solved: tuple[Case, BatchState]) -> None:
+def test_forces_and_moments_on_the_inner_ring(solved: tuple[Case, Solved]) -> None:
     """Σ over the balls of force, and of moment: arm R_i for the axial force, and λ_i f_i M_g."""
     case, batch = solved
-    balls = batch.balls()
-    c, s = np.cos(balls.azimuth), np.sin(balls.azimuth)
+    balls = batch
+    c, s = np.cos(balls.elements.azimuth), np.sin(balls.elements.azimuth)
     axial, radial = np.moveaxis(forces(case, batch)["inner"], -1, 0)
     arm = ring_geometry(case.bearing).inner_groove_radius
-    friction = case.bearing.inner_conformity * balls.gyroscopic_moment * lambda_inner(case, batch)
+    friction = (
+        case.bearing.inner_conformity * balls.elements.gyroscopic_moment * lambda_inner(case, batch)
+    )
     tilting = arm * axial + friction
     sums = [axial, radial * s, radial * c, tilting * c / arm, -tilting * s / arm]
     total = np.stack([term.sum(axis=1) for term in sums], axis=1)
-    load = batch.load / np.array([1.0, 1.0, 1.0, arm, arm])
+    load = batch.load.array / np.array([1.0, 1.0, 1.0, arm, arm])
     heaviest = np.maximum(balls.inner.load, balls.outer.load).max(axis=1)
     scale = np.maximum(np.abs(load).max(axis=1), heaviest)
     relative = np.abs(total - load).max(axis=1) / scale
     assert relative[batch.converged].max() < PROMISED
 
 
-def test_what_enters_by_the_shaft_leaves_by_the_housing(solved: tuple[Case, BatchState]) -> None:
+def test_what_enters_by_the_shaft_leaves_by_the_housing(solved: tuple[Case, Solved]) -> None:
     """Shaft load and centrifugal forces together press the outer ring."""
     case, batch = solved
-    balls = batch.balls()
-    c, s = np.cos(balls.azimuth), np.sin(balls.azimuth)
+    balls = batch
+    c, s = np.cos(balls.elements.azimuth), np.sin(balls.elements.azimuth)
     axial, radial = np.moveaxis(-forces(case, batch)["outer"], -1, 0)
-    thrown = balls.centrifugal_force
+    thrown = balls.elements.centrifugal_force
     pairs = [
-        (axial.sum(axis=1), batch.load[:, 0]),
-        ((radial * s).sum(axis=1), batch.load[:, 1] + (thrown * s).sum(axis=1)),
-        ((radial * c).sum(axis=1), batch.load[:, 2] + (thrown * c).sum(axis=1)),
+        (axial.sum(axis=1), batch.load.array[:, 0]),
+        ((radial * s).sum(axis=1), batch.load.array[:, 1] + (thrown * s).sum(axis=1)),
+        ((radial * c).sum(axis=1), batch.load.array[:, 2] + (thrown * c).sum(axis=1)),
     ]
-    scale = np.maximum(balls.outer.load.sum(axis=1), np.abs(batch.load[:, :3]).max(axis=1))
+    scale = np.maximum(balls.outer.load.sum(axis=1), np.abs(batch.load.array[:, :3]).max(axis=1))
     for housing, shaft in pairs:
         assert (np.abs(housing - shaft) / scale)[batch.converged].max() < PROMISED
 
 
-def test_contacts_close_the_geometry(solved: tuple[Case, BatchState]) -> None:
+def test_contacts_close_the_geometry(solved: tuple[Case, Solved]) -> None:
     """From the outer groove's centre over the ball's to the inner groove's, at every azimuth."""
     case, batch = solved
-    balls, ring = batch.balls(), ring_geometry(case.bearing)
+    balls, ring = batch, ring_geometry(case.bearing)
     done = batch.converged
-    c, s = np.cos(balls.azimuth), np.sin(balls.azimuth)
-    x, y, z, ry, rz = (batch.displacement[:, i, np.newaxis] for i in range(5))
+    c, s = np.cos(balls.elements.azimuth), np.sin(balls.elements.azimuth)
+    x, y, z, ry, rz = (batch.displacement.array[:, i, np.newaxis] for i in range(5))
     a1 = ring.axial_offset + x + ring.inner_groove_radius * (ry * c - rz * s)
     a2 = ring.radial_offset + z * c + y * s
     outer = ring.outer_length + balls.outer.deflection
@@ -218,10 +222,10 @@ def test_contacts_close_the_geometry(solved: tuple[Case, BatchState]) -> None:
 
 
 @pytest.mark.parametrize("race", ["inner", "outer"])
-def test_loads_are_those_of_exact_hertz(solved: tuple[Case, BatchState], race: Any) -> None:
+def test_loads_are_those_of_exact_hertz(solved: tuple[Case, Solved], race: Any) -> None:
     case, batch = solved
     bearing = case.bearing
-    contact = getattr(batch.balls(), race)
+    contact = getattr(batch, race)
     conformity = getattr(bearing, f"{race}_conformity")
     touching = contact.load > 0.0
     curvature = race_curvature(
@@ -253,7 +257,7 @@ def test_moments_about_every_ball_in_space(
     speeds = {"inner_speed": inner_rpm * np.pi / 30, "outer_speed": outer_rpm * np.pi / 30}
     load = Load(fx="20 kN", fy="2 kN", fz="8 kN", my="100 N m", mz="-60 N m")
     model = Model(raceway_control=control)
-    state = solve(Case(bearing=bearing, duty=Duty(load=load, **speeds), model=model))
+    state = solve_one(Case(bearing=bearing, duty=Duty(load=load, **speeds), model=model))
     assert state.status.converged
     ring = ring_geometry(bearing)
     diameter = bearing.ball_diameter

@@ -16,10 +16,11 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from rolamento import Bearing, Case, Duty, Material, Model, solve_batch
+from rolamento import Bearing, Case, Duty, Material, Model
 from rolamento.case.duty import AXES, LOADS
 from rolamento.geometry import ring_geometry
-from rolamento.rows.ball.batch_state import BatchState
+from rolamento.solved import Solved
+from rolamento.solving import solve
 
 Floats = NDArray[np.float64]
 EXAMPLES = 60
@@ -49,7 +50,7 @@ CONTROLS = ["outer", "inner", "none"]
 @pytest.fixture(scope="module", autouse=True)
 def _compiled() -> None:
     """Load the compiled kernels first: few cases alone would run as plain Python, slowly."""
-    solve_batch(Case(bearing=ANGULAR, duty=Duty()), fx=np.full(100, 1e4), inner_speed=100.0)
+    solve(Case(bearing=ANGULAR, duty=Duty()), fx=np.full(100, 1e4), inner_speed=100.0)
 
 
 bearings = st.sampled_from(list(BEARINGS.values()))
@@ -81,17 +82,17 @@ def duties(draw: st.DrawFn, moving: bool = True) -> dict[str, float]:
     return duty
 
 
-def solved(bearing: Bearing, duty: dict[str, float], control: Any = "outer") -> BatchState:
+def solved(bearing: Bearing, duty: dict[str, float], control: Any = "outer") -> Solved:
     case = Case(bearing=bearing, duty=Duty(), model=Model(raceway_control=control))
-    return solve_batch(case, threads=1, **duty)
+    return solve(case, threads=1, **duty)
 
 
 def both(
     bearing: Bearing, one: dict[str, float], other: dict[str, float], control: Any = "outer"
-) -> tuple[BatchState, BatchState]:
+) -> tuple[Solved, Solved]:
     """Both duties solved; an example without a result must lack it on both sides."""
     first, second = solved(bearing, one, control), solved(bearing, other, control)
-    np.testing.assert_array_equal(first.code, second.code)
+    np.testing.assert_array_equal(first.status.number, second.status.number)
     assume(bool(first.converged.all()))
     return first, second
 
@@ -104,7 +105,7 @@ def close(found: Any, expected: Any, tolerance: float = TOLERANCE) -> None:
 
 def close_ring(
     bearing: Bearing,
-    found: BatchState,
+    found: Solved,
     displacement: Floats,
     load: Floats,
     *,
@@ -114,13 +115,13 @@ def close_ring(
     """Displacement and load of the ring, tilts and moments on the arm of the pitch radius."""
     arm = bearing.pitch_diameter / 2.0
     lengths = np.array([1.0, 1.0, 1.0, arm, arm])
-    close(found.displacement[0] / length * lengths, displacement * lengths)
-    close(found.load[0] / force / lengths, load / lengths)
+    close(found.displacement.array[0] / length * lengths, displacement * lengths)
+    close(found.load.array[0] / force / lengths, load / lengths)
 
 
-def close_balls(found: BatchState, expected: BatchState, order: Any, side: float = 1.0) -> None:
+def close_balls(found: Solved, expected: Solved, order: Any, side: float = 1.0) -> None:
     """Ball by ball in the given order; angles mirrored where side is -1."""
-    one, other = found.balls(), expected.balls()
+    one, other = found, expected
     for race in ("inner", "outer"):
         a, b = getattr(one, race), getattr(other, race)
         close(a.load[0], b.load[0][order])
@@ -163,8 +164,8 @@ def test_turning_the_load_by_ball_pitches_permutes_the_balls(
     close_ring(
         bearing,
         shifted,
-        turned_five(straight.displacement[0], angle),
-        turned_five(straight.load[0], angle),
+        turned_five(straight.displacement.array[0], angle),
+        turned_five(straight.load.array[0], angle),
     )
     order = (np.arange(bearing.ball_count) - pitches) % bearing.ball_count
     close_balls(shifted, straight, order)
@@ -181,8 +182,8 @@ def test_turning_load_and_balls_alike_changes_nothing(
     close_ring(
         bearing,
         shifted,
-        turned_five(straight.displacement[0], angle),
-        turned_five(straight.load[0], angle),
+        turned_five(straight.displacement.array[0], angle),
+        turned_five(straight.load.array[0], angle),
     )
     close_balls(shifted, straight, slice(None))
 
@@ -196,7 +197,7 @@ def test_starting_with_another_ball_permutes_the_balls(
     other["first_ball_azimuth"] += 2.0 * np.pi * pitches / bearing.ball_count
     other["first_ball_azimuth"] %= 2.0 * np.pi
     straight, shifted = both(bearing, duty, other, control)
-    close_ring(bearing, shifted, straight.displacement[0], straight.load[0])
+    close_ring(bearing, shifted, straight.displacement.array[0], straight.load.array[0])
     order = (np.arange(bearing.ball_count) + pitches) % bearing.ball_count
     close_balls(shifted, straight, order)
 
@@ -211,7 +212,9 @@ def test_mirror_of_y(bearing: Bearing, control: str, duty: dict[str, float], rev
     for speed in ("inner_speed", "outer_speed"):
         other[speed] *= -1.0 if reverse else 1.0
     straight, image = both(bearing, duty, other, control)
-    close_ring(bearing, image, signs * straight.displacement[0], signs * straight.load[0])
+    close_ring(
+        bearing, image, signs * straight.displacement.array[0], signs * straight.load.array[0]
+    )
     close_balls(image, straight, -np.arange(bearing.ball_count))
 
 
@@ -222,7 +225,9 @@ def test_mirror_of_z(bearing: Bearing, control: str, duty: dict[str, float]) -> 
     other = mirrored(duty, signs)
     other["first_ball_azimuth"] = np.pi - duty["first_ball_azimuth"]
     straight, image = both(bearing, duty, other, control)
-    close_ring(bearing, image, signs * straight.displacement[0], signs * straight.load[0])
+    close_ring(
+        bearing, image, signs * straight.displacement.array[0], signs * straight.load.array[0]
+    )
     close_balls(image, straight, -np.arange(bearing.ball_count))
 
 
@@ -233,7 +238,9 @@ def test_mirror_of_x_of_a_bearing_that_touches_on_either_side(
 ) -> None:
     signs = np.array([-1.0, 1.0, 1.0, -1.0, -1.0])
     straight, image = both(DEEP_GROOVE, duty, mirrored(duty, signs), control)
-    close_ring(DEEP_GROOVE, image, signs * straight.displacement[0], signs * straight.load[0])
+    close_ring(
+        DEEP_GROOVE, image, signs * straight.displacement.array[0], signs * straight.load.array[0]
+    )
     close_balls(image, straight, slice(None), side=-1.0)
 
 
@@ -243,10 +250,10 @@ def test_reversing_both_rings(bearing: Bearing, control: str, duty: dict[str, fl
     """Loads, displacements and stiffness stay; every speed changes its sign."""
     other = duty | {name: -duty[name] for name in ("inner_speed", "outer_speed")}
     straight, reverse = both(bearing, duty, other, control)
-    close_ring(bearing, reverse, straight.displacement[0], straight.load[0])
+    close_ring(bearing, reverse, straight.displacement.array[0], straight.load.array[0])
     close_balls(reverse, straight, slice(None))
-    close(reverse.stiffness[0], straight.stiffness[0])
-    one, back = straight.balls().motion, reverse.balls().motion
+    close(reverse.stiffness.array[0], straight.stiffness.array[0])
+    one, back = straight.elements.motion, reverse.elements.motion
     for name in ("orbital_speed", "ball_speed", "inner_spin", "outer_roll"):
         close(-getattr(back, name) + 1.0, getattr(one, name) + 1.0)
     close(back.attitude, one.attitude)
@@ -266,10 +273,10 @@ def test_a_contact_angle_bearing_agrees_with_its_clearance_twin(
     assume(bool(angular.converged.all()))
     assert clear.converged.all()
     travel = ring.groove_centre_distance * np.sin(ring.free_contact_angle)
-    shifted = clear.displacement[0] - np.array([travel, 0.0, 0.0, 0.0, 0.0])
-    close(shifted, angular.displacement[0], 1e-8)
+    shifted = clear.displacement.array[0] - np.array([travel, 0.0, 0.0, 0.0, 0.0])
+    close(shifted, angular.displacement.array[0], 1e-8)
     close_balls(clear, angular, slice(None))
-    close(clear.stiffness[0], angular.stiffness[0])
+    close(clear.stiffness.array[0], angular.stiffness.array[0])
 
 
 @settings(max_examples=EXAMPLES)
@@ -291,15 +298,15 @@ def test_scaling_all_lengths(
         for name, value in duty.items()
     }
     one, big = solved(bearing, duty, control), solved(Bearing(**large), other, control)
-    np.testing.assert_array_equal(one.code, big.code)
+    np.testing.assert_array_equal(one.status.number, big.status.number)
     assume(bool(one.converged.all()))
     shift = np.array([scale, scale, scale, 1.0, 1.0])
     force = np.array([scale**2, scale**2, scale**2, scale**3, scale**3])
-    close_ring(bearing, big, one.displacement[0] * shift / scale,
+    close_ring(bearing, big, one.displacement.array[0] * shift / scale,
                one.load[0] * force / scale**2, length=scale, force=scale**2,
                )  # fmt: skip
     for race in ("inner", "outer"):
-        a, b = getattr(big.balls(), race), getattr(one.balls(), race)
+        a, b = getattr(big, race), getattr(one, race)
         close(a.load, scale**2 * b.load)
         touching = b.load > 1e-3 * b.load.max()
         assert np.abs(a.contact_angle - b.contact_angle)[touching].max() < TOLERANCE
@@ -322,10 +329,10 @@ def test_scaling_modulus_density_and_loads(
     )
     other = {name: value * (scale if name in LOADS else 1.0) for name, value in duty.items()}
     one, stiff = solved(bearing, duty, control), solved(other_bearing, other, control)
-    np.testing.assert_array_equal(one.code, stiff.code)
+    np.testing.assert_array_equal(one.status.number, stiff.status.number)
     assume(bool(one.converged.all()))
-    close_ring(bearing, stiff, one.displacement[0], one.load[0], force=scale)
-    close(stiff.stiffness[0] / scale, one.stiffness[0])
+    close_ring(bearing, stiff, one.displacement.array[0], one.load[0], force=scale)
+    close(stiff.stiffness.array[0] / scale, one.stiffness.array[0])
 
 
 @settings(max_examples=EXAMPLES)
@@ -342,13 +349,13 @@ def test_slow_rings_approach_the_static_state(
     for rpm, tolerance in ((100.0, 1e-2), (1.0, 1e-6), (1e-3, 1e-9)):
         slow = solved(bearing, duty | {"inner_speed": rpm * RPM}, control)
         assert slow.converged.all()
-        change = np.abs((slow.displacement - rest.displacement)[0] * lengths).max()
-        relative = change / np.abs(rest.displacement[0] * lengths).max()
+        change = np.abs((slow.displacement.array - rest.displacement.array)[0] * lengths).max()
+        relative = change / np.abs(rest.displacement.array[0] * lengths).max()
         assert relative < tolerance
         assert relative <= previous
         previous = relative
-        load = rest.balls().inner.load
-        assert np.abs(slow.balls().inner.load - load).max() < 10.0 * tolerance * load.max()
+        load = rest.inner.load
+        assert np.abs(slow.inner.load - load).max() < 10.0 * tolerance * load.max()
 
 
 @settings(max_examples=EXAMPLES)
@@ -358,14 +365,14 @@ def test_without_inertia_the_speed_does_not_matter(
 ) -> None:
     model = Model(raceway_control=control, centrifugal_force=False, gyroscopic_moment=False)
     case = Case(bearing=bearing, duty=Duty(), model=model)
-    turning = solve_batch(case, **duty)
-    still = solve_batch(case, **duty | {"inner_speed": 0.0, "outer_speed": 0.0})
-    np.testing.assert_array_equal(turning.code, still.code)
-    np.testing.assert_array_equal(turning.displacement, still.displacement)
-    np.testing.assert_array_equal(turning.stiffness, still.stiffness)
-    np.testing.assert_array_equal(turning.balls().inner.load, still.balls().inner.load)
+    turning = solve(case, **duty)
+    still = solve(case, **duty | {"inner_speed": 0.0, "outer_speed": 0.0})
+    np.testing.assert_array_equal(turning.status.number, still.status.number)
+    np.testing.assert_array_equal(turning.displacement.array, still.displacement.array)
+    np.testing.assert_array_equal(turning.stiffness.array, still.stiffness.array)
+    np.testing.assert_array_equal(turning.inner.load, still.inner.load)
     if turning.converged.all():
-        assert (turning.balls().motion.ball_speed != 0.0).all()
+        assert (turning.elements.ball_speed != 0.0).all()
 
 
 @pytest.mark.parametrize("control", CONTROLS)
@@ -374,7 +381,7 @@ def test_relative_speed_of_zero_leaves_only_centrifugal_force(control: str) -> N
     duty = {"fx": 20e3, "fz": 5e3, "inner_speed": 600.0, "outer_speed": 600.0}
     batch = solved(ANGULAR, duty, control)
     assert batch.converged.all()
-    balls = batch.balls()
-    np.testing.assert_allclose(balls.motion.orbital_speed, 600.0, rtol=1e-12)
-    assert np.abs(balls.gyroscopic_moment).max() < 1e-12
-    assert balls.centrifugal_force.min() > 0.0
+    balls = batch
+    np.testing.assert_allclose(balls.elements.orbital_speed, 600.0, rtol=1e-12)
+    assert np.abs(balls.elements.gyroscopic_moment).max() < 1e-12
+    assert balls.elements.centrifugal_force.min() > 0.0

@@ -16,11 +16,11 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from rolamento import Bearing, Case, Duty, Model, solve_batch
+from rolamento import Bearing, Case, Duty, Model
+from rolamento.assembly import solve_cases, spread
 from rolamento.geometry import ring_geometry
-from rolamento.rows.ball.batch_state import BatchState
-from rolamento.rows.ball.columns import spread
-from rolamento.rows.ball.solve import solve_columns_of
+from rolamento.solved import Solved
+from rolamento.solving import solve
 
 Floats = NDArray[np.float64]
 RPM = math.pi / 30.0
@@ -48,8 +48,8 @@ class Hard:
     case: Case
     fields: dict[str, Floats]
 
-    def solve(self) -> BatchState:
-        return solve_batch(self.case, **self.fields)
+    def solve(self) -> Solved:
+        return solve(self.case, **self.fields)
 
     @property
     def ordinary(self) -> NDArray[np.bool_]:
@@ -150,60 +150,64 @@ GREATEST_FORCE = 1e9  # N; a case refuses more
 
 
 @pytest.fixture(scope="module")
-def solutions() -> list[tuple[Hard, BatchState]]:
+def solutions() -> list[tuple[Hard, Solved]]:
     return [(hard, hard.solve()) for hard in HARD]
 
 
-def test_the_set_is_as_large_as_promised(solutions: list[tuple[Hard, BatchState]]) -> None:
+def test_the_set_is_as_large_as_promised(solutions: list[tuple[Hard, Solved]]) -> None:
     assert sum(len(batch) for _, batch in solutions) >= 3000
     assert np.mean(np.concatenate([batch.converged for _, batch in solutions])) > 0.6
 
 
-def test_every_case_converges_or_says_why(solutions: list[tuple[Hard, BatchState]]) -> None:
+def test_every_case_converges_or_says_why(solutions: list[tuple[Hard, Solved]]) -> None:
     cases = ordinary = 0
     open_cases: list[str] = []
     open_ordinary: list[str] = []
     for hard, batch in solutions:
-        refused = batch.status == "invalid_input"
-        assert set(batch.status[~refused]) <= STATUSES
+        refused = batch.status.code == "invalid_input"
+        assert set(batch.status.code[~refused]) <= STATUSES
         too_great = np.abs(hard.fields.get("fx", np.zeros(len(batch)))) > GREATEST_FORCE
         assert (refused == too_great).all()
-        assert (batch.residual[batch.converged] < PROMISED).all()
-        named = batch.status == "no_equilibrium"
-        assert ((batch.unsupported >= 0) == named).all()
+        assert (batch.status.residual[batch.converged] < PROMISED).all()
+        named = batch.status.code == "no_equilibrium"
+        assert ((batch.status.unsupported >= 0) == named).all()
         cases += len(batch)
         ordinary += int(hard.ordinary.sum())
-        for row in np.flatnonzero(batch.status == "not_converged"):
+        for row in np.flatnonzero(batch.status.code == "not_converged"):
             (open_ordinary if hard.ordinary[row] else open_cases).append(hard.describe(row))
     assert ordinary > 1000
     assert len(open_ordinary) <= ORDINARY_WITHOUT_RESULT * ordinary, "\n".join(open_ordinary)
     assert len(open_cases) <= ANY_WITHOUT_RESULT * cases, "\n".join(open_cases)
 
 
-def test_no_number_without_a_result(solutions: list[tuple[Hard, BatchState]]) -> None:
+def test_no_number_without_a_result(solutions: list[tuple[Hard, Solved]]) -> None:
     """NaN everywhere where a case has no result, and nowhere else."""
     for hard, batch in solutions:
-        balls, done = batch.balls(), batch.converged
-        arrays = [batch.displacement, batch.load, batch.stiffness]
+        balls, done = batch, batch.converged
+        arrays = [batch.displacement.array, batch.load.array, batch.stiffness.array]
         for contact in (balls.inner, balls.outer):
             arrays += [contact.load, contact.contact_angle, contact.deflection]
-        arrays += [balls.centrifugal_force, balls.gyroscopic_moment, balls.motion.orbital_speed]
+        arrays += [
+            balls.elements.centrifugal_force,
+            balls.elements.gyroscopic_moment,
+            balls.elements.orbital_speed,
+        ]
         for array in arrays:
             axes = tuple(range(1, array.ndim))
             assert np.isfinite(array).all(axis=axes)[done].all(), hard.number
             assert np.isnan(array).all(axis=axes)[~done].all(), hard.number
 
 
-def test_balls_lie_where_they_can(solutions: list[tuple[Hard, BatchState]]) -> None:
+def test_balls_lie_where_they_can(solutions: list[tuple[Hard, Solved]]) -> None:
     """No contact pulls; both angles on the side of A1; under outer control α_o ≤ α_i."""
     for hard, batch in solutions:
-        balls, done = batch.balls(), batch.converged
+        balls, done = batch, batch.converged
         inner, outer = balls.inner, balls.outer
         assert (inner.load[done] >= 0.0).all()
         assert (outer.load[done] >= 0.0).all()
         ring = ring_geometry(hard.case.bearing)
-        c, s = np.cos(balls.azimuth), np.sin(balls.azimuth)
-        x, _, _, ry, rz = (batch.displacement[:, i, np.newaxis] for i in range(5))
+        c, s = np.cos(balls.elements.azimuth), np.sin(balls.elements.azimuth)
+        x, _, _, ry, rz = (batch.displacement.array[:, i, np.newaxis] for i in range(5))
         a1 = ring.axial_offset + x + ring.inner_groove_radius * (ry * c - rz * s)
         heaviest = outer.load.max(axis=1, keepdims=True)
         clear = (
@@ -215,42 +219,47 @@ def test_balls_lie_where_they_can(solutions: list[tuple[Hard, BatchState]]) -> N
         assert (side * inner.contact_angle >= -slack)[clear].all(), hard.number
         # outer control and no counter-rotation: centrifugal force turns the inner angle up
         same_way = (hard.fields["inner_speed"] * hard.fields["outer_speed"] >= 0.0)[:, np.newaxis]
-        outer_control = (batch.rows[0].control > 0.0) & (hard.case.model.raceway_control != "none")
+        outer_control = (batch.elements.raceway_control > 0.0) & (
+            hard.case.model.raceway_control != "none"
+        )
         ordered = side * (inner.contact_angle - outer.contact_angle) >= -slack
         assert ordered[clear & same_way & outer_control].all(), hard.number
 
 
-def test_one_bad_case_spoils_no_other(solutions: list[tuple[Hard, BatchState]]) -> None:
+def test_one_bad_case_spoils_no_other(solutions: list[tuple[Hard, Solved]]) -> None:
     for hard, clean in solutions[:9]:
         fields = {name: values.copy() for name, values in hard.fields.items()}
         fields["fz"][5] = np.nan
         fields["inner_speed"][11 % len(clean)] = np.inf
         fields["fy"][7] = -np.inf
-        spoilt = solve_batch(hard.case, **fields)
+        spoilt = solve(hard.case, **fields)
         bad = np.zeros(len(clean), bool)
         bad[[5, 7, 11 % len(clean)]] = True
-        assert (spoilt.status[bad] == "invalid_input").all()
-        assert np.isnan(spoilt.displacement[bad]).all()
-        assert np.isnan(spoilt.balls().outer.load[bad]).all()
-        np.testing.assert_array_equal(spoilt.code[~bad], clean.code[~bad])
+        assert (spoilt.status.code[bad] == "invalid_input").all()
+        assert np.isnan(spoilt.displacement.array[bad]).all()
+        assert np.isnan(spoilt.outer.load[bad]).all()
+        np.testing.assert_array_equal(spoilt.status.number[~bad], clean.status.number[~bad])
         unit = hard.case.bearing.ball_diameter
         np.testing.assert_allclose(
-            spoilt.displacement[~bad], clean.displacement[~bad], rtol=1e-7, atol=1e-9 * unit
+            spoilt.displacement.array[~bad],
+            clean.displacement.array[~bad],
+            rtol=1e-7,
+            atol=1e-9 * unit,
         )
 
 
-def test_the_safe_path_finds_the_same(solutions: list[tuple[Hard, BatchState]]) -> None:
+def test_the_safe_path_finds_the_same(solutions: list[tuple[Hard, Solved]]) -> None:
     """The fast path and the safe path, wherever both have a result."""
     compared = 0
     others: list[str] = []
     for hard, batch in solutions[::2]:
         if hard.case.model.raceway_control == "jones":
             continue  # the order in which balls change over is part of the path
-        safe = solve_columns_of(spread(hard.case, hard.fields), fast=False)
+        safe = solve_cases(spread(hard.case, hard.fields, fast=False))
         done = batch.converged & safe.converged & hard.ordinary
         compared += int(done.sum())
-        heaviest = batch.balls().outer.load.max(axis=1)
-        error = np.abs(batch.balls().inner.load - safe.balls().inner.load).max(axis=1)
+        heaviest = batch.outer.load.max(axis=1)
+        error = np.abs(batch.inner.load - safe.inner.load).max(axis=1)
         different = np.flatnonzero(done & (error > 1e-6 * heaviest))
         others += [hard.describe(row) for row in different]
     assert compared > 500
@@ -281,10 +290,10 @@ def test_light_fast_and_tilted_all_converge(control: Any, turning: str, balls: s
         turning: 15e3 * RPM * rng.uniform(0.01, 1.0, n),
     }
     model = Model(raceway_control=control)
-    batch = solve_batch(Case(bearing=bearing, duty=Duty(), model=model), **fields)
+    batch = solve(Case(bearing=bearing, duty=Duty(), model=model), **fields)
     assert batch.converged.all()
-    assert batch.residual.max() < PROMISED
-    found = batch.balls()
+    assert batch.status.residual.max() < PROMISED
+    found = batch
     loose = found.inner.load == 0.0
     assert loose.any()
     if turning == "inner_speed":  # only centrifugal force is left, and it acts radially

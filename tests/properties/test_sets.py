@@ -18,10 +18,11 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 from scipy.optimize import root
 
-from rolamento import Bearing, Case, Duty, Model, solve_batch
+from rolamento import Bearing, Case, Duty, Model
 from rolamento.case.arrangement import ARRANGEMENTS
 from rolamento.case.duty import AXES, LOADS
-from rolamento.rows.ball.batch_state import BatchState
+from rolamento.solved import Solved
+from rolamento.solving import solve
 
 Floats = NDArray[np.float64]
 
@@ -57,9 +58,7 @@ RPM = math.pi / 30.0
 @pytest.fixture(scope="module", autouse=True)
 def _compiled() -> None:
     """Load the compiled kernels first: few cases alone would run as plain Python, slowly."""
-    solve_batch(
-        Case(bearing=Bearing(**ANGULAR), duty=Duty()), fx=np.full(100, 1e4), inner_speed=100.0
-    )
+    solve(Case(bearing=Bearing(**ANGULAR), duty=Duty()), fx=np.full(100, 1e4), inner_speed=100.0)
 
 
 def solved(
@@ -69,10 +68,10 @@ def solved(
     control: Any = "outer",
     converged: bool = True,
     **duty: Any,
-) -> BatchState:
+) -> Solved:
     case = Case(bearing=bearing, duty=Duty(), model=Model(raceway_control=control))
-    batch = solve_batch(case, {**(fields or {}), **duty})
-    assert not converged or batch.converged.all(), batch.status
+    batch = solve(case, {**(fields or {}), **duty})
+    assert not converged or batch.converged.all(), batch.status.code
     return batch
 
 
@@ -120,7 +119,7 @@ def load_of_row(
 
 
 def press_at_rest(alone: Bearing, force: float) -> float:
-    return float(solved(alone, fx=force).displacement[0, 0])
+    return float(solved(alone, fx=force).displacement.array[0, 0])
 
 
 RADIAL = {"fz": 3e3, "fy": -1e3}
@@ -155,19 +154,25 @@ def test_a_pair_is_two_single_bearings_on_one_shaft(name: str) -> None:
     total = np.zeros(5)
     scale = 0.0
     signs = {"DB": (1, -1), "DF": (-1, 1)}[arrangement]
-    for row, sign, place in zip(batch.rows, signs, (-0.5, 0.5), strict=True):
+    for row, sign, place in zip(batch.rows.load[0], signs, (-0.5, 0.5), strict=True):
         load = load_of_row(
-            alone, sign, place * SPACING, press, batch.displacement[0], control=control, **speeds
+            alone,
+            sign,
+            place * SPACING,
+            press,
+            batch.displacement.array[0],
+            control=control,
+            **speeds,
         )
         scale = max(scale, float(np.abs(load / arms(alone)).max()))
-        assert np.abs((row.load[0] - load) / arms(alone)).max() <= 1e-8 * max(scale, force)
+        assert np.abs((row - load) / arms(alone)).max() <= 1e-8 * max(scale, force)
         total += load
-    error = (total - batch.load[0]) / arms(alone)
+    error = (total - batch.load.array[0]) / arms(alone)
     assert np.abs(error).max() <= 2e-8 * scale
     for name_of_load in LOADS:
         if name_of_load in duty:
             given_load = duty[name_of_load]
-            assert batch.load[0, LOADS.index(name_of_load)] == given_load
+            assert batch.load.array[0, LOADS.index(name_of_load)] == given_load
 
 
 @pytest.mark.parametrize("name", ["DB, moments", "DF, moments"])
@@ -198,7 +203,7 @@ def test_the_pairs_place_is_the_one_that_scipy_finds_over_single_bearings(name: 
     assert np.abs(unbalanced(found.x)).max() < 1e-4  # N
     pair = Bearing(**geometry, arrangement=arrangement, spacing=SPACING, preload={"force": force})
     batch = solved(pair, control=control, **duty)
-    assert np.abs(1e6 * scale * batch.displacement[0] - found.x).max() < 1e-6  # picometres
+    assert np.abs(1e6 * scale * batch.displacement.array[0] - found.x).max() < 1e-6  # picometres
 
 
 def test_a_spring_loaded_pair_by_hand() -> None:
@@ -207,14 +212,14 @@ def test_a_spring_loaded_pair_by_hand() -> None:
     pair = Bearing(**SPINDLE, arrangement="DB", spacing=SPACING, preload={"spring": 300.0})
     batch = solved(pair, fx=[-200.0, 0.0, 500.0], inner_speed=1500.0)
     front = solved(alone, fx=[100.0, 300.0, 800.0], inner_speed=1500.0)
-    assert batch.displacement[:, 0] == pytest.approx(front.displacement[:, 0], rel=1e-7)
+    assert batch.displacement.array[:, 0] == pytest.approx(front.displacement.array[:, 0], rel=1e-7)
     back = solved(alone, fx=300.0, inner_speed=1500.0)
-    approach = back.balls().inner.load
-    assert np.allclose(batch.rows[1].balls().inner.load, approach, rtol=1e-7)
-    assert batch.rows[0].load[:, 0] == pytest.approx([100.0, 300.0, 800.0], rel=1e-9)
-    assert batch.rows[1].load[:, 0] == pytest.approx([-300.0] * 3, rel=1e-9)
+    approach = back.inner.load
+    assert np.allclose(batch.answer.rows[1].tables().inner.load, approach, rtol=1e-7)
+    assert batch.rows.load[:, 0, 0] == pytest.approx([100.0, 300.0, 800.0], rel=1e-9)
+    assert batch.rows.load[:, 1, 0] == pytest.approx([-300.0] * 3, rel=1e-9)
     # the springs follow: axially, the front row alone resists
-    assert batch.stiffness[:, 0, 0] == pytest.approx(front.stiffness[:, 0, 0], rel=1e-6)
+    assert batch.stiffness.array[:, 0, 0] == pytest.approx(front.stiffness.array[:, 0, 0], rel=1e-6)
 
 
 # --- stiffness -------------------------------------------------------------------------------
@@ -264,19 +269,19 @@ def test_stiffness_is_the_derivative_both_ways(name: str) -> None:
     bearing, duty = PLACES[name]
     duty = dict.fromkeys(LOADS, 0.0) | duty
     batch = solved(bearing, **duty)
-    stiffness = batch.stiffness[0]
+    stiffness = batch.stiffness.array[0]
     speeds = {key: value for key, value in duty.items() if key.endswith("speed")}
     scale = arms(bearing)
     size = np.abs(stiffness / np.outer(scale, scale)).max()
 
     steps = 2e-8 / scale
-    held, of = _derivative(bearing, by_axis(batch.displacement[0]) | speeds, AXES, steps)
+    held, of = _derivative(bearing, by_axis(batch.displacement.array[0]) | speeds, AXES, steps)
     error = (of(held.load) - stiffness) / np.outer(scale, scale)
     assert np.abs(error).max() <= 2e-5 * size
 
     steps = np.abs(0.01 * size * 1e-6 * scale)
     loaded, of = _derivative(bearing, duty, LOADS, steps)
-    product = stiffness @ of(loaded.displacement)
+    product = stiffness @ of(loaded.displacement.array)
     error = (product - np.eye(5)) * np.outer(1.0 / scale, scale)
     assert np.abs(error).max() <= 2e-4
 
@@ -286,7 +291,7 @@ def test_stiffness_at_rest_is_nearly_symmetrical(name: str) -> None:
     """But for the slight turning of the contacts' stiffness, as in a single bearing."""
     bearing, duty = PLACES[name]
     still = {key: value for key, value in duty.items() if not key.endswith("speed")}
-    stiffness = solved(bearing, **still).stiffness[0] / np.outer(arms(bearing), arms(bearing))
+    stiffness = solved(bearing, **still).stiffness.array[0] / np.outer(arms(bearing), arms(bearing))
     assert np.abs(stiffness - stiffness.T).max() <= 1e-5 * np.abs(stiffness).max()
     assert np.linalg.eigvalsh(0.5 * (stiffness + stiffness.T)).min() > 0.0
 
@@ -294,13 +299,13 @@ def test_stiffness_at_rest_is_nearly_symmetrical(name: str) -> None:
 # --- what the arrangement does ----------------------------------------------------------------
 
 
-def _pairs(arrangement: str, spacing: Any) -> BatchState:
+def _pairs(arrangement: str, spacing: Any) -> Solved:
     pair = Bearing(**SPINDLE, arrangement=arrangement, spacing=0.04, preload={"force": 500.0})
     return solved(pair, {"bearing.spacing": spacing}, fx=0.0)
 
 
 def test_back_to_back_is_stiffer_in_tilt_and_alike_otherwise() -> None:
-    back, face = _pairs("DB", 0.02).stiffness[0], _pairs("DF", 0.02).stiffness[0]
+    back, face = _pairs("DB", 0.02).stiffness.array[0], _pairs("DF", 0.02).stiffness.array[0]
     for i in range(3):
         assert back[i, i] == pytest.approx(face[i, i], rel=1e-8)
     for i in (3, 4):
@@ -314,12 +319,12 @@ def test_tilt_stiffness_grows_with_the_square_of_the_distance_of_the_pressure_ce
     """K_tilt = ¼ K_zz (s + s0)² + c with s0 about ± d_m tan α: exactly quadratic in s."""
     spacing = np.array([0.02, 0.04, 0.08, 0.3, 1.0])
     batch = _pairs(arrangement, spacing)
-    tilt = batch.stiffness[:, 3, 3]
+    tilt = batch.stiffness.array[:, 3, 3]
     square, linear, constant = np.polyfit(spacing[:3], tilt[:3], 2)
     assert np.polyval([square, linear, constant], spacing) == pytest.approx(tilt, rel=1e-6)
-    assert square == pytest.approx(0.25 * batch.stiffness[0, 2, 2], rel=1e-6)
+    assert square == pytest.approx(0.25 * batch.stiffness.array[0, 2, 2], rel=1e-6)
     apart = 0.5 * linear / square
-    loaded = float(np.mean(batch.rows[0].balls().inner.contact_angle[0]))
+    loaded = float(np.mean(batch.answer.rows[0].tables().inner.contact_angle[0]))
     # the contacts' arm is the circle of the groove's centres, a little less than d_m / 2
     assert apart == pytest.approx(sign * 77.5e-3 * math.tan(loaded), rel=0.02)
     # what is left does not hang on the offsets: the rows' own bending, small
@@ -333,14 +338,14 @@ def test_two_in_tandem_are_twice_one_under_half_the_load() -> None:
     duty: dict[str, Any] = {"inner_speed": [0.0, 900.0]}
     one = solved(alone, fx=10e3, fy=2e3, fz=4e3, **duty)
     two = solved(tandem, fx=20e3, fy=4e3, fz=8e3, **duty)
-    assert two.displacement == pytest.approx(one.displacement, rel=1e-7, abs=1e-14)
+    assert two.displacement.array == pytest.approx(one.displacement.array, rel=1e-7, abs=1e-14)
     assert two.load == pytest.approx(2.0 * one.load, rel=1e-7, abs=1e-5)
     block = np.ix_([0, 1], range(3), range(3))
-    assert two.stiffness[block] == pytest.approx(2.0 * one.stiffness[block], rel=1e-5)
+    assert two.stiffness.array[block] == pytest.approx(2.0 * one.stiffness.array[block], rel=1e-5)
     free = solved(tandem, fx=20e3, fy=4e3, fz=8e3, my=0.0, mz=0.0)
-    assert abs(free.displacement[0, 3]) > 1e-5
+    assert abs(free.displacement.array[0, 3]) > 1e-5
     one_free = solved(alone, fx=10e3, fy=2e3, fz=4e3, my=0.0, mz=0.0)
-    assert abs(free.displacement[0, 3]) < 0.5 * abs(one_free.displacement[0, 3])
+    assert abs(free.displacement.array[0, 3]) < 0.5 * abs(one_free.displacement.array[0, 3])
 
 
 # --- what must stay the same ------------------------------------------------------------------
@@ -369,11 +374,15 @@ def test_a_set_turned_around_answers_turned_around(arrangement: Any, control: An
     speed = {"inner_speed": 900.0} if control != "inner" else {"inner_speed": 200.0}
     one = solved(plain, control=control, **dict(zip(LOADS, load, strict=True)), **speed)
     other = solved(turned, control=control, **dict(zip(LOADS, MIRROR * load, strict=True)), **speed)
-    assert other.displacement[0] == pytest.approx(MIRROR * one.displacement[0], rel=1e-6, abs=1e-13)
-    for here, there in zip(one.rows, other.rows, strict=True):
-        assert there.load[0] == pytest.approx(MIRROR * here.load[0], rel=1e-6, abs=1e-5)
-    stiffness = np.outer(MIRROR, MIRROR) * one.stiffness[0]
-    assert other.stiffness[0] == pytest.approx(stiffness, rel=1e-5, abs=1e-5 * stiffness.max())
+    assert other.displacement.array[0] == pytest.approx(
+        MIRROR * one.displacement.array[0], rel=1e-6, abs=1e-13
+    )
+    for here, there in zip(one.rows.load[0], other.rows.load[0], strict=True):
+        assert there == pytest.approx(MIRROR * here, rel=1e-6, abs=1e-5)
+    stiffness = np.outer(MIRROR, MIRROR) * one.stiffness.array[0]
+    assert other.stiffness.array[0] == pytest.approx(
+        stiffness, rel=1e-5, abs=1e-5 * stiffness.max()
+    )
 
 
 @settings(max_examples=25)
@@ -405,7 +414,7 @@ def test_turned_by_whole_pitches_a_set_answers_turned(
     batch = solved(
         bearing, **fields, inner_speed=speed, first_ball_azimuth=[0.3, 0.3, 0.3 + angle % 1e-9]
     )
-    scaled = batch.displacement * arms(bearing)
+    scaled = batch.displacement.array * arms(bearing)
     size = np.abs(scaled).max()
     assert np.abs(scaled[1] - rotation @ scaled[0]).max() <= 1e-7 * size
 
@@ -426,18 +435,18 @@ def test_one_row_elsewhere_is_the_plain_bearing_from_another_point(sign: int, sp
     own_force, own_couple = (force, couple) if sign > 0 else mirrored(force, couple)
     own = np.array([*own_force, *own_couple[1:]])
     plain = solved(alone, **dict(zip(LOADS, own, strict=True)), inner_speed=speed)
-    shift, turn = plain.displacement[0, :3], np.array([0.0, *plain.displacement[0, 3:]])
+    shift, turn = plain.displacement.array[0, :3], np.array([0.0, *plain.displacement.array[0, 3:]])
     if sign < 0:
         shift, turn = mirrored(shift, turn)
     expected = np.array([*(shift - np.cross(turn, arm)), *turn[1:]])
-    assert batch.displacement[0] == pytest.approx(expected, rel=1e-7, abs=1e-13)
-    assert batch.balls().inner.load == pytest.approx(plain.balls().inner.load, rel=1e-6)
+    assert batch.displacement.array[0] == pytest.approx(expected, rel=1e-7, abs=1e-13)
+    assert batch.inner.load == pytest.approx(plain.inner.load, rel=1e-6)
 
 
 def test_a_row_at_the_origin_is_the_plain_bearing() -> None:
     plain = solved(Bearing(**ANGULAR), fx=20e3, fz=15e3, inner_speed=900.0)
     same = solved(Bearing(**ANGULAR, rows=[{"position": 0.0}]), fx=20e3, fz=15e3, inner_speed=900.0)
-    assert np.array_equal(same.displacement, plain.displacement)
+    assert np.array_equal(same.displacement.array, plain.displacement.array)
 
 
 def test_a_rows_phase_turns_its_balls() -> None:
@@ -448,8 +457,8 @@ def test_a_rows_phase_turns_its_balls() -> None:
     plain = solved(
         Bearing(**ANGULAR), fx=20e3, fz=15e3, inner_speed=900.0, first_ball_azimuth=0.2 + phase
     )
-    assert batch.displacement == pytest.approx(plain.displacement, rel=1e-12, abs=1e-20)
-    assert batch.rows[0].azimuth[0, 0] == pytest.approx(0.2 + phase)
+    assert batch.displacement.array == pytest.approx(plain.displacement.array, rel=1e-12, abs=1e-20)
+    assert batch.elements.azimuth[0, 0] == pytest.approx(0.2 + phase)
 
 
 def test_unequal_rows_by_hand() -> None:
@@ -468,9 +477,11 @@ def test_unequal_rows_by_hand() -> None:
     singles = [Bearing(**SPINDLE), Bearing(**(SPINDLE | own)), Bearing(**SPINDLE)]
     total = np.zeros(5)
     for alone, sign, place in zip(singles, (1, -1, -1), (-0.03, 0.01, 0.045), strict=True):
-        total += load_of_row(alone, sign, place, 8e-6, batch.displacement[0], inner_speed=1000.0)
-    assert total / arms(bearing) == pytest.approx(batch.load[0] / arms(bearing), abs=1e-4)
-    assert batch.balls().inner.load.shape == (1, 21 + 12 + 21)
+        total += load_of_row(
+            alone, sign, place, 8e-6, batch.displacement.array[0], inner_speed=1000.0
+        )
+    assert total / arms(bearing) == pytest.approx(batch.load.array[0] / arms(bearing), abs=1e-4)
+    assert batch.inner.load.shape == (1, 21 + 12 + 21)
     assert batch.row.tolist() == [0] * 21 + [1] * 12 + [2] * 21
 
 
@@ -549,22 +560,27 @@ def test_random_sets_have_a_result_that_holds_or_a_name_for_why_not() -> None:
         fields = random_duties(rng, bearing, rating)
         control = ("outer", "none", "jones")[number % 3]
         batch = solved(bearing, fields, control=control, converged=False)
-        assert set(batch.status.tolist()) <= STATUSES
+        assert set(batch.status.code.tolist()) <= STATUSES
         good = batch.converged
         wanted = np.stack([np.broadcast_to(fields.get(n, 0.0), EACH) for n in LOADS], axis=1)
         free = np.array([True] * 3 + ["my" in fields] * 2)
-        rows = np.stack([row.load for row in batch.rows]) / arms(bearing)
+        rows = np.swapaxes(batch.rows.load, 0, 1) / arms(bearing)
         scale = np.maximum(
             np.abs(rows).max(axis=(0, 2)), np.abs(wanted / arms(bearing))[:, free].max(axis=1)
         )
         error = np.abs(rows.sum(axis=0) - wanted / arms(bearing))[:, free].max(axis=1)
         assert (error[good] <= PROMISED * scale[good]).all()
-        assert (batch.residual[good] <= PROMISED).all()
-        for array in (batch.displacement, batch.load, batch.stiffness, rows.swapaxes(0, 1)):
+        assert (batch.status.residual[good] <= PROMISED).all()
+        for array in (
+            batch.displacement.array,
+            batch.load.array,
+            batch.stiffness.array,
+            rows.swapaxes(0, 1),
+        ):
             finite = np.isfinite(array).reshape(EACH, -1)
             assert finite[good].all()
             assert not finite[~good].any()
-        lost = batch.status == "not_converged"
+        lost = batch.status.code == "not_converged"
         without += int(lost.sum())
         still_without += int((lost & (fields["inner_speed"] == 0.0)).sum())
     assert without <= WITHOUT_RESULT * SETS * EACH

@@ -13,11 +13,12 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from rolamento import Bearing, Case, Duty, Model, solve_batch
+from rolamento import Bearing, Case, Duty, Model
 from rolamento.case.duty import AXES, LOADS
 from rolamento.contact.hertz import contact_stiffness, effective_modulus, series_stiffness
 from rolamento.geometry import race_curvature, ring_geometry
-from rolamento.rows.ball.batch_state import BatchState
+from rolamento.solved import Solved
+from rolamento.solving import solve
 
 Floats = NDArray[np.float64]
 
@@ -72,9 +73,9 @@ POINTS: dict[str, tuple[Bearing, Any, dict[str, float]]] = {
 WEIGHTS = {-2: 1.0 / 12.0, -1: -2.0 / 3.0, 1: 2.0 / 3.0, 2: -1.0 / 12.0}
 
 
-def solved(bearing: Bearing, control: Any, **fields: Any) -> BatchState:
+def solved(bearing: Bearing, control: Any, **fields: Any) -> Solved:
     case = Case(bearing=bearing, duty=Duty(), model=Model(raceway_control=control))
-    batch = solve_batch(case, **fields)
+    batch = solve(case, **fields)
     assert batch.converged.all()
     return batch
 
@@ -106,11 +107,11 @@ def test_reactions_by_displacements(name: str) -> None:
     speeds = {key: value for key, value in duty.items() if key.endswith("speed")}
 
     def reactions(inputs: dict[str, Floats]) -> Floats:
-        return solved(bearing, control, **inputs, **speeds).load
+        return solved(bearing, control, **inputs, **speeds).load.array
 
-    deepest = max(point.balls().inner.deflection.max(), 1e-6)
-    numeric = derivative(point.displacement[0], 2e-3 * deepest / unit, AXES, reactions)
-    scaled, expected = (k / np.outer(unit, unit) for k in (point.stiffness[0], numeric))
+    deepest = max(point.inner.deflection.max(), 1e-6)
+    numeric = derivative(point.displacement.array[0], 2e-3 * deepest / unit, AXES, reactions)
+    scaled, expected = (k / np.outer(unit, unit) for k in (point.stiffness.array[0], numeric))
     error = np.abs(scaled - expected).max() / np.abs(expected).max()
     assert error < 2e-9, error
 
@@ -124,22 +125,22 @@ def test_displacements_by_loads(name: str) -> None:
     speeds = {key: value for key, value in duty.items() if key.endswith("speed")}
 
     def displacements(inputs: dict[str, Floats]) -> Floats:
-        return solved(bearing, control, **inputs, **speeds).displacement
+        return solved(bearing, control, **inputs, **speeds).displacement.array
 
     steps = 1e-3 * duty["fx"] * unit
-    numeric = derivative(point.load[0], np.abs(steps), LOADS, displacements)
-    product = point.stiffness[0] @ numeric * np.outer(1.0 / unit, unit)
+    numeric = derivative(point.load.array[0], np.abs(steps), LOADS, displacements)
+    product = point.stiffness.array[0] @ numeric * np.outer(1.0 / unit, unit)
     np.testing.assert_allclose(product, np.eye(5), atol=1e-5)
 
 
-def skew_of_stiffness_turning_with_the_angle(batch: BatchState, bearing: Bearing) -> Floats:
+def skew_of_stiffness_turning_with_the_angle(batch: Solved, bearing: Bearing) -> Floats:
     """K(x, z) - K(z, x) and K(x, y) - K(y, x) that a stiffness K(α) leaves.
 
     A contact whose stiffness depends on its angle has the force K(α) δ^1.5 n, which is no
     gradient: the torque -∂/∂α of the energy ⅖ K δ^2.5 is left out, as by all who evaluate Hertz's
     stiffness at the loaded angle. The skew part per ball is -dK/dα δ^1.5/|A|.
     """
-    balls, ring = batch.balls(), ring_geometry(bearing)
+    balls, ring = batch, ring_geometry(bearing)
     modulus = effective_modulus(bearing.ring_material, bearing.ball_material)
 
     def series(angle: Floats) -> Floats:
@@ -156,7 +157,7 @@ def skew_of_stiffness_turning_with_the_angle(batch: BatchState, bearing: Bearing
     slope = (series(angle + h) - series(angle - h)) / (2.0 * h)
     approach = (balls.inner.deflection + balls.outer.deflection)[0]
     skew = -slope * approach**1.5 / (ring.groove_centre_distance + approach)
-    c, s = np.cos(balls.azimuth[0]), np.sin(balls.azimuth[0])
+    c, s = np.cos(balls.elements.azimuth[0]), np.sin(balls.elements.azimuth[0])
     return np.array([(skew * c).sum(), (skew * s).sum()])
 
 
@@ -173,7 +174,7 @@ def test_nearly_symmetric_at_rest(bearing: Bearing, duty: dict[str, Any], larges
     """Symmetric but for the slight turning of the contacts' stiffness, which is accounted for."""
     batch = solved(bearing, "outer", **duty)
     unit = lengths(bearing)
-    k = batch.stiffness[0] / np.outer(unit, unit)
+    k = batch.stiffness.array[0] / np.outer(unit, unit)
     skew = k - k.T
     greatest = np.abs(k).max()
     assert np.abs(skew).max() < largest * greatest
@@ -186,14 +187,14 @@ def test_symmetric_at_rest_where_the_angle_is_the_same_all_round() -> None:
     """Of shifts under axial load, where the balls' skew parts cancel; of all where α = 0."""
     axial = solved(ANGULAR, "outer", fx=np.array([500.0, 20e3]), my=0.0, mz=0.0)
     radial = solved(DEEP_GROOVE, "outer", fz=np.array([500.0, 8.9e3]))
-    for k in (*axial.stiffness[:, :3, :3], *radial.stiffness):
+    for k in (*axial.stiffness.array[:, :3, :3], *radial.stiffness.array):
         np.testing.assert_allclose(k, k.T, rtol=1e-12, atol=1e-12 * np.abs(k).max())
 
 
 def test_not_symmetric_at_speed() -> None:
     """Inertia loads that follow the angles are no gradient: the matrix is not symmetrised."""
     _, _, duty = POINTS["combined"]
-    k = solved(ANGULAR, "outer", **duty).stiffness[0]
+    k = solved(ANGULAR, "outer", **duty).stiffness.array[0]
     assert np.abs(k - k.T)[:3, :3].max() > 1e-3 * np.abs(k[:3, :3]).max()
 
 
@@ -202,7 +203,7 @@ def test_stable_where_preloaded(name: str) -> None:
     """Positive definite: every way to push the ring is resisted."""
     bearing, control, duty = POINTS[name]
     unit = lengths(bearing)
-    k = solved(bearing, control, **duty).stiffness[0] / np.outer(unit, unit)
+    k = solved(bearing, control, **duty).stiffness.array[0] / np.outer(unit, unit)
     assert np.linalg.eigvalsh(0.5 * (k + k.T)).min() > 0.0
     assert np.linalg.eigvals(k).real.min() > 0.0
 
@@ -210,8 +211,8 @@ def test_stable_where_preloaded(name: str) -> None:
 def test_stiffness_rises_with_load_and_falls_with_speed() -> None:
     """As every book shows of angular-contact bearings."""
     loads = np.array([1e3, 3e3, 10e3, 30e3])
-    by_load = solved(ANGULAR, "outer", fx=loads, my=0.0, mz=0.0).stiffness[:, 0, 0]
+    by_load = solved(ANGULAR, "outer", fx=loads, my=0.0, mz=0.0).stiffness.array[:, 0, 0]
     assert (np.diff(by_load) > 0.0).all()
     speeds = np.array([0.0, 3000.0, 6000.0, 10000.0]) * np.pi / 30.0
     at_speed = solved(ANGULAR, "outer", fx=5e3, my=0.0, mz=0.0, inner_speed=speeds)
-    assert (np.diff(at_speed.stiffness[:, 0, 0]) < 0.0).all()
+    assert (np.diff(at_speed.stiffness.array[:, 0, 0]) < 0.0).all()

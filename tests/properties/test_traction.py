@@ -8,17 +8,18 @@ from typing import Any
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from rolamento.friction.loaded_balls import loaded_balls
+from tests.one_case import solve_one
 
 from rolamento import Bearing, Case, Displacement, Duty, Load, Lubricant, Model
 from rolamento.friction.jones_full import jones_full
-from rolamento.friction.slip import BallVelocity, relative_motion
+from rolamento.friction.slip import BallVelocity, Patch, relative_motion
 from rolamento.friction.traction import ContactFriction, contact_friction, ellipse_mesh
-from rolamento.rows.ball import BatchState, layout, solve, solve_batch
+from rolamento.rows.ball import layout
 from rolamento.rows.ball.problem import ring_arms
 from rolamento.rows.ball.rolling import Rolling
 from rolamento.rows.ball.traction import solve as traction
-from rolamento.state import State
+from rolamento.solved import Solved
+from rolamento.solving import solve
 
 Floats = NDArray[np.float64]
 RPM = np.pi / 30.0
@@ -87,29 +88,29 @@ CASES = {
 
 
 @pytest.fixture(scope="module", params=list(CASES))
-def solved(request: pytest.FixtureRequest) -> tuple[Case, BatchState, Rolling]:
+def solved(request: pytest.FixtureRequest) -> tuple[Case, Solved, Rolling]:
     case = CASES[request.param]
-    batch = solve_batch(case)
+    batch = solve(case)
     assert batch.converged.all()
-    rolling = batch.rows[0].rolling
+    rolling = batch.answer.motion
     assert rolling is not None
     return case, batch, rolling
 
 
-def rolling_of(state: State) -> Any:
+def rolling_of(state: SimpleNamespace) -> Any:
     assert state.status.converged
     assert state.rolling is not None
     return state.rolling
 
 
-def directions(batch: BatchState) -> tuple[Floats, Floats]:
+def directions(batch: Solved) -> tuple[Floats, Floats]:
     """Outward and along the orbit at every ball of the first case, (balls, 3) in (x, y, z)."""
-    azimuth = batch.rows[0].azimuth[0]
+    azimuth = batch.elements.azimuth[0]
     zero, c, s = np.zeros_like(azimuth), np.cos(azimuth), np.sin(azimuth)
     return np.stack([zero, s, c], axis=1), np.stack([zero, c, -s], axis=1)
 
 
-def in_space(batch: BatchState, parts: Floats, order: tuple[int, int, int]) -> Floats:
+def in_space(batch: Solved, parts: Floats, order: tuple[int, int, int]) -> Floats:
     """Vectors from their parts along x, outward and along the orbit, which stand in that order."""
     outward, along = directions(batch)
     x, out, orbit = (parts[:, i : i + 1] for i in order)
@@ -118,32 +119,32 @@ def in_space(batch: BatchState, parts: Floats, order: tuple[int, int, int]) -> F
     )
 
 
-def race_loads(batch: BatchState, rolling: Rolling, race: str) -> tuple[Floats, Floats]:
+def race_loads(batch: Solved, rolling: Rolling, race: str) -> tuple[Floats, Floats]:
     """Forces and moments of a race on the balls of the first case, in space."""
     parts = (rolling.inner if race == "inner" else rolling.outer)[0]
     return in_space(batch, parts, (0, 1, 2)), in_space(batch, parts[:, 3:], (0, 2, 1))
 
 
-def test_every_ball_is_in_balance(solved: tuple[Case, BatchState, Rolling]) -> None:
+def test_every_ball_is_in_balance(solved: tuple[Case, Solved, Rolling]) -> None:
     """Forces with F_c, but for what the cage bears along the orbit; moments with J ω_m x̂ × ω_b."""
     case, batch, rolling = solved
-    table = batch.balls()
+    table = batch
     force_i, moment_i = race_loads(batch, rolling, "inner")
     force_o, moment_o = race_loads(batch, rolling, "outer")
     outward, along = directions(batch)
-    total = force_i + force_o + table.centrifugal_force[0][:, None] * outward
+    total = force_i + force_o + table.elements.centrifugal_force[0][:, None] * outward
     total -= np.sum(total * along, axis=1)[:, None] * along
     scale = np.maximum(table.outer.load[0], 1e-6 * table.outer.load.max())
     assert (np.linalg.norm(total, axis=1) <= 1e-8 * scale).all()
 
-    p = batch.rows[0].parameters[:, 0]
+    p = batch.answer.p[:, 0]
     inertia = p[layout.GYROSCOPIC] * p[layout.GAMMA] * p[layout.BALL_DIAMETER]
     omega = in_space(batch, np.nan_to_num(rolling.angular_velocity[0]), (0, 2, 1))
     turning = inertia * np.cross([rolling.cage_speed[0], 0.0, 0.0], omega)
     left = np.linalg.norm(moment_i + moment_o - turning, axis=1)
     grip = MU * scale * case.bearing.ball_diameter
     assert (left <= 1e-8 * grip).all()
-    gyroscopic = np.nan_to_num(table.gyroscopic_moment[0])
+    gyroscopic = np.nan_to_num(table.elements.gyroscopic_moment[0])
     size = np.linalg.norm(turning, axis=1)
     # the moment that a result shows is the part about the orbit's direction
     np.testing.assert_allclose(
@@ -152,11 +153,11 @@ def test_every_ball_is_in_balance(solved: tuple[Case, BatchState, Rolling]) -> N
     )  # fmt: skip
 
 
-def test_attitude_and_yaw_are_harriss(solved: tuple[Case, BatchState, Rolling]) -> None:
+def test_attitude_and_yaw_are_harriss(solved: tuple[Case, Solved, Rolling]) -> None:
     """They give back the ball's velocity seen from the cage, along x, the azimuth and outward."""
     _, batch, rolling = solved
-    table = batch.balls()
-    motion, yaw = table.motion, table.yaw[0]
+    table = batch
+    motion, yaw = table.motion, table.elements.yaw[0]
     beta, speed = motion.attitude[0], motion.ball_speed[0]
     seen = rolling.angular_velocity[0] - [rolling.cage_speed[0], 0.0, 0.0]
     axis = np.stack([np.cos(beta) * np.cos(yaw), np.cos(beta) * np.sin(yaw), -np.sin(beta)], axis=1)
@@ -170,10 +171,10 @@ def test_attitude_and_yaw_are_harriss(solved: tuple[Case, BatchState, Rolling]) 
     )
 
 
-def test_ring_is_in_balance(solved: tuple[Case, BatchState, Rolling]) -> None:
+def test_ring_is_in_balance(solved: tuple[Case, Solved, Rolling]) -> None:
     """Sum of the balls' forces, friction included, and of their moments about the ring's centre."""
     case, batch, rolling = solved
-    table, p = batch.balls(), batch.rows[0].parameters
+    table, p = batch, batch.answer.p
     force, moment = race_loads(batch, rolling, "inner")
     outward, _ = directions(batch)
     reach = np.hypot(*_groove_to_ball(batch))
@@ -183,41 +184,41 @@ def test_ring_is_in_balance(solved: tuple[Case, BatchState, Rolling]) -> None:
     turning = (np.cross(arm, force) + moment).sum(axis=0)
     found = np.append(force.sum(axis=0), turning[1:])
     arms = ring_arms(p)[:, 0]
-    scale = max(np.abs(batch.load[0] / arms).max(), table.inner.load.max())
-    np.testing.assert_allclose(found / arms, batch.load[0] / arms, rtol=0, atol=1e-8 * scale)
+    scale = max(np.abs(batch.load.array[0] / arms).max(), table.inner.load.max())
+    np.testing.assert_allclose(found / arms, batch.load.array[0] / arms, rtol=0, atol=1e-8 * scale)
     free = np.array(case.duty.free)
-    np.testing.assert_array_equal(batch.load[0][free], np.array(case.duty.applied_load)[free])
+    np.testing.assert_array_equal(batch.load.array[0][free], np.array(case.duty.applied_load)[free])
 
 
-def _groove_to_ball(batch: BatchState) -> tuple[Floats, Floats]:
+def _groove_to_ball(batch: Solved) -> tuple[Floats, Floats]:
     """From the ball's centre to the inner groove's, along x and outward."""
-    row = batch.rows[0]
-    p, u, psi = row.parameters[:, 0], row.displacement[0], row.azimuth[0]
+    answer = batch.answer
+    p, u, psi = answer.p[:, 0], answer.displacement[0], batch.elements.azimuth[0]
     axial = p[layout.AXIAL_OFFSET] + u[0] + u[3] * np.cos(psi) - u[4] * np.sin(psi)
     radial = p[layout.RADIAL_OFFSET] + u[2] * np.cos(psi) + u[1] * np.sin(psi)
-    return axial - row.position[0, :, 0], radial - row.position[0, :, 1]
+    return axial - answer.position[0, :, 0], radial - answer.position[0, :, 1]
 
 
-def test_cage_is_in_balance(solved: tuple[Case, BatchState, Rolling]) -> None:
+def test_cage_is_in_balance(solved: tuple[Case, Solved, Rolling]) -> None:
     case, batch, rolling = solved
     along = rolling.inner[0, :, 2] + rolling.outer[0, :, 2]
     radius = 0.5 * case.bearing.pitch_diameter
     # e points against the shaft's turning sense
     held = -np.sign(rolling.cage_speed[0]) * case.model.cage_drag
-    grip = MU * (batch.balls().inner.load + batch.balls().outer.load).sum()
+    grip = MU * (batch.inner.load + batch.outer.load).sum()
     assert along.sum() == pytest.approx(held / radius, abs=1e-8 * grip)
     if case.model.cage_drag == 0.0:
         return
-    free = solve_batch(case.model_copy(update={"model": Model(
+    free = solve(case.model_copy(update={"model": Model(
         raceway_control="friction", mesh="coarse")}))  # fmt: skip
-    without = free.rows[0].rolling
+    without = free.answer.motion
     assert without is not None
     assert 0.0 < rolling.cage_speed[0] < without.cage_speed[0]
 
 
-def test_work_of_the_rings_is_what_is_lost(solved: tuple[Case, BatchState, Rolling]) -> None:
+def test_work_of_the_rings_is_what_is_lost(solved: tuple[Case, Solved, Rolling]) -> None:
     case, _, rolling = solved
-    state = rolling_of(solve(case))
+    state = rolling_of(solve_one(case))
     work = case.duty.inner_speed * state.inner_torque + case.duty.outer_speed * state.outer_torque
     lost = state.power + case.model.cage_drag * abs(state.cage_speed)
     assert work == pytest.approx(lost, rel=1e-6)
@@ -231,13 +232,13 @@ def test_work_of_the_rings_is_what_is_lost(solved: tuple[Case, BatchState, Rolli
 
 @pytest.mark.parametrize("race", ["inner", "outer"])
 def test_friction_is_that_of_the_slip_in_the_result(
-    solved: tuple[Case, BatchState, Rolling], race: Any
+    solved: tuple[Case, Solved, Rolling], race: Any
 ) -> None:
     """Forces, moments and power from loads, angles and motions alone, by another field."""
     case, batch, rolling = solved
     friction = friction_at(case, batch, rolling, race)
     parts = (rolling.inner if race == "inner" else rolling.outer)[0]
-    contacts = batch.balls().inner if race == "inner" else batch.balls().outer
+    contacts = batch.inner if race == "inner" else batch.outer
     s, c = np.sin(contacts.contact_angle[0]), np.cos(contacts.contact_angle[0])
     scale = MU * np.maximum(contacts.load[0], 1e-6 * contacts.load.max())
     touched = contacts.load[0] > 1e-6 * contacts.load.max()
@@ -257,7 +258,7 @@ def test_friction_is_that_of_the_slip_in_the_result(
 
 def friction_at(
     case: Case,
-    batch: BatchState,
+    batch: Solved,
     rolling: Rolling,
     race: Any,
     *,
@@ -268,7 +269,7 @@ def friction_at(
     """What the slip field of `rolamento.friction` makes of a result, or of one near it."""
     omega = rolling.angular_velocity if omega is None else omega
     cage = float(rolling.cage_speed[0]) if cage is None else cage
-    patch = loaded_balls(batch).patch(race)
+    patch = Patch.of(batch.contacts[race])
     ball = BallVelocity(omega[..., 0] - cage, omega[..., 1], omega[..., 2])
     speed = case.duty.inner_speed if race == "inner" else case.duty.outer_speed
     relative = abs(case.duty.inner_speed - case.duty.outer_speed)
@@ -285,7 +286,7 @@ def friction_at(
 
 def test_torque_is_proportional_to_friction_at_low_speed() -> None:
     torque = [
-        rolling_of(solve(case_of(inner=10.0, fx=10e3, fz=3e3, mu=mu))).inner_torque
+        rolling_of(solve_one(case_of(inner=10.0, fx=10e3, fz=3e3, mu=mu))).inner_torque
         for mu in (0.02, 0.05, 0.1)
     ]
     # friction carries a little of the load, so that angles and loads change by some μ²
@@ -294,7 +295,7 @@ def test_torque_is_proportional_to_friction_at_low_speed() -> None:
 
 
 def test_torque_does_not_depend_on_a_low_speed() -> None:
-    slow, slower = (rolling_of(solve(case_of(inner=n, fx=10e3, fz=3e3))) for n in (10.0, 0.1))
+    slow, slower = (rolling_of(solve_one(case_of(inner=n, fx=10e3, fz=3e3))) for n in (10.0, 0.1))
     assert slow.inner_torque == pytest.approx(slower.inner_torque, rel=1e-5)
     assert slow.cage_speed == pytest.approx(100.0 * slower.cage_speed, rel=1e-6)
 
@@ -303,9 +304,9 @@ def test_torque_does_not_depend_on_a_low_speed() -> None:
 def test_low_speed_is_jones_full_model(bearing: Bearing) -> None:
     """In thrust, where every ball alone would take the cage's speed."""
     case = case_of(bearing, inner=1.0, fx=10e3, model={"mesh": "fine"})
-    state = solve(case)
-    batch = solve_batch(case)
-    expected = jones_full(loaded_balls(batch), MU)
+    state = solve_one(case)
+    batch = solve(case)
+    expected = jones_full(batch, MU)
     assert rolling_of(state).inner_torque == pytest.approx(float(expected.total[0]), rel=1e-3)
 
 
@@ -313,8 +314,8 @@ def test_least_power_without_inertia() -> None:
     """Any other motion of balls and cage takes more, by Coulomb's sharp law."""
     off = {"centrifugal_force": False, "gyroscopic_moment": False, "mesh": "fine"}
     case = case_of(fx=20e3, fz=8e3, model=off)
-    batch = solve_batch(case)
-    rolling = batch.rows[0].rolling
+    batch = solve(case)
+    rolling = batch.answer.motion
     assert rolling is not None
     assert batch.converged.all()
 
@@ -343,8 +344,8 @@ def test_meets_outer_control_where_the_outer_race_rules() -> None:
     ratio, attitude = [], []
     for speed in (2e3, 8e3, 16e3):
         model = {"gyroscopic_moment": False, "mesh": "fine"}
-        state = solve(case_of(inner=speed, fx=5e3, model=model))
-        controlled = solve(
+        state = solve_one(case_of(inner=speed, fx=5e3, model=model))
+        controlled = solve_one(
             case_of(inner=speed, fx=5e3, model={**model, "raceway_control": "outer"})
         )
         rolling_of(state)
@@ -359,7 +360,7 @@ def test_meets_outer_control_where_the_outer_race_rules() -> None:
 
 def test_meets_raceway_control_where_no_ball_spins() -> None:
     """Radial load on a deep groove: contact angles are zero and every control is the same."""
-    state = solve(case_of(DEEP_GROOVE, inner=1e3, fz=3e3, model={"mesh": "fine"}))
+    state = solve_one(case_of(DEEP_GROOVE, inner=1e3, fz=3e3, model={"mesh": "fine"}))
     rolling = rolling_of(state)
     assert abs(rolling.skid) < 3e-3
     for ball in state.balls:
@@ -371,7 +372,9 @@ def test_meets_raceway_control_where_no_ball_spins() -> None:
 def test_much_friction_leaves_a_motion_that_does_not_depend_on_it() -> None:
     """What the gyroscopic moment does to the motion dies out as 1/μ; torque over μ settles."""
     values = (0.25, 0.5, 1.0)
-    states = [solve(case_of(fx=20e3, mu=mu, model={"centrifugal_force": False})) for mu in values]
+    states = [
+        solve_one(case_of(fx=20e3, mu=mu, model={"centrifugal_force": False})) for mu in values
+    ]
     torque = [rolling_of(s).inner_torque / mu for s, mu in zip(states, values, strict=True)]
     attitude = [state.balls[0].attitude for state in states]
     yaw = [abs(rolling_of(state).balls[0].yaw) for state in states]
@@ -385,7 +388,7 @@ def test_much_friction_leaves_a_motion_that_does_not_depend_on_it() -> None:
 
 
 def test_thrust_treats_all_balls_alike() -> None:
-    state = solve(CASES["thrust"])
+    state = solve_one(CASES["thrust"])
     first, *others = rolling_of(state).balls
     for ball in others:
         assert ball.angular_velocity == pytest.approx(first.angular_velocity, rel=1e-8, abs=1e-5)
@@ -395,10 +398,10 @@ def test_thrust_treats_all_balls_alike() -> None:
 
 def test_a_pitch_of_balls_turns_into_itself() -> None:
     case = CASES["free tilts"]
-    batch = solve_batch(case, first_ball_azimuth=[0.0, 2.0 * np.pi / 16])
-    rolling = batch.rows[0].rolling
+    batch = solve(case, first_ball_azimuth=[0.0, 2.0 * np.pi / 16])
+    rolling = batch.answer.motion
     assert rolling is not None
-    np.testing.assert_allclose(batch.displacement[1], batch.displacement[0], rtol=1e-7)
+    np.testing.assert_allclose(batch.displacement.array[1], batch.displacement.array[0], rtol=1e-7)
     assert rolling.cage_speed[1] == pytest.approx(rolling.cage_speed[0], rel=1e-8)
     np.testing.assert_allclose(
         np.roll(rolling.power[1], 1, axis=0), rolling.power[0], rtol=1e-5, atol=1e-6
@@ -408,13 +411,13 @@ def test_a_pitch_of_balls_turns_into_itself() -> None:
 def test_reversed_speeds_mirror_the_bearing() -> None:
     """About the plane of x and z: y, rz and what is along the orbit change their sign."""
     case = CASES["combined"]
-    batch = solve_batch(case, inner_speed=np.array([1.0, -1.0]) * case.duty.inner_speed)
-    rolling = batch.rows[0].rolling
+    batch = solve(case, inner_speed=np.array([1.0, -1.0]) * case.duty.inner_speed)
+    rolling = batch.answer.motion
     assert rolling is not None
     mirror = np.array([1.0, -1.0, 1.0, 1.0, -1.0])
-    size = np.abs(batch.displacement[0]).max()
+    size = np.abs(batch.displacement.array[0]).max()
     np.testing.assert_allclose(
-        batch.displacement[1] * mirror, batch.displacement[0], rtol=0, atol=1e-7 * size
+        batch.displacement.array[1] * mirror, batch.displacement.array[0], rtol=0, atol=1e-7 * size
     )
     assert rolling.cage_speed[1] == pytest.approx(-rolling.cage_speed[0], rel=1e-8)
     np.testing.assert_allclose(rolling.power[1].sum(), rolling.power[0].sum(), rtol=1e-7)
@@ -423,13 +426,13 @@ def test_reversed_speeds_mirror_the_bearing() -> None:
 
 
 def test_mirrored_thrust_mirrors_a_deep_groove() -> None:
-    batch = solve_batch(case_of(DEEP_GROOVE, fz=2e3), fx=[800.0, -800.0])
-    rolling = batch.rows[0].rolling
+    batch = solve(case_of(DEEP_GROOVE, fz=2e3), fx=[800.0, -800.0])
+    rolling = batch.answer.motion
     assert rolling is not None
     mirror = np.array([-1.0, 1.0, 1.0, -1.0, -1.0])
-    size = np.abs(batch.displacement[0]).max()
+    size = np.abs(batch.displacement.array[0]).max()
     np.testing.assert_allclose(
-        batch.displacement[1] * mirror, batch.displacement[0], rtol=0, atol=1e-7 * size
+        batch.displacement.array[1] * mirror, batch.displacement.array[0], rtol=0, atol=1e-7 * size
     )
     assert rolling.cage_speed[1] == pytest.approx(rolling.cage_speed[0], rel=1e-8)
     np.testing.assert_allclose(rolling.power[1], rolling.power[0], rtol=1e-5, atol=1e-7)
@@ -437,12 +440,12 @@ def test_mirrored_thrust_mirrors_a_deep_groove() -> None:
 
 def test_only_relative_speed_counts_without_inertia() -> None:
     off = {"centrifugal_force": False, "gyroscopic_moment": False}
-    batch = solve_batch(
+    batch = solve(
         case_of(fx=20e3, fz=5e3, model=off),
         inner_speed=np.array([1000.0, 1500.0, 0.0]),
         outer_speed=np.array([0.0, 500.0, -1000.0]),
     )
-    rolling = batch.rows[0].rolling
+    rolling = batch.answer.motion
     assert rolling is not None
     assert batch.converged.all()
     power = rolling.power.sum(axis=(1, 2))
@@ -459,11 +462,11 @@ def test_stiffness_is_the_derivative_of_the_load() -> None:
     step = np.array([1e-9, 1e-9, 1e-9, 2e-8, 2e-8])
     start = np.array([4e-5, 1e-6, 1e-5, 1e-5, -2e-5])
     places = np.concatenate([[start], *([start + s, start - s] for s in np.diag(step))])
-    batch = solve_batch(case, **dict(zip(("x", "y", "z", "ry", "rz"), places.T, strict=True)))  # type: ignore[arg-type]
+    batch = solve(case, **dict(zip(("x", "y", "z", "ry", "rz"), places.T, strict=True)))  # type: ignore[arg-type]
     assert batch.converged.all()
-    slope = ((batch.load[1::2] - batch.load[2::2]) / (2.0 * step[:, None])).T
-    arms = ring_arms(batch.rows[0].parameters)[:, 0]
-    scaled = (batch.stiffness[0] - slope) / np.outer(arms, arms)
+    slope = ((batch.load.array[1::2] - batch.load.array[2::2]) / (2.0 * step[:, None])).T
+    arms = ring_arms(batch.answer.p)[:, 0]
+    scaled = (batch.stiffness.array[0] - slope) / np.outer(arms, arms)
     assert np.abs(scaled).max() <= 3e-5 * np.abs(slope / np.outer(arms, arms)).max()
 
 
@@ -473,47 +476,47 @@ def test_stiffness_is_the_derivative_of_the_load() -> None:
 def test_batch_equals_single_and_threads_change_no_bit() -> None:
     case = CASES["combined"]
     fx = np.array([12e3, 20e3, -1e3, 25e3, np.nan, 30e3])
-    one, two = (solve_batch(case, fx=fx, threads=n) for n in (1, 2))
-    assert list(one.status) == [
+    one, two = (solve(case, fx=fx, threads=n) for n in (1, 2))
+    assert list(one.status.code) == [
         "converged", "converged", "no_equilibrium", "converged", "invalid_input", "converged",
     ]  # fmt: skip
     for name in ("displacement", "load", "stiffness", "residual"):
         np.testing.assert_array_equal(getattr(one, name), getattr(two, name))
-    first, second = one.rows[0].rolling, two.rows[0].rolling
+    first, second = one.answer.motion, two.answer.motion
     assert first is not None
     assert second is not None
     np.testing.assert_array_equal(first.power, second.power)
     np.testing.assert_array_equal(first.angular_velocity, second.angular_velocity)
     assert np.isnan(first.cage_speed[[2, 4]]).all()
-    assert np.isnan(one.displacement[[2, 4]]).all()
-    state = solve(case_of(fx=20e3, fz=15e3))
-    np.testing.assert_allclose(state.displacement, one.displacement[1], rtol=1e-9)
+    assert np.isnan(one.displacement.array[[2, 4]]).all()
+    state = solve_one(case_of(fx=20e3, fz=15e3))
+    np.testing.assert_allclose(state.displacement, one.displacement.array[1], rtol=1e-9)
     assert rolling_of(state).cage_speed == pytest.approx(first.cage_speed[1], rel=1e-10)
 
 
 def test_the_first_compilation_is_announced(
     monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
-    solve(CASES["thrust"])  # whatever this machine has to compile is compiled by now
+    solve_one(CASES["thrust"])  # whatever this machine has to compile is compiled by now
     caplog.clear()
-    solve(CASES["thrust"])
+    solve_one(CASES["thrust"])
     assert not caplog.records
     kernel = traction.system.solve_with_friction
     new = SimpleNamespace(is_cached=False, compiled=kernel.compiled)
     monkeypatch.setattr(traction.system, "solve_with_friction", new)
-    solve(CASES["thrust"])
+    solve_one(CASES["thrust"])
     assert "compiling the friction solver for this machine, once" in caplog.text
 
 
 @pytest.mark.parametrize("speed", [0.0, 3000.0])
 def test_rings_that_turn_alike_are_a_case_for_raceway_control(speed: float) -> None:
     case = case_of(fx=20e3, fz=5e3, inner=speed, outer=speed)
-    state = solve(case)
-    plain = solve(case.model_copy(update={"model": Model()}))
+    state = solve_one(case)
+    plain = solve_one(case.model_copy(update={"model": Model()}))
     assert state.status.converged
     assert state.rolling is None
     assert any("friction has nothing to decide" in note for note in state.notes)
-    assert state.displacement == plain.displacement
+    assert state.displacement == plain.displacement.array
     for ball, other in zip(state.balls, plain.balls, strict=True):
         assert ball.orbital_speed == other.orbital_speed
         assert ball.centrifugal_force == other.centrifugal_force
@@ -522,7 +525,7 @@ def test_rings_that_turn_alike_are_a_case_for_raceway_control(speed: float) -> N
 
 def test_a_ball_that_nothing_touches_has_no_motion() -> None:
     model = {"centrifugal_force": False}
-    state = solve(case_of(DEEP_GROOVE, fz=3e3, model=model))
+    state = solve_one(case_of(DEEP_GROOVE, fz=3e3, model=model))
     rolling = rolling_of(state)
     pairs = list(zip(state.balls, rolling.balls, strict=True))
     loose = [(b, r) for b, r in pairs if b.outer.load == 0.0]
@@ -536,7 +539,7 @@ def test_a_ball_that_nothing_touches_has_no_motion() -> None:
 
 
 def test_a_cage_that_friction_cannot_turn_is_not_solved() -> None:
-    state = solve(case_of(fx=20e3, model={"cage_drag": 1e4}))
+    state = solve_one(case_of(fx=20e3, model={"cage_drag": 1e4}))
     assert state.status.code == "not_converged"
     assert state.rolling is None
     assert state.status.advice is not None
@@ -559,14 +562,14 @@ def test_random_cases_converge() -> None:
             "outer_speed": random.choice([0.0, 200.0], 20),
         }
         mu = float(random.uniform(0.01, 0.15))
-        batch = solve_batch(case_of(bearing, mu=mu, fx=1.0), **given)  # type: ignore[arg-type]
-        plain = solve_batch(case_of(bearing, fx=1.0, model={"raceway_control": "outer"}), **given)  # type: ignore[arg-type]
-        rolling = batch.rows[0].rolling
+        batch = solve(case_of(bearing, mu=mu, fx=1.0), **given)  # type: ignore[arg-type]
+        plain = solve(case_of(bearing, fx=1.0, model={"raceway_control": "outer"}), **given)  # type: ignore[arg-type]
+        rolling = batch.answer.motion
         assert rolling is not None
         solved += int(batch.converged.sum())
         total += int(plain.converged.sum())
         assert (rolling.imbalance[batch.converged] <= 1e-6).all()
         assert np.isnan(rolling.cage_speed[~batch.converged]).all()
-        assert np.isnan(batch.displacement[~batch.converged]).all()
+        assert np.isnan(batch.displacement.array[~batch.converged]).all()
     assert total >= 50
     assert solved >= 0.95 * total

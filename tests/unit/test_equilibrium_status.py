@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import json
 import math
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
+from tests.one_case import solve_one
 
 from rolamento import (
     Bearing,
@@ -17,15 +19,13 @@ from rolamento import (
     InputError,
     Load,
     Model,
-    State,
     UnknownKeyError,
     override,
     solve,
-    solve_batch,
 )
 from rolamento.kinematics import friction_demand
 from rolamento.report.sentences import portuguese_sentence
-from rolamento.rows.ball.batch_state import STATUS_NAMES
+from rolamento.status import STATUS_NAMES
 
 ANGULAR: dict[str, Any] = {
     "ball_count": 16,
@@ -52,8 +52,8 @@ def solved(
     held: dict[str, Any] | None = None,
     model: dict[str, Any] | None = None,
     **duty: Any,
-) -> State:
-    return solve(
+) -> SimpleNamespace:
+    return solve_one(
         Case(
             bearing=Bearing(**bearing),
             duty=Duty(load=Load(**load or {}), displacement=Displacement(**held or {}), **duty),
@@ -62,7 +62,7 @@ def solved(
     )
 
 
-def assert_no_numbers(state: State) -> None:
+def assert_no_numbers(state: SimpleNamespace) -> None:
     """NaN in the record, null in JSON, and no notes on numbers that are not there."""
     assert not state.status.converged
     assert state.status.advice
@@ -81,7 +81,7 @@ def assert_no_numbers(state: State) -> None:
     assert json.loads(state.to_json())["status"]["code"] == state.status.code
 
 
-def has_note(state: State, *words: str) -> bool:
+def has_note(state: SimpleNamespace, *words: str) -> bool:
     return any(all(word in note for word in words) for note in state.notes)
 
 
@@ -155,9 +155,9 @@ def test_a_moment_that_overturns() -> None:
 
 
 def test_unsupported_names_the_degree_of_freedom() -> None:
-    batch = solve_batch(Case(bearing=Bearing(**ANGULAR), duty=Duty()), fx=[1e4, -1e3])
-    assert batch.status.tolist() == ["converged", "no_equilibrium"]
-    assert batch.unsupported.tolist() == [-1, 0]
+    batch = solve(Case(bearing=Bearing(**ANGULAR), duty=Duty()), fx=[1e4, -1e3])
+    assert batch.status.code.tolist() == ["converged", "no_equilibrium"]
+    assert batch.status.unsupported.tolist() == [-1, 0]
 
 
 # --- overloaded, invalid ------------------------------------------------------------------------
@@ -181,11 +181,11 @@ def test_overloaded_by_a_displacement() -> None:
 def test_invalid_input_is_each_case_s_own_affair() -> None:
     case = Case(bearing=Bearing(**ANGULAR), duty=Duty(inner_speed=500.0))
     fx = np.array([1e4, np.nan, 2e4, np.inf, 3e4])
-    batch = solve_batch(case, fx=fx)
-    good = solve_batch(case, fx=fx[[0, 2, 4]])
-    assert batch.status.tolist() == ["converged", "invalid_input"] * 2 + ["converged"]
+    batch = solve(case, fx=fx)
+    good = solve(case, fx=fx[[0, 2, 4]])
+    assert batch.status.code.tolist() == ["converged", "invalid_input"] * 2 + ["converged"]
     for race in ("inner", "outer"):
-        loads, clean = (getattr(state.balls(), race).load for state in (batch, good))
+        loads, clean = (getattr(state, race).load for state in (batch, good))
         np.testing.assert_allclose(loads[[0, 2, 4]], clean, rtol=1e-8)
         assert np.isnan(loads[[1, 3]]).all()
 
@@ -203,9 +203,9 @@ def test_every_code_has_a_name() -> None:
 
 
 def test_an_empty_batch_has_no_cases() -> None:
-    batch = solve_batch(Case(bearing=Bearing(**ANGULAR), duty=Duty()), fx=[])
+    batch = solve(Case(bearing=Bearing(**ANGULAR), duty=Duty()), fx=[])
     assert len(batch) == 0
-    assert batch.balls().inner.load.shape == (0, ANGULAR["ball_count"])
+    assert batch.inner.load.shape == (0, ANGULAR["ball_count"])
 
 
 def test_friction_alone_carries_nothing() -> None:
@@ -440,16 +440,18 @@ def test_solve_and_solve_batch_agree() -> None:
     for duty in duties:
         loads = {name: value for name, value in duty.items() if name[0] in "fm"}
         speeds = {name: value for name, value in duty.items() if name.endswith("speed")}
-        one = solve(Case(bearing=bearing, duty=Duty(load=Load(**loads), **speeds)))
+        one = solve_one(Case(bearing=bearing, duty=Duty(load=Load(**loads), **speeds)))
         fields = {name: np.full(40, value) for name, value in duty.items()}
-        many = solve_batch(Case(bearing=bearing, duty=Duty()), **fields)
-        assert set(many.status) == {one.status.code}
+        many = solve(Case(bearing=bearing, duty=Duty()), **fields)
+        assert set(many.status.code) == {one.status.code}
         if not one.status.converged:
             continue
-        shift = np.abs(one.displacement).max()
-        np.testing.assert_allclose(many.displacement[7], one.displacement, atol=1e-9 * shift)
+        shift = np.abs(one.displacement.array).max()
+        np.testing.assert_allclose(
+            many.displacement.array[7], one.displacement.array, atol=1e-9 * shift
+        )
         np.testing.assert_allclose(many.load[7], one.load, rtol=1e-9, atol=1e-6)
-        table = many.balls()
+        table = many
         for race in ("inner", "outer"):
             contacts = [getattr(ball, race) for ball in one.balls]
             for name in ("load", "contact_angle", "deflection"):
@@ -458,7 +460,9 @@ def test_solve_and_solve_batch_agree() -> None:
                 touching = np.array([contact.load for contact in contacts]) > 1.0
                 np.testing.assert_allclose(found[touching], values[touching], rtol=1e-7)
         np.testing.assert_allclose(
-            many.stiffness[7], one.stiffness, atol=1e-7 * np.abs(one.stiffness).max()
+            many.stiffness.array[7],
+            one.stiffness.array,
+            atol=1e-7 * np.abs(one.stiffness.array).max(),
         )
 
 
@@ -467,10 +471,10 @@ def test_threads_change_nothing() -> None:
     case = Case(bearing=Bearing(**ANGULAR), duty=Duty())
     fx = rng.uniform(50.0, 4e4, n)
     fields = {"fx": fx, "fz": fx * rng.uniform(0.0, 1.5, n), "inner_speed": rng.uniform(0, 1500, n)}
-    one, two = (solve_batch(case, threads=threads, **fields) for threads in (1, 2))
+    one, two = (solve(case, threads=threads, **fields) for threads in (1, 2))
     for name in ("code", "residual", "iterations", "displacement", "load", "stiffness"):
         np.testing.assert_array_equal(getattr(one, name), getattr(two, name))
-    np.testing.assert_array_equal(one.balls().outer.load, two.balls().outer.load)
+    np.testing.assert_array_equal(one.outer.load, two.outer.load)
 
 
 def test_scalars_and_the_case_s_own_values_fill_up() -> None:
@@ -478,12 +482,12 @@ def test_scalars_and_the_case_s_own_values_fill_up() -> None:
         bearing=Bearing(**ANGULAR),
         duty=Duty(inner_speed=300.0, load=Load(fz="1 kN"), displacement=Displacement(ry=1e-4)),
     )
-    batch = solve_batch(case, fx=[1e4, 2e4], my=0.0)
+    batch = solve(case, fx=[1e4, 2e4], my=0.0)
     assert len(batch) == 2
-    np.testing.assert_array_equal(batch.load[:, 2], 1e3)
-    np.testing.assert_array_equal(batch.load[:, 3], 0.0)
-    assert (batch.displacement[:, 3] != 1e-4).all()  # the moment has freed the tilt
-    assert len(solve_batch(case, fx=1e4)) == 1
+    np.testing.assert_array_equal(batch.load.array[:, 2], 1e3)
+    np.testing.assert_array_equal(batch.load.array[:, 3], 0.0)
+    assert (batch.displacement.array[:, 3] != 1e-4).all()  # the moment has freed the tilt
+    assert len(solve(case, fx=1e4)) == 1
 
 
 @pytest.mark.parametrize(
@@ -503,12 +507,12 @@ def test_input_errors_of_a_batch(
 ) -> None:
     case = Case(bearing=Bearing(**ANGULAR), duty=Duty())
     with pytest.raises(error, match=words):
-        solve_batch(case, **fields)
+        solve(case, **fields)
 
 
 @pytest.mark.parametrize(("speed", "million"), [(300_000, "37.6"), (400_000, "50.1")])
 def test_an_overspeed_is_named_as_one(case_218: Case, speed: float, million: str) -> None:
-    state = solve(override(case_218, [f"duty.inner_speed={speed} rpm"]))
+    state = solve_one(override(case_218, [f"duty.inner_speed={speed} rpm"]))
     assert not state.status.converged
     advice = state.status.advice or ""
     assert advice.startswith(f"An overspeed: the rings turn at n d_m = {million} million mm r/min")
@@ -518,6 +522,6 @@ def test_an_overspeed_is_named_as_one(case_218: Case, speed: float, million: str
 
 
 def test_what_fails_at_a_usual_speed_is_no_overspeed(case_218: Case) -> None:
-    state = solve(override(case_218, ["duty.load.fx=20 MN"]))
+    state = solve_one(override(case_218, ["duty.load.fx=20 MN"]))
     assert state.status.code == "overloaded"
     assert "overspeed" not in (state.status.advice or "")

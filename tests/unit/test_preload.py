@@ -6,15 +6,18 @@ import math
 import tomllib
 from importlib import resources
 from itertools import pairwise
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from tests.one_case import solve_one
 
-from rolamento import Bearing, Case, Displacement, Duty, Load, solve, solve_batch
-from rolamento.state import PreloadState, State
+from rolamento import Bearing, Case, Displacement, Duty, Load
+from rolamento.solved import Preloading
+from rolamento.solving import solve
 
 SPINDLE: dict[str, Any] = {
     "ball_count": 22,
@@ -31,9 +34,7 @@ CONSTANT_ANGLE = 2.0**1.5
 @pytest.fixture(scope="module", autouse=True)
 def _compiled() -> None:
     """Load the compiled kernels first: few cases alone would run as plain Python, slowly."""
-    solve_batch(
-        Case(bearing=Bearing(**SPINDLE), duty=Duty()), fx=np.full(100, 1e3), inner_speed=100.0
-    )
+    solve(Case(bearing=Bearing(**SPINDLE), duty=Duty()), fx=np.full(100, 1e3), inner_speed=100.0)
 
 
 def pair(preload: Any, arrangement: Any = "DB", **changes: Any) -> Bearing:
@@ -42,21 +43,21 @@ def pair(preload: Any, arrangement: Any = "DB", **changes: Any) -> Bearing:
     )
 
 
-def state_of(bearing: Bearing, *, speed: float = 0.0, **load: float) -> State:
-    state = solve(Case(bearing=bearing, duty=Duty(inner_speed=speed, load=Load(**load))))
+def state_of(bearing: Bearing, *, speed: float = 0.0, **load: float) -> SimpleNamespace:
+    state = solve_one(Case(bearing=bearing, duty=Duty(inner_speed=speed, load=Load(**load))))
     assert state.status.converged, state.status
     return state
 
 
 def rows_of(bearing: Bearing, *, speed: float = 0.0, **load: float) -> list[int]:
     """How many balls of each row the inner ring presses on; without the search for the point."""
-    batch = solve_batch(Case(bearing=bearing, duty=Duty()), inner_speed=speed, **load)
+    batch = solve(Case(bearing=bearing, duty=Duty()), inner_speed=speed, **load)
     assert batch.converged.all()
-    pressed = batch.balls().inner.load[0] > 1e-9 * batch.balls().outer.load[0]
+    pressed = batch.inner.load[0] > 1e-9 * batch.outer.load[0]
     return [int(pressed[batch.row == row].sum()) for row in range(len(batch.rows))]
 
 
-def preload_of(bearing: Bearing, *, speed: float = 0.0, **load: float) -> PreloadState:
+def preload_of(bearing: Bearing, *, speed: float = 0.0, **load: float) -> Preloading:
     found = state_of(bearing, speed=speed, **load).preload
     assert found is not None
     return found
@@ -96,13 +97,13 @@ def test_a_force_is_shared_by_the_rows_that_face_one_way(
 
 def test_an_offset_and_the_force_that_it_gives_are_one_preload() -> None:
     """The offset is what a single bearing gives way under the force."""
-    single = solve(Case(bearing=Bearing(**SPINDLE), duty=Duty(load=Load(fx=700.0))))
+    single = solve_one(Case(bearing=Bearing(**SPINDLE), duty=Duty(load=Load(fx=700.0))))
     offset = single.displacement.x
     by_force, by_offset = (
         state_of(pair(preload), fx=300.0, fz=400.0, my=3.0, speed=1000.0)
         for preload in ({"force": 700.0}, {"offset": offset})
     )
-    assert by_offset.displacement == pytest.approx(by_force.displacement, rel=1e-7)
+    assert by_offset.displacement.array == pytest.approx(by_force.displacement.array, rel=1e-7)
     assert by_offset.preload is not None
     assert by_offset.preload.at_rest == pytest.approx(700.0, rel=1e-8)
     assert by_offset.preload.kind == "offset"
@@ -138,9 +139,9 @@ def test_deep_groove_pairs_are_pressed_in_from_first_contact() -> None:
         front = max(row.load.fx for row in state.rows)
         back = min(row.load.fx for row in state.rows)
         assert front + back == pytest.approx(100.0)
-        rest = solve(Case(bearing=alone, duty=Duty(load=Load(fx=300.0)))).displacement.x
+        rest = solve_one(Case(bearing=alone, duty=Duty(load=Load(fx=300.0)))).displacement.x
         held = Displacement(x=rest + state.displacement.x)
-        moved = solve(Case(bearing=alone, duty=Duty(displacement=held)))
+        moved = solve_one(Case(bearing=alone, duty=Duty(displacement=held)))
         assert moved.load.fx == pytest.approx(front, rel=1e-7)
 
 
@@ -149,7 +150,9 @@ def test_a_level_is_the_listed_force_of_a_pair() -> None:
     assert preload_of(listed).at_rest == pytest.approx(515.0)
     assert preload_of(listed).kind == "level"
     by_force = state_of(pair({"force": 515.0}), fx=200.0, fz=300.0)
-    assert state_of(listed, fx=200.0, fz=300.0).displacement == pytest.approx(by_force.displacement)
+    assert state_of(listed, fx=200.0, fz=300.0).displacement.array == pytest.approx(
+        by_force.displacement.array
+    )
 
 
 @pytest.mark.parametrize("factors", listed_factors(), ids=lambda f: f"{f['maker']} {f['bearings']}")
@@ -166,7 +169,7 @@ def test_sets_clamped_with_the_offset_of_a_pair_have_the_makers_factors(
         force = several.preload.at_rest / one.preload.at_rest
         assert force == pytest.approx(factors["preload"], rel=0.025)
         if "axial_rigidity" in factors:
-            rigidity = several.stiffness[0, 0] / one.stiffness[0, 0]
+            rigidity = several.stiffness.array[0, 0] / one.stiffness.array[0, 0]
             assert rigidity == pytest.approx(factors["axial_rigidity"], rel=0.04)
         if "unloading_load" in factors:
             # toward the side that has more rows, as the makers reckon
@@ -198,7 +201,7 @@ def test_springs_keep_their_force_under_any_load_and_give_way_axially() -> None:
     still = state_of(pair({"spring": 500.0}), fx=800.0)
     alone = state_of(Bearing(**SPINDLE), fx=1300.0)
     assert still.displacement.x == pytest.approx(alone.displacement.x, rel=1e-7)
-    assert still.stiffness[0, 0] == pytest.approx(alone.stiffness[0, 0], rel=1e-7)
+    assert still.stiffness.array[0, 0] == pytest.approx(alone.stiffness.array[0, 0], rel=1e-7)
 
 
 def test_at_rest_springs_and_clamps_of_one_force_differ_in_stiffness_only() -> None:
@@ -206,16 +209,20 @@ def test_at_rest_springs_and_clamps_of_one_force_differ_in_stiffness_only() -> N
     assert [ball.inner.load for ball in sprung.balls] == pytest.approx(
         [ball.inner.load for ball in clamped.balls]
     )
-    assert clamped.stiffness[0, 0] == pytest.approx(2.0 * sprung.stiffness[0, 0], rel=1e-6)
+    assert clamped.stiffness.array[0, 0] == pytest.approx(
+        2.0 * sprung.stiffness.array[0, 0], rel=1e-6
+    )
     for i in (1, 2, 3, 4):
-        assert clamped.stiffness[i, i] == pytest.approx(sprung.stiffness[i, i], rel=1e-6)
+        assert clamped.stiffness.array[i, i] == pytest.approx(
+            sprung.stiffness.array[i, i], rel=1e-6
+        )
 
 
 def test_at_speed_a_clamped_pair_stays_stiff_and_a_sprung_one_softens() -> None:
     rest, fast = (state_of(pair({"spring": 500.0}), speed=speed) for speed in (0.0, 2000.0))
-    assert fast.stiffness[0, 0] < 0.7 * rest.stiffness[0, 0]
+    assert fast.stiffness.array[0, 0] < 0.7 * rest.stiffness.array[0, 0]
     stiff = state_of(pair({"force": 500.0}), speed=2000.0)
-    assert stiff.stiffness[0, 0] > 2.2 * fast.stiffness[0, 0]
+    assert stiff.stiffness.array[0, 0] > 2.2 * fast.stiffness.array[0, 0]
 
 
 # --- the preload-loss point --------------------------------------------------------------------
@@ -342,7 +349,7 @@ def test_where_there_is_no_such_point_the_number_does_not_exist() -> None:
 
 def test_springs_pushed_back_leave_no_equilibrium() -> None:
     duty = Duty(load=Load(fx=-501.0))
-    state = solve(Case(bearing=pair({"spring": 500.0}), duty=duty))
+    state = solve_one(Case(bearing=pair({"spring": 500.0}), duty=duty))
     assert (state.status.code, state.preload) == ("no_equilibrium", None)
     near = state_of(pair({"spring": 500.0}), fx=-499.0)
     assert near.rows[0].load.fx == pytest.approx(1.0, rel=1e-5)

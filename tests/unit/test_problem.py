@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from rolamento.assembly import spread
 from rolamento.case import Case
 from rolamento.case.bearing import Bearing
 from rolamento.errors import InputError
 from rolamento.rows.ball import layout
-from rolamento.rows.ball.columns import spread
 from rolamento.rows.ball.problem import case_parameters, ring_arms
 from rolamento.static import race_stiffness
 
@@ -42,7 +42,7 @@ def test_polynomials_follow_the_exact_stiffness(
 
 
 def test_a_batch_repeats_the_case(case_218: Case) -> None:
-    p = spread(case_218, {"fz": [1.0, 2.0, 3.0]}).rows[0].p
+    p = spread(case_218, {"fz": [1.0, 2.0, 3.0]}).rows[0].row.p
     single = case_parameters(case_218)
     assert p.shape == (layout.COLUMN, 3)
     np.testing.assert_array_equal(p[layout.APPLIED + 2], [1.0, 2.0, 3.0])
@@ -51,7 +51,7 @@ def test_a_batch_repeats_the_case(case_218: Case) -> None:
 
 
 def test_loads_free_and_displacements_hold(case_218: Case) -> None:
-    p = spread(case_218, {"my": [5.0, 6.0], "x": 1e-5}).rows[0].p
+    p = spread(case_218, {"my": [5.0, 6.0], "x": 1e-5}).rows[0].row.p
     arm = ring_arms(p)[3]
     np.testing.assert_array_equal(p[layout.FREE : layout.FREE + 5, 0], [0, 1, 1, 1, 0])
     np.testing.assert_allclose(p[layout.APPLIED + 3] * arm, [5.0, 6.0])

@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import json
 import math
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
+from tests.one_case import solve_one
 
-from rolamento import Bearing, Case, Displacement, Duty, Load, Model, solve, solve_batch
+from rolamento import Bearing, Case, Displacement, Duty, Load, Model
 from rolamento.case.arrangement import ARRANGEMENTS
-from rolamento.state import State
+from rolamento.solving import solve
 
 ANGULAR: dict[str, Any] = {
     "ball_count": 16,
@@ -31,9 +33,7 @@ DEEP_GROOVE: dict[str, Any] = {
 @pytest.fixture(scope="module", autouse=True)
 def _compiled() -> None:
     """Load the compiled kernels first: few cases alone would run as plain Python, slowly."""
-    solve_batch(
-        Case(bearing=Bearing(**ANGULAR), duty=Duty()), fx=np.full(100, 1e4), inner_speed=100.0
-    )
+    solve(Case(bearing=Bearing(**ANGULAR), duty=Duty()), fx=np.full(100, 1e4), inner_speed=100.0)
 
 
 def set_of(arrangement: Any, preload: Any = None, **changes: Any) -> Bearing:
@@ -42,9 +42,11 @@ def set_of(arrangement: Any, preload: Any = None, **changes: Any) -> Bearing:
     )
 
 
-def state_of(bearing: Bearing, *, speed: float = 0.0, control: Any = "outer", **load: Any) -> State:
+def state_of(
+    bearing: Bearing, *, speed: float = 0.0, control: Any = "outer", **load: Any
+) -> SimpleNamespace:
     duty = Duty(inner_speed=speed, load=Load(**load))
-    return solve(Case(bearing=bearing, duty=duty, model=Model(raceway_control=control)))
+    return solve_one(Case(bearing=bearing, duty=duty, model=Model(raceway_control=control)))
 
 
 # --- what the state tells --------------------------------------------------------------------
@@ -90,10 +92,12 @@ def test_one_case_alone_and_in_a_batch_are_the_same() -> None:
     bearing = set_of("QBC")
     one = state_of(bearing, fx=2e3, fz=3e3, my=100.0, mz=0.0, speed=700.0)
     duty = Duty(inner_speed=700.0)
-    many = solve_batch(
+    many = solve(
         Case(bearing=bearing, duty=duty), fx=[2e3, 9e3], fz=3e3, my=100.0, mz=0.0, threads=2
     )
-    assert one.displacement == pytest.approx(many.displacement[0].tolist(), rel=1e-7, abs=1e-13)
+    assert one.displacement.array == pytest.approx(
+        many.displacement.array[0].tolist(), rel=1e-7, abs=1e-13
+    )
 
 
 # --- the wrong way ---------------------------------------------------------------------------
@@ -112,13 +116,15 @@ def test_a_tandem_loaded_the_wrong_way_has_no_equilibrium(arrangement: Any, spee
 
 def test_a_bad_case_does_not_touch_its_neighbours() -> None:
     case = Case(bearing=set_of("DT"), duty=Duty())
-    mixed = solve_batch(case, fx=[5e3, -5e3, 8e3, np.nan, 1e9], inner_speed=300.0)
-    assert mixed.status[:4].tolist() == [
+    mixed = solve(case, fx=[5e3, -5e3, 8e3, np.nan, 1e9], inner_speed=300.0)
+    assert mixed.status.code[:4].tolist() == [
         "converged", "no_equilibrium", "converged", "invalid_input",
     ]  # fmt: skip
-    assert mixed.status[4] != "converged"
-    alone = solve_batch(case, fx=[5e3, 8e3], inner_speed=300.0)
-    assert mixed.displacement[[0, 2]] == pytest.approx(alone.displacement, rel=1e-9, abs=1e-16)
+    assert mixed.status.code[4] != "converged"
+    alone = solve(case, fx=[5e3, 8e3], inner_speed=300.0)
+    assert mixed.displacement.array[[0, 2]] == pytest.approx(
+        alone.displacement.array, rel=1e-9, abs=1e-16
+    )
 
 
 @pytest.mark.parametrize("size", [1e-6, 1e5, 1e7, 1e9])
@@ -127,11 +133,11 @@ def test_a_bad_case_does_not_touch_its_neighbours() -> None:
 def test_absurd_loads_have_a_name(size: float, name: str, preload: Any) -> None:
     case = Case(bearing=set_of("DB", preload), duty=Duty())
     loads = {"my": 0.0, "mz": 0.0, name: [size, -size]}
-    batch = solve_batch(case, loads, inner_speed=300.0)
+    batch = solve(case, loads, inner_speed=300.0)
     named = {"converged", "no_equilibrium", "overloaded", "not_converged", "unheld_ball"}
-    assert set(batch.status.tolist()) <= named
-    assert np.isfinite(batch.displacement[batch.converged]).all()
-    assert np.isnan(batch.displacement[~batch.converged]).all()
+    assert set(batch.status.code.tolist()) <= named
+    assert np.isfinite(batch.displacement.array[batch.converged]).all()
+    assert np.isnan(batch.displacement.array[~batch.converged]).all()
     if size == 1e9:
         assert not batch.converged.any()
     if size == 1e-6 and preload is not None:
@@ -144,10 +150,10 @@ def test_absurd_loads_have_a_name(size: float, name: str, preload: Any) -> None:
 def test_rows_with_play_bear_one_after_the_other() -> None:
     play = 20e-6
     bearing = set_of("DB", {"offset": -play})
-    batch = solve_batch(Case(bearing=bearing, duty=Duty()), fx=[500.0, -500.0])
-    alone = solve_batch(Case(bearing=Bearing(**ANGULAR), duty=Duty()), fx=[500.0])
-    reach = alone.displacement[0, 0] + play
-    assert batch.displacement[:, 0] == pytest.approx([reach, -reach], rel=1e-7)
+    batch = solve(Case(bearing=bearing, duty=Duty()), fx=[500.0, -500.0])
+    alone = solve(Case(bearing=Bearing(**ANGULAR), duty=Duty()), fx=[500.0])
+    reach = alone.displacement.array[0, 0] + play
+    assert batch.displacement.array[:, 0] == pytest.approx([reach, -reach], rel=1e-7)
 
 
 def test_a_deep_groove_pair_faces_both_ways() -> None:
@@ -155,19 +161,21 @@ def test_a_deep_groove_pair_faces_both_ways() -> None:
     pair = Bearing(**{**DEEP_GROOVE, "arrangement": "DT", "spacing": "40 mm"})
     alone = Bearing(**DEEP_GROOVE)
     for fx in (4e3, -4e3):
-        both = solve_batch(Case(bearing=pair, duty=Duty()), fx=[fx], fz=2e3)
-        one = solve_batch(Case(bearing=alone, duty=Duty()), fx=[0.5 * fx], fz=1e3)
+        both = solve(Case(bearing=pair, duty=Duty()), fx=[fx], fz=2e3)
+        one = solve(Case(bearing=alone, duty=Duty()), fx=[0.5 * fx], fz=1e3)
         assert both.converged.all()
-        assert both.displacement == pytest.approx(one.displacement, rel=1e-6, abs=1e-13)
+        assert both.displacement.array == pytest.approx(one.displacement.array, rel=1e-6, abs=1e-13)
 
 
 def test_a_held_ring_is_held() -> None:
     bearing = set_of("DF", "4 kN")
     held = Displacement(x=5e-6, y=-2e-6, z=8e-6, ry=1e-4, rz=-5e-5)
-    state = solve(Case(bearing=bearing, duty=Duty(inner_speed=600.0, displacement=held)))
+    state = solve_one(Case(bearing=bearing, duty=Duty(inner_speed=600.0, displacement=held)))
     assert tuple(state.displacement) == pytest.approx((5e-6, -2e-6, 8e-6, 1e-4, -5e-5), rel=1e-14)
     back = state_of(bearing, speed=600.0, **state.load._asdict())
-    assert tuple(back.displacement) == pytest.approx(tuple(state.displacement), rel=1e-5, abs=1e-12)
+    assert tuple(back.displacement.array) == pytest.approx(
+        tuple(state.displacement), rel=1e-5, abs=1e-12
+    )
 
 
 # --- many rows -------------------------------------------------------------------------------
@@ -179,10 +187,10 @@ def test_twenty_rows() -> None:
     ]
     bearing = Bearing(**ANGULAR, rows=rows, preload={"force": 20e3})
     case = Case(bearing=bearing, duty=Duty(inner_speed=300.0))
-    batch = solve_batch(case, fx=3e3, fz=20e3, my=500.0, mz=0.0)
+    batch = solve(case, fx=3e3, fz=20e3, my=500.0, mz=0.0)
     assert batch.converged.all()
-    assert batch.balls().inner.load.shape == (1, 320)
-    total = np.sum([row.load[0] for row in batch.rows], axis=0)
+    assert batch.inner.load.shape == (1, 320)
+    total = batch.rows.load[0].sum(axis=0)
     assert total == pytest.approx([3e3, 0.0, 20e3, 500.0, 0.0], abs=1e-3)
 
 
@@ -192,6 +200,6 @@ def test_every_arrangement_under_every_control(arrangement: Any, control: Any) -
     two_sided = len(set(ARRANGEMENTS[arrangement])) > 1
     bearing = set_of(arrangement, "6 kN" if two_sided else None)
     case = Case(bearing=bearing, duty=Duty(inner_speed=200.0), model=Model(raceway_control=control))
-    batch = solve_batch(case, fx=8e3, fz=2e3)
-    assert batch.status.tolist() == ["converged"]
-    assert batch.residual[0] <= 1e-8
+    batch = solve(case, fx=8e3, fz=2e3)
+    assert batch.status.code.tolist() == ["converged"]
+    assert batch.status.residual[0] <= 1e-8

@@ -9,13 +9,14 @@ from typing import Any
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from tests.one_case import solve_one
 
-from rolamento import Case, Lubricant, Model, load_case, solve
+from rolamento import Case, Lubricant, Model, load_case
+from rolamento.assembly import spread
 from rolamento.friction.slip import BallVelocity, Patch, relative_motion
 from rolamento.friction.traction import contact_friction, ellipse_mesh
 from rolamento.kinematics import RacewayControl, ball_motion
 from rolamento.rows.ball import layout
-from rolamento.rows.ball.columns import spread
 from rolamento.rows.ball.single import groove
 from rolamento.rows.ball.traction import balance, newton
 from rolamento.rows.ball.traction.ball import (
@@ -44,7 +45,8 @@ NODES = (12, 3)
 def rig(case_218: Case) -> Rig:
     """The 218 bearing under combined load, with a drag on the cage."""
     columns = spread(case_218, {})
-    row = columns.rows[0]
+    row = columns.alone
+    assert row is not None
     constants = case_constants(row.p, np.array([MU]))[:, 0].copy()
     azimuth = 2.0 * np.pi * np.arange(3) / 3
     return Rig(row.p, 0, constants, 0.2, np.cos(azimuth), np.sin(azimuth))
@@ -258,7 +260,7 @@ def test_inertia_switched_off_is_absent(case_218: Case) -> None:
     for name, index in (("centrifugal_force", MASS), ("gyroscopic_moment", INERTIA)):
         model = Model(raceway_control="friction", **{name: False})
         case = Case(bearing=case_218.bearing, duty=case_218.duty, model=model, lubricant=lubricant)
-        column = spread(case, {}).rows[0].p
+        column = spread(case, {}).rows[0].row.p
         constants = case_constants(column, np.array([MU]))
         assert constants[index, 0] == 0.0
         other = INERTIA if index == MASS else MASS
@@ -346,7 +348,7 @@ def test_pure_radial_load_with_balls_that_face_away(load: str) -> None:
     example = files("rolamento") / "examples" / "6305_film.toml"
     with as_file(example) as path:
         settings = [f"duty.load.fz={load}", "model.raceway_control=friction", "model.mesh=coarse"]
-        state = solve(load_case(path, settings))
+        state = solve_one(load_case(path, settings))
     assert state.status.converged
     assert state.rolling is not None
     assert state.rolling.power > 0.0

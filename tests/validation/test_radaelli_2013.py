@@ -15,9 +15,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from rolamento.assembly import solve_cases, spread
 from rolamento.rows.ball import layout
-from rolamento.rows.ball.columns import spread
-from rolamento.rows.ball.solve import solve_columns_of
 from rolamento.solved import Solved
 from rolamento.solving import solve
 from rolamento.static import axial_load, radial_load
@@ -181,9 +180,9 @@ def test_sign_of_the_gyroscopic_moment() -> None:
     """With |M_g| for M_g, which is negative when the inner ring turns, z would be 0.0610 mm."""
     case = case_5_4(0.0)
     columns, turned = spread(case, {}), spread(case, {})
-    turned.rows[0].p[layout.GYROSCOPIC] *= -1.0
-    signed, unsigned = solve_columns_of(columns), solve_columns_of(turned)
-    assert (signed.balls().gyroscopic_moment < 0.0).all()
-    assert (unsigned.balls().gyroscopic_moment > 0.0).all()
-    assert_printed("0.0989", signed.displacement[0, 2] * 1e3)
-    assert_printed("0.0610", unsigned.displacement[0, 2] * 1e3)
+    turned.rows[0].row.p[layout.GYROSCOPIC] *= -1.0
+    signed, unsigned = solve_cases(columns), solve_cases(turned)
+    assert (signed.elements.gyroscopic_moment < 0.0).all()
+    assert (unsigned.elements.gyroscopic_moment > 0.0).all()
+    assert_printed("0.0989", signed.displacement.array[0, 2] * 1e3)
+    assert_printed("0.0610", unsigned.displacement.array[0, 2] * 1e3)

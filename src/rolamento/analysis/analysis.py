@@ -206,10 +206,10 @@ def _film_and_friction(
 
 def _missing(solved: Solved) -> tuple[str, ...]:
     """Name what the film and the friction of a lubricated case lack."""
-    from rolamento.lubrication.films import has_film
-
     if solved.case.lubricant is None:
         return ()
+    from rolamento.lubrication.films import has_film
+
     lacks = {
         "no_temperature": has_oil(solved.case) and not has_film(solved),
         "no_coefficient": not has_friction(solved),

@@ -147,7 +147,7 @@ def spread(
     for part in placed:
         part.row.refuse(~valid)
     friction, drag = _friction(case, arrays)
-    return Cases(
+    found = Cases(
         case=case,
         varied={name: np.broadcast_to(array, (cases,)) for name, array in given.items()},
         rows=tuple(placed),
@@ -159,6 +159,9 @@ def spread(
         valid=valid,
         traction=Traction(np.full(cases, friction), np.full(cases, drag), case.model.mesh),
     )
+    if found.alone is not None:
+        found.alone.asked(free, load, displacement)
+    return found
 
 
 def _duty(

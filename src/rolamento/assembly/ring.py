@@ -194,12 +194,13 @@ class _Problem:
         parts = zip(self.system.cases.rows, self.transforms, self.press, self.control, strict=True)
         for placed, transforms, press, control in parts:
             t = transforms[which] / arms[:, np.newaxis, :]
-            place = np.einsum("nij,nj->ni", t, u)
+            place = (t @ u[..., np.newaxis])[..., 0]
             place[:, 0] += press[which]
             held = placed.row.held(place, self.chosen[which], control[which])
             answers.append(held)
-            force += np.einsum("nij,ni->nj", t, held.force)
-            stiffness += np.einsum("nki,nkl,nlj->nij", t, held.stiffness, t)
+            back = np.swapaxes(t, 1, 2)
+            force += (back @ held.force[..., np.newaxis])[..., 0]
+            stiffness += back @ (held.stiffness @ t)
             np.maximum(scale, held.scale, out=scale)
             sound &= np.isin(held.number, ANSWERED)
         return _View(force, stiffness, scale, sound, answers)

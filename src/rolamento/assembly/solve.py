@@ -65,7 +65,7 @@ def balance(cases: Cases, film: Film | None = None) -> Balanced:
     row = cases.alone
     if row is None:
         return _on_ring(cases)
-    system = _Alone(row.asked(cases.free, cases.load, cases.displacement))
+    system = _Alone(row)
     held, control, shown = _guided(system, cases.case.model.raceway_control)
     if cases.case.model.raceway_control == "friction":
         held = row.rolled(held, replace(cases.traction, film=film))

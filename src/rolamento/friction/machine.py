@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, fields, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -50,10 +51,12 @@ class MachineBearing:
 
     def part(self, some: slice) -> MachineBearing:
         """Return that of some of the cases."""
-        values = {field.name: getattr(self, field.name) for field in fields(self)}
-        return replace(
-            self, **{name: a[some] for name, a in values.items() if isinstance(a, np.ndarray)}
-        )
+        varied: dict[str, Any] = {
+            field.name: value[some]
+            for field in fields(self)
+            if isinstance(value := getattr(self, field.name), np.ndarray)
+        }
+        return replace(self, **varied)
 
 
 def machine_of(

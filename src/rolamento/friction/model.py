@@ -388,7 +388,7 @@ def checked_coefficient(value: ArrayLike, name: str, maximum: float = 1.0) -> Fl
     InputError
         If it is not a number, or an array of them over cases, from 0 to the maximum.
     """
-    array = _numbers(value, name)
+    array = checked_numbers(value, name)
     if array.ndim > 1 or not np.all((array >= 0.0) & (array <= maximum)):
         raise InputError(
             f"must be from 0 to {maximum:g}, one number or one for each case",
@@ -407,7 +407,7 @@ def checked_positive(value: ArrayLike, name: str, *, zero: bool = False) -> Floa
     InputError
         If one is not.
     """
-    array = _numbers(value, name)
+    array = checked_numbers(value, name)
     fine = np.isfinite(array) & ((array >= 0.0) if zero else (array > 0.0))
     if not np.all(fine):
         raise InputError(
@@ -418,12 +418,19 @@ def checked_positive(value: ArrayLike, name: str, *, zero: bool = False) -> Floa
     return array
 
 
-def _numbers(value: ArrayLike, name: str) -> FloatArray:
+def checked_numbers(value: ArrayLike, name: str) -> FloatArray:
+    """Numbers as an array, NaN where they are masked.
+
+    Raises
+    ------
+    InputError
+        If they are none.
+    """
     try:
         return filled(value)
     except (TypeError, ValueError):
         raise InputError(
-            "must be a number, or one for each case",
+            "must be a number, or an array of them",
             field=name,
             value=value if isinstance(value, str) else type(value).__name__,
             example=f"{name} = 0.1",
@@ -438,7 +445,7 @@ def over_cases(value: ArrayLike, name: str, cases: int) -> FloatArray:
     InputError
         If there are neither one nor as many as there are cases.
     """
-    array = _numbers(value, name).reshape(-1, 1)
+    array = checked_numbers(value, name).reshape(-1, 1)
     if len(array) not in (1, cases):
         raise InputError(f"must be one number, or one for each of the {cases} cases", field=name)
     return np.broadcast_to(array, (cases, 1))

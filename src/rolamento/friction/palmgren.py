@@ -25,6 +25,7 @@ from rolamento.friction.model import (
     Setting,
     Torque,
     TorqueModel,
+    checked_numbers,
     checked_positive,
     limits_of_lubricated_bearings,
     relative_speed,
@@ -147,11 +148,15 @@ def palmgren(
         raise InputError(f"must be one of {known}", field="lubrication", value=lubrication)
     if kind == "angular_contact":
         checked_positive(contact_angle, "contact_angle")
-    turning = np.atleast_1d(np.asarray(speed, dtype=np.float64))
+    turning = np.atleast_1d(checked_numbers(speed, "speed"))
     diameter = checked_positive(mean_diameter, "mean_diameter")
     viscosity = checked_positive(kinematic_viscosity, "kinematic_viscosity")
     ratio = checked_positive(static_load_ratio, "static_load_ratio", zero=True)
-    load = friction_load(radial_load, axial_load, kind, contact_angle)
+    radial, axial = (
+        checked_numbers(radial_load, "radial_load"),
+        checked_numbers(axial_load, "axial_load"),
+    )
+    load = friction_load(radial, axial, kind, contact_angle)
     factor = LUBRICATION_FACTORS[kind][lubrication] if f0 is None else f0
     parts = np.broadcast_arrays(
         lubricant_torque(viscosity, turning, diameter, factor),

@@ -43,6 +43,7 @@ from rolamento.friction.model import (
     Setting,
     Torque,
     TorqueModel,
+    checked_numbers,
     checked_positive,
     limits_of_lubricated_bearings,
     relative_speed,
@@ -228,14 +229,14 @@ def skf_moment(
     InputError
         For an unknown word, or a number that is missing or out of range.
     """
-    n = _RPM * np.abs(np.asarray(speed, dtype=np.float64))
+    n = _RPM * np.abs(checked_numbers(speed, "speed"))
     bore = 1e3 * checked_positive(bore_diameter, "bore_diameter")
     outside = 1e3 * checked_positive(outside_diameter, "outside_diameter")
     if not np.all(outside > bore):
         raise InputError("must exceed the bore diameter", field="outside_diameter")
     nu = 1e6 * checked_positive(kinematic_viscosity, "kinematic_viscosity")
-    fr = np.abs(np.asarray(radial_load, dtype=np.float64))
-    fa = np.abs(np.asarray(axial_load, dtype=np.float64))
+    fr = np.abs(checked_numbers(radial_load, "radial_load"))
+    fa = np.abs(checked_numbers(axial_load, "axial_load"))
     mean = 0.5 * (bore + outside)
     if constants.kind == "deep_groove":
         rolling, sliding = _deep_groove(constants, mean, fr, fa, static_load_rating)

@@ -347,7 +347,8 @@ def fast_maximum_pressure_slip(patch: Patch, motion: RelativeMotion) -> FloatArr
     for first in range(0, contacts.size, size):
         some = contacts[first : first + size]
         part = flat.mapped(lambda array, chosen=some: array[chosen])  # type: ignore[misc]
-        own = RelativeMotion(*(column[some] for column in columns), motion.side)
+        drift, roll, twist, tumble = (column[some] for column in columns)
+        own = RelativeMotion(drift, roll, twist, tumble, motion.side)
         if tumbles:
             found[some] = maximum_pressure_slip(part, own).value
         else:

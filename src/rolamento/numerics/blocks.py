@@ -56,16 +56,19 @@ def joined(parts: list[R]) -> R:
 
     What is neither is the same in all parts.
     """
-    first: Any = parts[0]
-    whole: Any = first
+    whole: R = _joined(parts)
+    return whole
+
+
+def _joined(parts: list[Any]) -> Any:
+    first = parts[0]
     if isinstance(first, np.ndarray):
-        whole = np.concatenate(parts)  # type: ignore[call-overload]
-    elif isinstance(first, Mapping):
-        whole = {key: joined([part[key] for part in parts]) for key in first}  # type: ignore[index]
-    elif isinstance(first, tuple):
-        whole = tuple(joined(list(column)) for column in zip(*parts, strict=True))  # type: ignore[call-overload]
-    elif is_dataclass(first):
-        whole = type(first)(
-            *(joined([getattr(part, one.name) for part in parts]) for one in fields(first))
-        )
-    return whole  # type: ignore[no-any-return]
+        return np.concatenate(parts)
+    if isinstance(first, Mapping):
+        return {key: _joined([part[key] for part in parts]) for key in first}
+    if isinstance(first, tuple):
+        return tuple(_joined(list(column)) for column in zip(*parts, strict=True))
+    if is_dataclass(first) and not isinstance(first, type):
+        names = [one.name for one in fields(first)]
+        return type(first)(*(_joined([getattr(part, name) for part in parts]) for name in names))
+    return first

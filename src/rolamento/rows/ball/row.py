@@ -63,7 +63,8 @@ class HeldBalls:
     @property
     def stiffness(self) -> FloatArray:
         """(cases, 5, 5)."""
-        return self.solution.stiffness * self.arms[:, :, np.newaxis] * self.arms[:, np.newaxis, :]
+        arms = self.arms
+        return self.solution.stiffness * (arms[:, :, np.newaxis] * arms[:, np.newaxis, :])
 
     @property
     def place(self) -> FloatArray:
