@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import lru_cache, partial
 from math import radians
 from typing import Any, Final, Literal, NamedTuple, cast
 
@@ -16,11 +16,8 @@ from rolamento._data import toml_of
 from rolamento.errors import InputError
 from rolamento.units import MILLIMETRE
 
-
-def designation_data() -> dict[str, Any]:
-    """Return what the parts of designations mean; not to be changed."""
-    return toml_of("designations")
-
+designation_data = partial(toml_of, "designations")
+"""What the parts of designations mean."""
 
 _INSERT: Final = re.compile(
     r"(?P<letters>[A-Z]{2,7})-?(?P<series>[23X])(?P<bore>\d\d)(?:-(?P<sixteenths>\d{1,2})(?![A-Z\d]))?"

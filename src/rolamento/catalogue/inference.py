@@ -8,12 +8,11 @@ with alternatives, and is marked as such.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
 from math import exp, pi, sqrt
-from typing import Any, Final, NamedTuple
+from typing import Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -157,7 +156,7 @@ class Practice:
 
 def practice_of(maker: str) -> Practice:
     """Return a maker's practice, that of the standards if it is not known to differ."""
-    data = _practices()
+    data = toml_of("rating_practice")
     return Practice(**data[maker if maker in data and maker.isupper() else "iso"])
 
 
@@ -322,10 +321,8 @@ class _Interpolation(NamedTuple):
 
 def _implausible(bearing: CatalogueBearing, grid: _Grid) -> FloatArray:
     """Return how unusual a candidate is, as a squared misfit."""
-    windows, tolerance = (
-        _practices()["plausible"][bearing.kind],
-        _practices()["plausible"]["tolerance"],
-    )
+    plausible = toml_of("rating_practice")["plausible"]
+    windows, tolerance = plausible[bearing.kind], plausible["tolerance"]
     shift = grid.pitch / bearing.mean_diameter - 1.0
     outside = (shift / tolerance["pitch_diameter"]) ** 2
     share = grid.ball / bearing.section_height
@@ -420,7 +417,7 @@ def _grooves() -> tuple[_Groove, ...]:
     """
     ratio = dynamic_factor_of_grooves(_GAMMAS)
     found = []
-    for groove in _practices()["grooves"]:
+    for groove in toml_of("rating_practice")["grooves"]:
         inner, outer = groove["inner"], groove["outer"]
         own = dynamic_factor_of_grooves(_GAMMAS, inner, outer)
         standard = dynamic_factor_of_grooves(_GAMMAS, max(inner, 0.52), max(inner, 0.52))
@@ -438,7 +435,3 @@ def _dynamic_factor_extended() -> FloatArray:
     """Return f_c of the table, below its first value by the closed form."""
     table = dynamic_factor(_GAMMAS)
     return np.where(np.isnan(table), dynamic_factor_of_grooves(_GAMMAS), table)
-
-
-def _practices() -> Mapping[str, Any]:
-    return toml_of("rating_practice")
