@@ -445,7 +445,7 @@ def test_a_file_in_the_way_is_told() -> None:
 
 @pytest.mark.usefixtures("small")
 def test_a_person_at_a_terminal_sees_progress(monkeypatch: pytest.MonkeyPatch) -> None:
-    from rolamento.cli.reproduce import _bar
+    from rolamento.cli.reproduce import _progress_bar
 
     class Terminal(io.StringIO):
         def isatty(self) -> bool:
@@ -453,7 +453,7 @@ def test_a_person_at_a_terminal_sees_progress(monkeypatch: pytest.MonkeyPatch) -
 
     monkeypatch.setenv("TERM", "xterm")
     monkeypatch.setattr(sys, "stderr", Terminal())
-    with _bar("en") as progress:
+    with _progress_bar("en") as progress:
         progress(1, 4, said("Ball loads", "Cargas"))
         progress(4, 4, said("Done", "Pronto"))
     assert "4/4" in sys.stderr.getvalue()  # type: ignore[attr-defined]

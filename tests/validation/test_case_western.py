@@ -18,8 +18,7 @@ from rolamento.verification.rigs import (
     rig_checks,
     room_of_rounding,
 )
-from rolamento.vibration.fault_lines import LINES
-from rolamento.vibration.frequencies import nominal_frequencies
+from rolamento.vibration.frequencies import LINES, nominal_frequencies
 
 CHECKS = tuple(case_western_checks())
 RIG_CHECKS = tuple(rig_checks())

@@ -275,7 +275,9 @@ def save_case(case: Case, path: str | os.PathLike[str]) -> None:
 
 def case_to_toml(case: Case) -> str:
     """Return a case as the text of a TOML case file."""
-    return "\n".join(_toml_lines(case.to_mapping(), "")).strip() + "\n"
+    import tomli_w  # when a case is written, not whenever one is read
+
+    return tomli_w.dumps(case.to_mapping())
 
 
 def case_to_json(case: Case) -> str:
@@ -291,23 +293,3 @@ def _case_from(mapping: Mapping[str, Any], settings: Iterable[str]) -> Case:
         if error.field in fields:
             raise error.with_details(source=OVERRIDE_SOURCE) from None
         raise
-
-
-def _toml_lines(table: Mapping[str, Any], name: str) -> list[str]:
-    """Return the lines of a table: its own values first, then the tables inside."""
-    values = {key: value for key, value in table.items() if not isinstance(value, dict)}
-    tables = {key: value for key, value in table.items() if isinstance(value, dict)}
-    lines = ["", f"[{name}]"] if name and (values or not tables) else []
-    lines += [f"{key} = {_toml_value(value)}" for key, value in values.items()]
-    for key, inner in tables.items():
-        lines += _toml_lines(inner, f"{name}.{key}" if name else key)
-    return lines
-
-
-def _toml_value(value: object) -> str:
-    if isinstance(value, list | tuple):
-        return f"[{', '.join(map(_toml_value, value))}]"
-    if isinstance(value, dict):
-        return f"{{ {', '.join(f'{key} = {_toml_value(inner)}' for key, inner in value.items())} }}"
-    # Strings of one line and plain numbers are written alike in TOML and JSON.
-    return json.dumps(value, ensure_ascii=False)

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Mapping
 from functools import lru_cache
-from importlib import resources
 from math import isnan
 from typing import Annotated, Any, Final, Literal, NamedTuple, Self
 
@@ -18,6 +16,7 @@ from pydantic import (
     model_validator,
 )
 
+from rolamento._data import toml_of
 from rolamento.case.quantity import Line, Quantity, Ratio, at_the_border
 from rolamento.case.record import Record
 from rolamento.errors import InputError, nearest
@@ -383,8 +382,7 @@ def _folded(name: str) -> str:
 
 @lru_cache(maxsize=1)
 def _records() -> tuple[dict[str, Any], ...]:
-    file = resources.files("rolamento") / "data" / "lubricants.toml"
-    data = tomllib.loads(file.read_text(encoding="utf-8"))
+    data = toml_of("lubricants")
     grades = data["grades"]
     shared = {key: value for key, value in grades.items() if key != "names"}
     named = [

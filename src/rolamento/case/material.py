@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Mapping
 from functools import lru_cache
-from importlib import resources
 from typing import Annotated, Any, Final
 
 from pydantic import (
@@ -16,6 +14,7 @@ from pydantic import (
     model_serializer,
 )
 
+from rolamento._data import toml_of
 from rolamento.case.quantity import Line, Quantity, Ratio, at_the_border
 from rolamento.case.record import Record
 from rolamento.errors import InputError, nearest
@@ -112,10 +111,9 @@ def _folded(name: str) -> str:
     return "".join(name.split()).casefold()
 
 
-@lru_cache(maxsize=1)
-def _records() -> tuple[dict[str, Any], ...]:
-    data = resources.files("rolamento") / "data" / "materials.toml"
-    return tuple(tomllib.loads(data.read_text(encoding="utf-8"))["material"])
+def _records() -> list[dict[str, Any]]:
+    records: list[dict[str, Any]] = toml_of("materials")["material"]
+    return records
 
 
 @lru_cache(maxsize=1)

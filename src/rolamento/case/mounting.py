@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Mapping
 from functools import lru_cache
-from importlib import resources
 from typing import Annotated, Any, Final, Literal, Self
 
 from pydantic import (
@@ -17,6 +15,7 @@ from pydantic import (
     model_validator,
 )
 
+from rolamento._data import toml_of
 from rolamento.case.quantity import Line, Quantity, Ratio, at_the_border
 from rolamento.case.record import Record
 from rolamento.errors import InputError, nearest
@@ -240,6 +239,5 @@ class Mounting(Record):
 
 @lru_cache(maxsize=1)
 def _seat_materials() -> dict[str, SeatMaterial]:
-    data = resources.files("rolamento") / "data" / "seat_materials.toml"
-    records = tomllib.loads(data.read_text(encoding="utf-8"))["material"]
+    records = toml_of("seat_materials")["material"]
     return {record["name"]: SeatMaterial.from_mapping(record) for record in records}

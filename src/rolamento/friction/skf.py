@@ -27,17 +27,16 @@ double-row and four-point contact angular-contact bearings from table 2b, in dat
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
-from importlib import resources
 from math import pi, radians
 from typing import Any, Final, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rolamento._data import toml_of
 from rolamento.errors import InputError, nearest
 from rolamento.friction.model import (
     Setting,
@@ -98,18 +97,12 @@ class SkfConstants:
 
 
 @cache
-def _published() -> dict[str, Any]:
-    file = resources.files("rolamento") / "data" / "skf_friction.toml"
-    return tomllib.loads(file.read_text(encoding="utf-8"))
-
-
-@cache
 def deep_groove_series() -> Mapping[str, SkfConstants]:
     """Return the constants by bearing series, such as "62" of 6205."""
-    k_z = _published()["K_Z"]["deep_groove"]
+    k_z = toml_of("skf_friction")["K_Z"]["deep_groove"]
     return {
         name: SkfConstants("deep_groove", **_geometry_constants(row), k_z=k_z)
-        for row in _published()["deep_groove"]
+        for row in toml_of("skf_friction")["deep_groove"]
         for name in row["series"]
     }
 
@@ -123,7 +116,7 @@ def _angular_contact_designs() -> Mapping[str, SkfConstants]:
             k_z=row["K_Z"],
             contact_angle=radians(row["contact_angle_deg"]),
         )
-        for name, row in _published()["angular_contact"].items()
+        for name, row in toml_of("skf_friction")["angular_contact"].items()
     }
 
 

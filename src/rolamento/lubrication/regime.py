@@ -5,16 +5,15 @@ The limits and modes are in data/lubrication_regimes.toml, with their sources.
 
 from __future__ import annotations
 
-import tomllib
 from dataclasses import dataclass
 from functools import lru_cache
-from importlib import resources
 from math import isnan
-from typing import Any, Literal
+from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rolamento._data import toml_of
 from rolamento._reach import in_reach
 from rolamento.errors import InputError
 
@@ -44,7 +43,7 @@ class Regime:
 @lru_cache(maxsize=1)
 def failure_modes() -> tuple[FailureMode, ...]:
     """Return all modes of the table. Moyer (1992); Campanha (2008), table 2.5.1."""
-    return tuple(FailureMode(**record) for record in _published()["mode"])
+    return tuple(FailureMode(**record) for record in toml_of("lubrication_regimes")["mode"])
 
 
 @lru_cache(maxsize=1)
@@ -53,13 +52,16 @@ def regimes() -> tuple[Regime, ...]:
     modes = {mode.name: mode for mode in failure_modes()}
     return tuple(
         Regime(**{**record, "expects": tuple(modes[name] for name in record["expects"])})
-        for record in _published()["regime"]
+        for record in toml_of("lubrication_regimes")["regime"]
     )
 
 
 def adhesive_wear_by_speed() -> dict[str, str]:
     """Return what adhesive wear looks like at low and at high speed. Moyer (1992)."""
-    return {record["name"]: record["text"] for record in _published()["adhesive_speed"]}
+    return {
+        record["name"]: record["text"]
+        for record in toml_of("lubrication_regimes")["adhesive_speed"]
+    }
 
 
 def regime_indices(film_parameter: ArrayLike) -> NDArray[np.int64]:
@@ -97,13 +99,7 @@ def crack_origin(crack_depth: float, greatest_shear_depth: float) -> Origin:
         raise InputError("must be a number", field=field, value="nan")
     origins: list[Origin] = [
         record["origin"]
-        for record in _published()["crack"]
+        for record in toml_of("lubrication_regimes")["crack"]
         if record["from"] <= ratio <= record["to"]
     ]
     return origins[0] if origins else "undecided"
-
-
-@lru_cache(maxsize=1)
-def _published() -> dict[str, Any]:
-    file = resources.files("rolamento") / "data" / "lubrication_regimes.toml"
-    return tomllib.loads(file.read_text(encoding="utf-8"))

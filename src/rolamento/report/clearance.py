@@ -12,9 +12,8 @@ from rolamento._json import dumps
 from rolamento.clearance import WARNINGS, ClearanceSamples, OperatingClearance, Step
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium
-from rolamento.report.page import Lines, Page
+from rolamento.report.page import Lines, Page, rendered
 from rolamento.report.sentences import portuguese_sentence
-from rolamento.report.terminal import rendered
 from rolamento.units import MICROMETRE
 
 SCHEMA: Final = 1

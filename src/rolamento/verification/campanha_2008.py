@@ -32,7 +32,7 @@ from rolamento.contact.hertz import (
 from rolamento.contact.subsurface import maximum_shear
 from rolamento.geometry import race_curvature
 from rolamento.kinematics import rolling_entrainment_speed
-from rolamento.life.basic import basic_rating_life, hours
+from rolamento.life.iso281 import basic_rating_life, hours
 from rolamento.lubrication.film_thickness import central_film, film_groups
 from rolamento.oil import ViscosityLine, astm_d341, astm_d341_line, viscosity_index, wooster
 from rolamento.ratings import dynamic_factor_of_grooves

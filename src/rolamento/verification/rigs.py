@@ -16,8 +16,7 @@ from typing import Any, Final
 
 from rolamento.kinematics import ball_motion
 from rolamento.verification.check import Check, half_unit, published
-from rolamento.vibration.fault_lines import LineName
-from rolamento.vibration.frequencies import line_orders, turns_of
+from rolamento.vibration.frequencies import LineName, line_orders, turns_of
 
 _MULTIPLES: Final = {
     "cage": "cage",

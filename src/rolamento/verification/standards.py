@@ -21,7 +21,7 @@ from rolamento.case import Case
 from rolamento.case.bearing import Bearing
 from rolamento.case.duty import Duty, Load
 from rolamento.life.equivalent_load import load_factors
-from rolamento.life.reference import race_ratings, reference_life
+from rolamento.life.iso16281 import race_ratings, reference_life
 from rolamento.life.reliability import reliability_factor
 from rolamento.numerics import FloatArray
 from rolamento.ratings import dynamic_factor_of_grooves, static_factor_of_grooves

@@ -82,6 +82,13 @@ class Ball:
         """β′; rad."""
         return float(self.solved.elements.yaw[0, 0])
 
+    @property
+    def velocity(self) -> tuple[float, float, float]:
+        """Seen from the cage, along x, the orbit and outward; rad/s."""
+        across = self.ball_speed * np.cos(self.attitude)
+        outward = -self.ball_speed * np.sin(self.attitude)
+        return float(across * np.cos(self.yaw)), float(across * np.sin(self.yaw)), float(outward)
+
     def patch(self, race: Race) -> Patch:
         """The contact with a race, arrays of one."""
         return Patch.of(self.solved.contacts[race]).mapped(lambda array: array[0, :1])

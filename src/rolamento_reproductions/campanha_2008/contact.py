@@ -10,7 +10,7 @@ import numpy as np
 from rolamento.contact.hertz import HertzContact, effective_modulus, elliptical_contact
 from rolamento.contact.subsurface import maximum_shear
 from rolamento.geometry import Race, race_curvature
-from rolamento.life.reference import race_ratings, reference_life
+from rolamento.life.iso16281 import race_ratings, reference_life
 from rolamento.lubrication.regime import crack_origin
 from rolamento.static import RadialSolution, radial_load
 from rolamento.units import MILLIMETRE

@@ -16,7 +16,7 @@ from typing import Any, Final
 
 import numpy as np
 
-from rolamento.life.basic import MILLION
+from rolamento.life.iso281 import MILLION
 from rolamento.verification.campanha_2008 import (
     as_if_failed,
     as_plotted,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from rolamento.life.ioannides_harris import fatigue_limit_of_pressure
-from rolamento.life.modified import FATIGUE_PRESSURE
+from rolamento.life.iso281_modified import FATIGUE_PRESSURE
 from rolamento.verification.campanha_2008 import as_plotted, four_failures
 from rolamento_reproductions.campanha_2008.contact import contact_numbers, shear_numbers
 from rolamento_reproductions.campanha_2008.film import film_numbers

@@ -29,10 +29,10 @@ from rolamento.weibull import (
     LifeTest,
     WeibullFit,
     all_bounds,
+    confidence_band,
     maximum_likelihood,
     plotting_positions,
 )
-from rolamento.weibull.band import confidence_band
 from rolamento_reproductions.campanha_2008.inputs import GIVEN, Number, printed
 from rolamento_reproductions.record import Cell, Claim, Curves, Figure, Floats, Line, Panel, Series
 from rolamento_reproductions.text import Text, said, same
