@@ -27,8 +27,8 @@ from rolamento.clearance import (
     operating_clearance,
     sample_clearance,
 )
-from rolamento.clearance.fits import bore_shrinkage, contact_pressure
-from rolamento.clearance.record import bearing_with_clearance
+from rolamento.clearance.effects import bore_shrinkage, contact_pressure
+from rolamento.clearance.operating import bearing_with_clearance
 from rolamento.errors import InputError, UnitError
 from rolamento.geometry import ring_geometry
 from rolamento.report.sentences import portuguese_sentence

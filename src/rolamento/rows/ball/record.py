@@ -10,7 +10,7 @@ import numpy as np
 from rolamento.case import Case
 from rolamento.case.bearing import Bearing
 from rolamento.contact.hertz import HertzContact
-from rolamento.contact.subsurface import greatest_shear, orthogonal_shear
+from rolamento.contact.subsurface import maximum_shear, orthogonal_shear
 from rolamento.geometry import Race
 from rolamento.kinematics import RacewayControl
 from rolamento.rows.ball import layout
@@ -84,7 +84,7 @@ def _contact_states(
 def _shears(bearing: Bearing, contact: HertzContact) -> tuple[Floats, Floats, Floats, Floats]:
     """Greatest shear in the ring under the centre and orthogonal shear, each with its depth."""
     ellipse = contact.semi_major, contact.semi_minor
-    greatest = greatest_shear(contact.max_pressure, *ellipse, bearing.ring_material.poisson_ratio)
+    greatest = maximum_shear(contact.max_pressure, *ellipse, bearing.ring_material.poisson_ratio)
     orthogonal = orthogonal_shear(contact.max_pressure, *ellipse)
     return greatest.shear, greatest.depth, orthogonal.amplitude, orthogonal.depth
 
