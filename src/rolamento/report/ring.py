@@ -243,7 +243,7 @@ def _peaks(page: Page, solved: Solved) -> list[Lines]:
 def _maximum_by_row(solved: Solved, values: FloatArray) -> list[float]:
     """At the inner contacts that are loaded; NaN without any."""
     loaded = np.where(solved.inner.load[0] > 0.0, values, np.nan)
-    return np.fmax.reduceat(loaded, solved.rows.starts).tolist()
+    return [float(value) for value in np.fmax.reduceat(loaded, solved.rows.starts)]
 
 
 def preload_part(page: Page, solved: Solved, preload: Preloading) -> Lines:
