@@ -395,7 +395,7 @@ class TestGuide:
         Path(case[0]).write_text(case[1], "utf-8")
         names: dict[str, object] = {}
         blocks = re.findall(r"```python\n(.*?)```", text, re.DOTALL)
-        assert len(blocks) == 3
+        assert len(blocks) == 4
         for block in blocks:
             exec(compile(block, "docs/diagnose.md", "exec"), names)
         faults = {}

@@ -19,8 +19,7 @@ from typer.testing import CliRunner
 
 from rolamento import Bearing, load_case
 from rolamento.cli.app import app
-from rolamento.cli.field_list import fields_of
-from rolamento.cli.quantities import number_of
+from rolamento.cli.quantities import fields_of, number_of
 from rolamento.errors import InputError
 from rolamento.plots.vibration_modulation import envelope_depths, modulation_figure
 from rolamento.report import synthesis as page
@@ -589,8 +588,11 @@ def test_the_guide_names_commands_that_run(run: Run) -> None:
 
 def test_python_of_the_guide_tells_both_modulations_apart(run: Run) -> None:
     blocks = re.findall(r"```python\n(.*?)```", GUIDE, re.DOTALL)
-    assert len(blocks) == 1
+    assert len(blocks) == 2
     names: dict[str, Any] = {}
+    exec(compile(blocks[1], "example", "exec"), names)
+    truth = json.loads(Path("run.json").read_text("utf-8"))
+    assert read_signal("run.npz").mean_speed == pytest.approx(truth["speed"]["mean"])
     exec(compile(blocks[0], "example", "exec"), names)
     assert Path("modulation.png").exists()
     amplitude, frequency = names["made"]

@@ -101,7 +101,7 @@ def test_json_is_what_the_engine_says(run: Run) -> None:
     assert data["life"]["wanted_life"]["reliability"] == pytest.approx(
         float(found.reliability_after(5000.0 * 3600.0)[0])
     )
-    assert data["notes"] == list(state.notes)
+    assert data["notes"] == list(state.notes[0])
 
 
 def test_solve_has_the_same_life(run: Run) -> None:

@@ -53,7 +53,7 @@ def test_a_point_is_the_case_solved_alone(gearbox: Case, text: str, middle: str)
     for theory in FIVE:
         assert found[theory].hours[1] == pytest.approx(single[theory].hours[0], rel=ALONE), theory
         assert found[theory].life[1] == pytest.approx(single[theory].life[0], rel=ALONE)
-        assert found[theory].holds[1] == single[theory].holds[0]
+        assert found[theory].valid[1] == single[theory].valid[0]
         assert {n for n, where in found[theory].notes.items() if where[1]} == set(
             single[theory].notes_of()
         )
@@ -99,7 +99,7 @@ def load_without_mounting(case: Case) -> Case:
 def test_where_a_theory_does_not_hold_it_is_told(gearbox: Case) -> None:
     found = curve(gearbox, "duty.load.fz=8..16kN", 5)
     over_half = found.values > 10.3e3
-    assert np.array_equal(found["iso281"].holds, ~over_half)
+    assert np.array_equal(found["iso281"].valid, ~over_half)
     assert np.array_equal(found["iso281"].notes["load_above_half_rating"], over_half)
     assert np.all(np.isfinite(found["iso281"].hours))  # the formula still gives a number
 
@@ -111,7 +111,7 @@ def test_a_point_without_a_bearing_does_not_stop_the_others(gearbox: Case) -> No
     for theory in FIVE:
         assert np.isfinite(found[theory].hours[0])
         assert np.all(np.isnan(found[theory].hours[1:]))
-        assert not np.any(found[theory].holds[1:])
+        assert not np.any(found[theory].valid[1:])
 
 
 def test_a_point_without_a_case_of_its_own_does_not_either(gearbox: Case) -> None:

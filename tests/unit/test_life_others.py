@@ -95,7 +95,7 @@ def lives_of_6305(**table: object) -> LifeSummary:
 def test_tallian_without_factors_of_its_own_is_the_reference_life() -> None:
     found = lives_of_6305(tallian_subsurface=TallianFactors())
     assert found["tallian"].life == pytest.approx(found["iso16281"].life, rel=1e-12)
-    assert found["tallian"].holds[0]
+    assert found["tallian"].valid[0]
     assert {"factors_of_the_user", "surface_left_out"} <= set(found["tallian"].notes_of())
     assert "tallian" not in lives_of_6305().theories
 

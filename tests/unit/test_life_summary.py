@@ -19,8 +19,11 @@ from rolamento.life import (
 from rolamento.life.contamination import class_of_code, class_of_grease
 from rolamento.life.l_able import FactorTable
 from rolamento.life.record import NOTES, OUTSIDE
+from rolamento.life.theories import THEORIES
 from rolamento.lubrication import film as film_of
 from rolamento.lubrication.oil_state import viscosity_ratio
+from rolamento.plots.life_words import life_words
+from rolamento.report.life_words import LIFE_WORDS
 from rolamento.solving import solve
 
 RPM = np.pi / 30.0
@@ -99,7 +102,7 @@ def test_a_case_without_result_has_no_life() -> None:
     for record in found.theories.values():
         assert np.isfinite(record.life[0])
         assert np.isnan(record.life[1])
-        assert not record.holds[1]
+        assert not record.valid[1]
     assert found.limit.race[1] == ""
     assert found.limit.ball[1] == -1
 
@@ -108,7 +111,7 @@ def test_notes_on_load_and_speed() -> None:
     heavy = life(solve(_case(fz=12_000.0)), OILED)
     assert {"load_above_half_rating", "load_above_static_rating"} <= set(heavy["iso281"].notes_of())
     assert np.isfinite(heavy["iso281"].life[0])
-    assert not heavy["iso281"].holds[0]
+    assert not heavy["iso281"].valid[0]
     assert np.isnan(heavy["l_able"].life[0])
     still = life(solve(_case(speed=0.0, fz=4000.0)), LifeConditions(viscosity_ratio=1.0))
     assert "at_rest" in still["iso281"].notes_of()
@@ -125,11 +128,11 @@ def test_notes_on_lubrication() -> None:
     assert "viscosity_ratio_too_small" in thin["iso281_modified"].notes_of()
     assert thin["iso281_modified"].life[0] == pytest.approx(0.1 * thin["iso281"].life[0])
     assert thin["iso281_modified"].below[0]
-    assert not thin["iso281_modified"].holds[0]
+    assert not thin["iso281_modified"].valid[0]
     assert thin.limit.factor[0] == "viscosity_ratio"
     hot = life(state, LifeConditions(temperature=400.0))
     assert "too_hot_for_steel" in hot["iso281"].notes_of()
-    assert not hot["iso281"].holds[0]
+    assert not hot["iso281"].valid[0]
     dirty = life(
         state, LifeConditions(viscosity_ratio=1.0, contamination=class_of_grease("very_severe"))
     )
@@ -373,3 +376,32 @@ def test_without_a_number_there_is_nothing_that_it_leaves_out() -> None:
     assert "no_force" in found
     assert not found & {"light_load", "centrifugal_left_out", "viscosity_ratio_too_small"}
     assert "viscosity_ratio_too_small" in tilting["iso16281_modified"].notes_of()
+
+
+# --- the list of theories ---------------------------------------------------------------------
+
+
+def test_every_theory_has_its_words_and_a_rank_of_its_own() -> None:
+    for code in ("en", "pt"):
+        said = LIFE_WORDS[code]
+        for names in (said.names, said.short, said.long, said.valid, life_words(code).theories):
+            assert set(names) == set(THEORIES)
+    assert sorted(theory.rank for theory in THEORIES.values()) == list(range(len(THEORIES)))
+
+
+def test_what_refuses_a_theory_is_in_its_validity() -> None:
+    case = _case(fz=4000.0).replace(
+        life={
+            "material_factor": 1.0,
+            "nsk_cleanliness": 0.8,
+            "viscosity_ratio": 1.0,
+            "contamination": 0.5,
+            "tallian_subsurface": {},
+        }
+    )
+    found = life(solve(case))
+    assert list(found.theories) == list(THEORIES)
+    for name, record in found.theories.items():
+        refusing = set(record.notes) & OUTSIDE
+        assert set(THEORIES[name].validity) <= OUTSIDE
+        assert refusing <= set(THEORIES[name].validity), name

@@ -119,7 +119,7 @@ def test_lives_are_drawn_in_full_where_they_hold_and_faintly_where_not(curve: Li
     )  # fmt: skip
     y, z = np.asarray(full.get_ydata()), np.asarray(faint.get_ydata())
     np.testing.assert_allclose(np.asarray(full.get_xdata()), curve.values / 1e3)
-    holds = curve["iso281"].holds
+    holds = curve["iso281"].valid
     assert 0 < holds.sum() < len(holds)
     np.testing.assert_array_equal(y[holds], curve["iso281"].hours[holds])
     np.testing.assert_array_equal(z[~holds], curve["iso281"].hours[~holds])
@@ -327,7 +327,7 @@ def test_over_pressure(lives: LoadLives) -> None:
     np.testing.assert_allclose(own.get_ydata(), lives.pressure[lives.own] / 1e6)
     assert axes.get_ylabel() == "Greatest contact pressure (MPa)"
     assert "fatigue load limit C_u" not in labels(axes)
-    heaviest = max(ball.inner.max_pressure for ball in solve(lives.case).balls)
+    heaviest = float(solve(lives.case).inner.max_pressure.max())
     assert lives.pressure[lives.own] == pytest.approx(heaviest, rel=1e-5)
 
 
@@ -374,7 +374,7 @@ def test_life_is_longest_with_a_little_preload(state: Solved) -> None:
 def test_the_own_zone_is_about_that_of_the_solved_balls(state: Solved) -> None:
     own = lives_over_zone(state).own
     assert own is not None
-    deflected = max(ball.inner.deflection + ball.outer.deflection for ball in state.balls)
+    deflected = float((state.inner.deflection + state.outer.deflection).max())
     clearance = state.case.bearing.diametral_clearance
     assert clearance is not None
     epsilon = 0.5 * deflected / (deflected + 0.5 * clearance)

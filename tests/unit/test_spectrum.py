@@ -143,8 +143,8 @@ def test_a_step_without_equilibrium_leaves_no_life(table: Path, examples: Path) 
 
 def test_the_wanted_life(gearbox: Case, table: Path) -> None:
     found = under(gearbox, table, THREE)
-    reached = found.reliability_of_wanted("iso281")
-    assert found.wanted_life == 5000.0 * 3600.0
+    reached = found.reliability_of_required("iso281")
+    assert found.required_life == 5000.0 * 3600.0
     ratio = (5000.0 / found["iso281"].hours - 0.05) / 0.95
     assert reached == pytest.approx(0.9 ** (ratio**1.5))
 

@@ -126,7 +126,7 @@ def numbers(summary: LifeSummary) -> dict[str, float]:
     for name, record in (("", best), *((f"_{n}", one) for n, one in summary.theories.items())):
         found[f"life_hours{name}"] = record.hours
         found[f"life_revolutions{name}"] = record.life
-        found[f"life_holds{name}"] = record.holds
+        found[f"life_holds{name}"] = record.valid
     found["life_below"] = best.below
     if summary.contamination_factor is not None:
         found["contamination_factor"] = summary.contamination_factor

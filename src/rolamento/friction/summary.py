@@ -90,31 +90,31 @@ class Friction:
 
     def to_mapping(self, case: int = 0) -> dict[str, Any]:
         """Give one case as plain mappings and lists in SI units, NaN as None."""
-        return {
-            "friction_coefficient": plain(self.friction_coefficient[case]),
-            "model": self.model,
-            "regime": str(self.regime[case]),
-            "torque": plain(self.torque[case]),
-            "starting_torque": plain(self.starting_torque[case]),
-            "power": plain(self.power[case]),
-            "torque_by_source": _numbers(self.torque_by_source, case),
-            "heat": {
-                source: {
-                    race: [plain(value) for value in getattr(loss, race)[case]]
-                    for race in ("inner", "outer")
-                }
-                for source, loss in self.heat.items()
-            },
-            "models": {
-                found.model: {
-                    "torque": plain(self.models[found.model].total[case]),
-                    "parts": _numbers(self.models[found.model].parts, case),
-                    "holds": bool(found.valid[case]),
-                    "reasons": [name for name, where in found.notes.items() if where[case]],
-                }
-                for found in self.validity
-            },
-        }
+        mapping: dict[str, Any] = plain(
+            {
+                "friction_coefficient": self.friction_coefficient[case],
+                "model": self.model,
+                "regime": str(self.regime[case]),
+                "torque": self.torque[case],
+                "starting_torque": self.starting_torque[case],
+                "power": self.power[case],
+                "torque_by_source": {k: part[case] for k, part in self.torque_by_source.items()},
+                "heat": {
+                    source: {"inner": loss.inner[case], "outer": loss.outer[case]}
+                    for source, loss in self.heat.items()
+                },
+                "models": {
+                    found.model: {
+                        "torque": self.models[found.model].total[case],
+                        "parts": {k: p[case] for k, p in self.models[found.model].parts.items()},
+                        "holds": found.valid[case],
+                        "reasons": [name for name, where in found.notes.items() if where[case]],
+                    }
+                    for found in self.validity
+                },
+            }
+        )
+        return mapping
 
 
 def friction(
@@ -268,7 +268,3 @@ def _rolling_resistance(setting: Setting, viscosity: FloatArray) -> Torque:
     return torque_of_losses(
         ROLLING_RESISTANCE, solved, {ROLLING_RESISTANCE: unit}, has_result(solved)
     )
-
-
-def _numbers(arrays: Mapping[str, FloatArray], case: int) -> dict[str, float | None]:
-    return {name: plain(array[case]) for name, array in arrays.items()}

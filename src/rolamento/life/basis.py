@@ -12,7 +12,7 @@ from rolamento.errors import InputError
 from rolamento.life.conditions import LifeConditions
 from rolamento.life.contamination import ContaminationClass, contamination_factor
 from rolamento.life.equivalent_load import (
-    STEEPEST,
+    MAXIMUM_ANGLE,
     equivalent_load,
     static_equivalent_load,
     static_safety,
@@ -48,12 +48,12 @@ _OTHERWISE: Final = 2.0
 With normal clearances of 6012, 6205 and 6305 it lies between 0.5 and 2 under loads of C/10 and
 more, axial or radial: so far X, Y and e of the table go.
 """
-_LEAST_LOAD: Final = 0.01
+_MINIMUM_LOAD: Final = 0.01
 """P/C below which balls may slide. SKF, Rolling bearings (catalogue 10000 EN), minimum load."""
 _CENTRIFUGAL: Final = 1.05
 """Mean outer over mean inner ball load, likewise."""
 _INNER_GROOVE, _OUTER_GROOVE, _GROOVE_MARGIN = 0.52, 0.53, 1e-3
-_HOTTEST_STEEL: Final = 120.0 + 273.15
+_MAXIMUM_OF_STEEL: Final = 120.0 + 273.15
 """K; for rings that are not specially stabilised. Saurer Ball Bearings (ska.swiss) and SMB Bearings
 (smbbearings.com) say 120 °C for standard steel, SKF 120 to 200 °C by the heat treatment."""
 
@@ -145,8 +145,8 @@ class Basis:
             viscosity_ratio=_viscosity_ratio(rows, speed, given),
             common_notes={
                 **_notes_on_bearing(solved, given),
-                "at_rest": speed == 0.0,
-                "thrust_bearing": steep,
+                "at_rest": np.asarray(speed == 0.0),
+                "thrust_bearing": np.asarray(steep),
                 "no_dynamic_rating": np.isnan(ratings.dynamic_of_set) & ~steep,
                 "reliability_continued": np.full(len(solved), outside),
             },
@@ -209,7 +209,7 @@ class Basis:
                 "preload_left_out": np.full(len(self), preloaded),
                 "centrifugal_left_out": outer > _CENTRIFUGAL * inner,
                 "load_shared_otherwise": otherwise & np.isfinite(self.basic_life) & by_clearance,
-                "light_load": load < _LEAST_LOAD * ratings.dynamic_of_set,
+                "light_load": load < _MINIMUM_LOAD * ratings.dynamic_of_set,
                 "no_static_rating": np.isnan(ratings.static_of_set),
             }
 
@@ -218,7 +218,7 @@ class Basis:
         load, rating = self.reference_load, self.ratings.dynamic_of_set
         return {
             **load_notes(load, rating, self.ratings.static_of_set),
-            "light_load": load < _LEAST_LOAD * rating,
+            "light_load": load < _MINIMUM_LOAD * rating,
         }
 
     def record(
@@ -271,7 +271,7 @@ def _angle_of_radial(rows: Rows) -> FloatArray:
         If all cases have such a row.
     """
     angle = rows.free_contact_angle
-    steep = angle > STEEPEST * (1.0 + _SAME)
+    steep = angle > MAXIMUM_ANGLE * (1.0 + _SAME)
     if steep.size and np.all(steep.any(axis=1)):
         raise InputError(
             "is a thrust bearing's: the theories of life here are for radial bearings, up to 45°",
@@ -306,7 +306,9 @@ def _ratings(solved: Solved, angle: FloatArray, given: LifeConditions) -> Rating
             example="dynamic_rating = 20600.0",
         )
     method = given.fatigue_load_limit
-    if method == "contacts":
+    if not isinstance(method, str):
+        fatigue = _rating_or(method, static)
+    elif method == "contacts":
         fatigue = fatigue_load_limit_of_contacts(
             rows.element_count,
             rows.ball_diameter,
@@ -316,13 +318,10 @@ def _ratings(solved: Solved, angle: FloatArray, given: LifeConditions) -> Rating
             angle,
             rows.modulus,
         )
-    elif method == "estimate":
+    else:
         known = np.where(np.isnan(static), 1.0, static)
         estimate = fatigue_load_limit(known, rows.pitch_diameter)
         fatigue = np.where(np.isnan(static) | (not steel), np.nan, estimate)
-    else:
-        assert not isinstance(method, str)
-        fatigue = _rating_or(method, static)
     return Ratings(
         dynamic,
         static,
@@ -395,10 +394,10 @@ def _notes_on_bearing(solved: Solved, given: LifeConditions) -> Notes:
     for name in ("temperature", "bearing_temperature"):
         warm = getattr(given, name)
         if warm is not None:
-            hot = hot | (over_cases(warm, name, cases) > _HOTTEST_STEEL)
+            hot = hot | (over_cases(warm, name, cases) > _MAXIMUM_OF_STEEL)
     return {
-        "open_grooves": opened.any(axis=1),
-        "close_grooves": closed.any(axis=1),
+        "open_grooves": np.asarray(opened.any(axis=1)),
+        "close_grooves": np.asarray(closed.any(axis=1)),
         "ceramic_balls": np.full(cases, not _has_steel_balls(solved)),
         "too_hot_for_steel": hot,
     }

@@ -30,6 +30,7 @@ from typing import TYPE_CHECKING, Final, Literal, get_args
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rolamento._reach import numbers
 from rolamento.contact.subsurface import orthogonal_shear
 from rolamento.errors import InputError
 from rolamento.life._figures import positive
@@ -49,7 +50,7 @@ FATIGUE_LIMIT: Final = 374e6
 """τ_u of bearing steel: the orthogonal shear under 1500 MPa of a usual contact ellipse; Pa."""
 STRESS_EXPONENT: Final = 31.0 / 3.0
 DEPTH_EXPONENT: Final = 7.0 / 3.0
-_GREATEST_SHEAR: Final = 0.25
+_MAXIMUM_SHEAR: Final = 0.25
 """τ_0/p0 of a line contact; every ellipse has less."""
 
 
@@ -112,7 +113,7 @@ def risk_integral(
     )
     result = np.where(np.isnan(p0), np.nan, 0.0)
     with np.errstate(invalid="ignore"):
-        harmed = (p0 > 0.0) & (limit < _GREATEST_SHEAR * p0)
+        harmed = (p0 > 0.0) & (limit < _MAXIMUM_SHEAR * p0)
     a, b, p0 = a[harmed], b[harmed], p0[harmed]
     found = shear_integrals(
         limit[harmed] / p0,
@@ -141,7 +142,7 @@ def race_risk(integral: ArrayLike, *, turning: ArrayLike, slope: float = SLOPE) 
     -------
     Array (…), in the unit of the integrals.
     """
-    one = np.asarray(integral, dtype=np.float64)
+    one = numbers(integral, "integral")
     by_damage = np.mean(one ** (1.0 / slope), axis=-1) ** slope
     return np.asarray(np.where(turning, by_damage, np.mean(one, axis=-1)))
 
@@ -173,7 +174,7 @@ def stress_volume_life(
     -------
     StressVolumeLife; infinite where no point of a race exceeds the limit.
     """
-    limit = np.asarray(fatigue_limit, dtype=np.float64).reshape(-1, 1)
+    limit = numbers(fatigue_limit, "fatigue_limit").reshape(-1, 1)
     races = []
     for contacts, basic, turning in (
         (inner, reference.inner, inner_turning),
@@ -213,8 +214,8 @@ def material_constant(
     race_radius : array, r; m.
         All broadcast against each other.
     """
-    cycles = np.asarray(life) * 1e6 * np.asarray(cycles_per_revolution)
-    volume = 2.0 * np.pi * np.asarray(race_radius) * np.asarray(risk)
+    cycles = numbers(life, "life") * 1e6 * numbers(cycles_per_revolution, "cycles_per_revolution")
+    volume = 2.0 * np.pi * numbers(race_radius, "race_radius") * numbers(risk, "risk")
     return np.asarray(-np.log(0.9) / (cycles**SLOPE * volume))
 
 

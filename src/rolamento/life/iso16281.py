@@ -33,6 +33,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rolamento._reach import numbers
 from rolamento.life._figures import positive
 from rolamento.life.theory import OF_BEARING, OF_LOAD, Theory
 from rolamento.numerics import FloatArray
@@ -105,12 +106,17 @@ def race_ratings(
     ISO/TS 16281:2008, 4.3.
     """
     rating = positive(dynamic_rating, "dynamic_rating")
-    cosine = np.cos(np.asarray(contact_angle, dtype=np.float64))
-    gamma = np.asarray(ball_diameter) * cosine / np.asarray(pitch_diameter)
-    f_i, f_o = np.asarray(inner_conformity), np.asarray(outer_conformity)
+    cosine = np.cos(numbers(contact_angle, "contact_angle"))
+    gamma = (
+        numbers(ball_diameter, "ball_diameter") * cosine / numbers(pitch_diameter, "pitch_diameter")
+    )
+    f_i, f_o = (
+        numbers(inner_conformity, "inner_conformity"),
+        numbers(outer_conformity, "outer_conformity"),
+    )
     grooves = (f_i / f_o * (2.0 * f_o - 1.0) / (2.0 * f_i - 1.0)) ** 0.41
     ratio = 1.044 * ((1.0 - gamma) / (1.0 + gamma)) ** 1.72 * grooves
-    ball = rating / (np.asarray(ball_count) * cosine)
+    ball = rating / (numbers(ball_count, "ball_count") * cosine)
     return RaceRatings(
         np.asarray(ball / 0.407 * (1.0 + ratio**_RISK) ** (1.0 / _RISK)),
         np.asarray(ball / 0.389 * (1.0 + ratio**-_RISK) ** (1.0 / _RISK)),
@@ -131,7 +137,7 @@ def equivalent_ball_load(load: ArrayLike, *, turning: ArrayLike) -> FloatArray:
 
     ISO/TS 16281:2008, 4.4: cubic mean if turning, else the mean of power 10/3.
     """
-    q = np.maximum(np.asarray(load, dtype=np.float64), 0.0)
+    q = np.maximum(numbers(load, "load"), 0.0)
     scale = q.max(axis=-1, keepdims=True)
     part = q / np.where(scale > 0.0, scale, 1.0)
     cube = part * part * part
@@ -143,7 +149,9 @@ def equivalent_ball_load(load: ArrayLike, *, turning: ArrayLike) -> FloatArray:
 def race_life(rating: ArrayLike, equivalent: ArrayLike) -> FloatArray:
     """Life (Q_c/Q_e)³ of a race; arrays, N; millions of revolutions, infinite without load."""
     with np.errstate(divide="ignore"):
-        return np.asarray((np.asarray(rating) / np.asarray(equivalent)) ** EXPONENT)
+        return np.asarray(
+            (numbers(rating, "rating") / numbers(equivalent, "equivalent")) ** EXPONENT
+        )
 
 
 def system_life(lives: ArrayLike, *, axis: int = -1, slope: float = SLOPE) -> FloatArray:
@@ -157,7 +165,7 @@ def system_life(lives: ArrayLike, *, axis: int = -1, slope: float = SLOPE) -> Fl
 
     Lundberg and Palmgren (1947).
     """
-    life = np.asarray(lives, dtype=np.float64)
+    life = numbers(lives, "lives")
     least = np.min(life, axis=axis, keepdims=True)
     finite = np.where(np.isfinite(least) & (least > 0.0), least, 1.0)
     with np.errstate(divide="ignore"):
@@ -191,7 +199,7 @@ def reference_life(
         ("inner", inner_load, inner_turning),
         ("outer", outer_load, outer_turning),
     ):
-        rows = np.split(np.asarray(load, dtype=np.float64), row_starts[1:], axis=1)
+        rows = np.split(numbers(load, "load"), row_starts[1:], axis=1)
         parts[name] = np.stack([equivalent_ball_load(row, turning=turning) for row in rows], axis=1)
     inner = race_life(ratings.inner, parts["inner"])
     outer = race_life(ratings.outer, parts["outer"])

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rolamento._reach import numbers
 from rolamento.life._figures import positive
 from rolamento.life.theory import OF_BEARING, OF_EQUIVALENT_LOAD, Theory
 from rolamento.numerics import BoolArray, FloatArray
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
 
 EXPONENT: Final = 3.0
 """Of load, for point contact."""
-MOST_LOAD: Final = 0.5
+MAXIMUM_LOAD: Final = 0.5
 """P/C up to which the rating life is valid: above, the balls' contacts deform plastically."""
 MILLION: Final = 1e6
 
@@ -53,9 +54,9 @@ def hours(life: ArrayLike, speed: ArrayLike) -> FloatArray:
     life : array; millions of revolutions of one ring against the other.
     speed : array that broadcasts with it, of the rings against each other; rad/s, its size counts.
     """
-    turns_per_hour = np.abs(np.asarray(speed, dtype=np.float64)) * 1800.0 / np.pi
+    turns_per_hour = np.abs(numbers(speed, "speed")) * 1800.0 / np.pi
     with np.errstate(divide="ignore", invalid="ignore"):
-        found = np.asarray(life, dtype=np.float64) * MILLION / turns_per_hour
+        found = numbers(life, "life") * MILLION / turns_per_hour
     return np.asarray(np.where(turns_per_hour > 0.0, found, np.nan))
 
 
@@ -67,10 +68,12 @@ def load_notes(
     load_above_half_rating: P > 0.5 C; load_above_static_rating: P > C_0. The formula still gives a
     number there. ISO 281:2007, 5.1.3 and 9.3.3.
     """
-    load = np.asarray(equivalent_load, dtype=np.float64)
+    load = numbers(equivalent_load, "equivalent_load")
     return {
-        "load_above_half_rating": np.asarray(load > MOST_LOAD * np.asarray(dynamic_rating)),
-        "load_above_static_rating": np.asarray(load > np.asarray(static_rating)),
+        "load_above_half_rating": np.asarray(
+            load > MAXIMUM_LOAD * numbers(dynamic_rating, "dynamic_rating")
+        ),
+        "load_above_static_rating": np.asarray(load > numbers(static_rating, "static_rating")),
     }
 
 

@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rolamento._reach import numbers
 from rolamento.contact.hertz import elliptical_contact
 from rolamento.geometry import Race, race_curvature
 from rolamento.life._figures import figures, positive
@@ -36,18 +37,18 @@ if TYPE_CHECKING:
     from rolamento.life.basis import Basis
     from rolamento.life.record import Life
 
-LEAST_RATIO: Final = 0.1
+MINIMUM_RATIO: Final = 0.1
 """κ below which the standard gives no factor."""
-MOST_RATIO: Final = 4.0
+MAXIMUM_RATIO: Final = 4.0
 """κ above which nothing more is gained."""
-GREATEST: Final = 50.0
-LEAST: Final = 0.1
+MAXIMUM_FACTOR: Final = 50.0
+MINIMUM_FACTOR: Final = 0.1
 """a_ISO at the end of its range: at κ = 0.1, and with e_C = 0."""
 FATIGUE_PRESSURE: Final = 1.5e9
 """Greatest Hertz pressure that bearing steel withstands for ever; Pa. ISO 281:2007, annex B."""
 WITH_ADDITIVES: Final = 3.0
 """Most of a_ISO that extreme-pressure additives can make up for a thin film."""
-_LEAST_CLEANLINESS: Final = 0.2
+_MINIMUM_CLEANLINESS: Final = 0.2
 """e_C from which the additives count."""
 _RADIAL_MEAN: Final = 0.2288
 """Radial load over Z times that of the heaviest ball: J_r(0.5), without clearance."""
@@ -106,8 +107,13 @@ def fatigue_load_limit_of_contacts(
     for race, conformity in races:
         curvature = race_curvature(ball_diameter, pitch_diameter, conformity, contact_angle, race)
         unit = elliptical_contact(1.0, curvature.rolling, curvature.across, modulus)
-        loads.append((np.asarray(pressure) / unit.max_pressure) ** 3)
-    shared = _RADIAL_MEAN * np.asarray(ball_count) * np.asarray(rows) * np.cos(contact_angle)
+        loads.append((numbers(pressure, "pressure") / unit.max_pressure) ** 3)
+    shared = (
+        _RADIAL_MEAN
+        * numbers(ball_count, "ball_count")
+        * numbers(rows, "rows")
+        * np.cos(contact_angle)
+    )
     return np.asarray(shared * np.minimum(*loads) * _size_factor(pitch_diameter))
 
 
@@ -137,7 +143,7 @@ def life_modification_factor(
     ISO 281:2007, 9.3.3.
     """
     ratio = positive(viscosity_ratio, "viscosity_ratio", zero=True)
-    clean = np.asarray(contamination_factor, dtype=np.float64)
+    clean = numbers(contamination_factor, "contamination_factor")
     limit = positive(fatigue_load_limit, "fatigue_load_limit")
     load = positive(equivalent_load, "equivalent_load", zero=True)
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -146,7 +152,7 @@ def life_modification_factor(
     if not additives:
         return factor
     helped = np.minimum(_factor(np.maximum(ratio, 1.0), strength), WITH_ADDITIVES)
-    counts = (ratio < 1.0) & (clean >= _LEAST_CLEANLINESS) & (ratio >= LEAST_RATIO)
+    counts = (ratio < 1.0) & (clean >= _MINIMUM_CLEANLINESS) & (ratio >= MINIMUM_RATIO)
     return np.where(counts, np.maximum(factor, helped), factor)
 
 
@@ -170,7 +176,9 @@ def bounded_modification_factor(
         equivalent_load,
         additives=additives,
     )
-    return np.where(np.asarray(viscosity_ratio) < LEAST_RATIO, LEAST, factor)
+    return np.where(
+        numbers(viscosity_ratio, "viscosity_ratio") < MINIMUM_RATIO, MINIMUM_FACTOR, factor
+    )
 
 
 def modification_notes(
@@ -182,17 +190,19 @@ def modification_notes(
     viscosity_ratio_capped: κ > 4; contamination_severe: e_C of 0, wear and not fatigue ends the
     life, below a tenth.
     """
-    ratio = np.asarray(viscosity_ratio, dtype=np.float64)
+    ratio = numbers(viscosity_ratio, "viscosity_ratio")
     return {
-        "viscosity_ratio_too_small": np.asarray(ratio < LEAST_RATIO),
-        "viscosity_ratio_capped": np.asarray(ratio > MOST_RATIO),
-        "contamination_severe": np.asarray(np.asarray(contamination_factor) <= 0.0),
+        "viscosity_ratio_too_small": np.asarray(ratio < MINIMUM_RATIO),
+        "viscosity_ratio_capped": np.asarray(ratio > MAXIMUM_RATIO),
+        "contamination_severe": np.asarray(
+            numbers(contamination_factor, "contamination_factor") <= 0.0
+        ),
     }
 
 
 def _factor(ratio: FloatArray, strength: FloatArray) -> FloatArray:
     """a_ISO by κ and e_C C_u/P; NaN outside the standard, 50 where no stress hurts."""
-    ratio, strength = np.broadcast_arrays(np.minimum(ratio, MOST_RATIO), strength)
+    ratio, strength = np.broadcast_arrays(np.minimum(ratio, MAXIMUM_RATIO), strength)
     lubrication = np.full(ratio.shape, np.nan)
     for row in figures()["modification_factor"]["ranges"]:
         own = (ratio >= row["from"]) & (ratio <= row["to"])
@@ -200,7 +210,7 @@ def _factor(ratio: FloatArray, strength: FloatArray) -> FloatArray:
     with np.errstate(invalid="ignore", divide="ignore"):
         remaining = 1.0 - lubrication * np.cbrt(strength)
         factor = 0.1 * np.maximum(remaining, 0.0) ** -9.3
-    return np.asarray(np.minimum(factor, GREATEST))
+    return np.asarray(np.minimum(factor, MAXIMUM_FACTOR))
 
 
 def _size_factor(pitch_diameter: ArrayLike) -> FloatArray:

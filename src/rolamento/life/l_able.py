@@ -25,6 +25,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rolamento._reach import numbers
 from rolamento.errors import FileError, InputError
 from rolamento.life._figures import positive
 from rolamento.life.iso281 import load_notes
@@ -51,12 +52,12 @@ CLEANLINESS: Final = {
     "very_contaminated": (0.05, 0.05),
 }
 """a_c by word, least and most: filters to 10, 30, 100 µm, coarser, none. Campanha, table 2.6.3."""
-LEAST_SPEED: Final = 20.0
+MINIMUM_SPEED: Final = 20.0
 """r/min."""
-HOTTEST: Final = 130.0 + 273.15
+MAXIMUM_TEMPERATURE: Final = 130.0 + 273.15
 """K."""
-_MOST_POINTS: Final = 10_000
-_MOST_ROWS: Final = 1000
+_MAXIMUM_POINTS: Final = 10_000
+_MAXIMUM_ROWS: Final = 1000
 _NAMES: Final = {
     "viscosity_ratio": "κ of the rows",
     "load_parameter": "load parameters of the header",
@@ -91,8 +92,8 @@ class FactorTable:
     def __post_init__(self) -> None:
         for name in ("viscosity_ratio", "load_parameter", "factor"):
             array = np.array(positive(getattr(self, name), name))
-            if not np.all(np.isfinite(array)) or array.size > _MOST_POINTS:
-                raise InputError(f"must be at most {_MOST_POINTS} finite numbers", field=name)
+            if not np.all(np.isfinite(array)) or array.size > _MAXIMUM_POINTS:
+                raise InputError(f"must be at most {_MAXIMUM_POINTS} finite numbers", field=name)
             object.__setattr__(self, name, array)
         for name in ("viscosity_ratio", "load_parameter"):
             axis = getattr(self, name)
@@ -110,7 +111,7 @@ class FactorTable:
         A load parameter of 0 or less (P ≤ P_u) gives infinity: the fatigue limit is not reached.
         """
         kappa, load = np.broadcast_arrays(
-            np.asarray(viscosity_ratio, np.float64), np.asarray(load_parameter, np.float64)
+            numbers(viscosity_ratio, "viscosity_ratio"), numbers(load_parameter, "load_parameter")
         )
         with np.errstate(divide="ignore", invalid="ignore"):
             row, row_share = _placed(np.log(kappa), np.log(self.viscosity_ratio))
@@ -144,7 +145,7 @@ def read_factor_table(
     """
     from rolamento._tables import read_table
 
-    table = read_table(path, most_rows=_MOST_ROWS, example=_EXAMPLE).plain(decimal_mark)
+    table = read_table(path, most_rows=_MAXIMUM_ROWS, example=_EXAMPLE).plain(decimal_mark)
     loads = [_cell(text, table.source, table.header_line, text) for text in table.header[1:]]
     rows = [
         [
@@ -188,7 +189,9 @@ def load_parameter(
     """(P - P_u)/(C a_c), over which the maker's curves are drawn; arrays, N."""
     rating = positive(dynamic_rating, "dynamic_rating")
     clean = positive(contamination_factor, "contamination_factor")
-    excess = np.asarray(equivalent_load) - np.asarray(fatigue_load_limit)
+    excess = numbers(equivalent_load, "equivalent_load") - numbers(
+        fatigue_load_limit, "fatigue_load_limit"
+    )
     return np.asarray(excess / (rating * clean))
 
 
@@ -207,11 +210,11 @@ def refusals(
     speed : array, of the rings against each other; rad/s.
     temperature : array, of the bearing; K, NaN if unknown.
     """
-    turns = np.abs(np.asarray(speed, dtype=np.float64)) * 30.0 / np.pi
+    turns = np.abs(numbers(speed, "speed")) * 30.0 / np.pi
     return {
         **load_notes(equivalent_load, dynamic_rating, static_rating),
-        "too_slow": np.asarray(turns < LEAST_SPEED * (1.0 - 1e-12)),
-        "too_hot": np.asarray(np.asarray(temperature, dtype=np.float64) > HOTTEST),
+        "too_slow": np.asarray(turns < MINIMUM_SPEED * (1.0 - 1e-12)),
+        "too_hot": np.asarray(numbers(temperature, "temperature") > MAXIMUM_TEMPERATURE),
     }
 
 
@@ -229,7 +232,11 @@ def l_able(
         and a_1.
     refused : of `refusals`.
     """
-    life = np.asarray(basic_life) * np.asarray(factor) * np.asarray(reliability_factor)
+    life = (
+        numbers(basic_life, "basic_life")
+        * numbers(factor, "factor")
+        * numbers(reliability_factor, "reliability_factor")
+    )
     outside = np.any(np.broadcast_arrays(*refused.values()), axis=0)
     return np.where(outside, np.nan, life)
 
@@ -243,7 +250,11 @@ def surface_factor(
     unit. Returns f = (a_NSK L_10/L)^e; NaN above 1, where no risk is left for the surface.
     Campanha (2008), eq. 2.6.9.
     """
-    ratio = np.asarray(factor) * np.asarray(basic_life) / np.asarray(subsurface_life)
+    ratio = (
+        numbers(factor, "factor")
+        * numbers(basic_life, "basic_life")
+        / numbers(subsurface_life, "subsurface_life")
+    )
     f = ratio**SLOPE
     return np.where(f <= 1.0, f, np.nan)
 
@@ -253,10 +264,10 @@ def life_with_surface(subsurface_life: ArrayLike, surface_factor: ArrayLike) -> 
 
     The risk below the surface counts 1, that of the surface 1/f - 1: together 1/f.
     """
-    f = np.asarray(surface_factor, dtype=np.float64)
+    f = numbers(surface_factor, "surface_factor")
     if np.any((f <= 0.0) | (f > 1.0)):
         raise InputError("must be above 0 and at most 1", field="surface_factor", example="0.5")
-    return np.asarray(np.asarray(subsurface_life) * f ** (1.0 / SLOPE))
+    return np.asarray(numbers(subsurface_life, "subsurface_life") * f ** (1.0 / SLOPE))
 
 
 def _placed(

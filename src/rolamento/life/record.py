@@ -200,7 +200,7 @@ class Life:
     notes: Mapping[str, BoolArray] = field(default_factory=dict)
 
     @property
-    def holds(self) -> BoolArray:
+    def valid(self) -> BoolArray:
         """(cases,): whether there is a life, and the case lies within what the theory is for."""
         return self._without(OUTSIDE)
 
@@ -237,7 +237,7 @@ class Life:
             "hours": finite(self.hours[case]),
             "endless": bool(np.isposinf(self.life[case])),
             "factors": {name: finite(array[case]) for name, array in self.factors.items()},
-            "holds": bool(self.holds[case]),
+            "holds": bool(self.valid[case]),
             "below": bool(self.below[case]),
             "notes": list(self.sentences(case)),
         }

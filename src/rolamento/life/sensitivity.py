@@ -92,7 +92,7 @@ def sensitivity(solved: Solved, conditions: LifeConditions | None = None) -> tup
 def _life(solved: Solved, given: LifeConditions) -> float:
     """The life that leads; NaN where it does not hold or is a bound."""
     leading = life(solved, given, stress_volume=False).headline
-    return float(leading.life[0]) if leading.holds[0] else float("nan")
+    return float(leading.life[0]) if leading.valid[0] else float("nan")
 
 
 def _after(case: Case | None, given: LifeConditions, before: float) -> float:

@@ -9,13 +9,14 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rolamento._reach import numbers
 from rolamento.errors import InputError
 from rolamento.life import iso16281, iso16281_modified
 from rolamento.life.basis import Basis, EquivalentLoads, Ratings
 from rolamento.life.conditions import LifeConditions, conditions_of
 from rolamento.life.headline import Headline, headline_of
 from rolamento.life.iso281_modified import (
-    MOST_RATIO,
+    MAXIMUM_RATIO,
     bounded_modification_factor,
     life_modification_factor,
 )
@@ -122,7 +123,7 @@ class LifeSummary:
         edition, leading = self.conditions.edition, self.headline
         for_ninety = leading.hours / reliability_factor(leading.reliability, edition)
         with np.errstate(divide="ignore", invalid="ignore"):
-            ratio = np.asarray(time, np.float64) / _HOUR / for_ninety
+            ratio = numbers(time, "time") / _HOUR / for_ninety
         known = np.where(np.isnan(ratio), 1.0, ratio)
         return np.where(np.isnan(ratio), np.nan, reliability_of(known, edition))
 
@@ -149,7 +150,7 @@ class LifeSummary:
             },
             "viscosity_ratio": _at(self.viscosity_ratio, case),
             "contamination_factor": _at(self.contamination_factor, case),
-            "wanted_life": self._wanted(case),
+            "wanted_life": self._required(case),
             "limit": {
                 "row": int(self.limit.row[case]),
                 "race": str(self.limit.race[case]) or None,
@@ -159,8 +160,8 @@ class LifeSummary:
             },
         }
 
-    def _wanted(self, case: int) -> dict[str, float | bool | None] | None:
-        """The life that is wanted (s), and its reliability; None if none is."""
+    def _required(self, case: int) -> dict[str, float | bool | None] | None:
+        """The required life (s), and its reliability; None if there is none."""
         wanted = self.conditions.wanted_life
         if wanted is None:
             return None
@@ -257,7 +258,7 @@ def _costliest(basis: Basis) -> NDArray[np.str_]:
         return np.full(len(basis), "", dtype="U15")
     limit, load = basis.ratings.fatigue_of_set, basis.reference_load
     additives = basis.given.additives
-    thick = np.full(len(basis), MOST_RATIO)
+    thick = np.full(len(basis), MAXIMUM_RATIO)
     clean_if_thick = basis.cleanliness_at(thick)
     assert clean_if_thick is not None
 

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, fields
-from math import isfinite
 from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
 
+from rolamento._json import plain
 from rolamento.case import Case
 from rolamento.case.film_model import FilmModel
 from rolamento.case.lubricant import Lubricant
@@ -29,7 +29,7 @@ from rolamento.lubrication.film_thickness import (
 )
 from rolamento.lubrication.notes import notes_on
 from rolamento.lubrication.oil_state import OilState, oil_state, reference_viscosity
-from rolamento.lubrication.regime import regime_indices, regimes
+from rolamento.lubrication.regime import regime_indices, regime_of, regimes
 from rolamento.numerics import FloatArray
 from rolamento.numerics.blocks import in_blocks
 from rolamento.solved import NO_LOAD, RACES, Contacts, Solved, refuse_other
@@ -75,18 +75,17 @@ class ContactFilms:
 
     def expected_failures(self, case: int, element: int) -> tuple[str, ...]:
         """Names of `regime.failure_modes` at one contact, the most likely first."""
-        index = int(regime_indices(self.film_parameter[case, element]))
-        return () if index < 0 else tuple(mode.name for mode in regimes()[index].expects)
+        regime = regime_of(self.film_parameter[case, element])
+        return () if regime is None else tuple(mode.name for mode in regime.expects)
 
     def to_mapping(self, case: int, element: int) -> dict[str, Any]:
         """Give one contact as a plain mapping, NaN as None."""
-        numbers = {
-            field.name: _number(getattr(self, field.name)[case, element]) for field in fields(self)
-        }
+        numbers = {part.name: getattr(self, part.name)[case, element] for part in fields(self)}
+        regime = regime_of(numbers["film_parameter"])
         failures = self.expected_failures(case, element)
-        index = int(regime_indices(self.film_parameter[case, element]))
-        regime = "" if index < 0 else regimes()[index].name
-        return {**numbers, "regime": regime, "expected_failures": list(failures)}
+        name = "" if regime is None else regime.name
+        mapping: dict[str, Any] = plain({**numbers, "regime": name, "expected_failures": failures})
+        return mapping
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -161,22 +160,25 @@ class Film:
 
     def to_mapping(self, case: int = 0) -> dict[str, Any]:
         """Give one case as plain mappings and lists in SI units, NaN and infinity as None."""
-        names = [field.name for field in fields(self)]
+        names = [part.name for part in fields(self)]
         whole = names[names.index("temperature") : names.index("row")]
-        return {
-            "lubricant": self.lubricant,
-            **{name: _number(getattr(self, name)[case]) for name in whole},
-            "balls": [
-                {
-                    "row": int(self.row[case, element]),
-                    "azimuth": _number(self.azimuth[case, element]),
-                    "inner": self.inner.to_mapping(case, element),
-                    "outer": self.outer.to_mapping(case, element),
-                }
-                for element in range(self.row.shape[1])
-            ],
-            "notes": list(self.notes_of(case)),
-        }
+        mapping: dict[str, Any] = plain(
+            {
+                "lubricant": self.lubricant,
+                **{name: getattr(self, name)[case] for name in whole},
+                "balls": [
+                    {
+                        "row": self.row[case, element],
+                        "azimuth": self.azimuth[case, element],
+                        "inner": self.inner.to_mapping(case, element),
+                        "outer": self.outer.to_mapping(case, element),
+                    }
+                    for element in range(self.row.shape[1])
+                ],
+                "notes": self.notes_of(case),
+            }
+        )
+        return mapping
 
 
 def film(solved: Solved, *, threads: int | None = None) -> Film:
@@ -362,7 +364,3 @@ def _refill(case: Case, model: FilmModel, oil: OilState, speed: FloatArray) -> F
         model.supply,
         angular_contact=case.bearing.contact_angle is not None,
     )
-
-
-def _number(value: float) -> float | None:
-    return float(value) if isfinite(value) else None

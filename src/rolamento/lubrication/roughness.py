@@ -187,8 +187,10 @@ def _check_lengths(
             field="short_cutoff",
             value=short_cutoff,
         )
-    if not isinstance(sampling_lengths, int | np.integer) or sampling_lengths < 1:
-        raise InputError("must be at least 1", field="sampling_lengths", value=sampling_lengths)
+    if not _is_positive(sampling_lengths) or sampling_lengths != int(sampling_lengths):
+        raise InputError(
+            "must be a whole number from 1 on", field="sampling_lengths", value=sampling_lengths
+        )
     if form not in (0, 1, 2):
         raise InputError("must be 0, 1 or 2", field="form", value=form)
 

@@ -12,10 +12,10 @@ import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import ArrayLike, NDArray
 
-from rolamento.life.iso281_modified import GREATEST, life_modification_factor
+from rolamento.life.iso281_modified import MAXIMUM_FACTOR, life_modification_factor
 from rolamento.life.iso16281 import THEORY as REFERENCE
 from rolamento.life.theories import BY_RANK, THEORIES
-from rolamento.plots.axes_units import MEGAPASCAL
+from rolamento.plots.axes_units import MEGAPASCAL, read_values
 from rolamento.plots.frame import (
     GREY,
     add_title,
@@ -27,7 +27,7 @@ from rolamento.plots.frame import (
     number,
 )
 from rolamento.plots.life_words import LifeWords, life_words
-from rolamento.plots.over_field import across, decades, judged_line, read_values, short_label
+from rolamento.plots.over_field import across, decades, judged_line, short_label
 from rolamento.plots.style import SERIES, new_figure, series, styled
 from rolamento.plots.words import PlotWords, plot_words
 
@@ -64,7 +64,7 @@ _HOUR: Final = 3600.0
 _RATIOS: Final = (0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 1.0, 1.5, 2.0, 3.0, 4.0)
 """κ of the curves, as on the standard's charts."""
 _STRENGTH: Final = (0.005, 5.0)
-_FACTOR: Final = (0.1, GREATEST)
+_FACTOR: Final = (0.1, MAXIMUM_FACTOR)
 _POINTS: Final = 400
 _AISO_ROOM: Final = 1.4
 _LABELLED: Final = {4.0: 38.0, 3.0: 24.0, 2.0: 15.5, 1.5: 10.0, 1.0: 6.5}
@@ -122,10 +122,10 @@ def lives_by_theory(
             endless = any(np.isposinf(life).any() for life, *_ in lines)
             return empty_frame(axes, words.endless if endless else shared.no_result)
         x, faint = read_values(own.over.field, own.values)[0], False
-        for life, holds, _, name, look in lines:
+        for life, valid, _, name, look in lines:
             beyond = not np.any(life < limits[1])
             shown = words.above.format(name=name) if beyond else name
-            faint |= judged_line(axes, x, life, holds, shown, look)
+            faint |= judged_line(axes, x, life, valid, shown, look)
         if turns and own.case.life is not None and own.case.life.wanted_life is not None:
             wanted = own.case.life.wanted_life / _HOUR
             axes.axhline(wanted, color=GREY, linewidth=0.9, label=words.wanted)
@@ -173,7 +173,7 @@ def _lines_of_theories(
     first = curves[0]
     for theory in _by_rank(first.theories):
         name, own = words.theories.get(theory, theory), first[theory]
-        yield first.shown(own), own.holds, theory, name, theory_look(theory)
+        yield first.shown(own), own.valid, theory, name, theory_look(theory)
     for place, curve in enumerate(curves[1:], start=1):
         leading = curve.headline
         names = dict.fromkeys(theory for theory in leading.theory.tolist() if theory)
@@ -182,7 +182,7 @@ def _lines_of_theories(
         # in the unit of the first, whether this one turns or not
         led = leading.hours if first.in_hours else leading.life
         label = f"{theories}, {short_label(curve.label)}"
-        yield led, leading.holds, next(iter(names), REFERENCE.name), label, look
+        yield led, leading.valid, next(iter(names), REFERENCE.name), label, look
 
 
 def _mark_missing(axes: Axes, x: Floats, curve: LifeCurve, shared: PlotWords) -> None:
@@ -268,7 +268,7 @@ def load_over_life(
         for theory in _by_rank(found):
             record, name = lives.theories[theory], words.theories.get(theory, theory)
             faint |= _draw_load(
-                axes, found[theory], upright, record.holds, name, theory_look(theory)
+                axes, found[theory], upright, record.valid, name, theory_look(theory)
             )
         own = [life[lives.own] for life in found.values()]
         axes.plot(
@@ -295,13 +295,13 @@ def _draw_load(
     axes: Axes,
     life: Floats,
     upright: Floats,
-    holds: NDArray[np.bool_],
+    valid: NDArray[np.bool_],
     name: str,
     look: dict[str, Any],
 ) -> bool:
     """Draw load over life; what is without an end lies beyond the frame."""
     there = np.isfinite(life) & np.isfinite(upright)
-    return judged_line(axes, life[there], upright[there], holds[there], name, look)
+    return judged_line(axes, life[there], upright[there], valid[there], name, look)
 
 
 def _draw_tests(axes: Axes, tests: BearingTests, place: int, by: By, words: LifeWords) -> None:

@@ -32,7 +32,8 @@ from rolamento.vibration.diagnosis import DAMAGE, SEVERE, ComponentVerdict, Diag
 from rolamento.vibration.frequencies import FaultFrequencies
 
 if TYPE_CHECKING:
-    from rolamento.tasks.diagnosis import DiagnosisResult, ShaftSpeed, TooShort
+    from rolamento.tasks.diagnosis import DiagnosisResult, TooShort
+    from rolamento.tasks.shaft_speed import ShaftSpeed
 
 SCHEMA: Final = 1
 

@@ -93,7 +93,7 @@ def life_report(
 
 
 def theories_part(page: Page, summary: LifeSummary) -> Lines:
-    """Set the theories side by side: lives, factors, and whether each holds for the case."""
+    """Set the theories side by side: lives, factors, and whether each is valid for the case."""
     said = said_of(page)
     leading = summary.headline
     chosen = summary.theories.get(str(leading.theory[0])) if leading.leads[0] else None
@@ -143,7 +143,7 @@ def _theory_rows(
     rows[0][-1] = page.text(said.holds_here, "dim")
     for index, (life, name) in enumerate(zip(lives, names, strict=True)):
         own = life is chosen
-        style = "bold" if own else "" if life.holds[0] or life.below[0] else "dim"
+        style = "bold" if own else "" if life.valid[0] or life.below[0] else "dim"
         cells_ = [page.text(column[index], style) for _, column in columns]
         sign = page.text(_CHOSEN if own else " ", "bold green")
         rows.append(
@@ -151,7 +151,7 @@ def _theory_rows(
                 sign,
                 page.text(name, style),
                 *cells_,
-                verdict(page, bool(life.holds[0]), bool(life.below[0])),
+                verdict(page, bool(life.valid[0]), bool(life.below[0])),
             ]
         )
     table = page.columns(rows, "ll" + "r" * len(columns) + "l")

@@ -1,4 +1,4 @@
-"""Life over a field for a reader: every theory at every value, and where each holds."""
+"""Life over a field for a reader: every theory at every value, and where each is valid."""
 
 from __future__ import annotations
 
@@ -13,7 +13,8 @@ import numpy as np
 from rich.text import Text
 
 from rolamento.life.theories import FIRST_LEFT_OUT
-from rolamento.report.across import place_text, read_values, written_values
+from rolamento.plots.axes_units import read_values
+from rolamento.report.across import place_text, written_values
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.life_statement import given_percent, life_text, lives_column, remarks, said_of
 from rolamento.report.medium import Medium
@@ -119,7 +120,7 @@ def _curve(page: Page, curve: LifeCurve) -> Lines:
     lines += page.hanging(Text("  "), legend, "dim")
     if left_out:
         lines += page.hanging(Text("  "), own.left_out.format(names="; ".join(left_out)), "dim")
-    if any(not np.all(life.holds | life.below) for life in curve.theories.values()):
+    if any(not np.all(life.valid | life.below) for life in curve.theories.values()):
         lines += page.hanging(Text("  "), own.fails, "dim")
     if np.any(leading.below) or any(np.any(life.below) for life in curve.theories.values()):
         lines += page.hanging(Text("  "), own.below, "dim")
@@ -153,25 +154,25 @@ def _life_table(page: Page, curve: LifeCurve) -> tuple[Lines, list[str]]:
 
 def _column(page: Page, heads: Sequence[str], curve: LifeCurve, life: Life | Headline) -> Lines:
     """A theory's name, and its lives, marked where it is not valid."""
-    cells = zip(lives_column(page, curve.shown(life).tolist()), life.holds, life.below, strict=True)
+    cells = zip(lives_column(page, curve.shown(life).tolist()), life.valid, life.below, strict=True)
     return [
         *(page.text(f"{word} ") for word in heads),
         *(_marked(page, cell, bool(held), bool(bound)) for cell, held, bound in cells),
     ]
 
 
-def _marked(page: Page, cell: str, holds: bool, below: bool) -> Text:
+def _marked(page: Page, cell: str, valid: bool, below: bool) -> Text:
     """A life, with a mark where it is a bound or does not hold."""
     if below:
-        return page.text(f"{_LESS}{cell} ", "" if holds else "yellow")
-    return page.text(f"{cell} ") if holds else page.text(f"{cell}{_MARK}", "yellow")
+        return page.text(f"{_LESS}{cell} ", "" if valid else "yellow")
+    return page.text(f"{cell} ") if valid else page.text(f"{cell}{_MARK}", "yellow")
 
 
 def _extremes(page: Page, own: _Words, curve: LifeCurve, unit: str) -> Lines:
-    """Say where the life that leads is longest and shortest, where it holds."""
+    """Say where the life that leads is longest and shortest, where it is valid."""
     leading = curve.headline
     led = curve.shown(leading)
-    usable = leading.holds & np.isfinite(led)
+    usable = leading.valid & np.isfinite(led)
     if np.count_nonzero(usable) < 2:
         return []
     across, symbol = read_values(curve.over.field, curve.values)
@@ -250,11 +251,11 @@ def curves_csv(curves: Sequence[LifeCurve]) -> str:
                     str(curve.status[point]),
                     *("" if own is None else _life_cell(own.hours[point]) for own in records),
                     *("" if own is None else _life_cell(own.life[point]) for own in records),
-                    *(_yes_or_no(own is not None and own.holds[point]) for own in records),
+                    *(_yes_or_no(own is not None and own.valid[point]) for own in records),
                     str(leading.theory[point]),
                     _life_cell(leading.hours[point]),
                     _life_cell(leading.life[point]),
-                    _yes_or_no(leading.holds[point]),
+                    _yes_or_no(leading.valid[point]),
                     _yes_or_no(leading.below[point]),
                     csv_number(curve.viscosity_ratio[point]),
                     csv_number(curve.contamination_factor[point]),
@@ -293,7 +294,7 @@ def _curve_mapping(curve: LifeCurve) -> dict[str, Any]:
             "hours": own.hours,
             "life": own.life,
             "endless": np.isinf(own.life).tolist(),
-            "holds": own.holds.tolist(),
+            "holds": own.valid.tolist(),
             "below": own.below.tolist(),
             "notes": {note: where.tolist() for note, where in own.notes.items() if np.any(where)},
         }
@@ -307,7 +308,7 @@ def _curve_mapping(curve: LifeCurve) -> dict[str, Any]:
             "theory": leading.theory.tolist(),
             "hours": leading.hours,
             "life": leading.life,
-            "holds": leading.holds.tolist(),
+            "holds": leading.valid.tolist(),
             "below": leading.below.tolist(),
             "reason": leading.reason.tolist(),
         },

@@ -21,9 +21,9 @@ from rolamento.report.life_statement import (
     percent,
     reached,
     remarks,
+    required_sentence,
     said_of,
     verdict,
-    wanted_sentence,
 )
 from rolamento.report.medium import Medium
 from rolamento.report.page import Lines, Page, rendered
@@ -146,7 +146,7 @@ def _statement(page: Page, own: _Words, found: SpectrumLife) -> Lines:
     sentences: list[tuple[str, str]] = []
     if not found.converged:
         sentences.append((own.no_life, "bold red"))
-    elif not (leading.holds or leading.below):
+    elif not (leading.valid or leading.below):
         sentences += [(said.none_holds, "bold red"), (said.not_to_be_used, "bold")]
     else:
         text = reached(
@@ -162,9 +162,9 @@ def _statement(page: Page, own: _Words, found: SpectrumLife) -> Lines:
         if leading.below:
             sentences.append((own.bounded, "yellow"))
         sentences += _worst(page, own, found)
-        reliability = found.reliability_of_wanted()
-        if found.wanted_life is not None and reliability is not None:
-            text = wanted_sentence(page, found.wanted_life, reliability, below=leading.below)
+        reliability = found.reliability_of_required()
+        if found.required_life is not None and reliability is not None:
+            text = required_sentence(page, found.required_life, reliability, below=leading.below)
             sentences.append((text, ""))
     if abs(found.steps.given_sum - 1.0) > 1e-9:
         total = page.digits.short(found.steps.given_sum, 5)
@@ -199,7 +199,7 @@ def _theories(page: Page, own: _Words, found: SpectrumLife) -> Lines:
                 page.text(said.names[name]),
                 page.text(revolutions[index]),
                 page.text(hours[index]),
-                verdict(page, found[name].holds, found[name].below),
+                verdict(page, found[name].valid, found[name].below),
             ]
             for index, name in enumerate(names)
         ),
@@ -219,6 +219,7 @@ def _remarks(page: Page, own: _Words, found: SpectrumLife) -> Lines:
     count = int(part.sum())
     notes = []
     for theory, life in found.theories.items():
+        assert isinstance(life.steps, Life)
         for name, where in life.steps.notes.items():
             some = int((where & part).sum())
             if some:
@@ -391,16 +392,16 @@ def _life_mapping(own: DutyLife) -> dict[str, Any]:
         "life": own.life,
         "hours": own.hours,
         "endless": bool(np.isposinf(own.life)),
-        "holds": own.holds,
+        "holds": own.valid,
         "below": own.below,
     }
 
 
 def _required_life_mapping(found: SpectrumLife) -> dict[str, float | bool | None] | None:
-    if found.wanted_life is None:
+    if found.required_life is None:
         return None
     return {
-        "life": found.wanted_life,
-        "reliability": found.reliability_of_wanted(),
+        "life": found.required_life,
+        "reliability": found.reliability_of_required(),
         "below": found.headline.below,
     }

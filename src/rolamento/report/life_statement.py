@@ -135,12 +135,12 @@ def remarks(page: Page, found: Iterable[tuple[str, str, str]], count: int) -> Li
     return lines
 
 
-def verdict(page: Page, holds: bool, below: bool) -> Text:
-    """Say in a word whether a theory holds, or gives an upper bound of the life."""
+def verdict(page: Page, valid: bool, below: bool) -> Text:
+    """Say in a word whether a theory is valid, or gives an upper bound of the life."""
     said = said_of(page)
     if below:
-        return page.text(said.bound, "green" if holds else "yellow")
-    return page.text(said.holds, "green") if holds else page.text(said.fails, "yellow")
+        return page.text(said.bound, "green" if valid else "yellow")
+    return page.text(said.holds, "green") if valid else page.text(said.fails, "yellow")
 
 
 # --- the statement ----------------------------------------------------------------------------
@@ -157,11 +157,11 @@ def statement(
     if not leading.leads[0]:
         sentences = _warning(page, summary)
     elif isinf(leading.life[0]):
-        sentences = [_endless(page, solved, leading), *_wanted(page, summary)]
+        sentences = [_endless(page, solved, leading), *_required(page, summary)]
     else:
         sentences = [_life(page, solved, leading), *_left_out(page, leading)]
         sentences += [*_limit(page, solved, summary), *_help(page, summary, changes)]
-        sentences += _wanted(page, summary)
+        sentences += _required(page, summary)
     lines: Lines = []
     for text, style in sentences:
         lines += page.hanging(Text("  "), text, style)
@@ -196,8 +196,8 @@ def reached(
     )
 
 
-def wanted_sentence(page: Page, wanted: float, reliability: float, *, below: bool = False) -> str:
-    """Say with which reliability a wanted life (s) is reached, or below which."""
+def required_sentence(page: Page, wanted: float, reliability: float, *, below: bool = False) -> str:
+    """Say with which reliability a required life (s) is reached, or below which."""
     said = said_of(page)
     return (said.wanted_below if below else said.wanted).format(
         life=life_text(page, wanted / _HOUR), reliability=percent(page, reliability)
@@ -263,8 +263,8 @@ def cost_text(page: Page, summary: LifeSummary) -> str:
     )
 
 
-def _wanted(page: Page, summary: LifeSummary) -> list[Sentence]:
-    """Say how reliable the wanted life is, if one is and the theory for it holds."""
+def _required(page: Page, summary: LifeSummary) -> list[Sentence]:
+    """Say how reliable the required life is, if there is one and the theory for it is valid."""
     wanted = summary.conditions.wanted_life
     if wanted is None:
         return []
@@ -272,7 +272,7 @@ def _wanted(page: Page, summary: LifeSummary) -> list[Sentence]:
     if not isfinite(reliability):
         return []
     below = bool(summary.headline.below[0])
-    return [(wanted_sentence(page, wanted, reliability, below=below), "")]
+    return [(required_sentence(page, wanted, reliability, below=below), "")]
 
 
 def _left_out(page: Page, leading: Headline) -> list[Sentence]:

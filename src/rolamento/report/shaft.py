@@ -146,7 +146,7 @@ def _statement(page: Page, own: _Words, found: ShaftLife) -> Lines:
                 parts = (page.words.reason(solved), page.words.advice(solved))
                 reason = ": ".join(part for part in parts if part)
                 sentences.append((own.failed.format(number=number, reason=reason), "red"))
-    elif not (leading.holds or leading.below):
+    elif not (leading.valid or leading.below):
         sentences += [(said.none_holds, "bold red"), (said.not_to_be_used, "bold")]
     elif np.isnan(leading.hours):
         sentences.append((own.no_hours, "yellow"))
@@ -208,21 +208,21 @@ def _bearing_table(page: Page, own: _Words, found: ShaftLife, names: Sequence[st
 def _hours_column(page: Page, found: ShaftLife, name: str) -> Lines:
     """A theory's name, the hours of each bearing by it, and of all together."""
     cells = lives_column(page, [*found[name].bearing_hours.tolist(), found[name].hours])
-    holds = [s is not None and bool(s[name].holds[0]) for s in found.lives]
+    valid = [s is not None and bool(s[name].valid[0]) for s in found.lives]
     below = [s is not None and bool(s[name].below[0]) for s in found.lives]
     whole = found[name]
-    fine = all(h or b for h, b in zip(holds, below, strict=True))
-    marks = zip(cells, [*holds, fine], [*below, whole.below], strict=True)
+    fine = all(h or b for h, b in zip(valid, below, strict=True))
+    marks = zip(cells, [*valid, fine], [*below, whole.below], strict=True)
     marked = [_marked(page, *mark) for mark in marks]
     marked[-1].stylize("bold")
     return [*(page.text(f"{word} ") for word in said_of(page).short[name]), *marked]
 
 
-def _marked(page: Page, cell: str, holds: bool, below: bool) -> Text:
+def _marked(page: Page, cell: str, valid: bool, below: bool) -> Text:
     """A life, with a mark where it is a bound or does not hold."""
     if below:
         return page.text(f"<{cell} ", "yellow")
-    return page.text(f"{cell}{' ' if holds else '*'}", "" if holds else "yellow")
+    return page.text(f"{cell}{' ' if valid else '*'}", "" if valid else "yellow")
 
 
 def _room(page: Page, columns: Sequence[Lines]) -> int:
@@ -271,7 +271,7 @@ def shaft_json(found: ShaftLife, names: Sequence[str]) -> str:
             "headline": {
                 "theories": list(found.headline.theories),
                 "hours": found.headline.hours if isfinite(found.headline.hours) else None,
-                "holds": found.headline.holds,
+                "holds": found.headline.valid,
                 "below": found.headline.below,
                 "risk": found.headline.risk,
             },
@@ -285,6 +285,6 @@ def _together(own: SystemLife) -> dict[str, Any]:
     return {
         "hours": hours if isfinite(hours) else None,
         "endless": bool(np.isposinf(hours)),
-        "holds": own.holds,
+        "holds": own.valid,
         "risk": own.risk,
     }

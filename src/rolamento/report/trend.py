@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 from math import isfinite
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 from rich.text import Text
 
@@ -14,9 +14,11 @@ from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium
 from rolamento.report.page import Lines, Page, one_line, rendered, shortened, table
 from rolamento.report.plain_data import json_text
-from rolamento.tasks.weibull import TrendStudy
 from rolamento.units import to_si
 from rolamento.weibull import Trend
+
+if TYPE_CHECKING:
+    from rolamento.tasks.weibull import TrendStudy
 
 __all__ = ["trend_json", "trend_report"]
 

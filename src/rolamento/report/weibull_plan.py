@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from math import isclose, isfinite, nan
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 from rich.text import Text
 
@@ -17,8 +17,10 @@ from rolamento.report.weibull import life_name
 from rolamento.report.weibull_plan_words import PLAN_WORDS, PlanWords
 from rolamento.report.weibull_sentences import said_advice
 from rolamento.report.weibull_words import counted
-from rolamento.tasks.weibull import DemonstrationStudy, PrecisionStudy
 from rolamento.weibull import Demonstration, Estimand, LifeTestPlan
+
+if TYPE_CHECKING:
+    from rolamento.tasks.weibull import DemonstrationStudy, PrecisionStudy
 
 __all__ = ["demonstration_json", "demonstration_report", "precision_json", "precision_report"]
 

@@ -47,14 +47,14 @@ def refuse_lifeless(case: Case, varied: frozenset[str]) -> None:
         For a thrust bearing, geometry without a rating, or oil dirtier than all classes.
     """
     from rolamento.life import conditions_of
-    from rolamento.life.equivalent_load import STEEPEST
+    from rolamento.life.equivalent_load import MAXIMUM_ANGLE
     from rolamento.ratings import dynamic_factor
 
     if any(name.startswith(("bearing.", "life.")) for name in varied):
         return
     rows = [place.bearing for place in case.bearing.places]
     angle = np.array([row.contact_angle or 0.0 for row in rows])
-    if np.any(angle > STEEPEST * (1.0 + 1e-9)):
+    if np.any(angle > MAXIMUM_ANGLE * (1.0 + 1e-9)):
         raise InputError(
             "is a thrust bearing's: it has no life by these theories, which go up to 45°",
             field="case.bearing.contact_angle",
@@ -91,8 +91,8 @@ def _of_theories() -> Iterator[Output]:
         yield Output(
             f"life_holds{end}",
             "1",
-            f"1 where the life holds, else 0, {title}",
-            _holds(theory, slow),
+            f"1 where the life is valid, else 0, {title}",
+            _validity(theory, slow),
             kind="whole",
             needs=needs,
             slow=slow,
@@ -173,13 +173,13 @@ def _number(get: Get, stress_volume: bool = False) -> Callable[[Evaluation], Flo
     return compute
 
 
-def _holds(theory: str, stress_volume: bool) -> Callable[[Evaluation], NDArray[np.int32]]:
+def _validity(theory: str, stress_volume: bool) -> Callable[[Evaluation], NDArray[np.int32]]:
     def compute(found: Evaluation) -> NDArray[np.int32]:
         summary = found.of(_life_if_any, stress_volume=stress_volume)
         own = None if summary is None else _record(summary, theory)
         if own is None:
             return np.zeros(len(found.solved), np.int32)
-        return np.asarray(own.holds & found.solved.converged, np.int32)
+        return np.asarray(own.valid & found.solved.converged, np.int32)
 
     return compute
 

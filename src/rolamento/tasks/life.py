@@ -68,7 +68,7 @@ class SystemLife:
         of all together
     risk
         (bearings,): share of each in what ends the life; that of an endless one is zero
-    holds
+    valid
         whether all of these lives are valid
     below
         whether the life of all together is a bound: that of some bearing is
@@ -78,15 +78,15 @@ class SystemLife:
     bearing_hours: FloatArray
     hours: float
     risk: FloatArray
-    holds: bool
+    valid: bool
     below: bool
 
     @classmethod
     def of(cls, lives: Sequence[Life | Headline | None]) -> SystemLife:
         """Put together the lives of bearings, each of one case."""
         hours = np.array([np.nan if own is None else own.hours[0] for own in lives])
-        holds = all(own is not None and bool(own.holds[0]) for own in lives)
-        leads = all(own is not None and bool(own.holds[0] | own.below[0]) for own in lives)
+        valid = all(own is not None and bool(own.valid[0]) for own in lives)
+        leads = all(own is not None and bool(own.valid[0] | own.below[0]) for own in lives)
         with np.errstate(divide="ignore", invalid="ignore"):
             risk = (np.min(hours) / hours) ** SLOPE
         return cls(
@@ -94,7 +94,7 @@ class SystemLife:
             bearing_hours=hours,
             hours=float(shaft_life(hours)),
             risk=np.asarray(risk / risk.sum()),
-            holds=holds,
+            valid=valid,
             below=leads and any(own is not None and bool(own.below[0]) for own in lives),
         )
 
@@ -222,7 +222,7 @@ def life_of_shaft(
 def _leading(lives: Sequence[LifeSummary | None]) -> SystemLife:
     """Put together the lives that lead; where one is a bound, they do not all hold."""
     found = SystemLife.of([None if own is None else own.headline for own in lives])
-    return replace(found, holds=found.holds and not found.below)
+    return replace(found, valid=found.valid and not found.below)
 
 
 def _life(solved: Solved, given: LifeConditions) -> LifeSummary | None:

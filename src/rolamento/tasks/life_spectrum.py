@@ -104,7 +104,7 @@ class DutyLife:
         if a step were all of the duty: life, hours, whether it is valid; arrays (steps,)
     damage
         (steps,): share of each step in what ends the life
-    holds
+    valid
         whether it is valid in every step that takes part and carries load
     below
         whether the life is a bound: that of some step is
@@ -115,7 +115,7 @@ class DutyLife:
     hours: float
     steps: Life | Headline
     damage: FloatArray
-    holds: bool
+    valid: bool
     below: bool
 
 
@@ -141,7 +141,7 @@ class SpectrumLife:
         the life that leads
     reliability
         S that the lives are for
-    wanted_life
+    required_life
         the required life in s; None if none is required
     stress_volume
         whether the theory of Ioannides and Harris was evaluated
@@ -156,7 +156,7 @@ class SpectrumLife:
     theories: Mapping[str, DutyLife]
     headline: DutyLife
     reliability: float
-    wanted_life: float | None
+    required_life: float | None
     stress_volume: bool
 
     def __getitem__(self, theory: str) -> DutyLife:
@@ -173,7 +173,7 @@ class SpectrumLife:
         """Whether every step that takes part has a result."""
         return bool(np.all(self.status[self.taking_part] == CONVERGED))
 
-    def reliability_of_wanted(self, theory: str | None = None) -> float | None:
+    def reliability_of_required(self, theory: str | None = None) -> float | None:
         """Reliability with which the required life is reached; None if there is none.
 
         By a theory, or by the life that leads; where that is a bound, so is the reliability.
@@ -182,9 +182,9 @@ class SpectrumLife:
         edition = own or (self.case.life or LifeModel()).edition
         reached = self.headline if theory is None else self.theories[theory]
         hours_for_ninety = reached.hours / float(reliability_factor(self.reliability, edition))
-        if self.wanted_life is None or not hours_for_ninety > 0.0:
+        if self.required_life is None or not hours_for_ninety > 0.0:
             return None
-        return float(reliability_of(self.wanted_life / _HOUR / hours_for_ninety, edition))
+        return float(reliability_of(self.required_life / _HOUR / hours_for_ninety, edition))
 
 
 def life_under(
@@ -240,7 +240,7 @@ def life_under(
         },
         headline=_summed(rows.headline, leading, idle, turns, mean_speed),
         reliability=wishes.reliability,
-        wanted_life=wishes.wanted_life,
+        required_life=wishes.wanted_life,
         stress_volume=len(duty) <= MOST_WITH_STRESS_VOLUME,
     )
 
@@ -262,8 +262,8 @@ def _solved_steps(case: Case, steps: DutySteps, nsk_table: FactorTable | None) -
         rows = lives_of_rows(case, columns, stress_volume=detailed, nsk_table=nsk_table)
     except InputError as error:
         raise error.with_details(source=steps.source, line=steps.lines[0]) from None
-    for index, error in rows.refused:
-        raise error.with_details(source=steps.source, line=steps.lines[index[0]])
+    for index, refusal in rows.refused:
+        raise refusal.with_details(source=steps.source, line=steps.lines[index[0]])
     for row in np.flatnonzero(rows.status == INVALID_INPUT).tolist():
         _refuse(case, steps, row)
     return rows
@@ -341,18 +341,18 @@ def _summed(
         total = used.sum(axis=0)
         risk = total**SLOPE / np.sum(total**SLOPE)
         damage = np.asarray(np.where(total > 0.0, used / total, 0.0) @ risk)
-    theory, holds, below = steps.theory, steps.holds[part], steps.below[part]
+    theory, valid, below = steps.theory, steps.valid[part], steps.below[part]
     if isinstance(steps, Headline):
         theory = str(steps.theory[int(np.argmax(np.nan_to_num(damage)))])
         below = below & np.all(steps.leads[part])
-        holds = steps.leads[part] & ~np.any(below)
+        valid = steps.leads[part] & ~np.any(below)
     return DutyLife(
         theory=str(theory),
         life=life,
         hours=float(hours(life, mean_speed)),
         steps=steps,
         damage=damage,
-        holds=bool(part.any()) and bool(np.all(holds)),
+        valid=bool(part.any()) and bool(np.all(valid)),
         below=bool(np.any(below)),
     )
 

@@ -23,6 +23,7 @@ from typing import Any, Final, Literal, NamedTuple
 
 import numpy as np
 
+from rolamento._json import plain
 from rolamento.case.bearing import Bearing
 from rolamento.errors import InputError
 from rolamento.geometry import ring_geometry
@@ -254,7 +255,7 @@ class FaultFrequencies:
 
     def to_mapping(self) -> dict[str, Any]:
         """Give the frequencies as plain mappings and lists in SI units, NaN as None."""
-        mapping: dict[str, Any] = _without_nan(asdict(self))
+        mapping: dict[str, Any] = plain(asdict(self))
         return mapping
 
 
@@ -289,15 +290,6 @@ def plain_line(order: float, shaft_frequency: float) -> FaultLine:
 def missing_line() -> FaultLine:
     """Return the line of a case without a result."""
     return FaultLine(nan, nan, nan, nan, nan)
-
-
-def _without_nan(value: Any) -> Any:
-    """Replace what is not finite by None, at any depth."""
-    if isinstance(value, dict):
-        return {key: _without_nan(item) for key, item in value.items()}
-    if isinstance(value, list | tuple):
-        return [_without_nan(item) for item in value]
-    return None if isinstance(value, float) and not isfinite(value) else value
 
 
 # --- of the geometry -----------------------------------------------------------------------------
