@@ -14,6 +14,8 @@ from typer.testing import CliRunner
 
 import rolamento as ro
 from rolamento.cli.plot import Kind, plot
+from rolamento.solved import Solved
+from rolamento.solving import solve
 
 Run = Callable[..., tuple[int, str]]
 PNG = b"\x89PNG"
@@ -21,17 +23,17 @@ FLAGS = {"flag_values": [0, 1], "flag_meanings": "converged no_equilibrium"}
 
 
 @pytest.fixture(scope="module")
-def state(case_218: ro.Case) -> ro.State:
-    return ro.solve(case_218)
+def state(case_218: ro.Case) -> Solved:
+    return solve(case_218)
 
 
 @pytest.fixture
-def run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, state: ro.State) -> Run:
+def run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, state: Solved) -> Run:
     """Run `plot` in a directory with a state, a failed state and studies."""
     monkeypatch.chdir(tmp_path)
     mapping = {**state.to_mapping(), "case": state.case.to_mapping()}
     Path("state.json").write_text(json.dumps(mapping), encoding="utf-8")
-    failed = ro.solve(ro.override(state.case, ["duty.load.fx=-20 kN"]))
+    failed = solve(ro.override(state.case, ["duty.load.fx=-20 kN"]))
     Path("failed.json").write_text(failed.to_json(), encoding="utf-8")
     write_study("sweep.nc", (0, 0, 0))
     write_study("nothing.nc", (1, 1, 1))
@@ -94,7 +96,7 @@ def write_living(name: str, bearing: ro.Bearing, life: dict[str, Any] | None) ->
     """Write the state of a bearing under load, with a life or without."""
     load = ro.Load(fx=8e3) if bearing.contact_angle else ro.Load(fz=3e3)
     duty = ro.Duty(inner_speed=200.0, load=load)
-    solved = ro.solve(ro.Case(title="living", bearing=bearing, duty=duty, life=life))
+    solved = solve(ro.Case(title="living", bearing=bearing, duty=duty, life=life))
     mapping = {**solved.to_mapping(), "case": solved.case.to_mapping()}
     Path(name).write_text(json.dumps(mapping), encoding="utf-8")
 
@@ -130,7 +132,7 @@ def test_a_failed_state_has_no_life_to_draw(kind: str, run: Run) -> None:
     ],
 )
 def test_lives_that_cannot_be_drawn(
-    file: str, kind: str, message: str, run: Run, state: ro.State
+    file: str, kind: str, message: str, run: Run, state: Solved
 ) -> None:
     angular = state.case.bearing
     if file == "steep.json":
@@ -239,7 +241,7 @@ def test_a_study_of_failures_is_drawn_and_told(run: Run) -> None:
         (("bare.json", "--kind", "ellipses"), "case: is missing: contact ellipses need"),
     ],
 )
-def test_wrong_input(arguments: tuple[str, ...], message: str, run: Run, state: ro.State) -> None:
+def test_wrong_input(arguments: tuple[str, ...], message: str, run: Run, state: Solved) -> None:
     ro.save_case(state.case, "case.toml")
     for ending in ("json", "nc"):
         Path(f"photograph.{ending}").write_bytes(bytes(range(256)))

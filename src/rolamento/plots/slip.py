@@ -21,8 +21,8 @@ from rolamento.friction.slip import (
     slip_velocity,
     solved_motion,
 )
-from rolamento.plots.axes_units import MILLIMETRE
 from rolamento.geometry import Race
+from rolamento.plots.axes_units import MILLIMETRE
 from rolamento.plots.frame import PlainNumbers, empty_frame, figure_of, label_x, label_y, number
 from rolamento.plots.style import in_style, new_figure, new_stacked_figure
 from rolamento.plots.words import ENGLISH, PlotWords

@@ -135,10 +135,10 @@ def _of_state(path: str, kind: Kind, words: PlotWords) -> tuple[Axes, str, str |
     _check(kind, _OF_STATES, "the JSON of a state")
     if kind is Kind.ellipses:
         axes: Axes = ellipses.ellipses_of_both_races(solved, words=words)[0]
-    elif kind in _OF_LIFE and failure is None:
-        axes = _of_life(kind, solved, words.code)
-    elif failure is not None and kind in _OF_LIFE:
+    elif kind in _OF_LIFE and failure is not None:
         axes = empty_frame(new_figure()[1], words.reason(failure))
+    elif kind in _OF_LIFE:
+        axes = _of_life(kind, solved, words.code)
     else:
         drawers = {
             Kind.rosette: balls.load_rosette,
