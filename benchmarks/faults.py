@@ -385,8 +385,8 @@ the end, or that of resuming it.
 Cases, studies and tables of text: 1 MB. Signals and results may be larger, and are bounded by their
 own size ([decision 11](adr/0011-foreign-files.md)): what they declare, or inflate to, may be 32
 times that, or 64 MB where it is more; numbers count as 8 bytes. What has to be held whole (MATLAB,
-NPZ, UFF) may have 512 MB. HDF5 and NetCDF are read by a process of their own with 2 GB, which may
-fall 30 s behind 4 MB/s.
+NPZ, UFF) may have 512 MB. MATLAB, HDF5 and NetCDF are read by a process of their own with 2 GB,
+which may fall 30 s behind 4 MB/s ([decision 13](adr/0013-formats-by-libraries.md)).
 
 Control characters in a file, which a terminal would obey, are shown as escapes such as `\\x1b`.
 

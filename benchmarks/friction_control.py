@@ -108,7 +108,7 @@ def _solved(duties: duty_sets.Duties, index: int) -> Found:
     start = Found(True, batch.displacement.array[0], cage, place, spins, 0.0, 0.0)
     free = np.array([True, True, True, False, False])
     duty = Duty(
-        np.where(free, batch.load.array[0], 0.0), np.zeros(5), free, float(duties["inner_speed"][index]),
-        0.0, FRICTION,
+        np.where(free, batch.load.array[0], 0.0), np.zeros(5), free,
+        float(duties["inner_speed"][index]), 0.0, FRICTION,
     )  # fmt: skip
     return FrictionModel(case.bearing, *NODES).solve(duty, start, STAGES)

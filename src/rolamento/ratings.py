@@ -10,14 +10,13 @@ data/iso_ratings.toml.
 
 from __future__ import annotations
 
-import tomllib
 from functools import lru_cache
-from importlib import resources
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rolamento._data import toml_of
 from rolamento._reach import numbers
 from rolamento.numerics import FloatArray
 from rolamento.numerics.elliptic import complete
@@ -162,7 +161,7 @@ def dynamic_rating(
     size = np.where(d <= _LARGE_BALL, d**1.8, _LARGE_BALL_FACTOR * d**1.4)
     balls = numbers(ball_count, "ball_count") ** (2.0 / 3.0)
     shared = (numbers(rows, "rows") * cosine) ** 0.7
-    return np.asarray(_tables()["dynamic"]["bm"] * f_c * shared * balls * size)
+    return np.asarray(toml_of("iso_ratings")["dynamic"]["bm"] * f_c * shared * balls * size)
 
 
 def static_rating(
@@ -232,16 +231,10 @@ def _interpolated(name: str, gamma: ArrayLike) -> FloatArray:
 
 @lru_cache(maxsize=2)
 def _factor_table(name: str) -> tuple[FloatArray, FloatArray]:
-    table = _tables()[name]
+    table = toml_of("iso_ratings")[name]
     factors = np.array(table["factors"])
     steps = np.round(table["first_gamma"] + table["gamma_step"] * np.arange(factors.size), 9)
     return steps, factors
-
-
-@lru_cache(maxsize=1)
-def _tables() -> dict[str, Any]:
-    file = resources.files("rolamento") / "data" / "iso_ratings.toml"
-    return tomllib.loads(file.read_text(encoding="utf-8"))
 
 
 def _nan_outside(value: ArrayLike, field: str, minimum: float, maximum: float) -> FloatArray:

@@ -14,14 +14,44 @@ from decimal import Context, Decimal
 from fractions import Fraction
 from functools import lru_cache
 from importlib import resources
-from typing import TYPE_CHECKING, Final, Literal, NamedTuple
+from typing import TYPE_CHECKING, Any, Final, Literal, NamedTuple
 
 from rolamento.errors import UnitError, nearest, shown
 
 if TYPE_CHECKING:
     import pint
 
-__all__ = ["SI_UNIT", "Dimension", "from_si", "to_si"]
+__all__ = [
+    "DEGREES",
+    "HOUR",
+    "MICROMETRE",
+    "MILLIMETRE",
+    "RPM",
+    "SI_UNIT",
+    "ZERO_CELSIUS",
+    "Dimension",
+    "from_si",
+    "rpm_of",
+    "to_si",
+]
+
+MILLIMETRE: Final = 1e-3
+MICROMETRE: Final = 1e-6
+RPM: Final = math.pi / 30.0
+"""One revolution a minute in rad/s."""
+
+
+def rpm_of(speed: Any) -> Any:
+    """Return a speed in rad/s (a number or an array) in revolutions a minute."""
+    return speed * 30.0 / math.pi
+
+
+DEGREES: Final = 180.0 / math.pi
+"""Degrees in one rad."""
+HOUR: Final = 3600.0
+"""Seconds in it."""
+ZERO_CELSIUS: Final = 273.15
+"""0 °C in K."""
 
 Dimension = Literal[
     "length",

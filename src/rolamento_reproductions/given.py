@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import tomllib
 from dataclasses import dataclass
-from functools import cache
-from importlib import resources
 from typing import Any, Final
 
 import numpy as np
 
+from rolamento._data import toml_of
 from rolamento.rows.ball import BatchState
+from rolamento.solved import Solved
 from rolamento_reproductions.record import Column, Floats
 from rolamento_reproductions.text import Text, said
 
@@ -30,7 +29,7 @@ class Given:
     @property
     def data(self) -> dict[str, Any]:
         """All of it."""
-        return _read(self.name)
+        return toml_of(self.name, "rolamento_reproductions")
 
     @property
     def title(self) -> Text:
@@ -47,17 +46,12 @@ class Given:
         return Text(**self.inputs_of(name)["source"])
 
 
-@cache
-def _read(name: str) -> dict[str, Any]:
-    file = resources.files("rolamento_reproductions") / "data" / f"{name}.toml"
-    return tomllib.loads(file.read_text(encoding="utf-8"))
-
-
 def grid(lowest: float, highest: float, step: float) -> Floats:
     """Return numbers from the lowest to the highest, both included."""
     return np.linspace(lowest, highest, round((highest - lowest) / step) + 1)
 
 
-def status_column(state: BatchState) -> Column:
+def status_column(state: BatchState | Solved) -> Column:
     """Return how each case of a batch ended."""
-    return Column("status", "", said("status", "estado"), tuple(str(s) for s in state.status))
+    codes = state.status.code if isinstance(state, Solved) else state.status
+    return Column("status", "", said("status", "estado"), tuple(str(code) for code in codes))

@@ -26,7 +26,7 @@ import scipy.io.wavfile
 from hypothesis import HealthCheck, given, note, settings
 from hypothesis import strategies as st
 
-from rolamento._foreign import child
+from rolamento._foreign import isolated
 from rolamento.errors import InputError
 from rolamento.vibration.reading import open_signal
 from rolamento.vibration.signal import Signal
@@ -73,7 +73,7 @@ def uff(form: str) -> bytes:
 
 @cache
 def seeds() -> tuple[tuple[str, bytes], ...]:
-    """Valid files of every format but HDF5, with their endings."""
+    """Valid files, with their endings, of the formats that are read without a process."""
     found: list[tuple[str, bytes]] = []
     for dtype in (np.uint8, np.int16, np.float32):
         wav = io.BytesIO()
@@ -84,11 +84,6 @@ def seeds() -> tuple[tuple[str, bytes], ...]:
     np.savez(archive, x=SAMPLES, fs=8000.0)
     np.savez_compressed(packed, x=SAMPLES, fs=8000.0)
     found += [(".npy", array.getvalue()), (".npz", archive.getvalue()), (".npz", packed.getvalue())]
-    for compressed in (False, True):
-        mat = io.BytesIO()
-        variables = {"X097_DE_time": SAMPLES, "X097RPM": 1796.0, "s": {"gs": SAMPLES, "sr": 5.0}}
-        scipy.io.savemat(mat, variables, do_compression=compressed)
-        found.append((".mat", mat.getvalue()))
     table = pa.table({"time": np.arange(150) / 1000.0, "x": SAMPLES, "n": np.arange(150) % 5})
     for codec in ("snappy", "gzip"):
         parquet = io.BytesIO()
@@ -102,13 +97,21 @@ def seeds() -> tuple[tuple[str, bytes], ...]:
 
 
 @cache
-def hdf5_seed() -> bytes:
+def isolated_seeds() -> tuple[tuple[str, bytes], ...]:
+    """Valid files of the formats that a process reads."""
+    found: list[tuple[str, bytes]] = []
     content = io.BytesIO()
     with h5py.File(content, "w") as file:
         data = file.create_dataset("g/x", data=SAMPLES, chunks=(40,), compression="gzip")
         data.attrs["fs"] = 1000.0
         data.attrs["unit"] = "g"
-    return content.getvalue()
+    found.append((".h5", content.getvalue()))
+    for compressed in (False, True):
+        mat = io.BytesIO()
+        variables = {"X097_DE_time": SAMPLES, "X097RPM": 1796.0, "s": {"gs": SAMPLES, "sr": 5.0}}
+        scipy.io.savemat(mat, variables, do_compression=compressed)
+        found.append((".mat", mat.getvalue()))
+    return tuple(found)
 
 
 def check(file: Path) -> None:
@@ -132,7 +135,7 @@ def read(file: Path) -> None:
     """Read the first channel in blocks, with the last one as the speed if there are several.
 
     What the file does not say is given, and a file is opened as rarely as can be: that of HDF5
-    starts a process each time.
+    and of MATLAB starts a process each time.
     """
     given: dict[str, Any] = {"channel": 1}
     for _ in range(4):
@@ -147,7 +150,7 @@ def read(file: Path) -> None:
         with opened:
             if len(opened.channels) > 1 and "speed_channel" not in given:
                 given["speed_channel"] = len(opened.channels)
-                if not str(file).endswith(".h5"):
+                if not str(file).endswith((".h5", ".mat")):
                     continue
             for number, block in enumerate(opened.blocks(100, overlap=10)):
                 assert isinstance(block, Signal)
@@ -199,7 +202,11 @@ SEEDS = st.integers(0, 2**63 - 1)
 
 
 @settings(within_bounds, max_examples=150)
-@given(content=st.binary(max_size=400), ending=st.sampled_from(ENDINGS), number=st.integers(-1, 13))
+@given(
+    content=st.binary(max_size=400),
+    ending=st.sampled_from(ENDINGS),
+    number=st.integers(-1, len(seeds()) - 1),
+)
 def test_any_bytes(tmp_path: Path, content: bytes, ending: str, number: int) -> None:
     """Random bytes, alone or after the beginning of a valid file."""
     if number >= 0:
@@ -225,12 +232,16 @@ def test_any_table(tmp_path: Path, text: str) -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.parametrize("number", range(len(isolated_seeds())))
 @settings(max_examples=10, suppress_health_check=list(HealthCheck))
 @given(seed=SEEDS)
-def test_damaged_hdf5(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, seed: int) -> None:
-    """Each takes a process; some bring the HDF5 library down or round in circles."""
-    monkeypatch.setattr(child, "PATIENCE", 2.0)
-    check(written(tmp_path, ".h5", damaged(hdf5_seed(), seed, most=2)))
+def test_damaged_files_of_a_process(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, number: int, seed: int
+) -> None:
+    """Some bring their library down, or round in circles."""
+    monkeypatch.setattr(isolated, "PATIENCE", 2.0)
+    ending, valid = isolated_seeds()[number]
+    check(written(tmp_path, ending, damaged(valid, seed, most=2)))
 
 
 def test_matlab_that_inflates_without_end(tmp_path: Path) -> None:

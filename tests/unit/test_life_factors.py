@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from rolamento.errors import InputError
+from rolamento.iso4406 import cleanliness_numbers
 from rolamento.life.contamination import (
     class_of_code,
     class_of_filter,
@@ -29,7 +30,6 @@ from rolamento.life.iso281_modified import (
     modification_notes,
 )
 from rolamento.life.reliability import outside_print, reliability_factor, reliability_of
-from rolamento.oil.cleanliness import cleanliness_numbers
 
 RPM = np.pi / 30.0
 MPA = 1e6

@@ -20,8 +20,8 @@ from rolamento.life.contamination import class_of_code, class_of_grease
 from rolamento.life.l_able import FactorTable
 from rolamento.life.record import NOTES, OUTSIDE
 from rolamento.life.theories import THEORIES
-from rolamento.lubrication import film_of
-from rolamento.lubrication.viscosity_ratio import viscosity_ratio
+from rolamento.lubrication import film as film_of
+from rolamento.lubrication.oil_state import viscosity_ratio
 from rolamento.plots.life_words import life_words
 from rolamento.report.life_words import LIFE_WORDS
 from rolamento.solving import solve
@@ -267,7 +267,7 @@ def test_lubricant_of_the_case_is_taken_where_nothing_is_given() -> None:
     assert filled.temperature == 343.15
     found = life(state, filled)
     assert found.viscosity_ratio is not None
-    assert found.viscosity_ratio[0] == pytest.approx(film_of(state).viscosity_ratio)
+    assert found.viscosity_ratio[0] == pytest.approx(film_of(solve(oiled)).viscosity_ratio[0])
     own = LifeConditions(viscosity_ratio=2.0, temperature=300.0)
     assert with_lubricant(own, oiled) is own
     dry = Case(bearing=DEEP, duty=oiled.duty)

@@ -54,7 +54,7 @@ def rows_of(bearing: Bearing, *, speed: float = 0.0, **load: float) -> list[int]
     batch = solve(Case(bearing=bearing, duty=Duty()), inner_speed=speed, **load)
     assert batch.converged.all()
     pressed = batch.inner.load[0] > 1e-9 * batch.outer.load[0]
-    return [int(pressed[batch.row == row].sum()) for row in range(len(batch.rows))]
+    return [int(pressed[batch.elements.row == row].sum()) for row in range(len(batch.rows))]
 
 
 def preload_of(bearing: Bearing, *, speed: float = 0.0, **load: float) -> Preloading:
@@ -103,7 +103,7 @@ def test_an_offset_and_the_force_that_it_gives_are_one_preload() -> None:
         state_of(pair(preload), fx=300.0, fz=400.0, my=3.0, speed=1000.0)
         for preload in ({"force": 700.0}, {"offset": offset})
     )
-    assert by_offset.displacement.array == pytest.approx(by_force.displacement.array, rel=1e-7)
+    assert by_offset.displacement == pytest.approx(by_force.displacement, rel=1e-7)
     assert by_offset.preload is not None
     assert by_offset.preload.at_rest == pytest.approx(700.0, rel=1e-8)
     assert by_offset.preload.kind == "offset"
@@ -150,9 +150,7 @@ def test_a_level_is_the_listed_force_of_a_pair() -> None:
     assert preload_of(listed).at_rest == pytest.approx(515.0)
     assert preload_of(listed).kind == "level"
     by_force = state_of(pair({"force": 515.0}), fx=200.0, fz=300.0)
-    assert state_of(listed, fx=200.0, fz=300.0).displacement.array == pytest.approx(
-        by_force.displacement.array
-    )
+    assert state_of(listed, fx=200.0, fz=300.0).displacement == pytest.approx(by_force.displacement)
 
 
 @pytest.mark.parametrize("factors", listed_factors(), ids=lambda f: f"{f['maker']} {f['bearings']}")
@@ -169,7 +167,7 @@ def test_sets_clamped_with_the_offset_of_a_pair_have_the_makers_factors(
         force = several.preload.at_rest / one.preload.at_rest
         assert force == pytest.approx(factors["preload"], rel=0.025)
         if "axial_rigidity" in factors:
-            rigidity = several.stiffness.array[0, 0] / one.stiffness.array[0, 0]
+            rigidity = several.stiffness[0, 0] / one.stiffness[0, 0]
             assert rigidity == pytest.approx(factors["axial_rigidity"], rel=0.04)
         if "unloading_load" in factors:
             # toward the side that has more rows, as the makers reckon
@@ -201,7 +199,7 @@ def test_springs_keep_their_force_under_any_load_and_give_way_axially() -> None:
     still = state_of(pair({"spring": 500.0}), fx=800.0)
     alone = state_of(Bearing(**SPINDLE), fx=1300.0)
     assert still.displacement.x == pytest.approx(alone.displacement.x, rel=1e-7)
-    assert still.stiffness.array[0, 0] == pytest.approx(alone.stiffness.array[0, 0], rel=1e-7)
+    assert still.stiffness[0, 0] == pytest.approx(alone.stiffness[0, 0], rel=1e-7)
 
 
 def test_at_rest_springs_and_clamps_of_one_force_differ_in_stiffness_only() -> None:
@@ -209,20 +207,16 @@ def test_at_rest_springs_and_clamps_of_one_force_differ_in_stiffness_only() -> N
     assert [ball.inner.load for ball in sprung.balls] == pytest.approx(
         [ball.inner.load for ball in clamped.balls]
     )
-    assert clamped.stiffness.array[0, 0] == pytest.approx(
-        2.0 * sprung.stiffness.array[0, 0], rel=1e-6
-    )
+    assert clamped.stiffness[0, 0] == pytest.approx(2.0 * sprung.stiffness[0, 0], rel=1e-6)
     for i in (1, 2, 3, 4):
-        assert clamped.stiffness.array[i, i] == pytest.approx(
-            sprung.stiffness.array[i, i], rel=1e-6
-        )
+        assert clamped.stiffness[i, i] == pytest.approx(sprung.stiffness[i, i], rel=1e-6)
 
 
 def test_at_speed_a_clamped_pair_stays_stiff_and_a_sprung_one_softens() -> None:
     rest, fast = (state_of(pair({"spring": 500.0}), speed=speed) for speed in (0.0, 2000.0))
-    assert fast.stiffness.array[0, 0] < 0.7 * rest.stiffness.array[0, 0]
+    assert fast.stiffness[0, 0] < 0.7 * rest.stiffness[0, 0]
     stiff = state_of(pair({"force": 500.0}), speed=2000.0)
-    assert stiff.stiffness.array[0, 0] > 2.2 * fast.stiffness.array[0, 0]
+    assert stiff.stiffness[0, 0] > 2.2 * fast.stiffness[0, 0]
 
 
 # --- the preload-loss point --------------------------------------------------------------------

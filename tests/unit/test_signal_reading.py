@@ -19,7 +19,7 @@ import pytest
 import scipy.io
 import scipy.io.wavfile
 
-from rolamento._foreign import bounds, child
+from rolamento._foreign import bounds, isolated
 from rolamento.errors import FileError, InputError
 from rolamento.vibration.reading import channels_of, open_signal, read_signal
 
@@ -86,7 +86,7 @@ def test_wav_of_24_bits_and_odd_chunks(tmp_path: Path, order: str) -> None:
     raw = numbers.view(np.uint8).reshape(-1, 4)
     content = (raw[:, :3] if order == "<" else raw[:, 1:]).tobytes()
     form = struct.pack(f"{order}HHIIHHHHI", 0xFFFE, 2, 48000, 288000, 6, 24, 22, 24, 3)
-    form += struct.pack(f"{order}H", 1) + bytes(14)
+    form += struct.pack(f"{order}IHH", 1, 0, 16) + bytes.fromhex("800000aa00389b71")
     chunks = b"".join(
         name + struct.pack(f"{order}I", len(data)) + data + bytes(len(data) % 2)
         for name, data in ((b"LIST", b"odd"), (b"fmt ", form), (b"data", content))
@@ -262,7 +262,7 @@ def test_matlab_bomb(tmp_path: Path) -> None:
     inner = struct.pack("<II", 14, 2**31) + bytes(10_000_000)
     packed = zlib.compress(inner, 9)
     (tmp_path / "b.mat").write_bytes(head + struct.pack("<II", 15, len(packed)) + packed)
-    with pytest.raises(FileError, match="inflates to more than 512 MB"):
+    with pytest.raises(FileError, match="is not a readable MATLAB file"):
         channels_of(tmp_path / "b.mat")
 
 
@@ -317,26 +317,20 @@ def test_hdf5_follows_nothing_out_of_the_file(tmp_path: Path) -> None:
     np.testing.assert_array_equal(read_signal(tmp_path / "a.h5", rate=RATE).samples, SAMPLES)
 
 
-def test_hdf5_bomb_and_other_compression(tmp_path: Path) -> None:
+def test_hdf5_bomb(tmp_path: Path) -> None:
     with h5py.File(tmp_path / "a.h5", "w") as file:
         data = file.create_dataset("x", (100,), "f8", chunks=(100,), compression="gzip")
         data.id.write_direct_chunk((0,), zlib.compress(bytes(4_000_000), 9))
-    with pytest.raises(FileError, match="a chunk does not inflate to its size"):
+    with pytest.raises(FileError, match="does not change over 100 samples"):
         read_signal(tmp_path / "a.h5", rate=RATE)
-    with h5py.File(tmp_path / "b.h5", "w") as file:
-        file.create_dataset("x", data=SAMPLES, compression="lzf")
-    with pytest.raises(FileError, match='"x" is compressed with lzf; only gzip is read'):
-        channels_of(tmp_path / "b.h5")
 
 
-def test_hdf5_process_that_does_not_answer(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_process_that_does_not_answer(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     write_hdf5(tmp_path / "a.h5")
-    (tmp_path / "sleeper.py").write_text("import time\ntime.sleep(60)\n", "utf-8")
-    (tmp_path / "dead.py").write_text("import os\nos.abort()\n", "utf-8")
-    monkeypatch.setattr(child, "PATIENCE", 0.5)
-    for script in ("sleeper.py", "dead.py"):
-        monkeypatch.setattr(child, "_SCRIPT", tmp_path / script)
-        with pytest.raises(FileError, match="the HDF5 library broke off, or came to no end"):
+    monkeypatch.setattr(isolated, "PATIENCE", 0.5)
+    for program in ("import time; time.sleep(60)", "import os; os.abort()"):
+        monkeypatch.setattr(isolated, "_PROGRAM", program)
+        with pytest.raises(FileError, match="the library of this HDF5 file broke off, or came to"):
             channels_of(tmp_path / "a.h5")
 
 
@@ -542,7 +536,7 @@ def test_no_file(tmp_path: Path) -> None:
 def test_declared_sizes_are_checked(tmp_path: Path) -> None:
     scipy.io.wavfile.write(tmp_path / "a.wav", 8000, SAMPLES)
     (tmp_path / "b.wav").write_bytes((tmp_path / "a.wav").read_bytes()[:-8])
-    with pytest.raises(FileError, match="is cut off: it says that it holds 12000 bytes"):
+    with pytest.raises(FileError, match="is cut off: it says that it holds 12058 bytes, and"):
         read_signal(tmp_path / "b.wav")
     np.save(tmp_path / "a.npy", SAMPLES)
     content = (tmp_path / "a.npy").read_bytes()

@@ -19,7 +19,7 @@ import xarray as xr
 
 import rolamento
 from rolamento import Case
-from rolamento._foreign import child
+from rolamento._foreign import isolated
 from rolamento.errors import FileError
 from rolamento.studies import (
     Axis,
@@ -33,7 +33,7 @@ from rolamento.studies import (
     study_to_toml,
 )
 from rolamento.studies.plan import Part, Plan
-from rolamento.studies.writing import writer_for
+from rolamento.studies.runner import open_result
 
 
 @pytest.fixture(scope="module")
@@ -175,10 +175,9 @@ def test_a_reader_that_comes_to_no_end(
     study: Study, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     run_to_file(study, tmp_path / "r.nc")
-    monkeypatch.setattr(child, "PATIENCE", 0.5)
+    monkeypatch.setattr(isolated, "PATIENCE", 0.5)
     for text in ("import time; time.sleep(60)", "import os; os.abort()"):
-        (tmp_path / "worker.py").write_text(text, "utf-8")
-        monkeypatch.setattr(child, "_SCRIPT", tmp_path / "worker.py")
+        monkeypatch.setattr(isolated, "_PROGRAM", text)
         with pytest.raises(FileError, match="broke off, or came to no end"):
             load_result(tmp_path / "r.nc")
 
@@ -198,7 +197,7 @@ def test_what_the_disk_refuses_is_told(study: Study, tmp_path: Path, ending: str
     place = tmp_path / "none" / f"r{ending}"
     with (
         pytest.raises(FileError, match="cannot be written"),
-        writer_for(place)(place, plan, {}, ()) as file,
+        open_result(place, place.suffix, plan, {}, ()) as file,
     ):
         file.put(Part(0, plan.empty(48)))
 

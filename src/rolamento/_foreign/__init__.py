@@ -1,5 +1,6 @@
-"""Files that somebody else wrote: how much of this machine they may take.
+"""Files that come from elsewhere: how much of this machine they may take, and who reads them.
 
-`bounds` says how much, in one place for all formats; `child` is the process in which the HDF5
-library reads them, `hdf5_worker` what runs in it. See docs/adr/0011-foreign-files.md.
+`bounds` says how much, in one place for all formats. `isolated` runs the libraries that a damaged
+file can bring down in a process of their own, and `readers` is what runs there. See
+docs/adr/0011-foreign-files.md and docs/adr/0013-formats-by-libraries.md.
 """

@@ -1,15 +1,22 @@
-"""How large, how slow and how hungry a file may be that somebody else wrote.
+"""How large, how slow and how hungry a file may be, and how its failures become one sentence.
 
 A file is bounded by its own size: what it inflates to, or declares that it holds, may be 32 times
 as much, or 64 MB where that is more. Measured signals compress to a third, text to a tenth; what
-goes beyond that holds one number over and over, or nothing.
+goes beyond that holds one number over and over, or nothing. Whatever a library raises over its
+contents becomes a `FileError`.
 """
 
 from __future__ import annotations
 
+import os
+import stat
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import Final
 
-from rolamento.errors import FileError
+import numpy as np
+
+from rolamento.errors import FileError, InputError, shown
 
 __all__ = [
     "LARGEST_CHUNK",
@@ -19,7 +26,10 @@ __all__ = [
     "SLOWEST",
     "check_declared",
     "check_inflated",
+    "check_whole",
+    "guarded",
     "most_declared",
+    "size_of_file",
 ]
 
 LARGEST_WHOLE: Final = 512 * 2**20
@@ -87,8 +97,72 @@ def check_inflated(inflated: int, size: int, source: str) -> None:
     check_declared(inflated, size, source)
 
 
+def size_of_file(path: str | os.PathLike[str]) -> int:
+    """Size of a regular file with something in it; bytes.
+
+    Raises
+    ------
+    FileError
+        If there is none, it is of another kind, or it is empty.
+    """
+    with guarded(source := str(path), "file"):
+        about = os.stat(path)
+        if stat.S_ISDIR(about.st_mode):
+            raise FileError("is a directory; give a signal file", source=source)
+        if not stat.S_ISREG(about.st_mode):
+            raise FileError("is not a regular file", source=source)
+        if about.st_size == 0:
+            raise FileError("is empty; it should hold a signal", source=source)
+    return about.st_size
+
+
+def check_whole(size: int, source: str) -> None:
+    """Refuse what is too large to be held whole.
+
+    Raises
+    ------
+    FileError
+        If it is.
+    """
+    if size > LARGEST_WHOLE:
+        raise FileError(
+            f"this kind of file is read whole, up to {LARGEST_WHOLE // 2**20} MB; "
+            "store it as WAV, .npy, HDF5 or Parquet, which are read in blocks",
+            field="size in bytes",
+            value=size,
+            source=source,
+        )
+
+
+@contextmanager
+def guarded(source: str, kind: str) -> Iterator[None]:
+    """Turn whatever goes wrong over a file's contents into a `FileError` that names the file.
+
+    Numbers that are none are not warned of here: signals refuse them.
+    """
+    try:
+        with np.errstate(all="ignore"):
+            yield
+    except InputError as error:
+        raise error if error.source else error.with_details(source=source) from None
+    except MemoryError:
+        raise FileError("asks for more memory than there is", source=source) from None
+    except Exception as error:  # what a format's library raises is not for us to list
+        if isinstance(error, OSError) and error.strerror:  # of the system, not of a library
+            reason = _in_short(error.strerror)
+            raise FileError(f"cannot be read: {reason}", source=source) from None
+        reason = _in_short(str(error) or type(error).__name__)
+        raise FileError(f"is not a readable {kind}: {reason}", source=source) from None
+
+
 def _amount(size: int) -> str:
     for unit, worth in (("GB", 2**30), ("MB", 2**20)):
         if size >= worth:
             return f"{size / worth:.4g} {unit}"
     return f"{size / 2**10:.4g} kB"
+
+
+def _in_short(reason: str) -> str:
+    """First line of a library's complaint, printable and of bounded length."""
+    line = reason.strip().partition("\n")[0][:120]
+    return shown(line)[1:-1].removesuffix(".").lower() if line else "no reason is given"

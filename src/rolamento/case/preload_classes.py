@@ -5,12 +5,11 @@ The lists, with their sources, are in data/preloads.toml.
 
 from __future__ import annotations
 
-import tomllib
 from functools import lru_cache
-from importlib import resources
 from math import degrees
 from typing import Any, Final, Literal
 
+from rolamento._data import toml_of
 from rolamento.errors import InputError, nearest
 from rolamento.units import to_si
 
@@ -74,9 +73,8 @@ def _folded(designation: str) -> str:
 
 @lru_cache(maxsize=1)
 def _records() -> dict[str, list[dict[str, Any]]]:
-    file = resources.files("rolamento") / "data" / "preloads.toml"
     found: dict[str, list[dict[str, Any]]] = {}
-    for maker in tomllib.loads(file.read_text(encoding="utf-8"))["maker"]:
+    for maker in toml_of("preloads")["maker"]:
         for line in maker["bearings"]:
             record = {
                 "designation": line["designation"],

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import tomllib
 from fractions import Fraction
 from functools import lru_cache
-from importlib import resources
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
 
+from rolamento._data import toml_of
 from rolamento.numerics import FloatArray
 
 __all__ = ["ball_name", "ball_sizes"]
@@ -38,8 +37,7 @@ def ball_name(diameter: float) -> str:
 
 @lru_cache(maxsize=1)
 def _named_sizes() -> tuple[tuple[float, str], ...]:
-    file = resources.files("rolamento") / "data" / "ball_sizes.toml"
-    data: dict[str, Any] = tomllib.loads(file.read_text(encoding="utf-8"))
+    data = toml_of("ball_sizes")
     inches = [
         Fraction(number, parts)
         for key, parts in (("inch_64ths", 64), ("inch_32nds", 32), ("inch_16ths", 16))

@@ -4,15 +4,17 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import lru_cache, partial
 from math import radians
 from typing import Final, Literal, NamedTuple, cast
 
-from rolamento.catalogue.designation_data import designation_data as _data
+from rolamento._data import toml_of
 from rolamento.catalogue.other_types import insert_of
 from rolamento.errors import InputError
 
 __all__ = ["ClearanceClass", "Designation", "folded", "parse_designation", "suffix_groups"]
+
+_data = partial(toml_of, "designations")
 
 ClearanceClass = Literal["C2", "CN", "C3", "C4", "C5"]
 

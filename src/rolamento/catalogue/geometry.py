@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from importlib import resources
 from itertools import pairwise
 from math import radians
 from typing import Any, Final, Literal
 
+from rolamento._data import toml_of
 from rolamento.catalogue.designation import ClearanceClass, Designation
 from rolamento.catalogue.inference import Candidate, inferred_geometry
 from rolamento.catalogue.record import CatalogueBearing
@@ -185,7 +184,7 @@ def middle_clearance(bore: float, clearance_class: str) -> float | None:
     clearance_class
         Of ISO 5753-1.
     """
-    data = _clearances()
+    data = toml_of("iso5753", "rolamento.clearance")
     limits = [_MILLIMETRE * limit for limit in data["bore_mm"]]
     for step, (over, to) in enumerate(pairwise(limits)):
         if over * (1.0 + _ROUNDING) < bore <= to * (1.0 + _ROUNDING):
@@ -248,10 +247,3 @@ def _add_play(
         if clearance is not None:
             fields["diametral_clearance"] = clearance
             origins["diametral_clearance"] = "assumed"
-
-
-@lru_cache(maxsize=1)
-def _clearances() -> Mapping[str, Any]:
-    # the data of rolamento.clearance, which is built on bearings and so cannot be asked here
-    file = resources.files("rolamento") / "clearance" / "data" / "iso5753.toml"
-    return tomllib.loads(file.read_text(encoding="utf-8"))

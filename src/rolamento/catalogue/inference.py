@@ -8,17 +8,15 @@ with alternatives, and is marked as such.
 
 from __future__ import annotations
 
-import tomllib
-from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import lru_cache
-from importlib import resources
 from math import exp, pi, sqrt
-from typing import Any, Final, NamedTuple
+from typing import Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from rolamento._data import toml_of
 from rolamento.catalogue.balls import ball_sizes
 from rolamento.catalogue.record import CatalogueBearing
 from rolamento.errors import InputError
@@ -121,7 +119,7 @@ class Practice:
 
 def practice_of(maker: str) -> Practice:
     """Return a maker's practice, that of the standards if it is not known to differ."""
-    data = _data()
+    data = toml_of("rating_practice")
     return Practice(**data[maker if maker in data and maker.isupper() else "iso"])
 
 
@@ -289,7 +287,8 @@ class _Interpolation(NamedTuple):
 
 def _implausible(bearing: CatalogueBearing, grid: _Grid) -> FloatArray:
     """Return how unusual a candidate is, as a squared misfit."""
-    windows, tolerance = _data()["plausible"][bearing.kind], _data()["plausible"]["tolerance"]
+    plausible = toml_of("rating_practice")["plausible"]
+    windows, tolerance = plausible[bearing.kind], plausible["tolerance"]
     shift = grid.pitch / bearing.mean_diameter - 1.0
     outside = (shift / tolerance["pitch_diameter"]) ** 2
     share = grid.ball / bearing.section_height
@@ -384,7 +383,7 @@ def _grooves() -> tuple[_Groove, ...]:
     """
     ratio = dynamic_factor_of_grooves(_GAMMAS)
     found = []
-    for groove in _data()["grooves"]:
+    for groove in toml_of("rating_practice")["grooves"]:
         inner, outer = groove["inner"], groove["outer"]
         own = dynamic_factor_of_grooves(_GAMMAS, inner, outer)
         standard = dynamic_factor_of_grooves(_GAMMAS, max(inner, 0.52), max(inner, 0.52))
@@ -400,9 +399,3 @@ def _extended() -> FloatArray:
     """Return f_c of the table, below its first value by the closed form."""
     table = dynamic_factor(_GAMMAS)
     return np.where(np.isnan(table), dynamic_factor_of_grooves(_GAMMAS), table)
-
-
-@lru_cache(maxsize=1)
-def _data() -> Mapping[str, Any]:
-    file = resources.files("rolamento") / "data" / "rating_practice.toml"
-    return tomllib.loads(file.read_text(encoding="utf-8"))

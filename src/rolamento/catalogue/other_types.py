@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import re
+from functools import partial
 from typing import Any, Final, NamedTuple
 
-from rolamento.catalogue.designation_data import designation_data
+from rolamento._data import toml_of
 from rolamento.errors import InputError
 
 __all__ = ["Insert", "insert_of", "other_type"]
+
+_data = partial(toml_of, "designations")
 
 _INSERT: Final = re.compile(
     r"(?P<letters>[A-Z]{2,7})-?(?P<series>[23X])(?P<bore>\d\d)(?:-(?P<sixteenths>\d{1,2})(?![A-Z\d]))?"
@@ -58,20 +61,20 @@ def insert_of(text: str) -> Insert | None:
         number = f"62{code + 1:02d}" if series == "X" else f"6{series}{code:02d}"
         meanings = [(parts.insert, parts.meaning)]
         if parts.housing:
-            meanings.append((parts.housing, designation_data()["insert_housings"][parts.housing]))
+            meanings.append((parts.housing, _data()["insert_housings"][parts.housing]))
         if found["sixteenths"]:
-            meanings.append((f"-{found['sixteenths']}", designation_data()["phrases"]["inches"]))
+            meanings.append((f"-{found['sixteenths']}", _data()["phrases"]["inches"]))
         tapered = "tapered" in parts.meaning
         return Insert(number, "C4" if tapered else "C3", tuple(meanings), found["rest"] or "")
     found = _UNIT.fullmatch(plain)
-    if found is None or found["letters"] not in designation_data()["insert_units"]["names"]:
+    if found is None or found["letters"] not in _data()["insert_units"]["names"]:
         return None
     code, off = divmod(int(found["bore"]), 5)
     plain_bearing = found["letters"] == "GE" and not re.match(r"-?(?:K|NPP)", found["rest"] or "")
     if off or plain_bearing or code > _MOST_CODE:
         return None
     _check_code(text, "2", code)
-    meanings = [(found["letters"], designation_data()["phrases"]["unit"])]
+    meanings = [(found["letters"], _data()["phrases"]["unit"])]
     return Insert(f"62{code:02d}", "C3", tuple(meanings), found["rest"] or "")
 
 
@@ -83,7 +86,7 @@ class _Letters(NamedTuple):
 
 def _letters(letters: str) -> _Letters | None:
     """Part the letters of a unit into those of its insert and of its housing."""
-    data = designation_data()
+    data = _data()
     for insert in sorted(data["inserts"], key=len, reverse=True):
         housing = letters.removeprefix(insert)
         if letters.startswith(insert) and (not housing or housing in data["insert_housings"]):
@@ -105,7 +108,7 @@ def _check_code(text: str, series: str, code: int) -> None:
 def other_type(text: str) -> str:
     """Return what a designation is, as the end of a sentence, if its type is not known here."""
     plain = re.sub(r"[\s\-/.]", "", text.upper())
-    for kind in designation_data()["type"]:
+    for kind in _data()["type"]:
         kept_out = kind.get("unless")
         if re.match(kind["begins"], plain) and not (kept_out and re.match(kept_out, plain)):
             return _sentence(kind)

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import tomllib
 from bisect import bisect_left
 from collections.abc import Mapping, Sequence
-from functools import cache
-from importlib import resources
 from math import isfinite
 from typing import Any, Final
 
+from rolamento._data import toml_of
 from rolamento.errors import InputError
 from rolamento.units import from_si
 
@@ -22,11 +20,9 @@ _ROUNDING: Final = 1e-9
 """Relative: 0.025 m is 25 mm, whatever binary arithmetic makes of it."""
 
 
-@cache
 def table(name: str) -> Mapping[str, Any]:
     """Return a table of the package's data; not to be changed."""
-    file = resources.files("rolamento.clearance") / "data" / f"{name}.toml"
-    return tomllib.loads(file.read_text(encoding="utf-8"))
+    return toml_of(name, "rolamento.clearance")
 
 
 def step_of(diameter: float, limits: Sequence[float], *, field: str, standard: str) -> int:

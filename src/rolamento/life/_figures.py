@@ -2,24 +2,20 @@
 
 from __future__ import annotations
 
-import tomllib
-from functools import cache
-from importlib import resources
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rolamento._data import toml_of
 from rolamento._reach import numbers
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 
 
-@cache
 def figures() -> dict[str, Any]:
     """Return the tables of data/iso281.toml; not to be changed."""
-    file = resources.files("rolamento") / "data" / "iso281.toml"
-    return tomllib.loads(file.read_text(encoding="utf-8"))
+    return toml_of("iso281")
 
 
 def positive(value: ArrayLike, field: str, *, zero: bool = False) -> FloatArray:

@@ -25,7 +25,7 @@ from rolamento.life.iso281_modified import (
 from rolamento.life.iso16281 import ReferenceLife, race_ratings, reference_life
 from rolamento.life.record import BOUNDS, OUTSIDE, Life
 from rolamento.life.reliability import outside_print, reliability_factor
-from rolamento.lubrication.viscosity_ratio import viscosity_ratio
+from rolamento.lubrication.oil_state import viscosity_ratio
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.ratings import (
     dynamic_factor,

@@ -18,9 +18,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento.errors import InputError, nearest
+from rolamento.iso4406 import cleanliness_numbers
 from rolamento.life._figures import figures, positive
 from rolamento.numerics import FloatArray
-from rolamento.oil.cleanliness import cleanliness_numbers
 
 OilSupply = Literal["circulating", "bath"]
 """Circulating: filtered in the line before the bearing; bath: not, or in a circuit of its own."""

@@ -5,16 +5,16 @@ The limits and modes are in data/lubrication_regimes.toml, with their sources.
 
 from __future__ import annotations
 
-import tomllib
 from dataclasses import dataclass
 from functools import lru_cache
-from importlib import resources
-from math import isfinite
-from typing import Any, Literal
+from math import isnan
+from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rolamento._data import toml_of
+from rolamento._reach import in_reach
 from rolamento.errors import InputError
 
 Origin = Literal["surface", "subsurface", "undecided"]
@@ -43,7 +43,7 @@ class Regime:
 @lru_cache(maxsize=1)
 def failure_modes() -> tuple[FailureMode, ...]:
     """Return all modes of the table. Moyer (1992); Campanha (2008), table 2.5.1."""
-    return tuple(FailureMode(**record) for record in _data()["mode"])
+    return tuple(FailureMode(**record) for record in toml_of("lubrication_regimes")["mode"])
 
 
 @lru_cache(maxsize=1)
@@ -52,13 +52,16 @@ def regimes() -> tuple[Regime, ...]:
     modes = {mode.name: mode for mode in failure_modes()}
     return tuple(
         Regime(**{**record, "expects": tuple(modes[name] for name in record["expects"])})
-        for record in _data()["regime"]
+        for record in toml_of("lubrication_regimes")["regime"]
     )
 
 
 def adhesive_wear_by_speed() -> dict[str, str]:
     """Return what adhesive wear looks like at low and at high speed. Moyer (1992)."""
-    return {record["name"]: record["text"] for record in _data()["adhesive_speed"]}
+    return {
+        record["name"]: record["text"]
+        for record in toml_of("lubrication_regimes")["adhesive_speed"]
+    }
 
 
 def regime_indices(film_parameter: ArrayLike) -> NDArray[np.int64]:
@@ -86,20 +89,17 @@ def crack_origin(crack_depth: float, greatest_shear_depth: float) -> Origin:
     InputError
         If a depth is not a positive number (the crack's may be zero).
     """
-    if not (isfinite(crack_depth) and crack_depth >= 0.0):
-        raise InputError("must be zero or more", field="crack_depth", value=crack_depth)
-    if not (isfinite(greatest_shear_depth) and greatest_shear_depth > 0.0):
-        raise InputError(
-            "must be greater than zero", field="greatest_shear_depth", value=greatest_shear_depth
-        )
-    ratio = crack_depth / greatest_shear_depth
+    crack = float(in_reach(crack_depth, "crack_depth", "m", 0.0, 1e3))
+    shear = float(
+        in_reach(greatest_shear_depth, "greatest_shear_depth", "m", 0.0, 1e3, least_too=False)
+    )
+    ratio = crack / shear
+    if isnan(ratio):
+        field = "crack_depth" if isnan(crack) else "greatest_shear_depth"
+        raise InputError("must be a number", field=field, value="nan")
     origins: list[Origin] = [
-        record["origin"] for record in _data()["crack"] if record["from"] <= ratio <= record["to"]
+        record["origin"]
+        for record in toml_of("lubrication_regimes")["crack"]
+        if record["from"] <= ratio <= record["to"]
     ]
     return origins[0] if origins else "undecided"
-
-
-@lru_cache(maxsize=1)
-def _data() -> dict[str, Any]:
-    file = resources.files("rolamento") / "data" / "lubrication_regimes.toml"
-    return tomllib.loads(file.read_text(encoding="utf-8"))

@@ -1,12 +1,12 @@
 """Elliptic integrals, vectorised, to near machine precision.
 
-The complete integrals come from the arithmetic-geometric mean, the incomplete ones from
-Carlson's symmetric forms by duplication. The complete integrals take the *complementary*
+The complete integrals come from the arithmetic-geometric mean, and Carlson's symmetric forms,
+from which incomplete ones follow, by duplication. The complete integrals take the *complementary*
 parameter 1 - m, which for a slender contact ellipse is the small number (b/a)^2: passing m
-itself would lose it to rounding.
+itself would lose it to rounding. SciPy has all of them (docs/adr/0003-own-elliptic-integrals.md).
 
-Sources: NIST Digital Library of Mathematical Functions (DLMF), sections 19.2, 19.8, 19.25,
-19.36; Carlson, Numerical Algorithms 10 (1995).
+Sources: NIST Digital Library of Mathematical Functions (DLMF), sections 19.2, 19.8, 19.36;
+Carlson, Numerical Algorithms 10 (1995).
 """
 
 from __future__ import annotations
@@ -150,29 +150,6 @@ def carlson_rd(x: ArrayLike, y: ArrayLike, z: ArrayLike) -> FloatArray:
             + 3.0 * e5 / 26.0
         )
         return np.asarray(power * series / (mean * np.sqrt(mean)) + 3.0 * total)
-
-
-def incomplete(angle: ArrayLike, parameter: ArrayLike) -> tuple[FloatArray, FloatArray]:
-    """Incomplete integrals of the first and second kind, F(φ | m) and E(φ | m).
-
-    Parameters
-    ----------
-    angle : array, φ in [-π/2, π/2]; radians.
-    parameter : array that broadcasts with it, m below 1 (or 1 with |φ| < π/2); dimensionless.
-
-    Returns
-    -------
-    F, E : arrays of the broadcast shape; NaN outside the range.
-
-    DLMF 19.25.5 and 19.25.9.
-    """
-    phi = np.asarray(angle, dtype=np.float64)
-    m = np.asarray(parameter, dtype=np.float64)
-    phi = np.where(np.abs(phi) <= 0.5 * np.pi, phi, np.nan)
-    s, c = np.sin(phi), np.cos(phi)
-    delta = 1.0 - m * s * s
-    f = s * carlson_rf(c * c, delta, 1.0)
-    return f, f - m * s**3 / 3.0 * carlson_rd(c * c, delta, 1.0)
 
 
 def _lambda(x: FloatArray, y: FloatArray, z: FloatArray) -> FloatArray:

@@ -26,9 +26,9 @@ from rolamento.report.life_statement import (
 )
 from rolamento.report.medium import Medium
 from rolamento.report.numbers import aligned
-from rolamento.report.page import Lines, Page
+from rolamento.report.page import Lines, Page, notes_part, rendered
 from rolamento.report.plain_data import json_text
-from rolamento.report.terminal import notes_part, rendered, terminal_head
+from rolamento.report.terminal import terminal_head
 
 if TYPE_CHECKING:
     from rolamento.life import Change, Life, LifeSummary

@@ -26,9 +26,8 @@ from rolamento.report.life_statement import (
     verdict,
 )
 from rolamento.report.medium import Medium
-from rolamento.report.page import Lines, Page
+from rolamento.report.page import Lines, Page, rendered
 from rolamento.report.plain_data import csv_number, json_text
-from rolamento.report.terminal import rendered
 
 if TYPE_CHECKING:
     from rolamento.tasks.life_spectrum import DutyLife, SpectrumLife

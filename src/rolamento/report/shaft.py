@@ -21,9 +21,8 @@ from rolamento.report.life_statement import (
     said_of,
 )
 from rolamento.report.medium import Medium
-from rolamento.report.page import Lines, Page
+from rolamento.report.page import Lines, Page, rendered
 from rolamento.report.plain_data import json_text
-from rolamento.report.terminal import rendered
 
 if TYPE_CHECKING:
     from rolamento.tasks.life import ShaftLife, SystemLife

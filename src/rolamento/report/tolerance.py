@@ -2,24 +2,21 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from math import isfinite
 from typing import Any, Final
 
 import numpy as np
 from rich.text import Text
 
+from rolamento._json import dumps
 from rolamento.errors import InputError
 from rolamento.plots.axes_units import ReadableUnit, readable_unit
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium
-from rolamento.report.page import Lines, Page
-from rolamento.report.terminal import rendered
-from rolamento.studies.samples import Samples
-from rolamento.studies.sensitivity import RankCorrelations, SobolIndices
-from rolamento.studies.tolerance import ToleranceBand, ToleranceBands
+from rolamento.report.page import Lines, Page, rendered
+from rolamento.studies.sensitivity import RankCorrelations, SobolIndices, ToleranceStudy
+from rolamento.studies.tolerance import Samples, ToleranceBand
 
 __all__ = ["MOST_POINTS", "ToleranceStudy", "tolerance_json", "tolerance_report"]
 
@@ -30,17 +27,6 @@ MOST_POINTS: Final = 20
 _SHOWN: Final = (5.0, 50.0, 95.0)
 _MOST_INPUTS: Final = 6
 _BAR: Final = 18
-
-
-@dataclass(frozen=True, slots=True)
-class ToleranceStudy:
-    """What is known of a scatter study; without inputs no ranks, and indices only if asked for."""
-
-    title: str
-    samples: Samples
-    bands: ToleranceBands
-    ranks: RankCorrelations | None
-    sobol: SobolIndices | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -141,8 +127,6 @@ def tolerance_report(
 
 
 def _head(page: Page, said: _Words, study: ToleranceStudy) -> Lines:
-    lines = page.hanging(Text(), study.title or said.untitled, "bold")
-    lines.append(page.rule(page.medium.width))
     counted = said.counted.format(
         samples=page.digits.fixed(len(study.samples), 0), inputs=len(study.samples.inputs)
     )
@@ -151,10 +135,7 @@ def _head(page: Page, said: _Words, study: ToleranceStudy) -> Lines:
         (said.study, counted, ""),
         (said.result, _result(page, said, study), "bold red" if failed else "green"),
     ]
-    width = max(len(label) for label, _, _ in entries)
-    for label, content, style in entries:
-        lines += page.hanging(page.text(f"{label:{width}}  ", "dim"), content, style)
-    return lines
+    return [*page.title(study.title or said.untitled), *page.labelled(entries)]
 
 
 def _result(page: Page, said: _Words, study: ToleranceStudy) -> str:
@@ -354,7 +335,7 @@ def tolerance_json(study: ToleranceStudy) -> str:
             "confidence": sobol.confidence,
             **{name: getattr(sobol, name) for name in names},
         }
-    return json.dumps(_plain(mapping), ensure_ascii=False, allow_nan=False)
+    return dumps(mapping)
 
 
 def _coordinate(samples: Samples, name: str) -> Any:
@@ -387,14 +368,3 @@ def _rank_mapping(ranks: RankCorrelations) -> dict[str, Any]:
             one.output: {name: getattr(one, name) for name in names} for one in ranks.outputs
         },
     }
-
-
-def _plain(value: Any) -> Any:
-    """Turn arrays into lists and what is not finite into None, at any depth."""
-    if isinstance(value, dict):
-        return {key: _plain(item) for key, item in value.items()}
-    if isinstance(value, np.ndarray | np.generic):
-        return _plain(value.tolist())
-    if isinstance(value, list | tuple):
-        return [_plain(item) for item in value]
-    return None if isinstance(value, float) and not isfinite(value) else value

@@ -13,10 +13,10 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from rolamento._foreign.bounds import check_declared
-from rolamento._foreign.child import Child
+from rolamento._foreign.isolated import Isolated
+from rolamento._foreign.readers import NetcdfVariables
 from rolamento.errors import FileError
-from rolamento.studies.layout import Layout, Variable, slabs
-from rolamento.studies.plan import Plan
+from rolamento.studies.plan import Layout, Plan, Variable, slabs
 from rolamento.studies.study import SAMPLE
 
 __all__ = ["dataset", "load_result"]
@@ -24,7 +24,6 @@ __all__ = ["dataset", "load_result"]
 _MOST_BYTES: Final = 4 * 2**30
 _PIECE: Final = 1_000_000
 """Values asked for at once."""
-_TEXT: Final = "text"
 
 
 def dataset(
@@ -70,8 +69,8 @@ def load_result(path: str | os.PathLike[str]) -> xr.Dataset:
     if not Path(source).is_file():
         raise FileError("cannot be opened: no such file", source=source)
     try:
-        with Child(Path(source), "dataset") as child:
-            loaded = xr.decode_cf(_read(child, source)).load()
+        with Isolated(NetcdfVariables, Path(source), "NetCDF file") as process:
+            loaded = xr.decode_cf(_read(process, source)).load()
     except FileError:
         raise
     except Exception as error:  # whatever xarray makes of variables that do not go together
@@ -82,10 +81,10 @@ def load_result(path: str | os.PathLike[str]) -> xr.Dataset:
     return loaded
 
 
-def _read(child: Child, source: str) -> xr.Dataset:
+def _read(process: Isolated, source: str) -> xr.Dataset:
     """The variables of a NetCDF file, as they are stored."""
-    about = child.ask({})
-    needed = sum(prod(v["shape"]) * _item_size(v["dtype"]) for v in about["variables"])
+    attributes, described = process.ask("described")
+    needed = sum(prod(found["shape"]) * found["dtype"].itemsize for found in described)
     check_declared(needed, os.path.getsize(source), source)
     if needed > _MOST_BYTES:
         raise FileError(
@@ -93,44 +92,25 @@ def _read(child: Child, source: str) -> xr.Dataset:
         )
     variables = {
         found["name"]: xr.Variable(
-            found["dims"], _values(child, found, source), _attributes(found["attributes"])
+            found["dims"], _values(process, found, source), found["attributes"]
         )
-        for found in about["variables"]
+        for found in described
     }
-    return xr.Dataset(variables, attrs=_attributes(about["attributes"]))
+    return xr.Dataset(variables, attrs=attributes)
 
 
-def _values(child: Child, found: Mapping[str, Any], source: str) -> NDArray[Any]:
+def _values(process: Isolated, found: Mapping[str, Any], source: str) -> NDArray[Any]:
     """All of a variable, a piece at a time."""
-    shape, is_text = tuple(found["shape"]), found["dtype"] == _TEXT
-    values = np.empty(prod(shape), object if is_text else np.dtype(found["dtype"]))
+    values = np.empty(prod(found["shape"]), found["dtype"])
     for first in range(0, len(values), _PIECE):
         last = min(first + _PIECE, len(values))
-        for box, run in slabs(first, last, shape or (1,)):
-            bounds = [[piece.start, piece.stop] for piece in box] if shape else []
-            answer = child.ask({"variable": found["name"], "box": bounds})
+        for box, run in slabs(first, last, found["shape"] or (1,)):
+            held = process.ask("values", found["name"], box if found["shape"] else ())
             piece = values[first + run.start : first + run.stop]
-            held = answer["texts"] if is_text else np.frombuffer(answer["content"], values.dtype)
             if len(held) != len(piece):
                 raise FileError("ends before its last value", source=source)
             piece[:] = held
-    return values.reshape(shape)
-
-
-def _attributes(found: Mapping[str, Any]) -> dict[str, Any]:
-    """Texts as they are; numbers with their types, one alone without a list."""
-    attributes: dict[str, Any] = {}
-    for name, value in found.items():
-        if isinstance(value, dict):
-            numbers = np.array(value["values"], np.dtype(value["dtype"]))
-            attributes[name] = numbers[()] if numbers.ndim == 0 else numbers
-        else:
-            attributes[name] = value
-    return attributes
-
-
-def _item_size(dtype: str) -> int:
-    return 8 if dtype == _TEXT else np.dtype(dtype).itemsize
+    return values.reshape(found["shape"])
 
 
 def _coordinate(variable: Variable, values: NDArray[Any] | None) -> xr.Variable:

@@ -16,8 +16,7 @@ import h5netcdf
 import numpy as np
 
 from rolamento._writing import check_space
-from rolamento.studies.layout import Layout, Variable, slabs
-from rolamento.studies.plan import Part, Plan
+from rolamento.studies.plan import Layout, Part, Plan, Variable, slabs
 
 __all__ = ["netcdf_writer"]
 
@@ -47,7 +46,7 @@ def netcdf_writer(
     layout = Layout(plan)
     check_space(_size(layout), path)
     with _Disk(path) as disk, h5netcdf.File(disk, "w") as file:
-        file.attrs.update(_plain(layout.attrs(counts, messages)))
+        file.attrs.update(_with_sized_integers(layout.attrs(counts, messages)))
         file.dimensions = dict(layout.sizes)
         for variable in layout.axes:
             _write_coordinate(file, variable)
@@ -137,7 +136,7 @@ def _size(layout: Layout) -> int:
 
 def _create(file: Any, variable: Variable) -> Any:
     created = file.create_variable(variable.name, variable.dims, variable.dtype)
-    created.attrs.update(_plain(variable.attrs))
+    created.attrs.update(_with_sized_integers(variable.attrs))
     if variable.dtype.kind == "f":
         created.attrs["_FillValue"] = np.float64(np.nan)
     return created
@@ -154,7 +153,7 @@ def _write_coordinate(file: Any, variable: Variable) -> None:
     dtype: Any = h5netcdf.core.h5py.string_dtype() if values.dtype == object else values.dtype
     created = file.create_variable(variable.name, variable.dims, dtype)
     created[...] = values
-    created.attrs.update(_plain(attrs))
+    created.attrs.update(_with_sized_integers(attrs))
 
 
 def _write_samples(file: Any, plan: Plan, layout: Layout) -> None:
@@ -170,6 +169,6 @@ def _write_samples(file: Any, plan: Plan, layout: Layout) -> None:
             file.variables[variable.name][first:last] = drawn[names[variable.name]]
 
 
-def _plain(attrs: Mapping[str, Any]) -> dict[str, Any]:
+def _with_sized_integers(attrs: Mapping[str, Any]) -> dict[str, Any]:
     """Give whole numbers a size."""
     return {name: np.int64(v) if isinstance(v, int) else v for name, v in attrs.items()}

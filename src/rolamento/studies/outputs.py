@@ -5,10 +5,10 @@ Each module of outputs offers its own as a tuple; a new one is named in `catalog
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Hashable, Iterable, Mapping
 from dataclasses import dataclass
-from functools import cache, cached_property
-from typing import TYPE_CHECKING, Any, Final, Literal
+from functools import cache
+from typing import TYPE_CHECKING, Any, Final, Literal, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,18 +18,11 @@ from rolamento.errors import InputError, UnknownKeyError, nearest
 
 if TYPE_CHECKING:
     from rolamento.case import Case
-    from rolamento.contact.hertz import HertzContact
-    from rolamento.friction import Friction, LoadedBalls
-    from rolamento.friction.summary import ContactModel
-    from rolamento.geometry import Race
-    from rolamento.life import LifeSummary
     from rolamento.life.theory import Need
-    from rolamento.lubrication import FilmTable
-    from rolamento.rows.ball import BatchState
-    from rolamento.rows.ball.detail import BallTable, ContactTable
+    from rolamento.solved import Solved
 
-__all__ = ["DEFAULT_OUTPUTS", "Output", "Solved", "catalogue", "outputs_of", "refuse_missing"]
 
+T = TypeVar("T")
 Floats = NDArray[np.float64]
 
 DEFAULT_OUTPUTS: Final = (
@@ -46,146 +39,20 @@ DEFAULT_OUTPUTS: Final = (
 )
 
 
-class Solved:
-    """A solved batch, from which each output takes what it needs; shared parts are made once.
+class Evaluation:
+    """A solved batch, and what each law says of it, found once for all outputs that ask."""
 
-    Parameters
-    ----------
-    batch
-        From `solve_batch`.
-    case
-        The one that was solved; film, friction and life take lubricant, temperature, surface and
-        ratings of it.
-    values
-        What varied, by the dotted names of the fields; SI.
-    """
+    def __init__(self, solved: Solved) -> None:
+        self.solved = solved
+        self._found: dict[tuple[object, ...], Any] = {}
 
-    def __init__(
-        self,
-        batch: BatchState,
-        case: Case | None = None,
-        values: Mapping[str, NDArray[Any]] | None = None,
-    ) -> None:
-        self.batch, self._case, self._values = batch, case, values or {}
-
-    @property
-    def case(self) -> Case:
-        """What was solved."""
-        assert self._case is not None
-        return self._case
-
-    @cached_property
-    def shared(self) -> BatchState:
-        """The batch, whose balls and ellipses are made once for all that follows from it."""
-        from rolamento.analysis import remembering
-
-        return remembering(self.batch)
-
-    @cached_property
-    def loaded_balls(self) -> LoadedBalls:
-        """The balls as the friction models see them."""
-        from rolamento.friction import loaded_balls
-
-        return loaded_balls(self.shared)
-
-    @cached_property
-    def film(self) -> FilmTable:
-        """The film of every contact."""
-        from rolamento.lubrication import film_of_batch
-
-        given = self._values.get("temperature.lubricant")
-        warm = None if given is None else self._sound(given)
-        return film_of_batch(self.case, self.shared, lubricant_temperature=warm, threads=1)
-
-    @cached_property
-    def friction_coefficient(self) -> Floats:
-        """μ of every case."""
-        given = self._values.get("lubricant.friction_coefficient")
-        own = None if self.case.lubricant is None else self.case.lubricant.friction_coefficient
-        mu = own if given is None else self._sound(given)
-        return np.full(len(self.batch), mu, np.float64)
-
-    @property
-    def has_friction(self) -> NDArray[np.bool_]:
-        """Whether a case has a coefficient that the friction models take."""
-        return np.asarray(self.friction_coefficient <= 1.0)
-
-    @cached_property
-    def _frictions(self) -> dict[str, Friction]:
-        return {}
-
-    def friction(self, model: ContactModel) -> Friction:
-        """Torque, power and heat with a model of the contacts.
-
-        Where there is no coefficient that the models take, it is taken as zero: `has_friction`.
-        """
-        from rolamento.friction import friction
-
-        if model not in self._frictions:
-            self._frictions[model] = friction(
-                self.shared,
-                friction_coefficient=np.where(self.has_friction, self.friction_coefficient, 0.0),
-                model=model,
-                dynamic_viscosity=self.film.oil.dynamic_viscosity if self._has_film else None,
-                compare=False,
-            )
-        return self._frictions[model]
-
-    @cached_property
-    def _lives(self) -> dict[bool, LifeSummary | None]:
-        return {}
-
-    def life(self, *, stress_volume: bool = False) -> LifeSummary | None:
-        """Life by every theory that the case allows; None if it allows none.
-
-        stress_volume: with that of Ioannides and Harris, which takes long.
-        """
-        if stress_volume not in self._lives:
-            self._lives[stress_volume] = self._life(stress_volume)
-        return self._lives[stress_volume]
-
-    def _life(self, stress_volume: bool) -> LifeSummary | None:
-        from rolamento.life import conditions_of, life_of_batch
-
-        names = [name for name in self._values if name.startswith(("life.", "temperature."))]
-        values = {name: self._sound(self._values[name]) for name in names}
-        try:
-            conditions = conditions_of(self.case, values)
-            return life_of_batch(self.case, self.shared, conditions, stress_volume=stress_volume)
-        except InputError:  # a thrust bearing or one without a rating, one of many in a study
-            return None
-
-    @property
-    def _has_film(self) -> bool:
-        lubricant = self.case.lubricant
-        warm = (
-            "temperature.lubricant" in self._values or self.case.lubricant_temperature is not None
-        )
-        return lubricant is not None and lubricant.kind != "dry" and warm
-
-    def _sound(self, values: NDArray[Any]) -> Floats:
-        """Replace what made a case invalid: its results are NaN whatever stands there."""
-        invalid = self.batch.status == "invalid_input"
-        return np.where(invalid, 1.0, np.asarray(values, dtype=np.float64))
-
-    @cached_property
-    def balls(self) -> BallTable:
-        """Every ball of every case."""
-        return self.shared.balls()
-
-    @cached_property
-    def _hertz(self) -> dict[Race, HertzContact]:
-        return {}
-
-    def hertz(self, race: Race) -> HertzContact:
-        """Ellipse and pressure of every contact of a race."""
-        if race not in self._hertz:
-            self._hertz[race] = self.shared.contact(race, self.balls)
-        return self._hertz[race]
-
-    def contacts(self, race: Race) -> ContactTable:
-        """Load, angle and deflection of every contact of a race."""
-        return self.balls.inner if race == "inner" else self.balls.outer
+    def of(self, law: Callable[..., T], **options: Hashable) -> T:
+        """Return what a law says of the batch, such as ``of(friction, model="todd")``."""
+        key = (law, *sorted(options.items()))
+        if key not in self._found:
+            self._found[key] = law(self.solved, **options)
+        found: T = self._found[key]
+        return found
 
 
 @dataclass(frozen=True, slots=True)
@@ -216,7 +83,7 @@ class Output:
     name: str
     unit: str
     long_name: str
-    compute: Callable[[Solved], NDArray[Any]]
+    compute: Callable[[Evaluation], NDArray[Any]]
     per_ball: bool = False
     kind: Literal["real", "whole"] = "real"
     needs: tuple[str, ...] = ()
@@ -244,11 +111,10 @@ def needs_of_life() -> Mapping[str, Need]:
 @cache
 def catalogue() -> Mapping[str, Output]:
     """Return all outputs by name."""
-    from rolamento.studies.ball_outputs import ball_outputs
+    from rolamento.studies.bearing_outputs import ball_outputs, ring_outputs
     from rolamento.studies.friction_outputs import friction_outputs
     from rolamento.studies.life_outputs import life_outputs
     from rolamento.studies.lubrication_outputs import lubrication_outputs
-    from rolamento.studies.ring_outputs import ring_outputs
 
     providers = (ring_outputs, ball_outputs, lubrication_outputs, friction_outputs, life_outputs)
     return {output.name: output for provider in providers for output in provider()}

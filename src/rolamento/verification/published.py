@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Mapping
-from functools import cache
-from importlib import resources
 from math import pi, radians, sqrt
 from typing import Any, Final
 
+from rolamento._data import toml_of
 from rolamento.case.bearing import Bearing
 from rolamento.case.material import Material
 
@@ -21,11 +19,9 @@ MODULUS_SCALE: Final = 3.0 / sqrt(8.0)
 _UNKNOWN_DENSITY: Final = 7810.0
 
 
-@cache
 def published(name: str) -> Mapping[str, Any]:
     """Return what a source prints, from its data file; not to be changed."""
-    data = resources.files("rolamento.verification") / "data" / f"{name}.toml"
-    return tomllib.loads(data.read_text(encoding="utf-8"))
+    return toml_of(name, "rolamento.verification")
 
 
 def modulus_of_constant(constant: float, poisson_ratio: float) -> float:

@@ -10,7 +10,7 @@ import numpy as np
 from rolamento.life.iso281 import MAXIMUM_LOAD
 from rolamento.life.iso281_modified import fatigue_load_limit, life_modification_factor
 from rolamento.life.l_able import l_able, refusals
-from rolamento.lubrication.viscosity_ratio import viscosity_ratio
+from rolamento.lubrication.oil_state import viscosity_ratio
 from rolamento_reproductions.campanha_2008.inputs import (
     GIVEN,
     MICRO,

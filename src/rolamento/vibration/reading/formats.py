@@ -4,15 +4,13 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Callable
 from pathlib import Path
 from typing import BinaryIO, Final
 
-from rolamento._foreign.bounds import check_declared
+from rolamento._foreign.bounds import check_declared, guarded, size_of_file
 from rolamento._tables import DecimalMark
 from rolamento.errors import FileError
-from rolamento.vibration.reading._channel import Source
-from rolamento.vibration.reading._limits import file_size, guarded, opened
+from rolamento.vibration.reading.channels import Source
 
 __all__ = ["ENDINGS", "open_source"]
 
@@ -45,14 +43,14 @@ def open_source(path: str | os.PathLike[str], mark: DecimalMark | None = None) -
     """
     file = _path(path)
     source = str(file)
-    size = file_size(file)
-    with opened(file) as stream, guarded(source, "signal file"):
+    size = size_of_file(file)
+    with guarded(source, "signal file"), file.open("rb") as stream:
         head = stream.read(512)
         kind = _kind(head, stream, size, file.suffix.lower())
     if not kind:
         raise _unknown(file.suffix.lower(), source)
     with guarded(source, "signal file"):
-        opened_source = _csv(file, mark) if kind == "csv" else _READERS[kind](file)
+        opened_source = _source_of(kind, file, mark)
         try:
             for channel in opened_source.channels:
                 check_declared(_DOUBLE * channel.length, size, source)
@@ -76,9 +74,9 @@ def _kind(head: bytes, stream: BinaryIO, size: int, ending: str) -> str:
     if head[:4] in (b"RIFF", b"RIFX", b"RF64") and head[8:12] == b"WAVE":
         return "wav"
     if head[:6] == b"\x93NUMPY":
-        return "npy"
-    if head[:4] == b"PK\x03\x04" or head[:4] == b"PK\x05\x06":
-        return "npz"
+        return "numpy"
+    if head[:4] in (b"PK\x03\x04", b"PK\x05\x06"):
+        return "numpy"
     if head[:4] == b"PAR1":
         return "parquet"
     for place in _HDF5_PLACES:
@@ -105,61 +103,26 @@ def _unknown(ending: str, source: str) -> FileError:
     return FileError(rule, source=source)
 
 
-# Each reader is imported when a file asks for it: Parquet and HDF5 take a while.
-def _wav(path: Path) -> Source:
-    from rolamento.vibration.reading.wav import WavSource
+def _source_of(kind: str, path: Path, mark: DecimalMark | None) -> Source:
+    """Return the reader of a format; each is imported when a file asks for it."""
+    if kind == "csv":
+        from rolamento.vibration.reading.csv_file import CsvSource
 
-    return WavSource(path)
+        return CsvSource(path, mark)
+    if kind == "wav":
+        from rolamento.vibration.reading.wav import WavSource
 
+        return WavSource(path)
+    if kind == "parquet":
+        from rolamento.vibration.reading.parquet import ParquetSource
 
-def _npy(path: Path) -> Source:
-    from rolamento.vibration.reading.npy import NpySource
+        return ParquetSource(path)
+    if kind == "uff":
+        from rolamento.vibration.reading.uff import UffSource
 
-    return NpySource(path)
+        return UffSource(path)
+    from rolamento.vibration.reading.arrays import IsolatedSource, NumpySource
 
-
-def _npz(path: Path) -> Source:
-    from rolamento.vibration.reading.npy import NpzSource
-
-    return NpzSource(path)
-
-
-def _parquet(path: Path) -> Source:
-    from rolamento.vibration.reading.parquet import ParquetSource
-
-    return ParquetSource(path)
-
-
-def _hdf5(path: Path) -> Source:
-    from rolamento.vibration.reading.hdf5 import Hdf5Source
-
-    return Hdf5Source(path)
-
-
-def _matlab(path: Path) -> Source:
-    from rolamento.vibration.reading.matlab import MatlabSource
-
-    return MatlabSource(path)
-
-
-def _uff(path: Path) -> Source:
-    from rolamento.vibration.reading.uff import UffSource
-
-    return UffSource(path)
-
-
-def _csv(path: Path, mark: DecimalMark | None) -> Source:
-    from rolamento.vibration.reading.csv_file import CsvSource
-
-    return CsvSource(path, mark)
-
-
-_READERS: Final[dict[str, Callable[[Path], Source]]] = {
-    "wav": _wav,
-    "npy": _npy,
-    "npz": _npz,
-    "parquet": _parquet,
-    "hdf5": _hdf5,
-    "matlab": _matlab,
-    "uff": _uff,
-}
+    if kind == "numpy":
+        return NumpySource(path)
+    return IsolatedSource(path, "HDF5" if kind == "hdf5" else "MATLAB")

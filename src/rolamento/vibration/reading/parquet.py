@@ -10,17 +10,18 @@ import numpy as np
 import pyarrow as pa
 import pyarrow.parquet as pq
 
-from rolamento._foreign.bounds import LARGEST_WHOLE
+from rolamento._foreign.bounds import LARGEST_WHOLE, guarded, size_of_file
 from rolamento.errors import FileError
 from rolamento.numerics import FloatArray
-from rolamento.vibration.reading._channel import Channel, Source, checked_channels
-from rolamento.vibration.reading._limits import (
+from rolamento.vibration.reading.channels import (
     MOST_CHANNELS,
     MOST_SAMPLES,
-    file_size,
-    guarded,
+    Channel,
+    Source,
+    checked_channels,
 )
-from rolamento.vibration.reading._metadata import (
+from rolamento.vibration.reading.metadata import (
+    Timeline,
     label_parts,
     rate_of,
     rates_among,
@@ -28,8 +29,7 @@ from rolamento.vibration.reading._metadata import (
     time_scale,
     unit_among,
 )
-from rolamento.vibration.reading._timeline import Timeline
-from rolamento.vibration.reading._units import quantity_of_unit
+from rolamento.vibration.reading.units import quantity_of_unit
 
 __all__ = ["ParquetSource"]
 
@@ -48,7 +48,7 @@ class ParquetSource(Source):
 
     def __init__(self, path: Path) -> None:
         self._source = str(path)
-        size = file_size(path)
+        size = size_of_file(path)
         self._position: tuple[tuple[int, ...], int] = ((), 0)
         self._batches: Iterator[FloatArray] = iter(())
         self._rest = np.empty((0, 1))

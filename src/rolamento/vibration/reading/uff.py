@@ -15,13 +15,12 @@ from typing import Final, NamedTuple
 
 import numpy as np
 
+from rolamento._foreign.bounds import check_whole, guarded, size_of_file
 from rolamento.errors import FileError
 from rolamento.numerics import FloatArray
-from rolamento.vibration.reading._channel import Channel, Source, checked_channels
-from rolamento.vibration.reading._limits import check_size, file_size, guarded
-from rolamento.vibration.reading._metadata import positive, short_name
-from rolamento.vibration.reading._timeline import Timeline
-from rolamento.vibration.reading._units import plain_unit, quantity_of_unit
+from rolamento.vibration.reading.channels import Channel, Source, checked_channels
+from rolamento.vibration.reading.metadata import Timeline, positive, short_name
+from rolamento.vibration.reading.units import plain_unit, quantity_of_unit
 from rolamento.vibration.signal import SI_UNITS, Quantity
 
 __all__ = ["UffSource"]
@@ -93,7 +92,7 @@ class UffSource(Source):
 
     def __init__(self, path: Path) -> None:
         self._source = str(path)
-        check_size(file_size(path), self._source)
+        check_whole(size_of_file(path), self._source)
         self._held: dict[int, FloatArray] = {}
         with guarded(self._source, "universal file"):
             self._sets = list(_Reader(path.read_bytes(), self._source).records())

@@ -1,0 +1,257 @@
+"""What reads MATLAB, HDF5 and NetCDF: classes for `Isolated`, which never run in the program.
+
+They know nothing but errors and bounds, and import a library when they need it, so that the
+process starts soon.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rolamento._foreign.bounds import (
+    LARGEST_CHUNK,
+    check_declared,
+    check_inflated,
+    most_declared,
+)
+from rolamento.errors import FileError
+
+__all__ = ["MOST_VARIABLES", "Hdf5Arrays", "MatlabArrays", "NetcdfVariables", "Variable"]
+
+MOST_VARIABLES: Final = 10_000
+_DEEPEST: Final = 5
+"""Structures within structures of a MATLAB file."""
+_LONGEST_TEXT: Final = 200
+_MOST_ATTRIBUTES: Final = 100
+
+
+@dataclass(frozen=True, slots=True)
+class Variable:
+    """An array of real numbers in a file.
+
+    Attributes
+    ----------
+    name
+        with dots or strokes before it where the file has structures or groups
+    shape
+        of the array
+    value
+        of an array of one number; None of others
+    numbers, texts
+        what the file says of it
+    """
+
+    name: str
+    shape: tuple[int, ...]
+    value: float | None = None
+    numbers: Mapping[str, float] = field(default_factory=dict)
+    texts: Mapping[str, str] = field(default_factory=dict)
+
+
+class MatlabArrays:
+    """The arrays of a MATLAB file of version 5 to 7, by SciPy; it is held whole.
+
+    Of structures of one element the fields are taken; cells, objects, functions, text, sparse and
+    complex arrays are passed over.
+    """
+
+    def __init__(self, path: str) -> None:
+        import scipy.io
+
+        size = os.path.getsize(path)
+        # what lies in structures is not listed, and counted when it has been read
+        listed = sum(math.prod(shape) for _, shape, _ in scipy.io.whosmat(path))
+        check_declared(8 * listed, size, path)
+        found = scipy.io.loadmat(path, simplify_cells=True)
+        top = {name: value for name, value in found.items() if not name.startswith("__")}
+        self._arrays = dict(_real_arrays(top, "", 0))
+        if len(self._arrays) > MOST_VARIABLES:
+            raise FileError(f"holds more than {MOST_VARIABLES} arrays")
+        inflated = sum(array.nbytes for array in self._arrays.values())
+        check_inflated(inflated, size, path)
+
+    def variables(self) -> list[Variable]:
+        """All arrays of real numbers."""
+        return [
+            Variable(name, array.shape, float(array.reshape(-1)[0]) if array.size == 1 else None)
+            for name, array in self._arrays.items()
+        ]
+
+    def samples(self, name: str, axis: int, row: int, start: int, count: int) -> NDArray[Any]:
+        """Numbers of a row or column of an array, as doubles."""
+        array = self._arrays[name]
+        line = array if array.ndim == 1 else np.moveaxis(array, axis, 0)[:, row]
+        return line[start : start + count].astype(np.float64)
+
+
+class Hdf5Arrays:
+    """The arrays of an HDF5 file, by h5py.
+
+    Only what lies in the file itself is followed: soft and external links, virtual and externally
+    stored data sets and references are passed over.
+    """
+
+    def __init__(self, path: str) -> None:
+        import h5py  # type: ignore[import-untyped]
+
+        self._h5py = h5py
+        # a chunk that is inflated is kept for the next block
+        self._file = h5py.File(path, "r", rdcc_nbytes=LARGEST_CHUNK)
+        self._largest_chunk = min(LARGEST_CHUNK, most_declared(os.path.getsize(path)))
+
+    def variables(self) -> list[Variable]:
+        """All arrays of real numbers; what a group says of them is said of all below it."""
+        found: list[Variable] = []
+        groups = {"": self._attributes(self._file)}
+
+        def visit(name: str, entry: Any) -> None:
+            if len(found) + len(groups) > MOST_VARIABLES:
+                raise FileError(f"holds more than {MOST_VARIABLES} groups and data sets")
+            if name.split("/")[0] == "#refs#":
+                return
+            numbers, texts = groups[name.rpartition("/")[0]]
+            own_numbers, own_texts = self._attributes(entry)
+            numbers, texts = {**numbers, **own_numbers}, {**texts, **own_texts}
+            if not isinstance(entry, self._h5py.Dataset):
+                groups[name] = numbers, texts
+            elif self._is_plain(entry):
+                self._check_chunks(entry, name)
+                value = float(np.asarray(entry[()]).reshape(-1)[0]) if entry.size == 1 else None
+                finite = value is not None and math.isfinite(value)
+                found.append(Variable(name, entry.shape, value if finite else None, numbers, texts))
+
+        self._file.visititems(visit)
+        return found
+
+    def samples(self, name: str, axis: int, row: int, start: int, count: int) -> NDArray[Any]:
+        """Numbers of a row or column of a data set, as doubles."""
+        data = self._file[name]
+        place = [slice(row, row + 1)] * data.ndim
+        place[axis] = slice(start, start + count)
+        return np.asarray(data[tuple(place)]).reshape(-1).astype(np.float64)
+
+    def _is_plain(self, data: Any) -> bool:
+        """Whether a data set holds real numbers in the file itself."""
+        properties = data.id.get_create_plist()
+        if properties.get_layout() == self._h5py.h5d.VIRTUAL or properties.get_external_count():
+            return False
+        try:
+            dtype = data.dtype
+        except TypeError:  # a kind of number that NumPy does not have
+            return False
+        if dtype.kind not in "iuf" or dtype.itemsize > 8:
+            return False
+        if not data.id.get_type().equal(self._h5py.h5t.py_create(dtype)):  # an enumeration
+            return False
+        return data.shape is not None and len(data.shape) <= 2 and data.size > 0
+
+    def _check_chunks(self, data: Any, name: str) -> None:
+        if data.chunks and math.prod(data.chunks) * data.dtype.itemsize > self._largest_chunk:
+            limit = self._largest_chunk // 2**20
+            raise FileError(f'"{name[:60]}" has chunks of more than {limit} MB')
+
+    def _attributes(self, entry: Any) -> tuple[dict[str, float], dict[str, str]]:
+        """Single numbers and short texts that an object carries."""
+        numbers: dict[str, float] = {}
+        texts: dict[str, str] = {}
+        h5t = self._h5py.h5t
+        for name in list(entry.attrs)[:_MOST_ATTRIBUTES]:
+            about = entry.attrs.get_id(name)
+            if math.prod(about.shape or ()) != 1 or about.get_storage_size() > 4096:
+                continue
+            kind = about.get_type().get_class()
+            if kind in (h5t.INTEGER, h5t.FLOAT):
+                number = float(np.asarray(entry.attrs[name]).reshape(-1)[0])
+                if math.isfinite(number):
+                    numbers[name[:_LONGEST_TEXT]] = number
+            elif kind == h5t.STRING:
+                text = _text(np.asarray(entry.attrs[name]).reshape(-1)[0])
+                texts[name[:_LONGEST_TEXT]] = text[:_LONGEST_TEXT]
+        return numbers, texts
+
+
+class NetcdfVariables:
+    """The variables of a NetCDF file, with their dimensions and attributes, by h5netcdf."""
+
+    def __init__(self, path: str) -> None:
+        import h5netcdf
+
+        self._file = h5netcdf.File(path, "r", decode_vlen_strings=True)
+        self._largest_chunk = min(LARGEST_CHUNK, most_declared(os.path.getsize(path)))
+
+    def described(self) -> tuple[dict[str, Any], list[dict[str, Any]]]:
+        """Attributes of the file; and name, dims, shape, dtype and attributes of the variables."""
+        if len(self._file.variables) > MOST_VARIABLES:
+            raise FileError(f"holds more than {MOST_VARIABLES} variables")
+        variables = [self._described(*named) for named in self._file.variables.items()]
+        return _plain_attributes(self._file.attrs), variables
+
+    def values(self, name: str, box: tuple[slice, ...]) -> NDArray[Any]:
+        """Part of a variable; texts as objects."""
+        values = np.asarray(self._file.variables[name][box])
+        if values.dtype.kind in "OSU":
+            return np.array([_text(text) for text in values.reshape(-1)], dtype=object)
+        return values.reshape(-1)
+
+    def _described(self, name: str, variable: Any) -> dict[str, Any]:
+        from h5py import check_string_dtype
+
+        kind = variable.dtype
+        text = kind is str or check_string_dtype(np.dtype(kind)) is not None
+        dtype = np.dtype(object if text else kind)
+        if not text and (dtype.kind not in "iufb" or dtype.itemsize > 8):
+            raise FileError(f'"{name[:60]}" holds neither numbers nor texts')
+        if variable.chunks and math.prod(variable.chunks) * dtype.itemsize > self._largest_chunk:
+            limit = self._largest_chunk // 2**20
+            raise FileError(f'"{name[:60]}" has chunks of more than {limit} MB')
+        return {
+            "name": name,
+            "dims": tuple(variable.dimensions),
+            "shape": tuple(int(length) for length in variable.shape),
+            "dtype": dtype,
+            "attributes": _plain_attributes(variable.attrs),
+        }
+
+
+def _real_arrays(
+    structure: Mapping[str, Any], parent: str, depth: int
+) -> Iterator[tuple[str, NDArray[Any]]]:
+    """Arrays of real numbers in a structure of MATLAB, by name with dots."""
+    for name, value in structure.items():
+        path = f"{parent}{name[:_LONGEST_TEXT]}"
+        if isinstance(value, dict):
+            if depth < _DEEPEST:
+                yield from _real_arrays(value, f"{path}.", depth + 1)
+        elif isinstance(value, np.ndarray | np.generic | int | float):
+            array = np.asarray(value)
+            if array.dtype.kind in "iufb" and array.size:
+                yield path, array
+
+
+def _plain_attributes(attrs: Any) -> dict[str, Any]:
+    """Attributes of a NetCDF file: texts, lists of texts, and numbers with their types."""
+    if len(attrs) > _MOST_ATTRIBUTES:
+        raise FileError(f"holds more than {_MOST_ATTRIBUTES} attributes in one place")
+    found: dict[str, Any] = {}
+    for name, value in attrs.items():
+        values = np.asarray(value)
+        if isinstance(value, str | bytes):
+            found[name] = _text(value)
+        elif values.dtype.kind in "OSU":
+            found[name] = [_text(text) for text in values.reshape(-1)]
+        elif values.dtype.kind in "iufb" and values.ndim <= 1:
+            found[name] = values[()] if values.ndim == 0 else values
+        else:
+            raise FileError(f'"{name[:60]}" is neither numbers nor a text')
+    return found
+
+
+def _text(text: Any) -> str:
+    return text.decode("utf-8", "replace") if isinstance(text, bytes) else str(text)

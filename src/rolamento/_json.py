@@ -1,0 +1,31 @@
+"""Results as plain data and as JSON: no arrays, and null for a number that does not exist."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from math import isfinite
+from typing import Any
+
+import numpy as np
+
+__all__ = ["dumps", "plain"]
+
+
+def plain(value: Any) -> Any:
+    """Return arrays as lists, NumPy's numbers as Python's, what is not finite as None.
+
+    Mappings become dicts, and tuples lists, at any depth.
+    """
+    if isinstance(value, Mapping):
+        return {key: plain(item) for key, item in value.items()}
+    if isinstance(value, np.ndarray | np.generic):
+        value = value.tolist()
+    if isinstance(value, list | tuple):
+        return [plain(item) for item in value]
+    return None if isinstance(value, float) and not isfinite(value) else value
+
+
+def dumps(value: Any, indent: int | None = None) -> str:
+    """Return `plain` data as JSON text."""
+    return json.dumps(plain(value), indent=indent, ensure_ascii=False, allow_nan=False)

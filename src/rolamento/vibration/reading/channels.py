@@ -1,0 +1,477 @@
+"""A channel of a signal file: what a reader offers, which one is read, and what its samples mean.
+
+The file and the user say so together: the rate, the unit and the quantity of the samples, and the
+speed of the shaft, which is a number of the file or a channel of it beside the samples.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from math import isfinite
+from types import MappingProxyType
+from typing import Any, Final, NamedTuple, Self
+
+import numpy as np
+
+from rolamento.errors import FileError, InputError, nearest
+from rolamento.numerics import FloatArray
+from rolamento.vibration._checks import checked_number
+from rolamento.vibration.reading.metadata import SAME_RATE, short_name
+from rolamento.vibration.reading.units import (
+    SPEED_UNITS,
+    checked_scale,
+    checked_speed_unit,
+    checked_unit,
+    is_raw,
+    is_unit,
+    quantity_of_unit,
+    speed_unit_in,
+)
+from rolamento.vibration.signal import SI_UNITS, Quantity, unit_scale
+
+__all__ = [
+    "MOST_CHANNELS",
+    "MOST_SAMPLES",
+    "Channel",
+    "Meaning",
+    "ReadingNote",
+    "ShaftSpeed",
+    "Source",
+    "channel_beside",
+    "checked_channels",
+    "chosen_channel",
+    "chosen_speed",
+]
+
+MOST_SAMPLES: Final = 100_000_000
+"""Of one channel in memory at once: 0.8 GB."""
+MOST_CHANNELS: Final = 1000
+
+_HIGHEST_RATE: Final = 1e9
+_MOST_LISTED: Final = 12
+
+
+@dataclass(frozen=True, slots=True)
+class ReadingNote:
+    """What was taken for what of two numbers that differ.
+
+    Attributes
+    ----------
+    name
+        for a program
+    text
+        a sentence for a person
+    numbers
+        in the sentence, by name, as text with their units
+    """
+
+    name: str
+    text: str
+    numbers: Mapping[str, str] = field(default_factory=dict, hash=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Channel:
+    """What a file says of one of its channels.
+
+    Attributes
+    ----------
+    name
+        as the file gives it, without the unit; may be empty
+    length
+        number of samples
+    rate
+        sampling rate, Hz; None if the file does not say, or is in doubt
+    unit
+        of the samples in the file; "" if the file does not say
+    quantity
+        that the unit belongs to, or that the file names; unknown otherwise
+    speed
+        of the shaft, rad/s; None if the file does not say
+    rate_doubt
+        the ways in which the file says its rate, if they contradict each other
+    rate_aside
+        name and value of a number that could be the rate, and is taken for something else
+    """
+
+    name: str
+    length: int
+    rate: float | None = None
+    unit: str = ""
+    quantity: Quantity = "unknown"
+    speed: float | None = None
+    rate_doubt: str = ""
+    rate_aside: tuple[str, float] | None = None
+
+
+class Source(ABC):
+    """An open file of one format.
+
+    Attributes
+    ----------
+    channels
+        that the file holds, in its order
+    notes
+        what a person should know of how the samples were taken from the file
+    numbers
+        single ones that the file gives by name
+    """
+
+    channels: tuple[Channel, ...]
+    notes: tuple[str, ...] = ()
+    numbers: Mapping[str, float] = MappingProxyType({})
+
+    @abstractmethod
+    def read(self, channels: Sequence[int], start: int, count: int) -> FloatArray:
+        """Return samples of some channels, which are of one length and differ.
+
+        Parameters
+        ----------
+        channels
+            their numbers, counted from 0
+        start, count
+            first sample and number of samples, which lie within the length
+
+        Returns
+        -------
+        FloatArray
+            (channels, samples)
+        """
+
+    def close(self) -> None:  # noqa: B027 - what is held whole has nothing to close
+        """Let go of the file."""
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+
+def checked_channels(channels: Iterable[Channel], source: str, kind: str) -> tuple[Channel, ...]:
+    """Return the channels as a tuple, if there are some and not too many.
+
+    Raises
+    ------
+    FileError
+        If there are none, or more than 1000.
+    """
+    found: list[Channel] = []
+    for channel in channels:
+        if len(found) == MOST_CHANNELS:
+            raise FileError(f"holds more than {MOST_CHANNELS} channels", source=source)
+        found.append(channel)
+    if not found:
+        raise FileError(f"is a {kind} without a channel of real numbers", source=source)
+    return tuple(found)
+
+
+class Meaning:
+    """Rate, quantity and unit of the signals of a channel, and the scale of its samples.
+
+    Attributes
+    ----------
+    rate
+        Hz
+    quantity, unit
+        of the signals: SI, unless the quantity is unknown
+    scale
+        by which samples of the file are multiplied
+    notes
+        that say so, or that the samples are not calibrated
+    choices
+        what was taken for the rate where the file says several
+    """
+
+    def __init__(
+        self,
+        channel: Channel,
+        rate: float | None,
+        unit: str | None,
+        quantity: Quantity | None,
+        scale: float | str | None,
+    ) -> None:
+        self.rate = _rate(channel, rate)
+        self.choices = _choices(channel, self.rate, is_given=rate is not None)
+        before = channel.unit if unit is None else _given_unit(channel, unit)
+        if scale is None:
+            self.quantity, self.unit, self.scale = _unit(channel, before, quantity)
+        else:
+            if quantity is None and channel.quantity != "unknown":
+                quantity = channel.quantity
+            self.scale, self.quantity = checked_scale(scale, before, quantity)
+            self.unit = SI_UNITS[self.quantity]
+        self.notes = _notes(before, None if scale is None else self.scale, self.unit)
+
+
+def chosen_channel(channels: tuple[Channel, ...], wanted: Any) -> int:
+    """Number of the channel that is wanted, counted from 0."""
+    if wanted is None:
+        if len(channels) == 1:
+            return 0
+        raise InputError(
+            f"is to be chosen, by name or number: {_listed(channels)}",
+            field="channel",
+            example=_example(channels, 0),
+        )
+    names = [channel.name for channel in channels]
+    if isinstance(wanted, str):
+        found = [number for number, name in enumerate(names) if name == wanted]
+        found = found or [n for n, name in enumerate(names) if name.lower() == wanted.lower()]
+        if len(found) == 1:
+            return found[0]
+        if not found and wanted.isdecimal() and len(wanted) < 6:
+            wanted = int(wanted)
+    whole = isinstance(wanted, int | np.integer) and not isinstance(wanted, bool)
+    if whole and 1 <= wanted <= len(channels):
+        return int(wanted) - 1
+    near = nearest(wanted, names) if isinstance(wanted, str) else ""
+    raise InputError(
+        f"is not one of, or one and only one of: {_listed(channels)}",
+        field="channel",
+        value=wanted,
+        example=_example(channels, names.index(near) if near else 0),
+    )
+
+
+def _listed(channels: tuple[Channel, ...]) -> str:
+    entries = [f"{n} {channel.name}".rstrip() for n, channel in enumerate(channels, start=1)]
+    more = len(entries) - _MOST_LISTED
+    return ", ".join(entries[:_MOST_LISTED]) + (f" and {more} more" if more > 0 else "")
+
+
+def _example(channels: tuple[Channel, ...], number: int) -> str:
+    name = channels[number].name
+    return f'channel="{name}"' if name else f"channel={number + 1}"
+
+
+def _rate(channel: Channel, given: float | None) -> float:
+    """Sampling rate by the user, or else by the file if it is sure of it."""
+    if given is None and channel.rate is None:
+        doubt = channel.rate_doubt
+        rule = (
+            f"is in doubt: in the file {doubt}; give it" if doubt else "is not in the file and is"
+        )
+        rule += ", in Hz" if doubt else " to be given, in Hz"
+        raise InputError(rule, field="rate", example="rate=51200.0")
+    rate = channel.rate if given is None else given
+    return checked_number(rate, "rate", above=0.0, most=_HIGHEST_RATE, example="rate=51200.0")
+
+
+def _choices(channel: Channel, rate: float, *, is_given: bool) -> tuple[ReadingNote, ...]:
+    """What a person should know of how the rate was chosen."""
+    hertz = f"{rate:.9g} Hz"
+    if is_given:
+        of_file = channel.rate
+        if of_file is not None and abs(of_file - rate) > SAME_RATE * of_file:
+            text = f"The sampling rate is {hertz} as given; the file says {of_file:.9g} Hz."
+            numbers = {"rate": hertz, "file": f"{of_file:.9g} Hz"}
+            return (ReadingNote("rate_over_file", text, numbers),)
+        if channel.rate_doubt:
+            text = f"The sampling rate is {hertz} as given; in the file {channel.rate_doubt}."
+            numbers = {"rate": hertz, "doubt": channel.rate_doubt}
+            return (ReadingNote("rate_over_doubt", text, numbers),)
+        return ()
+    if channel.rate_aside is None:
+        return ()
+    name, value = channel.rate_aside
+    text = f"The sampling rate is {hertz}; {name} = {value:.9g} of the file is not taken for one."
+    numbers = {"rate": hertz, "name": name, "value": f"{value:.9g}"}
+    return (ReadingNote("rate_aside", text, numbers),)
+
+
+def _unit(channel: Channel, unit: str, quantity: Quantity | None) -> tuple[Quantity, str, float]:
+    """Quantity, unit and scale of the signal, by the unit of its samples."""
+    of_unit = quantity_of_unit(unit)
+    if quantity is None:
+        of_file = "unknown" if is_raw(unit) else channel.quantity
+        quantity = of_unit if of_file == "unknown" else of_file
+    if quantity == "unknown":
+        unit_scale(quantity, unit)
+        return "unknown", unit, 1.0
+    if not unit or unit == "1":
+        raise InputError(
+            f"of the samples is not in the file; give it with the quantity {quantity}",
+            field="unit",
+            example=f'unit="{SI_UNITS.get(quantity, "m/s^2")}"',
+        )
+    return quantity, SI_UNITS.get(quantity, unit), unit_scale(quantity, unit)
+
+
+def _notes(before: str, scale: float | None, unit: str) -> tuple[str, ...]:
+    """What was done to the samples that is not plain from their unit."""
+    if scale is not None:
+        return (f"samples{f' in {before}' if before else ''} are multiplied by {scale:.6g} {unit}",)
+    if is_raw(before):
+        return (f"samples in {before} are not calibrated: no sensitivity was given",)
+    return ()
+
+
+def _given_unit(channel: Channel, given: Any) -> str:
+    """Unit by the user; a unit that the file gives holds against it if it is known to be one."""
+    unit = checked_unit(given)
+    if channel.unit not in ("1", unit) and is_unit(channel.unit):
+        instead = (
+            'leave it out, and give scale="100 mV/g"' if is_raw(channel.unit) else "leave it out"
+        )
+        raise InputError(
+            f'contradicts the file, which says "{channel.unit}"; {instead}',
+            field="unit",
+            value=given,
+        )
+    return unit
+
+
+class ShaftSpeed(NamedTuple):
+    """Where the speed of the shaft comes from.
+
+    Attributes
+    ----------
+    value
+        rad/s, if it is one number; None if it is not known or a channel
+    channel
+        number of the channel of speeds, counted from 0; None if there is none
+    scale
+        rad/s in one unit of the channel
+    """
+
+    value: float | None = None
+    channel: int | None = None
+    scale: float = 1.0
+
+
+def chosen_speed(source: Source, samples: int, wanted: Any, unit: Any) -> ShaftSpeed:
+    """Return the speed of the shaft that goes with a channel.
+
+    Parameters
+    ----------
+    source
+        the open file
+    samples
+        number of the channel of the signal, counted from 0
+    wanted
+        name of a channel or of a single number, or number of a channel counted from 1; None for
+        what the file says by itself
+    unit
+        of the speed; None for that of the file, or with which the name ends
+
+    Raises
+    ------
+    InputError
+        If there is no such channel or number, or its unit is not known.
+    FileError
+        If the channels are not of one length and rate, or the number is not finite.
+    """
+    if wanted is None:
+        if unit is not None:
+            raise InputError(
+                "is that of a speed_channel, and none is given",
+                field="speed_unit",
+                value=unit,
+                example='speed_channel="rpm"',
+            )
+        return ShaftSpeed(source.channels[samples].speed)
+    name = _name_of_number(source, wanted)
+    if name is not None:
+        return _steady(source.numbers[name], name, "", unit)
+    number = _number_of(source, wanted)
+    channel = source.channels[number]
+    if number == samples:
+        rule = "is the channel of the samples; choose that of the speed"
+        raise InputError(rule, field="speed_channel", value=wanted)
+    if channel.length == 1:
+        return _steady(float(source.read([number], 0, 1)[0, 0]), channel.name, channel.unit, unit)
+    _check_alike(source.channels[samples], channel, wanted)
+    return ShaftSpeed(None, number, _speed_scale(channel.name, channel.unit, unit))
+
+
+def channel_beside(source: Source, wanted: Any) -> int | None:
+    """Number of the one channel that is not that of the speed; None if there are more, or none.
+
+    Raises
+    ------
+    InputError
+        If there are two, and neither is that of the speed.
+    """
+    if wanted is None or len(source.channels) != 2 or _name_of_number(source, wanted) is not None:
+        return None
+    return 1 - _number_of(source, wanted)
+
+
+def _name_of_number(source: Source, wanted: Any) -> str | None:
+    """Name of a single number of the file, if no channel has that name."""
+    if not isinstance(wanted, str):
+        return None
+    if any(channel.name.lower() == wanted.lower() for channel in source.channels):
+        return None
+    if wanted in source.numbers:
+        return wanted
+    found = [name for name in source.numbers if name.lower() == wanted.lower()]
+    return found[0] if len(found) == 1 else None
+
+
+def _number_of(source: Source, wanted: Any) -> int:
+    """Number of the channel of speeds; the complaint names the single numbers too."""
+    try:
+        return chosen_channel(source.channels, wanted)
+    except InputError as error:
+        names = [short_name(name) for name in list(source.numbers)[:_MOST_LISTED]]
+        more = f"; or a number: {', '.join(names)}" if names else ""
+        example = error.example.replace("channel=", "speed_channel=", 1)
+        raise InputError(
+            error.rule + more, field="speed_channel", value=error.value, example=example
+        ) from None
+
+
+def _steady(value: float, name: str, of_file: str, unit: Any) -> ShaftSpeed:
+    if not isfinite(value):
+        rule = "is not a finite number: the file does not tell the speed"
+        raise FileError(rule, field=short_name(name), value=value)
+    return ShaftSpeed(value * _speed_scale(name, of_file, unit))
+
+
+def _check_alike(samples: Channel, speed: Channel, wanted: Any) -> None:
+    """Refuse a channel of speeds that has not one for each sample."""
+    if speed.length != samples.length:
+        raise FileError(
+            f"has {speed.length} numbers, and the channel of the samples {samples.length}; "
+            "they have to be as many",
+            field="speed_channel",
+            value=wanted,
+        )
+    rates = (speed.rate, samples.rate)
+    if None not in rates and not abs(rates[0] - rates[1]) <= SAME_RATE * rates[1]:  # type: ignore[operator]
+        raise FileError(
+            f"is sampled at {speed.rate:.9g} Hz, and the samples at {samples.rate:.9g} Hz",
+            field="speed_channel",
+            value=wanted,
+        )
+
+
+def _speed_scale(name: str, of_file: str, given: Any) -> float:
+    """Value of one unit of speed in rad/s, by the user, by the file, or by the name."""
+    if is_unit(of_file) and of_file not in SPEED_UNITS:
+        raise InputError(
+            f"is in {of_file}, which is no unit of a speed", field="speed_channel", value=name
+        )
+    known = of_file or speed_unit_in(name)
+    if given is None and known in SPEED_UNITS:
+        return SPEED_UNITS[known]
+    if given is None:
+        says = f'the file says "{of_file}"' if of_file else "the file does not say it"
+        raise InputError(
+            f'of the speed "{short_name(name)}" is to be given, {says}: '
+            f"one of {', '.join(SPEED_UNITS)}",
+            field="speed_unit",
+            example='speed_unit="rpm"',
+        )
+    unit = checked_speed_unit(given)
+    if of_file in SPEED_UNITS and of_file != unit:
+        raise InputError(
+            f'contradicts the file, which says "{of_file}"; leave it out',
+            field="speed_unit",
+            value=given,
+        )
+    return SPEED_UNITS[unit]

@@ -1,0 +1,350 @@
+"""What files call sampling rates, speeds and time, and where they write units.
+
+Of several numbers that a file gives, one may be no sampling rate at all: ``rate`` beside ``sr`` or
+beside times is often the shaft's. What is left and disagrees is a doubt that the user decides.
+"""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from math import isfinite, pi
+from typing import Final, NamedTuple
+
+import numpy as np
+
+from rolamento.errors import FileError
+from rolamento.numerics import FloatArray
+from rolamento.vibration.reading.units import SPEED_UNITS, is_unit, plain_unit, spelled
+
+__all__ = [
+    "SAME_RATE",
+    "FileRate",
+    "RateClaim",
+    "RateClaims",
+    "Timeline",
+    "label_parts",
+    "positive",
+    "rate_of",
+    "rates_among",
+    "short_name",
+    "speed_among",
+    "speeds_perhaps",
+    "time_scale",
+    "unit_among",
+]
+
+_LONGEST_NAME: Final = 100
+"""Characters of a channel's name; longer ones are cut."""
+
+_RATE: Final = (
+    *("fs", "sr", "sps", "fsamp", "fsample", "abtastrate", "taxadeamostragem"),
+    *("samplingrate", "samplerate", "samplingfrequency", "samplefrequency", "samplingfreq"),
+    *("frequenciadeamostragem", "freqamostragem", "taxaamostragem", "abtastfrequenz"),
+)
+_LOOSE_RATE: Final = ("rate", "taxa")
+"""The sampling rate where nothing else is; the shaft's speed in Hz in other files."""
+_STEP: Final = (
+    *("dt", "dx", "deltat", "tdelta", "timestep", "timeincrement", "wfincrement", "xincrement"),
+    *("samplingperiod", "sampleperiod", "samplinginterval", "sampleinterval"),
+)
+_SHAFT: Final = re.compile(
+    r"(?:shaft|rotation|rotational|rotating|motor|running|rotor|eixo|rotacao|derotacao|velocidade)*"
+    r"(?:speed|velocity|freq|frequency|rate|rotacao|velocidade|frequencia)?"
+)
+"""What stands before the unit of a number that is a speed, folded: shaft speed, motor, nothing."""
+_IN_HERTZ: Final = re.compile(
+    r"(?:shaft|rotation|rotational|rotor)(?:rate|freq|frequency)|frequenciaderotacao"
+)
+"""Names of a speed that is turns per second without a unit."""
+_PERHAPS_SPEED: Final = (
+    *("rate", "speed", "shaft", "shaftspeed", "motorspeed", "rotationspeed", "rotationalspeed"),
+    *("velocidade", "rotacao", "drehzahl", "freq", "frequency", "fr"),
+)
+_FASTEST_SHAFT: Final = 1000.0
+"""Turns per second: no sampling rate of a vibration is as low, and hardly a shaft is as fast."""
+_CLEARLY_BELOW: Final = 20.0
+"""Times that a sampling rate is above the shaft's: a record with less tells of no bearing."""
+_UNIT: Final = ("unit", "units", "unitstring", "yunit", "yunits", "engunits")
+_TIME: Final = (
+    *("t", "time", "times", "timestamp", "seconds", "elapsed", "xtime", "zeit", "tempo", "temps"),
+)
+_TIME_UNITS: Final = {
+    "s": 1.0,
+    "sec": 1.0,
+    "second": 1.0,
+    "seconds": 1.0,
+    "ms": 1e-3,
+    "us": 1e-6,
+    "ns": 1e-9,
+    "min": 60.0,
+}
+_BRACKETED: Final = re.compile(r"([^()\[\]{}]*)(?:\[([^\[\]]*)\]|\(([^()]*)\))\s*")
+
+
+def label_parts(label: str) -> tuple[str, str]:
+    """Split a heading such as ``"acc (g)"`` into name and unit.
+
+    In square brackets everything is a unit; in round ones only what is known to be one.
+    """
+    match = _BRACKETED.fullmatch(label[: 2 * _LONGEST_NAME])
+    if match:
+        unit = plain_unit(match[2] if match[2] is not None else match[3])
+        if match[2] is not None or is_unit(unit) or unit in _TIME_UNITS:
+            return short_name(match[1]), unit
+    return short_name(label), ""
+
+
+def short_name(name: str) -> str:
+    """Return a name in one line, cut where it is too long."""
+    line = " ".join(name[: 4 * _LONGEST_NAME].split())
+    return line if len(line) <= _LONGEST_NAME else line[: _LONGEST_NAME - 1] + "…"
+
+
+def time_scale(name: str, unit: str) -> float | None:
+    """Seconds in one unit of a column, if it is one of times; None if it is not."""
+    plain = spelled(unit).lower()
+    if _without_unit(name) in _TIME and (not unit or plain in _TIME_UNITS):
+        return _TIME_UNITS.get(plain, 1.0)
+    return None
+
+
+class RateClaim(NamedTuple):
+    """A number that a file gives for its sampling rate: by which name, and what it comes to; Hz."""
+
+    name: str
+    value: float
+
+    def __str__(self) -> str:
+        return f"{self.name} says {self.value:.9g} Hz"
+
+
+class RateClaims(NamedTuple):
+    """Numbers of a file that are sampling rates, and such as may be something else; Hz."""
+
+    clear: tuple[RateClaim, ...] = ()
+    loose: tuple[RateClaim, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class FileRate:
+    """What a file says of its sampling rate, all in all.
+
+    Attributes
+    ----------
+    value
+        Hz; None if the file does not say, or says it in several ways
+    doubt
+        the ways, as the end of a sentence; empty if there is none
+    aside
+        number that is taken for something else, with its name; None if there is none
+    """
+
+    value: float | None = None
+    doubt: str = ""
+    aside: RateClaim | None = None
+
+
+def rates_among(levels: Sequence[Mapping[str, float]]) -> RateClaims:
+    """Sampling rates by the names of the numbers that a file gives.
+
+    Parameters
+    ----------
+    levels
+        Numbers of the channel itself, of its group, of the file: the nearest hold.
+    """
+    clear: tuple[RateClaim, ...] = ()
+    loose: tuple[RateClaim, ...] = ()
+    for numbers in levels:
+        if not clear:
+            clear = (
+                *(RateClaim(f'"{short_name(name)}"', value) for name, value in numbers.items()
+                  if _without_unit(name) in _RATE and positive(value)),
+                *(RateClaim(f'"{short_name(name)}" = {value:.9g} s', 1.0 / value)
+                  for name, value in numbers.items()
+                  if _without_unit(name) in _STEP and positive(value) and positive(1.0 / value)),
+            )  # fmt: skip
+        if not loose:
+            loose = tuple(
+                RateClaim(f'"{short_name(name)}"', value)
+                for name, value in numbers.items()
+                if _without_unit(name) in _LOOSE_RATE and positive(value)
+            )
+    return RateClaims(clear, loose)
+
+
+def rate_of(claims: RateClaims, times: float | None = None) -> FileRate:
+    """Weigh what a file says of its sampling rate.
+
+    Parameters
+    ----------
+    claims
+        Numbers by their names.
+    times
+        Rate of the samples' times, if the file has them; Hz.
+    """
+    stated = (*(() if times is None else (RateClaim("the column of times", times),)), *claims.clear)
+    if not stated:
+        return _of_loose(claims.loose)
+    # what is written down holds over times of few digits, if they agree
+    value = (claims.clear or stated)[0].value
+    rivals = [claim for claim in stated if not _same(claim.value, value)]
+    aside = None
+    for claim in claims.loose:
+        if _same(claim.value, value):
+            continue
+        if claim.value <= min(_FASTEST_SHAFT, value / _CLEARLY_BELOW):
+            aside = claim
+        else:
+            rivals.append(claim)
+    if rivals:
+        first = next(claim for claim in stated if _same(claim.value, value))
+        return FileRate(None, " and ".join(map(str, (first, *rivals))))
+    return FileRate(value, "", aside)
+
+
+def _of_loose(loose: Sequence[RateClaim]) -> FileRate:
+    """Weigh a number that is called a rate, and nothing more."""
+    if not loose:
+        return FileRate()
+    first = loose[0]
+    if not all(_same(claim.value, first.value) for claim in loose):
+        return FileRate(None, " and ".join(map(str, loose)))
+    if first.value <= _FASTEST_SHAFT:
+        doubt = f"{first}, which may be the speed of the shaft as well"
+        return FileRate(None, doubt)
+    return FileRate(first.value)
+
+
+def _same(one: float, other: float) -> bool:
+    return abs(one - other) <= SAME_RATE * other
+
+
+def speed_among(numbers: Mapping[str, float]) -> float | None:
+    """Speed of the shaft by the name of one of the numbers that a file gives; rad/s."""
+    for name, value in numbers.items():
+        plain = _letters_and_digits(name)
+        if not isfinite(value):
+            continue
+        if plain.endswith("rpm") and _SHAFT.fullmatch(plain.removesuffix("rpm")):
+            return value * pi / 30.0
+        turns = plain.removesuffix("hz")
+        if _IN_HERTZ.fullmatch(turns) or (turns != plain and turns and _SHAFT.fullmatch(turns)):
+            return value * SPEED_UNITS["Hz"]
+    return None
+
+
+def speeds_perhaps(numbers: Mapping[str, float], rate: float) -> dict[str, float]:
+    """Numbers of a file that may be the speed of the shaft, and do not say in which unit.
+
+    rate: of sampling, which is none; Hz.
+    """
+    return {
+        name: value
+        for name, value in numbers.items()
+        if _without_unit(re.split(r"[./]", name)[-1]) in _PERHAPS_SPEED
+        and positive(value)
+        and not _same(value, rate)
+    }
+
+
+def unit_among(texts: Mapping[str, str]) -> str:
+    """Unit by the name of one of the texts that a file gives; "" if there is none."""
+    return next(
+        (plain_unit(text) for name, text in texts.items() if _without_unit(name) in _UNIT), ""
+    )
+
+
+def positive(value: float) -> bool:
+    """Tell whether a number can be a rate or a step."""
+    return 0.0 < value < 1e12
+
+
+def _without_unit(name: str) -> str:
+    """Letters and digits only, in lower case: Sampling_Rate and "sampling rate" are one."""
+    without = re.sub(r"[\[(]\s*(?:hz|s|rpm|1/min)\s*[\])]", "", name[:_LONGEST_NAME].lower())
+    return _letters_and_digits(without)  # of "fs (kHz)" the kHz is left: not a rate in Hz
+
+
+def _letters_and_digits(name: str) -> str:
+    """Letters and digits of a name with its unit, in lower case and without accents."""
+    parts = unicodedata.normalize("NFKD", name[:_LONGEST_NAME].lower())
+    return re.sub(r"[^a-z0-9]", "", parts)
+
+
+SAME_RATE: Final = 1e-3
+"""Part by which two statements of a sampling rate may differ: files round the step of time."""
+
+_STEP_OFF: Final = 0.3
+"""Of a step: what rounding to the file's digits may do to one. A sample left out does more."""
+_PLACE_OFF: Final = 1.0
+"""Of a step: how far an instant may lie from the straight line of its number."""
+
+
+@dataclass(frozen=True, slots=True)
+class Timeline:
+    """Evenly spaced instants.
+
+    Attributes
+    ----------
+    first
+        instant of sample 0, in the column's unit
+    step
+        between samples, in the column's unit
+    scale
+        seconds in the column's unit
+    """
+
+    first: float
+    step: float
+    scale: float
+
+    @classmethod
+    def between(cls, first: float, last: float, count: int, scale: float, source: str) -> Timeline:
+        """Return the even spacing between the first and the last instant of a column.
+
+        Raises
+        ------
+        FileError
+            If there are fewer than two, or time does not run forward.
+        """
+        with np.errstate(all="ignore"):
+            step = float((np.float64(last) - first) / (count - 1)) if count > 1 else float("nan")
+        if not 1e-12 < step * scale < 1e12:
+            raise FileError(
+                "does not run forward from its first row to its last",
+                field="time column",
+                example="0.0, 0.0001, 0.0002",
+                source=source,
+            )
+        return cls(first, step, scale)
+
+    @property
+    def rate(self) -> float:
+        """Hz."""
+        return 1.0 / (self.step * self.scale)
+
+    def check(self, times: FloatArray, start: int, source: str) -> None:
+        """Refuse instants, of which the first is that of sample `start`, that are not even.
+
+        Raises
+        ------
+        FileError
+            If a sample is missing, doubled, or out of step.
+        """
+        with np.errstate(all="ignore"):
+            place = (times - self.first) / self.step - (start + np.arange(len(times)))
+            wrong = ~(np.abs(place) <= _PLACE_OFF)
+            wrong[1:] |= ~(np.abs(np.diff(place)) <= _STEP_OFF)
+        if np.any(wrong):
+            number = int(np.argmax(wrong))
+            raise FileError(
+                f"is not evenly spaced: sample {start + number} (counted from 0) is off the mean "
+                f"step of {self.step * self.scale:.6g} s; a sample is missing, or time was stored "
+                "with too few digits",
+                field="time column",
+                value=float(times[number]),
+                source=source,
+            )
