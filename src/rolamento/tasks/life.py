@@ -237,8 +237,23 @@ def _life(solved: Solved, given: LifeConditions) -> LifeSummary | None:
 
 
 def case_of(source: CaseSource) -> Case:
-    """Return a case; read from its file if that is given."""
-    return source if isinstance(source, Case) else load_case(source)
+    """Return a case; read from its file if that is given.
+
+    Raises
+    ------
+    InputError
+        If it is neither, or as `load_case`.
+    """
+    if isinstance(source, Case):
+        return source
+    if not isinstance(source, str | os.PathLike):
+        raise InputError(
+            "must be a Case, or the path of its file",
+            field="case",
+            value=type(source).__name__,
+            example='life_of_case("case.toml")',
+        )
+    return load_case(source)
 
 
 def factor_table(
