@@ -55,10 +55,9 @@ def test_no_number_without_a_result(values: dict[str, np.ndarray]) -> None:
 
 def test_the_ring_is_that_of_solve(case_218: Case, values: dict[str, np.ndarray]) -> None:
     state = solve(case_218.replace(duty=Duty(inner_speed="10000 rpm", load=Load(fx=20e3))))
+    varied = {"duty.load.fx": np.array([20e3] * 2), "duty.load.fz": np.zeros(2)}
     values = {
-        name: output.compute(
-            Solved(solve_batch(case_218, {"duty.load.fx": [20e3] * 2, "duty.load.fz": 0.0}))
-        )
+        name: output.compute(Solved(solve_batch(case_218, varied), case_218, varied))
         for name, output in catalogue().items()
         if not output.needs
     }
