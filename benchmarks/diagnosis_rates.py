@@ -25,8 +25,7 @@ from scipy import stats
 from benchmarks.healthy_signals import KINDS, healthy
 from rolamento import Bearing
 from rolamento.vibration.diagnosis import FaultOrders, diagnose
-from rolamento.vibration.fault_lines import FaultKind
-from rolamento.vibration.frequencies import nominal_frequencies
+from rolamento.vibration.frequencies import FaultKind, nominal_frequencies
 from rolamento.vibration.synthesis import (
     Fault,
     LoadDistribution,

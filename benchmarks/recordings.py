@@ -30,6 +30,7 @@ from typing import Any, Final
 import numpy as np
 
 from rolamento import Bearing
+from rolamento.vibration.demodulation import prewhitened
 from rolamento.vibration.diagnosis import (
     COMPONENTS,
     DAMAGE,
@@ -39,7 +40,6 @@ from rolamento.vibration.diagnosis import (
     diagnose,
 )
 from rolamento.vibration.frequencies import nominal_frequencies
-from rolamento.vibration.prewhitening import prewhitened
 from rolamento.vibration.reading import read_signal
 from rolamento.vibration.signal import Signal
 

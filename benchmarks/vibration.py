@@ -25,10 +25,9 @@ from benchmarks import vibration_plain
 from benchmarks.figures import Figure, Findings, alternately, below, seconds
 from rolamento import Bearing
 from rolamento.vibration.cyclic import cyclic_coherence
+from rolamento.vibration.demodulation import kurtogram
 from rolamento.vibration.diagnosis import Diagnosis, FaultOrders, diagnose
-from rolamento.vibration.fault_lines import FaultFrequencies
-from rolamento.vibration.frequencies import nominal_frequencies
-from rolamento.vibration.kurtogram import kurtogram
+from rolamento.vibration.frequencies import FaultFrequencies, nominal_frequencies
 from rolamento.vibration.order_tracking import order_tracked, revolutions_of
 from rolamento.vibration.reading import open_signal
 from rolamento.vibration.signal import Signal

@@ -14,14 +14,25 @@ from decimal import Context, Decimal
 from fractions import Fraction
 from functools import lru_cache
 from importlib import resources
-from typing import TYPE_CHECKING, Final, Literal, NamedTuple
+from typing import TYPE_CHECKING, Any, Final, Literal, NamedTuple
 
 from rolamento.errors import UnitError, nearest, shown
 
 if TYPE_CHECKING:
     import pint
 
-__all__ = ["SI_UNIT", "Dimension", "from_si", "to_si"]
+__all__ = ["MICROMETRE", "MILLIMETRE", "RPM", "SI_UNIT", "Dimension", "from_si", "rpm_of", "to_si"]
+
+MILLIMETRE: Final = 1e-3
+MICROMETRE: Final = 1e-6
+RPM: Final = math.pi / 30.0
+"""One revolution a minute in rad/s."""
+
+
+def rpm_of(speed: Any) -> Any:
+    """Return a speed in rad/s (a number or an array) in revolutions a minute."""
+    return speed * 30.0 / math.pi
+
 
 Dimension = Literal[
     "length",

@@ -24,14 +24,25 @@ import pytest
 from scipy import stats
 
 from rolamento.vibration.cyclic import cyclic_coherence, enhanced_envelope_spectrum
-from rolamento.vibration.envelope import analytic_signal, envelope, envelope_spectrum
-from rolamento.vibration.indicators import indicators, spectral_indicators
-from rolamento.vibration.kurtogram import Kurtogram, KurtogramLevel, kurtogram
+from rolamento.vibration.demodulation import (
+    Kurtogram,
+    KurtogramLevel,
+    analytic_signal,
+    envelope,
+    envelope_spectrum,
+    kurtogram,
+    prewhitened,
+)
 from rolamento.vibration.order_tracking import order_spectrum, order_tracked
-from rolamento.vibration.prewhitening import prewhitened
 from rolamento.vibration.separation import separate
 from rolamento.vibration.signal import Signal
-from rolamento.vibration.spectrum import amplitude_spectrum, averaged_density, power_density
+from rolamento.vibration.spectrum import (
+    amplitude_spectrum,
+    averaged_density,
+    indicators,
+    power_density,
+    spectral_indicators,
+)
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 

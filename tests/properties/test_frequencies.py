@@ -11,10 +11,15 @@ from hypothesis import strategies as st
 
 from rolamento import Bearing
 from rolamento.kinematics import ball_motion
-from rolamento.vibration.fault_lines import FAULTS, LINES
-from rolamento.vibration.frequencies import line_orders, nominal_frequencies, turns_of
+from rolamento.vibration.frequencies import (
+    FAULTS,
+    LINES,
+    line_orders,
+    nominal_frequencies,
+    turns_of,
+)
 from rolamento.vibration.frequency_band import Tolerances, banded_frequencies
-from rolamento.vibration.general_motion import general_motion
+from rolamento.vibration.motion import general_motion
 
 RATIOS = st.floats(0.02, 0.4)
 ANGLES = st.floats(0.0, 1.4)

@@ -20,28 +20,38 @@ from rolamento.vibration.anderon import (
     velocity_of_anderons,
 )
 from rolamento.vibration.cyclic import cyclic_coherence, enhanced_envelope_spectrum
-from rolamento.vibration.envelope import analytic_signal, envelope, envelope_spectrum
-from rolamento.vibration.fault_lines import FAULTS, FaultFrequencies
-from rolamento.vibration.frequencies import line_orders, nominal_frequencies, turns_of
-from rolamento.vibration.indicators import indicators, spectral_indicators
-from rolamento.vibration.kurtogram import kurtogram
+from rolamento.vibration.demodulation import (
+    analytic_signal,
+    envelope,
+    envelope_spectrum,
+    kurtogram,
+    prewhitened,
+)
+from rolamento.vibration.frequencies import (
+    FAULTS,
+    FaultFrequencies,
+    line_orders,
+    nominal_frequencies,
+    turns_of,
+)
 from rolamento.vibration.order_tracking import (
     AngularSignal,
     order_spectrum,
     order_tracked,
     revolutions_of,
 )
-from rolamento.vibration.prewhitening import prewhitened
 from rolamento.vibration.separation import separate
+from rolamento.vibration.shaft_speed import estimate_speed, pulse_times, speed_from_pulses
 from rolamento.vibration.signal import Signal
 from rolamento.vibration.spectrum import (
     Spectrum,
     amplitude_spectrum,
     averaged_density,
     bins_of_band,
+    indicators,
     power_density,
+    spectral_indicators,
 )
-from rolamento.vibration.speed_estimate import estimate_speed
 from rolamento.vibration.synthesis import (
     Fault,
     Noise,
@@ -51,7 +61,6 @@ from rolamento.vibration.synthesis import (
     WanderingSpeed,
     synthesise,
 )
-from rolamento.vibration.tachometer import pulse_times, speed_from_pulses
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 

@@ -53,7 +53,7 @@ def test_a_plain_case_is_its_state_and_nothing_else(case_218: Case) -> None:
     assert mapping.pop("friction") is None
     assert mapping.pop("life") is None
     frequencies = mapping.pop("frequencies")
-    assert frequencies == frequencies_of(analysis.state).to_mapping()
+    assert frequencies == frequencies_of(analysis.solved).to_mapping()
     assert mapping == analysis.solved.to_mapping()
 
 

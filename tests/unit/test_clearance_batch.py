@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rolamento import Case, InputError, parse_case, solve, solve_batch
+from rolamento import Case, InputError, parse_case, solve, solve_batch, solving
 from rolamento.case._overrides import overridden
 from rolamento.clearance import MOUNTED_FIELDS, clearance_of_case, operating_batch
-from rolamento.life import life, life_of_batch
+from rolamento.life import life
 from rolamento.rows.ball import batch_fields
 from rolamento.studies import Axis, Study, run
 
@@ -181,11 +181,10 @@ def test_a_study_over_the_temperature_of_a_ring_finds_film_and_life() -> None:
     dataset = run(study)
     assert np.all(np.diff(dataset["z"].values) < 0.0)
     assert np.ptp(dataset["viscosity_ratio"].values) == 0.0
-    batch = solve_batch(case, {"temperature.inner_ring": warm})
-    lives = life_of_batch(case, batch).headline.hours
+    lives = life(solving.solve(case, {"temperature.inner_ring": warm})).headline.hours
     alone = [
         life(
-            solve(changed(case, "temperature.inner_ring", one)), stress_volume=False
+            solving.solve(changed(case, "temperature.inner_ring", one)), stress_volume=False
         ).headline.hours[0]
         for one in warm
     ]

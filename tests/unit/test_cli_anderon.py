@@ -6,7 +6,8 @@ import csv
 import json
 import re
 import shlex
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import replace
 from math import inf, nan, pi, sqrt
 from pathlib import Path
@@ -16,25 +17,23 @@ import numpy as np
 import pytest
 from typer.testing import CliRunner
 
-from rolamento.cli import anderon_files
-from rolamento.cli.anderon_files import full_scales_of, hours_of, measured_noise
+from rolamento import tasks
+from rolamento.cli.anderon import _full_scales_of as full_scales_of
 from rolamento.cli.app import app
-from rolamento.cli.signal_source import SignalChoice
-from rolamento.errors import InputError
 from rolamento.plots.anderon import noise_bands, noise_figure
-from rolamento.report.anderon import noise_report, noise_statement
-from rolamento.report.anderon_result import (
+from rolamento.report.anderon import (
     CSV_COLUMNS,
-    FullScale,
-    MeasuredNoise,
-    NoiseResult,
     noise_json,
+    noise_report,
+    noise_statement,
 )
 from rolamento.report.language import PORTUGUESE
+from rolamento.tasks import noise as noise_task
+from rolamento.tasks.noise import FullScale, MeasuredNoise, NoiseResult
 from rolamento.vibration.anderon import BANDS, SPEED, BandNoise, measure_noise, noise_steps
 from rolamento.vibration.reading import read_signal
 from rolamento.vibration.signal import Signal
-from rolamento.weibull.trend import parse_trend
+from rolamento.weibull import parse_trend
 
 DOCS = Path(__file__).resolve().parents[2] / "docs"
 Run = Callable[..., tuple[int, str, str]]
@@ -158,12 +157,16 @@ class TestLevels:
     def test_blocks_have_the_spectrum_of_the_whole(
         self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, rate: float, count: int
     ) -> None:
-        monkeypatch.setattr(anderon_files, "_BLOCK", 100_000)
+        monkeypatch.setattr(noise_task, "PIECE", 100_000)
         path = tmp_path / "long.npy"
         np.save(path, np.random.default_rng(4).normal(size=count))
         told: list[tuple[int, int]] = []
-        wanted = SignalChoice(unit="um/s", rate=rate)
-        found = measured_noise(str(path), wanted, nan, lambda *x: told.append(x))
+
+        @contextmanager
+        def stages(stage: str) -> Iterator[Any]:
+            yield lambda *progress: told.append(progress)
+
+        (found,) = tasks.anderons(path, unit="um/s", rate=rate, stages=stages).measured
         whole = measure_noise(read_signal(path, unit="um/s", rate=rate))
         assert len(told) > 3
         assert told[-1][0] <= told[-1][1]
@@ -195,14 +198,14 @@ class TestLevels:
     def test_speed_that_changes_counts_by_its_mean(
         self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
     ) -> None:
-        monkeypatch.setattr(anderon_files, "_BLOCK", 50_000)
+        monkeypatch.setattr(noise_task, "PIECE", 50_000)
         time = np.arange(400_000) / RATE
         speed = SPEED * (1.0 + 0.01 * np.sin(2.0 * pi * time / time[-1]))
         path = tmp_path / "run.csv"
         table = np.column_stack([time, np.random.default_rng(1).normal(size=time.size), speed])
         header = "time (s),velocity (um/s),speed (rad/s)"
         np.savetxt(path, table[::1], "%.9g", ",", header=header, comments="")
-        found = measured_noise(str(path), SignalChoice(channel="velocity"), nan, lambda *_: None)
+        (found,) = tasks.anderons([path], channel="velocity").measured
         assert found.noise.speed == pytest.approx(float(np.mean(speed)), rel=2e-3)
 
 
@@ -385,7 +388,7 @@ REFUSED: list[tuple[tuple[str, ...], str]] = [
     (("t60.npz", "--unit", "um/s", "--duration", "0.2"), "must be at least 0.5 s"),
     (("t60.npz", "--unit", "um/s", "--start", "9"), "must lie before the end"),
     (("still.npy", "--unit", "um/s", "--rate", "1e9"), "the bands end at 10 kHz"),
-    (("t60.npz",) * 501, "at most 500 at once"),
+    (("t60.npz",) * 501, "must be 1 to 500 files"),
 ]
 
 
@@ -406,12 +409,11 @@ def test_full_scales() -> None:
     assert found["medium"].anderons("medium", SPEED) == pytest.approx(anderons(1e-4, "medium"))
 
 
-def test_hours() -> None:
-    assert hours_of("60, 120.5", 2) == [60.0, 120.5]
-    assert all(np.isnan(hours_of(None, 3)))
-    for text in ("1,inf", "1,nan", "", "a,b", "1,2,3"):
-        with pytest.raises(InputError, match="number of hours"):
-            hours_of(text, 2)
+@pytest.mark.parametrize("text", ["1,inf", "1,nan", "", "a,b", "1,2,3"])
+def test_hours_that_are_none(run: Run, text: str) -> None:
+    code, _, err = run("t60.npz", "t120.npz", "--unit", "um/s", "--hours", text)
+    assert code == 2
+    assert "must be a number of hours from 0 on for each signal, here 2" in err
 
 
 # --- page and picture of a record ------------------------------------------------------------

@@ -12,8 +12,7 @@ import scipy.io
 import typer
 from typer.testing import CliRunner
 
-from rolamento.cli.diagnose import diagnose
-from rolamento.cli.diagnose_options import DiagnoseCommand
+from rolamento.cli.diagnose import DiagnoseCommand, diagnose
 
 app = typer.Typer(rich_markup_mode=None, add_completion=False)
 app.command(cls=DiagnoseCommand)(diagnose)
@@ -116,7 +115,7 @@ def test_a_short_record_is_told_before_it_is_read(
         raise AssertionError("the record was diagnosed")
 
     np.save("a.npy", NOISE[:40_000])
-    monkeypatch.setattr("rolamento.vibration.diagnosis.diagnose", never)
+    monkeypatch.setattr("rolamento.vibration.diagnosis.verdict", never)
     known = ("a.npy", "--speed", "30 rpm", "--rate", "50 kHz")
     code, out, _ = run(*known)
     assert code == 1
@@ -140,7 +139,7 @@ def test_a_shaft_too_slow_for_its_rate_is_told_before_it_is_read(
         raise AssertionError("the record was diagnosed")
 
     np.save("a.npy", np.zeros(3_000_000, dtype=np.float32))
-    monkeypatch.setattr("rolamento.vibration.diagnosis.diagnose", never)
+    monkeypatch.setattr("rolamento.vibration.diagnosis.verdict", never)
     code, out, _ = run("a.npy", "--speed", "2 rpm", "--rate", "50 kHz", "--lang", language)
     assert code == 1
     said = {"en": "spans 1.4 revolutions", "pt": "abrange 1,4 voltas"}

@@ -16,9 +16,8 @@ import typer
 from typer.testing import CliRunner
 
 from rolamento import Bearing
-from rolamento.cli import diagnose_signal, diagnose_tracking
-from rolamento.cli.diagnose import diagnose
-from rolamento.cli.diagnose_options import DiagnoseCommand
+from rolamento.cli.diagnose import DiagnoseCommand, diagnose
+from rolamento.tasks import shaft_speed, signals
 from rolamento.vibration.frequencies import nominal_frequencies
 from rolamento.vibration.synthesis import Fault, Noise, Recipe, SwingingSpeed, synthesise
 
@@ -141,7 +140,7 @@ class TestOrderTracking:
         self, run: Run, way: tuple[str, ...], monkeypatch: pytest.MonkeyPatch
     ) -> None:
         whole = found(run, *way)
-        monkeypatch.setattr(diagnose_signal, "PIECE", 9_000)
+        monkeypatch.setattr(signals, "PIECE", 9_000)
         pieces = found(run, *way)
         assert pieces["faults"] == ["outer_race"]
         assert pieces["signal"]["indicators_of_first"] == pytest.approx(9_000 / RATE)
@@ -194,12 +193,12 @@ class TestFindingTheSpeed:
         """Found and true speed at every sample, and how many stretches there were."""
         from rolamento.vibration.reading import open_signal
 
-        monkeypatch.setattr(diagnose_tracking, "_STRETCH", stretch)
-        monkeypatch.setattr(diagnose_tracking, "MOST_STRETCH_SAMPLES", samples)
+        monkeypatch.setattr(shaft_speed, "_STRETCH", stretch)
+        monkeypatch.setattr(shaft_speed, "MOST_STRETCH_SAMPLES", samples)
         done = []
         with open_signal("swing.npz", channel="acc") as source:
             count = source.length
-            along, tracking = diagnose_tracking.found_in_vibration(
+            along, tracking = shaft_speed.found_in_vibration(
                 source, range(0, count, count), MEAN, 0.1, lambda *told: done.append(told)
             )
         assert along is not None
@@ -271,7 +270,7 @@ class TestWrongInput:
             ((*CHANNEL, "--outer-speed", "9 rpm"), '--outer-speed: "9 rpm": is a steady speed'),
             (
                 (*CHANNEL, "--set", "duty.inner_speed=9 rpm", "--set", "duty.outer_speed=9 rpm"),
-                "--set duty.outer_speed='0 rpm'",
+                "--set 'duty.outer_speed=0 rpm'",
             ),
             ((*TRACK, "--outer-speed", "9 rpm"), "--track: is the speed of one ring"),
             ((*GIVEN, "--tacho", "acc"), "--channel 1 --tacho 2"),
@@ -292,7 +291,7 @@ class TestWrongInput:
         assert err.count("\n") == 1
 
     def test_long_pulses_are_refused(self, run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
-        monkeypatch.setattr(diagnose_tracking, "MOST_TACHO_SAMPLES", 100_000)
+        monkeypatch.setattr(shaft_speed, "MOST_TACHO_SAMPLES", 100_000)
         code, _, err = run(*TACHO)
         assert code == 2
         assert "up to 100000 samples, 8.33333 s; these are 144000" in err
@@ -303,7 +302,7 @@ class TestWrongInput:
     def test_slow_shafts_at_high_rates_are_refused(
         self, run: Run, monkeypatch: pytest.MonkeyPatch
     ) -> None:
-        monkeypatch.setattr(diagnose_tracking, "MOST_STRETCH_SAMPLES", 50_000)
+        monkeypatch.setattr(shaft_speed, "MOST_STRETCH_SAMPLES", 50_000)
         code, _, err = run(*TRACK)
         assert code == 2
         assert "--track: holds 50000 samples in memory at once, and 192 revolutions are" in err

@@ -11,15 +11,22 @@ import pytest
 import typer
 from typer.testing import CliRunner, Result
 
-from rolamento import Bearing, load_case, solve
+from rolamento import Bearing, load_case
 from rolamento.cli.frequencies import frequencies
 from rolamento.cli.optional_value import JsonCommand
-from rolamento.report.frequencies import CSV_COLUMNS, FrequencyResult, frequencies_report
+from rolamento.report.frequencies import CSV_COLUMNS, frequencies_report
 from rolamento.report.frequencies_words import FREQUENCY_WORDS
 from rolamento.report.language import LANGUAGES, words_for
 from rolamento.report.medium import Medium
-from rolamento.vibration.fault_lines import FAULTS, LINES, NOTES
-from rolamento.vibration.frequencies import frequencies_of, nominal_frequencies
+from rolamento.solving import solve
+from rolamento.tasks.frequencies import FrequencyResult
+from rolamento.vibration.frequencies import (
+    FAULTS,
+    LINES,
+    NOTES,
+    frequencies_of,
+    nominal_frequencies,
+)
 
 app = typer.Typer()
 app.command(cls=JsonCommand)(frequencies)

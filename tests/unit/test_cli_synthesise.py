@@ -7,7 +7,8 @@ import re
 import shlex
 from collections.abc import Callable
 from dataclasses import replace
-from math import log10, nan, pi, sqrt
+from functools import partial
+from math import log10, pi, sqrt
 from pathlib import Path
 from typing import Any
 
@@ -16,31 +17,35 @@ import pytest
 import typer
 from typer.testing import CliRunner
 
-from rolamento import Bearing, load_case, solve
-from rolamento.cli import signal_files
+from rolamento import Bearing, load_case
 from rolamento.cli.app import app
-from rolamento.cli.bearing_case import case_of, has_load, is_designation
 from rolamento.cli.field_list import fields_of
 from rolamento.cli.quantities import number_of
-from rolamento.cli.signal_files import write_signal
-from rolamento.cli.synthesise_options import Asked
-from rolamento.cli.synthesise_recipe import given_of, load_name, recipe_from
 from rolamento.errors import InputError
 from rolamento.plots.vibration_modulation import envelope_depths, modulation_figure
+from rolamento.report import synthesis as page
 from rolamento.report.synthesis import synthesis_report
-from rolamento.report.synthesis_result import SynthesisResult, truth_json
+from rolamento.solving import solve
+from rolamento.tasks.bearing import case_of, has_load, is_designation
+from rolamento.tasks.synthesis import SynthesisResult
+from rolamento.tasks.synthesis import synthesise as synthesise_task
+from rolamento.vibration import writing
 from rolamento.vibration.frequencies import frequencies_of, nominal_frequencies
 from rolamento.vibration.reading import open_signal, read_signal
 from rolamento.vibration.signal import Signal
 from rolamento.vibration.synthesis import (
     Fault,
     LoadDistribution,
+    Mode,
     Noise,
     Recipe,
     SwingingSpeed,
+    TransferPath,
     WanderingSpeed,
+    Waviness,
     synthesise,
 )
+from rolamento.vibration.writing import write_signal
 
 DOCS = Path(__file__).resolve().parents[2] / "docs"
 GUIDE = (DOCS / "synthesis.md").read_text("utf-8")
@@ -80,10 +85,12 @@ def squeezed(text: str) -> str:
     return " ".join(text.split())
 
 
-def given(**fields: Any) -> Recipe:
-    """Recipe of the options that a record of them holds."""
-    asked = Asked(bearing="6205", inner_speed=SPEED, **{"faults": ("inner_race",), **fields})
-    return recipe_from(asked, given_of(asked))
+def made(**fields: Any) -> SynthesisResult:
+    """Return what the task makes of a 6205, with damage to the inner race unless told otherwise."""
+    given: dict[str, Any] = {"faults": [Fault(kind="inner_race")], "duration": 2.0, **fields}
+    found = synthesise_task("6205", speed=SPEED, **given)
+    assert isinstance(found, SynthesisResult)
+    return replace(found, path="a.wav")
 
 
 class TestSignal:
@@ -139,7 +146,7 @@ class TestSignal:
             nominal_frequencies(load_case("fan.toml").bearing, SPEED).ball_pass_inner.order,
             rel=1e-3,
         )
-        load = LoadDistribution.of_state(state)
+        load = LoadDistribution.of_solved(state)
         recipe = Recipe(
             frequencies=frequencies_of(state), faults=(Fault(kind="inner_race"),), load=load,
             duration=1.0,
@@ -207,7 +214,7 @@ class TestFiles:
         assert np.array_equal(found, samples.astype(np.float32))
 
     def test_table_has_its_bounds(self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-        monkeypatch.setattr(signal_files, "_MOST_ROWS", 10)
+        monkeypatch.setattr(writing, "_MOST_ROWS", 10)
         signal = Signal(np.arange(11.0), 8000.0, "acceleration", "m/s^2")
         with pytest.raises(InputError, match="at most 10 in a table"):
             write_signal(signal, str(tmp_path / "a.csv"))
@@ -240,10 +247,15 @@ class TestTruth:
         )
 
     def test_rms_of_each_fault_alone(self) -> None:
-        faults = ("inner_race", "outer_race,strength=3", "ball,modulation=frequency,index=2")
+        faults = [
+            Fault(kind="inner_race"),
+            Fault(kind="outer_race", strength=3.0),
+            Fault(kind="ball", modulation="frequency", index=2.0),
+        ]
         for load in ("uniform", "radial"):
-            recipe = given(faults=faults, load=load, duration=2.0, swing="0.05")
-            found = result(recipe)
+            swing = partial(SwingingSpeed, depth=0.05, frequency=0.3)
+            found = made(faults=faults, load=load, rate=51_200.0, speed_profile=swing)
+            recipe = found.recipe
             # parts are told apart by leaving the others' strengths at zero: same random numbers
             for place, one in enumerate(found.faults):
                 alone = list(recipe.faults)
@@ -262,21 +274,17 @@ class TestTruth:
         assert truth["faults"][0]["to_noise"] is None
         assert len(truth["faults"][0]["times"]) == pytest.approx(2.0 * 11.92, abs=2.0)
 
-    def test_recipe_is_told_by_its_fields(self) -> None:
-        recipe = given(
-            faults=("inner_race,strength=2,azimuth=90 deg,slip=around",),
-            jitter=0.03,
-            wander="0.005,memory=1 s",
-            modes=("5 kHz,gain=3", "2000"),
-            path="far_gain=0.5",
-            load="radial,extent=0.7",
-            waviness=("outer,amplitude=50 nm,last=20",),
-            shaft_harmonics="0.5,0.2",
-            noise="0.1 g",
-            colour="pink",
-            seed=7,
-        )
-        told = json.loads(truth_json(result(recipe, "radial", 0.7)))["recipe"]
+    def test_recipe_is_told_by_its_fields(self, run: Run) -> None:
+        code, _, err = run(
+            *KNOWN, "--fault", "inner_race,strength=2,azimuth=90 deg,slip=around",
+            "--jitter", "0.03", "--wander", "0.005,memory=1 s", "--mode", "5 kHz,gain=3",
+            "--mode", "2000", "--path", "far_gain=0.5", "--load", "radial,extent=0.7",
+            "--waviness", "outer,amplitude=50 nm,last=20", "--shaft-harmonics", "0.5,0.2",
+            "--noise", "0.1 g", "--colour", "pink", "--seed", "7", "-o", "a.npz",
+            "--truth", "a.json",
+        )  # fmt: skip
+        assert (code, err) == (0, "")
+        told = json.loads(Path("a.json").read_text("utf-8"))["recipe"]
         assert told["faults"][0]["jitter"] == 0.03
         assert told["faults"][0]["azimuth"] == pytest.approx(pi / 2.0)
         assert told["speed"]["kind"] == "WanderingSpeed"
@@ -284,13 +292,6 @@ class TestTruth:
         assert told["load"] == {"kind": "radial", "extent": 0.7}
         assert told["noise"]["level"] == pytest.approx(0.980665)
         assert told["shaft_harmonics"] == [0.5, 0.2]
-
-
-def result(recipe: Recipe, load: Any = "uniform", extent: float = nan) -> SynthesisResult:
-    return SynthesisResult(
-        name="6205", source="6205", bearing=Bearing.named("6205"), made=synthesise(recipe),
-        load=load, extent=extent, path="a.wav", truth_path=None,
-    )  # fmt: skip
 
 
 class TestPage:
@@ -344,8 +345,7 @@ class TestPage:
         assert truth["faults"][0]["to_noise"] is None
 
     def test_lines_of_waviness_are_those_of_the_truth(self) -> None:
-        recipe = given(faults=(), waviness=("outer,amplitude=100 nm,last=60",), rate=51_200.0)
-        found = result(recipe)
+        found = made(faults=(), waviness=[Waviness.falling("outer", 100e-9, last=60)])
         lines = {(line.waves, round(line.frequency, 6)) for line in found.lines}
         shaft = SPEED / (2.0 * pi)
         expected = {
@@ -357,15 +357,18 @@ class TestPage:
         )
         # lines at one frequency add by their phases: their greatest sum bounds the whole
         assert found.rms <= sum(line.rms for line in found.lines)
-        page = synthesis_report(found)
-        assert "of a sound bearing" in page
-        assert "Planted" not in page
+        text = synthesis_report(found)
+        assert "of a sound bearing" in text
+        assert "Planted" not in text
 
     def test_lines_beyond_half_the_rate_are_said_to_be_missing(self) -> None:
-        recipe = given(
-            faults=(), waviness=("outer,amplitude=100 nm,last=90",), rate=1000.0, modes=("300",)
+        found = made(
+            faults=(),
+            waviness=[Waviness.falling("outer", 100e-9, last=90)],
+            rate=1000.0,
+            modes=[Mode(300.0)],
         )
-        assert "beyond half the rate" in squeezed(synthesis_report(result(recipe)))
+        assert "beyond half the rate" in squeezed(synthesis_report(found))
 
     def test_damage_that_no_ball_strikes_is_noted(self, run: Run) -> None:
         away = ("--fault", "outer_race,azimuth=180 deg", "--load", "radial")
@@ -406,7 +409,7 @@ REFUSED: list[tuple[tuple[str, ...], str]] = [
     ((*FAULT, "--fault", "ball,jitter=inf"), "--fault: jitter = "),
     ((*FAULT, "--fault", "ball,azimuth=90"), "needs its unit"),
     ((*FAULT, "--fault", "ball,jitter=0.1,jitter=0.1"), "is given twice"),
-    ((*FAULT, *("--fault", "ball") * 21), "20 times at most"),
+    ((*FAULT, *("--fault", "ball") * 21), "20 at most"),
     ((*FAULT, "--jitter", "3"), "--fault: jitter = 3.0"),
     ((*FAULT, "--slip", "7"), "--slip: 7.0: must be"),
     ((*FAULT, "--snr", "nan"), "--snr: nan: must be from -200"),
@@ -457,9 +460,7 @@ def test_wrong_input_is_one_line(run: Run, arguments: tuple[str, ...], message: 
 
 
 def test_truth_of_too_many_impacts_is_refused(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
-    from rolamento.cli import synthesise as command
-
-    monkeypatch.setattr(command, "_MOST_IMPACTS", 100)
+    monkeypatch.setattr(page, "_MOST_IMPACTS", 100)
     assert run(*FAULT)[0] == 0
     code, _, err = run(*FAULT, "--truth", "a.json")
     assert code == 2
@@ -495,31 +496,49 @@ def test_numbers(text: str, kind: Any, value: float) -> None:
     assert number_of(text, "--x", kind, "") == pytest.approx(value)
 
 
-def test_recipe_of_options() -> None:
-    recipe = given(faults=("inner-race,jitter=0.05", "ball"), jitter=0.02, swing="0.1")
-    assert [fault.jitter for fault in recipe.faults] == [0.05, 0.02]
-    assert recipe.speed == SwingingSpeed(SPEED, 0.1, 0.3)
-    assert given(wander="0.01").speed == WanderingSpeed(SPEED, 0.01, 2.0)
-    assert given().noise is None
+def test_recipe_of_options(run: Run) -> None:
+    known = (*KNOWN, "-o", "a.npz", "--truth", "a.json")
+
+    def recipe(*options: str) -> Any:
+        assert run(*known, *options)[0] == 0
+        return json.loads(Path("a.json").read_text("utf-8"))["recipe"]
+
+    both = ("--fault", "inner-race,jitter=0.05", "--fault", "ball", "--jitter", "0.02")
+    swinging = recipe(*both, "--swing", "0.1")
+    assert [fault["jitter"] for fault in swinging["faults"]] == [0.05, 0.02]
+    swing = {"kind": "SwingingSpeed", "mean": pytest.approx(SPEED), "depth": 0.1, "frequency": 0.3}
+    assert swinging["speed"] == {**swing, "phase": 0.0}
+    assert recipe(*both, "--wander", "0.01")["speed"]["memory"] == 2.0
+    assert recipe(*both)["noise"] is None
+
+
+def test_defaults_are_those_of_a_recipe() -> None:
     default = Recipe(frequencies=nominal_frequencies(Bearing.named("6205"), SPEED))
-    made = given()
-    for name in ("duration", "rate", "path", "modes", "shaft_harmonics", "seed", "load_turns"):
-        assert getattr(made, name) == getattr(default, name), name
+    found = synthesise_task("6205", speed="1797 rpm", faults=[Fault(kind="ball")], duration=0.5)
+    assert isinstance(found, SynthesisResult)
+    for name in ("rate", "path", "modes", "shaft_harmonics", "seed", "load_turns", "noise"):
+        assert getattr(found.recipe, name) == getattr(default, name), name
+    assert (found.path, found.truth_path) == ("", None)
+    transfer = TransferPath(far_gain=0.5)
+    assert made(transfer=transfer).recipe.path == transfer
+    wander = partial(WanderingSpeed, deviation=0.01, memory=2.0)
+    assert made(speed_profile=wander).recipe.speed == WanderingSpeed(SPEED, 0.01, 2.0)
 
 
 def test_slip_reaches_the_frequencies() -> None:
-    slow = given(slip=0.02).frequencies
-    assert slow.cage.order == pytest.approx(0.98 * given().frequencies.cage.order)
+    slow = made(slip=0.02).recipe.frequencies
+    assert slow.cage.order == pytest.approx(0.98 * made().recipe.frequencies.cage.order)
 
 
 def test_name_of_the_load(tmp_path: Path) -> None:
     path = tmp_path / "fan.toml"
     path.write_text(CASE, encoding="utf-8")
-    case = Asked(bearing=str(path), faults=("ball",))
-    assert load_name(case, given_of(case))[0] == "solved"
-    plain = Asked(bearing="6205", inner_speed=SPEED, load="radial")
-    assert load_name(plain, given_of(plain)) == ("radial", 0.5)
-    assert np.isnan(load_name(Asked(bearing="6205"), given_of(plain))[1])
+    solved = synthesise_task(path, tmp_path / "a.npz", faults=[Fault(kind="ball")], duration=0.5)
+    assert isinstance(solved, SynthesisResult)
+    assert solved.load == "solved"
+    assert read_signal(tmp_path / "a.npz").mean_speed == pytest.approx(SPEED)
+    assert (made(load="radial").load, made(load="radial").extent) == ("radial", 0.5)
+    assert np.isnan(made().extent)
 
 
 def test_case_of_a_bearing(tmp_path: Path) -> None:
@@ -570,8 +589,11 @@ def test_the_guide_names_commands_that_run(run: Run) -> None:
 
 def test_python_of_the_guide_tells_both_modulations_apart(run: Run) -> None:
     blocks = re.findall(r"```python\n(.*?)```", GUIDE, re.DOTALL)
-    assert len(blocks) == 1
+    assert len(blocks) == 2
     names: dict[str, Any] = {}
+    exec(compile(blocks[1], "example", "exec"), names)
+    truth = json.loads(Path("run.json").read_text("utf-8"))
+    assert read_signal("run.npz").mean_speed == pytest.approx(truth["speed"]["mean"])
     exec(compile(blocks[0], "example", "exec"), names)
     assert Path("modulation.png").exists()
     amplitude, frequency = names["made"]
@@ -592,8 +614,7 @@ def test_depths_of_a_known_modulation() -> None:
 
 @pytest.mark.parametrize("language", ["en", "pt"])
 def test_picture_of_modulations(language: str) -> None:
-    recipe = given(faults=("outer_race",), jitter=0.0, duration=0.5)
-    signal = synthesise(recipe).signal
+    signal = made(faults=[Fault(kind="outer_race", jitter=0.0)], duration=0.5).made.signal
     figure = modulation_figure(signal, signal, 107.15, (3500.0, 4500.0), language=language)
     labels = [axes.get_xlabel() for axes in figure.axes]
     assert labels[:2] == ["Time (ms)" if language == "en" else "Tempo (ms)"] * 2

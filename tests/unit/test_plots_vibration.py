@@ -20,10 +20,10 @@ from rolamento.plots.vibration import (
     envelope_lines,
     kurtogram_figure,
     kurtogram_map,
+    line_threshold,
     waveform,
     waveform_figure,
 )
-from rolamento.plots.vibration_spectrum import clearest_band, clearest_fault, line_threshold
 from rolamento.plots.vibration_words import vibration_words
 from rolamento.vibration.diagnosis import Diagnosis, FaultOrders, diagnose
 from rolamento.vibration.frequencies import nominal_frequencies
@@ -100,13 +100,13 @@ class TestEnvelope:
 
     def test_band_is_the_one_of_the_fault(self) -> None:
         diagnosis = outer()[1]
-        fault = clearest_fault(diagnosis)
+        fault = diagnosis.clearest_fault
         assert fault is not None
-        assert diagnosis.spectra.bands[clearest_band(diagnosis)] == fault.band
+        assert diagnosis.spectra.bands[diagnosis.clearest_band] == fault.band
 
     def test_nothing_found_marks_nothing_as_found(self) -> None:
         axes = envelope_lines(sound()[1])
-        assert clearest_fault(sound()[1]) is None
+        assert sound()[1].clearest_fault is None
         assert not any(label.endswith("found") for label in labels(axes))
         assert {"outer race, expected", "cage, expected"} <= labels(axes)
 

@@ -17,15 +17,13 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rolamento import Bearing, Case, Duty, Load, solve
+from rolamento import Bearing, Case, Duty, Load
 from rolamento.report.diagnosis import (
     CSV_COLUMNS,
-    DiagnosisResult,
     diagnosis_csv,
     diagnosis_json,
     diagnosis_report,
 )
-from rolamento.report.diagnosis_result import ShaftSpeed, Tracking
 from rolamento.report.diagnosis_sentences import (
     said_chance,
     said_note,
@@ -36,6 +34,10 @@ from rolamento.report.diagnosis_sentences import (
 from rolamento.report.diagnosis_words import DIAGNOSIS_WORDS
 from rolamento.report.language import LANGUAGES, words_for
 from rolamento.report.medium import Medium
+from rolamento.solving import solve
+from rolamento.status import NOT_CONVERGED
+from rolamento.tasks.diagnosis import DiagnosisResult
+from rolamento.tasks.shaft_speed import ShaftSpeed, Tracking
 from rolamento.vibration import diagnosis as engine
 from rolamento.vibration.diagnosis import (
     Diagnosis,
@@ -549,7 +551,7 @@ class TestFrequencies:
         found = replace(
             sound(),
             frequencies=loaded,
-            state=state,
+            solved=state,
             slip=0.001,
             settings=replace(sound().settings, tolerance=0.0123),
         )
@@ -576,15 +578,16 @@ class TestFrequencies:
         ],
     )
     def test_no_solution(self, language: str, said: str) -> None:
-        status = replace(pressed().status, code="not_converged", converged=False, advice=None)
-        found = replace(sound(), state=replace(pressed(), status=status))
+        status = replace(pressed().status, number=np.array([NOT_CONVERGED]))
+        failed = replace(pressed(), status=status, written_advice=(None,))
+        found = replace(sound(), solved=failed)
         text = squeezed(page(found, language))
         assert said + words_for(language).reasons["not_converged"] in text
         names = [note["name"] for note in json.loads(diagnosis_json(found))["notes"]]
         assert "no_loaded_frequencies" in names
 
     def test_no_ball_pressed(self) -> None:
-        text = squeezed(page(replace(sound(), state=pressed()), "en"))
+        text = squeezed(page(replace(sound(), solved=pressed()), "en"))
         assert "those of the geometry. The inner ring presses on no ball" in text
 
     def test_what_was_not_looked_for(self) -> None:

@@ -13,14 +13,16 @@ import numpy as np
 import pytest
 from scipy import special
 
-from rolamento import Bearing, Case, Duty, Load, solve
+from rolamento import Bearing, Case, Duty, Load
 from rolamento.case.lubricant import Lubricant
 from rolamento.case.model import Model
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.plots.vibration_modulation import envelope_depths
-from rolamento.state import State
-from rolamento.vibration.envelope import analytic_signal
+from rolamento.solved import Solved
+from rolamento.solving import solve
+from rolamento.status import NOT_CONVERGED
+from rolamento.vibration.demodulation import analytic_signal
 from rolamento.vibration.frequencies import FaultFrequencies, frequencies_of, nominal_frequencies
 from rolamento.vibration.signal import Signal
 from rolamento.vibration.synthesis import (
@@ -65,7 +67,7 @@ def found(bearing: Bearing) -> FaultFrequencies:
 
 
 @pytest.fixture(scope="module")
-def state(bearing: Bearing) -> State:
+def state(bearing: Bearing) -> Solved:
     return solve(Case(bearing=bearing, duty=Duty(inner_speed=SPEED, load=Load(fz="1 kN"))))
 
 
@@ -152,8 +154,8 @@ def test_a_spot_on_the_inner_race_goes_round_with_the_shaft(found: FaultFrequenc
     assert truth.strengths.min() == 0.0
 
 
-def test_a_spot_on_a_still_outer_race_stays(found: FaultFrequencies, state: State) -> None:
-    load = LoadDistribution.of_state(state)
+def test_a_spot_on_a_still_outer_race_stays(found: FaultFrequencies, state: Solved) -> None:
+    load = LoadDistribution.of_solved(state)
     for azimuth in (0.0, 0.6, pi):
         fault = Fault(kind="outer_race", azimuth=azimuth)
         truth = _made(found, fault, load=load).truth.faults[0]
@@ -206,18 +208,18 @@ def test_strengths_scatter(found: FaultFrequencies) -> None:
 # --- load ------------------------------------------------------------------------------------
 
 
-def test_load_of_a_state_is_solved_between_its_balls(state: State) -> None:
-    load = LoadDistribution.of_state(state, positions=8)
+def test_load_of_a_state_is_solved_between_its_balls(state: Solved) -> None:
+    load = LoadDistribution.of_solved(state, positions=8)
     assert load.azimuth.size == 72
     assert load.at(0.0, "inner") == pytest.approx(1.0)
     assert load.at(pi, "inner") == 0.0
     assert load.at(0.3, "inner") == pytest.approx(float(load.at(-0.3, "inner")), abs=1e-3)
-    own = LoadDistribution.of_state(state, positions=1)
+    own = LoadDistribution.of_solved(state, positions=1)
     assert own.azimuth.size == 9
-    loads = np.array([ball.inner.load for ball in state.balls])
+    loads = state.inner.load[0]
     assert own.inner == pytest.approx(loads / loads.max())
     # what is solved agrees with the state where the state has a ball; the peaks differ a little
-    at_balls = load.at([ball.azimuth for ball in state.balls], "inner")
+    at_balls = load.at(state.elements.azimuth[0], "inner")
     assert at_balls == pytest.approx(loads / loads.max(), abs=0.02)
 
 
@@ -228,19 +230,19 @@ def test_load_under_friction_control_is_of_its_own_balls(bearing_218: Bearing) -
         lubricant=Lubricant(kind="dry", friction_coefficient=0.1),
         model=Model(raceway_control="friction", mesh="coarse"),
     )
-    load = LoadDistribution.of_state(solve(case))
+    load = LoadDistribution.of_solved(solve(case))
     assert load.azimuth.size == 16
     assert load.inner == pytest.approx(1.0, abs=1e-6)
 
 
-def test_load_needs_a_result(state: State) -> None:
-    failed = replace(state, status=replace(state.status, converged=False))
-    with pytest.raises(InputError, match="no result"):
-        LoadDistribution.of_state(failed)
-    with pytest.raises(InputError, match="no such row"):
-        LoadDistribution.of_state(state, row=1)
+def test_load_needs_a_result(state: Solved) -> None:
+    failed = replace(state, status=replace(state.status, number=np.array([NOT_CONVERGED])))
+    with pytest.raises(InputError, match="with a result"):
+        LoadDistribution.of_solved(failed)
+    with pytest.raises(InputError, match="such a row"):
+        LoadDistribution.of_solved(state, row=1)
     with pytest.raises(InputError, match="positions"):
-        LoadDistribution.of_state(state, positions=0)
+        LoadDistribution.of_solved(state, positions=0)
 
 
 def test_plain_loads() -> None:
@@ -660,7 +662,7 @@ def test_one_more_part_changes_none_of_the_others(found: FaultFrequencies) -> No
     assert np.array_equal(plain.truth.faults[0].times, rich.truth.faults[0].times)
 
 
-def test_a_recipe_of_a_state(state: State) -> None:
+def test_a_recipe_of_a_state(state: Solved) -> None:
     recipe = recipe_of(state, [Fault(kind="inner_race")], duration=0.5, noise=Noise(ratio=10.0))
     assert recipe.frequencies == frequencies_of(state)
     assert recipe.load.at(0.0, "inner") == pytest.approx(1.0)
@@ -742,8 +744,8 @@ def test_recipes_are_checked(found: FaultFrequencies, parts: dict[str, Any]) -> 
         Recipe(frequencies=found, **parts)
 
 
-def test_frequencies_without_a_result_make_no_signal(state: State) -> None:
-    failed = replace(state, status=replace(state.status, converged=False))
+def test_frequencies_without_a_result_make_no_signal(state: Solved) -> None:
+    failed = replace(state, status=replace(state.status, number=np.array([NOT_CONVERGED])))
     with pytest.raises(InputError, match="result"):
         Recipe(frequencies=frequencies_of(failed))
 

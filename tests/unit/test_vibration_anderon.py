@@ -20,10 +20,10 @@ from rolamento.vibration.anderon import (
     anderons_of_velocity,
     measure_noise,
     noise_steps,
+    velocity_of,
 )
 from rolamento.vibration.signal import Signal
 from rolamento.vibration.spectrum import averaged_density
-from rolamento.vibration.velocity import velocity_of
 
 RATE = 25_600.0
 

@@ -24,12 +24,11 @@ from rolamento.vibration.diagnosis import (
     FaultOrders,
     diagnose,
 )
-from rolamento.vibration.diagnosis.leakage import taper
+from rolamento.vibration.diagnosis.lines import taper
 from rolamento.vibration.diagnosis.size import depth_error, depth_of
-from rolamento.vibration.fault_lines import FaultFrequencies
-from rolamento.vibration.frequencies import nominal_frequencies
+from rolamento.vibration.frequencies import FaultFrequencies, nominal_frequencies
+from rolamento.vibration.shaft_speed import estimate_speed
 from rolamento.vibration.signal import Signal
-from rolamento.vibration.speed_estimate import estimate_speed
 from rolamento.vibration.synthesis import (
     Fault,
     LoadDistribution,

@@ -11,12 +11,15 @@ from scipy import signal as scipy_signal
 
 from rolamento.errors import InputError
 from rolamento.vibration.cyclic import cyclic_coherence, enhanced_envelope_spectrum
-from rolamento.vibration.envelope import analytic_signal, envelope, envelope_spectrum
-from rolamento.vibration.indicators import spectral_indicators
-from rolamento.vibration.kurtogram import kurtogram
-from rolamento.vibration.prewhitening import prewhitened
+from rolamento.vibration.demodulation import (
+    analytic_signal,
+    envelope,
+    envelope_spectrum,
+    kurtogram,
+    prewhitened,
+)
 from rolamento.vibration.signal import Signal
-from rolamento.vibration.spectrum import amplitude_spectrum, averaged_density
+from rolamento.vibration.spectrum import amplitude_spectrum, averaged_density, spectral_indicators
 
 RATE = 20_000.0
 COUNT = 40_000

@@ -16,9 +16,8 @@ from rolamento.vibration.order_tracking import (
     revolutions_of,
 )
 from rolamento.vibration.separation import separate
+from rolamento.vibration.shaft_speed import estimate_speed, pulse_times, speed_from_pulses
 from rolamento.vibration.signal import Signal
-from rolamento.vibration.speed_estimate import estimate_speed
-from rolamento.vibration.tachometer import pulse_times, speed_from_pulses
 
 RATE = 10_000.0
 TIME = np.arange(100_000) / RATE

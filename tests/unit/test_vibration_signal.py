@@ -9,9 +9,14 @@ import numpy as np
 import pytest
 
 from rolamento.errors import InputError
-from rolamento.vibration.indicators import indicators, spectral_indicators
 from rolamento.vibration.signal import Signal
-from rolamento.vibration.spectrum import amplitude_spectrum, averaged_density, power_density
+from rolamento.vibration.spectrum import (
+    amplitude_spectrum,
+    averaged_density,
+    indicators,
+    power_density,
+    spectral_indicators,
+)
 
 RATE = 10_000.0
 TIME = np.arange(20_000) / RATE

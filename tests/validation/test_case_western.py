@@ -15,8 +15,7 @@ from rolamento.verification.check import half_unit
 from rolamento.verification.published import published
 from rolamento.verification.rigs import checks as rig_checks
 from rolamento.verification.rigs import frequency, room_of_rounding
-from rolamento.vibration.fault_lines import LINES
-from rolamento.vibration.frequencies import nominal_frequencies
+from rolamento.vibration.frequencies import LINES, nominal_frequencies
 
 CHECKS = tuple(checks())
 RIG_CHECKS = tuple(rig_checks())

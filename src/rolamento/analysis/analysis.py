@@ -6,7 +6,6 @@ import json
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from functools import cached_property
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
@@ -21,8 +20,7 @@ if TYPE_CHECKING:
     from rolamento.friction import Friction
     from rolamento.life import LifeConditions, LifeSummary
     from rolamento.lubrication import Film
-    from rolamento.state import State
-    from rolamento.vibration.fault_lines import FaultFrequencies
+    from rolamento.vibration.frequencies import FaultFrequencies
 
 DEFAULT_HYSTERESIS: Final = 0.01
 """Part α_h of the elastic work that the material loses."""
@@ -75,14 +73,6 @@ class Analysis:
     life: LifeSummary | None = None
     notes: tuple[str, ...] = ()
 
-    @cached_property
-    def state(self) -> State:
-        """The single case as its readers know it that have not been moved yet."""
-        from rolamento.solution import solve
-
-        found = solve(self.solved.case)
-        return replace(found, notes=self.solved.notes[0])
-
     @property
     def frequencies(self) -> FaultFrequencies | None:
         """Fault frequencies of a single case under load; None without a result, or at rest."""
@@ -91,7 +81,7 @@ class Analysis:
             return None
         from rolamento.vibration.frequencies import frequencies_of
 
-        return frequencies_of(self.state)
+        return frequencies_of(self.solved)
 
     @property
     def sentences(self) -> tuple[str, ...]:
@@ -222,18 +212,17 @@ def _life(solved: Solved) -> tuple[LifeSummary | None, tuple[str, ...]]:
     case = solved.case
     if not has_life(case):
         return None, ()
-    from rolamento.life import conditions_of, life, life_of_batch
-    from rolamento.solution import solve, solve_batch
+    from rolamento.life import conditions_of, life
 
-    conditions = conditions_of(case, solved.varied)
+    conditions = conditions_of(solved)
     if len(solved) > 1:
-        return life_of_batch(case, solve_batch(case, solved.varied), conditions), ()
+        return life(solved, conditions), ()
     why_not: tuple[str, ...] = ()
     if conditions.nsk_cleanliness is not None and not _viscosity_known(conditions):
         conditions = replace(conditions, nsk_cleanliness=None)
         why_not = ("l_able_without_viscosity",)
     try:
-        return life(solve(case), conditions), why_not
+        return life(solved, conditions), why_not
     except InputError as error:
         if error.field == "bearing.contact_angle":
             return None, ("life_of_thrust_bearing",)

@@ -11,13 +11,14 @@ from rolamento.case.record import Record
 from rolamento.errors import InputError
 from rolamento.iso4406 import cleanliness_numbers
 
-__all__ = ["DIRT", "LifeModel"]
+__all__ = ["DIRT", "LifeModel", "TallianFactors"]
 
 DIRT: Final = ("contamination", "cleanliness", "filter_size", "grease_cleanliness")
 """Of these a case takes one: how dirty the lubricant is."""
 
 _Rating = Annotated[float, Quantity("force", above="0 N", at_most="1e9 N")]
 _Factor = Annotated[float, Ratio(above=0.0, at_most=1000.0)]
+_TallianFactor = Annotated[float, Ratio(above=0.0, at_most=1e300)]
 
 
 def _a_code(text: str) -> str:
@@ -26,6 +27,48 @@ def _a_code(text: str) -> str:
     except InputError as error:
         raise error.with_details(field="") from None  # the record tells which field it is
     return text
+
+
+class TallianFactors(Record):
+    """φ0 to φ4 of one origin of failure in Tallian's form, and the exponent s of the stress cycles.
+
+    What is not given is as by Lundberg and Palmgren: see `rolamento.life.tallian`.
+
+    Parameters
+    ----------
+    strength
+        φ0, of the material; SI.
+    defect_shape, defect_density
+        φ1 and φ2.
+    failure_rate, pressure_distribution
+        φ3 and φ4: both, beside the strength, or none; SI.
+    exponent
+        s.
+
+    Raises
+    ------
+    InputError
+        If a factor is not above zero, or φ3 and φ4 are not given together with φ0.
+    """
+
+    strength: _TallianFactor | None = Field(None, examples=[1e-97])
+    defect_shape: _TallianFactor = Field(1.0, examples=[1.0])
+    defect_density: _TallianFactor = Field(1.0, examples=[0.5])
+    failure_rate: _TallianFactor | None = Field(None, examples=[1.0])
+    pressure_distribution: _TallianFactor | None = Field(None, examples=[1.0])
+    exponent: Annotated[float, Ratio(at_least=0.1, at_most=10.0)] = Field(
+        10.0 / 9.0, examples=[1.11]
+    )
+
+    @model_validator(mode="after")
+    def _consistent(self) -> Self:
+        given = self.failure_rate is not None
+        if given != (self.pressure_distribution is not None):
+            missing = "pressure_distribution" if given else "failure_rate"
+            raise InputError("is missing beside its fellow", field=missing, example="1.0")
+        if given and self.strength is None:
+            raise InputError("is missing beside failure_rate", field="strength", example="1e-97")
+        return self
 
 
 class LifeModel(Record):
@@ -71,6 +114,9 @@ class LifeModel(Record):
         ``"local"`` or ``"mean"``, of the stress-volume theory.
     nsk_cleanliness
         a_c, 0.05 to 1, for L_able.
+    tallian_subsurface, tallian_surface
+        factors of Tallian's form for failures from below the surface, and from the surface; of
+        these φ0, φ3 and φ4 are needed, and φ1 is 1.
 
     Raises
     ------
@@ -117,9 +163,21 @@ class LifeModel(Record):
     nsk_cleanliness: Annotated[float, Ratio(at_least=0.05, at_most=1.0)] | None = Field(
         None, examples=[0.8]
     )
+    tallian_subsurface: TallianFactors | None = None
+    tallian_surface: TallianFactors | None = None
 
     @model_validator(mode="after")
     def _consistent(self) -> Self:
+        surface = self.tallian_surface
+        if surface is not None and (surface.failure_rate is None or surface.defect_shape != 1.0):
+            missing = surface.failure_rate is None
+            raise InputError(
+                "is missing: failures from the surface have no factors but the user's"
+                if missing
+                else "is 1 for failures from the surface",
+                field="tallian_surface." + ("failure_rate" if missing else "defect_shape"),
+                example="1.0",
+            )
         given = [name for name in DIRT if getattr(self, name) is not None]
         if len(given) > 1:
             raise InputError(f"is given beside {given[0]}; give one", field=given[1])

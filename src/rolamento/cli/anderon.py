@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Sequence
+from math import isfinite, nan
 from typing import TYPE_CHECKING, Annotated, ClassVar, Final
 
 import typer
@@ -14,6 +16,7 @@ from rolamento.cli.common import (
     words_of,
 )
 from rolamento.cli.grouped_help import GroupedCommand, Groups
+from rolamento.cli.option_names import in_options
 from rolamento.cli.options import (
     ChannelOption,
     DurationOption,
@@ -31,15 +34,13 @@ from rolamento.cli.table_options import DecimalMarkOption
 from rolamento.errors import InputError
 
 if TYPE_CHECKING:
-    from rolamento.cli.signal_source import SignalChoice
-    from rolamento.report.anderon_result import NoiseResult
     from rolamento.report.language import Words
-
-__all__ = ["AnderonCommand", "anderon"]
+    from rolamento.tasks.noise import FullScale, NoiseResult
+    from rolamento.vibration.anderon import BandName
 
 _ACCEPTED: Final = 0.4
-_MOST_SIGNALS: Final = 500
-_LONGEST_NAME: Final = 60
+_MOST_SCALE: Final = 1e9
+_SCALE_EXAMPLE: Final = "--full-scale low=30 or --full-scale low='120 um/s'"
 
 
 class AnderonCommand(GroupedCommand):
@@ -126,14 +127,31 @@ def anderon(
 
     Of a bearing, in the bands of an anderometer; over the hours of a test if there are several.
     """
-    with plain_endings(lang):
+    with plain_endings(lang), in_options(anderon, signals="SIGNAL"):
         outputs = {"--json": json, "--csv": csv, "--record": record, "--plot": plot}
-        _check(signals, outputs, hours, bearing)
-        from rolamento.cli.signal_source import choice_of
+        _check_outputs(signals, outputs, hours)
+        from rolamento import tasks
+        from rolamento.cli.quantities import number_given
+        from rolamento.cli.waiting import progress_of
+        from rolamento.report.anderon_words import NOISE_WORDS
 
         words = words_of(lang)
-        choice = choice_of(channel, rate, unit, scale, start, duration, decimal_mark)
-        found = _found(signals, choice, speed, hours, full_scale or [], accepted, bearing, words)
+        found = tasks.anderons(
+            signals,
+            speed=speed,
+            full_scale=_full_scales_of(full_scale or []),
+            accepted=accepted,
+            hours=None if hours is None else _hours_of(hours),
+            bearing=bearing,
+            channel=channel,
+            rate=number_given(rate, "--rate", "frequency", "--rate '50 kHz'"),
+            unit=unit,
+            scale=scale,
+            start=number_given(start, "--start", "time", "--start '2 s'") or 0.0,
+            duration=number_given(duration, "--duration", "time", "--duration '10 s'"),
+            decimal_mark=decimal_mark,
+            stages=lambda stage: progress_of(NOISE_WORDS[words.code].reading),
+        )
         if plot is not None:
             _draw(found, plot, words.code)
         _show(found, json, csv, record, words)
@@ -141,16 +159,9 @@ def anderon(
     raise typer.Exit(NO_RESULT if failed else SOLVED)
 
 
-def _check(
-    signals: list[str], outputs: dict[str, str | None], hours: str | None, bearing: str
-) -> None:
-    """Refuse outputs that would run into each other or over a signal, and lists without end."""
-    if len(signals) > _MOST_SIGNALS:
-        raise InputError(f"at most {_MOST_SIGNALS} at once", field="SIGNAL", value=len(signals))
+def _check_outputs(signals: list[str], outputs: dict[str, str | None], hours: str | None) -> None:
+    """Refuse outputs that would run into each other or over a signal, or lack the hours."""
     check_outputs(outputs, *signals, rule="is the file of a signal itself")
-    if not bearing.strip() or len(bearing) > _LONGEST_NAME or not bearing.isprintable():
-        rule = f"must be one line of {_LONGEST_NAME} characters at most"
-        raise InputError(rule, source="--bearing", value=bearing, example="--bearing 9")
     for option in ("--record", "--plot"):
         several = option == "--record" or len(signals) > 1
         if outputs[option] is not None and several and hours is None:
@@ -159,52 +170,65 @@ def _check(
             )
 
 
-def _found(
-    signals: list[str],
-    choice: SignalChoice,
-    speed: str | None,
-    hours: str | None,
-    full_scale: list[str],
-    accepted: float,
-    bearing: str,
-    words: Words,
-) -> NoiseResult:
-    """Measure every signal, after all that the options say was understood."""
-    from rolamento.cli.anderon_files import full_scales_of, hours_of, measured_noise
-    from rolamento.cli.quantities import speed_given
-    from rolamento.cli.waiting import progress_of
-    from rolamento.report.anderon_result import NoiseResult
-    from rolamento.report.anderon_words import NOISE_WORDS
+def _full_scales_of(given: Sequence[str]) -> dict[BandName, FullScale]:
+    """Return the full scales that ``--full-scale BAND=VALUE`` gives, several with commas.
 
-    if not 0.0 < accepted <= 1.0:
-        rule = "must be a part over 0 and up to 1"
-        raise InputError(rule, source="--accepted", value=accepted, example="--accepted 0.4")
-    scales = full_scales_of(full_scale)
-    times = hours_of(hours, len(signals))
-    inner_speed = speed_given(speed, "--speed")
-    if inner_speed == 0.0:
-        rule = "must not be 0: a bearing that stands still makes no noise"
-        raise InputError(rule, source="--speed", example="--speed '1800 rpm'")
-    with progress_of(NOISE_WORDS[words.code].reading) as progress:
-        measured = tuple(
-            measured_noise(path, choice, hour, progress, inner_speed)
-            for path, hour in zip(signals, times, strict=True)
-        )
-    found = NoiseResult(measured, scales, accepted, bearing)
-    _check_speeds(found)
+    Raises
+    ------
+    InputError
+        If one is none, or given twice.
+    """
+    from rolamento.vibration.anderon import BANDS
+
+    found: dict[BandName, FullScale] = {}
+    for setting in (part for text in given for part in text.split(",")):
+        key, equals, text = setting.partition("=")
+        name = next((band for band in BANDS if band == key.strip().casefold()), None)
+        if name is None or not equals:
+            raise InputError(
+                f"must be BAND=VALUE, with a BAND of {', '.join(BANDS)}",
+                source="--full-scale",
+                value=setting,
+                example=_SCALE_EXAMPLE,
+            )
+        if name in found:
+            raise InputError("is given twice", source="--full-scale", field=name)
+        found[name] = _full_scale(text.strip(), name)
     return found
 
 
-def _check_speeds(found: NoiseResult) -> None:
-    """Refuse a trend against velocities where the speeds differ: limits in anderons would too."""
-    speeds = [one.noise.speed for one in found.measured]
-    in_velocity = any(scale.is_velocity for scale in found.full_scales.values())
-    if found.trend is not None and in_velocity and max(speeds) > 1.001 * min(speeds):
+def _full_scale(text: str, name: BandName) -> FullScale:
+    """Read a number of anderons, or a velocity with its unit."""
+    from rolamento.tasks.noise import FullScale
+    from rolamento.vibration.signal import unit_scale
+
+    number, _, unit = text.partition(" ")
+    unit = unit.strip().replace("µ", "u").replace("μ", "u")
+    scale = 1.0
+    try:
+        is_velocity = unit not in ("", "An", "anderon", "anderons")
+        if is_velocity:
+            scale = unit_scale("velocity", unit)
+        value = float(number) * scale
+    except ValueError:  # an InputError of the unit is one too
+        value = nan
+    if not (isfinite(value) and 0.0 < value / scale <= _MOST_SCALE):
         raise InputError(
-            "must be in anderons, as the speeds of the signals differ",
+            "must be a number of anderons over 0, or a velocity in um/s, mm/s, m/s or in/s",
             source="--full-scale",
-            example="--full-scale low=30",
+            field=name,
+            value=text,
+            example=_SCALE_EXAMPLE,
         )
+    return FullScale(value, is_velocity)
+
+
+def _hours_of(text: str) -> list[float]:
+    """Return hours with commas between; NaN for what is no number."""
+    try:
+        return [float(part) for part in text.split(",")]
+    except ValueError:
+        return [nan]
 
 
 def _draw(found: NoiseResult, plot: str, language: str) -> None:
@@ -216,8 +240,8 @@ def _draw(found: NoiseResult, plot: str, language: str) -> None:
     if len(found.measured) == 1:
         figure = noise_figure(one.noise, limits=limits, title=one.title, language=language)
     else:
-        from rolamento.report.anderon_result import noise_record
-        from rolamento.weibull.trend import parse_trend
+        from rolamento.report.anderon import noise_record
+        from rolamento.weibull import parse_trend
 
         record = parse_trend(noise_record(found, language))
         figure = noise_trend_figure(record, limits=limits, language=language)
@@ -228,7 +252,7 @@ def _show(
     found: NoiseResult, json: str | None, csv: str | None, record: str | None, words: Words
 ) -> None:
     """Write what was asked for; standard output takes data or the report, not both."""
-    from rolamento.report.anderon_result import noise_csv, noise_json, noise_record
+    from rolamento.report.anderon import noise_csv, noise_json, noise_record
 
     if json is not None:
         put(noise_json(found) + "\n", json)

@@ -7,14 +7,13 @@ from typing import TYPE_CHECKING, Annotated, Any, Final
 
 import typer
 
-import rolamento
-from rolamento.cli.bearing_case import angle_of, case_of, has_load, is_designation
 from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
     plain_endings,
     words_of,
 )
+from rolamento.cli.option_names import in_options
 from rolamento.cli.options import (
     BearingArgument,
     JsonOption,
@@ -26,20 +25,14 @@ from rolamento.cli.options import (
     csv_option,
 )
 from rolamento.cli.outputs import check_outputs
-from rolamento.cli.quantities import speed_given
 from rolamento.cli.streams import STANDARD_STREAM, print_text, put
 from rolamento.errors import InputError
 
 if TYPE_CHECKING:
-    from rolamento.report.frequencies import FrequencyResult
-    from rolamento.vibration.frequencies import AngleChoice
+    from rolamento.tasks.frequencies import FrequencyResult
     from rolamento.vibration.frequency_band import Tolerances
 
-__all__ = ["frequencies"]
-
 _HARMONICS: Final = 3
-_MOST_HARMONICS: Final = 100
-_MOST_SIDEBANDS: Final = 10
 _TOLERANCES: Final[dict[str, Any]] = {
     "ball_diameter": "length",
     "pitch_diameter": "length",
@@ -88,34 +81,24 @@ def frequencies(
 
     By its geometry, and of its loaded balls where the case has a load.
     """
-    with plain_endings(lang):
+    with plain_endings(lang), in_options(frequencies):
         check_outputs({"--json": json, "--csv": csv}, bearing)
-        _check_counts(harmonics, sidebands)
-        inner, outer = speed_given(speed, "--speed"), speed_given(outer_speed, "--outer-speed")
-        case = case_of(bearing, settings or (), inner, outer)
-        known_speed = speed or outer_speed or case.duty.inner_speed or case.duty.outer_speed
-        found = _found(
-            case.title or bearing,
-            case,
-            None if is_designation(bearing) and not known_speed else case.duty.inner_speed,
-            slip,
-            angle_of(angle),
-            _tolerances(tolerances or []),
-            (harmonics, sidebands),
+        from rolamento import tasks
+
+        found = tasks.fault_frequencies(
+            bearing,
+            speed=speed,
+            outer_speed=outer_speed,
+            slip=slip,
+            angle=angle,
+            tolerances=_tolerances(tolerances or []),
+            harmonics=harmonics,
+            sidebands=sidebands,
+            settings=settings or (),
         )
         _show(found, json, csv, lang)
-    failed = found.state is not None and not found.state.status.converged
+    failed = found.solved is not None and not found.solved.converged[0]
     raise typer.Exit(NO_RESULT if failed else SOLVED)
-
-
-def _check_counts(harmonics: int, sidebands: int) -> None:
-    """Refuse tables without end."""
-    for name, least, most, value in (
-        ("--harmonics", 1, _MOST_HARMONICS, harmonics),
-        ("--sidebands", 0, _MOST_SIDEBANDS, sidebands),
-    ):
-        if not least <= value <= most:
-            raise InputError(f"must be from {least} to {most}", source=name, value=value)
 
 
 def _tolerances(given: list[str]) -> Tolerances:
@@ -133,47 +116,17 @@ def _tolerances(given: list[str]) -> Tolerances:
                     example="speed=0.01",
                 )
             dimension = _TOLERANCES[key]
-            found[key] = to_si(text, dimension) if dimension else _part(key, text)
+            found[key] = to_si(text, dimension) if dimension else _part_of_one(key, text)
         return Tolerances(**found)
     except InputError as error:
         raise error.with_details(source="--tolerance") from None
 
 
-def _part(key: str, text: str) -> float:
+def _part_of_one(key: str, text: str) -> float:
     try:
         return float(text)
     except ValueError:
         raise InputError("must be a part", field=key, value=text, example=f"{key}=0.01") from None
-
-
-def _found(
-    title: str,
-    case: rolamento.Case,
-    inner_speed: float | None,
-    slip: float,
-    angle: float | AngleChoice,
-    tolerances: Tolerances,
-    counts: tuple[int, int],
-) -> FrequencyResult:
-    """Find the nominal frequencies, and the loaded ones if the case has a load."""
-    from rolamento.report.frequencies import FrequencyResult
-    from rolamento.vibration.frequencies import frequencies_of
-    from rolamento.vibration.frequency_band import alternatives_of, banded_frequencies
-
-    speeds = (inner_speed, case.duty.outer_speed)
-    choices: dict[str, Any] = {"slip": slip, "contact_angle": angle}
-    nominal = banded_frequencies(case.bearing, *speeds, tolerances=tolerances, **choices)
-    state = rolamento.solve(case) if has_load(case) else None
-    return FrequencyResult(
-        title=title,
-        bearing=case.bearing,
-        nominal=nominal,
-        loaded=None if state is None else frequencies_of(state, slip=slip),
-        state=state,
-        alternatives=alternatives_of(case.bearing, *speeds, **choices),
-        harmonics=counts[0],
-        sidebands=counts[1],
-    )
 
 
 def _show(found: FrequencyResult, json: str | None, csv: str | None, lang: Any) -> None:

@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 import sys
-from typing import TYPE_CHECKING, Annotated, ClassVar, Final
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Final
 
 import typer
 
 from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
-    complain_of,
     plain_endings,
     words_of,
 )
+from rolamento.cli.field_list import fields_of
 from rolamento.cli.grouped_help import GroupedCommand, Groups
+from rolamento.cli.option_names import in_options
 from rolamento.cli.options import (
     BearingArgument,
     LagOption,
@@ -24,20 +27,98 @@ from rolamento.cli.options import (
     SpeedOption,
 )
 from rolamento.cli.outputs import check_outputs
-from rolamento.cli.streams import STANDARD_STREAM, print_text, put
+from rolamento.cli.streams import STANDARD_STREAM, complain, print_text
 from rolamento.errors import InputError
 
 if TYPE_CHECKING:
-    from rolamento.cli.synthesise_options import Asked
-    from rolamento.cli.synthesise_recipe import Given
+    from rolamento.cli.quantities import Kind
     from rolamento.report.language import Words
-    from rolamento.report.synthesis_result import SynthesisResult
-    from rolamento.vibration.synthesis import Recipe, Synthesis
+    from rolamento.tasks.synthesis import SynthesisResult
+    from rolamento.vibration.synthesis import (
+        Fault,
+        Mode,
+        Noise,
+        SwingingSpeed,
+        TransferPath,
+        WanderingSpeed,
+        Waviness,
+    )
 
-__all__ = ["SynthesiseCommand", "synthesise"]
+KINDS: Final[dict[str, dict[str, Kind]]] = {
+    "--fault": {
+        "kind": "text",
+        "strength": "number",
+        "azimuth": "angle",
+        "jitter": "number",
+        "slip": "text",
+        "scatter": "number",
+        "modulation": "text",
+        "index": "number",
+        "inner_gain": "number",
+    },
+    "--mode": {"frequency": "frequency", "damping": "number", "gain": "acceleration"},
+    "--path": {"sensor_azimuth": "angle", "far_gain": "number"},
+    "--load": {"kind": "text", "extent": "number", "azimuth": "angle"},
+    "--swing": {"depth": "number", "frequency": "frequency", "phase": "angle"},
+    "--wander": {"deviation": "number", "memory": "time"},
+    "--waviness": {
+        "surface": "text",
+        "amplitude": "length",
+        "first": "whole",
+        "last": "whole",
+        "slope": "number",
+        "direction": "text",
+    },
+}
+"""Keys of the options that give a record by fields. The first may stand alone, but of --path."""
+EXAMPLES: Final = {
+    "--fault": "--fault inner_race,strength=2,jitter=0.02",
+    "--mode": "--mode '3500 Hz,damping=0.03,gain=10'",
+    "--path": "--path far_gain=0.3,sensor_azimuth='90 deg'",
+    "--load": "--load radial,extent=0.5",
+    "--swing": "--swing 0.02,frequency='0.3 Hz'",
+    "--wander": "--wander 0.005,memory='2 s'",
+    "--waviness": "--waviness outer,amplitude='50 nm',last=60",
+    "--snr": "--snr -8",
+    "--noise": "--noise '0.5 m/s^2'",
+    "--colour": "--colour pink",
+    "--slip": "--slip 0.01",
+    "--rate": "--rate '51.2 kHz'",
+    "--duration": "--duration '10 s'",
+    "--load-turns": "--load-turns 1",
+    "--shaft-harmonics": "--shaft-harmonics 0.5,0.2",
+    "--seed": "--seed 1",
+    "--speed": "--speed '1797 rpm'",
+}
+_OPTIONS: Final = {
+    "rate": "--rate",
+    "duration": "--duration",
+    "seed": "--seed",
+    "load_turns": "--load-turns",
+    "shaft_harmonics": "--shaft-harmonics",
+    "modes": "--mode",
+    "modes.frequency": "--mode",
+    "faults": "--fault",
+    "faults.impacts": "--fault",
+    "waviness": "--waviness",
+    "waviness.lines": "--waviness",
+    "waviness.direction": "--waviness",
+    "speed": "--speed",
+    "ratio": "--snr",
+    "level": "--noise",
+    "colour": "--colour",
+    "slip": "--slip",
+    "extent": "--load",
+    "load": "--load",
+    "depth": "--swing",
+    "frequency": "--swing",
+    "deviation": "--wander",
+    "memory": "--wander",
+}
+"""Of fields that the recipe and the synthesis check, the options that give them."""
 
-_MOST_IMPACTS: Final = 1_000_000
-"""In a file of truth."""
+
+_LOADS: Final = ("uniform", "radial", "solved")
 
 
 class SynthesiseCommand(GroupedCommand):
@@ -187,119 +268,200 @@ def synthesise(
 
     To try a diagnosis on: all that is known of it can be written as well.
     """
-    with plain_endings(lang):
-        _check_outputs(bearing, output, truth)
-        from rolamento.cli.quantities import number_of, speed_given
-        from rolamento.cli.synthesise_options import Asked
-        from rolamento.cli.synthesise_recipe import given_of
+    with plain_endings(lang), _named(_OPTIONS), in_options(synthesise):
+        check_outputs({"--output": output, "--truth": truth}, bearing)
+        from rolamento import tasks
+        from rolamento.cli.quantities import number_of
         from rolamento.cli.waiting import PATIENCE_AT_WORK, waiting
         from rolamento.report.synthesis_words import SYNTHESIS_WORDS
+        from rolamento.vibration.writing import check_signal_name
 
-        asked = Asked(
-            bearing=bearing,
-            settings=tuple(settings or ()),
-            inner_speed=speed_given(speed, "--speed"),
-            outer_speed=speed_given(outer_speed, "--outer-speed"),
-            slip=slip,
-            faults=tuple(faults or ()),
-            jitter=jitter,
-            snr=snr,
-            noise=noise,
-            colour=colour,
-            duration=number_of(duration, "--duration", "time", "--duration '10 s'"),
-            rate=number_of(rate, "--rate", "frequency", "--rate '12 kHz'"),
-            load=load,
-            load_turns=load_turns,
-            swing=swing,
-            wander=wander,
-            modes=tuple(modes or ()),
-            path=path,
-            shaft_harmonics=shaft_harmonics,
-            waviness=tuple(waviness or ()),
-            seed=seed,
-        )
+        check_signal_name(output, 0, 1.0)
         words = words_of(lang)
         with waiting(lang, SYNTHESIS_WORDS[words.code].making, PATIENCE_AT_WORK):
-            given = given_of(asked)
-            if given.state is not None and not given.state.status.converged:
-                complain_of(given.state.status, lang)
+            planted = [_fault(text, jitter) for text in faults or ()]
+            waves = [_waviness(text) for text in waviness or ()]
+            harmonics = _harmonics(shaft_harmonics)
+            found = tasks.synthesise(
+                bearing,
+                output,
+                speed=speed,
+                outer_speed=outer_speed,
+                slip=slip,
+                faults=planted,
+                **_load(load),
+                load_turns=load_turns,
+                speed_profile=_speed_profile(swing, wander),
+                transfer=_transfer(path),
+                modes=[_mode(text) for text in modes or ()],
+                shaft_harmonics=harmonics,
+                waviness=waves,
+                noise=_noise(snr, noise, colour, bool(planted), bool(waves or harmonics)),
+                duration=number_of(duration, "--duration", "time", "--duration '10 s'"),
+                rate=number_of(rate, "--rate", "frequency", "--rate '12 kHz'"),
+                seed=seed,
+                truth_path=None if truth == STANDARD_STREAM else truth,
+                settings=settings or (),
+            )
+            if isinstance(found, tasks.Unsolved):
+                from rolamento.report.frequencies import said_failure
+
+                complain(said_failure(found.solved, words))
                 raise typer.Exit(NO_RESULT)
-            found = _made(asked, given, output, truth)
-            _write(found)
-        _show(found, words)
+        _show(found, truth, words)
     raise typer.Exit(SOLVED)
 
 
-def _check_outputs(bearing: str, output: str, truth: str | None) -> None:
-    """Refuse outputs that would run into each other or over the case file, and unknown kinds."""
-    from rolamento.cli.signal_files import check_signal_name
-
-    check_signal_name(output, 0, 1.0)
-    check_outputs({"--output": output, "--truth": truth}, bearing)
-
-
-def _made(asked: Asked, given: Given, output: str, truth: str | None) -> SynthesisResult:
-    """Make the signal, after all that the options say was understood."""
-    from rolamento.cli.signal_files import check_signal_name
-    from rolamento.cli.synthesise_options import options_named
-    from rolamento.cli.synthesise_recipe import load_name, recipe_from
-    from rolamento.report.synthesis_result import SynthesisResult
-    from rolamento.vibration.synthesis import synthesise
-
-    recipe = recipe_from(asked, given)
-    check_signal_name(output, recipe.count, recipe.rate)
-    with options_named():
-        made = synthesise(recipe)
-    _refuse_silence(asked, recipe, made)
-    if truth is not None and sum(len(one.times) for one in made.truth.faults) > _MOST_IMPACTS:
-        raise InputError(
-            f"would hold more than {_MOST_IMPACTS} impacts", source="--truth", value=truth
-        )
-    name, extent = load_name(asked, given)
-    return SynthesisResult(
-        name=given.name,
-        source=asked.bearing,
-        bearing=given.case.bearing,
-        made=made,
-        load=name,
-        extent=extent,
-        path=output,
-        truth_path=truth,
-    )
-
-
-def _refuse_silence(asked: Asked, recipe: Recipe, made: Synthesis) -> None:
-    """Refuse a ratio to faults that are never struck, and a signal without anything in it."""
-    struck = any((one.strengths > 0.0).any() for one in made.truth.faults)
-    if recipe.faults and asked.snr is not None and made.truth.noise_level == 0.0 and not struck:
-        raise InputError(
-            "is the ratio to faults that make no impact with any force: no ball is pressed where"
-            " they lie, or the signal is too short",
-            source="--snr",
-            value=asked.snr,
-            example="--noise '0.5 m/s^2'",
-        )
-    if not made.signal.samples.any():
-        rule = "is silent: no part of it has any strength"
-        if recipe.faults:
-            rule += "; no ball is pressed where the damage lies, or the signal is too short"
-        raise InputError(rule, field="signal", example="--load uniform")
-
-
-def _write(found: SynthesisResult) -> None:
-    from rolamento.cli.signal_files import write_signal
-    from rolamento.report.synthesis_result import truth_json
-
-    write_signal(found.made.signal, found.path)
-    if found.truth_path is not None:
-        put(truth_json(found) + "\n", found.truth_path)
-
-
-def _show(found: SynthesisResult, words: Words) -> None:
-    """Print the report, unless the truth went to standard output."""
-    if found.truth_path == STANDARD_STREAM:
-        return
+def _show(found: SynthesisResult, truth: str | None, words: Words) -> None:
+    """Print the report, or the truth if that goes to standard output."""
     from rolamento.report.medium import Medium
-    from rolamento.report.synthesis import synthesis_report
+    from rolamento.report.synthesis import synthesis_report, truth_json
 
-    print_text(synthesis_report(found, words, Medium.of(sys.stdout)))
+    if truth == STANDARD_STREAM:
+        print_text(truth_json(found) + "\n")
+    else:
+        print_text(synthesis_report(found, words, Medium.of(sys.stdout)))
+
+
+# --- parts of a recipe -----------------------------------------------------------------------
+
+
+def _fault(text: str, jitter: float | None) -> Fault:
+    from rolamento.vibration.synthesis import Fault
+
+    fields = _fields_given("--fault", text)
+    fields["kind"] = fields["kind"].replace("-", "_")
+    if jitter is not None:
+        fields.setdefault("jitter", jitter)
+    with _in_option("--fault"):
+        return Fault(**fields)
+
+
+def _noise(
+    snr: float | None, level: str | None, colour: str, has_faults: bool, has_lines: bool
+) -> Noise | None:
+    from rolamento.cli.quantities import number_of
+    from rolamento.vibration.synthesis import Noise
+
+    if snr is None and level is None:
+        return None
+    if snr is not None and level is not None:
+        raise InputError("give one of --snr and --noise, not both", source="--snr")
+    fields: dict[str, Any] = {"colour": colour, "of": "faults" if has_faults else "signal"}
+    if level is not None:
+        fields["level"] = number_of(level, "--noise", "acceleration", EXAMPLES["--noise"])
+    elif has_faults or has_lines:
+        fields["ratio"] = snr
+    else:
+        raise InputError(
+            "is a ratio to faults, waviness or harmonics of the shaft, and there are none; for"
+            " noise alone give --noise",
+            source="--snr",
+            example=EXAMPLES["--noise"],
+        )
+    return Noise(**fields)
+
+
+def _speed_profile(
+    swing: str | None, wander: str | None
+) -> Callable[[float], SwingingSpeed | WanderingSpeed] | None:
+    """Return what gives the speed over time from its mean; None where it is steady."""
+    from functools import partial
+
+    from rolamento.vibration.synthesis import SwingingSpeed, WanderingSpeed
+
+    if swing is not None and wander is not None:
+        raise InputError("give one of --swing and --wander, not both", source="--swing")
+    if swing is not None:
+        return partial(SwingingSpeed, **{"frequency": 0.3, **_fields_given("--swing", swing)})
+    if wander is not None:
+        return partial(WanderingSpeed, **{"memory": 2.0, **_fields_given("--wander", wander)})
+    return None
+
+
+def _load(text: str | None) -> dict[str, Any]:
+    """Return the kind of load; of a radial one with its extent and azimuth."""
+    if text is None:
+        return {}
+    fields = _fields_given("--load", text)
+    kind = fields.pop("kind")
+    if kind not in _LOADS or (fields and kind != "radial"):
+        rule = f"must be one of {', '.join(_LOADS)}; of radial with extent and azimuth"
+        raise InputError(rule, source="--load", value=text, example=EXAMPLES["--load"])
+    azimuth = {"load_azimuth": fields.pop("azimuth")} if "azimuth" in fields else {}
+    return {"load": kind, **fields, **azimuth}
+
+
+def _mode(text: str) -> Mode:
+    from rolamento.vibration.synthesis import Mode
+
+    with _in_option("--mode"):
+        return Mode(**_fields_given("--mode", text))
+
+
+def _transfer(text: str | None) -> TransferPath | None:
+    from rolamento.vibration.synthesis import TransferPath
+
+    if text is None:
+        return None
+    with _in_option("--path"):
+        return TransferPath(**_fields_given("--path", text))
+
+
+def _harmonics(text: str | None) -> tuple[float, ...]:
+    from rolamento.cli.quantities import number_of
+
+    if text is None:
+        return ()
+    example = EXAMPLES["--shaft-harmonics"]
+    parts = text.split(",")[:1000]
+    return tuple(number_of(part, "--shaft-harmonics", "acceleration", example) for part in parts)
+
+
+def _waviness(text: str) -> Waviness:
+    from rolamento.vibration.synthesis import Waviness
+
+    fields = _fields_given("--waviness", text)
+    if "amplitude" not in fields:
+        raise InputError(
+            "is missing", source="--waviness", field="amplitude", example=EXAMPLES["--waviness"]
+        )
+    with _in_option("--waviness"):
+        return Waviness.falling(**fields)
+
+
+def _fields_given(option: str, text: str) -> dict[str, Any]:
+    """Return the fields that an option gives, as plain SI values.
+
+    Raises
+    ------
+    InputError
+        If a key is unknown or given twice, or a value is none.
+    """
+    known = KINDS[option]
+    first = "" if option == "--path" else next(iter(known))
+    return fields_of(text, option, known, EXAMPLES[option], first=first)
+
+
+@contextmanager
+def _in_option(option: str) -> Iterator[None]:
+    """Say in which option the field is that is refused."""
+    try:
+        yield
+    except InputError as error:
+        if error.source:
+            raise
+        raise error.with_details(source=option, example=EXAMPLES[option]) from None
+
+
+@contextmanager
+def _named(options: Mapping[str, str]) -> Iterator[None]:
+    """Say which option gave a field, by a table of both."""
+    try:
+        yield
+    except InputError as error:
+        if error.source or error.field not in options:
+            raise
+        option = options[error.field]
+        field = error.field.rpartition(".")[2] if option in KINDS else ""
+        raise error.with_details(source=option, field=field, example=EXAMPLES[option]) from None

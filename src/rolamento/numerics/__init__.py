@@ -7,5 +7,7 @@ from numpy.typing import NDArray
 
 FloatArray = NDArray[np.float64]
 BoolArray = NDArray[np.bool_]
+ComplexArray = NDArray[np.complex128]
+IntArray = NDArray[np.int64]
 
-__all__ = ["BoolArray", "FloatArray"]
+__all__ = ["BoolArray", "ComplexArray", "FloatArray", "IntArray"]

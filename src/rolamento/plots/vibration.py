@@ -1,46 +1,44 @@
-"""Pictures of a vibration signal and of its diagnosis: waveform, kurtogram, envelope spectrum."""
+"""Pictures of a vibration signal and of its diagnosis: waveform, kurtogram, envelope spectrum.
+
+A kurtogram shows how impulsive a signal is, over frequency and bandwidth; the spectrum that a
+diagnosis searched is that of the squared envelope over noise, with the bearing's lines.
+"""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Any, Final, NamedTuple
 
 import numpy as np
 from matplotlib.figure import Figure
+from matplotlib.patches import Rectangle
 from numpy.typing import NDArray
 
 from rolamento.plots.frame import (
     GREY,
     add_title,
     empty_frame,
+    figure_of,
     label_x,
     label_y,
     legend_above,
+    legend_in_columns,
     number,
+    shown_text,
 )
-from rolamento.plots.style import INNER, new_figure, new_stacked_figure, styled
-from rolamento.plots.vibration_kurtogram import kurtogram_figure, kurtogram_map, kurtogram_of
-from rolamento.plots.vibration_spectrum import clearest_fault, envelope_figure, envelope_lines
-from rolamento.plots.vibration_words import vibration_words
-from rolamento.plots.words import plot_words
+from rolamento.plots.style import INNER, Series, new_figure, new_stacked_figure, series, styled
+from rolamento.plots.vibration_words import VibrationWords, vibration_words
+from rolamento.plots.words import PlotWords, plot_words
+from rolamento.vibration.diagnosis import COMPONENTS
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from rolamento.vibration.diagnosis import Diagnosis
+    from rolamento.vibration.demodulation import Kurtogram
+    from rolamento.vibration.diagnosis import Component, Diagnosis
     from rolamento.vibration.signal import Signal
 
-__all__ = [
-    "diagnosis_figure",
-    "envelope_figure",
-    "envelope_lines",
-    "kurtogram_figure",
-    "kurtogram_map",
-    "waveform",
-    "waveform_figure",
-]
 
 Floats = NDArray[np.float64]
-
 _COLUMNS: Final = 1500
 """Of a long waveform; in each, the least and the greatest sample are drawn."""
 _PERIODS: Final = 12.0
@@ -71,7 +69,7 @@ def diagnosis_figure(
     Figure
         Of a fault, the waveform shows a few of its periods, and the kurtogram its band.
     """
-    fault, words = clearest_fault(diagnosis), vibration_words(language)
+    fault, words = diagnosis.clearest_fault, vibration_words(language)
     period = span = band = None
     name = ""
     if fault is not None:
@@ -137,11 +135,11 @@ def waveform(
     shared, words = plot_words(language), vibration_words(language)
     with styled():
         axes = new_figure(height=70.0)[1] if axes is None else axes
-        first, last = _range(signal, span)
+        first, last = _sample_range(signal, span)
         samples = signal.samples[first:last]
         if samples.size < 2:
             return empty_frame(axes, words.no_lines)
-        _draw(axes, samples, first, signal.rate)
+        _draw_waveform(axes, samples, first, signal.rate)
         axes.set_xlim(first / signal.rate, last / signal.rate)
         if period is not None:
             text = words.period.format(part=part, period=number(1e3 * period, shared))
@@ -153,7 +151,7 @@ def waveform(
     return axes
 
 
-def _range(signal: Signal, span: tuple[float, float] | None) -> tuple[int, int]:
+def _sample_range(signal: Signal, span: tuple[float, float] | None) -> tuple[int, int]:
     count = len(signal.samples)
     if span is None:
         return 0, count
@@ -161,7 +159,7 @@ def _range(signal: Signal, span: tuple[float, float] | None) -> tuple[int, int]:
     return first, min(max(round(span[1] * signal.rate), first), count)
 
 
-def _draw(axes: Axes, samples: Floats, first: int, rate: float) -> None:
+def _draw_waveform(axes: Axes, samples: Floats, first: int, rate: float) -> None:
     """Draw samples as a line, or so many that they merge as the span of each column."""
     if len(samples) <= 4 * _COLUMNS:
         times = (first + np.arange(len(samples))) / rate
@@ -199,7 +197,7 @@ def _phase(
     """Time from the first sample to the first blow, to a part of the period."""
     from dataclasses import replace
 
-    from rolamento.vibration.envelope import analytic_signal
+    from rolamento.vibration.demodulation import analytic_signal
 
     piece = replace(signal, samples=signal.samples[place[0] : place[1]], speed=None)
     # a narrow band of a short piece may hold no lines: then all frequencies tell
@@ -211,3 +209,331 @@ def _phase(
     counts = np.bincount(bins, minlength=_PHASES)
     means = np.divide(totals, counts, out=np.zeros(_PHASES), where=counts > 0)
     return float((np.argmax(means) + 0.5) / _PHASES * period)
+
+
+# --- the kurtogram -------------------------------------------------------------------------------
+
+
+MOST_SAMPLES: Final = 2**20
+"""Of a signal that a picture is made of: more narrow the scatter and cost seconds."""
+_LEAST_SAMPLES: Final = 256
+_BEST: Final = "#D55E00"
+_FAULT: Final = "#FFFFFF"
+
+
+def kurtogram_of(signal: Signal) -> Kurtogram | None:
+    """Return the kurtogram of a signal's first million samples; None if it has too few."""
+    from dataclasses import replace
+
+    from rolamento.vibration.demodulation import kurtogram
+
+    if len(signal.samples) < _LEAST_SAMPLES or np.ptp(signal.samples) == 0.0:
+        return None
+    part = signal.samples[:MOST_SAMPLES]
+    return kurtogram(replace(signal, samples=part, speed=None))
+
+
+def kurtogram_figure(
+    signal: Signal,
+    *,
+    band: tuple[float, float] | None = None,
+    title: str = "",
+    language: str = "en",
+) -> Figure:
+    """Draw the kurtogram of a signal.
+
+    Parameters
+    ----------
+    signal
+        Of which the first million samples are used.
+    band
+        To mark, such as the one that a fault is clearest in; Hz.
+    title
+        Over the figure.
+    language
+        ``"en"`` or ``"pt"``.
+    """
+    with styled():
+        figure, axes = new_figure(height=95.0)
+        kurtogram_map(kurtogram_of(signal), axes, band=band, language=language)
+        if title:
+            add_title(figure, title)
+    return figure
+
+
+def kurtogram_map(
+    found: Kurtogram | None,
+    axes: Axes | None = None,
+    *,
+    band: tuple[float, float] | None = None,
+    language: str = "en",
+) -> Axes:
+    """Draw a kurtogram: a row for each bandwidth, a frame about the band that stands out most.
+
+    Parameters
+    ----------
+    found
+        The kurtogram; None of a signal that is too short or does not change.
+    axes
+        To draw on; of a new figure if not given.
+    band
+        To mark as well, dashed; Hz.
+    language
+        ``"en"`` or ``"pt"``.
+    """
+    shared, words = plot_words(language), vibration_words(language)
+    with styled():
+        axes = new_figure(height=95.0)[1] if axes is None else axes
+        if found is None:
+            return empty_frame(axes, words.too_short)
+        values = found.picture()
+        half, rows = 0.5 * found.rate, len(found.levels)
+        picture = axes.imshow(
+            values, extent=(0.0, half, rows, 0.0), aspect="auto", interpolation="nearest",
+            vmin=min(0.0, float(values.min())),
+        )  # fmt: skip
+        axes.grid(visible=False)
+        _color_bar(axes, picture, words, shared)
+        _label_levels(axes, found, shared, words)
+        label_x(axes, words.frequency, shared)
+        _frames(axes, found, band, shared, words)
+    return axes
+
+
+def _color_bar(axes: Axes, picture: object, words: VibrationWords, shared: PlotWords) -> None:
+    bar = figure_of(axes).colorbar(picture, ax=axes, pad=0.02)  # type: ignore[arg-type]
+    bar.set_label(words.kurtosis, parse_math=False)
+    bar.ax.yaxis.set_major_formatter(lambda value, _: number(value, shared))
+    bar.ax.tick_params(labelsize=8.0)
+
+
+def _label_levels(axes: Axes, found: Kurtogram, shared: PlotWords, words: VibrationWords) -> None:
+    """Number the rows by their bandwidths."""
+    step = 1 if len(found.levels) <= 9 else 2
+    places = range(0, len(found.levels), step)
+    labels = [number(found.levels[place].bandwidth, shared, 4) for place in places]
+    axes.set_yticks([place + 0.5 for place in places], labels)
+    axes.set_ylabel(words.bandwidth, parse_math=False)
+
+
+def _frames(
+    axes: Axes,
+    found: Kurtogram,
+    band: tuple[float, float] | None,
+    shared: PlotWords,
+    words: VibrationWords,
+) -> None:
+    """Frame the band that stands out most in its row; show the given one across all rows.
+
+    By its significance: of thousands of narrow bands one is always impulsive by chance.
+    """
+    best, rows = found.best("significance"), len(found.levels)
+    row = [level.level for level in found.levels].index(best.level)
+    low, high = best.band
+    label = words.best_band.format(low=number(low, shared), high=number(high, shared))
+    frame = Rectangle(
+        (low, row), high - low, 1.0, fill=False, edgecolor=_BEST, linewidth=1.6,
+        label=shown_text(label), zorder=4.0,
+    )  # fmt: skip
+    axes.add_patch(frame)
+    handles: list[Rectangle] = [frame]
+    if band is not None:
+        text = words.fault_band.format(low=number(band[0], shared), high=number(band[1], shared))
+        given = Rectangle(
+            (band[0], 0.03), band[1] - band[0], rows - 0.06, fill=False, edgecolor=_FAULT,
+            linestyle="--", linewidth=1.2, zorder=3.0,
+        )  # fmt: skip
+        axes.add_patch(given)
+        # white does not show beside the picture: its key is grey
+        handles.append(
+            Rectangle((0, 0), 1, 1, fill=False, edgecolor="#707070", linestyle="--", label=text)
+        )
+    legend_above(axes, handles=handles)
+
+
+# --- the spectrum that was searched --------------------------------------------------------------
+
+
+_FLOOR: Final = -3.0
+"""dB; deeper than that noise tells nothing."""
+_ROOM: Final = 4.0
+_LEAST_TOP: Final = 16.0
+_HALF_PEAK: Final = 3
+"""Lines on either side in which the top of a peak is looked for."""
+_LABEL_GAP: Final = 4.0
+_RATIOS: Final = np.geomspace(1.0, 1e6, 4000)
+
+
+class _Drawn(NamedTuple):
+    """The line that marks stand on, and the words they get."""
+
+    hertz: Floats
+    level: Floats
+    words: VibrationWords
+    mark: str
+
+
+def line_threshold(diagnosis: Diagnosis) -> float:
+    """Power over the mean of the noise from which one line alone is told not to be noise; dB.
+
+    All trials of the search are counted, as in the verdict.
+    """
+    from rolamento.vibration.noise_floor import HALF_WIDTH, mean_over_median, mean_scores
+
+    shape = _RATIOS.shape
+    scores = mean_scores(
+        _RATIOS,
+        np.ones(shape),
+        np.ones(shape, dtype=np.int64),
+        np.full(shape, HALF_WIDTH, dtype=np.int64),
+        diagnosis.blocks,
+    )
+    wanted = np.log(max(diagnosis.trials, 1) / diagnosis.false_alarm)
+    ratio = float(np.interp(wanted, scores, _RATIOS))
+    return 10.0 * float(np.log10(ratio / mean_over_median(diagnosis.blocks)))
+
+
+def envelope_figure(
+    diagnosis: Diagnosis, *, band: int | None = None, title: str = "", language: str = "en"
+) -> Figure:
+    """Draw the spectrum of the squared envelope of a band, as `envelope_lines`, with a title."""
+    with styled():
+        figure, axes = new_figure(height=95.0)
+        envelope_lines(diagnosis, axes, band=band, language=language)
+        if title:
+            add_title(figure, title)
+    return figure
+
+
+def envelope_lines(
+    diagnosis: Diagnosis,
+    axes: Axes | None = None,
+    *,
+    band: int | None = None,
+    language: str = "en",
+) -> Axes:
+    """Draw the squared envelope's spectrum in a band, and mark where the bearing tells of damage.
+
+    Parameters
+    ----------
+    diagnosis
+        Of `rolamento.vibration.diagnosis.verdict`.
+    axes
+        To draw on; of a new figure if not given.
+    band
+        Number in `diagnosis.spectra.bands`; by default that of the clearest fault, of the clearest
+        unexplained line if there is none, or else of the best match.
+    language
+        ``"en"`` or ``"pt"``.
+
+    Returns
+    -------
+    Axes
+        Those given. Found lines have filled marks and their multiples, sidebands hollow ones;
+        parts without a finding have the span in which they were looked for.
+    """
+    shared, words = plot_words(language), vibration_words(language)
+    with styled():
+        axes = new_figure(height=95.0)[1] if axes is None else axes
+        place = diagnosis.clearest_band if band is None else band
+        above = diagnosis.spectra.above_noise[place]
+        known = np.flatnonzero(np.isfinite(above))
+        if known.size == 0:
+            return empty_frame(axes, words.no_lines)
+        hertz = diagnosis.spectra.order * diagnosis.shaft_frequency
+        level = _decibels(above)
+        threshold = line_threshold(diagnosis)
+        axes.plot(hertz, np.maximum(level, _FLOOR), color="#606060", linewidth=0.6)
+        axes.axhline(0.0, color=GREY, linewidth=0.9, label=words.noise)
+        axes.axhline(threshold, color=GREY, linestyle="--", linewidth=0.9, label=words.threshold)
+        top = max(_LEAST_TOP, threshold + 1.0, float(np.nanmax(level))) + _ROOM
+        axes.set_ylim(_FLOOR, top)
+        axes.set_xlim(0.0, float(hertz[known[-1]]))
+        _mark_shaft(axes, diagnosis, words)
+        drawn = _Drawn(hertz, level, words, shared.decimal_mark)
+        for number_of, part in enumerate(COMPONENTS):
+            _mark_component(axes, diagnosis, part, series(number_of), drawn)
+        _mark_unexplained(axes, diagnosis, drawn)
+        label_x(axes, words.frequency, shared)
+        label_y(axes, words.above_noise, shared)
+        low, high = diagnosis.spectra.bands[place]
+        title = words.in_band.format(low=number(low, shared), high=number(high, shared))
+        legend_in_columns(axes, title=title)
+    return axes
+
+
+def _decibels(above: Floats) -> Floats:
+    with np.errstate(divide="ignore", invalid="ignore"):
+        level = 10.0 * np.log10(above)
+    return np.where(np.isneginf(level), _FLOOR, level)
+
+
+def _mark_shaft(axes: Axes, diagnosis: Diagnosis, words: VibrationWords) -> None:
+    """Tick the multiples of the shaft at the foot: they are left out of the search."""
+    frequency, end = diagnosis.shaft_frequency, axes.get_xlim()[1]
+    if frequency <= 0.0 or end / frequency > 1000.0:
+        return
+    places = frequency * np.arange(1, int(end / frequency) + 1)
+    axes.plot(
+        places, np.full(len(places), 0.015), transform=axes.get_xaxis_transform(), color="black",
+        linestyle="", marker="|", markersize=5.0, label=words.shaft, clip_on=False,
+    )  # fmt: skip
+
+
+def _mark_component(
+    axes: Axes,
+    diagnosis: Diagnosis,
+    part: Component,
+    look: Series,
+    drawn: _Drawn,
+) -> None:
+    hertz, level, words, mark = drawn
+    verdict, name = diagnosis.of(part), words.parts[part]
+    if verdict.band is not None:
+        keywords: dict[str, Any] = {"color": look.color, "linestyle": "", "marker": look.marker}
+        lines = [(line.frequency, f"{line.multiple:g}×") for line in verdict.lines]
+        tops = [_peak_height(place, hertz, level) for place, _ in lines]
+        axes.plot(
+            [place for place, _ in lines], tops, **keywords, label=words.found.format(part=name)
+        )
+        for (place, text), top in zip(lines, tops, strict=True):
+            axes.annotate(
+                text.replace(".", mark), (place, top), xytext=(0.0, _LABEL_GAP),
+                textcoords="offset points", ha="center", fontsize=7.0, color=look.color,
+                annotation_clip=True,
+            )  # fmt: skip
+        if verdict.sidebands:
+            sides = [line.frequency for line in verdict.sidebands]
+            axes.plot(
+                sides, [_peak_height(place, hertz, level) for place in sides], **keywords,
+                markerfacecolor="white", label=words.sidebands.format(part=name),
+            )  # fmt: skip
+    elif verdict.verdict == "nothing_found":
+        nominal = verdict.nominal_order * diagnosis.shaft_frequency
+        if nominal < axes.get_xlim()[1]:
+            axes.axvline(nominal, **look.keywords(), alpha=0.8, linewidth=1.1, zorder=1.5,
+                         label=words.expected.format(part=name))  # fmt: skip
+            spread = diagnosis.tolerance * nominal
+            axes.axvspan(
+                nominal - spread, nominal + spread, color=look.color, alpha=0.15, linewidth=0.0
+            )
+
+
+def _mark_unexplained(axes: Axes, diagnosis: Diagnosis, drawn: _Drawn) -> None:
+    """Point at lines that stand out and belong to nothing that is known."""
+    places = [line.frequency for line in diagnosis.unexplained]
+    tops = [_peak_height(place, drawn.hertz, drawn.level) for place in places]
+    if not places:
+        return
+    axes.plot(
+        places, tops, color="black", linestyle="", marker="$?$", markersize=7.0,
+        label=drawn.words.unexplained,
+    )  # fmt: skip
+
+
+def _peak_height(place: float, hertz: Floats, level: Floats) -> float:
+    """Return the height of the peak at a frequency, as it is drawn."""
+    index = int(np.searchsorted(hertz, place))
+    near = level[max(index - _HALF_PEAK, 0) : index + _HALF_PEAK + 1]
+    finite = near[np.isfinite(near)]
+    return max(float(finite.max()), _FLOOR) if finite.size else 0.0

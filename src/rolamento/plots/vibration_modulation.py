@@ -123,7 +123,7 @@ def envelope_depths(signal: Signal, line: float, band: Band | None = None) -> Fl
     Each is the greatest of the lines next to it: a record that does not hold a whole number of
     periods spreads it over some.
     """
-    from rolamento.vibration.envelope import envelope, envelope_spectrum
+    from rolamento.vibration.demodulation import envelope, envelope_spectrum
 
     spectrum = envelope_spectrum(signal, band, kind="plain")
     mean = float(np.mean(envelope(signal, band).samples))
@@ -142,7 +142,7 @@ def _waveform(
     shared: PlotWords,
 ) -> None:
     """Draw a few periods from the middle of a signal, with its envelopes."""
-    from rolamento.vibration.envelope import envelope
+    from rolamento.vibration.demodulation import envelope
 
     middle = len(signal.samples) // 2
     end = min(middle + round(_PERIODS * signal.rate / line), len(signal.samples))

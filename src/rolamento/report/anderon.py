@@ -2,27 +2,37 @@
 
 from __future__ import annotations
 
+import csv
 from collections.abc import Iterator
-from math import exp, isfinite, nan, pi
-from typing import Final
+from dataclasses import asdict
+from io import StringIO
+from math import exp, isfinite, nan
+from typing import TYPE_CHECKING, Any, Final
 
 from rich.text import Text
 
-from rolamento.report.anderon_result import MeasuredNoise, NoiseResult
 from rolamento.report.anderon_words import NOISE_WORDS, NoiseWords
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium
 from rolamento.report.numbers import ABSENT, Digits
-from rolamento.report.page import Lines, Page
+from rolamento.report.page import Lines, Page, one_line, rendered, shortened, table
+from rolamento.report.plain_data import csv_number, json_text
 from rolamento.report.reading_words import said_choice
-from rolamento.report.terminal import rendered
-from rolamento.report.weibull_numbers import one_line, shortened, table
+from rolamento.units import rpm_of
 from rolamento.vibration.anderon import BANDS, BandNoise, velocity_of_anderons
 from rolamento.vibration.anderon_trend import AnderonTrend, BandTrend
 
-__all__ = ["noise_report", "noise_statement"]
+if TYPE_CHECKING:
+    from rolamento.tasks.noise import MeasuredNoise, NoiseResult
 
-_RPM: Final = 30.0 / pi
+SCHEMA: Final = 1
+
+CSV_COLUMNS: Final = (
+    "signal", "hours", "band", "low_Hz", "high_Hz", "velocity_um_per_s", "anderons",
+    "full_scale_anderons", "accepted_to_anderons", "verdict",
+)  # fmt: skip
+"""The header of the CSV: one band of one signal in a row."""
+
 _MICRO: Final = 1e6
 _STYLES: Final = {
     "accepted": "green", "rejected": "bold red", "not_measured": "bold yellow", "none": "dim"
@@ -46,9 +56,9 @@ def noise_report(found: NoiseResult, words: Words = ENGLISH, medium: Medium | No
     said = NOISE_WORDS[words.code]
     parts = [_statement(page, found)]
     if len(found.measured) == 1:
-        parts += [_facts(page, said, found.measured[0]), _bands(page, said, found)]
+        parts += [_facts(page, said, found.measured[0]), _band_table(page, said, found)]
     else:
-        parts.append(_signals(page, said, found))
+        parts.append(_signal_table(page, said, found))
         if found.trend is not None:
             parts.append(_over_time(page, said, found.trend))
     parts.append(_notes(page, said, found))
@@ -105,7 +115,7 @@ def _facts(page: Page, said: NoiseWords, one: MeasuredNoise) -> Lines:
     known = "right" if one.at_test_speed else "known"
     known = "unknown" if "speed_unknown" in one.noise.notes else known
     entries = (
-        (said.speed, said.speeds[known].format(speed=digits.short(_RPM * one.noise.speed, 6))),
+        (said.speed, said.speeds[known].format(speed=digits.short(rpm_of(one.noise.speed), 6))),
         (
             said.signal,
             said.samples.format(
@@ -122,7 +132,7 @@ def _facts(page: Page, said: NoiseWords, one: MeasuredNoise) -> Lines:
     return lines
 
 
-def _bands(page: Page, said: NoiseWords, found: NoiseResult) -> Lines:
+def _band_table(page: Page, said: NoiseWords, found: NoiseResult) -> Lines:
     one, scales = found.measured[0], found.scales_of(found.measured[0])
     heads = said.heads + (said.limit_heads if scales else ())
     velocities = page.digits.column([_MICRO * band.velocity for band in one.noise.bands], 4, 2)
@@ -139,7 +149,9 @@ def _bands(page: Page, said: NoiseWords, found: NoiseResult) -> Lines:
         )
         for name, edges in BANDS.items()
     )
-    legend = said.legend.format(speed=page.digits.short(_RPM * one.noise.speed, 6), factors=factors)
+    legend = said.legend.format(
+        speed=page.digits.short(rpm_of(one.noise.speed), 6), factors=factors
+    )
     return [
         page.heading(said.table),
         *page.columns(rows, "lrrr" + ("rrrl" if scales else "")),
@@ -163,7 +175,7 @@ def _verdict_cells(page: Page, said: NoiseWords, found: NoiseResult, band: BandN
 # --- several ---------------------------------------------------------------------------------
 
 
-def _signals(page: Page, said: NoiseWords, found: NoiseResult) -> Lines:
+def _signal_table(page: Page, said: NoiseWords, found: NoiseResult) -> Lines:
     columns = [
         page.digits.column([one.noise.of(name).anderons for one in found.measured], 3, 2)
         for name in BANDS
@@ -182,7 +194,7 @@ def _signals(page: Page, said: NoiseWords, found: NoiseResult) -> Lines:
 
 
 def _over_time(page: Page, said: NoiseWords, trend: AnderonTrend) -> Lines:
-    rows = [_row_over_time(page, said, band) for band in trend.bands if band.anderons]
+    rows = [_trend_row(page, said, band) for band in trend.bands if band.anderons]
     if not rows:
         return []
     return [
@@ -192,7 +204,7 @@ def _over_time(page: Page, said: NoiseWords, trend: AnderonTrend) -> Lines:
     ]
 
 
-def _row_over_time(page: Page, said: NoiseWords, band: BandTrend) -> list[str]:
+def _trend_row(page: Page, said: NoiseWords, band: BandTrend) -> list[str]:
     digits = page.digits
     rejected = ABSENT
     if isfinite(band.rejected_by):
@@ -216,7 +228,7 @@ def _notes(page: Page, said: NoiseWords, found: NoiseResult) -> Lines:
     """Show every note once; of several signals, with those that it is about."""
     about: dict[str, list[str]] = {}
     for one in found.measured:
-        texts = [one.note(name, said, page.digits) for name in one.names_of_notes]
+        texts = [_said_note(one, name, said, page.digits) for name in one.names_of_notes]
         texts += [said_choice(note, page.words.code) for note in one.choices]
         for text in texts:
             about.setdefault(text, []).append(shortened(one_line(one.title), _LONGEST_NAME))
@@ -228,3 +240,97 @@ def _notes(page: Page, said: NoiseWords, found: NoiseResult) -> Lines:
             text = said.in_signals.format(note=text, signals=", ".join(titles[:3]))
         lines += page.hanging(page.text("  • ", "yellow"), text)
     return lines
+
+
+def _said_note(one: MeasuredNoise, name: str, said: NoiseWords, digits: Digits) -> str:
+    """Say one of a signal's notes."""
+    return said.note[name].format(
+        rate=digits.short(one.noise.velocity.rate, 6),
+        bands=", ".join(said.bands[name] for name in one.noise.missing),
+        unit=one.scaled_unit,
+        sensitivity=one_line(one.sensitivity),
+    )
+
+
+# --- for programs ----------------------------------------------------------------------------
+
+
+def noise_json(found: NoiseResult) -> str:
+    """Return everything as one JSON object, in SI units, Hz, anderons and hours."""
+    return json_text(
+        {
+            "schema": SCHEMA,
+            "kind": "anderon",
+            "bearing": found.bearing,
+            "accepted_part": found.part,
+            "signals": [_signal_data(found, place) for place in range(len(found.measured))],
+            "trend": None if found.trend is None else [asdict(band) for band in found.trend.bands],
+        }
+    )
+
+
+def _signal_data(found: NoiseResult, place: int) -> dict[str, Any]:
+    one, said = found.measured[place], NOISE_WORDS["en"]
+    scales = found.scales_of(one)
+    bands = [
+        {
+            **asdict(band),
+            "full_scale": scales.get(band.name),
+            "of_full_scale": band.anderons / scales.get(band.name, nan),
+            "verdict": found.verdict_of(place, band.name),
+        }
+        for band in one.noise.bands
+    ]
+    return {
+        "title": one.title,
+        "verdict": found.verdicts[place],
+        "hours": one.hours,
+        "speed": one.noise.speed,
+        "bands": bands,
+        "rate": one.noise.velocity.rate,
+        "duration": one.noise.velocity.duration,
+        "quantity": one.noise.velocity.quantity,
+        "reading_notes": list(one.reading_notes),
+        "notes": [
+            {"name": name, "text": _said_note(one, name, said, Digits("."))}
+            for name in one.names_of_notes
+        ],
+    }
+
+
+def noise_csv(found: NoiseResult) -> str:
+    """Return one band of one signal in a row below a header, lines ending in CR LF."""
+    text = StringIO(newline="")
+    writer = csv.writer(text)
+    writer.writerow(CSV_COLUMNS)
+    for place, one in enumerate(found.measured):
+        scales = found.scales_of(one)
+        for band in one.noise.bands:
+            scale = scales.get(band.name, nan)
+            numbers = (*band.band, _MICRO * band.velocity, band.anderons, scale, found.part * scale)
+            writer.writerow(
+                (
+                    one_line(one.title),
+                    csv_number(one.hours),
+                    band.name,
+                    *(csv_number(number) for number in numbers),
+                    found.verdict_of(place, band.name),
+                )
+            )
+    return text.getvalue()
+
+
+def noise_record(found: NoiseResult, language: str = "en") -> str:
+    """Return the anderons over the hours as the CSV that `rolamento trend` reads.
+
+    Only its title is in the language, ``"en"`` or ``"pt"``.
+    """
+    title = NOISE_WORDS[language].record.format(bearing=found.bearing)
+    text = StringIO(newline="")
+    writer = csv.writer(text, lineterminator="\n")
+    text.write(f"# title: {title}\n")
+    writer.writerow(("time (h)", "bearing", *(f"{name} (anderon)" for name in BANDS)))
+    for one in found.measured:
+        levels = (csv_number(one.noise.of(name).anderons) for name in BANDS)
+        writer.writerow((csv_number(one.hours), found.bearing, *levels))
+    return text.getvalue()

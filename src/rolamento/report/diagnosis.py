@@ -2,41 +2,44 @@
 
 from __future__ import annotations
 
-from math import degrees, log10, pi
-from typing import Final
+import csv
+from dataclasses import asdict
+from io import StringIO
+from math import degrees, log10, nan
+from typing import TYPE_CHECKING, Any, Final
 
+import numpy as np
 from rich.text import Text
 
-from rolamento.report.diagnosis_data import CSV_COLUMNS, diagnosis_csv, diagnosis_json
-from rolamento.report.diagnosis_result import DiagnosisResult, ShaftSpeed
 from rolamento.report.diagnosis_sentences import (
     said_advice,
     said_note,
     said_own_note,
     said_reasons,
     said_result,
+    said_too_short,
 )
 from rolamento.report.diagnosis_words import DIAGNOSIS_WORDS, DiagnosisWords
 from rolamento.report.frequencies_words import FREQUENCY_WORDS
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium
 from rolamento.report.numbers import ABSENT
-from rolamento.report.page import Lines, Page
+from rolamento.report.page import Lines, Page, rendered
+from rolamento.report.plain_data import csv_number, json_text
 from rolamento.report.reading_words import said_choice
-from rolamento.report.terminal import rendered
+from rolamento.units import rpm_of
 from rolamento.vibration.diagnosis import DAMAGE, SEVERE, ComponentVerdict, Diagnosis
-from rolamento.vibration.fault_lines import FaultFrequencies
+from rolamento.vibration.frequencies import FaultFrequencies
 
-__all__ = [
-    "CSV_COLUMNS",
-    "DiagnosisResult",
-    "ShaftSpeed",
-    "diagnosis_csv",
-    "diagnosis_json",
-    "diagnosis_report",
-]
+if TYPE_CHECKING:
+    from rolamento.tasks.diagnosis import DiagnosisResult, TooShort
+    from rolamento.tasks.shaft_speed import ShaftSpeed
 
-_RPM: Final = 30.0 / pi
+SCHEMA: Final = 1
+
+CSV_COLUMNS: Final = ("band_low_Hz", "band_high_Hz", "order", "frequency_Hz", "over_noise_dB")
+"""The header of the envelope's spectrum: one line of it in a row."""
+
 _MM: Final = 1e3
 _KILO: Final = 1e-3
 _UNITS: Final = {"m/s^2": "m/s²", "mm/s^2": "mm/s²", "um": "µm", "um/s": "µm/s", "1": ""}
@@ -72,9 +75,9 @@ def diagnosis_report(
     """
     page = Page(words, medium or Medium())
     said = DIAGNOSIS_WORDS[words.code]
-    parts = [_statement(page, found), _facts(page, said, found), _table(page, said, found)]
+    parts = [_statement(page, found), _facts(page, said, found), _verdict_table(page, said, found)]
     if not found.still:
-        parts.append(_why(page, said, found))
+        parts.append(_reasons_by_part(page, said, found))
     parts.append(_notes(page, said, found))
     return rendered(page.medium, [part for part in parts if part])
 
@@ -136,18 +139,18 @@ def _frequencies(page: Page, said: DiagnosisWords, sought: FaultFrequencies) -> 
 
 def _speed(page: Page, said: DiagnosisWords, found: DiagnosisResult) -> str:
     digits, frequency, known = page.digits, found.diagnosis.shaft_frequency, found.speed
-    ranges = known is not None and known.least != known.most
+    ranges = known is not None and known.minimum != known.maximum
     text = (said.speed_range if ranges else said.speed).format(
         speed=digits.short(60.0 * frequency, 5 if ranges else 6),
         frequency=digits.short(frequency),
-        least=digits.short(_RPM * known.least, 5) if known else "",
-        most=digits.short(_RPM * known.most, 5) if known else "",
+        least=digits.short(rpm_of(known.minimum), 5) if known else "",
+        most=digits.short(rpm_of(known.maximum), 5) if known else "",
     )
     if known is not None:
         text += ", " + _by_whom(page, said, found, known)
     outer = found.frequencies.outer_speed
     if outer != 0.0:
-        text += "; " + said.outer_speed.format(speed=digits.short(_RPM * outer, 6))
+        text += "; " + said.outer_speed.format(speed=digits.short(rpm_of(outer), 6))
     return text
 
 
@@ -158,7 +161,7 @@ def _by_whom(page: Page, said: DiagnosisWords, found: DiagnosisResult, known: Sh
     if diagnosis.speed_factor != 1.0:
         part = 100.0 * (1.0 / diagnosis.speed_factor - 1.0)
         off = digits.fixed(part, 1 if abs(part) >= 0.1 else 2)
-        given = digits.short(_RPM * abs(known.mean), 6)
+        given = digits.short(rpm_of(abs(known.mean)), 6)
         return said.speed_by_lines.format(source=source, given=given, off=off)
     if diagnosis.speed_confirmed or found.still or not known.is_steady:
         return source
@@ -171,7 +174,7 @@ def _speed_source(page: Page, said: DiagnosisWords, known: ShaftSpeed) -> str:
         channel=known.channel,
         pulses=known.pulses,
         within=digits.short(100.0 * tracking.within, 3) if tracking else "",
-        nominal=digits.short(_RPM * abs(tracking.nominal), 6) if tracking else "",
+        nominal=digits.short(rpm_of(abs(tracking.nominal)), 6) if tracking else "",
     )
 
 
@@ -205,10 +208,10 @@ def _search(page: Page, said: DiagnosisWords, found: DiagnosisResult) -> str:
     )
 
 
-def _table(page: Page, said: DiagnosisWords, found: DiagnosisResult) -> Lines:
+def _verdict_table(page: Page, said: DiagnosisWords, found: DiagnosisResult) -> Lines:
     rows = [[page.text(head, "dim") for head in said.heads]]
     for part in found.diagnosis.components:
-        rows.append(_row(page, said, found.diagnosis, part))
+        rows.append(_verdict_row(page, said, found.diagnosis, part))
     legend = said.legend.format(
         trials=found.diagnosis.trials,
         least=page.digits.short(-log10(found.diagnosis.false_alarm), 3),
@@ -222,7 +225,7 @@ def _table(page: Page, said: DiagnosisWords, found: DiagnosisResult) -> Lines:
     ]
 
 
-def _row(
+def _verdict_row(
     page: Page, said: DiagnosisWords, diagnosis: Diagnosis, part: ComponentVerdict
 ) -> list[Text]:
     digits = page.digits
@@ -245,7 +248,7 @@ def _row(
     ]
 
 
-def _why(page: Page, said: DiagnosisWords, found: DiagnosisResult) -> Lines:
+def _reasons_by_part(page: Page, said: DiagnosisWords, found: DiagnosisResult) -> Lines:
     """Give the reasons, those of faults first; parts that have the same stand together."""
     diagnosis, code = found.diagnosis, page.words.code
     by_evidence = sorted(
@@ -274,3 +277,109 @@ def _notes(page: Page, said: DiagnosisWords, found: DiagnosisResult) -> Lines:
     for sentence in sentences:
         lines += page.hanging(page.text("  • ", "yellow"), sentence)
     return lines
+
+
+# --- for programs ----------------------------------------------------------------------------
+
+
+def diagnosis_json(found: DiagnosisResult) -> str:
+    """Return everything but the spectra as one JSON object, in SI units and Hz."""
+    diagnosis, signal = found.diagnosis, found.signal
+    return json_text(
+        {
+            "schema": SCHEMA,
+            "kind": "diagnosis",
+            "title": found.title,
+            "verdict": found.verdict,
+            "grade": diagnosis.grade,
+            "faults": list(diagnosis.causes),
+            "watched": list(diagnosis.watched),
+            "undecided": [
+                {"component": part, "shaft_frequency": frequency}
+                for part, frequency in diagnosis.undecided
+            ],
+            "statement": said_result(found, "en"),
+            "advice": said_advice(diagnosis, "en"),
+            "components": [asdict(part) for part in diagnosis.components],
+            "unexplained": [asdict(line) for line in diagnosis.unexplained],
+            "false_alarm": diagnosis.false_alarm,
+            "tolerance": diagnosis.tolerance,
+            "slip": diagnosis.tolerance if found.slip is None else found.slip,
+            "trials": diagnosis.trials,
+            "shaft_frequency": diagnosis.shaft_frequency,
+            "speed_tolerance": found.settings.speed_tolerance,
+            "speed_factor": diagnosis.speed_factor,
+            "speed_source": diagnosis.speed_source,
+            "speed_confirmed": diagnosis.speed_confirmed,
+            "speed": None if found.speed is None else _speed_data(found.speed),
+            "revolutions": diagnosis.revolutions,
+            "blocks": diagnosis.blocks,
+            "order_resolution": diagnosis.resolution,
+            "bearing": found.bearing_name,
+            "frequencies": found.frequencies.to_mapping(),
+            "state": None if found.solved is None else found.solved.to_mapping()["status"],
+            "signal": {
+                "rate": signal.rate,
+                "duration": found.duration,
+                "quantity": signal.quantity,
+                "unit": signal.unit,
+                "indicators_of_first": signal.duration,
+                "indicators": asdict(found.indicators),
+                "reading_notes": list(found.reading_notes),
+            },
+            "notes": [
+                *(asdict(note) for note in diagnosis.notes),
+                *(
+                    {"name": name, "text": said_own_note(name, found, "en")}
+                    for name in found.own_notes
+                ),
+            ],
+        }
+    )
+
+
+def _speed_data(speed: ShaftSpeed) -> dict[str, Any]:
+    """Give the speed of the shaft, in rad/s."""
+    return {
+        "source": speed.source,
+        "mean": speed.mean,
+        "minimum": speed.minimum,
+        "maximum": speed.maximum,
+        "channel": speed.channel or None,
+        "pulses_per_revolution": speed.pulses,
+        "tracking": None if speed.tracking is None else asdict(speed.tracking),
+    }
+
+
+def too_short_json(found: TooShort) -> str:
+    """Return what is known of a record that is too short as one JSON object."""
+    return json_text(
+        {
+            "verdict": found.verdict,
+            "statement": [said_too_short(found, "en")],
+            "reason": found.reason,
+            "revolutions": found.revolutions,
+            "least_revolutions": found.least_revolutions,
+            "duration": found.duration,
+        }
+    )
+
+
+def diagnosis_csv(found: DiagnosisResult) -> str:
+    """Return the squared envelope's spectrum of every fault's band, or of the best match's.
+
+    One line of the spectrum in a row below a header, lines ending in CR LF.
+    """
+    spectra, diagnosis = found.diagnosis.spectra, found.diagnosis
+    bands = [part.band for part in diagnosis.components if part.band is not None]
+    places = sorted({spectra.bands.index(band) for band in bands if band in spectra.bands})
+    text = StringIO(newline="")
+    writer = csv.writer(text)
+    writer.writerow(CSV_COLUMNS)
+    for place in places or [diagnosis.clearest_band]:
+        low, high = spectra.bands[place]
+        for order, above in zip(spectra.order, spectra.above_noise[place], strict=True):
+            level = 10.0 * float(np.log10(above)) if above > 0.0 else nan
+            numbers = (low, high, order, order * diagnosis.shaft_frequency, level)
+            writer.writerow([csv_number(float(number)) for number in numbers])
+    return text.getvalue()

@@ -7,17 +7,19 @@ here is said in the engine's own words.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from math import floor, isfinite, pi
+from math import floor, isfinite
 from typing import TYPE_CHECKING, Final
 
 from rolamento.report.diagnosis_words import DIAGNOSIS_WORDS, DiagnosisWords
+from rolamento.report.frequencies import said_failure
 from rolamento.report.frequencies_words import FREQUENCY_WORDS
 from rolamento.report.language import words_for
 from rolamento.report.numbers import Digits
+from rolamento.units import rpm_of
 from rolamento.vibration.diagnosis.size import DAMAGE
 
 if TYPE_CHECKING:
-    from rolamento.report.diagnosis_result import DiagnosisResult
+    from rolamento.tasks.diagnosis import DiagnosisResult, TooShort
     from rolamento.vibration.diagnosis import ComponentVerdict, Diagnosis, Reason
 
 __all__ = [
@@ -37,13 +39,12 @@ _DIGITS: Final = 15.0
 """Evidence beyond which a probability is no more than small: no noise is known so well."""
 _MOST_LINES: Final = 5
 """Unexplained lines that are said one by one."""
-_RPM: Final = 30.0 / pi
 
 
 def said_result(found: DiagnosisResult, language: str) -> list[str]:
     """Return what all comes to, sentence by sentence."""
     if found.speed_lost and not found.still and not _stated(found.diagnosis):
-        return [_of(language)[0].no_speed]
+        return [_words_and_digits(language)[0].no_speed]
     if found.verdict == "no_verdict" and not found.still:
         return _said_untested(found.diagnosis, language)
     return said_statements(found.diagnosis, language, still=found.still)
@@ -51,7 +52,7 @@ def said_result(found: DiagnosisResult, language: str) -> list[str]:
 
 def _said_untested(diagnosis: Diagnosis, language: str) -> list[str]:
     """Return what could not be tested, why, and that nothing stands out of the rest."""
-    said, _ = _of(language)
+    said, _ = _words_and_digits(language)
     tested = [said.parts[p.component] for p in diagnosis.components if p.verdict != "not_tested"]
     untested = [part for part in diagnosis.components if part.verdict == "not_tested"]
     reasons = dict.fromkeys(text for p in untested for text in said_reasons(p, diagnosis, language))
@@ -63,21 +64,16 @@ def _said_untested(diagnosis: Diagnosis, language: str) -> list[str]:
     return [first, *reasons, *rest]
 
 
-def said_too_short(
-    turns: float, least: float, duration: float, language: str, *, is_stretch: bool
-) -> str:
-    """Return that a record is too short for any race, or its shaft too slow for its rate.
-
-    turns, least: revolutions that it spans, and from which on something can be told; duration: s.
-    is_stretch: whether they are of the longest stretch that is judged at once.
-    """
-    said, digits = _of(language)
-    return (said.too_slow if is_stretch else said.too_short).format(
-        turns=digits.short(turns, 2),
-        duration=digits.short(duration, 3),
-        least=digits.short(least, 2),
-        seconds=digits.short(duration * least / turns, 2),
-        times=digits.short(least / turns, 2),
+def said_too_short(found: TooShort, language: str) -> str:
+    """Return that a record is too short for any race, or its shaft too slow for its rate."""
+    said, digits = _words_and_digits(language)
+    times = found.least_revolutions / found.revolutions
+    return (said.too_slow if found.is_stretch else said.too_short).format(
+        turns=digits.short(found.revolutions, 2),
+        duration=digits.short(found.duration, 3),
+        least=digits.short(found.least_revolutions, 2),
+        seconds=digits.short(found.duration * times, 2),
+        times=digits.short(times, 2),
     )
 
 
@@ -86,7 +82,7 @@ def said_statements(diagnosis: Diagnosis, language: str, *, still: bool = False)
 
     still: whether the signal does not change at all, of which the spectra tell nothing.
     """
-    said, digits = _of(language)
+    said, digits = _words_and_digits(language)
     parts = diagnosis.components
     if still and not diagnosis.faults:
         return [said.no_change]
@@ -111,7 +107,7 @@ def said_statements(diagnosis: Diagnosis, language: str, *, still: bool = False)
 
 def said_advice(diagnosis: Diagnosis, language: str) -> list[str]:
     """Return what to do, and what speaks against a verdict; nothing where nothing is found."""
-    said, _ = _of(language)
+    said, _ = _words_and_digits(language)
     stated = _stated(diagnosis)
     if diagnosis.undecided:
         return [said.to_do["undecided_speed"]]
@@ -153,7 +149,7 @@ def said_reasons(part: ComponentVerdict, diagnosis: Diagnosis, language: str) ->
 
 def said_note(note: Reason, diagnosis: Diagnosis, language: str) -> str:
     """Return what a user should know about a diagnosis."""
-    said, digits = _of(language)
+    said, digits = _words_and_digits(language)
     if note.name == "unexplained_lines" and diagnosis.unexplained:
         return _unexplained(diagnosis, said, digits)
     if note.name not in said.note:
@@ -165,7 +161,7 @@ def said_note(note: Reason, diagnosis: Diagnosis, language: str) -> str:
 
 def said_own_note(name: str, found: DiagnosisResult, language: str) -> str:
     """Return one of the result's own notes."""
-    said, digits = _of(language)
+    said, digits = _words_and_digits(language)
     numbers = {
         "tolerance": digits.short(100.0 * found.settings.tolerance, 3),
         "rows": listed((said.row.format(row=row) for row in found.other_rows), said),
@@ -176,7 +172,7 @@ def said_own_note(name: str, found: DiagnosisResult, language: str) -> str:
     if name == "speed_not_found" and tracking is not None and tracking.lost is not None:
         numbers["start"], numbers["end"] = (digits.short(end, 4) for end in tracking.lost)
         numbers["within"] = digits.short(100.0 * tracking.within, 3)
-        numbers["nominal"] = digits.short(_RPM * abs(tracking.nominal), 6)
+        numbers["nominal"] = digits.short(rpm_of(abs(tracking.nominal)), 6)
     return said.note[name].format(**numbers)
 
 
@@ -188,7 +184,7 @@ def listed(items: Iterable[str], said: DiagnosisWords, last: str | None = None) 
     return (last or said.all_of).format(list=", ".join(words[:-1]), last=words[-1])
 
 
-def _of(language: str) -> tuple[DiagnosisWords, Digits]:
+def _words_and_digits(language: str) -> tuple[DiagnosisWords, Digits]:
     words = words_for(language)
     return DIAGNOSIS_WORDS[words.code], Digits(words.decimal_mark)
 
@@ -267,11 +263,9 @@ def _unexplained(diagnosis: Diagnosis, said: DiagnosisWords, digits: Digits) -> 
 def _why_not_loaded(found: DiagnosisResult, language: str) -> str:
     """Say why a load gives no frequencies."""
     words, said = words_for(language), FREQUENCY_WORDS[words_for(language).code]
-    status = None if found.state is None else found.state.status
-    if status is None or status.converged:
+    if found.solved is None or found.solved.converged[0]:
         return said.note["no_loaded_ball"]
-    told = (words.reason(status), words.advice(status))
-    return said.failed.format(reason=": ".join(part for part in told if part))
+    return said.failed.format(reason=said_failure(found.solved, words))
 
 
 def _hertz(frequency: float, digits: Digits) -> str:
@@ -279,7 +273,7 @@ def _hertz(frequency: float, digits: Digits) -> str:
 
 
 def _reason(reason: Reason, part: ComponentVerdict, diagnosis: Diagnosis, language: str) -> str:
-    said, digits = _of(language)
+    said, digits = _words_and_digits(language)
     template = said.reason.get(reason.name)
     if template is None:
         return reason.text

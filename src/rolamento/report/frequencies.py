@@ -3,32 +3,26 @@
 from __future__ import annotations
 
 import csv
-import json
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from io import StringIO
-from math import degrees, isfinite, pi
-from typing import Any, Final
+from math import degrees, isfinite
+from typing import TYPE_CHECKING, Any, Final
 
 from rich.text import Text
 
-from rolamento.case.bearing import Bearing
 from rolamento.report.frequencies_words import FREQUENCY_WORDS, FrequencyWords
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium
-from rolamento.report.page import Lines, Page
-from rolamento.report.terminal import rendered
-from rolamento.state import State
-from rolamento.vibration.fault_lines import FAULTS, FaultFrequencies, FaultKind, Harmonic
+from rolamento.report.page import Lines, Page, rendered
+from rolamento.report.plain_data import json_text
+from rolamento.units import rpm_of
+from rolamento.vibration.frequencies import FAULTS, FaultFrequencies, FaultKind, Harmonic
 from rolamento.vibration.frequency_band import Alternative
 
-__all__ = [
-    "CSV_COLUMNS",
-    "FrequencyResult",
-    "frequencies_csv",
-    "frequencies_json",
-    "frequencies_report",
-]
+if TYPE_CHECKING:
+    from rolamento.solved import Solved
+    from rolamento.tasks.frequencies import FrequencyResult
 
 SCHEMA: Final = 1
 
@@ -47,50 +41,7 @@ CSV_COLUMNS: Final = (
 )
 """The header: low and high are a nominal line's band, or a loaded line's range over the balls."""
 
-_RPM: Final = 30.0 / pi
 _MM: Final = 1e3
-
-
-@dataclass(frozen=True, slots=True)
-class FrequencyResult:
-    """All that the command finds.
-
-    Attributes
-    ----------
-    title
-        designation or title of the case
-    bearing
-        whose frequencies these are
-    nominal
-        by its geometry, with bands
-    loaded, state
-        of the case's load; None without one
-    alternatives
-        of an inferred inside
-    harmonics, sidebands
-        how many the tables show
-    """
-
-    title: str
-    bearing: Bearing
-    nominal: FaultFrequencies
-    loaded: FaultFrequencies | None
-    state: State | None
-    alternatives: tuple[Alternative, ...]
-    harmonics: int
-    sidebands: int
-
-    @property
-    def by_source(self) -> tuple[FaultFrequencies, ...]:
-        """The nominal frequencies of every row, then the loaded ones."""
-        found = (self.nominal,) if self.loaded is None else (self.nominal, self.loaded)
-        return tuple(row for one in found for row in (one.rows or (one,)))
-
-    @property
-    def best(self) -> FaultFrequencies:
-        """The frequencies to look for: the loaded ones where there are any."""
-        loaded = self.loaded
-        return self.nominal if loaded is None or not isfinite(loaded.cage.order) else loaded
 
 
 # --- page ------------------------------------------------------------------------------------
@@ -112,8 +63,8 @@ def frequencies_report(
     """
     page = Page(words, medium or Medium())
     said = FREQUENCY_WORDS[words.code]
-    parts = [_head(page, said, found)]
-    parts += [_table(page, said, found, one) for one in found.by_source if _has_lines(one)]
+    parts = [_page_head(page, said, found)]
+    parts += [_line_table(page, said, found, one) for one in found.by_source if _has_lines(one)]
     parts.append(_harmonics(page, said, found))
     if found.alternatives:
         parts.append(_alternatives(page, said, found.alternatives))
@@ -121,7 +72,7 @@ def frequencies_report(
     return rendered(page.medium, [part for part in parts if part])
 
 
-def _head(page: Page, said: FrequencyWords, found: FrequencyResult) -> Lines:
+def _page_head(page: Page, said: FrequencyWords, found: FrequencyResult) -> Lines:
     digits, bearing, nominal = page.digits, found.bearing, found.nominal
     inside = said.inside.format(
         count=bearing.ball_count,
@@ -132,7 +83,7 @@ def _head(page: Page, said: FrequencyWords, found: FrequencyResult) -> Lines:
     lines = [f"{inside}; {angle}"]
     if isfinite(nominal.shaft_frequency):
         facts = [
-            said.speeds[ring].format(speed=digits.short(_RPM * speed, 6))
+            said.speeds[ring].format(speed=digits.short(rpm_of(speed), 6))
             for ring, speed in (("inner", nominal.inner_speed), ("outer", nominal.outer_speed))
             if speed != 0.0 or ring == "inner"
         ]
@@ -153,7 +104,7 @@ def _has_lines(one: FaultFrequencies) -> bool:
     return isfinite(one.cage.order)
 
 
-def _table(
+def _line_table(
     page: Page, said: FrequencyWords, found: FrequencyResult, one: FaultFrequencies
 ) -> Lines:
     nominal = one.source == "nominal"
@@ -177,18 +128,13 @@ def _table(
         shown = " / ".join(page.digits.fixed(degrees(angle), 2) for angle in angles)
         title += f" ({said.angle.format(angle=shown)})"
     legend = said.band
-    if not nominal:
-        legend = said.over_balls.format(count=_loaded_balls(found, one.row))
+    if not nominal and found.solved is not None:
+        legend = said.over_balls.format(count=int(found.solved.loaded_elements[0, one.row]))
     return [
         page.heading(title),
         *page.columns(rows, "l" + "r" * (len(heads) - 1)),
         *page.hanging(Text("  "), legend, "dim"),
     ]
-
-
-def _loaded_balls(found: FrequencyResult, row: int) -> int:
-    balls = () if found.state is None else found.state.balls
-    return sum(ball.row == row and ball.inner.load > 0.0 for ball in balls)
 
 
 def _harmonics(page: Page, said: FrequencyWords, found: FrequencyResult) -> Lines:
@@ -202,7 +148,7 @@ def _harmonics(page: Page, said: FrequencyWords, found: FrequencyResult) -> Line
         lines = best.harmonics(kind, found.harmonics, found.sidebands)
         for number in range(1, found.harmonics + 1):
             own = {line.sideband: line for line in lines if line.harmonic == number}
-            cells = [_place(page, own.get(side), in_hertz) for side in sides]
+            cells = [_harmonic_cell(page, own.get(side), in_hertz) for side in sides]
             label = said.faults[kind] if number == 1 else ""
             rows.append([page.text(cell) for cell in (label, f"{number}×", *cells)])
     heading = said.harmonics if in_hertz else said.harmonics_in_orders
@@ -214,7 +160,7 @@ def _harmonics(page: Page, said: FrequencyWords, found: FrequencyResult) -> Line
     ]
 
 
-def _place(page: Page, line: Harmonic | None, in_hertz: bool) -> str:
+def _harmonic_cell(page: Page, line: Harmonic | None, in_hertz: bool) -> str:
     if line is None:
         return ""
     return page.digits.fixed(*((line.frequency, 2) if in_hertz else (line.order, 4)))
@@ -245,11 +191,8 @@ def _alternatives(page: Page, said: FrequencyWords, alternatives: Sequence[Alter
 def _notes(page: Page, said: FrequencyWords, words: Words, found: FrequencyResult) -> Lines:
     names = dict.fromkeys(name for one in found.by_source for name in one.notes)
     sentences = [said.note[name] for name in names if name != "no_result"]
-    state = found.state
-    if state is not None and not state.status.converged:
-        status = state.status
-        told = (words.reason(status), words.advice(status))
-        sentences.append(said.failed.format(reason=": ".join(part for part in told if part)))
+    if found.solved is not None and not found.solved.converged[0]:
+        sentences.append(said.failed.format(reason=said_failure(found.solved, words)))
     if not sentences:
         return []
     lines = [page.heading(said.notes)]
@@ -258,28 +201,36 @@ def _notes(page: Page, said: FrequencyWords, words: Words, found: FrequencyResul
     return lines
 
 
+def said_failure(solved: Solved, words: Words) -> str:
+    """Say why a case has no result, and what to do."""
+    code, advice = str(solved.status.code[0]), solved.advice[0]
+    told = (words.reasons.get(code, code), words.sentence(advice) if advice else "")
+    return ": ".join(part for part in told if part)
+
+
 # --- data ------------------------------------------------------------------------------------
 
 
-def frequencies_json(found: FrequencyResult, *, indent: int | None = 2) -> str:
+def frequencies_json(found: FrequencyResult) -> str:
     """Return everything as one JSON object, in SI units and Hz."""
     tables: dict[FaultKind, list[dict[str, Any]]] = {
         kind: [
-            {key: _finite(value) for key, value in asdict(line).items() if key != "fault"}
+            {key: value for key, value in asdict(line).items() if key != "fault"}
             for line in found.best.harmonics(kind, found.harmonics, found.sidebands)
         ]
         for kind in FAULTS
     }
-    mapping = {
-        "schema": SCHEMA,
-        "kind": "frequencies",
-        "title": found.title,
-        "nominal": found.nominal.to_mapping(),
-        "loaded": None if found.loaded is None else found.loaded.to_mapping(),
-        "harmonics": tables,
-        "alternatives": [asdict(one) for one in found.alternatives],
-    }
-    return json.dumps(mapping, indent=indent, ensure_ascii=False, allow_nan=False)
+    return json_text(
+        {
+            "schema": SCHEMA,
+            "kind": "frequencies",
+            "title": found.title,
+            "nominal": found.nominal.to_mapping(),
+            "loaded": None if found.loaded is None else found.loaded.to_mapping(),
+            "harmonics": tables,
+            "alternatives": [asdict(one) for one in found.alternatives],
+        }
+    )
 
 
 def frequencies_csv(found: FrequencyResult) -> str:
@@ -297,19 +248,15 @@ def frequencies_csv(found: FrequencyResult) -> str:
                 else (band.order_low, band.order_high, band.frequency_low, band.frequency_high)
             )
             numbers = (line.order, line.frequency, *ends)
-            writer.writerow((one.source, one.row, name, 1, 0, *map(_plain, numbers)))
+            writer.writerow((one.source, one.row, name, 1, 0, *map(_nine_digits, numbers)))
         for kind, name in FAULTS.items():
             for extra in one.harmonics(kind, found.harmonics, found.sidebands):
                 if (extra.harmonic, extra.sideband) != (1, 0):
                     place = (name, extra.harmonic, extra.sideband)
-                    own = (_plain(extra.order), _plain(extra.frequency))
+                    own = (_nine_digits(extra.order), _nine_digits(extra.frequency))
                     writer.writerow((one.source, one.row, *place, *own, *[""] * 4))
     return text.getvalue()
 
 
-def _plain(value: float) -> str:
+def _nine_digits(value: float) -> str:
     return f"{value:.9g}" if isfinite(value) else ""
-
-
-def _finite(value: Any) -> Any:
-    return None if isinstance(value, float) and not isfinite(value) else value

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Final
 
-from rolamento.vibration.fault_lines import NOTES, FaultKind, LineName
+from rolamento.vibration.frequencies import NOTES, FaultKind, LineName
 
 __all__ = ["FREQUENCY_WORDS", "FrequencyWords"]
 

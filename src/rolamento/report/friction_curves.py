@@ -19,9 +19,9 @@ from rolamento.report.friction import friction_parts, unit_of_torque
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium
 from rolamento.report.numbers import decimals_for
-from rolamento.report.page import Lines, Page
+from rolamento.report.page import Lines, Page, rendered
 from rolamento.report.plain_data import csv_number, json_text
-from rolamento.report.terminal import rendered, terminal_head
+from rolamento.report.terminal import terminal_head
 
 if TYPE_CHECKING:
     from rolamento.analysis import Analysis
@@ -103,7 +103,7 @@ def friction_report(
 ) -> str:
     """Return the friction of one case as text that ends in a newline."""
     page = Page(words, medium or Medium())
-    parts = [terminal_head(page, analysis.state)]
+    parts = [terminal_head(page, analysis.solved)]
     if analysis.friction is not None:
         parts += friction_parts(page, analysis.solved, analysis.friction)
     return rendered(page.medium, parts)

@@ -3,25 +3,31 @@
 from __future__ import annotations
 
 import os
-from math import degrees, pi
-from typing import Final
+from dataclasses import asdict
+from math import degrees
+from typing import TYPE_CHECKING, Any, Final
 
+import numpy as np
 from rich.text import Text
 
+from rolamento.errors import InputError
 from rolamento.report.frequencies_words import FREQUENCY_WORDS
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium
 from rolamento.report.numbers import ABSENT
-from rolamento.report.page import Lines, Page
-from rolamento.report.synthesis_result import PlantedFault, PlantedLine, SynthesisResult
+from rolamento.report.page import Lines, Page, one_line, rendered, short_number, table
+from rolamento.report.plain_data import json_text
 from rolamento.report.synthesis_words import SYNTHESIS_WORDS, SynthesisWords
-from rolamento.report.terminal import rendered
-from rolamento.report.weibull_numbers import one_line, short_number, table
-from rolamento.vibration.synthesis import Fault, SwingingSpeed, WanderingSpeed
+from rolamento.units import rpm_of
+from rolamento.vibration.synthesis import Fault, GivenSpeed, SwingingSpeed, WanderingSpeed
 
-__all__ = ["synthesis_report"]
+if TYPE_CHECKING:
+    from rolamento.tasks.synthesis import PlantedFault, PlantedLine, SynthesisResult
 
-_RPM: Final = 30.0 / pi
+SCHEMA: Final = 1
+
+_MOST_IMPACTS: Final = 1_000_000
+"""In a file of truth."""
 _MM: Final = 1e3
 _NANO: Final = 1e9
 _MOST_LINES: Final = 15
@@ -105,12 +111,12 @@ def _shaft(page: Page, said: SynthesisWords, found: SynthesisResult) -> str:
     digits, own, profile = page.digits, found.recipe.frequencies, found.recipe.speed
     parts = [
         said.speeds[own.shaft].format(
-            speed=digits.short(_RPM * own.inner_speed, 6),
+            speed=digits.short(rpm_of(own.inner_speed), 6),
             frequency=digits.short(own.shaft_frequency),
         )
     ]
     if own.outer_speed != 0.0:
-        parts.append(said.outer_speed.format(speed=digits.short(_RPM * own.outer_speed, 6)))
+        parts.append(said.outer_speed.format(speed=digits.short(rpm_of(own.outer_speed), 6)))
     if own.slip != 0.0:
         parts.append(said.slip.format(slip=digits.short(100.0 * own.slip, 3)))
     if isinstance(profile, SwingingSpeed):
@@ -244,3 +250,49 @@ def _next(page: Page, said: SynthesisWords, found: SynthesisResult) -> Lines:
     if found.source == _STANDARD_INPUT:
         return []
     return [page.heading(said.next), page.text(f"  {found.command}")]
+
+
+def truth_json(found: SynthesisResult) -> str:
+    """Return the truth and the recipe as one JSON object, in SI units, Hz and dB.
+
+    Raises
+    ------
+    InputError
+        If it would be very long.
+    """
+    recipe, truth = found.recipe, found.made.truth
+    if sum(len(one.times) for one in truth.faults) > _MOST_IMPACTS:
+        rule = f"would hold more than {_MOST_IMPACTS} impacts"
+        raise InputError(rule, field="truth", value=found.truth_path)
+    return json_text(
+        {
+            "schema": SCHEMA,
+            "kind": "synthesis",
+            "bearing": found.name,
+            "file": found.path,
+            "unit": found.made.signal.unit,
+            "rms": found.rms,
+            **truth.to_mapping(),
+            "faults": [
+                {**one.truth.to_mapping(), "to_noise": one.to_noise} for one in found.faults
+            ],
+            "recipe": {
+                "faults": [asdict(fault) for fault in recipe.faults],
+                "load": {"kind": found.load, "extent": found.extent},
+                "load_turns": recipe.load_turns,
+                "path": asdict(recipe.path),
+                "modes": [asdict(mode) for mode in recipe.modes],
+                "shaft_harmonics": list(recipe.shaft_harmonics),
+                "waviness": [asdict(one) for one in recipe.waviness],
+                "noise": None if recipe.noise is None else asdict(recipe.noise),
+                "speed": _speed_profile(found),
+            },
+        }
+    )
+
+
+def _speed_profile(found: SynthesisResult) -> dict[str, Any]:
+    profile = found.recipe.speed
+    if profile is None or isinstance(profile, GivenSpeed):
+        return {"kind": "SteadySpeed", "speed": float(np.mean(found.made.truth.speed))}
+    return {"kind": type(profile).__name__, **asdict(profile)}

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
 if TYPE_CHECKING:
-    from rolamento.vibration.fault_lines import FaultKind
+    from rolamento.vibration.frequencies import FaultKind
 
 __all__ = ["SYNTHESIS_WORDS", "SynthesisWords"]
 

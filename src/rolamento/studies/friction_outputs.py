@@ -8,15 +8,18 @@ of each ball are taken with the motion as it was solved.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
 from rolamento.geometry import Race
-from rolamento.studies.ball_outputs import RACES, family
-from rolamento.studies.outputs import Floats, Output, Solved
+from rolamento.solved import RACES
+from rolamento.studies.bearing_outputs import family
+from rolamento.studies.outputs import Evaluation, Floats, Output
 
-__all__ = ["friction_outputs"]
+if TYPE_CHECKING:
+    from rolamento.friction import Friction
+    from rolamento.solved import Solved
 
 _COEFFICIENT: Final = ("lubricant.friction_coefficient",)
 _OIL: Final = ("lubricant", "temperature.lubricant")
@@ -89,32 +92,54 @@ def _of_contacts() -> Iterator[Output]:
         yield from family(
             f"{race}_pressure_slip",
             "W/m^2",
-            f"greatest product of pressure and slip, {race} race",
+            f"maximum product of pressure and slip, {race} race",
             _pressure_slip(race),
             None,
             (),
         )
 
 
-def _total(model: str, attribute: str) -> Callable[[Solved], Floats]:
-    def compute(solved: Solved) -> Floats:
-        values: Floats = getattr(solved.friction(model), attribute)
-        return np.where(solved.has_friction, values, np.nan)
+def _coefficient(given: Evaluation) -> Floats:
+    """μ of every case; NaN where there is none that the friction models take."""
+    mu = given.solved.field("lubricant.friction_coefficient")
+    return np.where(mu <= 1.0, mu, np.nan)
+
+
+def _friction(solved: Solved, *, model: str) -> Friction:
+    """Torque, power and heat; without friction where there is no coefficient for the models."""
+    from rolamento.friction import friction
+
+    mu = solved.field("lubricant.friction_coefficient")
+    return friction(
+        solved,
+        friction_coefficient=np.where(mu <= 1.0, mu, 0.0),
+        model=model,
+        film_parameter=np.nan,
+        compare=False,
+        threads=1,
+    )
+
+
+def _total(model: str, attribute: str) -> Callable[[Evaluation], Floats]:
+    def compute(given: Evaluation) -> Floats:
+        values: Floats = getattr(given.of(_friction, model=model), attribute)
+        return np.where(np.isnan(_coefficient(given)), np.nan, values)
 
     return compute
 
 
-def _source(name: str) -> Callable[[Solved], Floats]:
-    def compute(solved: Solved) -> Floats:
-        found = solved.friction("jones_simplified").torque_by_source.get(name)
-        return np.where(solved.has_friction, np.nan if found is None else found, np.nan)
+def _source(name: str) -> Callable[[Evaluation], Floats]:
+    def compute(given: Evaluation) -> Floats:
+        found = given.of(_friction, model="jones_simplified").torque_by_source.get(name)
+        unknown = np.isnan(_coefficient(given))
+        return np.where(unknown, np.nan, np.nan if found is None else found)
 
     return compute
 
 
-def _of_rolling(attribute: str) -> Callable[[Solved], Floats]:
-    def compute(solved: Solved) -> Floats:
-        rolling, converged = solved.cases.rolling, solved.cases.converged
+def _of_rolling(attribute: str) -> Callable[[Evaluation], Floats]:
+    def compute(given: Evaluation) -> Floats:
+        rolling, converged = given.solved.rolling, given.solved.converged
         return np.where(
             converged, np.nan if rolling is None else getattr(rolling, attribute), np.nan
         )
@@ -122,26 +147,27 @@ def _of_rolling(attribute: str) -> Callable[[Solved], Floats]:
     return compute
 
 
-def _spin_loss(race: Race) -> Callable[[Solved], Floats]:
+def _spin_loss(race: Race) -> Callable[[Evaluation], Floats]:
     """M_s |ω_s| with the spin as it was solved; 0 at a race that a ball rolls on without spin."""
 
-    def compute(solved: Solved) -> Floats:
+    def compute(given: Evaluation) -> Floats:
         from rolamento.friction.closed_forms import spin_moment
         from rolamento.friction.slip import Patch
 
-        contacts = solved.cases.contacts[race]
-        mu = solved.friction_coefficient[:, np.newaxis]
-        return _of_loaded(solved, spin_moment(Patch.of(contacts), mu) * np.abs(contacts.spin))
+        contacts = given.solved.contacts[race]
+        mu = given.solved.field("lubricant.friction_coefficient")[:, np.newaxis]
+        loss = spin_moment(Patch.of(contacts), mu) * np.abs(contacts.spin)
+        return _of_loaded(given.solved, loss)
 
     return compute
 
 
-def _pressure_slip(race: Race) -> Callable[[Solved], Floats]:
-    def compute(solved: Solved) -> Floats:
+def _pressure_slip(race: Race) -> Callable[[Evaluation], Floats]:
+    def compute(given: Evaluation) -> Floats:
         from rolamento.friction.slip import Patch, fast_maximum_pressure_slip, solved_motion
 
-        patch, motion = Patch.of(solved.cases.contacts[race]), solved_motion(solved.cases, race)
-        return _of_loaded(solved, fast_maximum_pressure_slip(patch, motion))
+        patch, motion = Patch.of(given.solved.contacts[race]), solved_motion(given.solved, race)
+        return _of_loaded(given.solved, fast_maximum_pressure_slip(patch, motion))
 
     return compute
 
@@ -150,5 +176,5 @@ def _of_loaded(solved: Solved, values: Floats) -> Floats:
     """Values of the balls that bear on both races, 0 of the others."""
     from rolamento.friction.model import bears_on_both
 
-    unloaded = np.where(np.isnan(solved.cases.outer.load), np.nan, 0.0)
-    return np.where(bears_on_both(solved.cases), values, unloaded)
+    unloaded = np.where(np.isnan(solved.outer.load), np.nan, 0.0)
+    return np.where(bears_on_both(solved), values, unloaded)

@@ -14,9 +14,7 @@ from rolamento.case._overrides import overridden
 from rolamento.studies.fields import Value, read_field
 
 if TYPE_CHECKING:
-    from rolamento.rows.ball import BatchState
-
-__all__ = ["CONVERGED", "INVALID_INPUT", "array_fields", "base_case", "solve", "status_names"]
+    from rolamento.solved import Solved
 
 CONVERGED: Final = "converged"
 INVALID_INPUT: Final = "invalid_input"
@@ -28,14 +26,6 @@ def array_fields() -> frozenset[str]:
     from rolamento.rows.ball import batch_fields
 
     return frozenset(batch_fields())
-
-
-@cache
-def status_names() -> Mapping[str, int]:
-    """Return the code of each status by name."""
-    from rolamento.rows.ball.batch_state import STATUS_NAMES
-
-    return {name: int(code) for code, name in sorted(STATUS_NAMES.items())}
 
 
 def base_case(case: Case, values: Mapping[str, Value]) -> Case:
@@ -51,18 +41,18 @@ def base_case(case: Case, values: Mapping[str, Value]) -> Case:
     mapping = case.to_mapping()
     if "ball_material" not in case.bearing.model_fields_set:
         del mapping["bearing"]["ball_material"]
-    settings = [f"{name}={_written(name, value)}" for name, value in values.items()]
+    settings = [f"{name}={_as_in_file(name, value)}" for name, value in values.items()]
     return Case.from_mapping(overridden(mapping, settings, Case)[0])
 
 
-def _written(name: str, value: Value) -> str:
+def _as_in_file(name: str, value: Value) -> str:
     written = read_field(name).written(value)
     return str(written).lower() if isinstance(written, bool) else str(written)
 
 
 def solve(
     case: Case, values: Mapping[str, NDArray[np.float64]], *, cases: int, threads: int | None
-) -> BatchState:
+) -> Solved:
     """Solve a case for so many values of its fields.
 
     Raises
@@ -70,8 +60,8 @@ def solve(
     InputError
         If fields that vary do not go with the case, whatever their values.
     """
-    from rolamento.solution import solve_batch
+    from rolamento.solving import solve as solve_cases
 
     if not values:  # every case the same: the length has to come from somewhere
         values = {"duty.inner_speed": np.full(cases, case.duty.inner_speed)}
-    return solve_batch(case, values, threads=threads)
+    return solve_cases(case, values, threads=threads)

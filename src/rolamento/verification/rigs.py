@@ -14,8 +14,7 @@ from typing import Any, Final
 from rolamento.verification.case_western import ROUNDED
 from rolamento.verification.check import Check, half_unit
 from rolamento.verification.published import published
-from rolamento.vibration.fault_lines import LineName
-from rolamento.vibration.frequencies import line_orders, turns_of
+from rolamento.vibration.frequencies import LineName, line_orders, turns_of
 
 __all__ = ["checks", "frequency", "room_of_rounding"]
 

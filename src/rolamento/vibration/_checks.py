@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from math import isfinite
 
 import numpy as np
 
 from rolamento.errors import InputError, shown
 from rolamento.vibration.signal import Signal
-
-__all__ = ["Band", "checked_band", "checked_count", "checked_number", "require_samples"]
 
 Band = tuple[float, float]
 """Lower and upper edge of a frequency band; Hz."""
@@ -82,14 +80,53 @@ def checked_band(band: object, rate: float, field: str = "band") -> Band:
     return low, high
 
 
+def require_signal(given: object) -> None:
+    """Refuse what is no `Signal`: bare samples do not tell their rate.
+
+    Raises
+    ------
+    InputError
+        If it is anything else.
+    """
+    if not isinstance(given, Signal):
+        raise InputError(
+            "must be a Signal, which has a rate with its samples",
+            field="signal",
+            value=type(given).__name__,
+            example="Signal(samples, rate=51200.0)",
+        )
+
+
+def pieces_of(given: Signal | Iterable[Signal]) -> Iterator[Signal]:
+    """Return a signal, or the pieces of one, one by one.
+
+    Raises
+    ------
+    InputError
+        If it is neither, or there is none.
+    """
+    if isinstance(given, Signal) or not isinstance(given, Iterable):
+        require_signal(given)
+        yield given
+        return
+    nothing = True
+    for piece in given:
+        require_signal(piece)
+        nothing = False
+        yield piece
+    if nothing:
+        raise InputError("holds no samples", field="signal")
+
+
 def require_samples(signal: Signal, least: int, purpose: str) -> None:
-    """Refuse a signal that is too short for a purpose.
+    """Refuse what is no signal, or one that is too short for a purpose.
 
     Raises
     ------
     InputError
         If it has fewer samples.
     """
+    require_signal(signal)
     if len(signal.samples) < least:
         raise InputError(
             f"must be at least {least} for {purpose}",
@@ -117,3 +154,18 @@ def _rule(above: float | None, least: float | None, most: float | None) -> str:
     if most is not None:
         parts.append(f"{'and ' if len(parts) > 1 else ''}up to {most:g}")
     return " ".join(parts)
+
+
+def check_within(
+    field: str, value: float, least: float, most: float, example: str, unit: str = ""
+) -> None:
+    """Refuse a number that is not between two bounds, both allowed; NaN never is."""
+    if not least <= _as_float(value) <= most:
+        span = f"from {least:g} to {most:g}{f' {unit}' if unit else ''}"
+        raise InputError(f"must be {span}", field=field, value=value, example=example)
+
+
+def check_count(field: str, count: int, most: int) -> None:
+    """Refuse more of something than there may be."""
+    if count > most:
+        raise InputError(f"may hold at most {most}", field=field, value=count)

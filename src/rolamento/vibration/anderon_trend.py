@@ -13,16 +13,6 @@ from rolamento._data import toml_of
 from rolamento.errors import InputError
 from rolamento.vibration.anderon import BANDS, BandName
 
-__all__ = [
-    "AfterTest",
-    "AnderonRecord",
-    "AnderonTrend",
-    "BandTrend",
-    "campanha_after_test",
-    "campanha_records",
-    "trend_of",
-]
-
 _LETTERS: Final[dict[str, BandName]] = {"L": "low", "M": "medium", "H": "high"}
 _REJECTED: Final = "x"
 
@@ -118,7 +108,7 @@ def trend_of(
     """
     by_bearing: dict[int, list[AnderonRecord]] = {}
     for record in records:
-        _check(record)
+        _check_record(record)
         by_bearing.setdefault(record.bearing, []).append(record)
     for name, limit in (limits or {}).items():
         if name not in BANDS or not limit > 0.0:
@@ -127,7 +117,9 @@ def trend_of(
         AnderonTrend(
             bearing,
             tuple(
-                _band(name, sorted(found, key=lambda r: r.hours), (limits or {}).get(name, inf))
+                _band_trend(
+                    name, sorted(found, key=lambda r: r.hours), (limits or {}).get(name, inf)
+                )
                 for name in BANDS
             ),
         )
@@ -146,7 +138,7 @@ def campanha_records() -> tuple[AnderonRecord, ...]:
                 for letter, name in _LETTERS.items()
             },
         )
-        for row in _rows("trend")
+        for row in _campanha_rows("trend")
     )
 
 
@@ -159,11 +151,11 @@ def campanha_after_test() -> tuple[AfterTest, ...]:
             hours=float(row["hours"]),
             rejected=tuple(_LETTERS[letter] for letter in row["rejected"]),
         )
-        for row in _rows("after_test")
+        for row in _campanha_rows("after_test")
     )
 
 
-def _check(record: AnderonRecord) -> None:
+def _check_record(record: AnderonRecord) -> None:
     if not isfinite(record.hours) or record.hours < 0.0:
         raise InputError(
             "must be a number of hours from 0", field="hours", value=record.hours, example="60.0"
@@ -177,7 +169,7 @@ def _check(record: AnderonRecord) -> None:
             )
 
 
-def _band(name: BandName, records: list[AnderonRecord], limit: float) -> BandTrend:
+def _band_trend(name: BandName, records: list[AnderonRecord], limit: float) -> BandTrend:
     times = [(record.hours, record.anderons.get(name, nan)) for record in records]
     measured = [(hours, value) for hours, value in times if not isnan(value)]
     values = [(hours, value) for hours, value in measured if isfinite(value) and value > 0.0]
@@ -188,14 +180,14 @@ def _band(name: BandName, records: list[AnderonRecord], limit: float) -> BandTre
         name=name,
         hours=tuple(hours for hours, _ in values),
         anderons=tuple(value for _, value in values),
-        growth=_growth(values),
+        growth=_growth_rate(values),
         ratio=values[-1][1] / values[0][1] if len(values) > 1 else nan,
         rejected_after=before,
         rejected_by=rejected_by,
     )
 
 
-def _growth(values: list[tuple[float, float]]) -> float:
+def _growth_rate(values: list[tuple[float, float]]) -> float:
     """Slope of the values' logarithm; 1/h."""
     hours = np.array([time for time, _ in values])
     if len(hours) < 2 or np.ptp(hours) == 0.0:
@@ -205,10 +197,10 @@ def _growth(values: list[tuple[float, float]]) -> float:
     return float(np.sum(away * logs) / np.sum(np.square(away)))
 
 
-def _table() -> dict[str, Any]:
+def _campanha_data() -> dict[str, Any]:
     return toml_of("campanha_2008_anderon", "rolamento.vibration")
 
 
-def _rows(name: str) -> list[dict[str, Any]]:
-    table = _table()[name]
+def _campanha_rows(name: str) -> list[dict[str, Any]]:
+    table = _campanha_data()[name]
     return [dict(zip(table["columns"], row, strict=True)) for row in table["rows"]]

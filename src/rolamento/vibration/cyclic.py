@@ -33,19 +33,20 @@ from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy import fft
 from scipy import signal as scipy_signal
 
 from rolamento.errors import InputError
-from rolamento.numerics import FloatArray
-from rolamento.vibration._checks import Band, checked_band, checked_count, checked_number
+from rolamento.numerics import ComplexArray, FloatArray
+from rolamento.vibration._checks import (
+    Band,
+    checked_band,
+    checked_count,
+    checked_number,
+    require_signal,
+)
 from rolamento.vibration.signal import Signal
 from rolamento.vibration.spectrum import Spectrum, axis_of, bins_of_band
-
-__all__ = ["CyclicCoherence", "cyclic_coherence", "enhanced_envelope_spectrum"]
-
-ComplexArray = NDArray[np.complex128]
 
 _MOST_VALUES: Final = 2**26
 """Of the map, carriers times modulations: half a gigabyte."""
@@ -55,7 +56,7 @@ _STEPS_PER_WINDOW: Final = 8
 _LOBE: Final = 3
 """Lines on either side over which R_w of Hann's window reaches; it is zero there."""
 _ROUNDING: Final = 1e-24
-"""Of the square of the greatest sample: a carrier with less power has none."""
+"""Of the square of the maximum sample: a carrier with less power has none."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -97,6 +98,7 @@ def cyclic_coherence(signal: Signal, highest: float, window: int = 256) -> Cycli
     InputError
         If an argument is out of range, the signal is too short, or the map would be too large.
     """
+    require_signal(signal)
     samples, rate = signal.samples, signal.rate
     checked_count(window, "window", least=16, most=65536, example="window = 256")
     window += window % 2

@@ -1,7 +1,7 @@
-"""Fault frequencies of a bearing: of its geometry, and of a solved state.
+"""Fault frequencies of a bearing: of its geometry, and of a solved case.
 
-With γ = D cos α/d_m, ring speeds ω_i and ω_o, and a cage that lags by the part s of what it does
-against the outer ring,
+They are orders of the shaft and Hz, with harmonics and sidebands. With γ = D cos α/d_m, ring speeds
+ω_i and ω_o, and a cage that lags by the part s of what it does against the outer ring,
 
     ω_m = ω_o + ½ (1 - s) (1 - γ) (ω_i - ω_o)                cage
     ω_R = -½ (1 - s) (d_m/D) (1 - γ²) (ω_i - ω_o)            ball, seen from the cage
@@ -17,50 +17,285 @@ See docs/theory/vibration-frequencies.md.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from dataclasses import asdict, dataclass, replace
 from math import cos, isfinite, nan, pi
-from typing import Final, Literal, NamedTuple
+from typing import Any, Final, Literal, NamedTuple
 
 import numpy as np
 
+from rolamento._json import plain
 from rolamento.case.bearing import Bearing
 from rolamento.errors import InputError
 from rolamento.geometry import ring_geometry
 from rolamento.kinematics import ball_motion
 from rolamento.numerics import FloatArray
-from rolamento.state import BallState, State
-from rolamento.vibration.fault_lines import (
-    FAULTS,
-    LINES,
-    NOTES,
-    Band,
-    FaultFrequencies,
-    FaultKind,
-    FaultLine,
-    Harmonic,
-    LineName,
-    Turns,
-    missing_line,
-    plain_line,
-)
+from rolamento.solved import Solved, refuse_other
 
-__all__ = [
-    "FAULTS",
-    "LINES",
-    "NOTES",
-    "Band",
-    "FaultFrequencies",
-    "FaultKind",
-    "FaultLine",
-    "Harmonic",
-    "Turns",
-    "frequencies_of",
-    "nominal_frequencies",
-    "turns_of",
-]
+FaultKind = Literal["outer_race", "inner_race", "ball", "cage"]
+LineName = Literal["cage", "ball_pass_outer", "ball_pass_inner", "ball_spin", "ball_spin_twice"]
+
+LINES: Final[tuple[LineName, ...]] = (
+    "cage",
+    "ball_pass_outer",
+    "ball_pass_inner",
+    "ball_spin",
+    "ball_spin_twice",
+)
+"""Names of the lines of a `FaultFrequencies`."""
+
+FAULTS: Final[dict[FaultKind, LineName]] = {
+    "outer_race": "ball_pass_outer",
+    "inner_race": "ball_pass_inner",
+    "ball": "ball_spin_twice",
+    "cage": "cage",
+}
+"""What is damaged, and the line that tells of it."""
+
+NOTES: Final[dict[str, str]] = {
+    "angle_zero": (
+        "The bearing is given by its clearance: contact angle 0, as under radial load. Under"
+        " axial load it is the free contact angle or more."
+    ),
+    "angle_free": "The bearing is given by its clearance: free contact angle, as under axial load.",
+    "at_rest": "Nothing turns: the orders are those of a turning inner ring.",
+    "turns_alike": "Both rings turn alike: no ball rolls.",
+    "no_result": "The case has no solution, and so no loaded frequencies.",
+    "no_loaded_ball": "The inner ring presses on no ball: nothing drives the cage.",
+    "friction": "The cage speed is that of friction control.",
+}
+"""What a user should know about frequencies, by name."""
+_MOST_LINES: Final = 10_000
+
+
+@dataclass(frozen=True, slots=True)
+class LineBand:
+    """What uncertainty of geometry, slip and speed leaves open; orders of the shaft, and Hz."""
+
+    order_low: float
+    order_high: float
+    frequency_low: float
+    frequency_high: float
+
+
+@dataclass(frozen=True, slots=True)
+class FaultLine:
+    """One frequency of a bearing.
+
+    Attributes
+    ----------
+    order
+        multiple of the shaft's frequency
+    frequency
+        Hz; NaN if the shaft's speed is not known
+    minimum, mean, maximum
+        orders over the loaded balls of a solved case; `order` where the geometry alone tells
+    band
+        what uncertainty leaves open; None if nothing is said about it
+    """
+
+    order: float
+    frequency: float
+    minimum: float
+    mean: float
+    maximum: float
+    band: LineBand | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Turns:
+    """Signed speeds over that of the shaft: of the rings, the cage, and a ball in the cage."""
+
+    inner: float
+    outer: float
+    cage: float
+    ball: float
+
+
+@dataclass(frozen=True, slots=True)
+class Harmonic:
+    """One line of a spectrum: `harmonic` times the fault's frequency and `sideband` spacings.
+
+    order: of the shaft; frequency: Hz.
+    """
+
+    fault: FaultKind
+    harmonic: int
+    sideband: int
+    order: float
+    frequency: float
+
+
+@dataclass(frozen=True, slots=True)
+class FaultFrequencies:
+    """At which frequencies a row of balls tells of damage.
+
+    The shaft is the ring that turns: the inner one, or the outer if the inner stands still.
+    Frequencies are positive; `turns` holds the signs.
+
+    Attributes
+    ----------
+    source
+        "nominal", of the geometry, or "loaded", of a solved case
+    ball_count
+        Z
+    inner_speed, outer_speed
+        of the rings (rad/s), signed; NaN if not given
+    shaft
+        "inner" or "outer"
+    shaft_frequency
+        Hz; NaN if not given
+    slip
+        part by which the cage lags behind rolling, seen from the outer ring
+    inner_contact_angle, outer_contact_angle
+        rad; of a solved case, the mean weighted by the loads
+    turns
+        signed speeds over the shaft's
+    cage
+        f_c, of the cage against what does not turn
+    ball_pass_outer, ball_pass_inner
+        f_o and f_i: balls that pass a point of the outer and of the inner race
+    ball_spin, ball_spin_twice
+        f_b, of a ball about its own axis; twice that, as its damage strikes both races
+    row
+        of balls, counted from 0
+    rows
+        of a set, the frequencies of every row; the record itself is that of the row that carries
+        most. Empty for a single row.
+    notes
+        names in `NOTES`
+    """
+
+    source: Literal["nominal", "loaded"]
+    ball_count: int
+    inner_speed: float
+    outer_speed: float
+    shaft: Literal["inner", "outer"]
+    shaft_frequency: float
+    slip: float
+    inner_contact_angle: float
+    outer_contact_angle: float
+    turns: Turns
+    cage: FaultLine
+    ball_pass_outer: FaultLine
+    ball_pass_inner: FaultLine
+    ball_spin: FaultLine
+    ball_spin_twice: FaultLine
+    row: int = 0
+    rows: tuple[FaultFrequencies, ...] = ()
+    notes: tuple[str, ...] = ()
+
+    @property
+    def lines(self) -> dict[LineName, FaultLine]:
+        """The lines by their names."""
+        return {name: getattr(self, name) for name in LINES}
+
+    def with_lines(self, lines: Mapping[LineName, FaultLine]) -> FaultFrequencies:
+        """Return the same frequencies with other lines."""
+        return replace(
+            self,
+            cage=lines["cage"],
+            ball_pass_outer=lines["ball_pass_outer"],
+            ball_pass_inner=lines["ball_pass_inner"],
+            ball_spin=lines["ball_spin"],
+            ball_spin_twice=lines["ball_spin_twice"],
+        )
+
+    def of_fault(self, kind: FaultKind) -> FaultLine:
+        """Return the line that tells of damage to a part."""
+        line: FaultLine = getattr(self, FAULTS[_known(kind)])
+        return line
+
+    def spacing(self, kind: FaultKind) -> float:
+        """Order of the modulation that damage undergoes under a load that stands still.
+
+        Damage to a race goes through the load as its ring turns, damage to a ball with the cage;
+        damage to the cage has none.
+        """
+        turn = {
+            "outer_race": self.turns.outer,
+            "inner_race": self.turns.inner,
+            "ball": self.turns.cage,
+            "cage": 0.0,
+        }[_known(kind)]
+        return abs(turn)
+
+    def harmonics(
+        self, kind: FaultKind, harmonics: int = 3, sidebands: int = 1
+    ) -> tuple[Harmonic, ...]:
+        """Return the lines of a spectrum that damage to a part makes, in rising order.
+
+        Parameters
+        ----------
+        kind
+            What is damaged.
+        harmonics
+            How many multiples of its frequency, at least 1.
+        sidebands
+            How many on either side of each, in steps of `spacing`; none where that is 0. Lines
+            that would fall to zero or below are left out.
+
+        Raises
+        ------
+        InputError
+            If a number is out of range.
+        """
+        order, spacing = self.of_fault(kind).order, self.spacing(kind)
+        _check_counts(harmonics, sidebands)
+        sides = range(-sidebands, sidebands + 1) if spacing > 0.0 else range(1)
+        found = [
+            (number, side, number * order + side * spacing)
+            for number in range(1, harmonics + 1)
+            for side in sides
+        ]
+        return tuple(
+            Harmonic(kind, number, side, place, place * self.shaft_frequency)
+            for number, side, place in sorted(found, key=lambda item: item[2])
+            if place > 0.0
+        )
+
+    def to_mapping(self) -> dict[str, Any]:
+        """Give the frequencies as plain mappings and lists in SI units, NaN as None."""
+        mapping: dict[str, Any] = plain(asdict(self))
+        return mapping
+
+
+def _known(kind: FaultKind) -> FaultKind:
+    if kind not in FAULTS:
+        raise InputError(
+            f"must be one of {', '.join(FAULTS)}", field="kind", value=kind, example="outer_race"
+        )
+    return kind
+
+
+def _check_counts(harmonics: int, sidebands: int) -> None:
+    if not 1 <= harmonics <= _MOST_LINES:
+        raise InputError(
+            f"must be between 1 and {_MOST_LINES}", field="harmonics", value=harmonics, example="3"
+        )
+    if sidebands < 0 or harmonics * (2 * sidebands + 1) > _MOST_LINES:
+        raise InputError(
+            f"must be at least 0, and give at most {_MOST_LINES} lines with the harmonics",
+            field="sidebands",
+            value=sidebands,
+            example="1",
+        )
+
+
+def plain_line(order: float, shaft_frequency: float) -> FaultLine:
+    """Return a line that geometry alone tells; order of the shaft, Hz."""
+    order = abs(order)
+    return FaultLine(order, order * shaft_frequency, order, order, order)
+
+
+def missing_line() -> FaultLine:
+    """Return the line of a case without a result."""
+    return FaultLine(nan, nan, nan, nan, nan)
+
+
+# --- of the geometry -----------------------------------------------------------------------------
+
 
 AngleChoice = Literal["zero", "free"]
-
 _TURN: Final = 2.0 * pi
 _RIGHT_ANGLE: Final = 0.5 * pi
 _MOST_SPEED: Final = 1e7
@@ -129,8 +364,8 @@ def nominal_frequencies(
     return rows[0] if len(rows) == 1 else replace(rows[0], rows=tuple(rows))
 
 
-def frequencies_of(state: State, *, slip: float = 0.0) -> FaultFrequencies:
-    """Fault frequencies of a solved state, with its loaded contact angles and its cage speed.
+def frequencies_of(solved: Solved, *, slip: float = 0.0) -> FaultFrequencies:
+    """Fault frequencies of a solved case, with its loaded contact angles and its cage speed.
 
     Without friction control every ball would like an orbital speed of its own: the cage has the
     mean of the balls that the inner ring presses on, weighted by their loads. Minimum, mean and
@@ -138,29 +373,29 @@ def frequencies_of(state: State, *, slip: float = 0.0) -> FaultFrequencies:
 
     Parameters
     ----------
-    state
-        One that did not converge has NaN everywhere.
+    solved
+        One case of what `rolamento.solve` returns; without a result there are NaN everywhere.
     slip
-        Part of the cage's speed against the outer ring that it lags behind what the state says.
+        Part of the cage's speed against the outer ring that it lags behind what the result says.
 
     Raises
     ------
     InputError
-        If the slip is out of range.
+        If these are several cases, or the slip is out of range.
     """
+    refuse_other(solved, "vibration.frequencies_of")
+    if len(solved) != 1:
+        raise InputError(
+            "must be one case", field="solved", value=f"{len(solved)} cases", example="solved[0]"
+        )
     _check_slip(slip)
-    duty = state.case.duty
-    shaft = shaft_of(duty.inner_speed, duty.outer_speed)
-    rows = [
-        _loaded_row(state, place.bearing, shaft, slip, index)
-        for index, place in enumerate(state.case.bearing.places)
-    ]
+    speeds = (float(solved.field(f"duty.{ring}_speed")[0]) for ring in ("inner", "outer"))
+    shaft = shaft_of(*speeds)
+    rows = [_loaded_row(solved, shaft, slip, row) for row in range(len(solved.rows))]
     if len(rows) == 1:
         return rows[0]
-    carried = [
-        sum(ball.inner.load for ball in state.balls if ball.row == index and ball.inner.load > 0.0)
-        for index in range(len(rows))
-    ]
+    loads = np.where(solved.loaded[0], solved.inner.load[0], 0.0)
+    carried = np.add.reduceat(loads, solved.rows.starts)
     return replace(rows[int(np.argmax(carried))], rows=tuple(rows))
 
 
@@ -255,7 +490,7 @@ def _nominal_row(
     turns = turns_of(bearing.ball_diameter / bearing.pitch_diameter, angle, *shaft.ratios, slip)
     orders = line_orders(turns, bearing.ball_count)
     lines = {name: plain_line(order, shaft.frequency) for name, order in orders.items()}
-    row_of = _Row("nominal", bearing, shaft, slip, row)
+    row_of = _Row("nominal", bearing.ball_count, shaft, slip, row)
     return row_of.record((angle, angle), turns, lines, (*shaft.notes, *notes))
 
 
@@ -263,7 +498,7 @@ class _Row(NamedTuple):
     """What all frequencies of one row have in common."""
 
     source: Literal["nominal", "loaded"]
-    bearing: Bearing
+    ball_count: int
     shaft: _Shaft
     slip: float
     row: int
@@ -278,7 +513,7 @@ class _Row(NamedTuple):
         """Put the record together; angles: of the inner and the outer contact."""
         return FaultFrequencies(
             source=self.source,
-            ball_count=self.bearing.ball_count,
+            ball_count=self.ball_count,
             inner_speed=self.shaft.inner,
             outer_speed=self.shaft.outer,
             shaft=self.shaft.role,
@@ -302,10 +537,10 @@ class _Row(NamedTuple):
         return self.record((nan, nan), Turns(*self.shaft.ratios, nan, nan), lines, (note,))
 
 
-# --- of a state ------------------------------------------------------------------------------
+# --- of a solved case ------------------------------------------------------------------------
 
 
-class _Balls(NamedTuple):
+class _LoadedBalls(NamedTuple):
     """What the loaded balls of a row do; arrays (balls,), speeds over the shaft's."""
 
     cage: FloatArray
@@ -319,52 +554,51 @@ class _Balls(NamedTuple):
         return float(np.average(values, weights=self.weight))
 
 
-def _loaded_row(
-    state: State, bearing: Bearing, shaft: _Shaft, slip: float, row: int
-) -> FaultFrequencies:
-    loaded = [ball for ball in state.balls if ball.row == row and ball.inner.load > 0.0]
-    row_of = _Row("loaded", bearing, shaft, slip, row)
-    if not state.status.converged:
+def _loaded_row(solved: Solved, shaft: _Shaft, slip: float, row: int) -> FaultFrequencies:
+    count = int(solved.rows.element_count[row])
+    row_of = _Row("loaded", count, shaft, slip, row)
+    if not solved.converged[0]:
         return row_of.without_result("no_result")
-    if not loaded:
+    if not solved.loaded_elements[0, row]:
         return row_of.without_result("no_loaded_ball")
-    balls = _loaded_balls(state, loaded, bearing, shaft, slip)
+    balls = _loaded_balls(solved, shaft, slip, row)
     inner, outer = shaft.ratios
     turns = Turns(inner, outer, balls.mean(balls.cage), balls.mean(balls.ball))
     each = [
-        line_orders(Turns(inner, outer, float(cage), float(ball)), bearing.ball_count)
-        for cage, ball in zip(balls.cage, balls.ball, strict=True)
+        line_orders(Turns(inner, outer, *speeds), count)
+        for speeds in zip(balls.cage.tolist(), balls.ball.tolist(), strict=True)
     ]
     lines = {
         name: _spread_line(order, [one[name] for one in each], shaft.frequency)
-        for name, order in line_orders(turns, bearing.ball_count).items()
+        for name, order in line_orders(turns, count).items()
     }
     angles = (balls.mean(balls.inner_angle), balls.mean(balls.outer_angle))
-    friction = () if state.rolling is None else ("friction",)
+    friction = () if solved.rolling is None else ("friction",)
     return row_of.record(angles, turns, lines, (*shaft.notes, *friction))
 
 
-def _loaded_balls(
-    state: State, loaded: Sequence[BallState], bearing: Bearing, shaft: _Shaft, slip: float
-) -> _Balls:
+def _loaded_balls(solved: Solved, shaft: _Shaft, slip: float, row: int) -> _LoadedBalls:
     """Gather what loaded balls do; at rest, what they would do with the inner ring turning."""
-    inner_angle = np.array([ball.inner.contact_angle for ball in loaded])
-    outer_angle = np.array([ball.outer.contact_angle for ball in loaded])
+    own = (solved.elements.row == row) & solved.loaded[0]
+    elements, rows = solved.elements, solved.rows
+    inner_angle, outer_angle = (
+        contacts.contact_angle[0, own] for contacts in (solved.inner, solved.outer)
+    )
     if shaft.speed == 0.0:
-        control = [-1 if ball.raceway_control == "inner" else 1 for ball in loaded]
-        ratio = bearing.ball_diameter / bearing.pitch_diameter
+        control = np.where(elements.raceway_control[0, own] == -1, -1, 1)
+        ratio = rows.ball_diameter[0, row] / rows.pitch_diameter[0, row]
         motion = ball_motion(inner_angle, outer_angle, ratio, 1.0, control=control)
         cage, ball_speed = motion.orbital_speed, motion.ball_speed
     else:
-        cage = np.array([ball.orbital_speed for ball in loaded]) / shaft.speed
-        ball_speed = np.array([ball.ball_speed for ball in loaded]) / shaft.speed
-    if state.rolling is not None and shaft.speed != 0.0:
-        cage = np.full(len(loaded), state.rolling.cage_speed / shaft.speed)
+        cage = elements.orbital_speed[0, own] / shaft.speed
+        ball_speed = elements.ball_speed[0, own] / shaft.speed
+        if solved.rolling is not None:
+            cage = np.full(len(cage), solved.rolling.cage_speed[0] / shaft.speed)
     outer = shaft.ratios[1]
-    return _Balls(
+    return _LoadedBalls(
         cage=outer + (1.0 - slip) * (cage - outer),
         ball=(1.0 - slip) * ball_speed,
-        weight=np.array([ball.inner.load for ball in loaded]),
+        weight=solved.inner.load[0, own],
         inner_angle=inner_angle,
         outer_angle=outer_angle,
     )

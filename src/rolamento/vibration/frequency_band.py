@@ -18,9 +18,13 @@ from rolamento.case.bearing import Bearing
 from rolamento.catalogue import Candidate, built_in_geometry
 from rolamento.errors import InputError
 from rolamento.geometry import ring_geometry
-from rolamento.vibration.fault_lines import LINES, Band, FaultFrequencies, FaultLine, LineName
 from rolamento.vibration.frequencies import (
+    LINES,
     AngleChoice,
+    FaultFrequencies,
+    FaultLine,
+    LineBand,
+    LineName,
     line_orders,
     nominal_angle,
     nominal_frequencies,
@@ -28,12 +32,9 @@ from rolamento.vibration.frequencies import (
     turns_of,
 )
 
-__all__ = ["Alternative", "Tolerances", "alternatives_of", "banded_frequencies"]
-
 _RIGHT_ANGLE: Final = 0.5 * pi
 _LEAST_GAP: Final = 1e-9
 """By which a pitch diameter stays above the balls', relatively."""
-
 Interval = tuple[float, float]
 
 
@@ -170,7 +171,7 @@ def banded_frequencies(
     Returns
     -------
     FaultFrequencies
-        With a `Band` at every line, of intervals: no first-order estimate.
+        With a `LineBand` at every line, of intervals: no first-order estimate.
     """
     allowed = tolerances or Tolerances()
     found = nominal_frequencies(
@@ -210,13 +211,13 @@ def _banded(
 ) -> FaultLine:
     low, high = (f(o[i] for o in orders) for i, f in enumerate((min, max)))
     least, most = (f(s[i] for s in sizes) for i, f in enumerate((min, max)))
-    return replace(line, band=Band(low, high, least * shaft, most * shaft))
+    return replace(line, band=LineBand(low, high, least * shaft, most * shaft))
 
 
 def _extremes(
     place: _Place, speeds: Iterable[tuple[float, float]], slip: Interval
 ) -> dict[LineName, Interval]:
-    """Return the least and greatest size of every line over all corners."""
+    """Return the minimum and maximum size of every line over all corners."""
     corners: dict[LineName, list[float]] = {name: [] for name in LINES}
     geometry = list(product(place.ball, place.pitch, place.angle, slip))
     for inner, outer in speeds:
@@ -228,7 +229,7 @@ def _extremes(
 
 
 def _sizes(values: list[float]) -> Interval:
-    """Return the least and greatest magnitude in an interval: 0 if it holds 0."""
+    """Return the minimum and maximum magnitude in an interval: 0 if it holds 0."""
     low, high = min(values), max(values)
     least = 0.0 if low <= 0.0 <= high else min(abs(low), abs(high))
     return least, max(abs(low), abs(high))

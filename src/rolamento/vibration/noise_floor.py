@@ -27,24 +27,11 @@ from math import nan
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy import interpolate, ndimage, special
 
-from rolamento.numerics import FloatArray
-
-__all__ = [
-    "HALF_WIDTH",
-    "LOWEST_LINE",
-    "line_scores",
-    "log_gamma_tail",
-    "mean_over_median",
-    "mean_scores",
-    "reaches",
-    "running_medians",
-]
+from rolamento.numerics import FloatArray, IntArray
 
 Table = tuple[FloatArray, FloatArray]
-
 HALF_WIDTH: Final = 250
 """Lines on either side whose median is the level."""
 LOWEST_LINE: Final = 8
@@ -104,7 +91,7 @@ def running_medians(power: FloatArray) -> FloatArray:
     return medians
 
 
-def reaches(lines: NDArray[np.int64]) -> NDArray[np.int64]:
+def reaches(lines: IntArray) -> IntArray:
     """Lines on either side of which `running_medians` takes the median; as `lines`."""
     places = np.searchsorted(_REACHES, np.asarray(lines) // 2, side="right") - 1
     return np.asarray(_REACHES[np.maximum(places, 0)])
@@ -113,8 +100,8 @@ def reaches(lines: NDArray[np.int64]) -> NDArray[np.int64]:
 def mean_scores(
     mean: FloatArray,
     median: FloatArray,
-    count: NDArray[np.int64],
-    reach: NDArray[np.int64],
+    count: IntArray,
+    reach: IntArray,
     averages: int,
 ) -> FloatArray:
     """Scores of means over some neighbouring lines, given the median about each.
@@ -143,19 +130,19 @@ def mean_scores(
     frequent = int(np.argmax(np.bincount(flat, minlength=1)))
     found = np.full(at.shape, nan)
     if frequent:
-        found = np.asarray(np.interp(at, *_table_of(frequent, averages)))
+        found = np.asarray(np.interp(at, *_scores_of_kind(frequent, averages)))
     others = np.flatnonzero(flat != frequent)
     others = others[np.argsort(flat[others], kind="stable")]
     ends = np.flatnonzero(np.diff(flat[others], append=-1)) + 1
     for alike in np.split(others, ends[:-1]):
         kind = int(flat[alike[0]]) if len(alike) else 0
-        found[alike] = np.interp(at[alike], *_table_of(kind, averages)) if kind else nan
+        found[alike] = np.interp(at[alike], *_scores_of_kind(kind, averages)) if kind else nan
     return found.reshape(mean.shape)
 
 
-def _table_of(kind: int, averages: int) -> Table:
+def _scores_of_kind(kind: int, averages: int) -> Table:
     lines, place = divmod(kind, len(_REACHES))
-    return _table(int(_REACHES[place]), lines, averages)
+    return _scores_by_ratio(int(_REACHES[place]), lines, averages)
 
 
 def mean_over_median(averages: int) -> float:
@@ -164,7 +151,7 @@ def mean_over_median(averages: int) -> float:
 
 
 @cache
-def _table(reach: int, count: int, averages: int) -> Table:
+def _scores_by_ratio(reach: int, count: int, averages: int) -> Table:
     """Table of -ln p over ln(1 + T); densest about T = 1, where p falls fastest."""
     width = 12.0 / np.sqrt(averages * count)
     near = 1.0 + width * np.linspace(0.0, 1.0, _NEAR) ** 1.5

@@ -17,18 +17,9 @@ from scipy import fft, ndimage
 
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
-from rolamento.vibration._checks import checked_number
+from rolamento.vibration._checks import checked_number, require_signal
 from rolamento.vibration.signal import Quantity, Signal
 from rolamento.vibration.spectrum import Spectrum, axis_of, one_sided_amplitudes
-
-__all__ = [
-    "AngularSignal",
-    "interpolated",
-    "order_spectrum",
-    "order_tracked",
-    "revolutions_of",
-    "turns_per_sample",
-]
 
 _TURN: Final = 2.0 * pi
 _SLOWEST: Final = 1e-3
@@ -147,6 +138,13 @@ def order_tracked(signal: Signal, samples_per_revolution: float | None = None) -
 
 def order_spectrum(angular: AngularSignal) -> Spectrum:
     """Amplitudes of the lines of a signal over orders of the shaft, in its unit."""
+    if not isinstance(angular, AngularSignal):
+        raise InputError(
+            "must be an AngularSignal",
+            field="angular",
+            value=type(angular).__name__,
+            example="order_spectrum(order_tracked(signal))",
+        )
     values = one_sided_amplitudes(angular.samples)
     resolution = 1.0 / angular.revolutions
     return Spectrum(
@@ -171,6 +169,7 @@ def interpolated(samples: FloatArray, places: FloatArray) -> FloatArray:
 
 def _turning(signal: Signal) -> FloatArray:
     """Speed of the shaft, positive; revolutions per second, () or (samples,)."""
+    require_signal(signal)
     if signal.speed is None:
         raise InputError(
             "is missing: the signal does not tell how fast the shaft turns",

@@ -20,16 +20,13 @@ from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy import fft
 from scipy import signal as scipy_signal
 
 from rolamento.errors import InputError
-from rolamento.numerics import FloatArray
-from rolamento.vibration._checks import checked_count, checked_number
+from rolamento.numerics import ComplexArray, FloatArray
+from rolamento.vibration._checks import checked_count, checked_number, require_signal
 from rolamento.vibration.signal import Signal
-
-__all__ = ["Separation", "separate"]
 
 _OVERLAP: Final = 4
 """Blocks start a quarter of their length apart; with Hann's window they then add up to a constant,
@@ -90,9 +87,12 @@ def separate(
     InputError
         If the signal is too short, or an argument out of range.
     """
+    require_signal(signal)
     count = len(signal.samples)
-    size = _default_block(count) if block is None else _checked(block, "block", 16, count // 2)
-    lag = size if delay is None else _checked(delay, "delay", 1, count // 2)
+    size = (
+        _default_block(count) if block is None else _checked_samples(block, "block", 16, count // 2)
+    )
+    lag = size if delay is None else _checked_samples(delay, "delay", 1, count // 2)
     checked_number(false_alarm, "false_alarm", above=0.0, most=0.5, example="false_alarm = 0.01")
     if count < lag + 3 * size:
         raise InputError(
@@ -100,7 +100,7 @@ def separate(
             field="number of samples",
             value=count,
         )
-    gain = _gain(signal.samples, size, lag, false_alarm)
+    gain = _gain_of_lines(signal.samples, size, lag, false_alarm)
     discrete = _predicted(signal.samples, size, lag, gain)
     return Separation(
         discrete=replace(signal, samples=discrete),
@@ -112,7 +112,7 @@ def separate(
     )
 
 
-def _checked(value: int, field: str, least: int, most: int) -> int:
+def _checked_samples(value: int, field: str, least: int, most: int) -> int:
     return checked_count(
         value, field, least=least, most=max(least, most), example=f"{field} = 8192"
     )
@@ -122,7 +122,7 @@ def _default_block(count: int) -> int:
     return int(2 ** max(4, min(16, int(np.log2(max(count / 30, 2))))))
 
 
-def _gain(samples: FloatArray, size: int, delay: int, false_alarm: float) -> NDArray[np.complex128]:
+def _gain_of_lines(samples: FloatArray, size: int, delay: int, false_alarm: float) -> ComplexArray:
     window = scipy_signal.get_window("hann", size)
     starts = range(delay, len(samples) - size + 1, size // _OVERLAP)
     cross = np.zeros(size // 2 + 1, dtype=np.complex128)
@@ -142,16 +142,14 @@ def _gain(samples: FloatArray, size: int, delay: int, false_alarm: float) -> NDA
     return gain
 
 
-def _predicted(
-    samples: FloatArray, size: int, delay: int, gain: NDArray[np.complex128]
-) -> FloatArray:
+def _predicted(samples: FloatArray, size: int, delay: int, gain: ComplexArray) -> FloatArray:
     """Sum of the blocks as predicted, each weighted by the window; blocks overhang both ends."""
     window = scipy_signal.get_window("hann", size)
     overhang = size - size // _OVERLAP
     total = np.zeros(len(samples) + 2 * overhang + size)
     weight = np.zeros_like(total)
     for start in range(-overhang, len(samples), size // _OVERLAP):
-        step = _source(start, len(samples), size, delay)
+        step = _predicting_block(start, len(samples), size, delay)
         if step is None:
             continue
         source = start + step
@@ -165,7 +163,7 @@ def _predicted(
     return np.divide(total, weight, out=np.zeros_like(total), where=weight > 0.1)
 
 
-def _source(start: int, count: int, size: int, delay: int) -> int | None:
+def _predicting_block(start: int, count: int, size: int, delay: int) -> int | None:
     """Where the block lies that predicts another: a delay before, or after it at the beginning."""
     for step in (-delay, delay):
         if 0 <= start + step <= count - size:

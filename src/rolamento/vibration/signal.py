@@ -11,8 +11,6 @@ from numpy.typing import ArrayLike
 from rolamento.errors import InputError, nearest
 from rolamento.numerics import FloatArray
 
-__all__ = ["SI_UNITS", "Quantity", "Signal", "unit_scale"]
-
 Quantity = Literal["acceleration", "velocity", "displacement", "unknown"]
 
 SI_UNITS: Final[dict[Quantity, str]] = {
@@ -30,9 +28,11 @@ _SCALES: Final[dict[Quantity, dict[str, float]]] = {
 }
 _LONGEST_TEXT: Final = 300
 _HIGHEST_RATE: Final = 1e9
-_GREATEST_SAMPLE: Final = 1e60
+_MAXIMUM_SAMPLE: Final = 1e60
 """The sum of fourth powers, as the kurtosis takes them, stays finite in double precision."""
 _HIGHEST_SPEED: Final = 1e7
+_SAMPLES_EXAMPLE: Final = "samples = [0.1, -0.2, 0.05]"
+_SPEED_EXAMPLE: Final = "speed = 188.5"
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -132,14 +132,14 @@ def _check_text(text: object, field: str, example: str) -> None:
 
 
 def _checked_samples(given: ArrayLike) -> FloatArray:
-    samples = _numbers(given, "samples")
+    samples = real_numbers(given, "samples", _SAMPLES_EXAMPLE)
     if samples.ndim != 1 or len(samples) == 0:
         raise InputError(
             f"must be one row of numbers, and have the shape {samples.shape}",
             field="samples",
-            example="samples = [0.1, -0.2, 0.05]",
+            example=_SAMPLES_EXAMPLE,
         )
-    _refuse_bad(samples, _GREATEST_SAMPLE, "samples")
+    _refuse_bad(samples, _MAXIMUM_SAMPLE, "samples", _SAMPLES_EXAMPLE)
     return samples
 
 
@@ -156,19 +156,25 @@ def _checked_rate(rate: object) -> float:
 
 
 def _checked_speed(given: ArrayLike, count: int) -> FloatArray:
-    speed = _numbers(given, "speed")
+    speed = real_numbers(given, "speed", _SPEED_EXAMPLE)
     if speed.shape not in ((), (count,)):
         raise InputError(
             f"must be one number or as many as there are samples ({count}), in rad/s",
             field="speed",
-            example="speed = 188.5",
+            example=_SPEED_EXAMPLE,
         )
-    _refuse_bad(speed, _HIGHEST_SPEED, "speed")
+    _refuse_bad(speed, _HIGHEST_SPEED, "speed", _SPEED_EXAMPLE)
     return speed
 
 
-def _numbers(given: ArrayLike, field: str) -> FloatArray:
-    """A read-only view of real numbers in double precision; no copy where none is needed."""
+def real_numbers(given: ArrayLike, field: str, example: str) -> FloatArray:
+    """Return a read-only view of real numbers in double precision; no copy where none is needed.
+
+    Raises
+    ------
+    InputError
+        For text, rows of different lengths, and whatever else is no array of real numbers.
+    """
     try:
         plain = np.asarray(given)
         numeric = plain.dtype.kind in "iufb"
@@ -176,18 +182,20 @@ def _numbers(given: ArrayLike, field: str) -> FloatArray:
     except (TypeError, ValueError, OverflowError):
         array = None
     if array is None:
-        raise InputError("must be real numbers", field=field)
+        rule = "must be real numbers: a list, an array or a series of them"
+        raise InputError(rule, field=field, value=type(given).__name__, example=example)
     array.flags.writeable = False
     return array
 
 
-def _refuse_bad(numbers: FloatArray, greatest: float, field: str) -> None:
+def _refuse_bad(numbers: FloatArray, maximum: float, field: str, example: str) -> None:
     """Refuse what is not finite or beyond a limit; the extremes tell without a copy."""
     lowest, highest = float(np.min(numbers)), float(np.max(numbers))
-    if not (lowest >= -greatest and highest <= greatest):
-        wrong = np.flatnonzero(~(np.abs(np.atleast_1d(numbers)) <= greatest))[0]
+    if not (lowest >= -maximum and highest <= maximum):
+        wrong = np.flatnonzero(~(np.abs(np.atleast_1d(numbers)) <= maximum))[0]
         raise InputError(
-            f"must be finite numbers of a size up to {greatest:g}; number {wrong} is not",
+            f"must be finite numbers of a size up to {maximum:g}; number {wrong} is not",
             field=field,
             value=float(np.atleast_1d(numbers)[wrong]),
+            example=example,
         )

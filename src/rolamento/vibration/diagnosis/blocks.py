@@ -1,9 +1,13 @@
-"""A signal, in one piece or many, cut into blocks of the same number of shaft revolutions."""
+"""A signal, in one piece or many, cut into blocks of the same number of shaft revolutions.
+
+Noise statistics do not apply to stretches that do not change, and to copies of the record.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from itertools import chain
 from math import pi
 from typing import Final
 
@@ -12,10 +16,10 @@ from scipy import fft
 
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
+from rolamento.vibration._checks import pieces_of
+from rolamento.vibration.diagnosis.lines import runs
 from rolamento.vibration.order_tracking import revolutions_of, turns_per_sample
 from rolamento.vibration.signal import Signal
-
-__all__ = ["MOST_SAMPLES", "Block", "blocks_of"]
 
 MOST_SAMPLES: Final = 2**21
 """Of a block: keeps the memory of slow shafts bounded."""
@@ -76,7 +80,9 @@ def blocks_of(pieces: Signal | Iterable[Signal], wanted: float) -> Iterator[Bloc
         else:
             yield from _varying_blocks([pieces], _turns_of_block(revolutions_of(pieces), wanted))
         return
-    first, pieces = _peeked(pieces)
+    rest = pieces_of(pieces)
+    first = next(rest)
+    pieces = chain([first], rest)
     if _steady(first):
         samples = int(min(wanted / turns_per_sample(first), MOST_SAMPLES))
         yield from _steady_blocks(pieces, _good_length(samples))
@@ -149,19 +155,6 @@ def _alike(pieces: Iterable[Signal], *, steady: bool) -> Iterator[Signal]:
         yield piece
 
 
-def _peeked(pieces: Iterable[Signal]) -> tuple[Signal, Iterable[Signal]]:
-    iterator = iter(pieces)
-    first = next(iterator, None)
-    if first is None:
-        raise InputError("holds no samples", field="signal")
-
-    def again() -> Iterator[Signal]:
-        yield first
-        yield from iterator
-
-    return first, again()
-
-
 def _steady(signal: Signal) -> bool:
     return signal.speed is None or signal.speed.ndim == 0
 
@@ -175,3 +168,79 @@ def _good_length(samples: int) -> int:
         if fft.next_fast_len(length, real=True) == length:
             return length
     return samples
+
+
+# --- what noise statistics do not apply to -------------------------------------------------------
+
+
+_BEGINNING: Final = 64
+"""Samples that noise does not give twice."""
+_GAP: Final = 8
+"""Equal samples that follow each other, from which on they are a gap."""
+MOST_GAPS: Final = 20
+"""That a record may have: more may well be periodic."""
+
+
+class Watch:
+    """Looks at a record block by block.
+
+    Attributes
+    ----------
+    still
+        blocks that hardly change
+    repeats_after
+        samples after which the record begins anew, one by one the same; None if it does not
+    gaps
+        runs of samples that only repeat the one before, in blocks that do change
+    """
+
+    def __init__(self) -> None:
+        self.still = 0
+        self.gaps = 0
+        self.repeats_after: int | None = None
+        self._beginning: FloatArray | None = None
+        self._read = 0
+
+    def usable(self, samples: FloatArray) -> bool:
+        """Look at the next samples; tell whether there is anything in them."""
+        if self.repeats_after is None:
+            self._look_for_beginning(samples)
+        self._read += len(samples)
+        still = _still(samples)
+        self.still += still
+        if not still:
+            self.gaps += _gaps(samples)
+        return not still
+
+    def _look_for_beginning(self, samples: FloatArray) -> None:
+        first = self._beginning is None
+        if self._beginning is None:
+            self._beginning = samples[:_BEGINNING].copy()
+        # the beginning itself is no copy
+        again = _place_of(self._beginning, samples[1:] if first else samples)
+        if again is not None:
+            self.repeats_after = self._read + first + again
+
+
+def _gaps(samples: FloatArray) -> int:
+    """How often so many samples follow each other that are equal."""
+    starts, ends = runs(np.diff(samples) == 0.0)
+    return int(np.count_nonzero(ends - starts >= _GAP))
+
+
+def _still(samples: FloatArray) -> bool:
+    """Whether most samples only repeat the one before: silence, steps, a sensor that hangs."""
+    return 2 * int(np.count_nonzero(np.diff(samples))) < len(samples) - 1
+
+
+def _place_of(sequence: FloatArray, samples: FloatArray) -> int | None:
+    """Where a sequence that changes comes in samples; None if nowhere."""
+    count = len(sequence)
+    if len(samples) < count or np.ptp(sequence) == 0.0:
+        return None
+    places = np.flatnonzero(samples[: len(samples) - count + 1] == sequence[0])
+    for step in range(1, count):
+        if len(places) == 0:
+            return None
+        places = places[samples[places + step] == sequence[step]]
+    return int(places[0]) if len(places) else None

@@ -9,14 +9,11 @@ import numpy as np
 
 from rolamento.vibration.diagnosis import wording
 from rolamento.vibration.diagnosis.field import SEEN, Field
-from rolamento.vibration.diagnosis.hypotheses import SearchedLine
-from rolamento.vibration.diagnosis.orders import Component
 from rolamento.vibration.diagnosis.record import ComponentVerdict, MatchedLine, Reason, Verdict
-from rolamento.vibration.diagnosis.search import Finding, chance
+from rolamento.vibration.diagnosis.search import Finding, SearchedLine, chance
+from rolamento.vibration.diagnosis.settings import Component
 from rolamento.vibration.diagnosis.size import Grade
 from rolamento.vibration.noise_floor import LOWEST_LINE
-
-__all__ = ["at_edge", "no_fault", "refined", "stated"]
 
 _CLEAR_SIDEBAND: Final = 9.0
 """dB above the noise from which a sideband is worth telling of; noise alone is above it once in
@@ -155,13 +152,13 @@ def refined(finding: Finding, field: Field) -> float:
 def _matched(line: SearchedLine, fundamental: float, finding: Finding, field: Field) -> MatchedLine:
     """A line in the spectrum without its regular part, in which it was searched."""
     place = line.multiple * fundamental + line.sideband * finding.spacing
-    near = _near(place, line.width)
+    near = _lines_near(place, line.width)
     usable = ~field.left_out[finding.band, near] & (field.medians[finding.band, near] > 0.0)
     above = nan
     if np.any(usable):
         ratio = field.spectra.power[finding.band, near] / field.level[finding.band, near]
         above = 10.0 * float(np.log10(np.max(ratio[usable])))
-    return _line(line.multiple, line.sideband, place, above, field)
+    return _line_at(line.multiple, line.sideband, place, above, field)
 
 
 def _sidebands(
@@ -175,14 +172,14 @@ def _sidebands(
     for line in finding.hypothesis.lines:
         for side in (-1, 1) if line.sideband == 0 else ():
             place = line.multiple * fundamental + side * spacing
-            near = _near(place, max(1, line.width // 2))
+            near = _lines_near(place, max(1, line.width // 2))
             level = field.level[finding.band, near]
             if near.start >= len(field.left_out[0]) or not np.all(level > 0.0):
                 continue
             ratio = float(np.max(field.spectra.plain[finding.band, near] / level))
             above = 10.0 * float(np.log10(ratio)) if ratio > 0.0 else -np.inf
             if above > _CLEAR_SIDEBAND:
-                found.append(_line(line.multiple, side, place, above, field))
+                found.append(_line_at(line.multiple, side, place, above, field))
     return tuple(found)
 
 
@@ -191,11 +188,13 @@ def _spacing(component: Component, finding: Finding, field: Field) -> float:
     return finding.spacing / field.turns or field.orders.spacing(component)
 
 
-def _line(multiple: float, sideband: int, place: float, above: float, field: Field) -> MatchedLine:
+def _line_at(
+    multiple: float, sideband: int, place: float, above: float, field: Field
+) -> MatchedLine:
     order = place / field.turns
     return MatchedLine(multiple, sideband, order, order * field.spectra.shaft_frequency, above)
 
 
-def _near(place: float, width: int) -> slice:
+def _lines_near(place: float, width: int) -> slice:
     reach = max(1, width // 2)
     return slice(max(0, round(place) - reach), max(0, round(place) + reach + 1))

@@ -1,26 +1,43 @@
-"""The spectra that are searched: which lines are left out, and the noise about the others."""
+"""The spectra that are searched: which lines are left out, and the noise about the others.
+
+A fault explains multiples of its own lines, and sidebands of the shaft and the cage. A line of
+another part's window that is one of them tells nothing of that part. The sidebands fold
+at zero: 4 - f of an outer race lies near the cage's order, f + 1 near the ball's.
+
+Other lines may stand out that no part of the bearing and no turn of the shaft explains. A wrong
+speed or another bearing than was thought shows so, and so does another machine nearby.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import product
+from math import log
 from typing import Final
 
 import numpy as np
 
 from rolamento.numerics import BoolArray, FloatArray
-from rolamento.vibration.diagnosis.band_spectra import BandSpectra
-from rolamento.vibration.diagnosis.hypotheses import hypotheses_of
-from rolamento.vibration.diagnosis.mains import MAINS, is_near_mains
-from rolamento.vibration.diagnosis.masks import filled, lines_about, lines_connected, most_spread
-from rolamento.vibration.diagnosis.orders import Component, FaultOrders
-from rolamento.vibration.diagnosis.search import Finding, Scores, search
-from rolamento.vibration.diagnosis.settings import DiagnosisSettings
-from rolamento.vibration.diagnosis.size import depth_error, depth_of
+from rolamento.vibration.diagnosis.band_spectra import (
+    BandSpectra,
+    filled,
+    lines_about,
+    lines_connected,
+    most_spread,
+)
+from rolamento.vibration.diagnosis.lines import MAINS, is_near_mains
+from rolamento.vibration.diagnosis.record import UnexplainedLine
+from rolamento.vibration.diagnosis.search import Finding, Scores, chance, hypotheses_of, search
+from rolamento.vibration.diagnosis.settings import (
+    COMPONENTS,
+    Component,
+    DiagnosisSettings,
+    FaultOrders,
+)
+from rolamento.vibration.diagnosis.size import DAMAGE, depth_error, depth_of
 from rolamento.vibration.noise_floor import mean_over_median, running_medians
-
-__all__ = ["SEEN", "Field", "field_of"]
 
 SEEN: Final = 0.8
 """Of a band's width: up to there the noise of its squared envelope falls slowly."""
@@ -155,3 +172,162 @@ def _too_fast(spectra: BandSpectra) -> BoolArray:
     frequency = np.arange(spectra.power.shape[1]) * (spectra.shaft_frequency / spectra.turns)
     widths = np.array([high - low for low, high in spectra.bands])
     return np.asarray(frequency[None] > SEEN * widths[:, None])
+
+
+# --- what lines a fault explains -----------------------------------------------------------------
+
+
+_SHAFT: Final = 5
+"""Sidebands of the shaft on either side."""
+_CAGE: Final = 2
+"""And of the cage about each."""
+_NEAR: Final = 0.004
+"""Of an order: as near, a line is the same."""
+_LINES: Final = 2.5
+
+
+def explained(
+    places: FloatArray,
+    component: Component,
+    order: float,
+    orders: FaultOrders,
+    turns: float,
+    *,
+    multiples: int,
+    cage: bool,
+) -> BoolArray:
+    """Which orders are multiples of a fault's, or sidebands of one.
+
+    Parameters
+    ----------
+    places
+        Orders in question.
+    component, order
+        Of the fault.
+    turns
+        Lines per order.
+    multiples
+        Of the fault's order, up to which they count.
+    cage
+        Whether sidebands of the cage count too.
+    """
+    step = 0.5 * order if component == "ball" else order
+    highest = 2 * multiples if component == "ball" else multiples
+    near = np.maximum(_LINES / turns, _NEAR * places)
+    carried = orders.cage if cage and orders.cage and component != "cage" else 0.0
+    # of the cage itself, all that turns with it lies near some sideband of the shaft's
+    shaft = 1 if component == "cage" else _SHAFT
+    found = np.zeros(places.shape, dtype=np.bool_)
+    sides = range(-_CAGE, _CAGE + 1) if carried else range(1)
+    for of_shaft, of_cage in product(range(-shaft, shaft + 1), sides):
+        offset = of_shaft + of_cage * carried
+        for sign in (1.0, -1.0):
+            number = np.rint((sign * places - offset) / step)
+            close = np.abs(sign * places - offset - number * step) <= near
+            found |= close & (np.abs(number) <= highest) & ((number != 0.0) | (of_cage != 0))
+    return found
+
+
+# --- what nothing explains -----------------------------------------------------------------------
+
+
+_WIDTHS: Final = (1, 4)
+_MOST: Final = 3
+_BEYOND_SLOW: Final = 2.5
+"""Times the slow orders: nearer, the level about a line is theirs, which was divided out."""
+_APART: Final = 0.01
+"""Of a line's order: nearer ones are of the same origin."""
+_MULTIPLES: Final = 20
+"""Of a fault's order, and sidebands of them, that are not unexplained."""
+_SIDEBAND: Final = 2.0
+"""Depth of a sideband over that of the deepest multiple, at most."""
+_LOWER: Final = (2, 3, 4)
+"""Multiples of another comb that a part's line may be; of a ball's the half is its spin's."""
+_SAME: Final = 0.004
+"""Of an order: as near, a line is a multiple."""
+_NEAR_SPEED: Final = 0.25
+"""By which a speed may be wrong for the part to be told whose line it would then be."""
+
+
+def unexplained_lines(
+    field: Field, fault: tuple[Component, float, float] | None
+) -> tuple[UnexplainedLine, ...]:
+    """Return up to three lines that noise would not give, the deepest first.
+
+    Parameters
+    ----------
+    field
+        As searched.
+    fault
+        The part that explains most, its order, and its depth: from where it counts as damage on,
+        only lines as deep are told of, so that none is taken for what a fault makes besides its
+        multiples and their sidebands.
+    """
+    left_out = field.left_out.copy()
+    orders = np.arange(left_out.shape[1]) / field.turns
+    if fault is not None:
+        of_fault = explained(
+            orders, *fault[:2], field.orders, field.turns, multiples=_MULTIPLES, cage=True
+        )
+        near = np.maximum(2.0 / field.turns, _SAME * orders)
+        step = 0.5 * fault[1] if fault[0] == "ball" else fault[1]
+        multiples = np.abs(orders - np.rint(orders / step) * step) <= near
+        deepest = np.max(field.depths[:, multiples], initial=fault[2] ** 2)
+        if fault[0] != "cage":
+            # of a comb of a lower frequency the part's line is but one; the part makes none of it
+            numbers = [n for n in _LOWER if fault[0] != "ball" or n > 2]
+            lower = fault[1] / np.array(numbers)[:, None]
+            of_fault &= ~np.any(np.abs(orders - lower) <= 2.0 / field.turns, axis=0)
+        left_out |= multiples | of_fault & (field.depths <= _SIDEBAND**2 * deepest)
+    scores = Scores(field.spectra.power, left_out, field.medians, field.spectra.blocks)
+    lines = np.arange(scores.lines)
+    clearness = np.maximum.reduce([scores.about(lines, width)[0] for width in _WIDTHS])
+    clearness[:, : int(_BEYOND_SLOW * field.spectra.slow_order * field.turns)] = 0.0
+    trials = max(1, len(_WIDTHS) * int(np.count_nonzero(clearness)))
+    squares = np.where(left_out, 0.0, field.depths)
+    peaks = np.where(clearness < log(trials / field.settings.false_alarm), 0.0, squares)
+    strongest = fault[2] if fault is not None and fault[2] >= DAMAGE else 0.0
+    found: list[UnexplainedLine] = []
+    while len(found) < _MOST:
+        band, line = (int(place) for place in np.unravel_index(peaks.argmax(), peaks.shape))
+        depth = depth_of(squares[band], line, 1) if peaks[band, line] > 0.0 else 0.0
+        if depth == 0.0 or depth < strongest:
+            break
+        probability, _ = chance(float(clearness[band, line]), trials)
+        about = slice(max(0, line - max(_WIDTHS)), line + max(_WIDTHS) + 1)
+        ratio = field.spectra.power[band, about] / field.level[band, about]
+        above = 10.0 * float(np.log10(np.max(ratio[~left_out[band, about]])))
+        found.append(_unexplained_line(line, above, depth, band, probability, field))
+        apart = max(2 * max(_WIDTHS), int(_APART * line))
+        peaks[:, max(0, line - apart) : line + apart + 1] = 0.0
+    return tuple(found)
+
+
+def _unexplained_line(
+    line: int, above: float, depth: float, band: int, probability: float, field: Field
+) -> UnexplainedLine:
+    order = line / field.turns
+    shaft = field.spectra.shaft_frequency
+    of_mains = field.on_mains(band, line)
+    return UnexplainedLine(
+        order=order,
+        frequency=order * shaft,
+        above_noise=above,
+        depth=depth,
+        band=field.spectra.bands[band],
+        probability=probability,
+        shaft_frequencies=() if of_mains else _shaft_frequencies(order, shaft, field.orders),
+        of_mains=of_mains,
+    )
+
+
+def _shaft_frequencies(
+    order: float, shaft: float, orders: FaultOrders
+) -> tuple[tuple[Component, float], ...]:
+    """At which speeds of the shaft, not far from the given one, a line would be a part's."""
+    speeds = []
+    for part in COMPONENTS:
+        nominal = orders.fundamental(part)
+        if nominal is not None and abs(order / nominal - 1.0) <= _NEAR_SPEED:
+            speeds.append((part, shaft * order / nominal))
+    return tuple(speeds)

@@ -5,31 +5,18 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
+import numpy as np
+
 from rolamento.numerics import FloatArray
 from rolamento.vibration._checks import Band
-from rolamento.vibration.diagnosis.orders import Component
+from rolamento.vibration.diagnosis.settings import Component
 from rolamento.vibration.diagnosis.size import GRADES, Grade
-
-__all__ = [
-    "Cause",
-    "ComponentVerdict",
-    "Diagnosis",
-    "EnvelopeSpectra",
-    "MatchedLine",
-    "Note",
-    "Reason",
-    "SpeedSource",
-    "UnexplainedLine",
-    "Verdict",
-]
 
 Verdict = Literal["fault", "undecided", "watch", "nothing_found", "not_tested"]
 """Of a part: damaged; damaged or not, what speaks against it is as strong; lines as many healthy
 bearings have; none, or none of its own; nothing can be told."""
-
 SpeedSource = Literal["given", "shaft_lines", "fault_lines"]
 """What tells the speed of the shaft: what was given, its own lines, or those of the fault."""
-
 Cause = Literal["outer_race", "inner_race", "ball", "cage", "ball_or_cage"]
 
 
@@ -266,6 +253,26 @@ class Diagnosis:
     def _with(self, verdict: Verdict) -> tuple[Component, ...]:
         parts = [part for part in self.components if part.verdict == verdict]
         return tuple(p.component for p in sorted(parts, key=lambda part: -part.depth))
+
+    @property
+    def clearest_fault(self) -> ComponentVerdict | None:
+        """The fault with the most evidence; None if there is none."""
+        faults = [part for part in self.components if part.verdict == "fault"]
+        return max(faults, key=lambda part: part.evidence) if faults else None
+
+    @property
+    def clearest_band(self) -> int:
+        """Number of the band of the clearest fault, unexplained line, or else best match."""
+        fault, bands = self.clearest_fault, self.spectra.bands
+        if fault is not None and fault.band in bands:
+            return bands.index(fault.band)
+        if self.unexplained:
+            return bands.index(self.unexplained[0].band)
+        scores = [
+            np.nan_to_num(np.asarray(per_band, dtype=np.float64), nan=-1.0, posinf=1e300)
+            for per_band in self.spectra.evidence.values()
+        ]
+        return int(np.argmax(np.max(scores, axis=0))) if scores else 0
 
     def of(self, component: Component) -> ComponentVerdict:
         """Return the verdict for a component."""

@@ -1,5 +1,10 @@
 """The search: for each component the hypothesis, order and band that noise would least explain.
 
+A hypothesis is a set of multiples of the fault's order, with or without sidebands, and a width that
+slip has given the highest of them; lower ones are narrower in proportion. Damage that strikes in
+a steady load shows its first multiples; a ring that turns through the load has sidebands; a ball
+that strikes one race harder than the other shows odd multiples of its spin.
+
 The mean power within a line's width has a score against the noise about it (see `noise_floor`), in
 noise an exponential variable. A hypothesis has n lines, each at its multiple of the order that is
 tried, and none of them counts for more than the median one, so that a few lines of another origin
@@ -25,15 +30,139 @@ from typing import Final, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from rolamento.numerics import BoolArray, FloatArray
-from rolamento.vibration.diagnosis.hypotheses import Hypothesis, trials_grid
+from rolamento.numerics import BoolArray, FloatArray, IntArray
+from rolamento.vibration.diagnosis.settings import Component, FaultOrders
 from rolamento.vibration.noise_floor import log_gamma_tail, mean_scores, reaches
 
-__all__ = ["Finding", "Scores", "search"]
+WIDTHS: Final = (1, 2, 4, 8, 16)
+"""Of the highest multiple; in lines."""
+_WIDTHS_WITH_SIDEBANDS: Final = WIDTHS[:4]
+"""Sidebands lie close enough to share the noise that they are compared with; wide ones would feel
+its scatter together."""
 
-PlaceArray = NDArray[np.int64]
+_PLAIN: Final[dict[Component, tuple[tuple[float, ...], ...]]] = {
+    "outer_race": ((1,), (1, 2), (1, 2, 3), (1, 2, 3, 4, 5)),
+    "inner_race": ((1,), (1, 2, 3)),
+    "ball": ((1,), (1, 2, 3), (0.5, 1, 1.5, 2)),
+    "cage": ((1,), (1, 2, 3)),
+}
+
+_WITH_SIDEBANDS: Final[tuple[tuple[tuple[float, ...], int], ...]] = (
+    ((1,), 1),
+    ((1, 2, 3), 1),
+    ((1, 2, 3), 2),
+)
+
+
+@dataclass(frozen=True, slots=True)
+class SearchedLine:
+    """One line of a hypothesis: multiple of the fault's order, sidebands away, and its width."""
+
+    multiple: float
+    sideband: int
+    width: int
+
+
+@dataclass(frozen=True, slots=True)
+class Hypothesis:
+    """What damage may look like.
+
+    Attributes
+    ----------
+    lines
+        that should stand out together
+    spacing
+        of the sidebands, in orders; 0 if there are none
+    width
+        of the highest multiple, in lines
+    """
+
+    lines: tuple[SearchedLine, ...]
+    spacing: float
+    width: int
+
+    @property
+    def highest(self) -> float:
+        """Highest multiple."""
+        return max(line.multiple for line in self.lines)
+
+    @property
+    def step(self) -> float:
+        """How well a fundamental is told: a line, or half of the width, at the highest multiple."""
+        return max(1.0, 0.5 * self.width) / self.highest
+
+
+def hypotheses_of(orders: FaultOrders, component: Component) -> tuple[Hypothesis, ...]:
+    """Return all hypotheses for a component; none if it is not looked for."""
+    if orders.fundamental(component) is None:
+        return ()
+    found = [
+        _hypothesis(multiples, 0, 0.0, width) for multiples in _PLAIN[component] for width in WIDTHS
+    ]
+    spacing = orders.spacing(component)
+    if spacing > 0.0:
+        found += [
+            _hypothesis(multiples, sidebands, spacing, width)
+            for multiples, sidebands in _WITH_SIDEBANDS
+            for width in _WIDTHS_WITH_SIDEBANDS
+        ]
+    return tuple(found)
+
+
+def highest_order(orders: FaultOrders, component: Component, tolerance: float) -> float:
+    """Highest order that any hypothesis for a component looks at; 0 if it is not looked for."""
+    fundamental = orders.fundamental(component)
+    if fundamental is None:
+        return 0.0
+    stretched = fundamental * (1.0 + orders.tolerance(component, tolerance))
+    return max(
+        line.multiple * stretched + abs(line.sideband) * hypothesis.spacing * (1.0 + tolerance)
+        for hypothesis in hypotheses_of(orders, component)
+        for line in hypothesis.lines
+    )
+
+
+def trials_grid(
+    low: float, high: float, hypothesis: Hypothesis, spacing_freedom: float
+) -> tuple[FloatArray, FloatArray]:
+    """Fundamentals and sideband spacings to try, in lines of the spectrum.
+
+    Steps are a line, or half of its width, at the highest multiple, and a line of the spacing. No
+    line reaches with its width beyond what is allowed; there are none if it is wider than that.
+
+    Parameters
+    ----------
+    low, high
+        Of the fundamental; lines.
+    hypothesis
+        With its spacing in lines.
+    spacing_freedom
+        Part by which the spacing may be off.
+    """
+    step = hypothesis.step
+    inside = 0.5 * max(0, hypothesis.width - 2) / hypothesis.highest
+    count = max(0, int((high - low - 2.0 * inside) / step + 1.0))
+    fundamentals = low + inside + step * np.arange(count, dtype=np.float64)
+    reach = int(spacing_freedom * hypothesis.spacing)
+    return fundamentals, hypothesis.spacing + np.arange(-reach, reach + 1, dtype=np.float64)
+
+
+def _hypothesis(
+    multiples: tuple[float, ...], sidebands: int, spacing: float, width: int
+) -> Hypothesis:
+    highest = max(multiples)
+    lines = tuple(
+        SearchedLine(multiple, side, max(1, round(width * multiple / highest)))
+        for multiple in multiples
+        for side in range(-sidebands, sidebands + 1)
+    )
+    return Hypothesis(lines, spacing, width)
+
+
+# --- the search ----------------------------------------------------------------------------------
+
+
 Number = TypeVar("Number", np.int64, np.float64)
-
 _FAR: Final = 1e5
 
 
@@ -63,7 +192,7 @@ class Scores:
         self._averages = averages
         self._rows: dict[int, tuple[FloatArray, BoolArray, BoolArray]] = {}
 
-    def about(self, places: PlaceArray, width: int) -> tuple[FloatArray, BoolArray]:
+    def about(self, places: IntArray, width: int) -> tuple[FloatArray, BoolArray]:
         """Score of what lies within so many lines about each place, and whether any does.
 
         (bands, places) each; 0 and False where all lines are left out.
@@ -87,7 +216,7 @@ class Scores:
             self._rows[width] = rows
         return self._rows[width]
 
-    def _scored(self, lines: PlaceArray, width: int) -> tuple[FloatArray, BoolArray]:
+    def _scored(self, lines: IntArray, width: int) -> tuple[FloatArray, BoolArray]:
         first = np.clip(lines - (width - 1) // 2, 1, None)
         last = np.clip(lines + width // 2 + 1, None, self.lines)
         counts = self._counts[:, last] - self._counts[:, first]
@@ -117,7 +246,7 @@ class Finding:
     trials
         how many were tried in the whole search
     per_band
-        greatest evidence in each band
+        maximum evidence in each band
     """
 
     evidence: float
@@ -220,7 +349,7 @@ def _apart(hypothesis: Hypothesis, fundamental: float, spacing: float) -> bool:
     )
 
 
-def combined(scores: FloatArray, used: NDArray[np.int64]) -> FloatArray:
+def combined(scores: FloatArray, used: IntArray) -> FloatArray:
     """-ln of the probability that independent scores, none counted above the median, do as well.
 
     Parameters
@@ -242,12 +371,14 @@ def combined(scores: FloatArray, used: NDArray[np.int64]) -> FloatArray:
     for count in np.flatnonzero(np.bincount((used - above).ravel())):
         if count > 0:
             here = used - above == count
-            found[here] = totals[here] if count == 1 else np.interp(totals[here], *_table(count))
+            found[here] = (
+                totals[here] if count == 1 else np.interp(totals[here], *_gamma_tails(count))
+            )
     return found
 
 
 @cache
-def _table(count: int) -> tuple[FloatArray, FloatArray]:
+def _gamma_tails(count: int) -> tuple[FloatArray, FloatArray]:
     """Totals, and -ln of the tail of a gamma variable there."""
     near = np.linspace(0.0, 20.0 * count + 100.0, 3000)
     far = np.geomspace(20.0 * count + 101.0, _FAR, 300)

@@ -1,13 +1,154 @@
-"""What a diagnosis may be told: how sure to be, and how far the bearing may be off its orders."""
+"""What a diagnosis is told: the orders of the bearing's faults, and how sure to be of a finding."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import isfinite
+from typing import TYPE_CHECKING, Final, Literal
 
 from rolamento.errors import InputError
 from rolamento.vibration._checks import checked_number
 
-__all__ = ["DiagnosisSettings"]
+if TYPE_CHECKING:
+    from rolamento.vibration.frequencies import FaultFrequencies
+
+
+Component = Literal["outer_race", "inner_race", "ball", "cage"]
+COMPONENTS: Final[tuple[Component, ...]] = ("outer_race", "inner_race", "ball", "cage")
+_HIGHEST: Final = 1000.0
+_MOST_KNOWN: Final = 20
+_LEAST_KNOWN: Final = 0.01
+"""Multiples of a lower order would leave nothing to look at."""
+
+
+@dataclass(frozen=True, slots=True)
+class FaultOrders:
+    """Orders of a bearing's faults: multiples of the shaft's frequency.
+
+    A component without an order is not looked for.
+
+    Attributes
+    ----------
+    outer_race, inner_race
+        balls that pass a point of the race, per revolution of the shaft
+    ball
+        turns of a ball about its own axis; its damage strikes twice in each
+    cage
+        turns of the cage
+    outer_spacing, inner_spacing
+        turns of the rings against the load: damage to a ring that turns goes in and out of the
+        load, which gives sidebands at these spacings; 0 for a ring that stands still. Damage to a
+        ball has sidebands at the spacing of the cage.
+    known
+        orders of other things that turn and are known to be there, such as the other shafts of a
+        gearbox, or a half order; they and their multiples are left out, as those of the shaft are
+
+    Raises
+    ------
+    InputError
+        If a number is out of range, or no component has an order.
+    """
+
+    outer_race: float | None = None
+    inner_race: float | None = None
+    ball: float | None = None
+    cage: float | None = None
+    outer_spacing: float = 0.0
+    inner_spacing: float = 1.0
+    known: tuple[float, ...] = ()
+
+    def __post_init__(self) -> None:
+        present = [name for name in COMPONENTS if getattr(self, name) is not None]
+        if not present:
+            raise InputError(
+                f"must give at least one of {', '.join(COMPONENTS)}",
+                field="orders",
+                example="outer_race = 3.585",
+            )
+        for part in present:
+            self._check(part, above=0.0)
+        for spacing in ("outer_spacing", "inner_spacing"):
+            self._check(spacing, least=0.0)
+        if len(self.known) > _MOST_KNOWN:
+            raise InputError(f"must be up to {_MOST_KNOWN} orders", field="known", example="(0.5,)")
+        for order in self.known:
+            checked_number(order, "known", least=_LEAST_KNOWN, most=_HIGHEST, example="(0.5,)")
+
+    @classmethod
+    def from_frequencies(
+        cls,
+        shaft: float,
+        *,
+        outer_race: float | None = None,
+        inner_race: float | None = None,
+        ball: float | None = None,
+        cage: float | None = None,
+    ) -> FaultOrders:
+        """Return the orders of frequencies of a bearing whose outer ring stands still; all in Hz.
+
+        Raises
+        ------
+        InputError
+            If a number is out of range, or no component has a frequency.
+        """
+        checked_number(shaft, "shaft", above=0.0, example="shaft = 29.95")
+        return cls(
+            outer_race=None if outer_race is None else outer_race / shaft,
+            inner_race=None if inner_race is None else inner_race / shaft,
+            ball=None if ball is None else ball / shaft,
+            cage=None if cage is None else cage / shaft,
+        )
+
+    @classmethod
+    def of(cls, frequencies: FaultFrequencies, known: tuple[float, ...] = ()) -> FaultOrders:
+        """Return the orders of the fault frequencies of a bearing; what has none is left out."""
+        lines = {
+            "outer_race": frequencies.ball_pass_outer.order,
+            "inner_race": frequencies.ball_pass_inner.order,
+            "ball": frequencies.ball_spin.order,
+            "cage": frequencies.cage.order,
+        }
+        present = {name: line for name, line in lines.items() if isfinite(line) and line > 0.0}
+        return cls(
+            **present,
+            outer_spacing=frequencies.spacing("outer_race"),
+            inner_spacing=frequencies.spacing("inner_race"),
+            known=known,
+        )
+
+    def fundamental(self, component: Component) -> float | None:
+        """Return how often a component's damage strikes per revolution, if it is looked for."""
+        order: float | None = getattr(self, component)
+        return None if order is None else (2.0 * order if component == "ball" else order)
+
+    def spacing(self, component: Component) -> float:
+        """Return the spacing of a component's sidebands; 0 for none."""
+        spacings: dict[Component, float] = {
+            "outer_race": self.outer_spacing,
+            "inner_race": self.inner_spacing,
+            "ball": self.cage or 0.0,
+            "cage": 0.0,
+        }
+        return spacings[component]
+
+    def tolerance(self, component: Component, of_cage: float) -> float:
+        """Part by which a component's order may be off when the cage's is off by a part.
+
+        What one race gains by slip or by another contact angle the other loses: their orders add
+        up to the number of balls. A ball's spin is as uncertain as the cage.
+        """
+        if component == "inner_race" and self.outer_race and self.inner_race:
+            return of_cage * min(1.0, self.outer_race / self.inner_race)
+        return of_cage
+
+    def _check(self, name: str, *, above: float | None = None, least: float | None = None) -> None:
+        value = getattr(self, name)
+        checked_number(
+            value, name, above=above, least=least, most=_HIGHEST, example=f"{name} = 3.585"
+        )
+
+
+# --- settings ------------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True, slots=True)

@@ -23,14 +23,10 @@ import numpy as np
 from scipy import fft
 
 from rolamento.numerics import BoolArray, FloatArray
+from rolamento.vibration.diagnosis.band_spectra import limited
 from rolamento.vibration.diagnosis.blocks import Block
-from rolamento.vibration.diagnosis.leakage import taper
-from rolamento.vibration.diagnosis.mains import MAINS, is_near_mains
-from rolamento.vibration.diagnosis.modulation import limited
-from rolamento.vibration.diagnosis.tones import local_level
-from rolamento.vibration.diagnosis.whitening import even_places, whitened
-
-__all__ = ["LOOKED_AT", "ShaftLines", "shaft_lines"]
+from rolamento.vibration.diagnosis.lines import MAINS, is_near_mains, taper
+from rolamento.vibration.diagnosis.whitening import even_places, local_level, whitened
 
 LOOKED_AT: Final = 0.1
 """Part by which the speed is looked for on either side of the given one."""

@@ -18,15 +18,11 @@ from typing import Final, Literal
 import numpy as np
 
 from rolamento.numerics import FloatArray
-from rolamento.vibration.diagnosis.leakage import taper
-
-__all__ = ["DAMAGE", "GRADES", "SEVERE", "Grade", "depth_error", "depth_of", "grade_of"]
+from rolamento.vibration.diagnosis.lines import taper
 
 Grade = Literal["nothing", "watch", "damage", "severe"]
-
 GRADES: Final[tuple[Grade, ...]] = ("nothing", "watch", "damage", "severe")
 """The least first; "watch" are lines as many healthy bearings have."""
-
 DAMAGE: Final = 0.30
 """Depth from which on a part counts as damaged; docs/adr/0012 tells how it was found."""
 SEVERE: Final = 1.0

@@ -7,37 +7,9 @@ from math import isfinite
 from typing import Final
 
 from rolamento.vibration._checks import Band
-from rolamento.vibration.diagnosis.orders import Component
 from rolamento.vibration.diagnosis.record import MatchedLine, Reason, UnexplainedLine
+from rolamento.vibration.diagnosis.settings import Component
 from rolamento.vibration.diagnosis.size import DAMAGE, Grade
-
-__all__ = [
-    "PART",
-    "above_noise",
-    "at_band",
-    "at_edge",
-    "beside_first",
-    "chance_of_noise",
-    "close_call",
-    "deep",
-    "dropouts",
-    "no_slip",
-    "not_strongest",
-    "nothing_above_noise",
-    "of_ball",
-    "of_first",
-    "of_others",
-    "of_sidebands",
-    "off_nominal",
-    "on_mains",
-    "on_shaft",
-    "open_depth",
-    "other_speed",
-    "speed_open",
-    "stronger_line",
-    "unexplained",
-    "untested",
-]
 
 PART: Final[dict[Component, str]] = {
     "outer_race": "outer race",

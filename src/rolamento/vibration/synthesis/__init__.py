@@ -13,15 +13,14 @@ from __future__ import annotations
 
 from rolamento.vibration.synthesis.assemble import (
     FaultTruth,
+    Noise,
     Recipe,
     Synthesis,
     Truth,
     recipe_of,
     synthesise,
 )
-from rolamento.vibration.synthesis.faults import Fault
-from rolamento.vibration.synthesis.load import LoadDistribution
-from rolamento.vibration.synthesis.noise import Noise
+from rolamento.vibration.synthesis.faults import Fault, LoadDistribution
 from rolamento.vibration.synthesis.speed import (
     GivenSpeed,
     SpeedProfile,

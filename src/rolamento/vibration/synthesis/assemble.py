@@ -1,30 +1,38 @@
-"""A synthetic vibration signal from its parts, and the truth about it."""
+"""A synthetic vibration signal from its parts, and the truth about it.
+
+Noise is white or pink, at a given ratio to the signal or at a given level.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from math import isfinite
-from typing import Any, Final
+from typing import Any, Final, Literal
 
 import numpy as np
 
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
-from rolamento.state import State
-from rolamento.vibration.fault_lines import FaultFrequencies, FaultKind
-from rolamento.vibration.frequencies import frequencies_of
+from rolamento.solved import Solved
+from rolamento.vibration._checks import check_count, check_within
+from rolamento.vibration.frequencies import FaultFrequencies, FaultKind, frequencies_of
 from rolamento.vibration.signal import Signal
-from rolamento.vibration.synthesis._checks import check_count, check_within
-from rolamento.vibration.synthesis.faults import Fault, Impacts, Turning, cycles_at, impacts_of
-from rolamento.vibration.synthesis.load import LoadDistribution
-from rolamento.vibration.synthesis.noise import Noise, noise_samples
+from rolamento.vibration.synthesis.faults import (
+    Fault,
+    Impacts,
+    LoadDistribution,
+    Turning,
+    cycles_at,
+    impacts_of,
+)
 from rolamento.vibration.synthesis.speed import SpeedProfile, SteadySpeed, angle_of, speeds_of
 from rolamento.vibration.synthesis.transfer import (
     DEFAULT_MODES,
     Mode,
     TransferPath,
     check_modes,
+    fast_length,
     modulated_in_frequency,
     ringing,
 )
@@ -35,7 +43,68 @@ from rolamento.vibration.synthesis.waviness import (
     waviness_lines,
 )
 
-__all__ = ["FaultTruth", "Recipe", "Synthesis", "Truth", "recipe_of", "synthesise"]
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Noise:
+    """Noise beside the signal; one of `ratio` and `level` is given.
+
+    Attributes
+    ----------
+    colour
+        "white", equal power at all frequencies, or "pink", power that falls as 1/f
+    ratio
+        of the powers of signal and noise (dB)
+    level
+        root mean square (m/s²)
+    of
+        what the ratio is to: the "signal" without noise, such as waviness alone, or the "faults"
+    """
+
+    colour: Literal["white", "pink"] = "white"
+    ratio: float | None = None
+    level: float | None = None
+    of: Literal["signal", "faults"] = "signal"
+
+    def __post_init__(self) -> None:
+        for name, allowed in (("colour", ("white", "pink")), ("of", ("signal", "faults"))):
+            if getattr(self, name) not in allowed:
+                raise InputError(
+                    f"must be one of {', '.join(allowed)}",
+                    field=name,
+                    value=getattr(self, name),
+                    example=allowed[0],
+                )
+        if (self.ratio is None) == (self.level is None):
+            raise InputError("takes either ratio or level", field="noise", example="ratio = 0.0")
+        if self.ratio is not None:
+            check_within("ratio", self.ratio, -200.0, 200.0, "ratio = 0.0", "dB")
+        if self.level is not None:
+            check_within("level", self.level, 0.0, 1e9, "level = 1.0", "m/s²")
+
+    def level_beside(self, power: float) -> float:
+        """Root mean square of the noise beside a signal of some mean square; m/s²."""
+        if self.ratio is None:
+            return float(self.level or 0.0)
+        return float(np.sqrt(power / 10.0 ** (0.1 * self.ratio)))
+
+
+def noise_samples(
+    noise: Noise, level: float, count: int, random: np.random.Generator
+) -> FloatArray:
+    """Return noise of exactly a level; (count,), m/s²."""
+    samples = random.standard_normal(count)
+    if noise.colour == "pink":
+        length = fast_length(count)
+        spectrum = np.fft.rfft(samples, length)
+        spectrum[1:] /= np.sqrt(np.arange(1, spectrum.size))
+        spectrum[0] = 0.0
+        samples = np.fft.irfft(spectrum, length)[:count]
+    size = float(np.sqrt(np.mean(samples**2)))
+    return np.asarray(samples * (level / size)) if size > 0.0 else np.zeros(count)
+
+
+# --- recipe, truth and signal --------------------------------------------------------------------
+
 
 _TURN: Final = 2.0 * np.pi
 _MOST_SAMPLES: Final = 50_000_000
@@ -221,13 +290,13 @@ class Synthesis:
     truth: Truth
 
 
-def recipe_of(state: State, faults: Sequence[Fault], **parts: Any) -> Recipe:
-    """Return a recipe with the loaded frequencies and the load distribution of a solved state.
+def recipe_of(solved: Solved, faults: Sequence[Fault], **parts: Any) -> Recipe:
+    """Return a recipe with the loaded frequencies and the load distribution of a solved case.
 
     Parameters
     ----------
-    state
-        Of `rolamento.solve`; of a set, the row that carries most.
+    solved
+        One case of what `rolamento.solve` returns; of a set, the row that carries most.
     faults
         Damage.
     parts
@@ -236,10 +305,10 @@ def recipe_of(state: State, faults: Sequence[Fault], **parts: Any) -> Recipe:
     Raises
     ------
     InputError
-        If the state has no result, or a part is out of range.
+        If the case has no result, or a part is out of range.
     """
-    found = frequencies_of(state)
-    load = parts.pop("load", None) or LoadDistribution.of_state(state, row=found.row)
+    found = frequencies_of(solved)
+    load = parts.pop("load", None) or LoadDistribution.of_solved(solved, row=found.row)
     alone = replace(found, rows=())
     return Recipe(**{"frequencies": alone, "faults": tuple(faults), "load": load, **parts})
 
@@ -266,13 +335,13 @@ def synthesise(recipe: Recipe) -> Synthesis:
     docs/theory/vibration-frequencies.md.
     """
     sources = _Sources.of(recipe)
-    speeds = speeds_of(_profile(recipe), recipe.count, recipe.rate, sources.speed)
+    speeds = speeds_of(_speed_profile(recipe), recipe.count, recipe.rate, sources.speed)
     turning = Turning(angle_of(speeds, recipe.count, recipe.rate), recipe.rate)
     damage, truths = _damage(recipe, turning, sources)
     lines = tuple(
         line for wavy in recipe.waviness for line in waviness_lines(recipe.frequencies, wavy)
     )
-    clean = damage + _rest(recipe, lines, turning, speeds, sources)
+    clean = damage + _shaft_and_waviness(recipe, lines, turning, speeds, sources)
     power = {"signal": float(np.mean(clean**2)), "faults": float(np.mean(damage**2))}
     level = 0.0 if recipe.noise is None else recipe.noise.level_beside(power[recipe.noise.of])
     samples = clean
@@ -302,7 +371,7 @@ class _Sources:
         return cls(speed, noise, phases, waves, faults)
 
 
-def _profile(recipe: Recipe) -> SpeedProfile:
+def _speed_profile(recipe: Recipe) -> SpeedProfile:
     if recipe.speed is not None:
         return recipe.speed
     found = recipe.frequencies
@@ -333,7 +402,7 @@ def _damage(
             recipe.load_turns,
         )
         order = recipe.frequencies.of_fault(fault.kind).order
-        answer = _answer(recipe, fault, impacts, turning, order)
+        answer = _response(recipe, fault, impacts, turning, order)
         total += answer
         truths.append(
             FaultTruth(
@@ -350,7 +419,7 @@ def _damage(
     return total, tuple(truths)
 
 
-def _answer(
+def _response(
     recipe: Recipe, fault: Fault, impacts: Impacts, turning: Turning, order: float
 ) -> FloatArray:
     if fault.modulation == "amplitude":
@@ -359,7 +428,7 @@ def _answer(
     return modulated_in_frequency(cycles, recipe.modes, recipe.rate, fault.index, fault.strength)
 
 
-def _rest(
+def _shaft_and_waviness(
     recipe: Recipe,
     lines: Sequence[WavinessLine],
     turning: Turning,

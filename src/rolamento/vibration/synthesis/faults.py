@@ -6,27 +6,150 @@ intervals independent of each other, T_k = T + ε_k, the deviations add up: the 
 by √k standard deviations, and the signal keeps no phase (Antoni and Randall 2003). Older models
 have every impact scatter about its place on a strict clock. Both are offered.
 
-The strength goes with the load of the ball that strikes (McFadden and Smith 1984), and with what
-the path to the sensor leaves of it.
+The strength goes with the load of the ball that strikes (McFadden and Smith 1984), as a part of
+the strongest, and with what the path to the sensor leaves of it.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Final, Literal, NamedTuple
+from typing import Final, Literal, NamedTuple, Self
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from rolamento.errors import InputError
+from rolamento.geometry import Race
 from rolamento.numerics import FloatArray
-from rolamento.vibration.fault_lines import FAULTS, FaultFrequencies, FaultKind
-from rolamento.vibration.synthesis._checks import check_within
-from rolamento.vibration.synthesis.load import LoadDistribution
+from rolamento.solved import Solved, refuse_other
+from rolamento.vibration._checks import check_within
+from rolamento.vibration.frequencies import FAULTS, FaultFrequencies, FaultKind
+from rolamento.vibration.signal import real_numbers
 from rolamento.vibration.synthesis.transfer import TransferPath
 
-__all__ = ["Fault", "Impacts", "cycles_at", "impacts_of"]
-
 _TURN: Final = 2.0 * np.pi
+_POINTS: Final = 720
+_MOST_POSITIONS: Final = 360
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class LoadDistribution:
+    """Loads of inner and outer contacts over the azimuth; arrays (points,).
+
+    Attributes
+    ----------
+    azimuth
+        rising, within a turn; rad, 0 at +z
+    inner, outer
+        loads over the maximum of their race, 0 to 1
+    """
+
+    azimuth: FloatArray
+    inner: FloatArray
+    outer: FloatArray
+
+    def __post_init__(self) -> None:
+        arrays = [
+            real_numbers(getattr(self, name), name, f"{name} = [0.0, 1.0]")
+            for name in ("azimuth", "inner", "outer")
+        ]
+        azimuth, inner, outer = arrays
+        if azimuth.ndim != 1 or not azimuth.size or any(a.shape != azimuth.shape for a in arrays):
+            raise InputError("must be three rows of as many numbers", field="azimuth")
+        rises = bool(np.all(np.diff(azimuth) > 0.0)) and azimuth[-1] - azimuth[0] < _TURN
+        if not (rises and np.all(np.isfinite(azimuth))):
+            raise InputError("must rise, within one turn", field="azimuth")
+        for name, loads in (("inner", inner), ("outer", outer)):
+            if not np.all((loads >= 0.0) & (loads <= 1.0)):
+                raise InputError("must be parts from 0 to 1", field=name)
+        for name, array in zip(("azimuth", "inner", "outer"), arrays, strict=True):
+            object.__setattr__(self, name, array)
+
+    def at(self, azimuth: ArrayLike, race: Race) -> FloatArray:
+        """Load at azimuths (rad) over the maximum; the shape of the azimuths.
+
+        Straight between the points in the approach of ball and race, which goes with Q^(2/3).
+        """
+        loads = self.inner if race == "inner" else self.outer
+        angle = real_numbers(azimuth, "azimuth", "azimuth = [0.0, 1.57]")
+        approach = np.interp(angle, self.azimuth, np.cbrt(loads**2), period=_TURN)
+        return np.asarray(approach**1.5)
+
+    @classmethod
+    def uniform(cls) -> Self:
+        """Equal all round, as under pure axial load."""
+        return cls(np.zeros(1), np.ones(1), np.ones(1))
+
+    @classmethod
+    def radial(cls, extent: float = 0.5, azimuth: float = 0.0) -> Self:
+        """Stribeck's: q = [1 - (1 - cos ψ)/(2 ε)]^(3/2) about the direction of a radial load.
+
+        Parameters
+        ----------
+        extent
+            ε, of the load zone: ½ is half the bearing, 1 and more all of it.
+        azimuth
+            Of the load (rad).
+
+        Sjövall (1933); Harris (1991).
+        """
+        check_within("extent", extent, 1e-3, 1e6, "extent = 0.5")
+        psi = np.arange(_POINTS, dtype=np.float64) * (_TURN / _POINTS)
+        load = np.maximum(1.0 - (1.0 - np.cos(psi - azimuth)) / (2.0 * extent), 0.0) ** 1.5
+        return cls(psi, load, load)
+
+    @classmethod
+    def of_solved(cls, solved: Solved, *, row: int = 0, positions: int = 8) -> Self:
+        """Of a solved case, solved again for so many positions of the cage.
+
+        Parameters
+        ----------
+        solved
+            One case with a result.
+        row
+            Of the balls.
+        positions
+            Of the cage within the angle from ball to ball. With 1, and under friction control,
+            only the result's own balls are taken, and nothing is solved.
+
+        Raises
+        ------
+        InputError
+            If these are several cases, there is no result, or no ball of the row is pressed.
+        """
+        refuse_other(solved, "vibration.LoadDistribution.of_solved")
+        check_within("positions", positions, 1, _MOST_POSITIONS, "positions = 8")
+        own = solved.elements.row == row
+        if len(solved) != 1 or not solved.converged[0] or not own.any():
+            raise InputError(
+                "must be one case with a result and such a row of balls", field="solved", value=row
+            )
+        if positions > 1 and solved.rolling is None:
+            solved = _solved_between(solved, row, positions)
+        azimuth, inner, outer = (
+            table[solved.converged][:, own].ravel()
+            for table in (solved.elements.azimuth, solved.inner.load, solved.outer.load)
+        )
+        if not (inner.max() > 0.0 and outer.max() > 0.0):
+            raise InputError("presses no ball of this row", field="solved", value=row)
+        azimuth = np.mod(azimuth, _TURN)
+        order = np.argsort(azimuth)
+        return cls(azimuth[order], inner[order] / inner.max(), outer[order] / outer.max())
+
+
+def _solved_between(solved: Solved, row: int, positions: int) -> Solved:
+    """Solve for cage positions from that of a case to where the next ball takes its place."""
+    from rolamento.solving import solve
+
+    first = solved.field("duty.first_ball_azimuth")[0]
+    shifts = np.arange(positions) * (_TURN / int(solved.rows.element_count[row]) / positions)
+    varied = {name: float(values[0]) for name, values in solved.varied.items()}
+    return solve(solved.case, {**varied, "duty.first_ball_azimuth": first + shifts}, threads=1)
+
+
+# --- impacts of damage ---------------------------------------------------------------------------
+
+
 _MOST_IMPACTS: Final = 5_000_000
 _LEAST_INTERVAL: Final = 0.05
 """Of the mean: no impact overtakes the one before."""
@@ -41,7 +164,7 @@ class Fault:
     kind
         "outer_race", "inner_race", "ball" or "cage"
     strength
-        of an impact under the greatest load right at the sensor; times the gains of the modes
+        of an impact under the maximum load right at the sensor; times the gains of the modes
     azimuth
         of the damage when the signal begins (rad, 0 at +z): of the spot on a race or the cage, or
         of the damaged ball

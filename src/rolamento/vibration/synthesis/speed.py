@@ -13,17 +13,8 @@ import numpy as np
 
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
-from rolamento.vibration.synthesis._checks import check_count, check_within
-
-__all__ = [
-    "GivenSpeed",
-    "SpeedProfile",
-    "SteadySpeed",
-    "SwingingSpeed",
-    "WanderingSpeed",
-    "angle_of",
-    "speeds_of",
-]
+from rolamento.vibration._checks import check_count, check_within
+from rolamento.vibration.signal import real_numbers
 
 _MOST_SPEED: Final = 1e6
 _MOST_POINTS: Final = 1_000_000
@@ -159,8 +150,8 @@ def _wandering(
 
 
 def _given(profile: GivenSpeed, time: FloatArray) -> FloatArray:
-    times = np.asarray(profile.times, dtype=np.float64)
-    speeds = np.asarray(profile.speeds, dtype=np.float64)
+    times = real_numbers(profile.times, "times", "times = [0.0, 10.0]")
+    speeds = real_numbers(profile.speeds, "speeds", "speeds = [100.0, 200.0]")
     check_count("times", times.size, _MOST_POINTS)
     if times.ndim != 1 or times.shape != speeds.shape or not times.size:
         raise InputError(

@@ -14,16 +14,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from math import sqrt
-from typing import Final, TypeAlias
+from typing import Final
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from rolamento.errors import InputError
-from rolamento.numerics import FloatArray
-from rolamento.vibration.synthesis._checks import check_count, check_within
-
-__all__ = ["DEFAULT_MODES", "Mode", "TransferPath", "modulated_in_frequency", "ringing"]
+from rolamento.numerics import ComplexArray, FloatArray, IntArray
+from rolamento.vibration._checks import check_count, check_within
+from rolamento.vibration.signal import real_numbers
 
 _TURN: Final = 2.0 * np.pi
 _MOST_GAINS: Final = 3600
@@ -31,9 +30,6 @@ _NOTHING: Final = 40.0
 """Decay in nepers that leaves nothing in double precision."""
 _WORTH: Final = 20
 """Answers that overlap at a sample on the mean, up to which adding them up is the faster way."""
-
-Places: TypeAlias = NDArray[np.intp]
-Complexes: TypeAlias = NDArray[np.complex128]
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,7 +88,7 @@ class TransferPath:
 
     def at(self, azimuth: ArrayLike) -> FloatArray:
         """Gain of impacts at azimuths (rad); the shape of the azimuths."""
-        angle = np.asarray(azimuth, dtype=np.float64) - self.sensor_azimuth
+        angle = real_numbers(azimuth, "azimuth", "azimuth = [0.0, 1.57]") - self.sensor_azimuth
         if self.gains:
             steps = np.arange(len(self.gains)) * (_TURN / len(self.gains))
             return np.asarray(np.interp(angle, steps, self.gains, period=_TURN))
@@ -190,7 +186,9 @@ def fast_length(count: int) -> int:
     return best
 
 
-def summed(place: Places, entering: Complexes, root: complex, lasts: int, count: int) -> FloatArray:
+def summed(
+    place: IntArray, entering: ComplexArray, root: complex, lasts: int, count: int
+) -> FloatArray:
     """Answers of one mode, added impact by impact.
 
     Parameters
@@ -217,7 +215,7 @@ def summed(place: Places, entering: Complexes, root: complex, lasts: int, count:
 
 
 def recursion(
-    place: Places, entering: Complexes, root: complex, lasts: int, count: int
+    place: IntArray, entering: ComplexArray, root: complex, lasts: int, count: int
 ) -> FloatArray:
     """The same as `summed`, as the recursion y_n = r y_{n-1} + c_n from rest, r = exp(root).
 

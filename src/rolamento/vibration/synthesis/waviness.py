@@ -28,14 +28,11 @@ import numpy as np
 
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
-from rolamento.vibration.fault_lines import FaultFrequencies
-from rolamento.vibration.synthesis._checks import check_count, check_within
-
-__all__ = ["Waviness", "WavinessLine", "waviness_acceleration", "waviness_lines"]
+from rolamento.vibration._checks import check_count, check_within
+from rolamento.vibration.frequencies import FaultFrequencies
 
 Surface = Literal["outer", "inner", "ball"]
 Direction = Literal["radial", "axial"]
-
 _TURN: Final = 2.0 * np.pi
 _MOST_WAVES: Final = 10_000
 _LEAST_ANGLE: Final = 1e-3

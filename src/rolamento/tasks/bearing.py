@@ -1,0 +1,141 @@
+"""The case behind a bearing that is a designation, a case file or a case, at some speeds."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from math import pi
+from typing import TYPE_CHECKING, Final
+
+from rolamento.case import Case, load_case, override, parse_case
+from rolamento.case.bearing import Bearing
+from rolamento.case.duty import AXES, LOADS, Duty
+from rolamento.errors import InputError
+from rolamento.units import from_si, to_si
+
+if TYPE_CHECKING:
+    from rolamento.vibration.frequencies import AngleChoice
+
+BearingLike = str | os.PathLike[str] | Bearing | Case
+"""A designation, a case file (``"-"``: on standard input), a bearing or a case."""
+
+_ANGLE_EXAMPLE: Final = 'angle="zero", angle="free" or angle="15 deg"'
+
+
+def is_designation(bearing: BearingLike) -> bool:
+    """Tell a designation from a file: by its ending, or by its being there."""
+    if not isinstance(bearing, str) or bearing == "-":
+        return False
+    if bearing.lower().endswith((".toml", ".json")):
+        return False
+    try:
+        return not os.path.isfile(bearing)
+    except ValueError:
+        return True
+
+
+def case_of(
+    bearing: BearingLike,
+    settings: Sequence[str] = (),
+    inner_speed: float | None = None,
+    outer_speed: float | None = None,
+) -> Case:
+    """Return a case, the case of a file, or one of a bearing without load.
+
+    Parameters
+    ----------
+    bearing
+        Whose case.
+    settings
+        ``KEY=VALUE``, over the case.
+    inner_speed, outer_speed
+        Over both (rad/s); None is not given.
+
+    Raises
+    ------
+    InputError, FileError
+        If there is no such bearing, or the file is no case.
+    """
+    if isinstance(bearing, Case):
+        case = override(bearing, settings) if settings else bearing
+    elif isinstance(bearing, Bearing):
+        case = Case(bearing=bearing, duty=Duty())
+        case = override(case, settings) if settings else case
+    elif is_designation(bearing):
+        case = _case_of_designation(str(bearing), settings)
+    else:
+        case = load_case(bearing, settings)
+    return at_speeds(case, inner_speed, outer_speed)
+
+
+def name_of(bearing: BearingLike, case: Case) -> str:
+    """Return what to call a bearing: by the title of its case, or as it was given."""
+    return case.title or (os.fspath(bearing) if isinstance(bearing, str | os.PathLike) else "")
+
+
+def at_speeds(case: Case, inner_speed: float | None, outer_speed: float | None) -> Case:
+    """Return the case with other speeds of its rings (rad/s); None leaves one as it is.
+
+    Raises
+    ------
+    InputError
+        If a ring cannot turn so fast.
+    """
+    for parameter, field, speed in (
+        ("speed", "inner_speed", inner_speed),
+        ("outer_speed", "outer_speed", outer_speed),
+    ):
+        if speed is None or speed == getattr(case.duty, field):
+            continue
+        given = from_si(speed, "angular_speed")
+        try:
+            case = override(case, [f"duty.{field}={given}"])
+        except InputError as error:
+            example = f'{parameter}="1797 rpm"'
+            raise InputError(error.rule, field=parameter, value=given, example=example) from None
+    return case
+
+
+def _case_of_designation(designation: str, settings: Sequence[str]) -> Case:
+    import json
+
+    named = {"bearing": {"designation": designation}, "duty": {}}
+    try:
+        return parse_case(json.dumps(named), format="json", overrides=settings)
+    except InputError as error:
+        if error.source:
+            raise
+        # the case behind a designation is none of the user's: no line of it is worth telling
+        raise InputError(
+            error.rule, field=error.field, value=error.value, example=error.example
+        ) from None
+
+
+def has_load(case: Case) -> bool:
+    """Tell whether anything presses the balls: a load, a displacement or a preload."""
+    duty = case.duty
+    given = [getattr(duty.load, name) for name in LOADS]
+    given += [getattr(duty.displacement, name) for name in AXES]
+    return any(given) or case.bearing.preload is not None
+
+
+def angle_of(given: str | float) -> float | AngleChoice:
+    """Return a contact angle that is given (rad), or which of its two choices.
+
+    Raises
+    ------
+    InputError
+        If it is none, or no ball could have it.
+    """
+    if given == "zero":
+        return "zero"
+    if given == "free":
+        return "free"
+    try:
+        angle = to_si(given, "angle") if isinstance(given, str) else given
+    except InputError as error:
+        raise error.with_details(field="angle", example=_ANGLE_EXAMPLE) from None
+    if not 0.0 <= angle < 0.5 * pi:
+        rule = "must be at least 0 deg and less than 90 deg"
+        raise InputError(rule, field="angle", value=given, example=_ANGLE_EXAMPLE)
+    return angle

@@ -1,0 +1,420 @@
+"""What a file of vibration says of a bearing: at which speed, by which lines, how sure."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from math import ceil, inf, isfinite, pi
+from typing import Final, Literal, Unpack
+
+from rolamento.case import Case
+from rolamento.case.bearing import Bearing
+from rolamento.errors import InputError
+from rolamento.solved import Solved
+from rolamento.solving import solve
+from rolamento.tasks.bearing import BearingLike, angle_of, at_speeds, case_of, has_load, name_of
+from rolamento.tasks.parameters import Stages, quietly, speed_of
+from rolamento.tasks.shaft_speed import AskedSpeed, KnownSpeed, ShaftSpeed, known_speed
+from rolamento.tasks.signals import Reading, part_of, streamed
+from rolamento.units import rpm_of
+from rolamento.vibration import diagnosis as engine
+from rolamento.vibration.diagnosis import (
+    COMPONENTS,
+    ComponentVerdict,
+    Diagnosis,
+    DiagnosisSettings,
+    FaultOrders,
+)
+from rolamento.vibration.diagnosis.blocks import MOST_SAMPLES
+from rolamento.vibration.frequencies import FaultFrequencies, frequencies_of, nominal_frequencies
+from rolamento.vibration.noise_floor import LOWEST_LINE
+from rolamento.vibration.reading import ReadingNote, open_signal
+from rolamento.vibration.signal import Signal
+from rolamento.vibration.spectrum import Indicators, indicators
+
+Conclusion = Literal["fault", "undecided", "watch", "nothing_found", "no_verdict"]
+
+_CLEAR: Final = 9.0
+"""dB above the noise that a line of noise alone reaches once in three thousand."""
+_WIDEST: Final = 0.1
+"""Part by which a cage may be off in a search."""
+
+
+@dataclass(frozen=True, eq=False)
+class DiagnosisResult:
+    """All that a diagnosis of a file finds.
+
+    Attributes
+    ----------
+    title
+        of the signal
+    bearing_name
+        designation or title of the case
+    bearing
+        whose vibration this is
+    frequencies
+        that were looked for, at the mean speed: of the loaded bearing, or of its geometry
+    diagnosis, settings
+        what was found, and how it was looked for
+    signal
+        that was diagnosed, or its first part if it is long
+    duration
+        of all; s
+    reading_notes
+        how the samples were taken from their file
+    choices
+        those of them that tell what was taken for the rate or the speed where it is told twice
+    speed
+        of the shaft; None if all that is known are the frequencies
+    solved
+        the loaded bearing; None if the frequencies are those of the geometry by choice
+    slip
+        part by which the cage was allowed to be off before the range over the balls widened it;
+        None if nothing did
+    covers_balls
+        whether the orders of all loaded balls were looked for
+    other_rows
+        rows, counted from 0, whose balls have orders that were not
+    """
+
+    title: str
+    bearing_name: str
+    bearing: Bearing
+    frequencies: FaultFrequencies
+    diagnosis: Diagnosis
+    settings: DiagnosisSettings
+    signal: Signal
+    duration: float
+    reading_notes: tuple[str, ...] = ()
+    choices: tuple[ReadingNote, ...] = ()
+    speed: ShaftSpeed | None = None
+    solved: Solved | None = None
+    slip: float | None = None
+    covers_balls: bool = True
+    other_rows: tuple[int, ...] = ()
+
+    @cached_property
+    def indicators(self) -> Indicators:
+        """Size and peakedness of the signal, or of its first part."""
+        return indicators(self.signal)
+
+    @property
+    def still(self) -> bool:
+        """Whether the signal does not change at all."""
+        parts = self.diagnosis.components
+        if parts and all(_is_still(part) for part in parts):
+            return True
+        whole = self.signal.duration >= self.duration * (1.0 - 1e-9)
+        return whole and self.indicators.peak_to_peak == 0.0
+
+    @property
+    def speed_lost(self) -> bool:
+        """Whether the speed was looked for in the vibration, and not found."""
+        return self.speed is not None and self.speed.lost
+
+    @property
+    def verdict(self) -> Conclusion:
+        """What it comes to."""
+        verdicts = {part.verdict for part in self.diagnosis.components}
+        if "fault" in verdicts:
+            return "fault"
+        if self.still:
+            return "no_verdict"
+        if "undecided" in verdicts or self.diagnosis.undecided:
+            return "undecided"
+        if "watch" in verdicts:
+            return "watch"
+        nothing = "nothing_found" in verdicts and self.races_tested and not self.speed_lost
+        return "nothing_found" if nothing else "no_verdict"
+
+    @property
+    def races_tested(self) -> bool:
+        """Whether all races that are looked for were tested: else nothing found is no verdict."""
+        sought = [part for part in self.diagnosis.components if not _has(part, "no_order")]
+        parts = [part for part in sought if part.component in _RACES] or sought
+        return bool(parts) and all(part.verdict != "not_tested" for part in parts)
+
+    @property
+    def own_notes(self) -> tuple[str, ...]:
+        """Names of what is to be known beside the engine's notes."""
+        faults = [part for part in self.diagnosis.components if part.verdict == "fault"]
+        holds = {
+            "not_a_certificate": self.verdict in ("nothing_found", "watch"),
+            "weak_lines": any(_highest_line(part) < _CLEAR for part in faults),
+            "speed_not_found": self.speed_lost,
+            "no_loaded_frequencies": self.solved is not None
+            and self.frequencies.source != "loaded",
+            "range_not_covered": not self.covers_balls,
+            "other_rows": bool(self.other_rows),
+            "inferred_inside": "inferred" in self.bearing.origins.values(),
+        }
+        return tuple(name for name, is_so in holds.items() if is_so)
+
+
+_RACES: Final = ("outer_race", "inner_race")
+"""Most damage begins on them: a record that is silent about one is not one of a healthy bearing."""
+
+
+def _is_still(part: ComponentVerdict) -> bool:
+    return part.verdict == "not_tested" and _has(part, "no_change")
+
+
+def _has(part: ComponentVerdict, reason: str) -> bool:
+    return any(one.name == reason for one in part.reasons)
+
+
+def _highest_line(part: ComponentVerdict) -> float:
+    """Return by how much the highest multiple of a fault stands out; dB, -inf if none is seen."""
+    levels = [line.above_noise for line in part.lines if isfinite(line.above_noise)]
+    return max(levels, default=-inf)
+
+
+@dataclass(frozen=True, slots=True)
+class TooShort:
+    """A record in which no race can be told, by its length: known before it is read.
+
+    Attributes
+    ----------
+    revolutions, least_revolutions
+        that it has, or that the longest stretch has which is judged at once; and from which on it
+        tells something
+    duration
+        of that; s
+    is_stretch
+        whether the shaft is too slow for a stretch, and not the record too short
+    """
+
+    revolutions: float
+    least_revolutions: float
+    duration: float
+    is_stretch: bool
+
+    @property
+    def verdict(self) -> Conclusion:
+        """None, as of a `DiagnosisResult`."""
+        return "no_verdict"
+
+    @property
+    def reason(self) -> Literal["shaft_too_slow", "record_too_short"]:
+        """Name of what is in the way."""
+        return "shaft_too_slow" if self.is_stretch else "record_too_short"
+
+
+def diagnose(
+    path: str | os.PathLike[str],
+    bearing: BearingLike,
+    *,
+    speed: str | float | None = None,
+    outer_speed: str | float | None = None,
+    speed_channel: str | int | None = None,
+    speed_unit: str | None = None,
+    tacho: str | int | None = None,
+    pulses: int | None = None,
+    track: bool = False,
+    within: float | None = None,
+    nominal: bool = False,
+    angle: str | float | None = None,
+    start: float = 0.0,
+    duration: float | None = None,
+    search: DiagnosisSettings | None = None,
+    settings: Sequence[str] = (),
+    stages: Stages = quietly,
+    **reading: Unpack[Reading],
+) -> DiagnosisResult | TooShort:
+    """Tell which parts of a bearing a file of vibration shows to be damaged.
+
+    Parameters
+    ----------
+    path
+        Of the file; a long one is read piece by piece, in bounded memory.
+    bearing
+        Designation, case file or case: with a load, the loaded bearing's frequencies are sought.
+    speed, outer_speed
+        Of the rings, steady: text such as "1797 rpm", or rad/s; by default as the file tells it,
+        or else the case.
+    speed_channel, speed_unit
+        Channel of the same file with the speed, and its unit if the file is silent.
+    tacho, pulses
+        Channel of the same file with pulses of the shaft, and how many there are in a revolution.
+    track, within
+        Whether to find the speed in the vibration itself, about ``speed``, and by which part it
+        may be off anywhere.
+    nominal
+        Whether to look for the geometry's frequencies, whatever the load.
+    angle
+        Of contact, without a load: "zero", "free", an angle such as "15 deg", or rad.
+    start, duration
+        Of the part that is diagnosed; s.
+    search
+        How to look, and how sure to be.
+    settings
+        ``KEY=VALUE``, over the case.
+    stages
+        Is told of "tracking", "solving" and "reading", and how far they are.
+    reading
+        channel, rate, unit, scale and decimal_mark, as of `rolamento.vibration.open_signal`.
+
+    Raises
+    ------
+    FileError, InputError
+        If a file cannot be read, or what is given contradicts itself or does not suffice.
+    """
+    case = _case_sought(bearing, settings)
+    asked = AskedSpeed(
+        inner=speed_of(speed, "speed"),
+        outer=speed_of(outer_speed, "outer_speed"),
+        channel=speed_channel,
+        unit=speed_unit,
+        tacho=tacho,
+        pulses=pulses,
+        track=track,
+        within=within,
+    )
+    of_case = case.duty.inner_speed or None, case.duty.outer_speed or None
+    opened = open_signal(path, speed_channel=speed_channel, speed_unit=speed_unit, **reading)
+    with opened as source:
+        part = part_of(source, start, duration)
+        with stages("tracking") as progress:
+            known = known_speed(asked, of_case, source, part, progress)
+        with stages("solving"):
+            case = at_speeds(case, known.inner, known.outer)
+            frequencies, solved = _frequencies_sought(case, nominal=nominal, angle=angle)
+        wide = widened(frequencies, search or DiagnosisSettings())
+        short = _too_short(frequencies, known, part.stop - part.start, source.rate)
+        if short is not None:
+            return short
+        with stages("reading") as progress:
+            pieces = (source.read(place, min(part.step, part.stop - place)) for place in part)
+            held = streamed(
+                pieces, known.at, lambda done: progress(-(-done // part.step), len(part))
+            )
+            found = engine.diagnose(held.pieces, FaultOrders.of(frequencies), wide.settings)
+        return DiagnosisResult(
+            title=held.first.title or os.fspath(path),
+            bearing_name=name_of(bearing, case),
+            bearing=case.bearing,
+            frequencies=frequencies,
+            diagnosis=found,
+            settings=wide.settings,
+            signal=held.first,
+            duration=held.duration,
+            reading_notes=(*source.notes, *(note.text for note in known.choices)),
+            choices=(*source.choices, *known.choices),
+            speed=known.shaft,
+            solved=solved,
+            slip=wide.slip,
+            covers_balls=wide.covers_balls,
+            other_rows=wide.other_rows,
+        )
+
+
+def _case_sought(bearing: BearingLike, settings: Sequence[str]) -> Case:
+    """Return the case of a bearing; of a designation, one without a load."""
+    try:
+        return case_of(bearing, settings)
+    except InputError as error:
+        if error.field != "bearing.designation" or error.source:
+            raise
+        raise InputError(
+            error.rule, field="bearing", value=error.value, example='bearing="6205"'
+        ) from None
+
+
+def _frequencies_sought(
+    case: Case, *, nominal: bool, angle: str | float | None
+) -> tuple[FaultFrequencies, Solved | None]:
+    """Return the frequencies to look for, and the loaded bearing's solution if its case has a load.
+
+    Those of the loaded bearing, where it has a solution; else those of the geometry, with the
+    contact angle that is wanted.
+    """
+    loaded = has_load(case) and not nominal
+    if loaded and angle is not None:
+        raise InputError(
+            "goes with the geometry's frequencies; here a load makes the angle",
+            field="angle",
+            value=angle,
+            example='nominal=True, angle="free"',
+        )
+    inner, outer = case.duty.inner_speed, case.duty.outer_speed
+    if inner == outer:
+        raise InputError(
+            "is that of the inner ring as well: no ball rolls",
+            field="outer_speed",
+            value=f"{rpm_of(outer):.6g} rpm",
+            example='outer_speed="0 rpm"',
+        )
+    solved = solve(case) if loaded else None
+    if solved is not None and solved.converged[0]:
+        found = frequencies_of(solved)
+        if isfinite(found.cage.order):
+            return found, solved
+    choice = angle_of("zero" if angle is None else angle)
+    return nominal_frequencies(case.bearing, inner, outer, contact_angle=choice), solved
+
+
+@dataclass(frozen=True, slots=True)
+class WidenedSearch:
+    """How widely to look.
+
+    Attributes
+    ----------
+    settings
+        with a tolerance that covers the range over the balls
+    slip
+        the tolerance before that, if the range is wider; else None
+    covers_balls
+        whether all loaded balls are covered: a search has its widest
+    other_rows
+        rows of a set, counted from 0, that are not
+    """
+
+    settings: DiagnosisSettings
+    slip: float | None
+    covers_balls: bool
+    other_rows: tuple[int, ...]
+
+
+def widened(frequencies: FaultFrequencies, settings: DiagnosisSettings) -> WidenedSearch:
+    """Widen a search, as far as it may be, to the orders of all loaded balls."""
+    orders = FaultOrders.of(frequencies)
+    own, slip = _range_over_balls(frequencies, frequencies, orders), settings.tolerance
+    tolerance = max(slip, min(own, _WIDEST))
+    others = [row for row in frequencies.rows if row.row != frequencies.row]
+    return WidenedSearch(
+        settings=replace(settings, tolerance=tolerance),
+        slip=slip if tolerance > slip else None,
+        covers_balls=own <= tolerance,
+        other_rows=tuple(
+            row.row
+            for row in others
+            if _range_over_balls(frequencies, row, orders) > tolerance * (1.0 + 1e-9)
+        ),
+    )
+
+
+def _range_over_balls(own: FaultFrequencies, row: FaultFrequencies, orders: FaultOrders) -> float:
+    """Part by which the cage has to be allowed off for a search to cover the balls of a row."""
+    widest = 0.0
+    for part in COMPONENTS:
+        line, sought_for = row.of_fault(part), own.of_fault(part).order
+        for order in (line.minimum, line.maximum):
+            if isfinite(order) and sought_for > 0.0:
+                widest = max(widest, abs(order / sought_for - 1.0) / orders.tolerance(part, 1.0))
+    return widest
+
+
+def _too_short(
+    frequencies: FaultFrequencies, speed: KnownSpeed, samples: int, rate: float
+) -> TooShort | None:
+    """Tell whether both races lie in the spectrum where no level of noise is known."""
+    orders = [frequencies.of_fault(race).order for race in ("outer_race", "inner_race")]
+    least = (LOWEST_LINE + 1) / max(orders)
+    block = min(samples, MOST_SAMPLES) / rate
+    fastest = max(abs(speed.shaft.minimum), abs(speed.shaft.maximum))
+    turns = block * fastest / (2.0 * pi)
+    if turns >= least:
+        return None
+    return TooShort(turns, ceil(10.0 * least) / 10.0, block, samples > MOST_SAMPLES)

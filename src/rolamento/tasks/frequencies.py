@@ -1,0 +1,139 @@
+"""At which frequencies a bearing tells of damage: by its geometry, and under its load."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import isfinite
+from typing import Final
+
+from rolamento.case.bearing import Bearing
+from rolamento.errors import InputError
+from rolamento.solved import Solved
+from rolamento.solving import solve
+from rolamento.tasks.bearing import (
+    BearingLike,
+    angle_of,
+    case_of,
+    has_load,
+    is_designation,
+    name_of,
+)
+from rolamento.tasks.parameters import speed_of
+from rolamento.vibration.frequencies import FaultFrequencies, frequencies_of
+from rolamento.vibration.frequency_band import (
+    Alternative,
+    Tolerances,
+    alternatives_of,
+    banded_frequencies,
+)
+
+_MOST_HARMONICS: Final = 100
+_MOST_SIDEBANDS: Final = 10
+
+
+@dataclass(frozen=True, slots=True)
+class FrequencyResult:
+    """Fault frequencies of a bearing, by its geometry and under its load.
+
+    Attributes
+    ----------
+    title
+        designation or title of the case
+    bearing
+        whose frequencies these are
+    nominal
+        by its geometry, with bands
+    loaded, solved
+        of the case's load; None without one
+    alternatives
+        of an inferred inside
+    harmonics, sidebands
+        how many the tables show
+    """
+
+    title: str
+    bearing: Bearing
+    nominal: FaultFrequencies
+    loaded: FaultFrequencies | None
+    solved: Solved | None
+    alternatives: tuple[Alternative, ...]
+    harmonics: int
+    sidebands: int
+
+    @property
+    def by_source(self) -> tuple[FaultFrequencies, ...]:
+        """The nominal frequencies of every row, then the loaded ones."""
+        found = (self.nominal,) if self.loaded is None else (self.nominal, self.loaded)
+        return tuple(row for one in found for row in (one.rows or (one,)))
+
+    @property
+    def best(self) -> FaultFrequencies:
+        """The frequencies to look for: the loaded ones where there are any."""
+        loaded = self.loaded
+        return self.nominal if loaded is None or not isfinite(loaded.cage.order) else loaded
+
+
+def fault_frequencies(
+    bearing: BearingLike,
+    *,
+    speed: str | float | None = None,
+    outer_speed: str | float | None = None,
+    slip: float = 0.0,
+    angle: str | float = "zero",
+    tolerances: Tolerances | None = None,
+    harmonics: int = 3,
+    sidebands: int = 1,
+    settings: Sequence[str] = (),
+) -> FrequencyResult:
+    """Find the fault frequencies of a bearing: nominal ones, and loaded ones if it has a load.
+
+    Parameters
+    ----------
+    bearing
+        Designation, case file or case.
+    speed, outer_speed
+        Of the rings: text such as "1797 rpm", or rad/s; by default those of the case.
+    slip
+        Part of the cage's speed against the outer ring that it lags behind, from -1 to 1.
+    angle
+        Of contact, of a bearing given by its clearance: "zero", "free", an angle such as "15 deg",
+        or rad.
+    tolerances
+        By how much what may be off.
+    harmonics, sidebands
+        How many multiples the tables show, 1 to 100, and how many on either side of each, 0 to 10.
+    settings
+        ``KEY=VALUE``, over the case.
+
+    Raises
+    ------
+    FileError, InputError
+        If there is no such bearing, or a number is out of range.
+    """
+    for name, lowest, highest, value in (
+        ("harmonics", 1, _MOST_HARMONICS, harmonics),
+        ("sidebands", 0, _MOST_SIDEBANDS, sidebands),
+    ):
+        if not lowest <= value <= highest:
+            raise InputError(f"must be from {lowest} to {highest}", field=name, value=value)
+    inner, outer = speed_of(speed, "speed"), speed_of(outer_speed, "outer_speed")
+    case = case_of(bearing, settings, inner, outer)
+    duty = case.duty
+    told = inner is not None or outer is not None or duty.inner_speed or duty.outer_speed
+    has_no_duty = isinstance(bearing, Bearing) or is_designation(bearing)
+    speeds = None if has_no_duty and not told else duty.inner_speed, duty.outer_speed
+    contact_angle = angle_of(angle)
+    solved = solve(case) if has_load(case) else None
+    return FrequencyResult(
+        title=name_of(bearing, case),
+        bearing=case.bearing,
+        nominal=banded_frequencies(
+            case.bearing, *speeds, slip=slip, contact_angle=contact_angle, tolerances=tolerances
+        ),
+        loaded=None if solved is None else frequencies_of(solved, slip=slip),
+        solved=solved,
+        alternatives=alternatives_of(case.bearing, *speeds, slip=slip, contact_angle=contact_angle),
+        harmonics=harmonics,
+        sidebands=sidebands,
+    )

@@ -1,0 +1,317 @@
+"""The noise of a bearing in anderons, of files of signals: whether it passes, and how it grows."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from math import isfinite, nan
+from typing import Final, Literal, Unpack
+
+import numpy as np
+
+from rolamento.errors import InputError
+from rolamento.tasks.parameters import Progress, Stages, quietly, speed_of
+from rolamento.tasks.signals import PIECE, Reading
+from rolamento.vibration.anderon import (
+    ACCEPTED,
+    BANDS,
+    Acceptance,
+    BandName,
+    Noise,
+    accept,
+    anderons_of_velocity,
+    measure_noise,
+)
+from rolamento.vibration.anderon_trend import AnderonRecord, AnderonTrend, trend_of
+from rolamento.vibration.reading import ReadingNote, SignalFile, open_signal
+from rolamento.vibration.signal import Signal
+
+_HIGHEST_RATE: Final = 2e7
+_MOST_HOURS: Final = 1e9
+_MOST_SIGNALS: Final = 500
+_LONGEST_NAME: Final = 60
+
+NoiseVerdict = Literal["accepted", "rejected", "not_measured", "none"]
+"""Of a band; of a signal never "not_measured"."""
+
+_CLEAR_OF_FILTER: Final = 2.56
+"""Sampling rate over the highest frequency that recorders usually keep whole."""
+
+
+@dataclass(frozen=True, slots=True)
+class FullScale:
+    """Full scale of a band: in anderons, or as an RMS velocity (m/s)."""
+
+    value: float
+    is_velocity: bool = False
+
+    def anderons(self, name: BandName, speed: float) -> float:
+        """In anderons, at a speed (rad/s)."""
+        return (
+            anderons_of_velocity(self.value, BANDS[name], speed) if self.is_velocity else self.value
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class MeasuredNoise:
+    """Noise of one signal.
+
+    Attributes
+    ----------
+    title
+        of the signal
+    noise
+        as measured
+    hours
+        of the test after which it was recorded; NaN if not told
+    scaled_unit
+        unit that the full scale of a file of whole numbers is taken for; "" otherwise
+    sensitivity
+        by which the samples were scaled; "" if none was given
+    reading_notes
+        how the samples were taken from their file
+    choices
+        those of them that tell what was taken for the rate where it is told twice
+    """
+
+    title: str
+    noise: Noise
+    hours: float = nan
+    scaled_unit: str = ""
+    sensitivity: str = ""
+    reading_notes: tuple[str, ...] = ()
+    choices: tuple[ReadingNote, ...] = ()
+
+    @property
+    def at_test_speed(self) -> bool:
+        """Whether the speed is that of the test, as near as the standard wants it."""
+        return "speed_differs" not in self.noise.notes
+
+    @property
+    def names_of_notes(self) -> tuple[str, ...]:
+        """What is to be known of it, by names of the words."""
+        names, velocity = list(self.noise.notes), self.noise.velocity
+        if "band_incomplete" not in names and velocity.rate < _CLEAR_OF_FILTER * BANDS["high"][1]:
+            names.append("near_half_rate")
+        if velocity.quantity != "velocity":
+            names.append(velocity.quantity)
+        names += ["sensitivity"] if self.sensitivity else []
+        names += ["full_scale_one"] if self.scaled_unit else []
+        return tuple(names)
+
+
+@dataclass(frozen=True, eq=False)
+class NoiseResult:
+    """Noise of one signal or of several of a bearing, and whether it is accepted.
+
+    Attributes
+    ----------
+    measured
+        of every signal, in the order given
+    full_scales
+        by band; of those that are set for the bearing's size and type
+    part
+        of the full scale up to which noise is accepted
+    bearing
+        what the bearing is called
+    """
+
+    measured: tuple[MeasuredNoise, ...]
+    full_scales: Mapping[BandName, FullScale]
+    part: float = ACCEPTED
+    bearing: str = "1"
+
+    def scales_of(self, one: MeasuredNoise) -> dict[BandName, float]:
+        """Full scales in anderons at the speed of a signal."""
+        return {
+            name: scale.anderons(name, one.noise.speed) for name, scale in self.full_scales.items()
+        }
+
+    @cached_property
+    def acceptances(self) -> tuple[Acceptance | None, ...]:
+        """Of every signal; None without full scales."""
+        return tuple(
+            accept(one.noise, self.scales_of(one), self.part) if self.full_scales else None
+            for one in self.measured
+        )
+
+    def limits_of(self, one: MeasuredNoise) -> dict[BandName, float]:
+        """Anderons up to which a signal is accepted."""
+        return {name: self.part * scale for name, scale in self.scales_of(one).items()}
+
+    def verdict_of(self, place: int, name: BandName) -> NoiseVerdict:
+        """Of a band of the signal at a place in the list."""
+        acceptance = self.acceptances[place]
+        if acceptance is None or name not in acceptance.of_full_scale:
+            return "none"
+        if not isfinite(acceptance.of_full_scale[name]):
+            return "not_measured"
+        return "rejected" if name in acceptance.rejected else "accepted"
+
+    @cached_property
+    def verdicts(self) -> tuple[NoiseVerdict, ...]:
+        """Of every signal."""
+        return tuple(
+            "none" if found is None else "accepted" if found.accepted else "rejected"
+            for found in self.acceptances
+        )
+
+    @property
+    def measures_nothing(self) -> bool:
+        """Whether no signal holds any band."""
+        bands = (band for one in self.measured for band in one.noise.bands)
+        return not any(isfinite(band.anderons) for band in bands)
+
+    @cached_property
+    def trend(self) -> AnderonTrend | None:
+        """Over the test, if the hours of at least two signals are told."""
+        if len(self.measured) < 2 or not all(isfinite(one.hours) for one in self.measured):
+            return None
+        records = [
+            AnderonRecord(1, one.hours, {band.name: band.anderons for band in one.noise.bands})
+            for one in self.measured
+        ]
+        return trend_of(records, self.limits_of(self.measured[0]))[0]
+
+
+def anderons(
+    paths: str | os.PathLike[str] | Sequence[str | os.PathLike[str]],
+    *,
+    speed: str | float | None = None,
+    full_scale: Mapping[BandName, FullScale | float] | None = None,
+    accepted: float = ACCEPTED,
+    hours: Sequence[float] | None = None,
+    bearing: str = "1",
+    start: float = 0.0,
+    duration: float | None = None,
+    stages: Stages = quietly,
+    **reading: Unpack[Reading],
+) -> NoiseResult:
+    """Measure the noise of files of signals of one bearing, in bounded memory.
+
+    Parameters
+    ----------
+    paths
+        A file or several.
+    speed
+        Of the inner ring: text such as "1800 rpm", or rad/s; by default as a file tells it, or else
+        that of the standard.
+    full_scale
+        By band: anderons, or a `FullScale`; without one there is no verdict.
+    accepted
+        Part of the full scale up to which noise is accepted.
+    hours
+        Of the test after which each signal was recorded.
+    bearing
+        What to call it.
+    start, duration
+        Of the part of each signal; s.
+    stages
+        Is told of "reading" for each file, and how far that is.
+    reading
+        channel, rate, unit, scale and decimal_mark, as of `rolamento.vibration.open_signal`.
+
+    Raises
+    ------
+    FileError, InputError
+        If a file cannot be read, does not say what it measures or does not change, or a parameter
+        is out of range.
+    """
+    files = [paths] if isinstance(paths, str | os.PathLike) else list(paths)
+    if not 1 <= len(files) <= _MOST_SIGNALS:
+        raise InputError(f"must be 1 to {_MOST_SIGNALS} files", field="signals", value=len(files))
+    if not bearing.strip() or len(bearing) > _LONGEST_NAME or not bearing.isprintable():
+        rule = f"must be one line of {_LONGEST_NAME} characters at most"
+        raise InputError(rule, field="bearing", value=bearing, example='bearing="9"')
+    if not 0.0 < accepted <= 1.0:
+        rule = "must be a part over 0 and up to 1"
+        raise InputError(rule, field="accepted", value=accepted, example="accepted=0.4")
+    times = [nan] * len(files) if hours is None else list(hours)
+    if hours is not None and (
+        len(times) != len(files) or not all(0.0 <= time <= _MOST_HOURS for time in times)
+    ):
+        rule = f"must be a number of hours from 0 on for each signal, here {len(files)}"
+        raise InputError(
+            rule, field="hours", value=", ".join(map(str, times)), example="hours=[60, 120, 180]"
+        )
+    inner_speed = speed_of(speed, "speed")
+    if inner_speed == 0.0:
+        rule = "must not be 0: a bearing that stands still makes no noise"
+        raise InputError(rule, field="speed", example='speed="1800 rpm"')
+    measured = []
+    for path, time in zip(files, times, strict=True):
+        with stages("reading") as progress:
+            opened = open_signal(path, start=start, duration=duration, **reading)
+            with opened as source:
+                noise = _noise_of(source, os.fspath(path), inner_speed, progress)
+                scale = reading.get("scale")
+                measured.append(
+                    MeasuredNoise(
+                        title=source.path.name,
+                        noise=noise,
+                        hours=time,
+                        scaled_unit=_unit_of_full_scale(source, reading),
+                        sensitivity="" if scale is None else str(scale),
+                        reading_notes=source.notes,
+                        choices=source.choices,
+                    )
+                )
+    scales = {
+        name: scale if isinstance(scale, FullScale) else FullScale(scale)
+        for name, scale in (full_scale or {}).items()
+    }
+    found = NoiseResult(tuple(measured), scales, accepted, bearing)
+    _check_speeds(found)
+    return found
+
+
+def _noise_of(source: SignalFile, path: str, speed: float | None, progress: Progress) -> Noise:
+    """Measure a file whose unit is known, at the speed that is given, if one is."""
+    if source.quantity == "unknown":
+        unit = source.unit
+        rule = f'is "{unit}"' if unit not in ("", "1") else "is not in the file"
+        raise InputError(
+            f"{rule}: give that of a velocity, an acceleration or a displacement, or the"
+            " sensitivity of the sensor",
+            field="unit",
+            example='unit="um/s", unit="m/s^2" or scale="100 mV/g"',
+            source=path,
+        )
+    if source.rate > _HIGHEST_RATE:
+        raise InputError(
+            f"must be at most {_HIGHEST_RATE:g} Hz: the bands end at 10 kHz",
+            field="rate",
+            value=source.rate,
+            source=path,
+        )
+
+    def blocks() -> Iterator[Signal]:
+        for place, block in enumerate(source.blocks(PIECE), start=1):
+            yield block if speed is None else replace(block, speed=np.asarray(speed))
+            progress(place, -(-source.length // PIECE))
+
+    try:
+        return measure_noise(blocks())
+    except InputError as error:
+        raise error.with_details(source=path) from None
+
+
+def _unit_of_full_scale(source: SignalFile, reading: Reading) -> str:
+    """Return the unit that a recorder's full scale is taken for; "" if nothing of the kind is."""
+    if source.channel.unit != "1" or reading.get("scale") is not None:
+        return ""
+    return reading.get("unit") or ""
+
+
+def _check_speeds(found: NoiseResult) -> None:
+    """Refuse a trend against velocities where the speeds differ: limits in anderons would too."""
+    speeds = [one.noise.speed for one in found.measured]
+    in_velocity = any(scale.is_velocity for scale in found.full_scales.values())
+    if found.trend is not None and in_velocity and max(speeds) > 1.001 * min(speeds):
+        raise InputError(
+            "must be in anderons, as the speeds of the signals differ",
+            field="full_scale",
+            example='full_scale={"low": 30.0}',
+        )

@@ -1,0 +1,129 @@
+"""A part of a signal's file, as one signal if it is short, and piece by piece if it is long."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, replace
+from itertools import chain, islice
+from typing import Final, TypedDict
+
+import numpy as np
+
+from rolamento.errors import InputError
+from rolamento.vibration.reading import SignalFile
+from rolamento.vibration.signal import Signal
+
+PIECE: Final = 2**20
+"""Samples that are read at a time."""
+_WHOLE: Final = 8
+"""Pieces up to which a signal is taken as one."""
+
+AtSpeed = Callable[[Signal, int], Signal]
+"""Gives a piece of a signal its speed, from the number of its first sample on."""
+
+
+class Reading(TypedDict, total=False):
+    """What a file does not tell of its signal; as of `rolamento.vibration.open_signal`."""
+
+    channel: str | int | None
+    rate: float | None
+    unit: str | None
+    scale: float | str | None
+    decimal_mark: str | None
+
+
+@dataclass(slots=True)
+class Streamed:
+    """A signal of which only a piece is held, beside its first one.
+
+    Attributes
+    ----------
+    first
+        piece, for pictures; of a short signal, all of it
+    pieces
+        all that follow each other, from the first on; to be read once
+    samples
+        how many were read so far
+    """
+
+    first: Signal
+    pieces: Signal | Iterable[Signal]
+    samples: int
+
+    @property
+    def duration(self) -> float:
+        """Of what was read so far; s."""
+        return self.samples / self.first.rate
+
+
+def part_of(file: SignalFile, start: float, duration: float | None) -> range:
+    """Return the samples of a part of a file, as a range in steps of `PIECE`; start, duration in s.
+
+    Raises
+    ------
+    InputError
+        If the part does not lie within the file.
+    """
+    known = f"{file.duration:.6g} s"
+    if not start >= 0.0:
+        raise InputError("must be at least 0", field="start", value=start, example="start=2")
+    first = round(start * file.rate)
+    if first >= file.length:
+        rule = f"must lie before the end of the signal, {known}"
+        raise InputError(rule, field="start", value=f"{start:g} s", example="start=2")
+    count = file.length - first
+    if duration is not None:
+        # a part of a sample more is no more than rounding
+        if not 1 <= round(duration * file.rate) <= count + 1:
+            rule = f"must be over 0 and end within the signal, which lasts {known}"
+            raise InputError(rule, field="duration", value=f"{duration:g} s", example="duration=10")
+        count = min(round(duration * file.rate), count)
+    return range(first, first + count, PIECE)
+
+
+def streamed(pieces: Iterable[Signal], at: AtSpeed, read: Callable[[int], None]) -> Streamed:
+    """Take a signal as one if it is short, and piece by piece if it is long.
+
+    Parameters
+    ----------
+    pieces
+        Consecutive parts, each read when it is asked for; at least one.
+    at
+        Gives each its speed.
+    read
+        Is told how many samples were read, as they are read.
+    """
+    source = _with_speed(pieces, at)
+    held = list(islice(source, _WHOLE + 1))
+    found = Streamed(held[0], (), sum(len(piece.samples) for piece in held))
+    read(found.samples)
+    if len(held) <= _WHOLE:
+        found.first = _joined(held)
+        found.pieces = found.first
+        return found
+
+    def rest() -> Iterator[Signal]:
+        for piece in source:
+            found.samples += len(piece.samples)
+            read(found.samples)
+            yield piece
+
+    found.pieces = chain(held, rest())
+    return found
+
+
+def _with_speed(pieces: Iterable[Signal], at: AtSpeed) -> Iterator[Signal]:
+    first = 0
+    for piece in pieces:
+        yield at(piece, first)
+        first += len(piece.samples)
+
+
+def _joined(pieces: list[Signal]) -> Signal:
+    if len(pieces) == 1:
+        return pieces[0]
+    speed = pieces[0].speed
+    if speed is not None and speed.ndim:
+        speed = np.concatenate([piece.speed for piece in pieces if piece.speed is not None])
+    samples = np.concatenate([piece.samples for piece in pieces])
+    return replace(pieces[0], samples=samples, speed=speed)

@@ -1,0 +1,374 @@
+"""A vibration signal of a bearing with known damage, written with its truth."""
+
+from __future__ import annotations
+
+import os
+import shlex
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from math import isfinite, log10, nan, pi, sqrt
+from typing import Final, Literal, NamedTuple
+
+import numpy as np
+
+from rolamento._writing import write_text
+from rolamento.case.bearing import Bearing
+from rolamento.errors import InputError
+from rolamento.report.synthesis import truth_json
+from rolamento.solved import Solved
+from rolamento.solving import solve
+from rolamento.tasks.bearing import BearingLike, case_of, has_load, name_of
+from rolamento.tasks.parameters import speed_of
+from rolamento.units import rpm_of
+from rolamento.vibration.frequencies import FaultFrequencies, frequencies_of, nominal_frequencies
+from rolamento.vibration.synthesis import (
+    DEFAULT_MODES,
+    Fault,
+    FaultTruth,
+    LoadDistribution,
+    Mode,
+    Noise,
+    Recipe,
+    SpeedProfile,
+    SteadySpeed,
+    Synthesis,
+    TransferPath,
+    Waviness,
+    waviness_lines,
+)
+from rolamento.vibration.synthesis import synthesise as signal_of
+from rolamento.vibration.writing import check_signal_name, write_signal
+
+MOST_SAMPLES: Final = 20_000_000
+"""Of a signal that is made at once: 1.6 GB of memory."""
+_MOST_FAULTS: Final = 20
+
+_MOST_RINGING: Final = 400_000_000
+_MOST_WAVING: Final = 5_000_000_000
+"""Samples, times faults and modes, and times lines: each takes about two minutes."""
+
+LoadName = Literal["uniform", "radial", "solved"]
+
+_TURN: Final = 2.0 * pi
+
+
+class PlantedFault(NamedTuple):
+    """What a fault makes: impacts with any force, power over the noise's (dB)."""
+
+    fault: Fault
+    truth: FaultTruth
+    impacts: int
+    to_noise: float
+
+
+class PlantedLine(NamedTuple):
+    """A line of a wavy surface or the shaft: waves a turn, order, Hz, amplitude (m), RMS (m/s²)."""
+
+    source: Literal["outer", "inner", "ball", "shaft"]
+    waves: int
+    order: float
+    frequency: float
+    amplitude: float
+    rms: float
+
+
+@dataclass(frozen=True, eq=False)
+class SynthesisResult:
+    """A synthetic signal with its truth, and where both were written.
+
+    Attributes
+    ----------
+    name
+        designation or title of the case
+    source
+        what the bearing was given as
+    bearing
+        whose vibration this is
+    made
+        the signal and its truth
+    load, extent
+        name of the load distribution; ε of a radial one
+    path, truth_path
+        where signal and truth were written; "" and None if they were not
+    """
+
+    name: str
+    source: str
+    bearing: Bearing
+    made: Synthesis
+    load: LoadName
+    extent: float
+    path: str
+    truth_path: str | None
+
+    @property
+    def recipe(self) -> Recipe:
+        """That the signal was made by."""
+        return self.made.truth.recipe
+
+    @cached_property
+    def rms(self) -> float:
+        """Of the signal; m/s²."""
+        return sqrt(float(np.mean(np.square(self.made.signal.samples))))
+
+    @cached_property
+    def faults(self) -> tuple[PlantedFault, ...]:
+        """What each fault makes."""
+        truth = self.made.truth
+        found = []
+        for fault, told in zip(self.recipe.faults, truth.faults, strict=True):
+            struck = int(np.count_nonzero(told.strengths > 0.0))
+            to_noise = _decibels(told.rms, truth.noise_level)
+            found.append(PlantedFault(fault, told, struck, to_noise))
+        return tuple(found)
+
+    @cached_property
+    def lines(self) -> tuple[PlantedLine, ...]:
+        """Lines of waviness and of the shaft, the strongest first."""
+        shaft = abs(float(np.mean(self.made.truth.speed))) / _TURN
+        found = [
+            PlantedLine(
+                line.surface, line.waves, line.order, line.order * shaft, line.amplitude,
+                line.amplitude * (_TURN * line.order * shaft) ** 2 / sqrt(2.0),
+            )
+            for line in self.made.truth.waviness_lines
+        ]  # fmt: skip
+        for order, size in enumerate(self.recipe.shaft_harmonics, start=1):
+            place = order * shaft
+            amplitude = size / (_TURN * place) ** 2
+            found.append(
+                PlantedLine("shaft", order, float(order), place, amplitude, size / sqrt(2.0))
+            )
+        return tuple(sorted(found, key=lambda line: -line.rms))
+
+    @property
+    def steady(self) -> bool:
+        """Whether the shaft keeps its speed."""
+        return self.recipe.speed is None or isinstance(self.recipe.speed, SteadySpeed)
+
+    @property
+    def command(self) -> str:
+        """How to have the signal diagnosed; what its file tells is left out."""
+        words = ["rolamento", "diagnose", self.path, "--bearing", self.source]
+        found = self.recipe.frequencies
+        if self.path.lower().endswith(".wav") or found.outer_speed != 0.0:
+            words += ["--speed", f"{rpm_of(found.inner_speed):.6g} rpm"]
+        if found.outer_speed != 0.0:
+            words += ["--outer-speed", f"{rpm_of(found.outer_speed):.6g} rpm"]
+        return shlex.join(words)
+
+
+@dataclass(frozen=True, slots=True)
+class Unsolved:
+    """A bearing whose case has a load and no solution: no signal can be made of it."""
+
+    solved: Solved
+
+
+def synthesise(
+    bearing: BearingLike,
+    path: str | os.PathLike[str] | None = None,
+    *,
+    speed: str | float | None = None,
+    outer_speed: str | float | None = None,
+    slip: float = 0.0,
+    faults: Sequence[Fault] = (),
+    load: LoadName | None = None,
+    extent: float = 0.5,
+    load_azimuth: float = 0.0,
+    load_turns: float = 0.0,
+    speed_profile: Callable[[float], SpeedProfile] | None = None,
+    transfer: TransferPath | None = None,
+    modes: Sequence[Mode] = DEFAULT_MODES,
+    shaft_harmonics: Sequence[float] = (),
+    waviness: Sequence[Waviness] = (),
+    noise: Noise | None = None,
+    duration: float = 10.0,
+    rate: float = 51_200.0,
+    seed: int = 0,
+    truth_path: str | os.PathLike[str] | None = None,
+    settings: Sequence[str] = (),
+) -> SynthesisResult | Unsolved:
+    """Make a vibration signal of a bearing, and write it with all that is known of it.
+
+    Parameters
+    ----------
+    bearing
+        Designation, case file or case; a case with a load is solved.
+    path
+        A .wav, .csv or .npz file; nothing is written by default.
+    speed, outer_speed
+        Of the rings: text such as "1797 rpm", or rad/s; by default those of the case.
+    slip
+        Part of the cage's speed against the outer ring that it lags behind.
+    faults
+        Damage.
+    load, extent, load_azimuth
+        That the strengths of impacts go with: "uniform"; "radial", with ε of the load zone and the
+        direction (rad); or "solved", of a case with a load, and then the default.
+    load_turns, modes, shaft_harmonics, waviness, duration, rate, seed
+        As of a `Recipe`.
+    speed_profile
+        Gives the speed over time from its mean (rad/s), such as ``partial(SwingingSpeed,
+        depth=0.02, frequency=0.3)``; steady by default.
+    transfer
+        From the impacts to the sensor.
+    noise
+        Beside all that.
+    truth_path
+        A file of JSON.
+    settings
+        ``KEY=VALUE``, over the case.
+
+    Raises
+    ------
+    FileError, InputError
+        If there is no such bearing, nothing turns, a parameter is out of range, the signal would
+        be silent or too long, or cannot be written.
+    """
+    case = case_of(
+        bearing, settings, speed_of(speed, "speed"), speed_of(outer_speed, "outer_speed")
+    )
+    inner, outer = case.duty.inner_speed, case.duty.outer_speed
+    if inner == outer:
+        raise InputError(
+            "is missing: nothing turns" if inner == 0.0 else "is that of both rings: no ball rolls",
+            field="speed",
+            example='speed="1797 rpm"',
+        )
+    solved = solve(case) if has_load(case) else None
+    if solved is None:
+        frequencies = nominal_frequencies(case.bearing, inner, outer, slip=slip)
+    elif not solved.converged[0]:
+        return Unsolved(solved)
+    else:
+        frequencies = frequencies_of(solved, slip=slip)
+    _check_size(faults, waviness, shaft_harmonics, noise, duration, rate)
+    kind = load or ("uniform" if solved is None else "solved")
+    mean = frequencies.inner_speed if frequencies.shaft == "inner" else frequencies.outer_speed
+    name = name_of(bearing, case)
+    recipe = Recipe(
+        frequencies=replace(frequencies, rows=()),
+        speed=None if speed_profile is None else speed_profile(mean),
+        duration=duration,
+        rate=rate,
+        faults=tuple(faults),
+        load=_distribution(kind, extent, load_azimuth, solved, frequencies),
+        load_turns=load_turns,
+        path=transfer or TransferPath(),
+        modes=tuple(modes) or DEFAULT_MODES,
+        shaft_harmonics=tuple(shaft_harmonics),
+        waviness=tuple(waviness),
+        noise=noise,
+        seed=seed,
+        title=f"synthetic, {name}"[:300],
+    )
+    _check_work(recipe)
+    if path is not None:
+        check_signal_name(path, recipe.count, recipe.rate)
+    made = signal_of(recipe)
+    _refuse_silence(made)
+    found = SynthesisResult(
+        name=name,
+        source=os.fspath(bearing) if isinstance(bearing, str | os.PathLike) else name,
+        bearing=case.bearing,
+        made=made,
+        load=kind,
+        extent=extent if kind == "radial" else nan,
+        path="" if path is None else os.fspath(path),
+        truth_path=None if truth_path is None else os.fspath(truth_path),
+    )
+    truth = None if truth_path is None else truth_json(found) + "\n"
+    if path is not None:
+        write_signal(made.signal, path)
+    if truth_path is not None and truth is not None:
+        write_text(truth, truth_path)
+    return found
+
+
+def _check_size(
+    faults: Sequence[Fault],
+    waviness: Sequence[Waviness],
+    shaft_harmonics: Sequence[float],
+    noise: Noise | None,
+    duration: float,
+    rate: float,
+) -> None:
+    """Refuse what would be silent, or too much for memory."""
+    if len(faults) > _MOST_FAULTS:
+        raise InputError(f"may be {_MOST_FAULTS} at most", field="faults", value=len(faults))
+    if not (faults or waviness or shaft_harmonics or noise):
+        raise InputError(
+            "would be silent: give faults=…, waviness=…, shaft_harmonics=… or noise=…",
+            field="signal",
+            example="faults=…, noise=…",
+        )
+    if not duration * rate <= MOST_SAMPLES:
+        raise InputError(
+            f"gives more than {MOST_SAMPLES} samples at this rate",
+            field="duration",
+            value=f"{duration:g} s",
+            example="duration=10",
+        )
+
+
+def _distribution(
+    kind: LoadName,
+    extent: float,
+    azimuth: float,
+    solved: Solved | None,
+    frequencies: FaultFrequencies,
+) -> LoadDistribution:
+    if kind == "uniform":
+        return LoadDistribution.uniform()
+    if kind == "radial":
+        return LoadDistribution.radial(extent=extent, azimuth=azimuth)
+    if kind != "solved":
+        rule = "must be one of uniform, radial, solved"
+        raise InputError(rule, field="load", value=kind, example='load="radial"')
+    if solved is None:
+        raise InputError(
+            "needs a case file with a load", field="load", value=kind, example='load="radial"'
+        )
+    return LoadDistribution.of_solved(solved, row=frequencies.row)
+
+
+def _check_work(recipe: Recipe) -> None:
+    """Refuse what would take many minutes."""
+    lines = sum(len(waviness_lines(recipe.frequencies, wavy)) for wavy in recipe.waviness)
+    waving = recipe.count * (lines + len(recipe.shaft_harmonics))
+    if recipe.count * len(recipe.faults) * len(recipe.modes) > _MOST_RINGING:
+        field, what = "duration", "faults and modes"
+    elif waving > _MOST_WAVING:
+        field, what = "waviness", "lines"
+    else:
+        return
+    raise InputError(
+        f"would take too long: {recipe.count} samples with so many {what}", field=field
+    )
+
+
+def _refuse_silence(made: Synthesis) -> None:
+    """Refuse a ratio to faults that are never struck, and a signal without anything in it."""
+    recipe = made.truth.recipe
+    struck = any((one.strengths > 0.0).any() for one in made.truth.faults)
+    has_ratio = recipe.noise is not None and recipe.noise.ratio is not None
+    if recipe.faults and has_ratio and made.truth.noise_level == 0.0 and not struck:
+        raise InputError(
+            "is the ratio to faults that make no impact with any force: no ball is pressed where"
+            " they lie, or the signal is too short",
+            field="ratio",
+            value=recipe.noise.ratio if recipe.noise else None,
+        )
+    if not made.signal.samples.any():
+        rule = "is silent: no part of it has any strength"
+        if recipe.faults:
+            rule += "; no ball is pressed where the damage lies, or the signal is too short"
+        raise InputError(rule, field="signal", example='load="uniform"')
+
+
+def _decibels(rms: float, noise: float) -> float:
+    if not (rms > 0.0 and noise > 0.0 and isfinite(rms)):
+        return nan
+    return 20.0 * log10(rms / noise)

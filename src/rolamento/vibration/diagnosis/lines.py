@@ -1,0 +1,77 @@
+"""Lines of a spectrum: how far the taper spreads them, which are alike, which are of the mains."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Final
+
+import numpy as np
+from scipy import fft
+
+from rolamento.numerics import BoolArray, FloatArray, IntArray
+
+_TAPERED: Final = 0.1
+"""Of a block, half at either end: enough that strong tones do not spread far, and little enough
+that the lines of noise stay independent of their neighbours."""
+_LENGTH: Final = 4096
+_OVERSAMPLING: Final = 8
+
+
+def taper(places: FloatArray) -> FloatArray:
+    """Tukey's window at places from 0 to 1 of a block; as `places`."""
+    edge = np.minimum(places, 1.0 - places) / (0.5 * _TAPERED)
+    window = np.ones_like(edge)
+    sloping = edge < 1.0
+    window[sloping] = 0.5 * (1.0 - np.cos(np.pi * np.clip(edge[sloping], 0.0, 1.0)))
+    return window
+
+
+@cache
+def tone_leakage() -> FloatArray:
+    """Maximum power, over that of its peak, that a tone leaves so many lines away or farther."""
+    return _spread(taper((np.arange(_LENGTH) + 0.5) / _LENGTH))
+
+
+@cache
+def envelope_leakage() -> FloatArray:
+    """As `tone_leakage`, of a line in the spectrum of the squared envelope."""
+    return _spread(np.square(taper((np.arange(_LENGTH) + 0.5) / _LENGTH)))
+
+
+def reach(leakage: FloatArray, ratio: float) -> int:
+    """Lines from a peak within which it leaves more than 1 over a ratio of its power."""
+    return int(np.searchsorted(-leakage, -1.0 / max(ratio, 1.0)))
+
+
+def _spread(window: FloatArray) -> FloatArray:
+    power = np.square(np.abs(fft.rfft(window, _OVERSAMPLING * _LENGTH)))
+    # a peak may lie half a line off its line
+    farther = np.maximum.accumulate(power[::-1])[::-1] / power[0]
+    half = _OVERSAMPLING // 2
+    lines = np.maximum(np.arange(_LENGTH // 4) * _OVERSAMPLING - half, 0)
+    return np.asarray(farther[lines])
+
+
+# --- neighbouring lines that are alike -----------------------------------------------------------
+
+
+def runs(lines: BoolArray) -> tuple[IntArray, IntArray]:
+    """First places of runs of true values, and the places after their last."""
+    edges = np.flatnonzero(np.diff(lines, prepend=False, append=False))
+    return edges[::2], edges[1::2]
+
+
+# --- lines of the electric supply ----------------------------------------------------------------
+
+
+MAINS: Final = (50.0, 60.0)
+"""Hz."""
+_OFF: Final = 0.001
+"""Part by which a grid's frequency may be off."""
+_LINES: Final = 1.5
+
+
+def is_near_mains(hertz: FloatArray, resolution: float, mains: float) -> BoolArray:
+    """Which frequencies are multiples of the mains', as far as lines so far apart can tell; Hz."""
+    number = np.maximum(np.rint(hertz / mains), 1.0)
+    return np.abs(hertz - number * mains) <= np.maximum(_LINES * resolution, _OFF * hertz)
