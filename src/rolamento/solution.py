@@ -10,10 +10,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento.case import Case
+from rolamento.case.varied import DutyFields, bounded, varied_arrays
 from rolamento.numerics.threads import thread_count
 from rolamento.rows import ball as equilibrium
 from rolamento.rows.ball import BatchState
-from rolamento.rows.ball.columns import DutyFields, batch_arrays, bounded, spread
+from rolamento.rows.ball.columns import spread
 from rolamento.rows.ball.record import state_of
 from rolamento.state import State
 from rolamento.status import CONVERGED, NOT_CONVERGED
@@ -118,5 +119,5 @@ def _mounted(case: Case, given: Mapping[str, ArrayLike]) -> tuple[Case, dict[str
     """The case without its mounting, and the fields with the clearance in operation."""
     from rolamento.clearance import operating_batch
 
-    running, fields = operating_batch(case, bounded(batch_arrays(given)))
+    running, fields = operating_batch(case, bounded(varied_arrays(given)))
     return running, dict(fields)

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from rolamento import Case, Duty, InputError, Load, load_case
-from rolamento.case.arrangement import Row
+from rolamento.case.arrangement import BallRow
 from rolamento.plots.cage_turn import cage_turn_figure
 from rolamento.solving import solve
 from rolamento.studies.cage_turn import CageTurn, cage_turn
@@ -155,8 +155,8 @@ def test_the_first_harmonic_is_the_amplitude_of_the_wave(case_218: Case) -> None
 
 def two_rows(case: Case, **second: Any) -> Case:
     rows = (
-        Row(orientation="+", position="-15 mm"),
-        Row(orientation="-", position="15 mm", **second),
+        BallRow(orientation="+", position="-15 mm"),
+        BallRow(orientation="-", position="15 mm", **second),
     )
     return case.replace(bearing=case.bearing.replace(rows=rows, preload="500 N"))
 

@@ -22,7 +22,7 @@ from rolamento import (
     solving,
 )
 from rolamento.case import case_to_json, case_to_toml
-from rolamento.case._catalogue_sizes import with_catalogue_sizes
+from rolamento.case.case import _with_catalogue_sizes
 from rolamento.clearance import class_clearance, clearance_of_case
 from rolamento.life import conditions_of, life
 from rolamento.report.language import PORTUGUESE
@@ -127,13 +127,13 @@ def test_replenishment_gets_them_as_well() -> None:
     "given", [{}, {"mounting": None}, {"mounting": 3}, {"mounting": {}, "bearing": None}]
 )
 def test_what_is_no_table_stays_as_it_is(given: dict[str, Any]) -> None:
-    assert with_catalogue_sizes(given, in_file=True) == given
+    assert _with_catalogue_sizes(given, in_file=True) == given
 
 
 @pytest.mark.parametrize("designation", [6305, "6305"])
 def test_a_number_is_a_designation(designation: object) -> None:
     given = {"mounting": {}, "bearing": {"designation": designation}}
-    found = with_catalogue_sizes(given, in_file=True)
+    found = _with_catalogue_sizes(given, in_file=True)
     assert found["mounting"] == {"bore": "25 mm", "outside_diameter": "62 mm"}
     assert given["mounting"] == {}
 

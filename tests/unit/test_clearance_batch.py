@@ -8,10 +8,9 @@ import numpy as np
 import pytest
 
 from rolamento import Case, InputError, parse_case, solve, solve_batch, solving
-from rolamento.case._overrides import overridden
+from rolamento.case.varied import batch_fields
 from rolamento.clearance import MOUNTED_FIELDS, clearance_of_case, operating_batch
 from rolamento.life import life
-from rolamento.rows.ball import batch_fields
 from rolamento.studies import Axis, Study, run
 
 DEEP = """
@@ -79,8 +78,7 @@ VALUES = {
 
 def changed(case: Case, name: str, value: float) -> Case:
     """The case with one number changed, the rival that it replaces gone."""
-    mapping = case.model_dump(exclude_unset=True, exclude_none=True)
-    return Case(**overridden(mapping, [f"{name}={float(value)!r}"], Case)[0])
+    return case.with_({name: float(value)})
 
 
 @pytest.mark.parametrize("text", [DEEP, ANGULAR], ids=["6305", "218"])

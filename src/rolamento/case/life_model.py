@@ -6,8 +6,8 @@ from typing import Annotated, Final, Literal, Self
 
 from pydantic import AfterValidator, Field, model_validator
 
-from rolamento.case.quantity import Line, Quantity, Ratio
-from rolamento.case.record import Record
+from rolamento.case.quantity import Line, Quantity, Ratio, Replaces
+from rolamento.case.record import Record, refuse_rivals
 from rolamento.errors import InputError
 from rolamento.iso4406 import cleanliness_numbers
 
@@ -16,8 +16,8 @@ __all__ = ["DIRT", "LifeModel", "TallianFactors"]
 DIRT: Final = ("contamination", "cleanliness", "filter_size", "grease_cleanliness")
 """Of these a case takes one: how dirty the lubricant is."""
 
-_Rating = Annotated[float, Quantity("force", above="0 N", at_most="1e9 N")]
-_Factor = Annotated[float, Ratio(above=0.0, at_most=1000.0)]
+_Rating = Annotated[float, Quantity("force", above="0 N", at_most="1e9 N", varies=True)]
+_Factor = Annotated[float, Ratio(above=0.0, at_most=1000.0, varies=True)]
 _TallianFactor = Annotated[float, Ratio(above=0.0, at_most=1e300)]
 
 
@@ -134,34 +134,39 @@ class LifeModel(Record):
     static_rating: _Rating | None = Field(None, examples=["11.2 kN"])
     fatigue_load_limit: _Rating | None = Field(None, examples=["475 N"])
     fatigue_load_method: Literal["contacts", "estimate"] = Field("contacts", examples=["contacts"])
-    contamination: Annotated[float, Ratio(at_least=0.0, at_most=1.0)] | None = Field(
-        None, examples=[0.5]
-    )
-    cleanliness: Annotated[Line, AfterValidator(_a_code)] | None = Field(None, examples=["-/17/14"])
+    contamination: Annotated[
+        Annotated[float, Ratio(at_least=0.0, at_most=1.0, varies=True)] | None,
+        Replaces(*DIRT, "oil_supply", "filter_ratio"),
+    ] = Field(None, examples=[0.5])
+    cleanliness: Annotated[
+        Annotated[Line, AfterValidator(_a_code)] | None, Replaces(*DIRT, "filter_ratio")
+    ] = Field(None, examples=["-/17/14"])
     oil_supply: Literal["circulating", "bath"] | None = Field(None, examples=["bath"])
-    filter_size: Annotated[float, Quantity("length", at_least="0.1 um", at_most="1 mm")] | None = (
-        Field(None, examples=["12 um"])
-    )
+    filter_size: Annotated[
+        Annotated[float, Quantity("length", at_least="0.1 um", at_most="1 mm")] | None,
+        Replaces(*DIRT, "oil_supply"),
+    ] = Field(None, examples=["12 um"])
     filter_ratio: Annotated[float, Ratio(above=1.0, at_most=1e6)] | None = Field(
         None, examples=[200]
     )
-    grease_cleanliness: Literal["high", "normal", "slight", "severe", "very_severe"] | None = Field(
-        None, examples=["normal"]
-    )
+    grease_cleanliness: Annotated[
+        Literal["high", "normal", "slight", "severe", "very_severe"] | None,
+        Replaces(*DIRT, "oil_supply", "filter_ratio"),
+    ] = Field(None, examples=["normal"])
     additives: bool = Field(False, strict=True, examples=[False])
-    viscosity_ratio: Annotated[float, Ratio(above=0.0, at_most=1e6)] | None = Field(
+    viscosity_ratio: Annotated[float, Ratio(above=0.0, at_most=1e6, varies=True)] | None = Field(
         None, examples=[1.5]
     )
     rotating_load: bool = Field(False, strict=True, examples=[True])
     edition: Literal["2007", "1990"] = Field("2007", examples=["2007"])
     material_factor: _Factor | None = Field(None, examples=[1.0])
     operation_factor: _Factor | None = Field(None, examples=[0.8])
-    fatigue_limit: Annotated[float, Quantity("stress", at_least="0 Pa", at_most="100 GPa")] = Field(
-        374e6, examples=["374 MPa"]
-    )
+    fatigue_limit: Annotated[
+        float, Quantity("stress", at_least="0 Pa", at_most="100 GPa", varies=True)
+    ] = Field(374e6, examples=["374 MPa"])
     depth: Literal["local", "mean"] = Field("local", examples=["local"])
-    nsk_cleanliness: Annotated[float, Ratio(at_least=0.05, at_most=1.0)] | None = Field(
-        None, examples=[0.8]
+    nsk_cleanliness: Annotated[float, Ratio(at_least=0.05, at_most=1.0, varies=True)] | None = (
+        Field(None, examples=[0.8])
     )
     tallian_subsurface: TallianFactors | None = None
     tallian_surface: TallianFactors | None = None
@@ -178,9 +183,7 @@ class LifeModel(Record):
                 field="tallian_surface." + ("failure_rate" if missing else "defect_shape"),
                 example="1.0",
             )
-        given = [name for name in DIRT if getattr(self, name) is not None]
-        if len(given) > 1:
-            raise InputError(f"is given beside {given[0]}; give one", field=given[1])
+        refuse_rivals(self)
         self._check_pair("cleanliness", "oil_supply", 'oil_supply = "bath"', '"-/17/14"')
         self._check_pair("filter_size", "filter_ratio", "filter_ratio = 200", '"12 um"')
         return self

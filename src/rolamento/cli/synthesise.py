@@ -15,7 +15,6 @@ from rolamento.cli.common import (
     plain_endings,
     words_of,
 )
-from rolamento.cli.field_list import fields_of
 from rolamento.cli.grouped_help import GroupedCommand, Groups
 from rolamento.cli.option_names import in_options
 from rolamento.cli.options import (
@@ -27,6 +26,7 @@ from rolamento.cli.options import (
     SpeedOption,
 )
 from rolamento.cli.outputs import check_outputs
+from rolamento.cli.quantities import fields_of
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text
 from rolamento.errors import InputError
 

@@ -10,7 +10,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from rolamento.plots.axes_units import NONE, readable_unit
+from rolamento.plots.axes_units import NONE, read_values, readable_unit
 from rolamento.plots.frame import (
     add_title,
     empty_frame,
@@ -22,7 +22,6 @@ from rolamento.plots.over_field import (
     across,
     is_geometric,
     judged_line,
-    read_values,
     short_label,
 )
 from rolamento.plots.style import (

@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 from rolamento.life.iso281_modified import MAXIMUM_FACTOR, life_modification_factor
 from rolamento.life.iso16281 import THEORY as REFERENCE
 from rolamento.life.theories import BY_RANK, THEORIES
-from rolamento.plots.axes_units import MEGAPASCAL
+from rolamento.plots.axes_units import MEGAPASCAL, read_values
 from rolamento.plots.frame import (
     GREY,
     add_title,
@@ -27,7 +27,7 @@ from rolamento.plots.frame import (
     number,
 )
 from rolamento.plots.life_words import LifeWords, life_words
-from rolamento.plots.over_field import across, decades, judged_line, read_values, short_label
+from rolamento.plots.over_field import across, decades, judged_line, short_label
 from rolamento.plots.style import SERIES, new_figure, series, styled
 from rolamento.plots.words import PlotWords, plot_words
 

@@ -7,6 +7,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Final
 
+from rolamento.case import Case
+
 __all__ = ["torque_model_name", "variable_name"]
 
 _STIFFNESS: Final = re.compile(r"stiffness_(r?[xyz])(r?[xyz])")
@@ -24,23 +26,17 @@ class _Names:
     stiffness: str
 
 
+def _labels() -> dict[str, str]:
+    """Labels of fields by the last part of their names, where that is of one field only."""
+    fields = Case.fields().values()
+    leaves = [field.leaf for field in fields]
+    labelled = (field for field in fields if field.is_labelled and leaves.count(field.leaf) == 1)
+    return {field.leaf: field.label for field in labelled}
+
+
 _ENGLISH: Final = _Names(
     whole={
-        "x": "axial displacement x",
-        "y": "radial displacement y",
-        "z": "radial displacement z",
-        "ry": "tilt about y",
-        "rz": "tilt about z",
-        "fx": "axial load Fx",
-        "fy": "radial load Fy",
-        "fz": "radial load Fz",
-        "my": "moment My",
-        "mz": "moment Mz",
-        "inner_speed": "speed of the inner ring",
-        "outer_speed": "speed of the outer ring",
-        "first_ball_azimuth": "azimuth of the first ball",
-        "ball_count": "number of balls",
-        "contact_angle": "free contact angle",
+        **_labels(),
         "loaded_balls": "loaded balls",
         "life_hours": "life",
         "equivalent_load": "equivalent load P",

@@ -12,9 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 from rich.text import Text
 
-from rolamento.plots.axes_units import readable_unit
+from rolamento.plots.axes_units import read_values, readable_unit
 from rolamento.plots.variable_names import torque_model_name
-from rolamento.report.across import place_text, read_values, written_values
+from rolamento.report.across import place_text, written_values
 from rolamento.report.friction import friction_parts, unit_of_torque
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium

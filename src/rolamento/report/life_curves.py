@@ -13,7 +13,8 @@ import numpy as np
 from rich.text import Text
 
 from rolamento.life.theories import FIRST_LEFT_OUT
-from rolamento.report.across import place_text, read_values, written_values
+from rolamento.plots.axes_units import read_values
+from rolamento.report.across import place_text, written_values
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.life_statement import given_percent, life_text, lives_column, remarks, said_of
 from rolamento.report.medium import Medium

@@ -10,8 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rolamento.case import Case
-from rolamento.case._overrides import overridden
-from rolamento.studies.fields import Value, read_field
+from rolamento.case.fields import Value
 
 if TYPE_CHECKING:
     from rolamento.solved import Solved
@@ -23,7 +22,7 @@ INVALID_INPUT: Final = "invalid_input"
 @cache
 def array_fields() -> frozenset[str]:
     """Return the fields that may vary within a batch; each value of another needs its own case."""
-    from rolamento.rows.ball import batch_fields
+    from rolamento.case.varied import batch_fields
 
     return frozenset(batch_fields())
 
@@ -31,23 +30,12 @@ def array_fields() -> frozenset[str]:
 def base_case(case: Case, values: Mapping[str, Value]) -> Case:
     """Return a case with some fields changed; each takes the place of its rival.
 
-    Balls whose material is not given go on following that of the rings.
-
     Raises
     ------
     InputError
         If there is no such case.
     """
-    mapping = case.to_mapping()
-    if "ball_material" not in case.bearing.model_fields_set:
-        del mapping["bearing"]["ball_material"]
-    settings = [f"{name}={_as_in_file(name, value)}" for name, value in values.items()]
-    return Case.from_mapping(overridden(mapping, settings, Case)[0])
-
-
-def _as_in_file(name: str, value: Value) -> str:
-    written = read_field(name).written(value)
-    return str(written).lower() if isinstance(written, bool) else str(written)
+    return case.with_(values)
 
 
 def solve(

@@ -21,15 +21,17 @@ from pydantic import (
 
 from rolamento._reading import (
     STANDARD_INPUT,
+    LineIndex,
     TextFormat,
     format_of_path,
     format_of_text,
+    line_of,
+    lines_of_keys,
     parse_mapping,
     read_text,
 )
 from rolamento.case import Case, load_case
-from rolamento.case._lines import LineIndex, line_of, lines_of_keys
-from rolamento.case._overrides import OVERRIDE_SOURCE, overridden
+from rolamento.case.fields import OVERRIDE_SOURCE, overridden
 from rolamento.case.quantity import Count, Line, at_the_border
 from rolamento.case.record import Record
 from rolamento.errors import InputError
