@@ -18,12 +18,12 @@ import numpy as np
 
 from benchmarks import duty_sets, life_plain
 from benchmarks.figures import Figure, Findings, alternately, below
-from rolamento import solve_batch
 from rolamento.catalogue import Catalogue, ball_sizes, catalogue, inferred_geometry
-from rolamento.life import LifeConditions, life_of_batch
+from rolamento.life import LifeConditions, life
 from rolamento.life.ioannides_harris import FATIGUE_LIMIT, Ellipses, risk_integral
 from rolamento.ratings import dynamic_factor, static_factor
-from rolamento.rows.ball import BatchState
+from rolamento.solved import Solved
+from rolamento.solving import solve
 
 CASES: Final = 100_000
 STRESS_CASES: Final = 1000
@@ -52,7 +52,7 @@ CONDITIONS: Final = LifeConditions(
 def measure(cases: int, sample: int, repeats: int) -> Findings:
     """All theories but the stress volume; sample: cases of the plain loop."""
     batch = _solved(cases)
-    run = partial(life_of_batch, duty_sets.example(), batch, CONDITIONS)
+    run = partial(life, batch, CONDITIONS)
     plain = partial(_plain_lives, batch, sample)
     plain()
     seconds, looped = alternately([run, plain], repeats)
@@ -72,9 +72,9 @@ def measure_stress_volume(cases: int, sample: int, repeats: int) -> Findings:
     """Ioannides and Harris; sample: contacts that scipy integrates, some seconds each."""
     batch = _solved(cases)
     case = duty_sets.example()
-    run = partial(life_of_batch, case, batch, CONDITIONS, stress_volume=True)
+    run = partial(life, batch, CONDITIONS, stress_volume=True)
     run()  # the field, which is computed once in a process
-    without, seconds = alternately([partial(life_of_batch, case, batch, CONDITIONS), run], repeats)
+    without, seconds = alternately([partial(life, batch, CONDITIONS), run], repeats)
     name = f"stress volume, {cases} solved cases of 16 balls"
     target = below(SECONDS) if cases >= STRESS_CASES else None
     contacts = cases * 2 * case.bearing.ball_count
@@ -117,17 +117,16 @@ def measure_catalogue(bearings: int) -> Findings:
     return findings
 
 
-def _solved(cases: int) -> BatchState:
+def _solved(cases: int) -> Solved:
     duties = duty_sets.some(duty_sets.tilts_held(duty_sets.CASES), cases)
     duties["inner_speed"] = np.maximum(duties["inner_speed"], 10.0)  # at rest there is no κ
-    return solve_batch(duty_sets.example(), **duties)
+    return solve(duty_sets.example(), **duties)
 
 
-def _plain_lives(batch: BatchState, sample: int) -> list[dict[str, float]]:
-    table = batch.balls()
-    inner, outer = table.inner.load[:sample].tolist(), table.outer.load[:sample].tolist()
-    axial = np.abs(batch.load[:sample, 0]).tolist()
-    radial = np.hypot(batch.load[:sample, 1], batch.load[:sample, 2]).tolist()
+def _plain_lives(solved: Solved, sample: int) -> list[dict[str, float]]:
+    inner, outer = solved.inner.load[:sample].tolist(), solved.outer.load[:sample].tolist()
+    axial = np.abs(solved.load.fx[:sample]).tolist()
+    radial = np.hypot(solved.load.fy[:sample], solved.load.fz[:sample]).tolist()
     speed = (duty_sets.tilts_held(duty_sets.CASES)["inner_speed"][:sample] / RPM).tolist()
     return [
         life_plain.lives(BEARING, *case, max(rpm, 10.0 / RPM))
@@ -135,11 +134,11 @@ def _plain_lives(batch: BatchState, sample: int) -> list[dict[str, float]]:
     ]
 
 
-def _difference(batch: BatchState, sample: int) -> float:
-    """Greatest relative difference of a life; infinite if only one of them has a number."""
-    found = life_of_batch(duty_sets.example(), batch, CONDITIONS)
+def _difference(solved: Solved, sample: int) -> float:
+    """Maximum relative difference of a life; infinite if only one of them has a number."""
+    found = life(solved, CONDITIONS)
     worst = 0.0
-    for index, plain in enumerate(_plain_lives(batch, sample)):
+    for index, plain in enumerate(_plain_lives(solved, sample)):
         for theory, expected in plain.items():
             own = float(found[theory].life[index])
             if math.isnan(own) and math.isnan(expected):
@@ -149,12 +148,12 @@ def _difference(batch: BatchState, sample: int) -> float:
     return worst
 
 
-def _beside_scipy(name: str, batch: BatchState, sample: int, each: float) -> Findings:
+def _beside_scipy(name: str, solved: Solved, sample: int, each: float) -> Findings:
     """Scipy on the heaviest contacts of the first cases, where a limit still leaves something."""
-    hertz = batch.contact("inner", batch.balls())
-    places = np.argsort(-np.nan_to_num(hertz.max_pressure.ravel()))[:sample]
+    contacts = solved.inner
+    places = np.argsort(-np.nan_to_num(contacts.max_pressure.ravel()))[:sample]
     a, b, p0 = (
-        getattr(hertz, field).ravel()[places]
+        getattr(contacts, field).ravel()[places]
         for field in ("semi_major", "semi_minor", "max_pressure")
     )
     begin = time.perf_counter()

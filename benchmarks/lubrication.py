@@ -13,7 +13,8 @@ import numpy as np
 
 from benchmarks import duty_sets
 from benchmarks.figures import Figure, Findings, below
-from rolamento import Lubricant, analyse_batch, solve_batch
+from rolamento import Lubricant, analyse
+from rolamento.solving import solve
 
 CASES = 100_000
 SECONDS = 10.0
@@ -27,14 +28,14 @@ def measure(cases: int = CASES) -> Findings:
         lubricant=oil, temperature={"lubricant": 343.15}, surface=SURFACE
     )
     random = np.random.default_rng(duty_sets.SEED)
-    batch = solve_batch(
+    batch = solve(
         case,
         inner_speed=random.uniform(0.0, 1500.0, cases),
         fx=random.uniform(20e3, 45e3, cases),
         fz=random.uniform(0.0, 18e3, cases),
     )
     begin = time.perf_counter()
-    found = analyse_batch(case, batch)
+    found = analyse(batch)
     seconds = time.perf_counter() - begin
     name = f"film and friction, {cases} solved cases"
     target = below(SECONDS) if cases >= CASES else None

@@ -16,7 +16,7 @@ import numpy as np
 
 from benchmarks.figures import Figure, Findings, at_least, below, seconds
 from rolamento.weibull import LifeTest, bounds
-from rolamento.weibull.profile import Rows, fit_rows
+from rolamento.weibull.likelihood import Rows, fit_rows
 
 SIZE: Final = 30
 FITS: Final = 10_000

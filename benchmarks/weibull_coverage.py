@@ -19,7 +19,11 @@ from typing import Final
 
 import numpy as np
 
-from rolamento.weibull import LifeTest, Method, all_bounds
+from rolamento.weibull import (
+    LifeTest,
+    Method,
+    all_bounds,
+)
 
 SHAPE, SCALE = 1.5, 1000.0
 CONFIDENCE: Final = 0.9

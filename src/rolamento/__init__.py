@@ -14,7 +14,7 @@ import importlib
 from typing import TYPE_CHECKING, Any, Final
 
 if TYPE_CHECKING:
-    from rolamento.analysis import Analysis, BatchAnalysis, analyse, analyse_batch
+    from rolamento.analysis import Analysis, analyse
     from rolamento.case import (
         Case,
         case_to_json,
@@ -51,7 +51,6 @@ __version__ = "0.1.0"
 
 __all__ = [
     "Analysis",
-    "BatchAnalysis",
     "BatchState",
     "Bearing",
     "Case",
@@ -77,7 +76,6 @@ __all__ = [
     "UnknownKeyError",
     "__version__",
     "analyse",
-    "analyse_batch",
     "case_to_json",
     "case_to_toml",
     "geometry_of",
@@ -90,7 +88,7 @@ __all__ = [
 ]
 
 _NAMES_OF_MODULES: Final = {
-    "analysis": ("Analysis", "BatchAnalysis", "analyse", "analyse_batch"),
+    "analysis": ("Analysis", "analyse"),
     "case": (
         "Bearing",
         "Case",

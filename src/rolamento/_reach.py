@@ -8,7 +8,26 @@ from numpy.typing import ArrayLike
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 
-__all__ = ["in_reach"]
+__all__ = ["in_reach", "numbers"]
+
+
+def numbers(value: ArrayLike, field: str) -> FloatArray:
+    """Return numbers as an array.
+
+    Raises
+    ------
+    InputError
+        If it is neither a number nor an array of them.
+    """
+    try:
+        return np.asarray(value, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise InputError(
+            "must be a number, or an array of them",
+            field=field,
+            value=value,
+            example=f"{field} = 1.0",
+        ) from None
 
 
 def in_reach(
@@ -32,10 +51,7 @@ def in_reach(
     InputError
         If one is outside.
     """
-    try:
-        array = np.asarray(value, dtype=np.float64)
-    except (TypeError, ValueError):
-        raise InputError("must be a number, or an array of them", field=field) from None
+    array = numbers(value, field)
     low = array < least if least_too else array <= least
     outside = low | (array > most)
     if np.any(outside):

@@ -17,11 +17,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento._data import toml_of
+from rolamento._reach import numbers
 from rolamento.numerics import FloatArray
 from rolamento.numerics.elliptic import complete
 
 __all__ = [
-    "MOST_GAMMA",
+    "MAXIMUM_GAMMA",
     "dynamic_factor",
     "dynamic_factor_of_grooves",
     "dynamic_rating",
@@ -30,8 +31,8 @@ __all__ = [
     "static_rating",
 ]
 
-MOST_GAMMA: Final = 0.40
-"""The greatest D cos α / d_m of the standards' tables."""
+MAXIMUM_GAMMA: Final = 0.40
+"""The maximum D cos α / d_m of the standards' tables."""
 
 _LARGE_BALL: Final = 25.4
 """Ball diameter in mm above which the dynamic rating grows with D^1.4 (ISO 281)."""
@@ -85,8 +86,11 @@ def dynamic_factor_of_grooves(
 
     Lundberg and Palmgren (1947), as in ISO/TR 1281-1 (2008 and 2021).
     """
-    g = _within(gamma, 0.0, 1.0)
-    f_i, f_o = _open_groove(inner_conformity), _open_groove(outer_conformity)
+    g = _nan_outside(gamma, "gamma", 0.0, 1.0)
+    f_i, f_o = (
+        _open_groove(inner_conformity, "inner_conformity"),
+        _open_groove(outer_conformity, "outer_conformity"),
+    )
     grooves = (f_i / f_o * (2.0 * f_o - 1.0) / (2.0 * f_i - 1.0)) ** 0.41
     ratio = 1.04 * ((1.0 - g) / (1.0 + g)) ** 1.72 * grooves
     shared = (1.0 + ratio ** (10.0 / 3.0)) ** -0.3
@@ -111,9 +115,13 @@ def static_factor_of_grooves(
 
     ISO 76:2006 with C_0r = 0.2 Z Q cos α; steel of 207 GPa and 0.3.
     """
-    g = _within(gamma, 0.0, 1.0)
-    inner = _load_at_pressure(1.0 + g / (1.0 - g), _open_groove(inner_conformity))
-    outer = _load_at_pressure(1.0 - g / (1.0 + g), _open_groove(outer_conformity))
+    g = _nan_outside(gamma, "gamma", 0.0, 1.0)
+    inner = _load_at_pressure(
+        1.0 + g / (1.0 - g), _open_groove(inner_conformity, "inner_conformity")
+    )
+    outer = _load_at_pressure(
+        1.0 - g / (1.0 + g), _open_groove(outer_conformity, "outer_conformity")
+    )
     return np.asarray(np.minimum(inner, outer) / 5.0)
 
 
@@ -146,13 +154,13 @@ def dynamic_rating(
     ISO 281:2007, equations 1 and 2: b_m f_c (i cos α)^0.7 Z^(2/3) D^1.8, and above 25.4 mm
     3.647 D^1.4 in the place of D^1.8.
     """
-    d = 1e3 * np.asarray(ball_diameter, dtype=np.float64)
-    cosine = np.cos(np.asarray(contact_angle, dtype=np.float64))
-    gamma = d * cosine / (1e3 * np.asarray(pitch_diameter, dtype=np.float64))
-    f_c = dynamic_factor(gamma) if factor is None else np.asarray(factor, dtype=np.float64)
+    d = 1e3 * numbers(ball_diameter, "ball_diameter")
+    cosine = np.cos(numbers(contact_angle, "contact_angle"))
+    gamma = d * cosine / (1e3 * numbers(pitch_diameter, "pitch_diameter"))
+    f_c = dynamic_factor(gamma) if factor is None else numbers(factor, "factor")
     size = np.where(d <= _LARGE_BALL, d**1.8, _LARGE_BALL_FACTOR * d**1.4)
-    balls = np.asarray(ball_count, dtype=np.float64) ** (2.0 / 3.0)
-    shared = (np.asarray(rows, dtype=np.float64) * cosine) ** 0.7
+    balls = numbers(ball_count, "ball_count") ** (2.0 / 3.0)
+    shared = (numbers(rows, "rows") * cosine) ** 0.7
     return np.asarray(toml_of("iso_ratings")["dynamic"]["bm"] * f_c * shared * balls * size)
 
 
@@ -176,11 +184,11 @@ def static_rating(
 
     ISO 76:2006, equation 1: f_0 i Z D² cos α.
     """
-    d = 1e3 * np.asarray(ball_diameter, dtype=np.float64)
-    cosine = np.cos(np.asarray(contact_angle, dtype=np.float64))
-    gamma = d * cosine / (1e3 * np.asarray(pitch_diameter, dtype=np.float64))
-    f_0 = static_factor(gamma) if factor is None else np.asarray(factor, dtype=np.float64)
-    balls = np.asarray(rows, dtype=np.float64) * np.asarray(ball_count, dtype=np.float64)
+    d = 1e3 * numbers(ball_diameter, "ball_diameter")
+    cosine = np.cos(numbers(contact_angle, "contact_angle"))
+    gamma = d * cosine / (1e3 * numbers(pitch_diameter, "pitch_diameter"))
+    f_0 = static_factor(gamma) if factor is None else numbers(factor, "factor")
+    balls = numbers(rows, "rows") * numbers(ball_count, "ball_count")
     return np.asarray(f_0 * balls * d**2 * cosine)
 
 
@@ -216,23 +224,23 @@ def _ellipse(difference: FloatArray) -> tuple[FloatArray, FloatArray]:
 
 
 def _interpolated(name: str, gamma: ArrayLike) -> FloatArray:
-    steps, factors = _table(name)
-    found = np.interp(np.asarray(gamma, dtype=np.float64), steps, factors, np.nan, np.nan)
+    steps, factors = _factor_table(name)
+    found = np.interp(numbers(gamma, "gamma"), steps, factors, np.nan, np.nan)
     return np.asarray(found, dtype=np.float64)
 
 
 @lru_cache(maxsize=2)
-def _table(name: str) -> tuple[FloatArray, FloatArray]:
+def _factor_table(name: str) -> tuple[FloatArray, FloatArray]:
     table = toml_of("iso_ratings")[name]
     factors = np.array(table["factors"])
     steps = np.round(table["first_gamma"] + table["gamma_step"] * np.arange(factors.size), 9)
     return steps, factors
 
 
-def _within(value: ArrayLike, least: float, most: float) -> FloatArray:
-    number = np.asarray(value, dtype=np.float64)
-    return np.where((number > least) & (number < most), number, np.nan)
+def _nan_outside(value: ArrayLike, field: str, minimum: float, maximum: float) -> FloatArray:
+    number = numbers(value, field)
+    return np.where((number > minimum) & (number < maximum), number, np.nan)
 
 
-def _open_groove(conformity: ArrayLike) -> FloatArray:
-    return _within(conformity, 0.5, np.inf)
+def _open_groove(conformity: ArrayLike, field: str) -> FloatArray:
+    return _nan_outside(conformity, field, 0.5, np.inf)

@@ -6,15 +6,18 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Unpack, cast
 
+import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento.case import Case
+from rolamento.case.varied import DutyFields, bounded, varied_arrays
 from rolamento.numerics.threads import thread_count
 from rolamento.rows import ball as equilibrium
 from rolamento.rows.ball import BatchState
-from rolamento.rows.ball.columns import DutyFields, batch_arrays, bounded, spread
+from rolamento.rows.ball.columns import spread
 from rolamento.rows.ball.record import state_of
 from rolamento.state import State
+from rolamento.status import CONVERGED, NOT_CONVERGED
 
 __all__ = ["solve", "solve_batch"]
 
@@ -38,9 +41,7 @@ def solve(case: Case) -> State:
         return _solve_mounted(case)
     if not case.model.needs_film:
         return equilibrium.solve(case)
-    from rolamento.lubrication.film_control import solve_on_film
-
-    return state_of(case, solve_on_film(case, spread(case, {}), threads=1))
+    return state_of(case, _on_film(case, {}, threads=1))
 
 
 def _solve_mounted(case: Case) -> State:
@@ -91,14 +92,32 @@ def solve_batch(
         case, given = _mounted(case, given)
     if not case.model.needs_film:
         return equilibrium.solve_batch(case, given, threads=threads)
-    from rolamento.lubrication.film_control import solve_on_film
+    return _on_film(case, given, threads=threads)
 
-    return solve_on_film(case, spread(case, given), threads=threads)
+
+def _on_film(case: Case, given: Mapping[str, ArrayLike], threads: int | None) -> BatchState:
+    """Solve with the film that `rolamento.solving` finds."""
+    from rolamento import assembly
+    from rolamento.lubrication.film_control import balanced_on_film
+    from rolamento.rows.ball.assemble import solve_columns_of
+
+    _, settled, film = balanced_on_film(assembly.spread(case, given, threads=threads))
+    batch = solve_columns_of(spread(case, given), threads=threads, film=film)
+    batch.code[~settled & (batch.code == CONVERGED)] = NOT_CONVERGED
+    failed = batch.code != CONVERGED
+    arrays = [batch.displacement, batch.load, batch.stiffness]
+    for row in batch.rows:
+        arrays += [row.displacement, row.load, row.position]
+        if row.rolling is not None:
+            row.rolling.forget(failed)
+    for array in arrays:
+        array[failed] = np.nan
+    return batch
 
 
 def _mounted(case: Case, given: Mapping[str, ArrayLike]) -> tuple[Case, dict[str, ArrayLike]]:
     """The case without its mounting, and the fields with the clearance in operation."""
     from rolamento.clearance import operating_batch
 
-    running, fields = operating_batch(case, bounded(batch_arrays(given)))
+    running, fields = operating_batch(case, bounded(varied_arrays(given)))
     return running, dict(fields)

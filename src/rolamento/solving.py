@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import Unpack, cast
+from typing import Any, Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -13,10 +13,10 @@ from numpy.typing import ArrayLike
 from rolamento.assembly import solve_cases, spread
 from rolamento.assembly.preload import preload_of
 from rolamento.case import Case, load_case
+from rolamento.case.varied import DutyFields, bounded, varied_arrays
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.numerics.threads import thread_count
-from rolamento.rows.ball.columns import DutyFields, batch_arrays, bounded
 from rolamento.solved import Solved
 
 __all__ = ["solve"]
@@ -24,7 +24,7 @@ __all__ = ["solve"]
 
 def solve(
     case: Case | str | os.PathLike[str],
-    values: Mapping[str, ArrayLike] | None = None,
+    values: Any = None,
     *,
     threads: int | None = None,
     **fields: Unpack[DutyFields],
@@ -41,8 +41,9 @@ def solve(
     case
         Or the file of one; supplies what does not vary.
     values
-        What varies: arrays of one length, or scalars, in SI units, by the dotted names of the
-        case's fields, such as ``{"bearing.contact_angle": [0.6, 0.7]}``.
+        What varies: numbers in SI units, texts with a unit, or arrays or lists of one length of
+        either, by the dotted names of the case's fields, such as
+        ``{"bearing.contact_angle": [0.6, 0.7]}``; or a data frame whose columns are such names.
     threads
         As many as there are processors by default.
     fields
@@ -77,17 +78,16 @@ def solve(
             )
         case = load_case(case)
     thread_count(threads)
-    given = {**(values or {}), **cast("dict[str, ArrayLike]", fields)}
+    given = varied_arrays(values, **fields)
     if not given:
         return _solve_one(case)
     if case.mounting is None:
         return _solve_many(case, given, threads)
     from rolamento.clearance import operating_batch
 
-    varied = batch_arrays(given)
-    running, of_running = operating_batch(case, bounded(varied))
+    running, of_running = operating_batch(case, bounded(given))
     solved = _solve_many(running, dict(of_running), threads)
-    return replace(solved, varied={**_spread_over(len(solved), varied), **solved.varied})
+    return replace(solved, varied={**_spread_over(len(solved), given), **solved.varied})
 
 
 def _spread_over(cases: int, arrays: Mapping[str, ArrayLike]) -> dict[str, FloatArray]:

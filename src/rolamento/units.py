@@ -21,7 +21,19 @@ from rolamento.errors import UnitError, nearest, shown
 if TYPE_CHECKING:
     import pint
 
-__all__ = ["MICROMETRE", "MILLIMETRE", "RPM", "SI_UNIT", "Dimension", "from_si", "rpm_of", "to_si"]
+__all__ = [
+    "DEGREES",
+    "HOUR",
+    "MICROMETRE",
+    "MILLIMETRE",
+    "RPM",
+    "SI_UNIT",
+    "ZERO_CELSIUS",
+    "Dimension",
+    "from_si",
+    "rpm_of",
+    "to_si",
+]
 
 MILLIMETRE: Final = 1e-3
 MICROMETRE: Final = 1e-6
@@ -33,6 +45,13 @@ def rpm_of(speed: Any) -> Any:
     """Return a speed in rad/s (a number or an array) in revolutions a minute."""
     return speed * 30.0 / math.pi
 
+
+DEGREES: Final = 180.0 / math.pi
+"""Degrees in one rad."""
+HOUR: Final = 3600.0
+"""Seconds in it."""
+ZERO_CELSIUS: Final = 273.15
+"""0 °C in K."""
 
 Dimension = Literal[
     "length",

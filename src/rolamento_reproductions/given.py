@@ -9,6 +9,7 @@ import numpy as np
 
 from rolamento._data import toml_of
 from rolamento.rows.ball import BatchState
+from rolamento.solved import Solved
 from rolamento_reproductions.record import Column, Floats
 from rolamento_reproductions.text import Text, said
 
@@ -50,6 +51,7 @@ def grid(lowest: float, highest: float, step: float) -> Floats:
     return np.linspace(lowest, highest, round((highest - lowest) / step) + 1)
 
 
-def status_column(state: BatchState) -> Column:
+def status_column(state: BatchState | Solved) -> Column:
     """Return how each case of a batch ended."""
-    return Column("status", "", said("status", "estado"), tuple(str(s) for s in state.status))
+    codes = state.status.code if isinstance(state, Solved) else state.status
+    return Column("status", "", said("status", "estado"), tuple(str(code) for code in codes))

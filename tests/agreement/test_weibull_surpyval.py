@@ -8,7 +8,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rolamento.weibull import LifeTest, bounds, maximum_likelihood, rank_regression
+from rolamento.weibull import (
+    LifeTest,
+    bounds,
+    maximum_likelihood,
+    rank_regression,
+)
 
 
 @pytest.fixture(scope="module")

@@ -9,8 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rolamento.kinematics import ball_motion
-from rolamento.lubrication.entrainment import rolling_entrainment_speed, surface_speeds
+from rolamento.kinematics import ball_motion, rolling_entrainment_speed, surface_speeds
 from rolamento.lubrication.film_thickness import (
     FilmGroups,
     central_film,

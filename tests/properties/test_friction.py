@@ -6,18 +6,17 @@ import numpy as np
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-import rolamento as ro
 from rolamento import Bearing, Case, Duty, Load
-from rolamento.friction.ellipse_mesh import ellipse_mesh
 from rolamento.friction.harris_1971 import harris_1971
 from rolamento.friction.jones_control import jones_control
 from rolamento.friction.jones_full import jones_full, jones_full_motion
 from rolamento.friction.jones_simplified import jones_simplified
-from rolamento.friction.loaded_balls import LoadedBalls, loaded_balls
-from rolamento.friction.minimum_power import flat_balls
+from rolamento.friction.minimum_power import loaded_contacts
 from rolamento.friction.slip import BallVelocity, relative_motion
 from rolamento.friction.todd import todd
-from rolamento.friction.traction import contact_friction
+from rolamento.friction.traction import contact_friction, ellipse_mesh
+from rolamento.solved import Solved
+from rolamento.solving import solve
 
 bearings = st.builds(
     lambda count, diameter, ratio, angle, inner, outer: Bearing(
@@ -37,11 +36,11 @@ bearings = st.builds(
 )
 
 
-def under(bearing: Bearing, pressure: float, slant: float = 0.0) -> LoadedBalls:
+def under(bearing: Bearing, pressure: float, slant: float = 0.0) -> Solved:
     """The balls under a thrust that goes with the square of the ball's diameter."""
     load = pressure * bearing.ball_diameter**2 * bearing.ball_count
     duty = Duty(load=Load(fx=load, fz=slant * load))
-    return loaded_balls(ro.solve(Case(bearing=bearing, duty=duty)))
+    return solve(Case(bearing=bearing, duty=duty))
 
 
 @settings(max_examples=30)
@@ -78,7 +77,7 @@ def test_no_other_motion_takes_less_power(
     _, motion = jones_full_motion(balls, 0.1)
     assert motion is not None
     mesh = ellipse_mesh()
-    inner, outer, _ = flat_balls(balls)
+    inner, outer, _ = loaded_contacts(balls)
 
     def power(step: float) -> np.ndarray:
         dx, dy, dz, orbit = (step * np.asarray(c) for c in change)
@@ -121,7 +120,7 @@ def test_torque_is_power_to_a_millionth(bearing: Bearing, pressure: float) -> No
             rounding=motion.rounding,
             mesh=ellipse_mesh().folded(),
         )
-        for patch in flat_balls(balls)[:2]
+        for patch in loaded_contacts(balls)[:2]
     ]
     power = sums[0].power + sums[1].power
     np.testing.assert_allclose(-sums[0].race_torque, power, rtol=1e-6)

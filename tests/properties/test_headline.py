@@ -10,9 +10,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from rolamento import Bearing, Case, Duty, Load
-from rolamento.life import Headline, LifeConditions, life_of_batch
+from rolamento.life import Headline, LifeConditions, life
 from rolamento.life.contamination import class_of_grease
-from rolamento.rows.ball import solve_batch
+from rolamento.solving import solve
 
 MEETING = 2e-3
 """The standard's ranges of κ meet within this."""
@@ -57,8 +57,8 @@ def leading(
 ) -> Headline:
     """The life that leads of cases that differ in conditions, load or speed."""
     case = Case(bearing=bearing, duty=Duty(inner_speed=100.0, load=Load(fz=1.0)))
-    batch = solve_batch(case, fx=force, fz=slope * np.asarray(force), inner_speed=speed)
-    found = life_of_batch(case, batch, conditions).headline
+    batch = solve(case, fx=force, fz=slope * np.asarray(force), inner_speed=speed)
+    found = life(batch, conditions).headline
     assert batch.converged.all()
     return found
 

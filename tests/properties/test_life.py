@@ -8,18 +8,18 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from rolamento import Bearing, Case, Duty, Load
-from rolamento.life import LifeConditions, life_of_batch
-from rolamento.life.basic import basic_rating_life
+from rolamento.life import LifeConditions, life
 from rolamento.life.contamination import class_of_code, class_of_grease, contamination_factor
 from rolamento.life.equivalent_load import equivalent_load, load_factors, static_equivalent_load
+from rolamento.life.iso281 import basic_rating_life
+from rolamento.life.iso281_modified import life_modification_factor
+from rolamento.life.iso16281 import race_ratings, reference_life, system_life
 from rolamento.life.load_zone import clearance_function, continuous_life, load_zone
-from rolamento.life.modified import life_modification_factor
-from rolamento.life.reference import race_ratings, reference_life, system_life
 from rolamento.life.reliability import reliability_factor, reliability_of
 from rolamento.life.shear_field import passing_shear
 from rolamento.life.spectrum import miner_life, shaft_life
 from rolamento.ratings import dynamic_factor_of_grooves, dynamic_rating
-from rolamento.rows.ball import solve_batch
+from rolamento.solving import solve
 
 angles = st.floats(0.0, 45.0)
 loads = st.floats(1.0, 1e5)
@@ -159,9 +159,9 @@ def test_solved_cases_live_less_under_more_load() -> None:
         outer_conformity=0.53,
     )
     case = Case(bearing=bearing, duty=Duty(inner_speed=300.0, load=Load(fz=1.0)))
-    batch = solve_batch(case, fz=np.geomspace(300.0, 25_000.0, 40))
+    batch = solve(case, fz=np.geomspace(300.0, 25_000.0, 40))
     conditions = LifeConditions(viscosity_ratio=1.2, contamination=0.6, material_factor=1.0)
-    found = life_of_batch(case, batch, conditions, stress_volume=True)
+    found = life(batch, conditions, stress_volume=True)
     for name, record in found.theories.items():
         finite = record.life[np.isfinite(record.life)]
         assert finite.size >= 10, name
@@ -197,10 +197,10 @@ def test_every_theory_falls_with_the_load(
     """Any bearing; the whole load grows, in its direction."""
     axial = size * 1e6 * bearing.ball_count * bearing.ball_diameter**2 * np.array([1.0, more])
     case = Case(bearing=bearing, duty=Duty(inner_speed=100.0))
-    batch = solve_batch(case, fx=axial, fz=slope * axial)
+    batch = solve(case, fx=axial, fz=slope * axial)
     assert batch.converged.all()
     conditions = LifeConditions(viscosity_ratio=1.5, contamination=0.5, material_factor=1.0)
-    found = life_of_batch(case, batch, conditions, stress_volume=True)
+    found = life(batch, conditions, stress_volume=True)
     for name, record in found.theories.items():
         light, heavy = record.life
         assert heavy <= light, name
@@ -222,11 +222,11 @@ def test_modified_lives_rise_with_oil_and_cleanliness(
     """Solved cases: more κ or more e_C never shortens a life; the basic ones do not change."""
     axial = size * 1e6 * bearing.ball_count * bearing.ball_diameter**2
     case = Case(bearing=bearing, duty=Duty(inner_speed=100.0))
-    batch = solve_batch(case, fx=np.full(3, axial), fz=np.full(3, 0.3 * axial))
+    batch = solve(case, fx=np.full(3, axial), fz=np.full(3, 0.3 * axial))
     kappa = np.array([ratio, ratio * thicker, ratio])
     factor = np.array([clean, clean, min(clean + cleaner, 1.0)])
     conditions = LifeConditions(viscosity_ratio=kappa, contamination=factor)
-    found = life_of_batch(case, batch, conditions)
+    found = life(batch, conditions)
     for name in ("iso281_modified", "iso16281_modified"):
         here, with_thicker, with_cleaner = found[name].life
         assert with_thicker >= here * (1.0 - 2e-3), name  # the ranges of κ meet within 0.2 %

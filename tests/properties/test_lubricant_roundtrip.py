@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from rolamento import Case, load_case
 from rolamento.case import case_to_json, case_to_toml, parse_case
 from rolamento.case.film_model import FilmModel
-from rolamento.case.lubricant import Lubricant, ViscosityPoint, lubricant_names
+from rolamento.case.lubricant import Lubricant, ViscosityPoint
 from rolamento.case.surface import Surface
 from rolamento.case.temperature import Temperature
 
@@ -31,7 +31,7 @@ def plain() -> Case:
 @st.composite
 def lubricants(draw: st.DrawFn) -> Lubricant:
     if draw(st.booleans()):
-        return Lubricant.named(draw(st.sampled_from(lubricant_names())))
+        return Lubricant.named(draw(st.sampled_from(Lubricant.names())))
     cool, thick = draw(reals(250.0, 330.0)), draw(reals(5e-6, 1e-2))
     warmer, thinner = draw(reals(1.0, 100.0)), draw(reals(0.2, 0.99))
     by_base = draw(st.booleans())

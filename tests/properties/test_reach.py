@@ -16,26 +16,38 @@ from rolamento.errors import InputError
 from rolamento.friction.slip import (
     BallVelocity,
     Patch,
-    greatest_pressure_slip,
+    maximum_pressure_slip,
     relative_motion,
     rolling_lines,
     slip_velocity,
 )
-from rolamento.lubrication.entrainment import surface_speeds
-from rolamento.lubrication.film_thickness import central_film, film_groups, minimum_film
-from rolamento.lubrication.starvation import (
+from rolamento.kinematics import surface_speeds
+from rolamento.lubrication.film_thickness import (
+    central_film,
+    film_groups,
     flooded_distance_central,
     flooded_distance_minimum,
+    gupta_cheng,
     inlet_distance_central,
+    minimum_film,
+    murch_wilson,
     replenishment,
+    thermal_loading,
 )
-from rolamento.lubrication.thermal import gupta_cheng, murch_wilson, thermal_loading
-from rolamento.lubrication.viscosity_ratio import viscosity_ratio
-from rolamento.oil.density import density_by_expansion, density_of_lubricating_oil
-from rolamento.oil.piezoviscosity import barus, roelands
-from rolamento.oil.pressure_viscosity import so_klaus, wooster
-from rolamento.oil.viscosity import astm_d341, astm_d341_line, dynamic_viscosity
-from rolamento.oil.viscosity_index import viscosity_100_of_index, viscosity_index
+from rolamento.lubrication.oil_state import viscosity_ratio
+from rolamento.oil import (
+    astm_d341,
+    astm_d341_line,
+    barus,
+    density_by_expansion,
+    density_of_lubricating_oil,
+    dynamic_viscosity,
+    roelands,
+    so_klaus,
+    viscosity_100_of_index,
+    viscosity_index,
+    wooster,
+)
 
 numbers = st.one_of(
     st.floats(),
@@ -57,7 +69,7 @@ def slips(load: float, x: float, y: float, z: float, ring: float) -> None:
     assert slip_velocity(patch, motion, np.linspace(-1.0, 1.0, 5), np.zeros(5)).speed.shape == (5,)
     _ = motion.spin_to_roll
     rolling_lines(patch, motion)
-    greatest_pressure_slip(patch, motion)
+    maximum_pressure_slip(patch, motion)
 
 
 def lines(t1: float, t2: float, nu1: float, nu2: float, t: float) -> None:

@@ -6,9 +6,8 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rolamento.friction.ellipse_mesh import ellipse_mesh
 from rolamento.friction.slip import BallVelocity, Patch, relative_motion, slip_velocity
-from rolamento.friction.traction import contact_friction
+from rolamento.friction.traction import contact_friction, ellipse_mesh
 
 speeds = st.floats(-1e3, 1e3)
 patches = st.builds(

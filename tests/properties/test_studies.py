@@ -20,9 +20,8 @@ from rolamento.studies import (
     study_to_json,
     study_to_toml,
 )
-from rolamento.studies.layout import slabs
-from rolamento.studies.plan import Plan
-from rolamento.studies.sampling import factor_of
+from rolamento.studies.plan import Plan, slabs
+from rolamento.studies.scatter import factor_of
 
 BEARING = Bearing(
     ball_count=16,

@@ -11,11 +11,9 @@ from numpy.typing import NDArray
 from tests.one_case import solve_one
 
 from rolamento import Bearing, Case, Displacement, Duty, Load, Lubricant, Model
-from rolamento.friction.ellipse_mesh import ellipse_mesh
 from rolamento.friction.jones_full import jones_full
-from rolamento.friction.loaded_balls import loaded_balls
-from rolamento.friction.slip import BallVelocity, relative_motion
-from rolamento.friction.traction import ContactFriction, contact_friction
+from rolamento.friction.slip import BallVelocity, Patch, relative_motion
+from rolamento.friction.traction import ContactFriction, contact_friction, ellipse_mesh
 from rolamento.rows.ball import layout
 from rolamento.rows.ball.problem import ring_arms
 from rolamento.rows.ball.rolling import Rolling
@@ -271,7 +269,7 @@ def friction_at(
     """What the slip field of `rolamento.friction` makes of a result, or of one near it."""
     omega = rolling.angular_velocity if omega is None else omega
     cage = float(rolling.cage_speed[0]) if cage is None else cage
-    patch = loaded_balls(batch).patch(race)
+    patch = Patch.of(batch.contacts[race])
     ball = BallVelocity(omega[..., 0] - cage, omega[..., 1], omega[..., 2])
     speed = case.duty.inner_speed if race == "inner" else case.duty.outer_speed
     relative = abs(case.duty.inner_speed - case.duty.outer_speed)
@@ -308,7 +306,7 @@ def test_low_speed_is_jones_full_model(bearing: Bearing) -> None:
     case = case_of(bearing, inner=1.0, fx=10e3, model={"mesh": "fine"})
     state = solve_one(case)
     batch = solve(case)
-    expected = jones_full(loaded_balls(batch), MU)
+    expected = jones_full(batch, MU)
     assert rolling_of(state).inner_torque == pytest.approx(float(expected.total[0]), rel=1e-3)
 
 

@@ -14,20 +14,16 @@ import pytest
 import rolamento
 from rolamento import (
     Case,
-    InputError,
     Load,
     Lubricant,
     analyse,
-    analyse_batch,
     load_case,
     parse_case,
-    solve_batch,
-    solving,
 )
 from rolamento.analysis import NOTES
-from rolamento.friction import friction
 from rolamento.friction.palmgren import palmgren
-from rolamento.lubrication import film_of, film_of_batch
+from rolamento.lubrication import film as film_of
+from rolamento.solving import solve
 from rolamento.vibration.frequencies import frequencies_of
 
 SURFACE = {"inner_roughness": 1e-7, "outer_roughness": 1e-7, "ball_roughness": 5e-8}
@@ -57,13 +53,14 @@ def test_a_plain_case_is_its_state_and_nothing_else(case_218: Case) -> None:
     assert mapping.pop("friction") is None
     assert mapping.pop("life") is None
     frequencies = mapping.pop("frequencies")
-    assert frequencies == frequencies_of(solving.solve(case_218)).to_mapping()
-    assert mapping == analysis.state.to_mapping()
+    assert frequencies == frequencies_of(analysis.solved).to_mapping()
+    assert mapping == analysis.solved.to_mapping()
 
 
 def test_oil_and_coefficient_make_film_and_friction(oiled: Case) -> None:
     analysis = analyse(oiled)
-    assert analysis.film == film_of(analysis.state)
+    assert analysis.film is not None
+    assert analysis.film.to_mapping() == film_of(analysis.solved).to_mapping()
     assert analysis.friction is not None
     assert analysis.notes == ()
     assert set(analysis.friction.torque_by_source) == {
@@ -73,16 +70,11 @@ def test_oil_and_coefficient_make_film_and_friction(oiled: Case) -> None:
     assert analysis.friction.torque[0] == pytest.approx(total)
 
 
-def test_the_least_film_parameter_decides_the_regime(oiled: Case) -> None:
+def test_the_minimum_film_parameter_decides_the_regime(oiled: Case) -> None:
     analysis = analyse(oiled)
     assert analysis.film is not None
     assert analysis.friction is not None
-    least = min(
-        contact.film_parameter
-        for ball in analysis.film.balls
-        for contact in (ball.inner, ball.outer)
-    )
-    assert least > 3.0
+    assert analysis.film.minimum_film_parameter[0] > 3.0
     assert analysis.friction.regime.tolist() == ["full_film"]
     warm = oiled.replace(temperature={"lubricant": 430.0})
     mixed = analyse(warm).friction
@@ -123,7 +115,7 @@ def test_what_a_case_lacks_is_noted_and_not_raised(
 def test_without_a_result_there_is_neither(oiled: Case) -> None:
     load = oiled.duty.load.replace(fx=-20e3)
     analysis = analyse(oiled.replace(duty=oiled.duty.replace(load=load)))
-    assert not analysis.state.status.converged
+    assert not analysis.solved.converged[0]
     assert analysis.film is None
     assert analysis.friction is None
 
@@ -170,7 +162,7 @@ FX = np.linspace(20e3, 40e3, 7)
 
 
 def test_a_batch_is_the_cases_one_by_one(oiled: Case) -> None:
-    found = analyse_batch(oiled, solve_batch(oiled, fx=FX), model="jones_full", compare=True)
+    found = analyse(solve(oiled, fx=FX), model="jones_full", compare=True)
     assert found.film is not None
     assert found.friction is not None
     for index in (0, 3, 6):
@@ -184,29 +176,28 @@ def test_a_batch_is_the_cases_one_by_one(oiled: Case) -> None:
             assert found.friction.models[name].total[index] == pytest.approx(
                 model.total[0], rel=1e-6
             )
-        thinnest = one.film.thinnest("inner")
-        assert thinnest is not None
-        assert np.nanmin(found.film.inner.central_thickness[index]) == pytest.approx(
-            thinnest.central_thickness, rel=1e-9
+        assert found.film.to_mapping(index)["notes"] == one.film.to_mapping()["notes"]
+        np.testing.assert_allclose(
+            found.film.inner.central_thickness[index], one.film.inner.central_thickness[0], 1e-9
         )
 
 
 def test_blocks_are_the_whole(oiled: Case, monkeypatch: pytest.MonkeyPatch) -> None:
     fx = FX.copy()
     fx[2] = -50e3  # no equilibrium
-    batch = solve_batch(oiled, fx=fx, inner_speed=np.linspace(0.0, 900.0, 7))
-    whole = analyse_batch(oiled, batch)
-    monkeypatch.setattr("rolamento.analysis.batch._BLOCK", 2)
+    batch = solve(oiled, fx=fx, inner_speed=np.linspace(0.0, 900.0, 7))
+    whole = analyse(batch)
+    monkeypatch.setattr("rolamento.numerics.blocks.BLOCK", 2)
     for threads in (1, 2):
-        blocks = analyse_batch(oiled, batch, threads=threads)
+        blocks = analyse(batch, threads=threads)
         assert whole.friction is not None
         assert blocks.friction is not None
         assert whole.film is not None
         assert blocks.film is not None
         np.testing.assert_array_equal(blocks.friction.torque, whole.friction.torque)
         np.testing.assert_array_equal(blocks.film.viscosity_ratio, whole.film.viscosity_ratio)
-        for one, other in zip(blocks.friction.verdicts, whole.friction.verdicts, strict=True):
-            np.testing.assert_array_equal(one.holds, other.holds)
+        for one, other in zip(blocks.friction.validity, whole.friction.validity, strict=True):
+            np.testing.assert_array_equal(one.valid, other.valid)
             assert one.notes.keys() == other.notes.keys()
             for name, where in one.notes.items():
                 np.testing.assert_array_equal(where, other.notes[name])
@@ -218,35 +209,40 @@ def test_blocks_are_the_whole(oiled: Case, monkeypatch: pytest.MonkeyPatch) -> N
 
 def test_coefficient_and_temperature_may_vary(case_218: Case) -> None:
     case = case_218.replace(lubricant="ISO VG 68")
-    batch = solve_batch(case, fx=FX)
-    assert analyse_batch(case, batch).film is None
-    assert analyse_batch(case, batch).friction is None
-    warm, mu = np.linspace(300.0, 380.0, 7), np.linspace(0.02, 0.2, 7)
-    found = analyse_batch(case, batch, friction_coefficient=mu, lubricant_temperature=warm)
+    bare = analyse(solve(case, fx=FX))
+    assert bare.film is None
+    assert bare.friction is None
+    assert bare.notes == ("no_temperature", "no_coefficient")
+    varied = {
+        "duty.load.fx": FX,
+        "temperature.lubricant": np.linspace(300.0, 380.0, 7),
+        "lubricant.friction_coefficient": np.linspace(0.02, 0.2, 7),
+    }
+    found = analyse(solve(case, varied))
     assert found.film is not None
-    expected = film_of_batch(case, batch, lubricant_temperature=warm)
-    np.testing.assert_array_equal(
-        found.film.inner.central_thickness, expected.inner.central_thickness
-    )
     assert found.friction is not None
-    plain = friction(batch, friction_coefficient=mu, model="jones_simplified")
-    np.testing.assert_allclose(
-        found.friction.models["jones_simplified"].total, plain.models["jones_simplified"].total
+    own = {"friction_coefficient": float(varied["lubricant.friction_coefficient"][3])}
+    one = analyse(
+        case.replace(
+            lubricant=Lubricant.named("ISO VG 68").replace(**own),
+            temperature={"lubricant": float(varied["temperature.lubricant"][3])},
+            duty=case.duty.replace(load=case.duty.load.replace(fx=float(FX[3]))),
+        ),
+        model="jones_simplified",
     )
-
-
-@pytest.mark.parametrize("name", ["friction_coefficient", "lubricant_temperature"])
-def test_arrays_of_another_length_are_refused(oiled: Case, name: str) -> None:
-    batch = solve_batch(oiled, fx=FX)
-    with pytest.raises(InputError, match=name):
-        analyse_batch(oiled, batch, **{name: np.full(3, 0.1)})  # type: ignore[arg-type]
+    assert one.film is not None
+    assert one.friction is not None
+    np.testing.assert_allclose(
+        found.film.inner.central_thickness[3], one.film.inner.central_thickness[0], rtol=1e-9
+    )
+    np.testing.assert_allclose(found.friction.torque[3], one.friction.torque[0], rtol=1e-9)
 
 
 # --- import ----------------------------------------------------------------------------------
 
 
 def test_the_names_are_there_when_asked_for() -> None:
-    for name in ("Analysis", "Lubricant", "Surface", "Temperature", "analyse", "analyse_batch"):
+    for name in ("Analysis", "Lubricant", "Surface", "Temperature", "analyse"):
         assert name in rolamento.__all__
         assert getattr(rolamento, name).__name__ == name
 
@@ -261,20 +257,6 @@ def test_a_plain_case_does_not_load_film_or_friction(examples: Path) -> None:
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
-
-
-def test_a_batch_that_remembers_says_the_same(oiled: Case) -> None:
-    from rolamento.analysis import remembering
-
-    batch = solve_batch(oiled, fx=FX)
-    kept = remembering(batch)
-    assert kept.balls() is kept.balls()
-    for race in ("inner", "outer"):
-        one, other = kept.contact(race), batch.contact(race)  # type: ignore[arg-type]
-        assert kept.contact(race, kept.balls()) is one  # type: ignore[arg-type]
-        assert kept.contact(race, batch.balls()) is not one  # type: ignore[arg-type]
-        np.testing.assert_array_equal(one.semi_major, other.semi_major)
-    np.testing.assert_array_equal(kept.balls().inner.load, batch.balls().inner.load)
 
 
 def test_a_designation_brings_life_and_the_models_of_machine_bearings() -> None:
@@ -295,7 +277,7 @@ def test_a_designation_brings_life_and_the_models_of_machine_bearings() -> None:
         lubrication="oil_bath",
         speed=200.0,
         mean_diameter=0.0435,
-        kinematic_viscosity=found.film.kinematic_viscosity if found.film else 0.0,
+        kinematic_viscosity=found.film.kinematic_viscosity[0] if found.film else 0.0,
         radial_load=2e3,
         axial_load=0.0,
         static_load_ratio=2e3 / 11_200.0,
@@ -313,9 +295,9 @@ def test_skfs_constants_are_for_another_angle_than_a_spindle_bearings() -> None:
     found = analyse(case)
     assert found.friction is not None
     assert "palmgren" in found.friction.models
-    (verdict,) = (own for own in found.friction.verdicts if own.model == "skf")
-    assert verdict.notes["other_angle"].all()
-    assert not verdict.holds.any()
+    (validity,) = (own for own in found.friction.validity if own.model == "skf")
+    assert validity.notes["other_angle"].all()
+    assert not validity.valid.any()
 
 
 def test_why_there_is_no_life(case_218: Case) -> None:

@@ -6,7 +6,7 @@ import copy
 import json
 import pickle
 from itertools import pairwise
-from typing import Any
+from typing import Annotated, Any, Literal
 
 import pytest
 
@@ -23,8 +23,9 @@ from rolamento import (
     parse_case,
     save_case,
 )
-from rolamento.case.arrangement import ARRANGEMENTS, Preload, Row
+from rolamento.case.arrangement import ARRANGEMENTS, BallRow, Preload
 from rolamento.case.bearing import MOST_ROWS
+from rolamento.case.record import ByElement, Record
 
 GEOMETRY: dict[str, Any] = {
     "ball_count": 16,
@@ -235,9 +236,13 @@ def test_a_preload_of_facing_rows_needs_rows_of_either_orientation() -> None:
 
 
 def test_what_a_row_has_of_its_own() -> None:
-    row = Row(position=0.0, ball_count=12, contact_angle="25 deg", orientation="-", phase=0.1)
-    assert row.own == {"ball_count": 12, "contact_angle": pytest.approx(0.4363323)}
-    assert Row(position=0.0).own == {}
+    row = BallRow(position=0.0, ball_count=12, contact_angle="25 deg", orientation="-", phase=0.1)
+    assert row.own == {
+        "ball_count": 12,
+        "contact_angle": pytest.approx(0.4363323),
+        "diametral_clearance": None,
+    }
+    assert BallRow(position=0.0).own == {}
 
 
 # --- round trips -----------------------------------------------------------------------------
@@ -313,3 +318,89 @@ def test_a_wrong_setting_is_told_as_such() -> None:
         with pytest.raises(InputError, match=message) as caught:
             override(case, [setting])
         assert caught.value.source == "--set"
+
+
+# --- rows of any elements --------------------------------------------------------------------
+
+
+def test_the_element_is_a_ball_unless_said_otherwise() -> None:
+    assert Bearing(**GEOMETRY) == Bearing(**GEOMETRY, element="ball")
+    rows = [{"position": 0.0}, {"position": 0.04, "element": "ball"}]
+    bearing = Bearing(**GEOMETRY, rows=rows)
+    assert [place.bearing.element for place in bearing.places] == ["ball", "ball"]
+
+
+@pytest.mark.parametrize(
+    ("fields", "field"),
+    [
+        ({"element": "cone", "cone_angle": 0.1}, "element"),
+        ({"rows": [{"position": 0.0}, {"element": "cone", "taper": 0.1}]}, "rows.1.element"),
+        ({"rows": [{"element": ["ball"], "position": 0.0}]}, "rows.0.element"),
+    ],
+)
+def test_an_unknown_element_is_refused_with_the_known_ones(
+    fields: dict[str, Any], field: str
+) -> None:
+    with pytest.raises(InputError, match="must be one of 'ball'") as caught:
+        Bearing(**GEOMETRY, **fields)
+    assert caught.value.field == field
+
+
+def test_places_of_errors_do_not_name_the_element() -> None:
+    with pytest.raises(InputError, match="must be a number") as caught:
+        Bearing(**GEOMETRY, rows=[{"element": "ball", "position": []}])
+    assert caught.value.field == "rows.0.position"
+    with pytest.raises(InputError, match="must be a table"):
+        Bearing(**GEOMETRY, rows=[3])
+
+
+def test_rows_of_two_kinds_are_told_apart() -> None:
+    """What another kind of row has to do to join."""
+
+    class ConeRow(Record):
+        element: Literal["cone"] = "cone"
+        cone_angle: float
+
+    class Several(Record):
+        rows: tuple[Annotated[BallRow | ConeRow, ByElement()], ...]
+
+    cone, ball = Several(rows=[{"element": "cone", "cone_angle": 0.1}, {"position": 0.0}]).rows
+    assert (cone, ball) == (ConeRow(cone_angle=0.1), BallRow(position=0.0))
+    assert Several(rows=[cone, ball]).rows == (cone, ball)
+    with pytest.raises(InputError, match="must be one of 'ball', 'cone'"):
+        Several(rows=[{"element": "barrel"}])
+    with pytest.raises(InputError, match="is missing") as caught:
+        Several(rows=[{"element": "cone"}])
+    assert caught.value.field == "rows.0.cone_angle"
+
+
+def test_rows_that_tell_all_need_no_geometry_beside_them() -> None:
+    own = {name: value for name, value in GEOMETRY.items() if name != "contact_angle"}
+    first = {**own, "contact_angle": "30 deg", "position": "-20 mm"}
+    second = {"orientation": "-", "position": "20 mm", "contact_angle": "25 deg", "ball_count": 12}
+    bearing = Bearing(rows=[first, second], preload="5 um")
+    same = Bearing(
+        **{**own, "contact_angle": "30 deg"},
+        rows=[{"position": "-20 mm"}, second],
+        preload="5 um",
+    )
+    for one, other in zip(bearing.places, same.places, strict=True):
+        assert one[1:] == other[1:]
+        assert one.bearing.model_dump() == other.bearing.model_dump()
+    case = Case(bearing=bearing, duty=Duty())
+    assert parse_case(case_to_toml(case)) == case
+    assert "ball_count" not in case.bearing.model_fields_set
+    changed = bearing.replace(preload="9 um")
+    assert changed.places[0].bearing.ball_count == GEOMETRY["ball_count"]
+    with pytest.raises(InputError, match="is missing"):
+        Bearing(rows=[{"position": 0.0}, first])
+
+
+def test_a_row_of_a_clearance_beside_one_of_an_angle() -> None:
+    rows = [{"position": 0.0}, {"position": 0.04, "diametral_clearance": "20 um"}]
+    first, second = Bearing(**GEOMETRY, rows=rows).places
+    assert first.bearing.diametral_clearance is None
+    assert second.bearing.contact_angle is None
+    assert second.bearing.diametral_clearance == pytest.approx(20e-6)
+    with pytest.raises(InputError, match="is given beside"):
+        BallRow(position=0.0, contact_angle=0.5, diametral_clearance=1e-5)

@@ -8,9 +8,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rolamento import Case, Duty, InputError, Load, load_case, solve, solve_batch
-from rolamento.case.arrangement import Row
+from rolamento import Case, Duty, InputError, Load, load_case
+from rolamento.case.arrangement import BallRow
 from rolamento.plots.cage_turn import cage_turn_figure
+from rolamento.solving import solve
 from rolamento.studies.cage_turn import CageTurn, cage_turn
 
 RPM = np.pi / 30.0
@@ -19,7 +20,7 @@ RPM = np.pi / 30.0
 @pytest.fixture(scope="module", autouse=True)
 def _compiled(case_218: Case) -> None:
     """Load the compiled kernels first: few cases alone would run as plain Python, slowly."""
-    solve_batch(case_218, fx=np.full(100, 1e4))
+    solve(case_218, fx=np.full(100, 1e4))
 
 
 @pytest.fixture(scope="module")
@@ -36,9 +37,9 @@ def with_speeds(case: Case, inner: float, outer: float, **load: float) -> Case:
 def test_the_points_lie_evenly_over_one_pitch_without_its_end(turn: CageTurn) -> None:
     assert turn.period == pytest.approx(2 * np.pi / 16)
     np.testing.assert_allclose(turn.angle, turn.period * np.arange(32) / 32)
-    assert turn.displacement.shape == turn.load.shape == (32, 5)
-    assert turn.stiffness.shape == (32, 5, 5)
-    assert turn.inner_load.shape == turn.outer_load.shape == (32, 16)
+    assert turn.solved.displacement.array.shape == turn.solved.load.array.shape == (32, 5)
+    assert turn.solved.stiffness.array.shape == (32, 5, 5)
+    assert turn.solved.inner.load.shape == turn.solved.outer.load.shape == (32, 16)
     assert len(turn) == 32
     assert turn.converged
     assert turn.advice is None
@@ -47,23 +48,25 @@ def test_the_points_lie_evenly_over_one_pitch_without_its_end(turn: CageTurn) ->
 def test_every_instant_is_what_solve_finds(case_218: Case, turn: CageTurn) -> None:
     duty = case_218.duty.replace(first_ball_azimuth=float(turn.angle[5]))
     state = solve(case_218.replace(duty=duty))
-    np.testing.assert_allclose(turn.displacement[5], state.displacement, atol=1e-13)
-    np.testing.assert_allclose(turn.load[5], state.load, atol=1e-6)
-    np.testing.assert_allclose(turn.stiffness[5], state.stiffness, rtol=1e-7, atol=1.0)
-    np.testing.assert_allclose(turn.inner_load[5], [ball.inner.load for ball in state.balls])
+    found = turn.solved[5]
+    np.testing.assert_allclose(found.displacement.array, state.displacement.array, atol=1e-13)
+    np.testing.assert_allclose(found.load.array, state.load.array, atol=1e-6)
+    np.testing.assert_allclose(found.stiffness.array, state.stiffness.array, rtol=1e-7, atol=1.0)
+    np.testing.assert_allclose(found.inner.load, state.inner.load)
 
 
 def test_the_history_of_one_ball_holds_what_each_ball_meets(case_218: Case, turn: CageTurn) -> None:
     duty = case_218.duty.replace(first_ball_azimuth=float(turn.angle[5]))
     (history,) = turn.histories
-    for ball in solve(case_218.replace(duty=duty)).balls:
-        step = int(np.argmin(np.abs(history.azimuth - ball.azimuth)))
-        assert history.azimuth[step] == pytest.approx(ball.azimuth, abs=1e-9)
+    state = solve(case_218.replace(duty=duty))
+    for ball, azimuth in enumerate(state.elements.azimuth[0]):
+        step = int(np.argmin(np.abs(history.azimuth - azimuth)))
+        assert history.azimuth[step] == pytest.approx(azimuth, abs=1e-9)
         for race in ("inner", "outer"):
-            found, expected = getattr(history, race), getattr(ball, race)
-            assert found.load[step] == pytest.approx(expected.load)
-            assert found.contact_angle[step] == pytest.approx(expected.contact_angle)
-            assert found.max_pressure[step] == pytest.approx(expected.max_pressure)
+            for name in ("load", "contact_angle", "max_pressure"):
+                found = getattr(getattr(history, race), name)[step]
+                expected = getattr(getattr(state, race), name)[0, ball]
+                assert found == pytest.approx(expected)
 
 
 def test_the_heaviest_load_is_met_on_the_load_line(turn: CageTurn) -> None:
@@ -106,8 +109,8 @@ def test_the_clock_runs_with_the_balls(case_218: Case, rpm: float) -> None:
 
 def test_the_cage_speed_is_the_mean_of_the_loaded_balls(turn: CageTurn, case_218: Case) -> None:
     speed = turn.cage_speed
-    assert speed.least < speed.mean < speed.greatest
-    orbits = [ball.orbital_speed for ball in solve(case_218).balls]
+    assert speed.minimum < speed.mean < speed.maximum
+    orbits = solve(case_218).elements.orbital_speed[0]
     assert speed.mean == pytest.approx(np.mean(orbits), rel=1e-3)
     # the range is that of all instants: wider than at one of them, by little
     at_once = (max(orbits) - min(orbits)) / np.mean(orbits)
@@ -117,7 +120,7 @@ def test_the_cage_speed_is_the_mean_of_the_loaded_balls(turn: CageTurn, case_218
 def test_balls_without_load_have_no_say_in_the_cage_speed(examples: Path) -> None:
     """With clearance the inner ring leaves balls behind, whose orbits mean nothing."""
     turned = cage_turn(load_case(examples / "209_radial.toml", ["duty.inner_speed=500 rpm"]))
-    assert turned.inner_load.min() == 0.0 < turned.outer_load.min()
+    assert turned.solved.inner.load.min() == 0.0 < turned.solved.outer.load.min()
     rolling = 0.5 * 500 * RPM * (1.0 - 12.7 / 65.0)
     assert turned.cage_speed.mean == pytest.approx(rolling, rel=1e-3)
     assert turned.cage_speed.spread < 0.01
@@ -152,8 +155,8 @@ def test_the_first_harmonic_is_the_amplitude_of_the_wave(case_218: Case) -> None
 
 def two_rows(case: Case, **second: Any) -> Case:
     rows = (
-        Row(orientation="+", position="-15 mm"),
-        Row(orientation="-", position="15 mm", **second),
+        BallRow(orientation="+", position="-15 mm"),
+        BallRow(orientation="-", position="15 mm", **second),
     )
     return case.replace(bearing=case.bearing.replace(rows=rows, preload="500 N"))
 
@@ -164,7 +167,7 @@ def test_a_set_has_a_history_for_each_row(case_218: Case) -> None:
     assert turned.period == pytest.approx(2 * np.pi / 16)
     assert [history.row for history in turned.histories] == [0, 1]
     for history in turned.histories:
-        of_row = turned.inner_load[:, turned.row == history.row]
+        of_row = turned.solved.inner.load[:, turned.solved.elements.row == history.row]
         np.testing.assert_array_equal(np.sort(history.inner.load), np.sort(of_row.ravel()))
     first, second = (history.inner.load.max() for history in turned.histories)
     assert first > 2.0 * second  # the axial load takes the second row's preload away
@@ -176,9 +179,11 @@ def test_rows_of_different_ball_counts_repeat_by_their_common_divisor(case_218: 
     assert turned.converged
     assert turned.period == pytest.approx(2 * np.pi / 4)
     np.testing.assert_array_equal(turned.orders[:4], [4, 8, 12, 16])
-    onward = solve_batch(unlike, first_ball_azimuth=turned.angle + turned.period)
-    np.testing.assert_allclose(onward.displacement, turned.displacement, atol=1e-14)
-    np.testing.assert_array_equal(onward.row, turned.row)
+    onward = solve(unlike, first_ball_azimuth=turned.angle + turned.period)
+    np.testing.assert_allclose(
+        onward.displacement.array, turned.solved.displacement.array, atol=1e-14
+    )
+    np.testing.assert_array_equal(onward.elements.row, turned.solved.elements.row)
     for history in turned.histories:  # one ball, once round, in even steps
         assert len(history.azimuth) == 96
         np.testing.assert_allclose(np.diff(history.azimuth), 2 * np.pi / 96, atol=1e-12)
@@ -187,7 +192,7 @@ def test_rows_of_different_ball_counts_repeat_by_their_common_divisor(case_218: 
     azimuth = float(np.radians(5.0) + turned.angle[7])
     step = int(np.argmin(np.abs(second.azimuth - azimuth)))
     assert second.azimuth[step] == pytest.approx(azimuth, abs=1e-9)
-    assert second.inner.load[step] == turned.inner_load[7, 16]
+    assert second.inner.load[step] == turned.solved.inner.load[7, 16]
 
 
 # --- without a result -------------------------------------------------------------------------
@@ -231,10 +236,11 @@ def test_the_figure_shows_the_variation_about_the_mean(turn: CageTurn) -> None:
     assert [line.get_label() for line in lines] == ["x", "y", "z"]
     drawn = lines[0].get_ydata()
     assert len(drawn) == 33
-    assert np.ptp(drawn) == pytest.approx(1e9 * np.ptp(turn.displacement[:, 0]))  # nm
+    assert np.ptp(drawn) == pytest.approx(1e9 * np.ptp(turn.solved.displacement.array[:, 0]))  # nm
     assert np.mean(drawn[:-1]) == pytest.approx(0.0, abs=1e-9)
     polar = panel(figure, "Load of one ball, once round (kN)")
-    assert np.max(polar.get_lines()[0].get_ydata()) == pytest.approx(1e-3 * turn.inner_load.max())
+    largest = np.max(polar.get_lines()[0].get_ydata())
+    assert largest == pytest.approx(1e-3 * turn.solved.inner.load.max())
 
 
 def test_the_figure_of_what_does_not_vary_says_so(case_218: Case) -> None:

@@ -272,7 +272,7 @@ class TestOverrides:
             ("bearing.ball_count=16.5", "must be a whole number"),
             ("bearing.ball_count=" + "9" * 250, "must be at most 500"),
             ("bearing.inner_conformity=nan", "must be a finite number"),
-            ("bearing.ball_material.density=3.2 g/cm^3", "is not a table in this case"),
+            ("bearing.ball_material.density=3.2 mm", "is not a unit of density"),
             ("model.raceway_control=oter", "must be one of"),
         ],
     )

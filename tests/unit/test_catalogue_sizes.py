@@ -9,9 +9,20 @@ from typing import Any
 
 import pytest
 
-from rolamento import Bearing, Case, Duty, InputError, Load, Mounting, override, parse_case, solve
+from rolamento import (
+    Bearing,
+    Case,
+    Duty,
+    InputError,
+    Load,
+    Mounting,
+    override,
+    parse_case,
+    solve,
+    solving,
+)
 from rolamento.case import case_to_json, case_to_toml
-from rolamento.case._catalogue_sizes import with_catalogue_sizes
+from rolamento.case.case import _with_catalogue_sizes
 from rolamento.clearance import class_clearance, clearance_of_case
 from rolamento.life import conditions_of, life
 from rolamento.report.language import PORTUGUESE
@@ -116,13 +127,13 @@ def test_replenishment_gets_them_as_well() -> None:
     "given", [{}, {"mounting": None}, {"mounting": 3}, {"mounting": {}, "bearing": None}]
 )
 def test_what_is_no_table_stays_as_it_is(given: dict[str, Any]) -> None:
-    assert with_catalogue_sizes(given, in_file=True) == given
+    assert _with_catalogue_sizes(given, in_file=True) == given
 
 
 @pytest.mark.parametrize("designation", [6305, "6305"])
 def test_a_number_is_a_designation(designation: object) -> None:
     given = {"mounting": {}, "bearing": {"designation": designation}}
-    found = with_catalogue_sizes(given, in_file=True)
+    found = _with_catalogue_sizes(given, in_file=True)
     assert found["mounting"] == {"bore": "25 mm", "outside_diameter": "62 mm"}
     assert given["mounting"] == {}
 
@@ -167,7 +178,7 @@ def test_a_mounted_designation_starts_from_its_class() -> None:
 
 
 def test_ratings_come_from_the_designation() -> None:
-    found = life(solve(case()))
+    found = life(solving.solve(case()))
     assert found.ratings.dynamic_of_set[0] == 20_600.0
     assert found.ratings.static_of_set[0] == 11_200.0
     assert found.rating_sources["dynamic"].startswith("NSK, Rolling Bearings")
@@ -176,7 +187,7 @@ def test_ratings_come_from_the_designation() -> None:
 
 def test_a_rating_that_is_given_goes_before() -> None:
     own = override(case(), ["life.dynamic_rating=22 kN"])
-    found = life(solve(own))
+    found = life(solving.solve(own))
     assert found.ratings.dynamic_of_set[0] == pytest.approx(22_000.0)
     assert found.rating_sources["dynamic"] == "given"
     assert found.rating_sources["static"].startswith("NSK")

@@ -490,10 +490,10 @@ def test_wrong_mountings(changes: dict[str, Any], field: str, told: str) -> None
         ({"clearance_class": "C9"}, "clearance_class", "must be one of"),
         (
             {"clearance_class": "C3", "measured_clearance": "20 um"},
-            "clearance_class",
-            "beside measured_clearance",
+            "measured_clearance",
+            "beside clearance_class",
         ),
-        ({"shaft_tolerance": "k5", "shaft_interference": 1e-6}, "shaft_tolerance", "give one"),
+        ({"shaft_tolerance": "k5", "shaft_interference": 1e-6}, "shaft_interference", "give one"),
         ({"measuring_load": "49 N"}, "measuring_load", "without the clearance"),
         ({"shaft_bore": "25 mm"}, "shaft_bore", "must be less than bore, 25 mm"),
         ({"outside_diameter": "20 mm"}, "bore", "must be less than outside_diameter"),

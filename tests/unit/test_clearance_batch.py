@@ -7,11 +7,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rolamento import Case, InputError, parse_case, solve, solve_batch
-from rolamento.case._overrides import overridden
+from rolamento import Case, InputError, parse_case, solve, solve_batch, solving
+from rolamento.case.varied import batch_fields
 from rolamento.clearance import MOUNTED_FIELDS, clearance_of_case, operating_batch
-from rolamento.life import life, life_of_batch
-from rolamento.rows.ball import batch_fields
+from rolamento.life import life
 from rolamento.studies import Axis, Study, run
 
 DEEP = """
@@ -79,8 +78,7 @@ VALUES = {
 
 def changed(case: Case, name: str, value: float) -> Case:
     """The case with one number changed, the rival that it replaces gone."""
-    mapping = case.model_dump(exclude_unset=True, exclude_none=True)
-    return Case(**overridden(mapping, [f"{name}={float(value)!r}"], Case)[0])
+    return case.with_({name: float(value)})
 
 
 @pytest.mark.parametrize("text", [DEEP, ANGULAR], ids=["6305", "218"])
@@ -181,11 +179,10 @@ def test_a_study_over_the_temperature_of_a_ring_finds_film_and_life() -> None:
     dataset = run(study)
     assert np.all(np.diff(dataset["z"].values) < 0.0)
     assert np.ptp(dataset["viscosity_ratio"].values) == 0.0
-    batch = solve_batch(case, {"temperature.inner_ring": warm})
-    lives = life_of_batch(case, batch).headline.hours
+    lives = life(solving.solve(case, {"temperature.inner_ring": warm})).headline.hours
     alone = [
         life(
-            solve(changed(case, "temperature.inner_ring", one)), stress_volume=False
+            solving.solve(changed(case, "temperature.inner_ring", one)), stress_volume=False
         ).headline.hours[0]
         for one in warm
     ]

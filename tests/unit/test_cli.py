@@ -162,8 +162,8 @@ def test_json_has_the_keys_of_the_contract(run: Run) -> None:
 
 
 def test_json_says_what_python_says(run: Run) -> None:
-    state = equilibrium.solve(rolamento.load_case(EXAMPLE))
-    assert run("solve", "case.toml", "--json").out == rolamento.Analysis(state).to_json() + "\n"
+    analysis = rolamento.analyse(EXAMPLE)
+    assert run("solve", "case.toml", "--json").out == analysis.to_json() + "\n"
 
 
 def test_json_is_utf_8_whatever_the_locale(run: Run) -> None:

@@ -33,7 +33,7 @@ from rolamento.tasks.noise import FullScale, MeasuredNoise, NoiseResult
 from rolamento.vibration.anderon import BANDS, SPEED, BandNoise, measure_noise, noise_steps
 from rolamento.vibration.reading import read_signal
 from rolamento.vibration.signal import Signal
-from rolamento.weibull.trend import parse_trend
+from rolamento.weibull import parse_trend
 
 DOCS = Path(__file__).resolve().parents[2] / "docs"
 Run = Callable[..., tuple[int, str, str]]

@@ -218,7 +218,7 @@ def test_a_field_that_needs_cases_of_its_own(examples: Path) -> None:
     case = load_case(examples / "6305_film.toml")
     curve = friction_curve(case, read_range("surface.ball_roughness=0.02..0.2um", 3))
     assert curve.converged
-    assert (np.diff(curve.film_parameter) < 0.0).all()
+    assert (np.diff(curve.friction.film_parameter) < 0.0).all()
     assert curve.friction.regime.tolist()[-1] == "boundary"
     with pytest.raises(InputError, match="at most 200"):
         friction_curve(case, read_range("surface.ball_roughness=0.02..0.2um", 201))
@@ -228,7 +228,7 @@ def test_a_warmer_oil_resists_less(examples: Path) -> None:
     case = load_case(examples / "6305_film.toml")
     curve = friction_curve(case, read_range("temperature.lubricant=40..110degC", 4))
     assert (np.diff(curve.friction.torque_by_source["rolling_resistance"]) < 0.0).all()
-    assert (np.diff(curve.film_parameter) < 0.0).all()
+    assert (np.diff(curve.friction.film_parameter) < 0.0).all()
 
 
 def test_a_coefficient_may_be_what_varies(examples: Path) -> None:
@@ -243,7 +243,7 @@ def test_a_coefficient_may_be_what_varies(examples: Path) -> None:
 def test_the_table_marks_what_does_not_hold(run: Run) -> None:
     code, out, _ = run("ricci_fleury.toml", "--over", SPEEDS, "--log", "--points", "6")
     assert code == 0
-    assert "* the model does not hold there" in out
+    assert "* the model is not valid there" in out
     assert "inertia counts at 30 000 rpm: every model but friction control" in out
     assert "Spin to roll over duty.inner_speed" in out
     assert max(map(len, out.splitlines())) <= 80

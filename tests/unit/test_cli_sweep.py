@@ -145,7 +145,7 @@ def test_ctrl_c_keeps_what_is_done(run: Run, monkeypatch: pytest.MonkeyPatch) ->
 
         real(study, path, **{**options, "progress": progress, "chunk": 1})  # type: ignore[arg-type]
 
-    monkeypatch.setattr("rolamento.studies.run_to_file", interrupted)
+    monkeypatch.setattr("rolamento.studies.runner.run_to_file", interrupted)
     result = run("study.toml")
     assert result.exit_code == 130
     assert "1 of 2 cases are kept in study.nc.parts" in result.stderr

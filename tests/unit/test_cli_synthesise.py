@@ -19,8 +19,7 @@ from typer.testing import CliRunner
 
 from rolamento import Bearing, load_case
 from rolamento.cli.app import app
-from rolamento.cli.field_list import fields_of
-from rolamento.cli.quantities import number_of
+from rolamento.cli.quantities import fields_of, number_of
 from rolamento.errors import InputError
 from rolamento.plots.vibration_modulation import envelope_depths, modulation_figure
 from rolamento.report import synthesis as page

@@ -59,7 +59,7 @@ def test_the_report_tells_of_cage_ring_and_ball(run: Run, examples: Path) -> Non
     assert "64 instants of the first ball over 22.5°" in out
     assert f"balls pass under the load at {turned.passage_frequency:.1f} Hz" in out
     assert "peak to peak" in out
-    assert f"greatest load          {turned.inner_load.max():.1f}" in out
+    assert f"maximum load           {turned.solved.inner.load.max():.1f}" in out
 
 
 def test_by_default_as_many_points_as_the_engine_takes(run: Run) -> None:
@@ -113,7 +113,7 @@ def test_json_holds_the_turn_in_si(examples: Path) -> None:
     turned = cage_turn(load_case(examples / "218_combined.toml"), points=8)
     data = strict(turn_json(turned))
     np.testing.assert_array_equal(data["angle"], turned.angle)
-    np.testing.assert_array_equal(data["displacement"]["values"], turned.displacement)
+    np.testing.assert_array_equal(data["displacement"]["values"], turned.solved.displacement.array)
     variation = turned.variation("stiffness")
     waves = np.array(data["stiffness"]["amplitude"]) * np.exp(
         1j * np.array(data["stiffness"]["phase"])
@@ -132,9 +132,9 @@ def test_csv_has_a_line_for_every_instant(run: Run, examples: Path) -> None:
     assert len(lines) == 8
     assert [line["status"] for line in lines] == ["converged"] * 8
     found = [float(line["z_um"]) for line in lines]
-    np.testing.assert_allclose(found, 1e6 * turned.displacement[:, 2], rtol=1e-9)
+    np.testing.assert_allclose(found, 1e6 * turned.solved.displacement.array[:, 2], rtol=1e-9)
     found = [float(line["ball_15_outer_load_N"]) for line in lines]
-    np.testing.assert_allclose(found, turned.outer_load[:, 15], rtol=1e-9)
+    np.testing.assert_allclose(found, turned.solved.outer.load[:, 15], rtol=1e-9)
     found = [float(line["time_ms"]) for line in lines]
     np.testing.assert_allclose(found, 1e3 * turned.time, rtol=1e-9)
 

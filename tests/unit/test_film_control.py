@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 import pytest
-from tests.one_case import solve_one
 
 import rolamento as ro
-from rolamento.assembly import balance, result, solve_cases, spread
+from rolamento import assembly
 from rolamento.errors import InputError
-from rolamento.lubrication import film_of_batch
-from rolamento.lubrication.film_control import ShearedFilm, solve_on_film
-from rolamento.oil.piezoviscosity import roelands
-from rolamento.rows import ball as equilibrium
+from rolamento.lubrication import film as film_of
+from rolamento.lubrication.film_control import ShearedFilm, balanced_on_film
+from rolamento.oil import roelands
 from rolamento.rows.ball.traction.contact import ellipse_nodes
+from rolamento.solved import Solved
 from rolamento.solving import solve
 
 BEARING = ro.Bearing(
@@ -40,25 +40,23 @@ def case(oil: str = "ISO VG 68", fz: float = 0.0, **model: Any) -> ro.Case:
 
 
 def test_a_film_that_shears_costs_less_than_friction_and_balances() -> None:
-    dry, wet = solve_one(case()), solve_one(case(traction="film"))
+    dry, wet = solve(case()), solve(case(traction="film"))
     assert dry.rolling is not None
     assert wet.rolling is not None
-    assert wet.status.converged
-    assert wet.rolling.power < dry.rolling.power
+    assert wet.converged[0]
+    assert wet.rolling.power[0] < dry.rolling.power[0]
     work = wet.rolling.inner_torque * wet.case.duty.inner_speed
     assert work == pytest.approx(wet.rolling.power, rel=1e-6)
-    for ball, moved in zip(wet.balls, wet.rolling.balls, strict=True):
-        for race in ("inner", "outer"):
-            friction = getattr(moved, race)
-            pull = np.hypot(friction.force_along, friction.force_across)
-            assert pull <= MU * getattr(ball, race).load
+    for contacts, friction in ((wet.inner, wet.rolling.inner), (wet.outer, wet.rolling.outer)):
+        pull = np.hypot(friction.force_along, friction.force_across)
+        assert (pull <= MU * contacts.load).all()
 
 
 def test_a_thicker_oil_resists_slip_sooner() -> None:
     """At the races' pressures every oil is all but solid; at a thousandth of it, it is not."""
     nodes = ellipse_nodes(20, 5)
-    batch = ro.solve(case())
-    thin, thick = (_film(case(oil), batch) for oil in ("ISO VG 32", "ISO VG 460"))
+    solved = solve(case())
+    thin, thick = (_film(case(oil), solved) for oil in ("ISO VG 32", "ISO VG 460"))
     light = [
         ShearedFilm(
             f.thickness, f.pressure * 1e-3, f.friction, f.viscosity, f.pressure_viscosity, True,
@@ -84,69 +82,64 @@ def test_slip_speed_is_limiting_friction_over_shear() -> None:
 
 def test_without_film_it_is_coulomb() -> None:
     """A film of no thickness neither shears nor lifts."""
-    plain = case()
-    columns = spread(plain, {})
-    nothing = np.zeros((1, 16, 2))
+    cases, nothing = assembly.spread(case()), np.zeros((1, 16, 2))
     film = ShearedFilm(
         nothing, nothing, np.array([MU]), np.array([0.03]), np.array([2e-8]), True, True
     )
-    one, other = solve_cases(columns), result(columns, balance(columns, film))
-    np.testing.assert_array_equal(one.displacement.array, other.displacement.array)
-    np.testing.assert_array_equal(one.load.array, other.load.array)
+    one, other = assembly.balance(cases), assembly.balance(cases, film)
+    np.testing.assert_array_equal(one.place, other.place)
+    np.testing.assert_array_equal(one.force, other.force)
 
 
 def test_a_film_in_the_contact_lifts_the_ring_off_by_its_thickness() -> None:
     """Under thrust both films together move the ring back by their sum over sin α, or nearly."""
-    flat, lifted = ro.solve(case()), ro.solve(case(film_in_contact=True))
-    films = film_of_batch(case(), lifted)
-    both = films.inner.central_thickness[0, 0] + films.outer.central_thickness[0, 0]
-    moved = flat.displacement.array[0, 0] - lifted.displacement.array[0, 0]
-    angles = lifted
-    inner, outer = angles.inner.contact_angle[0, 0], angles.outer.contact_angle[0, 0]
-    expected = films.inner.central_thickness[0, 0] / np.sin(inner)
-    expected += films.outer.central_thickness[0, 0] / np.sin(outer)
-    assert both > 1e-7
+    flat, lifted = solve(case()), solve(case(film_in_contact=True))
+    films = film_of(lifted)
+    inner, outer = films.inner.central_thickness[0, 0], films.outer.central_thickness[0, 0]
+    moved = (flat.displacement.x - lifted.displacement.x)[0]
+    expected = inner / np.sin(lifted.inner.contact_angle[0, 0])
+    expected += outer / np.sin(lifted.outer.contact_angle[0, 0])
+    assert inner + outer > 1e-7
     assert moved == pytest.approx(expected, rel=0.25)
-    assert angles.inner.load[0, 0] == pytest.approx(flat.inner.load[0, 0], rel=1e-2)
+    assert lifted.inner.load[0, 0] == pytest.approx(flat.inner.load[0, 0], rel=1e-2)
 
 
 def test_loads_are_those_of_the_lifted_contacts() -> None:
     """Loads shown come from the approach with the film in it: they balance the ring."""
-    state = solve_one(case(film_in_contact=True, traction="film", fz=15e3))
-    assert state.rolling is not None
-    axial = 0.0
-    for ball, moved in zip(state.balls, state.rolling.balls, strict=True):
-        angle = ball.inner.contact_angle
-        axial += ball.inner.load * np.sin(angle) + moved.inner.force_across * np.cos(angle)
-    assert axial == pytest.approx(20e3, rel=1e-7)
+    solved = solve(case(film_in_contact=True, traction="film", fz=15e3))
+    assert solved.rolling is not None
+    inner, pull = solved.inner, solved.rolling.inner.force_across
+    axial = inner.load * np.sin(inner.contact_angle) + pull * np.cos(inner.contact_angle)
+    assert axial.sum() == pytest.approx(20e3, rel=1e-7)
 
 
 def test_the_film_belongs_to_the_motion_that_it_brings_about() -> None:
-    wanted = case(traction="film", film_in_contact=True)
-    batch = solve_on_film(wanted, spread(wanted, {}))
-    once_more = ro.solve(wanted)
-    np.testing.assert_allclose(batch.displacement.array, once_more.displacement.array, rtol=1e-12)
-    again = film_of_batch(wanted, batch).inner.central_thickness
-    used = batch.answer.motion
-    assert used is not None
-    np.testing.assert_allclose(used.lift[..., 0], np.nan_to_num(again), rtol=1e-5)
+    balanced, settled, felt = balanced_on_film(
+        assembly.spread(case(traction="film", film_in_contact=True))
+    )
+    assert settled.all()
+    cases = assembly.spread(case(traction="film", film_in_contact=True))
+    again = film_of(assembly.result(cases, balanced)).inner.central_thickness
+    np.testing.assert_allclose(felt.lift[..., 0], np.nan_to_num(again), rtol=1e-5)
 
 
 def test_a_batch_is_the_cases_one_by_one() -> None:
-    wanted = case(traction="film")
-    loads = [15e3, 25e3]
-    batch = ro.solve(wanted, fx=loads)
+    wanted, loads = case(traction="film"), [15e3, 25e3]
+    batch = solve(wanted, fx=loads)
     for index, load in enumerate(loads):
-        alone = ro.solve(wanted, fx=[load])
+        alone = solve(wanted, fx=[load])
         np.testing.assert_allclose(
-            batch.displacement.array[index], alone.displacement.array[0], rtol=1e-6, atol=1e-12
+            batch[index].displacement.array, alone.displacement.array, rtol=1e-6, atol=1e-12
         )
 
 
-def test_the_equilibrium_by_itself_sends_on() -> None:
-    for call in (equilibrium.solve, equilibrium.solve_batch):
-        with pytest.raises(InputError, match=r"rolamento\.solve"):
-            call(case(traction="film"))
+def test_the_film_is_that_of_each_cases_temperature() -> None:
+    wanted = case(traction="film")
+    batch = solve(wanted, {"temperature.lubricant": [313.15, 353.15]})
+    hot = wanted.replace(temperature={"lubricant": 353.15})
+    np.testing.assert_allclose(
+        batch[1].displacement.array, solve(hot).displacement.array, rtol=1e-6, atol=1e-12
+    )
 
 
 @pytest.mark.parametrize(
@@ -166,26 +159,23 @@ def test_what_a_film_needs(change: dict[str, Any], words: str) -> None:
         case(traction="film").replace(**change)
 
 
-def _film(wanted: ro.Case, batch: ro.Solved) -> ShearedFilm:
-    films = film_of_batch(wanted, batch)
-    thickness = np.stack([films.inner.central_thickness, films.outer.central_thickness], axis=-1)
-    pressure = np.stack([batch.contacts[race].max_pressure for race in ("inner", "outer")], axis=-1)
+def _film(wanted: ro.Case, solved: Solved) -> ShearedFilm:
+    films = film_of(replace(solved, case=wanted))
+    pressure = np.stack([solved.inner.max_pressure, solved.outer.max_pressure], axis=-1)
     # the same gap for both: only the oil differs
-    gap = np.full_like(thickness, 3e-7)
+    gap = np.full_like(pressure, 3e-7)
     return ShearedFilm(
-        gap, pressure, np.array([MU]), films.oil.dynamic_viscosity, films.oil.pressure_viscosity,
+        gap, pressure, np.array([MU]), films.dynamic_viscosity, films.pressure_viscosity,
         True, False,
     )  # fmt: skip
 
 
 def test_a_film_that_does_not_settle_leaves_no_number(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("rolamento.lubrication.film_control.PASSES", 1)
-    batch = solve(case(film_in_contact=True))
-    assert batch.status.code.tolist() == ["not_converged"]
-    rolling = batch.answer.motion
-    assert rolling is not None
+    solved = solve(case(film_in_contact=True))
+    assert solved.status.code.tolist() == ["not_converged"]
     for array in (
-        batch.displacement.array, batch.load.array, batch.stiffness.array, batch.rows.load,
-        rolling.power, batch.inner.load,
+        solved.displacement.array, solved.load.array, solved.stiffness.array, solved.rows.load,
+        solved.inner.load,
     ):  # fmt: skip
         assert np.isnan(array).all()

@@ -9,13 +9,16 @@ import pytest
 from scipy.integrate import quad
 from scipy.special import ellipe
 
-from rolamento.friction.ellipse_mesh import ellipse_mesh
+from rolamento.friction.closed_forms import (
+    MOMENT_COEFFICIENT,
+    ROLLING_LINE,
+    hysteresis_moment,
+    rolling_moment,
+    spin_moment,
+)
 from rolamento.friction.harris_1971 import line_friction
-from rolamento.friction.heathcote import MOMENT_COEFFICIENT, ROLLING_LINE, rolling_moment
-from rolamento.friction.hysteresis import hysteresis_moment
 from rolamento.friction.slip import Patch, RelativeMotion, rolling_lines, slip_velocity
-from rolamento.friction.spin import spin_moment
-from rolamento.friction.traction import contact_friction
+from rolamento.friction.traction import contact_friction, ellipse_mesh
 
 MU = 0.13
 

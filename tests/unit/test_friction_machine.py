@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rolamento import load_case, solve
+from rolamento import load_case
 from rolamento.errors import InputError
 from rolamento.friction import MachineBearing, friction
 from rolamento.friction.palmgren import (
@@ -28,6 +28,7 @@ from rolamento.friction.skf import (
     skf_torque,
 )
 from rolamento.friction.slip import Patch
+from rolamento.solving import solve
 
 EXAMPLES = Path(__file__).parents[2] / "src" / "rolamento" / "examples"
 RPM = pi / 30.0
@@ -144,9 +145,9 @@ def test_skf_angular_contact_constants_are_for_one_contact_angle(
         constants=constants,
     )
     found = friction(state, friction_coefficient=0.1, machine=machine, film_parameter=5.0)
-    (verdict,) = (own for own in found.verdicts if own.model == "skf")
-    assert bool(verdict.holds[0]) is valid
-    assert ("other_angle" in verdict.notes) is not valid
+    (validity,) = (own for own in found.validity if own.model == "skf")
+    assert bool(validity.valid[0]) is valid
+    assert ("other_angle" in validity.notes) is not valid
     assert found.models["skf"].total[0] > 0.0
 
 

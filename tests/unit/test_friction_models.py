@@ -10,16 +10,16 @@ import pytest
 import rolamento as ro
 from rolamento import Bearing, Case, Duty, Load
 from rolamento.errors import InputError
-from rolamento.friction.ellipse_mesh import ellipse_mesh
+from rolamento.friction.closed_forms import hysteresis_moment
 from rolamento.friction.harris_1971 import harris_1971
-from rolamento.friction.hysteresis import hysteresis_moment
 from rolamento.friction.jones_control import jones_control
 from rolamento.friction.jones_full import jones_full, jones_full_motion
 from rolamento.friction.jones_simplified import jones_simplified
-from rolamento.friction.loaded_balls import LoadedBalls, loaded_balls
-from rolamento.friction.minimum_power import flat_balls
+from rolamento.friction.minimum_power import loaded_contacts
 from rolamento.friction.todd import todd
-from rolamento.friction.traction import contact_friction
+from rolamento.friction.traction import contact_friction, ellipse_mesh
+from rolamento.solved import Solved
+from rolamento.solving import solve
 
 MU = 0.17
 LOADS = (20.0, 50.0, 100.0, 200.0)
@@ -40,11 +40,11 @@ def satellite() -> Case:
 
 
 @pytest.fixture(scope="module")
-def thrust(satellite: Case) -> LoadedBalls:
-    return loaded_balls(ro.solve_batch(satellite, fx=np.array(LOADS)))
+def thrust(satellite: Case) -> Solved:
+    return solve(satellite, fx=np.array(LOADS))
 
 
-def second_integral(balls: LoadedBalls) -> np.ndarray:
+def second_integral(balls: Solved) -> np.ndarray:
     """E of the contact that spins, roughly: the mean of both, for the balls of each case."""
     from scipy.special import ellipe
 
@@ -55,7 +55,7 @@ def second_integral(balls: LoadedBalls) -> np.ndarray:
     return np.mean(values, axis=0)
 
 
-def test_order_of_the_models_on_ricci_and_fleurys_bearing(thrust: LoadedBalls) -> None:
+def test_order_of_the_models_on_ricci_and_fleurys_bearing(thrust: Solved) -> None:
     full, control = jones_full(thrust, MU).total, jones_control(thrust, MU).total
     bare = todd(thrust, MU, hysteresis=0.0).total
     simple, harris = jones_simplified(thrust, MU).total, harris_1971(thrust, MU).total
@@ -66,16 +66,16 @@ def test_order_of_the_models_on_ricci_and_fleurys_bearing(thrust: LoadedBalls) -
     assert np.all((simple / full > 1.27) & (simple / full < 1.54))
 
 
-def test_harris_equals_the_mesh_without_slip_across(thrust: LoadedBalls) -> None:
+def test_harris_equals_the_mesh_without_slip_across(thrust: Solved) -> None:
     """The closed forms against quadrature of the same model: one point along the ellipse."""
     mesh = ellipse_mesh(1500, 1)
     lines = jones_full(thrust, MU, mesh=mesh).total
     np.testing.assert_allclose(harris_1971(thrust, MU).total, lines, rtol=3e-5)
 
 
-def test_both_contacts_spin_where_friction_decides(thrust: LoadedBalls) -> None:
+def test_both_contacts_spin_where_friction_decides(thrust: Solved) -> None:
     _, motion = jones_full_motion(thrust, MU)
-    inner, outer, _ = flat_balls(thrust)
+    inner, outer, _ = loaded_contacts(thrust)
     assert motion is not None
     spin_in, spin_out = (motion.relative_motion(patch).spin for patch in (inner, outer))
     heavy = np.repeat(np.array(LOADS) >= 50.0, 3)
@@ -83,12 +83,12 @@ def test_both_contacts_spin_where_friction_decides(thrust: LoadedBalls) -> None:
     assert np.all(np.abs(spin_out[heavy]) > 0.02)
 
 
-def test_torque_on_both_rings_is_the_power(thrust: LoadedBalls) -> None:
+def test_torque_on_both_rings_is_the_power(thrust: Solved) -> None:
     """T ω = ∫ f·v at the motion found, and the ball is in balance; by the rounded law."""
     _, motion = jones_full_motion(thrust, MU)
     assert motion is not None
     total = {}
-    for patch in flat_balls(thrust)[:2]:
+    for patch in loaded_contacts(thrust)[:2]:
         total[patch.race] = contact_friction(
             patch,
             motion.relative_motion(patch),
@@ -104,7 +104,7 @@ def test_torque_on_both_rings_is_the_power(thrust: LoadedBalls) -> None:
 
 
 @pytest.mark.parametrize("model", [jones_full, jones_control, jones_simplified, harris_1971, todd])
-def test_result_of_every_model(model: object, thrust: LoadedBalls) -> None:
+def test_result_of_every_model(model: object, thrust: Solved) -> None:
     torque = model(thrust, [0.1, 0.2, 0.1, 0.2])  # type: ignore[operator]
     assert torque.converged.all()
     np.testing.assert_allclose(torque.total, sum(torque.parts.values()), rtol=1e-12)
@@ -116,7 +116,7 @@ def test_result_of_every_model(model: object, thrust: LoadedBalls) -> None:
 
 
 @pytest.mark.parametrize("name", ["todd", "jones_control", "jones_simplified"])
-def test_control_can_be_chosen(name: str, thrust: LoadedBalls) -> None:
+def test_control_can_be_chosen(name: str, thrust: Solved) -> None:
     model = {"todd": todd, "jones_control": jones_control, "jones_simplified": jones_simplified}[
         name
     ]
@@ -132,7 +132,7 @@ def test_control_can_be_chosen(name: str, thrust: LoadedBalls) -> None:
         model(thrust, MU, control="both")  # type: ignore[arg-type]
 
 
-def test_hysteresis_is_a_source_of_its_own(thrust: LoadedBalls) -> None:
+def test_hysteresis_is_a_source_of_its_own(thrust: Solved) -> None:
     with_it, without = todd(thrust, MU, hysteresis=0.02), todd(thrust, MU, hysteresis=0.0)
     np.testing.assert_allclose(
         with_it.total - without.total, with_it.parts["hysteresis"], rtol=1e-9
@@ -144,7 +144,7 @@ def test_hysteresis_is_a_source_of_its_own(thrust: LoadedBalls) -> None:
 
 
 def test_speed_does_not_matter_to_coulomb(satellite: Case) -> None:
-    slow = loaded_balls(ro.solve_batch(satellite, inner_speed=[0.0, 1e-3, -1e-3, 0.05]))
+    slow = solve(satellite, inner_speed=[0.0, 1e-3, -1e-3, 0.05])
     for model in (jones_full, jones_control, harris_1971, todd, jones_simplified):
         torque = model(slow, MU)  # type: ignore[operator]
         np.testing.assert_allclose(torque.total, torque.total[0], rtol=1e-6)
@@ -153,8 +153,8 @@ def test_speed_does_not_matter_to_coulomb(satellite: Case) -> None:
 
 
 def test_balls_without_load_take_no_part(examples: Path) -> None:
-    state = ro.solve(ro.load_case(examples / "209_radial.toml"))
-    balls = loaded_balls(state)
+    state = solve(ro.load_case(examples / "209_radial.toml"))
+    balls = state
     assert 0 < balls.loaded.sum() < balls.loaded.size
     for model in (jones_full, jones_control, harris_1971, todd, jones_simplified):
         torque = model(balls, 0.1)  # type: ignore[operator]
@@ -166,9 +166,9 @@ def test_balls_without_load_take_no_part(examples: Path) -> None:
 
 
 def test_case_without_result_is_nan_and_alone(satellite: Case) -> None:
-    batch = ro.solve_batch(satellite, fx=[50.0, -50.0, np.nan, 100.0])
+    batch = solve(satellite, fx=[50.0, -50.0, np.nan, 100.0])
     assert list(batch.converged) == [True, False, False, True]
-    balls = loaded_balls(batch)
+    balls = batch
     for model in (jones_full, jones_control, harris_1971, todd, jones_simplified):
         total = model(balls, MU).total  # type: ignore[operator]
         assert list(np.isfinite(total)) == [True, False, False, True]
@@ -184,9 +184,9 @@ def test_ellipse_wider_than_the_ball_has_no_torque() -> None:
         outer_conformity=0.501,
     )
     case = Case(bearing=bearing, duty=Duty(load=Load(fx="1 kN")))
-    batch = ro.solve_batch(case, fx=[1e-3, 1e3, 1e5])
+    batch = solve(case, fx=[1e-3, 1e3, 1e5])
     assert batch.converged.all()
-    balls = loaded_balls(batch)
+    balls = batch
     for model in (jones_full, jones_control, harris_1971, todd, jones_simplified):
         total = model(balls, MU).total  # type: ignore[operator]
         assert list(np.isfinite(total)) == [True, True, False]
@@ -194,12 +194,12 @@ def test_ellipse_wider_than_the_ball_has_no_torque() -> None:
 
 def test_batch_is_the_states_one_by_one(case_218: Case) -> None:
     speeds = [100.0, 900.0]
-    balls = loaded_balls(ro.solve_batch(case_218, inner_speed=speeds))
+    balls = solve(case_218, inner_speed=speeds)
     for model in (jones_full, harris_1971, todd):
         batch = model(balls, 0.08)  # type: ignore[operator]
         for k, speed in enumerate(speeds):
             case = ro.override(case_218, [f"duty.inner_speed={speed} rad/s"])
-            one = model(loaded_balls(ro.solve(case)), 0.08)  # type: ignore[operator]
+            one = model(solve(case), 0.08)  # type: ignore[operator]
             assert batch.total[k] == pytest.approx(one.total[0], rel=1e-7)
 
 
@@ -210,18 +210,18 @@ def test_a_set_is_the_sum_of_its_rows(case_218: Case) -> None:
         bearing=single.replace(arrangement="DT", spacing="30 mm"),
         duty=alone.duty.replace(load=Load(fx="20 kN")),
     )
-    one = jones_full(loaded_balls(ro.solve(alone)), MU).total[0]
-    two = jones_full(loaded_balls(ro.solve(pair)), MU).total[0]
+    one = jones_full(solve(alone), MU).total[0]
+    two = jones_full(solve(pair), MU).total[0]
     assert two == pytest.approx(2.0 * one, rel=1e-6)
 
 
 @pytest.mark.parametrize("bad", [-0.1, 1.5, np.nan, [[0.1]], "a lot"])
-def test_wrong_coefficients_are_refused(bad: object, thrust: LoadedBalls) -> None:
+def test_wrong_coefficients_are_refused(bad: object, thrust: Solved) -> None:
     with pytest.raises((InputError, ValueError)):
         jones_full(thrust, bad)  # type: ignore[arg-type]
 
 
-def test_torque_converges_with_the_mesh(thrust: LoadedBalls) -> None:
+def test_torque_converges_with_the_mesh(thrust: Solved) -> None:
     fine = jones_full(thrust, MU, mesh=ellipse_mesh(400, 15)).total
     worst = []
     for mesh in ((20, 3), (40, 5), (80, 5), (160, 9)):

@@ -11,29 +11,34 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 import rolamento as ro
 from rolamento.errors import InputError
-from rolamento.friction.loaded_balls import loaded_balls
-from rolamento.friction.slip import greatest_pressure_slip, relative_motion, rolling_lines
+from rolamento.friction.slip import (
+    Patch,
+    maximum_pressure_slip,
+    rolling_lines,
+    solved_motion,
+)
 from rolamento.plots.frame import figure_of
 from rolamento.plots.slip import QUANTITIES, slip_map, slip_maps
 from rolamento.plots.words import PORTUGUESE
+from rolamento.solved import Solved
+from rolamento.solving import solve
 
 
 @pytest.fixture(scope="module")
-def state(case_218: ro.Case) -> ro.State:
-    return ro.solve(case_218)
+def state(case_218: ro.Case) -> Solved:
+    return solve(case_218)
 
 
-def test_map_shows_line_and_maximum_where_they_are(state: ro.State) -> None:
-    balls = loaded_balls(state)
-    heaviest = int(np.argmax(balls.inner.load[0]))
-    motion = relative_motion(balls.inner, balls.ball_velocity, balls.ring_speed("inner"))
-    a = 1e3 * balls.inner.semi_major[0, heaviest]
+def test_map_shows_line_and_maximum_where_they_are(state: Solved) -> None:
+    patch, motion = Patch.of(state.inner), solved_motion(state, "inner")
+    heaviest = int(np.argmax(patch.load[0]))
+    a = 1e3 * patch.semi_major[0, heaviest]
     axes = slip_map(state, quantity="pressure_slip")
     *lines, cross = axes.get_lines()
-    expected = rolling_lines(balls.inner, motion)[0, heaviest]
+    expected = rolling_lines(patch, motion)[0, heaviest]
     drawn = [line.get_xdata()[0] for line in lines]  # type: ignore[index]
     np.testing.assert_allclose(drawn, a * expected[np.isfinite(expected)])
-    found = greatest_pressure_slip(balls.inner, motion)
+    found = maximum_pressure_slip(patch, motion)
     assert cross.get_xdata()[0] == pytest.approx(a * found.across[0, heaviest])  # type: ignore[index]
     value = 1e-6 * found.value[0, heaviest]
     legend = axes.get_legend()
@@ -42,7 +47,7 @@ def test_map_shows_line_and_maximum_where_they_are(state: ro.State) -> None:
 
 
 @pytest.mark.parametrize("race", ["inner", "outer"])
-def test_all_three_maps_have_units_and_can_be_drawn(state: ro.State, race: str) -> None:
+def test_all_three_maps_have_units_and_can_be_drawn(state: Solved, race: str) -> None:
     frames = slip_maps(state, race=race)  # type: ignore[arg-type]
     assert len(frames) == len(QUANTITIES)
     figure = figure_of(frames[0])
@@ -51,20 +56,20 @@ def test_all_three_maps_have_units_and_can_be_drawn(state: ro.State, race: str) 
     FigureCanvasAgg(figure).print_png(io.BytesIO())
 
 
-def test_portuguese(state: ro.State) -> None:
+def test_portuguese(state: Solved) -> None:
     axes = slip_map(state, words=PORTUGUESE, ball=3)
     assert axes.get_xlabel() == "Transversal ao rolamento (mm)"
 
 
 def test_frames_that_say_why(case_218: ro.Case, examples: Path) -> None:
-    unsolved = ro.solve(ro.override(case_218, ["duty.load.fx=-20 kN"]))
+    unsolved = solve(ro.override(case_218, ["duty.load.fx=-20 kN"]))
     assert "No result" in slip_map(unsolved).texts[0].get_text()
-    radial = ro.solve(ro.load_case(examples / "209_radial.toml"))
-    free = next(j for j, ball in enumerate(radial.balls) if ball.inner.load == 0.0)
+    radial = solve(ro.load_case(examples / "209_radial.toml"))
+    free = int(np.argmin(radial.inner.load[0]))
     assert "do not touch" in slip_map(radial, ball=free).texts[0].get_text()
 
 
-def test_refusals(state: ro.State) -> None:
+def test_refusals(state: Solved) -> None:
     with pytest.raises(InputError, match="ball"):
         slip_map(state, ball=99)
     with pytest.raises(InputError, match="quantity"):

@@ -10,9 +10,11 @@ import pytest
 import rolamento as ro
 from rolamento import Case
 from rolamento.errors import InputError
-from rolamento.friction import MachineBearing, friction
-from rolamento.friction.regime import LOW_SPEED, REASONS
+from rolamento.friction import CONTACT_MODELS, MachineBearing, friction
+from rolamento.friction.model import REASONS
 from rolamento.friction.skf import SkfConstants
+from rolamento.solved import Solved
+from rolamento.solving import solve
 
 OIL = MachineBearing(
     kind="angular_contact",
@@ -27,16 +29,16 @@ OIL = MachineBearing(
 
 
 @pytest.fixture(scope="module")
-def slow(case_218: Case) -> ro.State:
-    return ro.solve(ro.override(case_218, ["duty.inner_speed=20 rpm"]))
+def slow(case_218: Case) -> Solved:
+    return solve(ro.override(case_218, ["duty.inner_speed=20 rpm"]))
 
 
 @pytest.fixture(scope="module")
-def fast(case_218: Case) -> ro.State:
-    return ro.solve(case_218)
+def fast(case_218: Case) -> Solved:
+    return solve(case_218)
 
 
-def test_heat_by_source_and_contact_is_the_power(slow: ro.State) -> None:
+def test_heat_by_source_and_contact_is_the_power(slow: Solved) -> None:
     found = friction(slow, friction_coefficient=0.1, dynamic_viscosity=0.05)
     assert set(found.heat) == {"spin", "rolling_slip", "hysteresis", "rolling_resistance"}
     heat = sum(loss.total for loss in found.heat.values())
@@ -46,38 +48,38 @@ def test_heat_by_source_and_contact_is_the_power(slow: ro.State) -> None:
     assert all(loss.inner.shape == (1, 16) for loss in found.heat.values())
 
 
-def test_mapping_is_plain_json(slow: ro.State, case_218: Case) -> None:
+def test_mapping_is_plain_json(slow: Solved, case_218: Case) -> None:
     found = friction(slow, friction_coefficient=0.1, machine=OIL, film_parameter=0.5)
     read = json.loads(json.dumps(found.to_mapping(), allow_nan=False))
     assert read["torque"] == found.torque[0]
-    heat = sum(sum(ball[race].values()) for ball in read["heat"] for race in ("inner", "outer"))
+    heat = sum(sum(of[race]) for of in read["heat"].values() for race in ("inner", "outer"))
     assert heat == pytest.approx(read["power"])
-    assert len(read["heat"]) == 16
-    by_name = {model["model"]: model for model in read["models"]}
-    assert by_name["skf"]["holds"] is False
-    assert by_name["skf"]["notes"] == ["no_film"]
-    unsolved = ro.solve(ro.override(case_218, ["duty.load.fx=-20 kN"]))
+    assert len(read["heat"]["spin"]["inner"]) == 16
+    assert read["friction_coefficient"] == 0.1
+    assert read["models"]["skf"]["holds"] is False
+    assert read["models"]["skf"]["reasons"] == ["no_film"]
+    unsolved = solve(ro.override(case_218, ["duty.load.fx=-20 kN"]))
     none = friction(unsolved, friction_coefficient=0.1).to_mapping()
     assert none["torque"] is None
     json.dumps(none, allow_nan=False)
 
 
-def test_all_models_of_a_state_and_one_of_a_batch(slow: ro.State, case_218: Case) -> None:
+def test_all_models_of_a_state_and_one_of_a_batch(slow: Solved, case_218: Case) -> None:
     found = friction(slow, friction_coefficient=0.1, machine=OIL)
-    assert set(found.models) == {*LOW_SPEED, "palmgren", "skf"}
-    batch = ro.solve_batch(case_218, inner_speed=[1.0, 2.0])
+    assert set(found.models) == {*CONTACT_MODELS, "palmgren", "skf"}
+    batch = solve(case_218, inner_speed=[1.0, 2.0])
     assert set(friction(batch, friction_coefficient=0.1).models) == {"jones_full"}
     both = friction(batch, friction_coefficient=0.1, compare=True, model="todd")
-    assert set(both.models) == set(LOW_SPEED)
+    assert set(both.models) == set(CONTACT_MODELS)
     expected = both.models["todd"].total + both.torque_by_source["hysteresis"]
     np.testing.assert_allclose(both.torque, expected)
 
 
-def test_inertia_takes_the_low_speed_models_out(slow: ro.State, fast: ro.State) -> None:
-    assert friction(slow, friction_coefficient=0.1).holding() == LOW_SPEED
+def test_inertia_takes_the_low_speed_models_out(slow: Solved, fast: Solved) -> None:
+    assert friction(slow, friction_coefficient=0.1).valid_models() == CONTACT_MODELS
     found = friction(fast, friction_coefficient=0.1, machine=OIL)
-    assert found.holding() == ("palmgren", "skf")
-    noted = {verdict.model: set(verdict.notes) for verdict in found.verdicts}
+    assert found.valid_models() == ("palmgren", "skf")
+    noted = {validity.model: set(validity.notes) for validity in found.validity}
     assert noted["jones_full"] == {"inertia"}
     assert noted["skf"] == set()
 
@@ -85,31 +87,31 @@ def test_inertia_takes_the_low_speed_models_out(slow: ro.State, fast: ro.State) 
 @pytest.mark.parametrize(
     ("film", "regime", "holding"),
     [
-        (0.4, "boundary", set(LOW_SPEED)),
-        (2.0, "mixed", {*LOW_SPEED, "palmgren", "skf"}),
+        (0.4, "boundary", set(CONTACT_MODELS)),
+        (2.0, "mixed", {*CONTACT_MODELS, "palmgren", "skf"}),
         (5.0, "full_film", {"palmgren", "skf"}),
     ],
 )
-def test_film_decides(slow: ro.State, film: float, regime: str, holding: set[str]) -> None:
+def test_film_decides(slow: Solved, film: float, regime: str, holding: set[str]) -> None:
     found = friction(slow, friction_coefficient=0.1, film_parameter=film, machine=OIL)
     assert found.regime[0] == regime
-    assert set(found.holding()) == holding
-    for verdict in found.verdicts:
-        assert set(verdict.notes) <= set(REASONS)
+    assert set(found.valid_models()) == holding
+    for validity in found.validity:
+        assert set(validity.notes) <= set(REASONS)
 
 
 def test_film_of_every_case_of_a_batch(case_218: Case) -> None:
-    batch = ro.solve_batch(case_218, inner_speed=[1.0, 1.0, 0.0])
+    batch = solve(case_218, inner_speed=[1.0, 1.0, 0.0])
     found = friction(batch, friction_coefficient=0.1, film_parameter=[0.5, 4.0, np.nan])
     assert list(found.regime) == ["boundary", "full_film", "unknown"]
-    (verdict,) = found.verdicts
-    assert list(verdict.holds) == [True, False, True]
-    assert list(verdict.notes["at_rest"]) == [False, False, True]
+    (validity,) = found.validity
+    assert list(validity.valid) == [True, False, True]
+    assert list(validity.notes["at_rest"]) == [False, False, True]
     assert found.power[2] == 0.0
     assert found.torque[2] > 0.0
 
 
-def test_starting_torque_by_the_static_coefficient(slow: ro.State) -> None:
+def test_starting_torque_by_the_static_coefficient(slow: Solved) -> None:
     found = friction(slow, friction_coefficient=0.1, static_coefficient=0.15)
     sliding = found.torque_by_source["spin"] + found.torque_by_source["rolling_slip"]
     expected = 1.5 * sliding + found.torque_by_source["hysteresis"]
@@ -120,16 +122,16 @@ def test_starting_torque_by_the_static_coefficient(slow: ro.State) -> None:
 
 
 def test_unsolved_state_has_no_torque(case_218: Case) -> None:
-    unsolved = ro.solve(ro.override(case_218, ["duty.load.fx=-20 kN"]))
-    assert not unsolved.status.converged
+    unsolved = solve(ro.override(case_218, ["duty.load.fx=-20 kN"]))
+    assert not unsolved.converged[0]
     found = friction(unsolved, friction_coefficient=0.1, dynamic_viscosity=0.05)
     assert np.isnan(found.torque).all()
     assert np.isnan(found.power).all()
-    assert found.holding() == ()
-    assert all(verdict.notes["no_result"].all() for verdict in found.verdicts)
+    assert found.valid_models() == ()
+    assert all(validity.notes["no_result"].all() for validity in found.validity)
 
 
-def test_frictionless_bearing_loses_only_by_hysteresis(slow: ro.State) -> None:
+def test_frictionless_bearing_loses_only_by_hysteresis(slow: Solved) -> None:
     found = friction(slow, friction_coefficient=0.0)
     np.testing.assert_allclose(found.torque, found.torque_by_source["hysteresis"])
     assert friction(slow, friction_coefficient=0.0, hysteresis=0.0).torque[0] == 0.0
@@ -144,9 +146,13 @@ def test_frictionless_bearing_loses_only_by_hysteresis(slow: ro.State) -> None:
         ({"hysteresis": -0.1}, "hysteresis"),
         ({"dynamic_viscosity": -0.1}, "dynamic_viscosity"),
         ({"control": "both"}, "control"),
+        ({"friction_coefficient": "much"}, "friction_coefficient"),
+        ({"friction_coefficient": [0.1, 0.2]}, "friction_coefficient"),
+        ({"film_parameter": [0.1, 0.2]}, "film_parameter"),
+        ({"friction_coefficient": None}, "lubricant.friction_coefficient"),
     ],
 )
-def test_wrong_arguments_are_named(slow: ro.State, wrong: dict[str, object], field: str) -> None:
+def test_wrong_arguments_are_named(slow: Solved, wrong: dict[str, object], field: str) -> None:
     given: dict[str, object] = {"friction_coefficient": 0.1, **wrong}
     with pytest.raises(InputError, match=field):
         friction(slow, **given)  # type: ignore[arg-type]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -19,14 +20,12 @@ from rolamento import (
     analyse,
     load_case,
     override,
-    solve,
 )
 from rolamento.life import (
     LifeConditions,
     LifeSummary,
     conditions_of,
     life,
-    life_of_batch,
     sensitivity,
 )
 from rolamento.life.record import BOUNDS, NOTES, OUTSIDE
@@ -35,10 +34,11 @@ from rolamento.report.life_curves import curves_report
 from rolamento.report.life_spectrum import spectrum_report
 from rolamento.report.shaft import shaft_report
 from rolamento.report.terminal import terminal_report
-from rolamento.rows.ball import solve_batch
-from rolamento.studies.life_curves import life_curve, read_range
-from rolamento.studies.shaft import life_of_shaft
-from rolamento.studies.spectrum import life_under, read_spectrum
+from rolamento.solving import solve
+from rolamento.studies.ranges import read_range
+from rolamento.tasks.life import life_of_shaft
+from rolamento.tasks.life_over import life_curve
+from rolamento.tasks.life_spectrum import life_under, read_spectrum
 
 CASE = load_case(Path(__file__).parents[2] / "src" / "rolamento" / "examples" / "6305_life.toml")
 KNOWN = {"viscosity_ratio": 1.0, "contamination": 0.5}
@@ -78,7 +78,7 @@ def test_a_bound_leads_with_its_reason(
 ) -> None:
     found = of(deep(fz=4000.0), **conditions)
     leading, basic = found.headline, found["iso16281"].life[0]
-    assert (leading.below[0], leading.holds[0], leading.reason[0]) == (True, False, reason)
+    assert (leading.below[0], leading.valid[0], leading.reason[0]) == (True, False, reason)
     assert leading.theory[0] == "iso16281_modified"
     share = leading.life[0] / basic
     assert share == pytest.approx(factor) if factor else 0.1 < share < 1.0
@@ -90,7 +90,7 @@ def test_what_is_half_known_and_good_leaves_the_basic_life() -> None:
     for conditions in ({"viscosity_ratio": 2.0}, {"contamination": 0.8}, {}):
         found = of(deep(fz=4000.0), **conditions)
         assert found.headline.theory[0] == "iso16281"
-        assert found.headline.holds[0]
+        assert found.headline.valid[0]
         assert found.headline.life[0] == found["iso16281"].life[0]
 
 
@@ -127,7 +127,7 @@ def test_no_load_no_life() -> None:
     for record in (found.headline, *found.theories.values()):
         assert np.isnan(record.life[0])
         assert np.isnan(record.hours[0])
-        assert not record.holds[0]
+        assert not record.valid[0]
     assert found.headline.reason[0] == "unloaded"
     assert found.limit.ball[0] == -1
     assert "there is no rating life" in life_report(solve(deep(fz=0.0)), found)
@@ -138,7 +138,7 @@ def test_a_pure_moment_is_nothing_for_iso_281() -> None:
     for name in ("iso281", "iso281_modified"):
         assert np.isnan(found[name].life[0])
         assert "no_force" in found[name].notes_of()
-    assert found.headline.holds[0]
+    assert found.headline.valid[0]
     assert np.isfinite(found.headline.life[0])
 
 
@@ -148,8 +148,8 @@ def test_a_moment_that_governs_is_nothing_for_iso_281() -> None:
         found = of(deep(fz=1000.0, my=share * 1000.0 * pitch), **KNOWN)
         assert ("moment_governs" in found["iso281"].notes_of()) is governs
         assert ("moment_left_out" in found["iso281"].notes_of()) is not governs
-        assert found["iso281"].holds[0] != governs
-        assert found["iso16281"].holds[0]
+        assert found["iso281"].valid[0] != governs
+        assert found["iso16281"].valid[0]
 
 
 def test_a_preload_without_a_force_is_nothing_for_iso_281() -> None:
@@ -193,12 +193,9 @@ def test_hot_parts_count(part: str) -> None:
 
 def test_hot_rings_count_one_by_one_in_a_batch() -> None:
     case = deep(fz=2000.0)
-    batch = solve_batch(case, fz=[2000.0] * 3)
-    varied = {
-        "temperature.inner_ring": [300.0, 400.0, 300.0],
-        "temperature.balls": [300.0, 300.0, 420.0],
-    }
-    found = life_of_batch(case, batch, conditions_of(case, varied))
+    batch = solve(case, fz=[2000.0] * 3)
+    hottest = replace(conditions_of(case), bearing_temperature=[300.0, 400.0, 420.0])
+    found = life(batch, hottest)
     assert found.headline.leads.tolist() == [True, False, False]
 
 
@@ -254,7 +251,7 @@ def test_a_spectrum_has_the_same_rule(tmp_path: Path) -> None:
     leading = duty.headline
     parts = [of(set_to(f"life.viscosity_ratio={ratio}")).headline.hours[0] for ratio in (1, 0.05)]
     assert leading.hours == pytest.approx(2.0 / sum(1.0 / part for part in parts))
-    assert (leading.below, leading.holds) == (True, False)
+    assert (leading.below, leading.valid) == (True, False)
     text = " ".join(spectrum_report(duty).split())
     assert "this duty reaches less than" in text
     assert "the standard only bounds the life in some of the steps" in text
@@ -267,12 +264,12 @@ def test_an_idle_step_does_no_damage(tmp_path: Path) -> None:
     duty = life_under(CASE, read_spectrum(str(file)))
     assert duty.headline.hours == pytest.approx(2.0 * of(CASE).headline.hours[0])
     assert duty.headline.damage.tolist() == pytest.approx([1.0, 0.0])
-    assert duty.headline.holds
-    assert np.isnan(duty.headline.step_hours[1])
-    assert duty.holds["iso16281"]
+    assert duty.headline.valid
+    assert np.isnan(duty.headline.steps.hours[1])
+    assert duty["iso16281"].valid
     file.write_text("share,duty.load.fz,duty.load.fx\n1,0 N,0 N\n", "utf-8")
     idle = life_under(CASE, read_spectrum(str(file)))
-    assert not idle.headline.holds
+    assert not idle.headline.valid
     assert not idle.headline.below
 
 
@@ -284,7 +281,7 @@ def test_a_shaft_has_the_same_rule() -> None:
     hours = [of(case).headline.hours[0] for case in (thin, plain)]
     assert found.headline.bearing_hours == pytest.approx(hours)
     assert found.headline.theories == ("iso16281_modified", "iso16281")
-    assert (found.headline.below, found.headline.holds) == (True, False)
+    assert (found.headline.below, found.headline.valid) == (True, False)
     assert found.headline.hours < min(hours)
     text = " ".join(shaft_report(found, ["thin", "plain"]).split())
     assert "the 2 bearings together reach less than" in text

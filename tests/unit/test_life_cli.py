@@ -15,11 +15,12 @@ import pytest
 from typer.testing import CliRunner
 
 import rolamento
-from rolamento import load_case, solve
+from rolamento import load_case
 from rolamento.cli.app import app
 from rolamento.life import life, sensitivity
-from rolamento.studies.shaft import life_of_shaft
-from rolamento.studies.spectrum import life_under, read_spectrum
+from rolamento.solving import solve
+from rolamento.tasks.life import life_of_shaft
+from rolamento.tasks.life_spectrum import life_under, read_spectrum
 
 ROOT = Path(__file__).resolve().parents[2]
 EXAMPLES = Path(rolamento.__file__).parent / "examples"
@@ -100,7 +101,7 @@ def test_json_is_what_the_engine_says(run: Run) -> None:
     assert data["life"]["wanted_life"]["reliability"] == pytest.approx(
         float(found.reliability_after(5000.0 * 3600.0)[0])
     )
-    assert data["notes"] == list(state.notes)
+    assert data["notes"] == list(state.notes[0])
 
 
 def test_solve_has_the_same_life(run: Run) -> None:
@@ -213,10 +214,10 @@ def test_a_shaft(run: Run) -> None:
 def test_equal_bearings_on_a_shaft() -> None:
     case = load_case(EXAMPLES / CASE)
     found = life_of_shaft([case] * 3)
-    for theory, hours in found.hours.items():
-        own = found.bearing_hours[theory][0]
-        assert hours == pytest.approx(own * 3.0**-0.9), theory
-        assert found.risk[theory] == pytest.approx(np.full(3, 1.0 / 3.0))
+    for theory, together in found.theories.items():
+        own = together.bearing_hours[0]
+        assert together.hours == pytest.approx(own * 3.0**-0.9), theory
+        assert found[theory].risk == pytest.approx(np.full(3, 1.0 / 3.0))
 
 
 def test_a_shaft_with_a_bearing_without_equilibrium(run: Run) -> None:
@@ -242,7 +243,7 @@ def test_a_spectrum(run: Run) -> None:
     code, out, err = run(CASE, "--spectrum", "6305_steps.csv")
     assert (code, err) == (0, "")
     found = life_under(load_case(CASE), read_spectrum("6305_steps.csv"))
-    damage = 100.0 * found.damage["iso16281_modified"]
+    damage = 100.0 * found["iso16281_modified"].damage
     assert f"Step 3 takes most of it: {damage[2]:.3g} % of the damage in 10 % of the time." in out
     rows = re.findall(r"^ +(\d) .*?(\d+\.\d)(?: +█*)?$", out, re.MULTILINE)
     assert rows[-3:] == [(str(n + 1), f"{damage[n]:.1f}") for n in range(3)]

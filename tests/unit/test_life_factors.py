@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 
 from rolamento.errors import InputError
 from rolamento.iso4406 import cleanliness_numbers
-from rolamento.life.a23 import adjusted_life, adjustment_notes
-from rolamento.life.basic import basic_rating_life, hours, load_notes
 from rolamento.life.contamination import (
     class_of_code,
     class_of_filter,
@@ -21,7 +21,9 @@ from rolamento.life.equivalent_load import (
     static_equivalent_load,
     static_safety,
 )
-from rolamento.life.modified import (
+from rolamento.life.iso281 import basic_rating_life, hours, load_notes
+from rolamento.life.iso281_1990 import adjusted_life, adjustment_notes
+from rolamento.life.iso281_modified import (
     fatigue_load_limit,
     fatigue_load_limit_of_contacts,
     life_modification_factor,
@@ -277,3 +279,21 @@ def test_grease_of_slight_contamination_has_a_constant_of_its_own_for_large_bear
     for other in ("high", "normal", "severe"):
         below, above = contamination_factor(class_of_grease(other), 0.3, [0.49999999, 0.5])
         assert below == pytest.approx(above, rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("function", "arguments", "field"),
+    [
+        (hours, (1.0, "fast"), "speed"),
+        (hours, ([1.0, "two"], 1.0), "life"),
+        (load_notes, ("5 kN", 1.0, 1.0), "equivalent_load"),
+        (life_modification_factor, (1.0, "clean", 1.0, 1.0), "contamination_factor"),
+        (load_factors, ("steep", 0.0), "contact_angle"),
+        (outside_print, ("sure",), "reliability"),
+    ],
+)
+def test_what_is_no_number_is_refused(
+    function: Any, arguments: tuple[Any, ...], field: str
+) -> None:
+    with pytest.raises(InputError, match=f"{field}.*must be a number"):
+        function(*arguments)

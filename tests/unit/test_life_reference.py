@@ -5,6 +5,13 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from rolamento.life.iso16281 import (
+    equivalent_ball_load,
+    race_life,
+    race_ratings,
+    reference_life,
+    system_life,
+)
 from rolamento.life.load_zone import (
     catalogue_stiffness,
     clearance_function,
@@ -12,13 +19,6 @@ from rolamento.life.load_zone import (
     load_zone,
     mean_loads,
     zone_life,
-)
-from rolamento.life.reference import (
-    equivalent_ball_load,
-    race_life,
-    race_ratings,
-    reference_life,
-    system_life,
 )
 from rolamento.ratings import dynamic_factor_of_grooves, dynamic_rating
 

@@ -19,7 +19,7 @@ from rolamento.life.ioannides_harris import (
     risk_integral,
     stress_volume_life,
 )
-from rolamento.life.reference import race_ratings, reference_life
+from rolamento.life.iso16281 import race_ratings, reference_life
 from rolamento.life.shear_field import FieldMesh, passing_shear, shear_integrals
 from rolamento.numerics import FloatArray
 

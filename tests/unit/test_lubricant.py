@@ -9,7 +9,7 @@ import pytest
 
 from rolamento import Case, case_to_json, case_to_toml, load_case, parse_case
 from rolamento.case.film_model import FilmModel
-from rolamento.case.lubricant import Lubricant, lubricant_names
+from rolamento.case.lubricant import Lubricant
 from rolamento.case.surface import Surface
 from rolamento.case.temperature import Temperature
 from rolamento.errors import InputError
@@ -34,7 +34,7 @@ def full_case(**tables: Any) -> Case:
 # --- the library ---
 
 
-@pytest.mark.parametrize("name", lubricant_names())
+@pytest.mark.parametrize("name", Lubricant.names())
 def test_every_lubricant_names_its_source(name: str) -> None:
     lubricant = Lubricant.named(name)
     assert lubricant.source

@@ -9,19 +9,20 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rolamento.oil.density import density_by_expansion, density_of_lubricating_oil
-from rolamento.oil.piezoviscosity import barus, roelands
-from rolamento.oil.pressure_viscosity import so_klaus, wooster
-from rolamento.oil.viscosity import (
+from rolamento.oil import (
     astm_d341,
     astm_d341_line,
+    barus,
+    density_by_expansion,
+    density_of_lubricating_oil,
     dynamic_viscosity,
-    viscosity_temperature_coefficient,
-)
-from rolamento.oil.viscosity_index import (
     reference_viscosities,
+    roelands,
+    so_klaus,
     viscosity_100_of_index,
     viscosity_index,
+    viscosity_temperature_coefficient,
+    wooster,
 )
 
 TONNA = astm_d341_line(313.15, 66.9e-6, 373.15, 8.77e-6)

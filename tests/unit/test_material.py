@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from rolamento import InputError, Material, UnknownKeyError
-from rolamento.case.material import DEFAULT_MATERIAL, material_names
+from rolamento.case.material import DEFAULT_MATERIAL
 
 
 def test_the_default_is_bearing_steel() -> None:
@@ -16,7 +16,7 @@ def test_names_and_aliases_are_found_in_any_case(name: str) -> None:
     assert Material.named(name) is Material.named("100Cr6")
 
 
-@pytest.mark.parametrize("name", material_names())
+@pytest.mark.parametrize("name", Material.names())
 def test_every_record_is_plausible_and_names_its_source(name: str) -> None:
     material = Material.named(name)
     assert material.name == name
@@ -27,7 +27,7 @@ def test_every_record_is_plausible_and_names_its_source(name: str) -> None:
 
 
 def test_the_named_materials_of_the_field_are_there() -> None:
-    assert {"100Cr6", "440C", "M50", "Si3N4"} <= set(material_names())
+    assert {"100Cr6", "440C", "M50", "Si3N4"} <= set(Material.names())
 
 
 def test_an_unknown_name_is_refused_with_the_nearest_one() -> None:

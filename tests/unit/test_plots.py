@@ -19,9 +19,10 @@ from matplotlib.collections import EllipseCollection
 from matplotlib.figure import Figure
 
 import rolamento as ro
+from rolamento import plots
 from rolamento.errors import FileError, InputError
 from rolamento.plots.axes_units import readable_unit
-from rolamento.plots.balls import ball_loads, contact_angles, pressures
+from rolamento.plots.balls import ball_loads, contact_angles, load_rosette, pressures
 from rolamento.plots.curves import (
     contact_angle_over_speed,
     load_displacement,
@@ -29,10 +30,10 @@ from rolamento.plots.curves import (
 )
 from rolamento.plots.ellipses import SCALE_BAR, contact_ellipses, ellipses_of_both_races
 from rolamento.plots.frame import PlainNumbers, add_title, figure_of, number
-from rolamento.plots.reading import StateReading, read_state, state_from_mapping
-from rolamento.plots.rosette import load_rosette
 from rolamento.plots.saving import save_figure
 from rolamento.plots.words import ENGLISH, PORTUGUESE, plot_words
+from rolamento.solved import Solved
+from rolamento.solving import solve
 
 OF_STATES: tuple[Callable[..., Axes], ...] = (
     ball_loads,
@@ -44,24 +45,24 @@ OF_STATES: tuple[Callable[..., Axes], ...] = (
 
 
 @pytest.fixture(scope="module")
-def state(case_218: ro.Case) -> ro.State:
-    return ro.solve(case_218)
+def state(case_218: ro.Case) -> Solved:
+    return solve(case_218)
 
 
 @pytest.fixture(scope="module")
-def unsolved(case_218: ro.Case) -> ro.State:
+def unsolved(case_218: ro.Case) -> Solved:
     """Nothing supports the inner ring toward -x."""
-    return ro.solve(ro.override(case_218, ["duty.load.fx=-20 kN"]))
+    return solve(ro.override(case_218, ["duty.load.fx=-20 kN"]))
 
 
 @pytest.fixture(scope="module")
-def radial(examples: Path) -> ro.State:
+def radial(examples: Path) -> Solved:
     """Some balls bear nothing."""
-    return ro.solve(ro.load_case(examples / "209_radial.toml"))
+    return solve(ro.load_case(examples / "209_radial.toml"))
 
 
 @pytest.fixture
-def two_rows(state: ro.State) -> StateReading:
+def two_rows(state: Solved) -> Solved:
     """The row of the 218, and beside it one that bears half as much the other way."""
     mapping: dict[str, Any] = json.loads(state.to_json())
     beside = json.loads(json.dumps(mapping["balls"]))
@@ -71,10 +72,11 @@ def two_rows(state: ro.State) -> StateReading:
             ball[race]["load"] *= 0.5
             ball[race]["contact_angle"] *= -1.0
     mapping["balls"] += beside
+    mapping["rows"].append({**mapping["rows"][0], "row": 1, "orientation": "-"})
     mapping["case"] = state.case.replace(
         bearing=state.case.bearing.replace(arrangement="DB", spacing="24 mm")
     ).to_mapping()
-    return state_from_mapping(mapping)
+    return Solved.from_mapping(mapping)
 
 
 def axes_for(draw: Callable[..., Axes]) -> Axes:
@@ -102,7 +104,7 @@ def texts(axes: Axes) -> str:
 
 
 @pytest.mark.parametrize("draw", OF_STATES)
-def test_axes_given_are_returned(draw: Callable[..., Axes], state: ro.State) -> None:
+def test_axes_given_are_returned(draw: Callable[..., Axes], state: Solved) -> None:
     axes = axes_for(draw)
     assert draw(state, axes) is axes
     assert draw(state) is not axes
@@ -117,55 +119,55 @@ def test_axes_given_are_returned(draw: Callable[..., Axes], state: ro.State) -> 
     ],
 )
 def test_lines_over_azimuth_hold_the_data_of_the_state(
-    draw: Callable[..., Axes], quantity: str, factor: float, unit: str, state: ro.State
+    draw: Callable[..., Axes], quantity: str, factor: float, unit: str, state: Solved
 ) -> None:
     axes = draw(state)
     for index, race in enumerate(("inner", "outer")):
         azimuth, values = drawn(axes, index)
-        np.testing.assert_allclose(azimuth, np.degrees([b.azimuth for b in state.balls]))
-        expected = [factor * getattr(getattr(b, race), quantity) for b in state.balls]
+        np.testing.assert_allclose(azimuth, np.degrees(state.elements.azimuth[0]))
+        expected = factor * getattr(getattr(state, race), quantity)[0]
         np.testing.assert_allclose(values, expected)
     assert labels(axes)[:2] == ["inner", "outer"]
     assert axes.get_ylabel().endswith(unit)
     assert axes.get_xlabel().endswith("(°)")
 
 
-def test_the_first_ball_comes_again_after_a_turn(state: ro.State) -> None:
+def test_the_first_ball_comes_again_after_a_turn(state: Solved) -> None:
     x, y = ball_loads(state).lines[0].get_data()
     again = np.isclose(x, 360.0)
-    assert y[again] == pytest.approx(state.balls[0].inner.load)
+    assert y[again] == pytest.approx(state.inner.load[0, 0])
 
 
 def test_azimuths_below_zero_are_put_in_order(case_218: ro.Case) -> None:
-    turned = ro.solve(ro.override(case_218, ["duty.first_ball_azimuth=-100 deg"]))
+    turned = solve(ro.override(case_218, ["duty.first_ball_azimuth=-100 deg"]))
     azimuth, load = drawn(ball_loads(turned), 0)
     assert (np.diff(azimuth) > 0.0).all()
-    assert azimuth.size == len(turned.balls)
+    assert azimuth.size == len(turned.elements.row)
     first = int(np.argmin(np.abs(azimuth - 260.0)))
-    assert load[first] == pytest.approx(turned.balls[0].inner.load)
+    assert load[first] == pytest.approx(turned.inner.load[0, 0])
 
 
-def test_a_ball_without_contact_has_a_load_of_zero_and_no_angle(radial: ro.State) -> None:
-    free = [ball.inner.load == 0.0 for ball in radial.balls]
-    assert any(free)
+def test_a_ball_without_contact_has_a_load_of_zero_and_no_angle(radial: Solved) -> None:
+    free = radial.inner.load[0] == 0.0
+    assert free.any()
     assert (drawn(ball_loads(radial), 0)[1][free] == 0.0).all()
     assert np.isnan(drawn(contact_angles(radial), 0)[1][free]).all()
     assert np.isnan(drawn(pressures(radial), 0)[1][free]).all()
 
 
-def test_free_contact_angle_is_drawn_where_it_is_given(state: ro.State, radial: ro.State) -> None:
+def test_free_contact_angle_is_drawn_where_it_is_given(state: Solved, radial: Solved) -> None:
     assert contact_angles(state).lines[-1].get_ydata()[0] == pytest.approx(40.0)
     assert "free (unloaded)" in labels(contact_angles(state))
     assert "free (unloaded)" not in labels(contact_angles(radial))
 
 
-def test_races_differ_by_more_than_colour(state: ro.State) -> None:
+def test_races_differ_by_more_than_colour(state: Solved) -> None:
     inner, outer = ball_loads(state).lines
     assert inner.get_linestyle() != outer.get_linestyle()
     assert inner.get_marker() != outer.get_marker()
 
 
-def test_rows_are_drawn_apart(two_rows: StateReading) -> None:
+def test_rows_are_drawn_apart(two_rows: Solved) -> None:
     axes = ball_loads(two_rows)
     assert labels(axes) == ["inner, row 0", "outer, row 0", "inner, row 1", "outer, row 1"]
     np.testing.assert_allclose(drawn(axes, 2)[1], 0.5 * drawn(axes, 0)[1])
@@ -177,7 +179,7 @@ def test_rows_are_drawn_apart(two_rows: StateReading) -> None:
 
 @pytest.mark.parametrize("draw", OF_STATES)
 def test_a_state_without_a_result_is_an_empty_frame_that_says_why(
-    draw: Callable[..., Axes], unsolved: ro.State
+    draw: Callable[..., Axes], unsolved: Solved
 ) -> None:
     axes = axes_for(draw)
     assert draw(unsolved, axes) is axes
@@ -186,7 +188,7 @@ def test_a_state_without_a_result_is_an_empty_frame_that_says_why(
     assert "Sem resultado: não há equilíbrio" in texts(draw(unsolved, words=PORTUGUESE))
 
 
-def test_both_races_without_a_result(unsolved: ro.State) -> None:
+def test_both_races_without_a_result(unsolved: Solved) -> None:
     for axes in ellipses_of_both_races(unsolved):
         assert "no equilibrium" in texts(axes)
 
@@ -194,7 +196,7 @@ def test_both_races_without_a_result(unsolved: ro.State) -> None:
 # --- rosette --------------------------------------------------------------------------------
 
 
-def test_rosette_looks_from_plus_x(state: ro.State) -> None:
+def test_rosette_looks_from_plus_x(state: Solved) -> None:
     axes = load_rosette(state)
     assert axes.get_theta_offset() == pytest.approx(np.pi / 2)  # 0 at the top
     assert axes.get_theta_direction() == -1  # clockwise, over +y on the right
@@ -204,33 +206,32 @@ def test_rosette_looks_from_plus_x(state: ro.State) -> None:
     assert axes.get_xlabel() == "Contact load (N), seen from +x"
 
 
-def test_rosette_holds_closed_loads(state: ro.State) -> None:
+def test_rosette_holds_closed_loads(state: Solved) -> None:
     axes = load_rosette(state)
     for line, race in zip(axes.lines, ("inner", "outer"), strict=True):
-        loads = [getattr(ball, race).load for ball in state.balls]
+        loads = getattr(state, race).load[0]
         np.testing.assert_allclose(line.get_ydata(), [*loads, loads[0]])
-        azimuths = [ball.azimuth for ball in state.balls]
+        azimuths = state.elements.azimuth[0]
         np.testing.assert_allclose(line.get_xdata(), [*azimuths, azimuths[0]])
 
 
-def test_rosette_numbers_stand_away_from_the_loads(state: ro.State) -> None:
+def test_rosette_numbers_stand_away_from_the_loads(state: Solved) -> None:
     axes = load_rosette(state)
     position = np.radians(axes.get_rlabel_position())
     assert np.cos(position) < 0.0  # the load is toward +z
     assert any(label.get_text() for label in axes.get_yticklabels())
 
 
-def test_rosette_refuses_axes_that_are_not_polar(state: ro.State) -> None:
+def test_rosette_refuses_axes_that_are_not_polar(state: Solved) -> None:
     with pytest.raises(InputError, match="must be polar"):
         load_rosette(state, Figure().add_subplot())
 
 
 def test_many_newtons_are_kilonewtons(case_218: ro.Case) -> None:
-    heavy = ro.solve(ro.override(case_218, ["duty.load.fx=200 kN"]))
+    heavy = solve(ro.override(case_218, ["duty.load.fx=200 kN"]))
     axes = ball_loads(heavy)
     assert axes.get_ylabel() == "Contact load (kN)"
-    expected = [ball.inner.load / 1e3 for ball in heavy.balls]
-    np.testing.assert_allclose(drawn(axes, 0)[1], expected)
+    np.testing.assert_allclose(drawn(axes, 0)[1], heavy.inner.load[0] / 1e3)
 
 
 # --- ellipses -------------------------------------------------------------------------------
@@ -241,35 +242,35 @@ def ellipse_collections(axes: Axes) -> list[EllipseCollection]:
 
 
 @pytest.mark.parametrize("race", ["inner", "outer"])
-def test_ellipses_are_to_scale_and_in_place(race: str, state: ro.State) -> None:
+def test_ellipses_are_to_scale_and_in_place(race: str, state: Solved) -> None:
     axes = contact_ellipses(state, race=race)
     (ellipses,) = ellipse_collections(axes)
-    contacts = [getattr(ball, race) for ball in state.balls]
-    np.testing.assert_allclose(ellipses.get_heights(), [2e3 * c.semi_major for c in contacts])
-    np.testing.assert_allclose(ellipses.get_widths(), [2e3 * c.semi_minor for c in contacts])
+    contacts = getattr(state, race)
+    np.testing.assert_allclose(ellipses.get_heights(), 2e3 * contacts.semi_major[0])
+    np.testing.assert_allclose(ellipses.get_widths(), 2e3 * contacts.semi_minor[0])
     radius = 0.5232 * 22.23
     across = np.asarray(ellipses.get_offsets())[:, 1]
-    np.testing.assert_allclose(across, [radius * c.contact_angle for c in contacts])
+    np.testing.assert_allclose(across, radius * contacts.contact_angle[0])
     assert axes.get_aspect() == 1.0
     assert axes.get_ylabel() == f"Across {race} groove (mm)"
     assert "(°)" in axes.get_xlabel()
 
 
-def test_ellipses_of_chosen_balls(state: ro.State) -> None:
+def test_ellipses_of_chosen_balls(state: Solved) -> None:
     axes = contact_ellipses(state, balls=[0, 3])
     (ellipses,) = ellipse_collections(axes)
-    heights = [2e3 * state.balls[j].inner.semi_major for j in (0, 3)]
+    heights = 2e3 * state.inner.semi_major[0, [0, 3]]
     np.testing.assert_allclose(ellipses.get_heights(), heights)
     assert [label.get_text() for label in axes.get_xticklabels()] == ["0", "67.5"]
 
 
 @pytest.mark.parametrize("balls", [[16], [-1], []])
-def test_ellipses_refuse_balls_that_are_not_there(balls: list[int], state: ro.State) -> None:
+def test_ellipses_refuse_balls_that_are_not_there(balls: list[int], state: Solved) -> None:
     with pytest.raises(InputError, match="balls"):
         contact_ellipses(state, balls=balls)
 
 
-def test_scale_bar_is_as_long_as_it_says(state: ro.State) -> None:
+def test_scale_bar_is_as_long_as_it_says(state: Solved) -> None:
     axes = contact_ellipses(state)
     (bar,) = [line for line in axes.lines if line.get_gid() == SCALE_BAR]
     length = float(np.ptp(bar.get_xdata()))
@@ -277,7 +278,7 @@ def test_scale_bar_is_as_long_as_it_says(state: ro.State) -> None:
     assert length > 0.0
 
 
-def test_edges_of_the_groove_and_ellipses_over_them(state: ro.State) -> None:
+def test_edges_of_the_groove_and_ellipses_over_them(state: Solved) -> None:
     bearing = state.case.bearing.replace(inner_shoulder_height="4.5 mm")
     shouldered = dataclasses.replace(state, case=state.case.replace(bearing=bearing))
     axes = contact_ellipses(shouldered)
@@ -285,8 +286,8 @@ def test_edges_of_the_groove_and_ellipses_over_them(state: ro.State) -> None:
     edge = radius * np.arccos(1.0 - 4.5 / radius)
     heights = sorted({float(line.get_ydata()[0]) for line in axes.lines if not line.get_gid()})
     assert heights == pytest.approx([-edge, 0.0, edge])
-    reach = [radius * abs(b.inner.contact_angle) + 1e3 * b.inner.semi_major for b in state.balls]
-    over = sum(r > edge for r in reach)
+    reach = radius * np.abs(state.inner.contact_angle[0]) + 1e3 * state.inner.semi_major[0]
+    over = int(np.sum(reach > edge))
     assert over > 0
     hatched = [c for c in ellipse_collections(axes) if c.get_hatch()]
     assert sum(len(c.get_offsets()) for c in hatched) == over
@@ -294,18 +295,18 @@ def test_edges_of_the_groove_and_ellipses_over_them(state: ro.State) -> None:
     assert "edge of the groove" not in labels(contact_ellipses(state))
 
 
-def test_a_ball_without_contact_has_no_ellipse(radial: ro.State) -> None:
+def test_a_ball_without_contact_has_no_ellipse(radial: Solved) -> None:
     (ellipses,) = ellipse_collections(contact_ellipses(radial))
-    assert len(ellipses.get_offsets()) == sum(b.inner.load > 0.0 for b in radial.balls)
+    assert len(ellipses.get_offsets()) == np.sum(radial.inner.load > 0.0)
 
 
-def test_both_races_are_drawn_to_one_scale(state: ro.State) -> None:
+def test_both_races_are_drawn_to_one_scale(state: Solved) -> None:
     inner, outer = ellipses_of_both_races(state)
     assert inner.get_xlim() == outer.get_xlim()
     assert inner.get_ylim() == outer.get_ylim()
 
 
-def test_rows_of_ellipses_stand_apart(two_rows: StateReading) -> None:
+def test_rows_of_ellipses_stand_apart(two_rows: Solved) -> None:
     axes = contact_ellipses(two_rows)
     (ellipses,) = ellipse_collections(axes)
     along = np.sort(np.asarray(ellipses.get_offsets())[:, 0])
@@ -315,17 +316,24 @@ def test_rows_of_ellipses_stand_apart(two_rows: StateReading) -> None:
     assert "row 1" in texts(axes)
 
 
-def test_ellipses_need_the_case(state: ro.State) -> None:
-    mapping = {**state.to_mapping(), "case": None}
-    with pytest.raises(InputError, match="case: is missing: contact ellipses need"):
-        contact_ellipses(state_from_mapping(mapping))
-
-
-def test_ellipses_refuse_a_row_that_the_case_does_not_have(
-    two_rows: StateReading, state: ro.State
+@pytest.mark.parametrize("draw", OF_STATES)
+def test_what_is_no_solved_case_is_refused(
+    draw: Callable[..., Axes], state: Solved, case_218: ro.Case
 ) -> None:
-    with pytest.raises(InputError, match="not one of the case's rows"):
-        contact_ellipses(dataclasses.replace(two_rows, case=state.case))
+    with pytest.raises(InputError, match=r"must be what rolamento\.solve returns"):
+        draw(case_218)
+    with pytest.raises(InputError, match="must be of one case"):
+        draw(state[[0, 0]])
+    with pytest.raises(InputError, match="axes"):
+        draw(state, axes=3)
+
+
+def test_the_package_offers_its_figures() -> None:
+    for name in dir(plots):
+        assert getattr(plots, name) is not None
+    assert plots.load_rosette is load_rosette
+    with pytest.raises(AttributeError, match="no attribute 'rosete'"):
+        plots.rosete  # noqa: B018
 
 
 # --- curves ---------------------------------------------------------------------------------
@@ -419,12 +427,11 @@ def test_curves_without_a_result_are_empty_frames() -> None:
 
 def test_curves_of_a_batch(case_218: ro.Case) -> None:
     speed = np.array([100.0, 500.0])
-    batch = ro.solve_batch(case_218, inner_speed=speed, threads=1)
-    balls = batch.balls()
-    axes = stiffness_over_speed(speed, batch.stiffness)
-    assert axes.lines[0].get_ydata() == pytest.approx(batch.stiffness[:, 0, 0] / 1e6)
-    angles = contact_angle_over_speed(speed, balls.inner.contact_angle, balls.outer.contact_angle)
-    median = np.degrees(np.median(balls.inner.contact_angle, axis=1))
+    batch = solve(case_218, inner_speed=speed, threads=1)
+    axes = stiffness_over_speed(speed, batch.stiffness.array)
+    assert axes.lines[0].get_ydata() == pytest.approx(batch.stiffness["fx", "x"] / 1e6)
+    angles = contact_angle_over_speed(speed, batch.inner.contact_angle, batch.outer.contact_angle)
+    median = np.degrees(np.median(batch.inner.contact_angle, axis=1))
     assert angles.lines[0].get_ydata() == pytest.approx(median)
 
 
@@ -474,7 +481,7 @@ def test_numbers_have_the_mark_of_the_language() -> None:
     assert number(-0.25, PORTUGUESE) == "−0,25"
 
 
-def test_portuguese_labels(state: ro.State) -> None:
+def test_portuguese_labels(state: Solved) -> None:
     axes = ball_loads(state, words=plot_words("pt"))
     assert axes.get_ylabel() == "Carga no contato (N)"
     assert axes.get_xlabel() == "Azimute da esfera (°)"
@@ -531,7 +538,7 @@ def test_both_languages_know_the_same_statuses_and_unknown_ones_are_english() ->
     [("png", b"\x89PNG"), ("svg", b"<?xml"), ("pdf", b"%PDF"), ("PNG", b"\x89")],
 )
 def test_saving_gives_the_same_bytes_again(
-    ending: str, begin: bytes, state: ro.State, tmp_path: Path
+    ending: str, begin: bytes, state: Solved, tmp_path: Path
 ) -> None:
     contents = []
     for attempt in range(2):
@@ -545,18 +552,18 @@ def test_saving_gives_the_same_bytes_again(
 
 
 @pytest.mark.parametrize("name", ["figure", "figure.jpg", "figure.png.txt", ""])
-def test_saving_refuses_other_formats(name: str, state: ro.State, tmp_path: Path) -> None:
+def test_saving_refuses_other_formats(name: str, state: Solved, tmp_path: Path) -> None:
     with pytest.raises(FileError, match=r"must end in \.png, \.svg or \.pdf"):
         save_figure(ball_loads(state), tmp_path / name if name else "")
 
 
-def test_saving_tells_where_it_cannot_write(state: ro.State, tmp_path: Path) -> None:
+def test_saving_tells_where_it_cannot_write(state: Solved, tmp_path: Path) -> None:
     with pytest.raises(FileError, match="cannot be written: no such file"):
         save_figure(ball_loads(state), tmp_path / "nowhere" / "figure.png")
 
 
 @pytest.mark.parametrize("title", [r"price $5 and \frac{1}", "漢字 bearing", "\x07" * 9, "x" * 999])
-def test_any_title_can_be_drawn(title: str, state: ro.State, tmp_path: Path) -> None:
+def test_any_title_can_be_drawn(title: str, state: Solved, tmp_path: Path) -> None:
     axes = ball_loads(state)
     add_title(figure_of(axes), title)
     save_figure(axes, tmp_path / "titled.png")
@@ -571,8 +578,7 @@ def test_nothing_is_global_and_no_display_is_asked_for(tmp_path: Path) -> None:
         "def settings():\n"
         "    return {k: matplotlib.rcParams[k] for k in matplotlib.rcParams if k != 'backend'}\n"
         "before = settings()\n"
-        "from rolamento.plots import balls, curves, ellipses, reading, rosette, samples, saving, "
-        "study, sweep\n"
+        "from rolamento.plots import balls, curves, ellipses, saving, study, sweep\n"
         "axes = curves.load_displacement([0.0, 1e-6], [0.0, 100.0])\n"
         "saving.save_figure(axes, sys.argv[1])\n"
         "assert 'matplotlib.pyplot' not in sys.modules\n"
@@ -610,29 +616,29 @@ def test_pictures_of_the_guide_are_there() -> None:
 # --- reading --------------------------------------------------------------------------------
 
 
-def test_a_state_read_back_draws_the_same(state: ro.State, tmp_path: Path) -> None:
+def test_a_state_read_back_draws_the_same(state: Solved, tmp_path: Path) -> None:
     path = tmp_path / "state.json"
     path.write_text(state.to_json(), encoding="utf-8")
-    read = read_state(path)
+    read = Solved.read(path)
     assert read.title == state.title
     for draw in (ball_loads, contact_angles, pressures, load_rosette):
         for mine, theirs in zip(draw(read).lines, draw(state).lines, strict=False):
             np.testing.assert_array_equal(mine.get_xydata(), theirs.get_xydata())
 
 
-def test_a_state_read_back_with_its_case_draws_ellipses(state: ro.State) -> None:
-    read = state_from_mapping({**state.to_mapping(), "case": state.case.to_mapping()})
+def test_a_state_read_back_with_its_case_draws_ellipses(state: Solved) -> None:
+    read = Solved.from_json(state.to_json())
     (mine,), (theirs,) = (ellipse_collections(contact_ellipses(s)) for s in (read, state))
     np.testing.assert_allclose(mine.get_offsets(), theirs.get_offsets())
 
 
-def test_null_is_not_a_number(unsolved: ro.State) -> None:
-    read = state_from_mapping(json.loads(unsolved.to_json()))
-    assert np.isnan(read.balls[0].inner.load)
-    assert not read.status.converged
+def test_null_is_not_a_number(unsolved: Solved) -> None:
+    read = Solved.from_mapping(json.loads(unsolved.to_json()))
+    assert np.isnan(read.inner.load).all()
+    assert not read.converged.any()
 
 
-def spoilt(state: ro.State, change: Callable[[dict[str, Any]], object]) -> dict[str, Any]:
+def spoilt(state: Solved, change: Callable[[dict[str, Any]], object]) -> dict[str, Any]:
     mapping: dict[str, Any] = json.loads(state.to_json())
     change(mapping)
     return mapping
@@ -645,9 +651,8 @@ def spoilt(state: ro.State, change: Callable[[dict[str, Any]], object]) -> dict[
         (lambda m: m.pop("balls"), "is not the JSON of a state"),
         (lambda m: m.update(schema=2), "schema = 2: is of another release"),
         (lambda m: m.update(schema=True), "is of another release"),
-        (lambda m: m.update(balls=[]), "balls = a list: must be a list of at least one ball"),
+        (lambda m: m.update(balls=[]), "balls = a list: must be a list of at least 1"),
         (lambda m: m.update(balls=7), "balls = 7: must be a list"),
-        (lambda m: m.update(title=7), "title = 7: must be text"),
         (lambda m: m.pop("status"), "status: is missing"),
         (lambda m: m["status"].pop("code"), r"status\.code: is missing"),
         (lambda m: m["status"].update(code=3), r"status\.code = 3: must be text"),
@@ -668,14 +673,14 @@ def spoilt(state: ro.State, change: Callable[[dict[str, Any]], object]) -> dict[
     ],
 )
 def test_spoilt_states_are_refused(
-    change: Callable[[dict[str, Any]], object], message: str, state: ro.State
+    change: Callable[[dict[str, Any]], object], message: str, state: Solved
 ) -> None:
     with pytest.raises(InputError, match=message):
-        state_from_mapping(spoilt(state, change))
+        Solved.from_mapping(spoilt(state, change))
 
 
 def test_a_case_file_is_told_to_be_solved_first(examples: Path) -> None:
     with pytest.raises(FileError, match="has to be solved first") as refused:
-        read_state(examples / "218_combined.toml")
+        Solved.read(examples / "218_combined.toml")
     assert "218_combined.toml" in str(refused.value)
     assert "rolamento solve" in str(refused.value)

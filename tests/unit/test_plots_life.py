@@ -18,28 +18,37 @@ from rolamento import (
     Duty,
     InputError,
     Load,
-    State,
     override,
-    solve,
-    solve_batch,
 )
-from rolamento.life import Change, LifeConditions, life, life_of_batch, sensitivity
+from rolamento.life import Change, LifeConditions, life, sensitivity
 from rolamento.plots.frame import figure_of
-from rolamento.plots.life import life_figure, lives_by_theory, theory_look
-from rolamento.plots.life_charts import (
+from rolamento.plots.life import (
+    BearingTests,
     aiso_chart,
     helps_figure,
+    life_figure,
     life_over_zone,
+    lives_by_theory,
+    load_over_life,
     load_zone_figure,
+    sn_figure,
+    theory_look,
     what_helps,
 )
-from rolamento.plots.life_load import BearingTests, load_over_life, sn_figure
 from rolamento.plots.life_words import LifeWords, life_words
 from rolamento.plots.over_field import decades, short_label
 from rolamento.plots.style import new_figure
 from rolamento.plots.words import ENGLISH, PORTUGUESE
-from rolamento.studies.life_curves import LifeCurve, life_curve, read_range
-from rolamento.studies.life_diagram import LoadLives, lives_over_load, lives_over_zone
+from rolamento.solved import Solved
+from rolamento.solving import solve
+from rolamento.studies.ranges import read_range
+from rolamento.tasks.life_over import (
+    LifeCurve,
+    LoadLives,
+    life_curve,
+    lives_over_load,
+    lives_over_zone,
+)
 
 DIRT = {"cleanliness": "-/17/14", "oil_supply": "circulating"}
 THEORIES = {"iso281", "iso281_modified", "iso16281", "iso16281_modified", "ioannides_harris"}
@@ -58,12 +67,12 @@ def case() -> Case:
 
 
 @pytest.fixture(scope="module")
-def state(case: Case) -> State:
+def state(case: Case) -> Solved:
     return solve(case)
 
 
 @pytest.fixture(scope="module")
-def lives(state: State) -> LoadLives:
+def lives(state: Solved) -> LoadLives:
     return lives_over_load(state, points=25)
 
 
@@ -110,10 +119,10 @@ def test_lives_are_drawn_in_full_where_they_hold_and_faintly_where_not(curve: Li
     )  # fmt: skip
     y, z = np.asarray(full.get_ydata()), np.asarray(faint.get_ydata())
     np.testing.assert_allclose(np.asarray(full.get_xdata()), curve.values / 1e3)
-    holds = curve.holds["iso281"]
+    holds = curve["iso281"].valid
     assert 0 < holds.sum() < len(holds)
-    np.testing.assert_array_equal(y[holds], curve.lives["iso281"][holds])
-    np.testing.assert_array_equal(z[~holds], curve.lives["iso281"][~holds])
+    np.testing.assert_array_equal(y[holds], curve["iso281"].hours[holds])
+    np.testing.assert_array_equal(z[~holds], curve["iso281"].hours[~holds])
     assert np.isnan(y[~holds][1:]).all()
     assert np.isnan(z[holds][:-1]).all()
     legend = axes.get_legend()
@@ -126,8 +135,8 @@ def test_lives_are_drawn_in_full_where_they_hold_and_faintly_where_not(curve: Li
 
 def test_a_bound_far_above_does_not_lead_the_axis(curve: LifeCurve, case: Case) -> None:
     axes = lives_by_theory([curve])
-    others = np.concatenate([curve.lives[t] for t in THEORIES - {"ioannides_harris"}])
-    assert np.max(curve.lives["ioannides_harris"]) > 100.0 * others.max()
+    others = np.concatenate([curve[t].hours for t in THEORIES - {"ioannides_harris"}])
+    assert np.max(curve["ioannides_harris"].hours) > 100.0 * others.max()
     low, high = axes.get_ylim()
     assert low < others.min()
     assert others.max() < high < 20.0 * others.max()
@@ -136,7 +145,7 @@ def test_a_bound_far_above_does_not_lead_the_axis(curve: LifeCurve, case: Case) 
     warm = life_curve(case, read_range("temperature.lubricant=40..90degC", 5))
     axes = lives_by_theory([warm])
     assert "Ioannides–Harris (bound), above" in labels(axes)
-    assert axes.get_ylim()[1] < np.min(warm.lives["ioannides_harris"])
+    assert axes.get_ylim()[1] < np.min(warm["ioannides_harris"].hours)
     assert axes.get_xlabel() == "Temperature of the lubricant (°C)"
     np.testing.assert_allclose(axes.get_xlim(), (40.0, 90.0))
 
@@ -148,7 +157,7 @@ def test_variants_stand_beside_by_the_theory_that_knows_most(case: Case) -> None
     figure = life_figure([life_curve(case, chosen), variant])
     (axes,) = figure.axes
     found = line(axes, "ISO/TS 16281, modified, fz = 3kN")
-    np.testing.assert_array_equal(found.get_ydata(), variant.lives["iso16281_modified"])
+    np.testing.assert_array_equal(found.get_ydata(), variant["iso16281_modified"].hours)
     assert axes.get_xlabel() == "Diametral clearance (µm)"
     assert figure.get_suptitle() == case.title
     assert drawn(figure).startswith(b"\x89PNG")
@@ -165,7 +174,7 @@ def test_where_nothing_turns_revolutions_are_drawn(case: Case) -> None:
     axes = lives_by_theory([curve])
     assert axes.get_ylabel() == "Life (10⁶ rev)"
     shown = np.asarray(line(axes, "ISO 281").get_ydata())
-    np.testing.assert_array_equal(shown, curve.revolutions["iso281"])
+    np.testing.assert_array_equal(shown, curve["iso281"].life)
     assert "wanted life" not in labels(axes)
 
 
@@ -184,8 +193,8 @@ def test_without_any_life_the_frame_says_so(case: Case) -> None:
 
 
 def test_endless_lives_are_told(curve: LifeCurve) -> None:
-    endless = {"iso16281": np.full(len(curve), np.inf)}
-    axes = lives_by_theory([replace(curve, lives=endless)])
+    endless = replace(curve["iso16281"], hours=np.full(len(curve), np.inf))
+    axes = lives_by_theory([replace(curve, theories={"iso16281": endless})])
     assert texts(axes) == ["fatigue ends no life here"]
 
 
@@ -210,7 +219,7 @@ def test_a_setting_is_told_by_its_last_part() -> None:
 # --- a_ISO -------------------------------------------------------------------------------------
 
 
-def test_the_case_lies_on_the_chart_where_its_factor_is(state: State) -> None:
+def test_the_case_lies_on_the_chart_where_its_factor_is(state: Solved) -> None:
     summary = life(state, stress_volume=False)
     axes = aiso_chart(summary)
     for theory, name in (("iso16281_modified", "ISO/TS 16281"), ("iso281_modified", "ISO 281")):
@@ -242,7 +251,7 @@ def test_the_curves_are_those_of_the_standard() -> None:
     assert "ISO" not in "".join(labels(axes))
 
 
-def test_a_chart_with_a_case_far_out_holds_it(state: State) -> None:
+def test_a_chart_with_a_case_far_out_holds_it(state: Solved) -> None:
     clean = LifeConditions(viscosity_ratio=4.0, contamination=1.0, fatigue_load_limit=4e5)
     summary = life(state, clean, stress_volume=False)
     axes = aiso_chart(summary)
@@ -253,8 +262,8 @@ def test_a_chart_with_a_case_far_out_holds_it(state: State) -> None:
 
 
 def test_several_cases_lie_on_one_chart(case: Case) -> None:
-    batch = solve_batch(case, fz=[1e3, 4e3, 8e3])
-    summary = life_of_batch(case, batch)
+    batch = solve(case, fz=[1e3, 4e3, 8e3])
+    summary = life(batch)
     axes = aiso_chart(summary)
     mark = line(axes, "ISO/TS 16281, modified")
     np.testing.assert_allclose(
@@ -263,7 +272,7 @@ def test_several_cases_lie_on_one_chart(case: Case) -> None:
     assert len(mark.get_xdata()) == 3
 
 
-def test_additives_are_told(state: State) -> None:
+def test_additives_are_told(state: Solved) -> None:
     given = LifeConditions(viscosity_ratio=0.5, contamination=0.5, additives=True)
     assert any("with additives" in label for label in labels(aiso_chart(life(state, given))))
 
@@ -318,7 +327,7 @@ def test_over_pressure(lives: LoadLives) -> None:
     np.testing.assert_allclose(own.get_ydata(), lives.pressure[lives.own] / 1e6)
     assert axes.get_ylabel() == "Greatest contact pressure (MPa)"
     assert "fatigue load limit C_u" not in labels(axes)
-    heaviest = max(ball.inner.max_pressure for ball in solve(lives.case).balls)
+    heaviest = float(solve(lives.case).inner.max_pressure.max())
     assert lives.pressure[lives.own] == pytest.approx(heaviest, rel=1e-5)
 
 
@@ -345,7 +354,7 @@ def test_life_over_load_needs_a_load(case: Case) -> None:
 # --- load zone ---------------------------------------------------------------------------------
 
 
-def test_life_is_longest_with_a_little_preload(state: State) -> None:
+def test_life_is_longest_with_a_little_preload(state: Solved) -> None:
     zone = lives_over_zone(state)
     assert zone.best[0] == pytest.approx(0.73, abs=0.01)
     # NSK, Rolling Bearings (E1102), 9.2: no clearance at 0.5, where life is the rating life
@@ -362,10 +371,10 @@ def test_life_is_longest_with_a_little_preload(state: State) -> None:
     assert "0.5\n0" in [tick.get_text() for tick in axes.get_xticklabels()]
 
 
-def test_the_own_zone_is_about_that_of_the_solved_balls(state: State) -> None:
+def test_the_own_zone_is_about_that_of_the_solved_balls(state: Solved) -> None:
     own = lives_over_zone(state).own
     assert own is not None
-    deflected = max(ball.inner.deflection + ball.outer.deflection for ball in state.balls)
+    deflected = float((state.inner.deflection + state.outer.deflection).max())
     clearance = state.case.bearing.diametral_clearance
     assert clearance is not None
     epsilon = 0.5 * deflected / (deflected + 0.5 * clearance)
@@ -390,7 +399,7 @@ def test_a_load_zone_is_that_of_radial_contact(bearing_218: Bearing, case: Case)
 # --- what helps --------------------------------------------------------------------------------
 
 
-def test_bars_are_the_ratios(state: State) -> None:
+def test_bars_are_the_ratios(state: Solved) -> None:
     changes = sensitivity(state)
     axes = what_helps(changes)
     assert len(axes.patches) == len(changes) == 5
@@ -415,7 +424,7 @@ def test_a_change_without_a_ratio_has_no_bar() -> None:
 
 
 def test_all_figures_can_be_drawn_in_both_languages(
-    curve: LifeCurve, lives: LoadLives, state: State
+    curve: LifeCurve, lives: LoadLives, state: Solved
 ) -> None:
     zone, changes, summary = lives_over_zone(state), sensitivity(state), life(state)
     pictures: dict[str, list[bytes]] = {"en": [], "pt": []}

@@ -16,10 +16,15 @@ from matplotlib.patches import Rectangle
 
 from rolamento.errors import InputError
 from rolamento.plots.frame import figure_of
-from rolamento.plots.samples import study_histogram, study_scatter
 from rolamento.plots.saving import save_figure
 from rolamento.plots.study import has_result, most_telling, outputs
-from rolamento.plots.sweep import study_lines, study_map, telling_kind
+from rolamento.plots.sweep import (
+    study_histogram,
+    study_lines,
+    study_map,
+    study_scatter,
+    telling_kind,
+)
 from rolamento.plots.words import PORTUGUESE
 
 FLAGS = {

@@ -11,16 +11,31 @@ from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
 from rolamento.plots.saving import save_figure
-from rolamento.plots.weibull import weibull_figure, weibull_paper
-from rolamento.plots.weibull_contour import contour_figure, likelihood_contour
+from rolamento.plots.weibull import (
+    contour_figure,
+    likelihood_contour,
+    weibull_figure,
+    weibull_paper,
+)
 from rolamento.plots.weibull_plan import chance_of_passing, cost_of_precision
 from rolamento.plots.weibull_words import weibull_plot_words
-from rolamento.weibull import LifeTest, plotting_positions, published_life_test
-from rolamento.weibull.band import Band, confidence_band
-from rolamento.weibull.likelihood_region import LikelihoodRegion, likelihood_region
-from rolamento.weibull.planning import alternatives, demonstrate
-from rolamento.weibull.precision import plan_for_ratio, plans_for_ratio
-from rolamento.weibull.summary import FIT_METHODS, LifeTestSummary, Wanted, summarise
+from rolamento.weibull import (
+    FIT_METHODS,
+    Band,
+    LifeTest,
+    LifeTestSummary,
+    LikelihoodRegion,
+    Wanted,
+    alternatives,
+    confidence_band,
+    demonstrate,
+    likelihood_region,
+    plan_for_ratio,
+    plans_for_ratio,
+    plotting_positions,
+    published_life_test,
+    summarise,
+)
 
 SAMPLES = 300
 

@@ -54,7 +54,7 @@ def rows_of(bearing: Bearing, *, speed: float = 0.0, **load: float) -> list[int]
     batch = solve(Case(bearing=bearing, duty=Duty()), inner_speed=speed, **load)
     assert batch.converged.all()
     pressed = batch.inner.load[0] > 1e-9 * batch.outer.load[0]
-    return [int(pressed[batch.row == row].sum()) for row in range(len(batch.rows))]
+    return [int(pressed[batch.elements.row == row].sum()) for row in range(len(batch.rows))]
 
 
 def preload_of(bearing: Bearing, *, speed: float = 0.0, **load: float) -> Preloading:

@@ -7,11 +7,12 @@ from pathlib import Path
 import pytest
 
 from rolamento import Analysis, analyse, load_case, solve
-from rolamento.lubrication import film_of
+from rolamento.lubrication import film as film_of
 from rolamento.report.film_sentences import said_note
 from rolamento.report.language import ENGLISH, PORTUGUESE
 from rolamento.report.medium import Medium
 from rolamento.report.terminal import terminal_report
+from rolamento.solving import solve as solved_case
 
 
 @pytest.fixture(scope="module")
@@ -54,10 +55,10 @@ def test_the_film_has_its_numbers_and_units(oiled: Analysis) -> None:
     assert thinnest is not None
     (line,) = (line for line in text.splitlines() if "central film h_c" in line)
     label, inner, outer, unit = line.rsplit(maxsplit=3)
-    assert float(inner) == pytest.approx(1e6 * thinnest.central_thickness, abs=6e-4)
+    assert float(inner) == pytest.approx(1e6 * film.inner.central_thickness[0, thinnest], abs=6e-4)
     assert float(outer) > float(inner)
     assert (label.strip(), unit) == ("central film h_c", "µm")
-    assert f"{1e6 * film.kinematic_viscosity:.1f} mm²/s" in text
+    assert f"{1e6 * film.kinematic_viscosity[0]:.1f} mm²/s" in text
     assert "83.4 °C" in text
     assert "inner: partial film; failures to expect: fatigue from inclusions" in text
 
@@ -116,9 +117,9 @@ def test_the_report_speaks_portuguese(oiled: Analysis) -> None:
     ],
 )
 def test_every_note_is_said_in_portuguese(examples: Path, settings: list[str]) -> None:
-    film = film_of(solve(load_case(examples / "6305_film.toml", settings)))
-    assert film.notes
-    for note in film.notes:
+    film = film_of(solved_case(load_case(examples / "6305_film.toml", settings)))
+    assert film.notes_of()
+    for note in film.notes_of():
         assert said_note(note, "pt") != note
         assert said_note(note, "en") == note
 

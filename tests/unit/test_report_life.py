@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 
-from rolamento import Case, analyse, load_case, override, solve
+from rolamento import Case, analyse, load_case, override
 from rolamento.analysis import NOTES as ANALYSIS_NOTES
 from rolamento.life import LifeSummary, conditions_of, life, sensitivity
 from rolamento.life.record import NOTES, OUTSIDE
@@ -20,24 +20,26 @@ from rolamento.life.sensitivity import CHANGES
 from rolamento.report.language import ENGLISH, PORTUGUESE, Words
 from rolamento.report.life import life_report
 from rolamento.report.life_curves import curves_report
-from rolamento.report.life_numbers import (
+from rolamento.report.life_sentences import ANALYSIS_SENTENCES, said_analysis_note
+from rolamento.report.life_spectrum import spectrum_report
+from rolamento.report.life_statement import (
     factor_text,
     given_percent,
     life_text,
     lives_column,
     percent,
 )
-from rolamento.report.life_sentences import ANALYSIS_SENTENCES, said_analysis_note
-from rolamento.report.life_spectrum import spectrum_report
 from rolamento.report.life_words import LIFE_WORDS
 from rolamento.report.medium import Medium
 from rolamento.report.page import Page
 from rolamento.report.shaft import shaft_report
 from rolamento.report.terminal import terminal_report
-from rolamento.state import State
-from rolamento.studies.life_curves import life_curve, read_range
-from rolamento.studies.shaft import life_of_shaft
-from rolamento.studies.spectrum import life_under, read_spectrum
+from rolamento.solved import Solved
+from rolamento.solving import solve
+from rolamento.studies.ranges import read_range
+from rolamento.tasks.life import life_of_shaft
+from rolamento.tasks.life_over import life_curve
+from rolamento.tasks.life_spectrum import life_under, read_spectrum
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "src" / "rolamento" / "examples"
 LANGUAGES = (ENGLISH, PORTUGUESE)
@@ -60,7 +62,7 @@ VARIED: dict[str, tuple[str, ...]] = {
 
 
 @cache
-def solved(name: str) -> tuple[State, LifeSummary]:
+def solved(name: str) -> tuple[Solved, LifeSummary]:
     state = solve(load_case(EXAMPLES / "6305_life.toml", VARIED[name]))
     return state, life(state)
 

@@ -5,19 +5,19 @@ from __future__ import annotations
 import json
 import re
 from functools import lru_cache
-from math import degrees, pi
+from math import pi
 
+import numpy as np
 import pytest
 
 from rolamento import Bearing, Case, Duty, Load, Lubricant, Model
+from rolamento.notes import SKID_LIMIT, _friction_alone
 from rolamento.report.language import ENGLISH, PORTUGUESE, Words
 from rolamento.report.medium import Medium
 from rolamento.report.sentences import portuguese_sentence
 from rolamento.report.terminal import terminal_report
-from rolamento.rows.ball import solve
-from rolamento.rows.ball.advice import _friction_alone
-from rolamento.rows.ball.rolling_notes import SKID_LIMIT
-from rolamento.state import State
+from rolamento.solved import Solved
+from rolamento.solving import solve
 
 BOTH = pytest.mark.parametrize("words", [ENGLISH, PORTUGUESE], ids=["en", "pt"])
 HEADINGS = {"en": "Motion under friction", "pt": "Movimento sob atrito"}
@@ -34,7 +34,7 @@ def solved(
     mu: float = 0.07,
     control: str = "friction",
     centrifugal: bool = True,
-) -> State:
+) -> Solved:
     bearing = Bearing(
         ball_count=9,
         ball_diameter="22.23 mm",
@@ -62,11 +62,11 @@ def solved(
     )
 
 
-def plain(state: State, words: Words = ENGLISH, width: int = 80) -> str:
+def plain(state: Solved, words: Words = ENGLISH, width: int = 80) -> str:
     return terminal_report(state, words, Medium(width=width))
 
 
-def part(state: State, words: Words = ENGLISH) -> list[str]:
+def part(state: Solved, words: Words = ENGLISH) -> list[str]:
     """The lines of the part, from its heading to the next empty line after its table."""
     lines = plain(state, words).splitlines()
     first = lines.index(HEADINGS[words.code])
@@ -86,34 +86,37 @@ def test_cage_torque_and_losses_are_those_of_the_state() -> None:
     text = " ".join(" ".join(part(state)).split())
     cage = re.search(r"cage ([\d ]+\.?\d*) rpm, ([\d.]+) % behind the ([\d ]+\.?\d*) rpm", text)
     assert cage is not None
-    assert number(cage[1]) == pytest.approx(rolling.cage_speed * 30.0 / pi, rel=1e-4)
-    assert number(cage[2]) == pytest.approx(100.0 * rolling.skid, rel=1e-2)
-    assert number(cage[3]) == pytest.approx(rolling.control_cage_speed * 30.0 / pi, rel=1e-4)
+    assert number(cage[1]) == pytest.approx(rolling.cage_speed[0] * 30.0 / pi, rel=1e-4)
+    assert number(cage[2]) == pytest.approx(100.0 * rolling.skid[0], rel=1e-2)
+    assert number(cage[3]) == pytest.approx(rolling.control_cage_speed[0] * 30.0 / pi, rel=1e-4)
     torque = re.search(r"torque ([\d ]+\.?\d*) N·mm on the shaft, (−?[\d ]+\.?\d*) N·mm", text)
     assert torque is not None
-    assert number(torque[1]) == pytest.approx(1e3 * rolling.inner_torque, rel=1e-3)
-    assert number(torque[2]) == pytest.approx(1e3 * rolling.outer_torque, rel=1e-3)
+    assert number(torque[1]) == pytest.approx(1e3 * rolling.inner_torque[0], rel=1e-3)
+    assert number(torque[2]) == pytest.approx(1e3 * rolling.outer_torque[0], rel=1e-3)
     power = re.search(r"losses ([\d ]+\.?\d*) W .*: ([\d ]+\.?\d*) W inner, ([\d ]+\.?\d*) W", text)
     assert power is not None
-    assert number(power[1]) == pytest.approx(rolling.power, rel=1e-3)
-    assert number(power[2]) + number(power[3]) == pytest.approx(rolling.power, rel=2e-3)
+    assert number(power[1]) == pytest.approx(rolling.power[0], rel=1e-3)
+    assert number(power[2]) + number(power[3]) == pytest.approx(rolling.power[0], rel=2e-3)
     drag = re.search(r"([\d ]+\.?\d*) W against the cage's drag", text)
     assert drag is not None
-    assert number(drag[1]) == pytest.approx(0.05 * rolling.cage_speed, rel=1e-3)
+    assert number(drag[1]) == pytest.approx(0.05 * rolling.cage_speed[0], rel=1e-3)
 
 
 def test_every_ball_has_its_motion() -> None:
     state = solved()
     assert state.rolling is not None
     rows = [line.split() for line in part(state) if re.match(r" +\d+ +\d+\.\d\d ", line)]
-    assert len(rows) == len(state.balls)
-    for cells, ball, own in zip(rows, state.balls, state.rolling.balls, strict=True):
-        found = [number(cell) for cell in cells[1:8]]
-        expected = (
-            degrees(ball.azimuth), degrees(ball.attitude), degrees(own.yaw),
-            ball.inner.spin_to_roll, ball.outer.spin_to_roll, own.inner.power, own.outer.power,
-        )  # fmt: skip
-        assert found == pytest.approx(expected, abs=0.06, rel=1e-2)
+    elements, rolling = state.elements, state.rolling
+    expected = np.stack(
+        [
+            np.degrees(elements.azimuth[0]), np.degrees(elements.attitude[0]),
+            np.degrees(elements.yaw[0]), state.inner.spin_to_roll[0], state.outer.spin_to_roll[0],
+            rolling.inner.power[0], rolling.outer.power[0],
+        ],
+        axis=1,
+    )  # fmt: skip
+    found = [[number(cell) for cell in cells[1:8]] for cells in rows]
+    np.testing.assert_allclose(found, expected, atol=0.06, rtol=1e-2)
 
 
 @BOTH
@@ -137,10 +140,10 @@ def test_only_friction_control_has_the_part(words: Words) -> None:
 def test_a_cage_that_leads_is_said_to_lead(words: Words) -> None:
     state = solved(fx=11e3, mu=0.005, fz=0.0)
     assert state.rolling is not None
-    assert state.rolling.skid < -SKID_LIMIT
+    assert state.rolling.skid[0] < -SKID_LIMIT
     text = " ".join(part(state, words))
     assert {"en": "ahead of", "pt": "à frente"}[words.code] in text
-    note = next(note for note in state.notes if note.startswith("The cage runs"))
+    note = next(note for note in state.notes[0] if note.startswith("The cage runs"))
     assert "ahead of" in note
     assert words.note(note) in " ".join(plain(state, words).split())
 
@@ -150,18 +153,18 @@ def test_notes_of_friction_are_said_in_both_languages(words: Words) -> None:
     states = [solved(), solved(fx=11e3, mu=0.005, fz=0.0), solved(outer=10_000.0)]
     marks = ("spin at both races", "The cage runs", "friction has nothing to decide")
     for state, mark in zip(states, marks, strict=True):
-        note = next(note for note in state.notes if mark in note)
+        note = next(note for note in state.notes[0] if mark in note)
         assert (words.note(note) == note) == (words is ENGLISH)
 
 
 @BOTH
 def test_advice_when_friction_does_not_settle(words: Words) -> None:
     state = solved(drag=1e4)
-    assert state.status.code == "not_converged"
-    advice = words.advice(state.status)
+    assert state.status.code[0] == "not_converged"
+    advice = words.advice(state)
     assert "model.mesh" in advice
     assert "lubricant.friction_coefficient" in advice
-    assert (advice == state.status.advice) == (words is ENGLISH)
+    assert (advice == state.advice[0]) == (words is ENGLISH)
 
 
 @pytest.mark.parametrize("residual", [1e-12, 3e-2])
@@ -175,8 +178,8 @@ def test_advice_says_what_is_missing(residual: float) -> None:
 def test_a_ball_that_nothing_touches_has_dashes() -> None:
     state = solved(fx=5e3, fz=8e3, centrifugal=False, speed=100.0)
     assert state.rolling is not None
-    loose = [j for j, ball in enumerate(state.balls) if ball.outer.load == 0.0]
-    assert loose
+    loose = np.flatnonzero(state.outer.load[0] == 0.0)
+    assert len(loose)
     rows = [line.split() for line in part(state) if re.match(r" +\d+ +\d+\.\d\d ", line)]
     assert rows[loose[0]][2:6] == ["–"] * 4
     assert rows[loose[0]][8:] == ["–"] * 2

@@ -21,20 +21,23 @@ from rolamento.report.weibull_plan import (
 from rolamento.report.weibull_plan_words import PLAN_WORDS
 from rolamento.report.weibull_sentences import said_advice, said_note
 from rolamento.report.weibull_words import WEIBULL_WORDS
+from rolamento.tasks.weibull import demonstration_study, precision_study
 from rolamento.weibull import (
     ADVICE,
+    FIT_METHODS,
     METHODS,
     NOTES,
+    PLAN_ADVICE,
     LifeTest,
+    LifeTestSummary,
     Scheme,
     ShapePrior,
+    Wanted,
     against_calculated_life,
     all_bounds,
     published_life_test,
+    summarise,
 )
-from rolamento.weibull.planning import PLAN_ADVICE, alternatives, demonstrate
-from rolamento.weibull.precision import plan_for_ratio, plan_of, plans_for_ratio
-from rolamento.weibull.summary import FIT_METHODS, LifeTestSummary, Wanted, summarise
 
 SAMPLES = 300
 WIDTHS = (80, 120)
@@ -205,17 +208,14 @@ def test_json_has_null_for_what_does_not_exist() -> None:
 @EVERY
 @pytest.mark.parametrize("width", WIDTHS)
 def test_plans_fit_the_page(width: int, words: Words) -> None:
-    plan = demonstrate(12_000.0, shape=1.3, bearings=12, failures_allowed=1)
+    shown = demonstration_study("12000 Mrev", shape=1.3, bearings=12, failures_allowed=1)
+    known = precision_study(5.0, shape=1.1, life="25000 h", samples=SAMPLES)
+    told = precision_study(failures=6, groups=6, group_sizes=[4], samples=SAMPLES)
     pages = [
-        demonstration_report(plan, alternatives(plan), "Mrev", words, Medium(width)),
-        precision_report(
-            plans_for_ratio(5.0, shape=1.1, life=25_000.0, samples=SAMPLES), 5.0, "h", words,
-            Medium(width),
-        ),
-        precision_report(
-            [plan_of(6, 6, 4, shape=1.5, samples=SAMPLES)], None, "", words, Medium(width)
-        ),
-    ]  # fmt: skip
+        demonstration_report(shown, words, Medium(width)),
+        precision_report(known, words, Medium(width)),
+        precision_report(told, words, Medium(width)),
+    ]
     for page in pages:
         assert max(map(len, page.splitlines())) <= width
         assert "nan" not in page
@@ -224,31 +224,31 @@ def test_plans_fit_the_page(width: int, words: Words) -> None:
 
 @EVERY
 def test_plans_without_result_give_advice(words: Words) -> None:
-    failed = demonstrate(1000.0, shape=1.5, bearings=2, time=10.0)
+    failed = demonstration_study("1000 h", bearings=2, time=10.0)
     advice = " ".join(said_advice("not_shown", words.code).split())
-    page = " ".join(demonstration_report(failed, (), "h", words).split())
+    page = " ".join(demonstration_report(failed, words).split())
     assert advice in page
-    unreachable = plan_for_ratio(1.5, shape=1.5, groups=5, samples=SAMPLES)
-    page = " ".join(precision_report([unreachable], 1.5, "h", words).split())
+    unreachable = precision_study(1.5, groups=5, life="1000 h", samples=SAMPLES)
+    page = " ".join(precision_report(unreachable, words).split())
     assert " ".join(said_advice("not_reached", words.code).split()) in page
 
 
 def test_sudden_death_is_weighed_against_the_full_test() -> None:
-    plans = plans_for_ratio(5.0, shape=1.5, life=1000.0, samples=SAMPLES)
-    text = " ".join(precision_report(plans, 5.0, "h").split())
-    full = plans[0]
+    found = precision_study(5.0, life="1000 h", samples=SAMPLES)
+    text = " ".join(precision_report(found).split())
+    plans, full = found.plans, found.plans[0]
     fastest = min((p for p in plans if p.group_size > 1), key=lambda p: p.duration.mean)  # type: ignore[union-attr]
     assert f"{full.bearings} bearings run until all have failed" in text
     assert f"Sudden death in {fastest.groups} groups of {fastest.group_size}" in text
 
 
 def test_json_of_plans() -> None:
-    plan = demonstrate(1000.0, shape=1.5, bearings=10)
-    data = json.loads(demonstration_json(plan, alternatives(plan), "h"))
-    assert data["time"] == plan.time
+    found = demonstration_study("1000 h", bearings=10)
+    data = json.loads(demonstration_json(found))
+    assert (data["unit"], data["time"]) == ("h", found.plan.time)
     chance = {one["life_ratio"]: one["chance"] for one in data["chance_of_passing"]}
     assert chance[2.0] == pytest.approx(0.1 ** (2.0**-1.5))
     assert len(data["alternatives"]) == 33
-    data = json.loads(precision_json([plan_of(1, shape=1.5)], None, "h"))
+    data = json.loads(precision_json(precision_study(failures=1)))
     assert data["plans"][0]["ratio"] is None
     assert data["plans"][0]["duration"] is None

@@ -7,16 +7,16 @@ import pytest
 from scipy.optimize import brentq
 
 from rolamento.errors import InputError
-from rolamento.friction.ellipse_mesh import ellipse_mesh
 from rolamento.friction.slip import (
     BallVelocity,
     Patch,
-    greatest_pressure_slip,
+    maximum_pressure_slip,
     pressure_share,
     relative_motion,
     rolling_lines,
     slip_velocity,
 )
+from rolamento.friction.traction import ellipse_mesh
 from rolamento.geometry import Race
 from rolamento.kinematics import ball_motion
 
@@ -209,10 +209,10 @@ def test_rolling_lines_are_the_zeros_of_slip(race: Race) -> None:
             assert np.ptp(mine) < 2e-3
 
 
-def test_greatest_pressure_slip_is_that_of_a_dense_grid() -> None:
+def test_maximum_pressure_slip_is_that_of_a_dense_grid() -> None:
     patch = patch_of("inner")
     motion = relative_motion(patch, BallVelocity(*BALL), RING)
-    found = greatest_pressure_slip(patch, motion)
+    found = maximum_pressure_slip(patch, motion)
     steps = np.linspace(-1.0, 1.0, 301)
     u, v = (array.ravel() for array in np.meshgrid(steps, steps))
     dense = pressure_share(u, v) * slip_velocity(patch, motion, u, v).speed

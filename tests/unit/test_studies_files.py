@@ -33,7 +33,7 @@ from rolamento.studies import (
     study_to_toml,
 )
 from rolamento.studies.plan import Part, Plan
-from rolamento.studies.writing import writer_for
+from rolamento.studies.runner import open_result
 
 
 @pytest.fixture(scope="module")
@@ -197,7 +197,7 @@ def test_what_the_disk_refuses_is_told(study: Study, tmp_path: Path, ending: str
     place = tmp_path / "none" / f"r{ending}"
     with (
         pytest.raises(FileError, match="cannot be written"),
-        writer_for(place)(place, plan, {}, ()) as file,
+        open_result(place, place.suffix, plan, {}, ()) as file,
     ):
         file.put(Part(0, plan.empty(48)))
 

@@ -272,8 +272,8 @@ class TestToFile:
         result = load_result(self.file(tmp_path))
         for found in summary.ranges:
             values = result[found.output.name].where(result.status == 0).values
-            assert found.least == np.nanmin(values)
-            assert found.greatest == np.nanmax(values)
+            assert found.minimum == np.nanmin(values)
+            assert found.maximum == np.nanmax(values)
             if not found.output.per_ball:
                 assert found.median == pytest.approx(np.nanmedian(values), rel=1e-6)
 
@@ -430,7 +430,7 @@ def test_memory_does_not_grow_with_the_number_of_cases(
         tracemalloc.stop()
         return most
 
-    monkeypatch.setattr("rolamento.studies.summary._MOST_KEPT", 1000)
+    monkeypatch.setattr("rolamento.studies.runner._MOST_KEPT", 1000)
     peak(2000)  # what is imported and made once
     # 16 parts are written together; all of them: 160 000 × 18 × 8 B = 23 MB
     assert peak(160_000) < peak(48_000) + 600_000

@@ -10,8 +10,14 @@ import pytest
 from scipy import stats
 
 from rolamento.studies import Correlation, Distribution, Scatter
-from rolamento.studies.sampling import Law, Sampler, factor_of, truncated_normal, uniform
-from rolamento.studies.scatter import difference_in_si
+from rolamento.studies.scatter import (
+    Law,
+    Sampler,
+    difference_in_si,
+    factor_of,
+    truncated_normal,
+    uniform,
+)
 
 COUNT = 40_000
 INNER, OUTER = "bearing.inner_conformity", "bearing.outer_conformity"

@@ -13,10 +13,9 @@ from rolamento._tables import Numerals, numerals_of, parse_table
 from rolamento.catalogue.tables import records_of_csv
 from rolamento.cli.app import app
 from rolamento.errors import InputError
-from rolamento.studies.duty_steps import read_spectrum
-from rolamento.studies.factor_table import read_factor_table
-from rolamento.weibull import parse_life_test
-from rolamento.weibull.trend import parse_trend
+from rolamento.life.l_able import read_factor_table
+from rolamento.tasks.life_spectrum import read_spectrum
+from rolamento.weibull import parse_life_test, parse_trend
 
 Run = Callable[..., tuple[int, str, str]]
 THOUSANDS = "vida (h);situação\n12.500;falha\n8.200;falha\n15.000;suspenso\n"

@@ -13,9 +13,8 @@ from scipy import stats
 from rolamento import Bearing, InputError, load_case, solve_batch
 from rolamento.plots.tolerance import tolerance_figure
 from rolamento.studies import parse_study, run
-from rolamento.studies.samples import samples_of
-from rolamento.studies.sensitivity import rank_correlation
-from rolamento.studies.tolerance import clearance_from_temperature, tolerance_bands
+from rolamento.studies.sensitivity import ToleranceStudy
+from rolamento.studies.tolerance import clearance_from_temperature, samples_of, tolerance_bands
 
 
 def study(
@@ -246,7 +245,7 @@ def test_the_figure_has_a_panel_for_each_output() -> None:
     generator = np.random.default_rng(6)
     load, other = generator.normal(1e3, 50.0, (2, 500))
     data = study({"q": 3.0 * load, "p": load - 2.0 * other}, {"fx": load, "fz": other})
-    figure = tolerance_figure(data, tolerance_bands(data), rank_correlation(data))
+    figure = tolerance_figure(ToleranceStudy.of(data))
     titles = [axes.get_title(loc="left") for axes in figure.axes]
     assert [title for title in titles if title] == ["The q", "The p"]
     bars = [patch.get_width() for patch in figure.axes[1].patches]
@@ -255,6 +254,6 @@ def test_the_figure_has_a_panel_for_each_output() -> None:
 
 def test_the_figure_of_nothing_but_failures_says_so() -> None:
     data = study({"q": np.full(10, np.nan)}, {"fx": np.arange(10.0)}, status=np.ones(10))
-    figure = tolerance_figure(data, tolerance_bands(data), rank_correlation(data))
+    figure = tolerance_figure(ToleranceStudy.of(data))
     texts = [text.get_text() for axes in figure.axes for text in axes.texts]
     assert any("no sample has a result" in text for text in texts)

@@ -13,9 +13,8 @@ from tests.one_case import solve_one
 
 from rolamento import Case, Lubricant, Model, load_case
 from rolamento.assembly import spread
-from rolamento.friction.ellipse_mesh import ellipse_mesh
 from rolamento.friction.slip import BallVelocity, Patch, relative_motion
-from rolamento.friction.traction import contact_friction
+from rolamento.friction.traction import contact_friction, ellipse_mesh
 from rolamento.kinematics import RacewayControl, ball_motion
 from rolamento.rows.ball import layout
 from rolamento.rows.ball.single import groove

@@ -17,7 +17,8 @@ from rolamento.plots.trend import trend_figure, trend_lines
 from rolamento.report.language import LANGUAGES
 from rolamento.report.medium import Medium
 from rolamento.report.trend import trend_report
-from rolamento.weibull.trend import (
+from rolamento.tasks.weibull import TrendStudy, trend_study
+from rolamento.weibull import (
     PUBLISHED_TRENDS,
     parse_trend,
     published_trend,
@@ -107,10 +108,10 @@ def test_hostile_records_end_with_one_line(run: Run, text: str) -> None:
 @pytest.mark.parametrize("words", LANGUAGES.values(), ids=LANGUAGES)
 @pytest.mark.parametrize("name", PUBLISHED_TRENDS)
 def test_pages(name: str, words: object) -> None:
-    trend = published_trend(name)
-    fits = wear_of_each(trend) if name.endswith("clearance") else {}
+    found = trend_study(published_trend(name))
+    assert bool(found.fits) == name.endswith("clearance")
     for width in (80, 120):
-        page = trend_report(trend, fits, words, Medium(width))  # type: ignore[arg-type]
+        page = trend_report(found, words, Medium(width))  # type: ignore[arg-type]
         assert max(map(len, page.splitlines())) <= width
         assert "nan" not in page
     assert ("×" in page) == name.endswith("anderon")
@@ -119,7 +120,9 @@ def test_pages(name: str, words: object) -> None:
 def test_constants_of_the_page_are_those_of_the_fit() -> None:
     trend = published_trend("campanha_2008_clearance")
     fits = wear_of_each(trend)
-    (line,) = [x for x in trend_report(trend, fits).splitlines() if x.startswith("  9  ")][1:]
+    (line,) = [
+        x for x in trend_report(TrendStudy(trend, fits)).splitlines() if x.startswith("  9  ")
+    ][1:]
     cells = line.replace("±", "").split()
     fit = fits["9"]
     assert float(cells[1]) == pytest.approx(1e6 * fit.constants["initial_clearance"], rel=5e-3)

@@ -13,15 +13,20 @@ from rolamento.errors import InputError
 from rolamento.weibull import (
     ADVICE,
     METHODS,
+    Estimand,
     LifeTest,
     Method,
-    Quantity,
     all_bounds,
     bounds,
     maximum_likelihood,
     pivotal_draws,
 )
-from rolamento.weibull.censoring import Blocks, FirstFailures, draw_fits, model_of
+from rolamento.weibull.drawing import (
+    Blocks,
+    FirstFailures,
+    draw_fits,
+    model_of,
+)
 
 TIMES = [54.0, 187, 216, 240, 244, 335, 361, 373, 375, 386, 500]
 CLOCKED = LifeTest(TIMES, [True] * 10 + [False], counts=[1] * 10 + [10])
@@ -35,23 +40,23 @@ NAMES = ("shape", "scale", "L10", "R100")
 
 
 def test_words_of_quantities() -> None:
-    assert Quantity.of("L10").value == pytest.approx(0.9)
-    assert Quantity.of("l0.1").name == "L0.1"
-    assert Quantity.of("R1.5e3").value == 1500.0
-    assert Quantity.of("scale").log_risk == pytest.approx(0.0, abs=1e-15)
-    assert Quantity.of(Quantity.life(0.95)).name == "L5"
+    assert Estimand.of("L10").value == pytest.approx(0.9)
+    assert Estimand.of("l0.1").name == "L0.1"
+    assert Estimand.of("R1.5e3").value == 1500.0
+    assert Estimand.of("scale").log_risk == pytest.approx(0.0, abs=1e-15)
+    assert Estimand.of(Estimand.life(0.95)).name == "L5"
     for wrong in ("L100", "L0", "R0", "L", "mean", "L10x", "", "R-1", "R1e99", None, 10):
         with pytest.raises(InputError, match="quantity"):
-            Quantity.of(wrong)  # type: ignore[arg-type]
+            Estimand.of(wrong)  # type: ignore[arg-type]
 
 
 def test_values_of_quantities() -> None:
     shape, log_scale = np.array([2.0, 0.5]), np.log([100.0, 100.0])
     law = stats.weibull_min([2.0, 0.5], scale=100.0)
-    assert Quantity.of("shape").at(shape, log_scale) == pytest.approx([2.0, 0.5])
-    assert Quantity.of("scale").at(shape, log_scale) == pytest.approx(100.0)
-    assert Quantity.of("L10").at(shape, log_scale) == pytest.approx(law.ppf(0.1))
-    assert Quantity.of("R50").at(shape, log_scale) == pytest.approx(law.sf(50.0))
+    assert Estimand.of("shape").at(shape, log_scale) == pytest.approx([2.0, 0.5])
+    assert Estimand.of("scale").at(shape, log_scale) == pytest.approx(100.0)
+    assert Estimand.of("L10").at(shape, log_scale) == pytest.approx(law.ppf(0.1))
+    assert Estimand.of("R50").at(shape, log_scale) == pytest.approx(law.sf(50.0))
 
 
 @pytest.mark.parametrize("test", ALL, ids=lambda t: t.scheme)
@@ -163,7 +168,7 @@ def test_pivots_do_not_depend_on_what_they_are_drawn_from() -> None:
 
 def test_reliability_bounds_are_life_bounds_read_the_other_way() -> None:
     low = bounds(WITHDRAWN, "L20", sides="lower", samples=2000).lower
-    back = bounds(WITHDRAWN, Quantity.reliability(low), sides="lower", samples=2000)
+    back = bounds(WITHDRAWN, Estimand.reliability(low), sides="lower", samples=2000)
     assert back.lower == pytest.approx(0.8, abs=2e-3)
 
 
@@ -349,7 +354,7 @@ def test_order_statistics_of_the_first_failures() -> None:
 def test_draws_answer_any_question() -> None:
     draws = pivotal_draws(COMPLETE, maximum_likelihood(COMPLETE), 4000, np.random.default_rng(0))
     found = bounds(COMPLETE, "L10", samples=4000)
-    limits = np.quantile(draws.of(Quantity.of("L10")), [0.05, 0.95])
+    limits = np.quantile(draws.of(Estimand.of("L10")), [0.05, 0.95])
     assert (found.lower, found.upper) == pytest.approx(limits)
 
 

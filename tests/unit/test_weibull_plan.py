@@ -9,10 +9,16 @@ import numpy as np
 import pytest
 
 from rolamento.errors import InputError
-from rolamento.weibull import LifeTest, all_bounds
-from rolamento.weibull.order_statistics import failure_time, mean_failure_times
-from rolamento.weibull.planning import PLAN_ADVICE, demonstrate
-from rolamento.weibull.precision import plan_for_ratio, plan_of
+from rolamento.weibull import (
+    PLAN_ADVICE,
+    LifeTest,
+    all_bounds,
+    demonstrate,
+    failure_time,
+    mean_failure_times,
+    plan_for_ratio,
+    plan_of,
+)
 
 
 def lieblein(rank: int, size: int, shape: float, power: int = 1) -> float:

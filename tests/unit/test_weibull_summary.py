@@ -9,19 +9,20 @@ import pytest
 
 from rolamento.errors import InputError
 from rolamento.weibull import (
+    Estimand,
     LifeTest,
     ShapePrior,
+    Wanted,
     against_calculated_life,
     all_bounds,
     compare,
+    confidence_band,
     life_ratio,
+    likelihood_region,
     maximum_likelihood,
     published_life_test,
+    summarise,
 )
-from rolamento.weibull.band import confidence_band
-from rolamento.weibull.likelihood_region import likelihood_region
-from rolamento.weibull.quantity import Quantity
-from rolamento.weibull.summary import Wanted, summarise
 
 SAMPLES = 500
 
@@ -49,7 +50,7 @@ def test_a_group_is_told_as_the_engine_tells_it(campanha: LifeTest) -> None:
     assert (first.name, second.name) == ("I", "II")
     assert first.main.shape == maximum_likelihood(part).shape
     (bound,) = all_bounds(part, ["L10"], samples=SAMPLES)
-    own = first.bound(Quantity.of("L10"))
+    own = first.bound(Estimand.of("L10"))
     assert own is not None
     assert (own.lower, own.upper) == (bound.lower, bound.upper)
     assert [one.quantity for one in first.bounds] == ["shape", "scale", "L10", "L50", "R100"]
@@ -176,7 +177,7 @@ def test_the_band_is_made_of_bounds(campanha: LifeTest) -> None:
     band = confidence_band(part, samples=SAMPLES)
     assert band.converged
     place = int(np.argmin(abs(band.reliability - 0.9)))
-    quantity = Quantity.life(float(band.reliability[place]))
+    quantity = Estimand.life(float(band.reliability[place]))
     (bound,) = all_bounds(part, [quantity], samples=SAMPLES)
     assert band.lower[place] == bound.lower
     assert band.upper[place] == bound.upper

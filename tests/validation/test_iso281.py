@@ -6,17 +6,17 @@ import numpy as np
 import pytest
 
 from rolamento import Bearing, Case, Duty
-from rolamento.life import life_of_batch
-from rolamento.life.basic import basic_rating_life, hours
+from rolamento.life import life
+from rolamento.life.iso281 import basic_rating_life, hours
+from rolamento.life.iso281_modified import fatigue_load_limit, life_modification_factor
+from rolamento.life.iso16281 import race_ratings
 from rolamento.life.load_zone import (
     catalogue_stiffness,
     continuous_life,
     load_zone,
     zone_life,
 )
-from rolamento.life.modified import fatigue_load_limit, life_modification_factor
-from rolamento.life.reference import race_ratings
-from rolamento.lubrication.viscosity_ratio import viscosity_ratio
+from rolamento.lubrication.oil_state import viscosity_ratio
 from rolamento.ratings import (
     dynamic_factor,
     dynamic_factor_of_grooves,
@@ -24,7 +24,7 @@ from rolamento.ratings import (
     static_factor,
     static_factor_of_grooves,
 )
-from rolamento.rows.ball import solve_batch
+from rolamento.solving import solve
 from rolamento.verification import Check, campanha_2008_life, iso_76, iso_281
 from rolamento.verification.published import RPM, published
 
@@ -87,8 +87,8 @@ def test_equivalent_load_and_the_theory_behind_it(degrees: float) -> None:
     )  # fmt: skip
     relative = np.array([0.689, 2.07]) * 1e6
     axial = relative * 16 * 0.0127**2
-    batch = solve_batch(Case(bearing=bearing, duty=Duty()), fx=axial, fz=0.4 * axial)
-    found = life_of_batch(Case(bearing=bearing, duty=Duty()), batch)
+    batch = solve(Case(bearing=bearing, duty=Duty()), fx=axial, fz=0.4 * axial)
+    found = life(batch)
     assert batch.converged.all()
     by_balls = found.ratings.dynamic_of_set / np.cbrt(found["iso16281"].life)
     uneven = 1.0 - np.sin(angle) / 3.0
@@ -173,7 +173,7 @@ def test_reference_life_of_many_balls_in_equilibrium() -> None:
     )  # fmt: skip
     case = Case(bearing=bearing, duty=Duty())
     places = np.linspace(0.0, 2.0 * np.pi / 24.0, 9)[:-1]
-    batch = solve_batch(case, {"duty.first_ball_azimuth": places}, fz=np.full(8, 900.0))
-    found = life_of_batch(case, batch)
+    batch = solve(case, {"duty.first_ball_azimuth": places}, fz=np.full(8, 900.0))
+    found = life(batch)
     assert found["iso281"].life == pytest.approx((found.ratings.dynamic_of_set[0] / 900.0) ** 3)
     assert found["iso16281"].life.mean() == pytest.approx(found["iso281"].life[0], rel=0.02)

@@ -12,13 +12,14 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rolamento import Bearing, Case, Duty, Load, solve
+from rolamento import Bearing, Case, Duty, Load
 from rolamento.life import LifeConditions, life
-from rolamento.life.basic import basic_rating_life, hours
 from rolamento.life.equivalent_load import equivalent_load, load_factors
-from rolamento.life.modified import life_modification_factor
+from rolamento.life.iso281 import basic_rating_life, hours
+from rolamento.life.iso281_modified import life_modification_factor
 from rolamento.life.spectrum import shaft_life
-from rolamento.lubrication.viscosity_ratio import reference_viscosity
+from rolamento.lubrication.oil_state import reference_viscosity
+from rolamento.solving import solve
 from rolamento.verification import Check
 from rolamento.verification.check import half_unit
 from rolamento.verification.makers_life import checks

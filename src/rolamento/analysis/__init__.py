@@ -1,22 +1,9 @@
-"""Everything that follows from a case: its state, the lubricant film, friction, life.
+"""Everything that follows from a case: its equilibrium, the lubricant film, friction, life.
 
-`analyse` for a case, `analyse_batch` for many solved cases at once. A part that a case does not
-ask for is None; one that it asks for and that cannot be had is None with a note, never an
-exception.
+`analyse` of a case or of what solving it returned. A part that a case does not ask for is None;
+one that it asks for and that cannot be had is None with a note, never an exception.
 """
 
-from rolamento.analysis.batch import analyse_batch, least_film_parameter, remembering
-from rolamento.analysis.joining import BatchAnalysis, joined
-from rolamento.analysis.one import NOTES, Analysis, analyse, analyse_state
+from rolamento.analysis.analysis import NOTES, Analysis, analyse
 
-__all__ = [
-    "NOTES",
-    "Analysis",
-    "BatchAnalysis",
-    "analyse",
-    "analyse_batch",
-    "analyse_state",
-    "joined",
-    "least_film_parameter",
-    "remembering",
-]
+__all__ = ["NOTES", "Analysis", "analyse"]

@@ -13,10 +13,10 @@ from numpy.typing import ArrayLike
 from rolamento.case import Case
 from rolamento.case.bearing import Bearing, RowPlace
 from rolamento.case.duty import AXES, LOADS
+from rolamento.case.varied import bounded, varied_arrays
 from rolamento.clearance.batch import MOUNTED_FIELDS
 from rolamento.errors import InputError
 from rolamento.numerics import BoolArray, FloatArray
-from rolamento.rows.ball.columns import batch_arrays, bounded
 from rolamento.rows.ball.fields import GEOMETRY, PRELOADS, consistent
 from rolamento.rows.ball.row import BallRow, Traction, ball_row
 from rolamento.rows.row import Row
@@ -25,11 +25,6 @@ __all__ = ["Cases", "PlacedRow", "spread"]
 
 ROWS: Final = {"ball": ball_row}
 """How a row is made, by its kind of element."""
-
-_GEOMETRY_RIVALS: Final = {
-    "contact_angle": "diametral_clearance",
-    "diametral_clearance": "contact_angle",
-}
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,8 +95,7 @@ def spread(
 ) -> Cases:
     """Repeat a case over a batch, and put the fields in; threads, fast: how to solve them.
 
-    values: scalars or arrays of one length, by the dotted names of fields that may vary or the
-    short names of the duty, SI units. A load frees its degree of freedom, a displacement holds
+    values: as `varied_arrays` takes them. A load frees its degree of freedom, a displacement holds
     it; an angle takes the place of a clearance, and the other way round. Cases whose values the
     records would refuse are not `valid`.
 
@@ -117,7 +111,7 @@ def spread(
             field="mounting",
             example="rolamento.solve(case)",
         )
-    given = batch_arrays(values or {})
+    given = varied_arrays(values)
     for name in MOUNTED_FIELDS:
         if name in given:
             raise InputError(
@@ -142,7 +136,9 @@ def spread(
     for place in case.bearing.places:
         bearing = _varied(case.bearing, place.bearing, _own_fields(case.bearing, place), arrays)
         valid &= consistent(bearing, {}, place.bearing.ball_count)
-        row = ROWS["ball"](case, place, bearing, arrays, cases, threads=threads, fast=fast)
+        row = ROWS[place.bearing.element](
+            case, place, bearing, arrays, cases, threads=threads, fast=fast
+        )
         placed.append(PlacedRow(row, place.sign, _position(case.bearing, place, arrays, cases)))
     for part in placed:
         part.row.refuse(~valid)
@@ -224,8 +220,8 @@ def _varied(bearing: Bearing, row: Bearing, own: set[str], arrays: Mapping[str, 
     given = {name: arrays[f"bearing.{name}"] for name in GEOMETRY if f"bearing.{name}" in arrays}
     given = {name: array for name, array in given.items() if name not in own}
     for name in list(given):
-        if name in _GEOMETRY_RIVALS:
-            given.setdefault(_GEOMETRY_RIVALS[name], None)  # type: ignore[arg-type]
+        for rival in Case.fields()[f"bearing.{name}"].rivals:
+            given.setdefault(rival.removeprefix("bearing."), None)  # type: ignore[arg-type]
     rings = _material(row.ring_material, "ring_material", arrays)
     follows = "ball_material" not in bearing.model_fields_set
     balls = _material(rings if follows else row.ball_material, "ball_material", arrays)
@@ -238,8 +234,7 @@ def _own_fields(bearing: Bearing, place: RowPlace) -> set[str]:
     """What the row does not take from the set; an own angle excludes the set's clearance too."""
     if bearing.rows is None:
         return set()
-    own = set(bearing.rows[bearing.places.index(place)].own)
-    return own | {"diametral_clearance"} if "contact_angle" in own else own
+    return set(bearing.rows[bearing.places.index(place)].own)
 
 
 def _material(material: Any, part: str, arrays: Mapping[str, FloatArray]) -> Any:

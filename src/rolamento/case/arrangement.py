@@ -2,24 +2,26 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Final, Literal, Self
+from typing import Annotated, Any, ClassVar, Final, Literal, Self
 
 from pydantic import BeforeValidator, Field, model_validator
 
 from rolamento.case.preload_classes import Level, listed_preload
-from rolamento.case.quantity import Count, Line, Quantity, Ratio
-from rolamento.case.record import Record
+from rolamento.case.quantity import Count, Line, Quantity, Ratio, Replaces
+from rolamento.case.record import ByElement, Record, refuse_rivals, replaced
 from rolamento.errors import InputError, UnitError
-from rolamento.units import to_si
+from rolamento.units import Dimension, to_si
 
 __all__ = [
     "ARRANGEMENTS",
     "PRELOAD_KINDS",
     "Arrangement",
+    "BallCount",
+    "BallRow",
     "Orientation",
     "Preload",
     "PreloadField",
-    "Row",
+    "RowOfElements",
 ]
 
 Orientation = Literal["+", "-"]
@@ -46,16 +48,19 @@ outside the set, face to face (F, "X") inside; in tandem (T) all rows face one w
 PRELOAD_KINDS: Final = ("force", "offset", "spring", "level")
 """The ways to give a preload, one at a time."""
 
+BallCount = Annotated[int, Field(strict=True, ge=3, le=500), Count]
 _Shift = Annotated[float, Quantity("length", at_least="-10 m", at_most="10 m")]
 _Diameter = Annotated[float, Quantity("length", at_least="0.01 mm", at_most="20 m")]
 _Conformity = Annotated[float, Ratio(at_least=0.501, at_most=1.0)]
 
 
-class Row(Record):
-    """One row of balls of a set: where it sits, and what it has of its own.
+class BallRow(Record):
+    """One row of balls of a bearing: where it sits, and what it has of its own.
 
     Parameters
     ----------
+    element
+        What rolls in it: ``"ball"``.
     orientation
         ``"+"`` for a row that carries axial load of the shaft toward +x, ``"-"`` for its mirror
         image. Without meaning for a row given by its clearance.
@@ -64,8 +69,10 @@ class Row(Record):
         set refer to, in m.
     phase
         Azimuth of the row's first ball beyond the duty's, in rad.
-    ball_count, ball_diameter, pitch_diameter, contact_angle, inner_conformity, outer_conformity
-        As in `Bearing`; what is not given is the set's.
+    ball_count, ball_diameter, pitch_diameter, contact_angle, diametral_clearance
+        As in `Bearing`; what is not given is the bearing's.
+    inner_conformity, outer_conformity
+        Likewise.
 
     Raises
     ------
@@ -73,26 +80,47 @@ class Row(Record):
         If a value is missing or out of range.
     """
 
+    element: Literal["ball"] = Field("ball", examples=["ball"])
     orientation: Orientation = Field("+", examples=["+"])
     position: _Shift = Field(examples=["-12 mm"])
     phase: Annotated[float, Quantity("angle", at_least="-360 deg", at_most="360 deg")] = Field(
         0.0, examples=["11.25 deg"]
     )
-    ball_count: Annotated[int, Count] | None = Field(None, strict=True, ge=3, le=500)
+    ball_count: BallCount | None = Field(None, examples=[16])
     ball_diameter: _Diameter | None = Field(None, examples=["22.23 mm"])
     pitch_diameter: _Diameter | None = Field(None, examples=["125.26 mm"])
-    contact_angle: Annotated[float, Quantity("angle", at_least="0 deg", below="90 deg")] | None = (
-        Field(None, examples=["40 deg"])
-    )
+    contact_angle: Annotated[
+        Annotated[float, Quantity("angle", at_least="0 deg", below="90 deg")] | None,
+        Replaces("diametral_clearance"),
+    ] = Field(None, examples=["40 deg"])
+    diametral_clearance: Annotated[
+        Annotated[float, Quantity("length", at_least="-1 m", at_most="1 m")] | None,
+        Replaces("contact_angle"),
+    ] = Field(None, examples=["0.015 mm"])
     inner_conformity: _Conformity | None = Field(None, examples=[0.5232])
     outer_conformity: _Conformity | None = Field(None, examples=[0.5232])
 
     @property
     def own(self) -> dict[str, Any]:
-        """The geometry that the row has of its own, by field of `Bearing`."""
-        shared = {"orientation", "position", "phase"}
-        fields = ((name, getattr(self, name)) for name in type(self).model_fields)
-        return {name: value for name, value in fields if name not in shared and value is not None}
+        """The geometry that the row has of its own, by field of `Bearing`.
+
+        None for the bearing's angle or clearance where the row has the other.
+        """
+        shared = {"element", "orientation", "position", "phase"}
+        own = {name: getattr(self, name) for name in type(self).model_fields if name not in shared}
+        given = {name: value for name, value in own.items() if value is not None}
+        ended = (other for name in given for other in replaced(BallRow, name))
+        return {**dict.fromkeys(ended), **given}
+
+    @model_validator(mode="after")
+    def _angle_or_clearance(self) -> Self:
+        refuse_rivals(self)
+        return self
+
+
+RowOfElements = Annotated[BallRow, ByElement()]
+"""A row of any rolling elements, told apart by `element`. Another kind of row joins as a member of
+a union: ``Annotated[BallRow | RollerRow, ByElement()]``."""
 
 
 class Preload(Record):
@@ -121,18 +149,25 @@ class Preload(Record):
         If none or several are given, or a value is out of range.
     """
 
-    force: Annotated[float, Quantity("force", at_least="0 N", at_most="1e6 kN")] | None = Field(
-        None, examples=["500 N"]
-    )
-    offset: Annotated[float, Quantity("length", at_least="-10 mm", at_most="10 mm")] | None = Field(
-        None, examples=["5 um"]
-    )
-    spring: Annotated[float, Quantity("force", above="0 N", at_most="1e6 kN")] | None = Field(
-        None, examples=["500 N"]
-    )
+    has_short_form: ClassVar = True
 
-    level: Level | None = Field(None, examples=["light"])
-    designation: Line | None = Field(None, examples=["S 6012 C"])
+    force: Annotated[
+        Annotated[float, Quantity("force", at_least="0 N", at_most="1e6 kN", varies=True)] | None,
+        Replaces(*PRELOAD_KINDS, "designation"),
+    ] = Field(None, examples=["500 N"])
+    offset: Annotated[
+        Annotated[float, Quantity("length", at_least="-10 mm", at_most="10 mm", varies=True)]
+        | None,
+        Replaces(*PRELOAD_KINDS, "designation"),
+    ] = Field(None, examples=["5 um"])
+    spring: Annotated[
+        Annotated[float, Quantity("force", above="0 N", at_most="1e6 kN", varies=True)] | None,
+        Replaces(*PRELOAD_KINDS, "designation"),
+    ] = Field(None, examples=["500 N"])
+    level: Annotated[Level | None, Replaces(*PRELOAD_KINDS)] = Field(None, examples=["light"])
+    designation: Annotated[Line | None, Replaces("force", "offset", "spring")] = Field(
+        None, examples=["S 6012 C"]
+    )
 
     @model_validator(mode="after")
     def _one(self) -> Self:
@@ -150,6 +185,22 @@ class Preload(Record):
             )
         return self
 
+    @classmethod
+    def table_of_text(cls, text: str) -> dict[str, Any]:
+        """Take "500 N" for a clamped force and "5 um" for a clamped offset."""
+        kinds: dict[Dimension, str] = {"force": "force", "length": "offset"}
+        for dimension, key in kinds.items():
+            try:
+                to_si(text, dimension)
+            except UnitError:
+                continue
+            return {key: text}
+        raise InputError(
+            "must be a force or an offset with its unit, or a table",
+            value=text,
+            example='"500 N", "5 um" or { spring = "500 N" }',
+        )
+
     def pair_force(self, contact_angle: float | None) -> float | None:
         """The listed force of a pair, in N; None where the preload is not given by its level.
 
@@ -163,24 +214,13 @@ class Preload(Record):
         return listed_preload(self.designation, self.level, contact_angle)
 
 
-def _spelt_out(value: object) -> object:
-    """Take "500 N" for a clamped force and "5 um" for a clamped offset."""
-    if not isinstance(value, str):
-        return value
-    for dimension, key in (("force", "force"), ("length", "offset")):
-        try:
-            to_si(value, dimension)  # type: ignore[arg-type]
-        except UnitError:
-            continue
-        return {key: value}
-    raise InputError(
-        "must be a force or an offset with its unit, or a table",
-        value=value,
-        example='"500 N", "5 um" or { spring = "500 N" }',
-    )
+def _table_of(value: object) -> object:
+    return Preload.table_of_text(value) if isinstance(value, str) else value
 
 
 PreloadField = Annotated[
-    Preload, BeforeValidator(_spelt_out), Field(description="a table, a force or an offset")
+    Preload,
+    BeforeValidator(_table_of, json_schema_input_type=Preload | str),
+    Field(description="a table, a force or an offset"),
 ]
 """Annotation of a field that takes a preload, its table, or the force or offset as text."""

@@ -5,10 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from functools import lru_cache
-from typing import TYPE_CHECKING, Annotated, Any, Final, NamedTuple, Self
+from typing import TYPE_CHECKING, Annotated, Any, Final, Literal, NamedTuple, Self
 
 from pydantic import (
     BeforeValidator,
+    ConfigDict,
     Field,
     ModelWrapValidatorHandler,
     SerializationInfo,
@@ -18,9 +19,16 @@ from pydantic import (
     model_validator,
 )
 
-from rolamento.case.arrangement import ARRANGEMENTS, Arrangement, PreloadField, Row
+from rolamento.case.arrangement import (
+    ARRANGEMENTS,
+    Arrangement,
+    BallCount,
+    BallRow,
+    PreloadField,
+    RowOfElements,
+)
 from rolamento.case.material import DEFAULT_MATERIAL, Material, MaterialField
-from rolamento.case.quantity import Count, Line, Quantity, Ratio, at_the_border
+from rolamento.case.quantity import Line, Quantity, Ratio, Replaces, at_the_border
 from rolamento.case.record import Record
 from rolamento.errors import InputError
 from rolamento.units import Dimension, from_si
@@ -45,7 +53,7 @@ _CATALOGUE_FIELDS: Final[Mapping[str, Dimension | None]] = {
 }
 """What a designation fills in, by the dimension."""
 
-_Conformity = Annotated[float, Ratio(at_least=0.501, at_most=1.0)]
+_Conformity = Annotated[float, Ratio(at_least=0.501, at_most=1.0, varies=True)]
 
 
 def _as_text(value: object) -> object:
@@ -55,12 +63,30 @@ def _as_text(value: object) -> object:
     return value
 
 
-_Designation = Annotated[Line, BeforeValidator(_as_text)]
+_Designation = Annotated[
+    Line,
+    BeforeValidator(_as_text, json_schema_input_type=Annotated[str, Field(max_length=200)] | int),
+]
+_DISPLACED: Final = (
+    *_BALL_FIELDS,
+    *(f"{part}.{name}" for part in ("mounting", "film") for name in ("bore", "outside_diameter")),
+    *(f"life.{name}" for name in ("dynamic_rating", "static_rating")),
+)
+"""Another bearing of the catalogue has other balls, another size and other ratings."""
 _ShoulderHeight = Annotated[float, Quantity("length", above="0 mm", at_most="1 m")]
 
 
+def _required_unless_told(schema: dict[str, Any]) -> None:
+    """In the JSON schema, require the geometry only where no designation and no row tells it."""
+    own = schema.pop("required", [])
+    schema["anyOf"] = [{"required": names} for names in (["designation"], ["rows"], own)]
+
+
 class Bearing(Record):
-    """A row of balls between two grooved rings, by its internal geometry, or a set of rows.
+    """One or more rows of balls between two grooved rings, by their internal geometry.
+
+    The fields are those of one row, or what several rows have in common; what is not given of the
+    geometry is then that of the first of `rows`.
 
     Exactly one of `contact_angle` and `diametral_clearance` is given: the first for an
     angular-contact bearing, whose axial displacement then counts from first contact,
@@ -69,6 +95,8 @@ class Bearing(Record):
 
     Parameters
     ----------
+    element
+        What rolls in the rows: ``"ball"``.
     designation
         Of the catalogue, such as ``"6305/C3"``: it fills in what is not given of the fields
         from `ball_count` to `outer_conformity`, published or inferred; see `origins`.
@@ -108,31 +136,38 @@ class Bearing(Record):
         If a value is missing or out of range, or the values contradict each other.
     """
 
-    designation: _Designation | None = Field(None, examples=["6305/C3"])
-    ball_count: Annotated[int, Count] = Field(strict=True, ge=3, le=500, examples=[16])
-    ball_diameter: Annotated[float, Quantity("length", at_least="0.01 mm", at_most="1 m")] = Field(
-        examples=["22.23 mm"]
+    model_config = ConfigDict(json_schema_extra=_required_unless_told)
+
+    element: Literal["ball"] = Field("ball", examples=["ball"])
+    designation: Annotated[_Designation | None, Replaces(*_DISPLACED)] = Field(
+        None, examples=["6305/C3"]
     )
-    pitch_diameter: Annotated[float, Quantity("length", at_least="0.01 mm", at_most="20 m")] = (
-        Field(examples=["125.26 mm"])
-    )
-    contact_angle: Annotated[float, Quantity("angle", at_least="0 deg", below="90 deg")] | None = (
-        Field(None, examples=["40 deg"])
-    )
-    diametral_clearance: (
-        Annotated[float, Quantity("length", at_least="-1 m", at_most="1 m")] | None
-    ) = Field(None, examples=["0.015 mm"])
-    inner_conformity: _Conformity = Field(examples=[0.5232])
-    outer_conformity: _Conformity = Field(examples=[0.5232])
+    ball_count: BallCount = Field(title="number of balls", examples=[16])
+    ball_diameter: Annotated[
+        float, Quantity("length", at_least="0.01 mm", at_most="1 m", varies=True)
+    ] = Field(examples=["22.23 mm"])
+    pitch_diameter: Annotated[
+        float, Quantity("length", at_least="0.01 mm", at_most="20 m", varies=True)
+    ] = Field(examples=["125.26 mm"])
+    contact_angle: Annotated[
+        Annotated[float, Quantity("angle", at_least="0 deg", below="90 deg", varies=True)] | None,
+        Replaces("diametral_clearance"),
+    ] = Field(None, title="free contact angle", examples=["40 deg"])
+    diametral_clearance: Annotated[
+        Annotated[float, Quantity("length", at_least="-1 m", at_most="1 m", varies=True)] | None,
+        Replaces("contact_angle"),
+    ] = Field(None, title="diametral clearance", examples=["0.015 mm"])
+    inner_conformity: _Conformity = Field(title="inner conformity", examples=[0.5232])
+    outer_conformity: _Conformity = Field(title="outer conformity", examples=[0.5232])
     ring_material: MaterialField = Field(default_factory=lambda: Material.named(DEFAULT_MATERIAL))
     ball_material: MaterialField = Field(default_factory=lambda data: data["ring_material"])
     inner_shoulder_height: _ShoulderHeight | None = Field(None, examples=["4.5 mm"])
     outer_shoulder_height: _ShoulderHeight | None = Field(None, examples=["4.5 mm"])
-    arrangement: Arrangement | None = Field(None, examples=["DB"])
-    spacing: Annotated[float, Quantity("length", above="0 mm", at_most="10 m")] | None = Field(
-        None, examples=["24 mm"]
-    )
-    rows: tuple[Row, ...] | None = Field(
+    arrangement: Annotated[Arrangement | None, Replaces("rows")] = Field(None, examples=["DB"])
+    spacing: (
+        Annotated[float, Quantity("length", above="0 mm", at_most="10 m", varies=True)] | None
+    ) = Field(None, examples=["24 mm"])
+    rows: Annotated[tuple[RowOfElements, ...] | None, Replaces("arrangement", "spacing")] = Field(
         None,
         min_length=1,
         max_length=MOST_ROWS,
@@ -210,13 +245,14 @@ class Bearing(Record):
     def _filled_in(
         cls, given: Any, handler: ModelWrapValidatorHandler[Self], info: ValidationInfo
     ) -> Self:
-        """Fill in what a designation tells, without making it the user's own."""
+        """Fill in what a designation or the first row tells, without making it the user's own."""
         if not isinstance(given, Mapping):
             return handler(given)
         designation = _as_text(given.get("designation"))
-        if not isinstance(designation, str):
-            return handler(given)
-        found = _of_catalogue(designation, given, in_file=at_the_border(info.context))
+        if isinstance(designation, str):
+            found = _of_catalogue(designation, given, in_file=at_the_border(info.context))
+        else:
+            found = _of_first_row(given)
         bearing = handler({**given, **found})
         bearing.__pydantic_fields_set__.difference_update(found)
         return bearing
@@ -225,9 +261,9 @@ class Bearing(Record):
     def _without_what_is_filled_in(
         self, handler: SerializerFunctionWrapHandler, info: SerializationInfo
     ) -> dict[str, Any]:
-        """Write a designation to a file as it was given, with the user's own fields only."""
+        """Write to a file the user's own fields only, where others are filled in."""
         fields: dict[str, Any] = handler(self)
-        if self.designation is None or not at_the_border(info.context):
+        if (self.designation or self.rows) is None or not at_the_border(info.context):
             return fields
         told = _CATALOGUE_FIELDS.keys() - self.model_fields_set
         return {name: value for name, value in fields.items() if name not in told}
@@ -351,6 +387,17 @@ def _of_catalogue(designation: str, given: Mapping[str, Any], *, in_file: bool) 
     return found
 
 
+def _of_first_row(given: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the geometry that the first row tells and the bearing does not."""
+    rows = given.get("rows")
+    first = rows[0] if isinstance(rows, list | tuple) and rows else None
+    told = first if isinstance(first, Mapping) else getattr(first, "own", {})
+    own = {name for name, value in given.items() if value is not None}
+    play = set(_PLAY) if own.intersection(_PLAY) else set()
+    missing = (name for name in _CATALOGUE_FIELDS if name not in own | play)
+    return {name: told[name] for name in missing if told.get(name) is not None}
+
+
 def balls_fit(count: int, ball_diameter: Any, pitch_diameter: Any) -> Any:
     """Whether neighbouring balls on the pitch circle do not overlap; numbers or arrays."""
     return ball_diameter / pitch_diameter <= math.sin(math.pi / count)
@@ -376,13 +423,13 @@ def _places(bearing: Bearing) -> tuple[RowPlace, ...]:
     if rows is None:
         return (RowPlace(bearing, 1.0, 0.0, 0.0),)
     plain: dict[str, Any] = dict.fromkeys(_SET_FIELDS)
+    if bearing.designation is None:  # of the first row
+        told = _CATALOGUE_FIELDS.keys() - bearing.model_fields_set
+        plain.update({name: getattr(bearing, name) for name in told})
     places = []
     for index, row in enumerate(rows):
         try:
-            own = row.own
-            if "contact_angle" in own:
-                own["diametral_clearance"] = None
-            alone = bearing.replace(**plain, **own)
+            alone = bearing.replace(**{**plain, **row.own})
         except InputError as error:
             raise error.with_details(field=f"rows.{index}.{error.field}") from None
         sign = 1.0 if row.orientation == "+" else -1.0
@@ -390,14 +437,14 @@ def _places(bearing: Bearing) -> tuple[RowPlace, ...]:
     return tuple(places)
 
 
-def _rows(bearing: Bearing) -> tuple[Row, ...] | None:
+def _rows(bearing: Bearing) -> tuple[RowOfElements, ...] | None:
     if bearing.arrangement is None:
         return bearing.rows
     orientations = ARRANGEMENTS[bearing.arrangement]
     spacing = bearing.spacing or 0.0
     first = -0.5 * spacing * (len(orientations) - 1)
     return tuple(
-        Row(orientation=orientation, position=first + spacing * index)
+        BallRow(orientation=orientation, position=first + spacing * index)
         for index, orientation in enumerate(orientations)
     )
 

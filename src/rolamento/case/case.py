@@ -5,7 +5,8 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Iterable, Mapping
-from typing import Any, Self
+from math import isclose
+from typing import Any, Final, Self
 
 from pydantic import Field, ValidationInfo, model_validator
 
@@ -13,15 +14,16 @@ from rolamento._reading import (
     TextFormat,
     format_of_path,
     format_of_text,
+    line_of,
+    lines_of_keys,
     parse_mapping,
     read_text,
 )
 from rolamento._writing import write_text
-from rolamento.case._catalogue_sizes import check_catalogue_sizes, with_catalogue_sizes
-from rolamento.case._lines import line_of, lines_of_keys
-from rolamento.case._overrides import OVERRIDE_SOURCE, overridden
 from rolamento.case.bearing import Bearing
 from rolamento.case.duty import Duty
+from rolamento.case.fields import OVERRIDE_SOURCE, changed, fields_of, overridden
+from rolamento.case.fields import Field as CaseField
 from rolamento.case.film_model import FilmModel
 from rolamento.case.life_model import LifeModel
 from rolamento.case.lubricant import LubricantField
@@ -43,6 +45,10 @@ __all__ = [
     "parse_case",
     "save_case",
 ]
+
+
+_SIZES: Final = ("bore", "outside_diameter")
+_ROUNDING: Final = 1e-9
 
 
 class Case(Record):
@@ -95,13 +101,54 @@ class Case(Record):
         """Fill in bore and outside diameter that a designation tells."""
         if not isinstance(given, Mapping):
             return given
-        return with_catalogue_sizes(given, in_file=at_the_border(info.context))
+        return _with_catalogue_sizes(given, in_file=at_the_border(info.context))
 
     @model_validator(mode="after")
     def _sizes_agree(self) -> Self:
         if self.mounting is not None:
-            check_catalogue_sizes(self.bearing, self.mounting)
+            _check_catalogue_sizes(self.bearing, self.mounting)
         return self
+
+    @classmethod
+    def fields(cls) -> Mapping[str, CaseField]:
+        """Return what there is to know of each field of a case, by its dotted name."""
+        return fields_of(cls)
+
+    def with_(self, values: Mapping[str, Any] | None = None, /, **nested: Any) -> Case:
+        """Return a case with some values changed, such as ``case.with_(duty__load__fz="10 kN")``.
+
+        A value replaces its rival: a clearance takes the place of the contact angle, a
+        displacement that of the load on the same degree of freedom. Balls whose material is not
+        given go on following that of the rings.
+
+        Parameters
+        ----------
+        values
+            By dotted name, ``{"duty.load.fz": "10 kN"}``: text as in a case file or numbers in SI
+            units, records or tables for tables; None takes an optional value away.
+        nested
+            Likewise, with two underscores for the dot.
+
+        Raises
+        ------
+        InputError
+            If there is no such field, it is given twice, or the result is not valid.
+        """
+        given = dict(values or {})
+        for key, value in nested.items():
+            name = key.replace("__", ".")
+            if name in given:
+                raise InputError("is given twice", field=name)
+            given[name] = value
+        return Case.from_mapping(changed(self._own_mapping(given), given, Case))
+
+    def _own_mapping(self, changes: Iterable[str]) -> dict[str, Any]:
+        """The tables of the case's file; balls of the rings' material go on following it."""
+        mapping = self.to_mapping()
+        follows = "ball_material" not in self.bearing.model_fields_set
+        if follows and not any(change.startswith("bearing.ball_material") for change in changes):
+            del mapping["bearing"]["ball_material"]
+        return mapping
 
     @property
     def lubricant_temperature(self) -> float | None:
@@ -241,15 +288,15 @@ def parse_case(
 def override(case: Case, settings: Iterable[str]) -> Case:
     """Return a case with settings applied, such as ``["duty.load.fz=10 kN"]``.
 
-    A setting replaces its rival: a clearance takes the place of the contact angle, a
-    displacement that of the load on the same degree of freedom.
+    As `Case.with_`, for texts as ``--set`` takes them.
 
     Raises
     ------
     InputError
         If a setting names no field, or the result is not valid.
     """
-    return _case_from(case.to_mapping(), settings)
+    settings = tuple(settings)
+    return _case_from(case._own_mapping(settings), settings)
 
 
 def save_case(case: Case, path: str | os.PathLike[str]) -> None:
@@ -285,10 +332,82 @@ def case_to_json(case: Case) -> str:
     return json.dumps(case.to_mapping(), indent=2, ensure_ascii=False) + "\n"
 
 
-def _case_from(mapping: Mapping[str, Any], settings: Iterable[str]) -> Case:
-    changed, fields = overridden(mapping, settings, Case)
+def _with_catalogue_sizes(given: Mapping[str, Any], *, in_file: bool) -> Mapping[str, Any]:
+    """Return the tables of a case with the sizes that they need and the catalogue tells.
+
+    Parameters
+    ----------
+    given
+        The fields of a case: tables or records.
+    in_file
+        Whether quantities are text with units.
+    """
+    missing = {
+        name: [size for size in _SIZES if size not in table]
+        for name in ("mounting", "film")
+        if isinstance(table := given.get(name), Mapping) and _needs_sizes(name, table)
+    }
+    if not any(missing.values()):
+        return given
+    sizes = _sizes_of(given.get("bearing"))
+    if not sizes:
+        return given
+    filled = dict(given)
+    for name, names in missing.items():
+        own = {size: from_si(sizes[size], "length") if in_file else sizes[size] for size in names}
+        filled[name] = {**given[name], **own}
+    return filled
+
+
+def _check_catalogue_sizes(bearing: Bearing, mounting: Mounting) -> None:
+    """Refuse a mounting for a bearing of another size than that of the designation.
+
+    Raises
+    ------
+    InputError
+        Naming the size.
+    """
+    published = bearing.published
+    if published is None:
+        return
+    for name in _SIZES:
+        told, own = getattr(published, name), getattr(mounting, name)
+        if not isclose(told, own, rel_tol=_ROUNDING):
+            raise InputError(
+                f"must be {from_si(told, 'length')}, that of {bearing.designation}",
+                field=f"mounting.{name}",
+                value=from_si(own, "length"),
+                example=f'leave it out, or {name} = "{from_si(told, "length")}"',
+            )
+
+
+def _needs_sizes(name: str, table: Mapping[str, Any]) -> bool:
+    return name == "mounting" or table.get("starvation") == "replenishment"
+
+
+def _sizes_of(bearing: Any) -> dict[str, float]:
+    """What the catalogue tells; nothing of what is no designation, which others refuse."""
+    if isinstance(bearing, Bearing):
+        designation: Any = bearing.designation
+    else:
+        designation = bearing.get("designation") if isinstance(bearing, Mapping) else None
+    if isinstance(designation, int) and not isinstance(designation, bool):
+        designation = str(designation)
+    if not isinstance(designation, str):
+        return {}
+    from rolamento.catalogue import built_in_geometry
+
     try:
-        return Case.from_mapping(changed)
+        found = built_in_geometry(designation, False).bearing
+    except InputError:
+        return {}
+    return {name: getattr(found, name) for name in _SIZES}
+
+
+def _case_from(mapping: Mapping[str, Any], settings: Iterable[str]) -> Case:
+    tables, fields = overridden(mapping, settings, Case)
+    try:
+        return Case.from_mapping(tables)
     except InputError as error:
         if error.field in fields:
             raise error.with_details(source=OVERRIDE_SOURCE) from None

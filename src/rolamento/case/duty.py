@@ -6,7 +6,7 @@ from typing import Annotated, Final, Self
 
 from pydantic import Field, model_validator
 
-from rolamento.case.quantity import Quantity
+from rolamento.case.quantity import Quantity, Replaces
 from rolamento.case.record import Record
 from rolamento.errors import InputError
 from rolamento.units import from_si
@@ -21,12 +21,14 @@ LOADS: Final = ("fx", "fy", "fz", "my", "mz")
 
 Five = tuple[float, float, float, float, float]
 
-_Force = Annotated[float, Quantity("force", at_least="-1e6 kN", at_most="1e6 kN")]
-_Moment = Annotated[float, Quantity("moment", at_least="-1e9 N m", at_most="1e9 N m")]
-_Shift = Annotated[float, Quantity("length", at_least="-1 m", at_most="1 m")]
-_Tilt = Annotated[float, Quantity("angle", at_least="-5 deg", at_most="5 deg")]
-_Speed = Annotated[float, Quantity("angular_speed", at_least="-1e6 rpm", at_most="1e6 rpm")]
-_Azimuth = Annotated[float, Quantity("angle", at_least="-360 deg", at_most="360 deg")]
+_Force = Annotated[float, Quantity("force", at_least="-1e6 kN", at_most="1e6 kN", varies=True)]
+_Moment = Annotated[float, Quantity("moment", at_least="-1e9 N m", at_most="1e9 N m", varies=True)]
+_Shift = Annotated[float, Quantity("length", at_least="-1 m", at_most="1 m", varies=True)]
+_Tilt = Annotated[float, Quantity("angle", at_least="-5 deg", at_most="5 deg", varies=True)]
+_Speed = Annotated[
+    float, Quantity("angular_speed", at_least="-1e6 rpm", at_most="1e6 rpm", varies=True)
+]
+_Azimuth = Annotated[float, Quantity("angle", at_least="-360 deg", at_most="360 deg", varies=True)]
 
 
 class Load(Record):
@@ -48,11 +50,21 @@ class Load(Record):
         If a value is out of range.
     """
 
-    fx: _Force | None = Field(None, examples=["20 kN"])
-    fy: _Force | None = Field(None, examples=["1 kN"])
-    fz: _Force | None = Field(None, examples=["15 kN"])
-    my: _Moment | None = Field(None, examples=["50 N m"])
-    mz: _Moment | None = Field(None, examples=["50 N m"])
+    fx: Annotated[_Force | None, Replaces("duty.displacement.x")] = Field(
+        None, title="axial load Fx", examples=["20 kN"]
+    )
+    fy: Annotated[_Force | None, Replaces("duty.displacement.y")] = Field(
+        None, title="radial load Fy", examples=["1 kN"]
+    )
+    fz: Annotated[_Force | None, Replaces("duty.displacement.z")] = Field(
+        None, title="radial load Fz", examples=["15 kN"]
+    )
+    my: Annotated[_Moment | None, Replaces("duty.displacement.ry")] = Field(
+        None, title="moment My", examples=["50 N m"]
+    )
+    mz: Annotated[_Moment | None, Replaces("duty.displacement.rz")] = Field(
+        None, title="moment Mz", examples=["50 N m"]
+    )
 
 
 class Displacement(Record):
@@ -71,11 +83,21 @@ class Displacement(Record):
         If a value is out of range.
     """
 
-    x: _Shift | None = Field(None, examples=["0.01 mm"])
-    y: _Shift | None = Field(None, examples=["0.01 mm"])
-    z: _Shift | None = Field(None, examples=["0.01 mm"])
-    ry: _Tilt | None = Field(None, examples=["0.05 deg"])
-    rz: _Tilt | None = Field(None, examples=["0.05 deg"])
+    x: Annotated[_Shift | None, Replaces("duty.load.fx")] = Field(
+        None, title="axial displacement x", examples=["0.01 mm"]
+    )
+    y: Annotated[_Shift | None, Replaces("duty.load.fy")] = Field(
+        None, title="radial displacement y", examples=["0.01 mm"]
+    )
+    z: Annotated[_Shift | None, Replaces("duty.load.fz")] = Field(
+        None, title="radial displacement z", examples=["0.01 mm"]
+    )
+    ry: Annotated[_Tilt | None, Replaces("duty.load.my")] = Field(
+        None, title="tilt about y", examples=["0.05 deg"]
+    )
+    rz: Annotated[_Tilt | None, Replaces("duty.load.mz")] = Field(
+        None, title="tilt about z", examples=["0.05 deg"]
+    )
 
 
 class Duty(Record):
@@ -102,9 +124,11 @@ class Duty(Record):
         If a value is out of range, or a degree of freedom is given twice.
     """
 
-    inner_speed: _Speed = Field(0.0, examples=["10000 rpm"])
-    outer_speed: _Speed = Field(0.0, examples=["10000 rpm"])
-    first_ball_azimuth: _Azimuth = Field(0.0, examples=["11.25 deg"])
+    inner_speed: _Speed = Field(0.0, title="speed of the inner ring", examples=["10000 rpm"])
+    outer_speed: _Speed = Field(0.0, title="speed of the outer ring", examples=["10000 rpm"])
+    first_ball_azimuth: _Azimuth = Field(
+        0.0, title="azimuth of the first ball", examples=["11.25 deg"]
+    )
     load: Load = Field(default_factory=Load)
     displacement: Displacement = Field(default_factory=Displacement)
 

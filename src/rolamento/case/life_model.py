@@ -6,18 +6,19 @@ from typing import Annotated, Final, Literal, Self
 
 from pydantic import AfterValidator, Field, model_validator
 
-from rolamento.case.quantity import Line, Quantity, Ratio
-from rolamento.case.record import Record
+from rolamento.case.quantity import Line, Quantity, Ratio, Replaces
+from rolamento.case.record import Record, refuse_rivals
 from rolamento.errors import InputError
 from rolamento.iso4406 import cleanliness_numbers
 
-__all__ = ["DIRT", "LifeModel"]
+__all__ = ["DIRT", "LifeModel", "TallianFactors"]
 
 DIRT: Final = ("contamination", "cleanliness", "filter_size", "grease_cleanliness")
 """Of these a case takes one: how dirty the lubricant is."""
 
-_Rating = Annotated[float, Quantity("force", above="0 N", at_most="1e9 N")]
-_Factor = Annotated[float, Ratio(above=0.0, at_most=1000.0)]
+_Rating = Annotated[float, Quantity("force", above="0 N", at_most="1e9 N", varies=True)]
+_Factor = Annotated[float, Ratio(above=0.0, at_most=1000.0, varies=True)]
+_TallianFactor = Annotated[float, Ratio(above=0.0, at_most=1e300)]
 
 
 def _a_code(text: str) -> str:
@@ -26,6 +27,48 @@ def _a_code(text: str) -> str:
     except InputError as error:
         raise error.with_details(field="") from None  # the record tells which field it is
     return text
+
+
+class TallianFactors(Record):
+    """φ0 to φ4 of one origin of failure in Tallian's form, and the exponent s of the stress cycles.
+
+    What is not given is as by Lundberg and Palmgren: see `rolamento.life.tallian`.
+
+    Parameters
+    ----------
+    strength
+        φ0, of the material; SI.
+    defect_shape, defect_density
+        φ1 and φ2.
+    failure_rate, pressure_distribution
+        φ3 and φ4: both, beside the strength, or none; SI.
+    exponent
+        s.
+
+    Raises
+    ------
+    InputError
+        If a factor is not above zero, or φ3 and φ4 are not given together with φ0.
+    """
+
+    strength: _TallianFactor | None = Field(None, examples=[1e-97])
+    defect_shape: _TallianFactor = Field(1.0, examples=[1.0])
+    defect_density: _TallianFactor = Field(1.0, examples=[0.5])
+    failure_rate: _TallianFactor | None = Field(None, examples=[1.0])
+    pressure_distribution: _TallianFactor | None = Field(None, examples=[1.0])
+    exponent: Annotated[float, Ratio(at_least=0.1, at_most=10.0)] = Field(
+        10.0 / 9.0, examples=[1.11]
+    )
+
+    @model_validator(mode="after")
+    def _consistent(self) -> Self:
+        given = self.failure_rate is not None
+        if given != (self.pressure_distribution is not None):
+            missing = "pressure_distribution" if given else "failure_rate"
+            raise InputError("is missing beside its fellow", field=missing, example="1.0")
+        if given and self.strength is None:
+            raise InputError("is missing beside failure_rate", field="strength", example="1e-97")
+        return self
 
 
 class LifeModel(Record):
@@ -71,6 +114,9 @@ class LifeModel(Record):
         ``"local"`` or ``"mean"``, of the stress-volume theory.
     nsk_cleanliness
         a_c, 0.05 to 1, for L_able.
+    tallian_subsurface, tallian_surface
+        factors of Tallian's form for failures from below the surface, and from the surface; of
+        these φ0, φ3 and φ4 are needed, and φ1 is 1.
 
     Raises
     ------
@@ -88,41 +134,56 @@ class LifeModel(Record):
     static_rating: _Rating | None = Field(None, examples=["11.2 kN"])
     fatigue_load_limit: _Rating | None = Field(None, examples=["475 N"])
     fatigue_load_method: Literal["contacts", "estimate"] = Field("contacts", examples=["contacts"])
-    contamination: Annotated[float, Ratio(at_least=0.0, at_most=1.0)] | None = Field(
-        None, examples=[0.5]
-    )
-    cleanliness: Annotated[Line, AfterValidator(_a_code)] | None = Field(None, examples=["-/17/14"])
+    contamination: Annotated[
+        Annotated[float, Ratio(at_least=0.0, at_most=1.0, varies=True)] | None,
+        Replaces(*DIRT, "oil_supply", "filter_ratio"),
+    ] = Field(None, examples=[0.5])
+    cleanliness: Annotated[
+        Annotated[Line, AfterValidator(_a_code)] | None, Replaces(*DIRT, "filter_ratio")
+    ] = Field(None, examples=["-/17/14"])
     oil_supply: Literal["circulating", "bath"] | None = Field(None, examples=["bath"])
-    filter_size: Annotated[float, Quantity("length", at_least="0.1 um", at_most="1 mm")] | None = (
-        Field(None, examples=["12 um"])
-    )
+    filter_size: Annotated[
+        Annotated[float, Quantity("length", at_least="0.1 um", at_most="1 mm")] | None,
+        Replaces(*DIRT, "oil_supply"),
+    ] = Field(None, examples=["12 um"])
     filter_ratio: Annotated[float, Ratio(above=1.0, at_most=1e6)] | None = Field(
         None, examples=[200]
     )
-    grease_cleanliness: Literal["high", "normal", "slight", "severe", "very_severe"] | None = Field(
-        None, examples=["normal"]
-    )
+    grease_cleanliness: Annotated[
+        Literal["high", "normal", "slight", "severe", "very_severe"] | None,
+        Replaces(*DIRT, "oil_supply", "filter_ratio"),
+    ] = Field(None, examples=["normal"])
     additives: bool = Field(False, strict=True, examples=[False])
-    viscosity_ratio: Annotated[float, Ratio(above=0.0, at_most=1e6)] | None = Field(
+    viscosity_ratio: Annotated[float, Ratio(above=0.0, at_most=1e6, varies=True)] | None = Field(
         None, examples=[1.5]
     )
     rotating_load: bool = Field(False, strict=True, examples=[True])
     edition: Literal["2007", "1990"] = Field("2007", examples=["2007"])
     material_factor: _Factor | None = Field(None, examples=[1.0])
     operation_factor: _Factor | None = Field(None, examples=[0.8])
-    fatigue_limit: Annotated[float, Quantity("stress", at_least="0 Pa", at_most="100 GPa")] = Field(
-        374e6, examples=["374 MPa"]
-    )
+    fatigue_limit: Annotated[
+        float, Quantity("stress", at_least="0 Pa", at_most="100 GPa", varies=True)
+    ] = Field(374e6, examples=["374 MPa"])
     depth: Literal["local", "mean"] = Field("local", examples=["local"])
-    nsk_cleanliness: Annotated[float, Ratio(at_least=0.05, at_most=1.0)] | None = Field(
-        None, examples=[0.8]
+    nsk_cleanliness: Annotated[float, Ratio(at_least=0.05, at_most=1.0, varies=True)] | None = (
+        Field(None, examples=[0.8])
     )
+    tallian_subsurface: TallianFactors | None = None
+    tallian_surface: TallianFactors | None = None
 
     @model_validator(mode="after")
     def _consistent(self) -> Self:
-        given = [name for name in DIRT if getattr(self, name) is not None]
-        if len(given) > 1:
-            raise InputError(f"is given beside {given[0]}; give one", field=given[1])
+        surface = self.tallian_surface
+        if surface is not None and (surface.failure_rate is None or surface.defect_shape != 1.0):
+            missing = surface.failure_rate is None
+            raise InputError(
+                "is missing: failures from the surface have no factors but the user's"
+                if missing
+                else "is 1 for failures from the surface",
+                field="tallian_surface." + ("failure_rate" if missing else "defect_shape"),
+                example="1.0",
+            )
+        refuse_rivals(self)
         self._check_pair("cleanliness", "oil_supply", 'oil_supply = "bath"', '"-/17/14"')
         self._check_pair("filter_size", "filter_ratio", "filter_ratio = 200", '"12 um"')
         return self

@@ -2,24 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from functools import lru_cache
 from math import isnan
-from typing import Annotated, Any, Final, Literal, NamedTuple, Self
+from typing import Annotated, Any, ClassVar, Final, Literal, NamedTuple, Self
 
-from pydantic import (
-    BeforeValidator,
-    Field,
-    SerializationInfo,
-    SerializerFunctionWrapHandler,
-    model_serializer,
-    model_validator,
-)
+from pydantic import BeforeValidator, Field, model_validator
 
 from rolamento._data import toml_of
-from rolamento.case.quantity import Line, Quantity, Ratio, at_the_border
+from rolamento.case.named import NamedRecord
+from rolamento.case.quantity import Line, Quantity, Ratio, Replaces
 from rolamento.case.record import Record
-from rolamento.errors import InputError, nearest
+from rolamento.errors import InputError
 from rolamento.units import from_si
 
 __all__ = [
@@ -28,7 +20,6 @@ __all__ = [
     "LubricantField",
     "PressureViscosityMethod",
     "ViscosityPoint",
-    "lubricant_names",
 ]
 
 Kind = Literal["oil", "grease", "dry"]
@@ -69,7 +60,7 @@ class OilPoint(NamedTuple):
     viscosity: float
 
 
-class Lubricant(Record):
+class Lubricant(NamedRecord):
     """An oil, a grease, or a lubrication without a film.
 
     An oil, and the base oil of a grease, is given by two viscosities: at 40 and 100 °C, at 40 °C
@@ -115,15 +106,24 @@ class Lubricant(Record):
         If a value is missing or out of range, or the values contradict each other.
     """
 
+    data_file: ClassVar = "lubricants"
+    data_key: ClassVar = "lubricant"
+    called: ClassVar = "lubricant"
+    usual: ClassVar = _EXAMPLE
+
     name: Line = Field("custom", examples=["our gear oil"])
     kind: Kind = Field("oil", examples=["oil"])
-    base_oil: Line | None = Field(None, examples=[_EXAMPLE])
-    viscosity_40: _Viscosity | None = Field(None, examples=["68 mm^2/s"])
-    viscosity_100: _Viscosity | None = Field(None, examples=["8.6 mm^2/s"])
-    viscosity_index: Annotated[float, Ratio(at_least=-60.0, at_most=400.0)] | None = Field(
-        None, examples=[95]
+    base_oil: Annotated[Line | None, Replaces(*_WAYS)] = Field(None, examples=[_EXAMPLE])
+    viscosity_40: Annotated[_Viscosity | None, Replaces(*_WAYS)] = Field(
+        None, examples=["68 mm^2/s"]
     )
-    viscosities: tuple[ViscosityPoint, ...] | None = Field(
+    viscosity_100: Annotated[_Viscosity | None, Replaces("viscosity_index")] = Field(
+        None, examples=["8.6 mm^2/s"]
+    )
+    viscosity_index: Annotated[
+        Annotated[float, Ratio(at_least=-60.0, at_most=400.0)] | None, Replaces("viscosity_100")
+    ] = Field(None, examples=[95])
+    viscosities: Annotated[tuple[ViscosityPoint, ...] | None, Replaces(*_WAYS)] = Field(
         None, min_length=2, max_length=2, examples=["[{ temperature, viscosity }, …] as a list"]
     )
     density: _Density | None = Field(None, examples=["880 kg/m^3"])
@@ -131,14 +131,17 @@ class Lubricant(Record):
     thermal_expansion: (
         Annotated[float, Quantity("thermal_expansion", at_least="0 1/K", at_most="0.01 1/K")] | None
     ) = Field(None, examples=["7e-4 1/K"])
-    pressure_viscosity: (
+    pressure_viscosity: Annotated[
         Annotated[
             float,
             Quantity("pressure_viscosity_coefficient", at_least="0 1/GPa", at_most="200 1/GPa"),
         ]
-        | None
-    ) = Field(None, examples=["18 1/GPa"])
-    pressure_viscosity_method: PressureViscosityMethod | None = Field(None, examples=["wooster"])
+        | None,
+        Replaces("pressure_viscosity_method"),
+    ] = Field(None, examples=["18 1/GPa"])
+    pressure_viscosity_method: Annotated[
+        PressureViscosityMethod | None, Replaces("pressure_viscosity")
+    ] = Field(None, examples=["wooster"])
     thermal_conductivity: (
         Annotated[
             float, Quantity("thermal_conductivity", at_least="0.01 W/m/K", at_most="10 W/m/K")
@@ -147,25 +150,25 @@ class Lubricant(Record):
     ) = Field(None, examples=["0.145 W/m/K"])
     minimum_temperature: _Temperature | None = Field(None, examples=["-20 degC"])
     maximum_temperature: _Temperature | None = Field(None, examples=["120 degC"])
-    friction_coefficient: Annotated[float, Ratio(above=0.0, at_most=1.0)] | None = Field(
-        None, examples=[0.17]
+    friction_coefficient: Annotated[float, Ratio(above=0.0, at_most=1.0, varies=True)] | None = (
+        Field(None, examples=[0.17])
     )
     source: Line = Field("", repr=False, examples=["maker's data sheet"])
 
     @classmethod
-    def named(cls, name: str) -> Lubricant:
-        """Return a lubricant of the data file by its name or an alias, in any case.
-
-        Raises
-        ------
-        InputError
-            If none has that name; the message gives the nearest one.
-        """
-        if _folded(name) in _records_by_name():
-            return _read(_folded(name))
-        near = nearest(name, lubricant_names(with_aliases=True))
-        guess = f"did you mean {near}?" if near else f"known: {', '.join(lubricant_names())}"
-        raise InputError(f"is not a known lubricant; {guess}", value=name, example=f'"{_EXAMPLE}"')
+    def tables(cls) -> tuple[dict[str, Any], ...]:
+        """Return the tables of the data file, the grades of viscosity spelt out."""
+        shared = dict(toml_of(cls.data_file)["grades"])
+        grades = (
+            {
+                "name": f"ISO VG {grade}",
+                "aliases": [f"VG {grade}"],
+                "viscosity_40": f"{grade} mm^2/s",
+                **shared,
+            }
+            for grade in shared.pop("names")
+        )
+        return (*grades, *super().tables())
 
     @property
     def oil(self) -> Lubricant:
@@ -207,7 +210,7 @@ class Lubricant(Record):
 
     def _hot_viscosity(self, viscosity_40: float) -> float:
         """At 100 °C, as given or by the viscosity index; NaN if there is none."""
-        from rolamento.oil.viscosity_index import viscosity_100_of_index
+        from rolamento.oil import viscosity_100_of_index
 
         if self.viscosity_100 is not None:
             return self.viscosity_100
@@ -329,84 +332,10 @@ class Lubricant(Record):
                 example='minimum_temperature = "-20 degC"',
             )
 
-    @model_serializer(mode="wrap")
-    def _written(self, handler: SerializerFunctionWrapHandler, info: SerializationInfo) -> Any:
-        """Write a lubricant of the data file as its name, where a person reads."""
-        folded = _folded(self.name)
-        if at_the_border(info.context) and folded in _records_by_name() and _read(folded) == self:
-            return self.name
-        return handler(self)
-
-
-def lubricant_names(*, with_aliases: bool = False) -> tuple[str, ...]:
-    """Return the names of the lubricants in the data file."""
-    return tuple(
-        name
-        for record in _records()
-        for name in (record["name"], *(record.get("aliases", ()) if with_aliases else ()))
-    )
-
-
-def lubricant_table(name: str) -> dict[str, Any]:
-    """Return a lubricant of the data file as the table that describes it in a case file.
-
-    Raises
-    ------
-    InputError
-        If none has that name.
-    """
-    Lubricant.named(name)
-    record = _records_by_name()[_folded(name)]
-    return {key: record[key] for key in record if key != "aliases"}
-
-
-def _looked_up(value: object) -> object:
-    if isinstance(value, str):
-        return Lubricant.named(value)
-    if isinstance(value, Lubricant | Mapping):
-        return value
-    raise InputError("must be the name of a lubricant, or a table", value=value)
-
 
 LubricantField = Annotated[
     Lubricant,
-    BeforeValidator(_looked_up),
+    BeforeValidator(Lubricant.name_or_table, json_schema_input_type=Lubricant | str),
     Field(description="a name or a table", examples=[_EXAMPLE]),
 ]
 """Annotation of a field that takes a lubricant, its name or its table."""
-
-
-def _folded(name: str) -> str:
-    return "".join(name.split()).casefold()
-
-
-@lru_cache(maxsize=1)
-def _records() -> tuple[dict[str, Any], ...]:
-    data = toml_of("lubricants")
-    grades = data["grades"]
-    shared = {key: value for key, value in grades.items() if key != "names"}
-    named = [
-        {
-            "name": f"ISO VG {grade}",
-            "aliases": [f"VG {grade}"],
-            "viscosity_40": f"{grade} mm^2/s",
-            **shared,
-        }
-        for grade in grades["names"]
-    ]
-    return (*named, *data["lubricant"])
-
-
-@lru_cache(maxsize=1)
-def _records_by_name() -> dict[str, dict[str, Any]]:
-    return {
-        _folded(name): record
-        for record in _records()
-        for name in (record["name"], *record.get("aliases", ()))
-    }
-
-
-@lru_cache(maxsize=256)
-def _read(folded: str) -> Lubricant:
-    record = _records_by_name()[folded]
-    return Lubricant.from_mapping({key: record[key] for key in record if key != "aliases"})

@@ -63,9 +63,9 @@ class Model(Record):
     cage: CageKind = Field("loose", examples=["rigid"])
     centrifugal_force: bool = Field(True, strict=True, examples=[True])
     gyroscopic_moment: bool = Field(True, strict=True, examples=[True])
-    cage_drag: Annotated[float, Quantity("moment", at_least="0 N m", at_most="1e6 N m")] = Field(
-        0.0, examples=["5 N mm"]
-    )
+    cage_drag: Annotated[
+        float, Quantity("moment", at_least="0 N m", at_most="1e6 N m", varies=True)
+    ] = Field(0.0, examples=["5 N mm"])
     mesh: Mesh = Field("fine", examples=["fine"])
     traction: Traction = Field("coulomb", examples=["film"])
     film_in_contact: bool = Field(False, strict=True, examples=[True])

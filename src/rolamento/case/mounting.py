@@ -2,42 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from functools import lru_cache
-from typing import Annotated, Any, Final, Literal, Self
+from typing import Annotated, ClassVar, Literal, Self
 
-from pydantic import (
-    BeforeValidator,
-    Field,
-    SerializationInfo,
-    SerializerFunctionWrapHandler,
-    model_serializer,
-    model_validator,
-)
+from pydantic import BeforeValidator, ConfigDict, Field, model_validator
 
-from rolamento._data import toml_of
-from rolamento.case.quantity import Line, Quantity, Ratio, at_the_border
-from rolamento.case.record import Record
-from rolamento.errors import InputError, nearest
+from rolamento.case.named import NamedRecord
+from rolamento.case.quantity import Line, Quantity, Ratio, Replaces
+from rolamento.case.record import Record, refuse_rivals
+from rolamento.errors import InputError
 from rolamento.units import from_si
 
-__all__ = ["Mounting", "SeatMaterial", "seat_material_names"]
+__all__ = ["Mounting", "SeatMaterial"]
 
-_Expansion = Annotated[float, Quantity("thermal_expansion", at_least="0 1/K", at_most="1e-3 1/K")]
-_Deviation = Annotated[float, Quantity("length", at_least="-1 mm", at_most="1 mm")]
-_Roughness = Annotated[float, Quantity("length", at_least="0 um", at_most="1 mm")]
+_Expansion = Annotated[
+    float, Quantity("thermal_expansion", at_least="0 1/K", at_most="1e-3 1/K", varies=True)
+]
+_Deviation = Annotated[float, Quantity("length", at_least="-1 mm", at_most="1 mm", varies=True)]
+_Roughness = Annotated[float, Quantity("length", at_least="0 um", at_most="1 mm", varies=True)]
 _Diameter = Annotated[float, Quantity("length", above="0 mm", at_most="20 m")]
 
-_RIVALS: Final = (
-    ("clearance_class", "measured_clearance"),
-    ("shaft_tolerance", "shaft_interference"),
-    ("housing_tolerance", "housing_interference"),
-    ("shaft_finish", "shaft_roughness"),
-    ("housing_finish", "housing_roughness"),
-)
 
-
-class SeatMaterial(Record):
+class SeatMaterial(NamedRecord):
     """What shaft or housing is made of.
 
     Parameters
@@ -61,6 +46,10 @@ class SeatMaterial(Record):
         If a value is missing or out of range.
     """
 
+    data_file: ClassVar = "seat_materials"
+    called: ClassVar = "material of seats"
+    usual: ClassVar = "steel"
+
     name: Line = Field("custom", examples=["AlSi7Mg, supplier's certificate"])
     youngs_modulus: Annotated[float, Quantity("stress", at_least="1 GPa", at_most="2000 GPa")] = (
         Field(examples=["70 GPa"])
@@ -69,52 +58,15 @@ class SeatMaterial(Record):
     density: Annotated[
         float, Quantity("density", at_least="100 kg/m^3", at_most="25000 kg/m^3")
     ] = Field(examples=["2700 kg/m^3"])
-    thermal_expansion: _Expansion = Field(examples=["23e-6 1/K"])
+    thermal_expansion: Annotated[
+        float, Quantity("thermal_expansion", at_least="0 1/K", at_most="1e-3 1/K")
+    ] = Field(examples=["23e-6 1/K"])
     source: Line = Field("", repr=False, examples=["supplier's certificate"])
-
-    @classmethod
-    def named(cls, name: str) -> SeatMaterial:
-        """Return a material of the data file by its name, in any case.
-
-        Raises
-        ------
-        InputError
-            If no material has that name.
-        """
-        known = _seat_materials()
-        found = known.get(" ".join(name.split()).casefold())
-        if found is not None:
-            return found
-        near = nearest(name, known)
-        guess = f"did you mean {near}?" if near else f"known: {', '.join(known)}"
-        raise InputError(
-            f"is not a known material of seats; {guess}", value=name, example='"steel"'
-        )
-
-    @model_serializer(mode="wrap")
-    def _written(self, handler: SerializerFunctionWrapHandler, info: SerializationInfo) -> Any:
-        """Write a material of the data file as its name, where a person reads."""
-        if at_the_border(info.context) and _seat_materials().get(self.name) == self:
-            return self.name
-        return handler(self)
-
-
-def seat_material_names() -> tuple[str, ...]:
-    """Return the names of the materials in the data file."""
-    return tuple(_seat_materials())
-
-
-def _looked_up(value: object) -> object:
-    if isinstance(value, str):
-        return SeatMaterial.named(value)
-    if isinstance(value, SeatMaterial | Mapping):
-        return value
-    raise InputError("must be the name of a material of seats, or a table", value=value)
 
 
 _SeatMaterialField = Annotated[
     SeatMaterial,
-    BeforeValidator(_looked_up),
+    BeforeValidator(SeatMaterial.name_or_table, json_schema_input_type=SeatMaterial | str),
     Field(description="a name or a table", examples=["aluminium"]),
 ]
 
@@ -165,50 +117,67 @@ class Mounting(Record):
         If a value is missing or out of range, or the values contradict each other.
     """
 
+    # a designation may tell the sizes
+    model_config = ConfigDict(json_schema_extra=lambda schema: schema.pop("required", None))
+
     bore: _Diameter = Field(examples=["25 mm"])
     outside_diameter: _Diameter = Field(examples=["62 mm"])
-    clearance_class: Literal["C2", "CN", "C3", "C4", "C5"] | None = Field(None, examples=["C3"])
-    measured_clearance: (
-        Annotated[float, Quantity("length", above="0 mm", at_most="5 mm")] | None
-    ) = Field(None, examples=["0.026 mm"])
+    clearance_class: Annotated[
+        Literal["C2", "CN", "C3", "C4", "C5"] | None, Replaces("measured_clearance")
+    ] = Field(None, examples=["C3"])
+    measured_clearance: Annotated[
+        Annotated[float, Quantity("length", above="0 mm", at_most="5 mm")] | None,
+        Replaces("clearance_class"),
+    ] = Field(None, examples=["0.026 mm"])
     measuring_load: Annotated[float, Quantity("force", above="0 N", at_most="1000 kN")] | None = (
         Field(None, examples=["49 N"])
     )
-    shaft_tolerance: Line | None = Field(None, examples=["k5"])
-    shaft_interference: _Deviation | None = Field(None, examples=["0.008 mm"])
-    housing_tolerance: Line | None = Field(None, examples=["J7"])
-    housing_interference: _Deviation | None = Field(None, examples=["-0.01 mm"])
-    tolerance_class: Literal["normal", "P6", "P5"] = Field("normal", examples=["normal"])
-    shaft_bore: Annotated[float, Quantity("length", at_least="0 mm", at_most="20 m")] = Field(
-        0.0, examples=["10 mm"]
+    shaft_tolerance: Annotated[Line | None, Replaces("shaft_interference")] = Field(
+        None, examples=["k5"]
     )
-    housing_outside_diameter: _Diameter | None = Field(None, examples=["100 mm"])
-    shaft_material: _SeatMaterialField | None = None
-    housing_material: _SeatMaterialField | None = None
-    shaft_finish: Literal["ground", "turned"] | None = Field(None, examples=["ground"])
-    shaft_roughness: _Roughness | None = Field(None, examples=["4 um"])
-    housing_finish: Literal["ground", "turned"] | None = Field(None, examples=["turned"])
-    housing_roughness: _Roughness | None = Field(None, examples=["6 um"])
+    shaft_interference: Annotated[_Deviation | None, Replaces("shaft_tolerance")] = Field(
+        None, examples=["0.008 mm"]
+    )
+    housing_tolerance: Annotated[Line | None, Replaces("housing_interference")] = Field(
+        None, examples=["J7"]
+    )
+    housing_interference: Annotated[_Deviation | None, Replaces("housing_tolerance")] = Field(
+        None, examples=["-0.01 mm"]
+    )
+    tolerance_class: Literal["normal", "P6", "P5"] = Field("normal", examples=["normal"])
+    shaft_bore: Annotated[
+        float, Quantity("length", at_least="0 mm", at_most="20 m", varies=True)
+    ] = Field(0.0, examples=["10 mm"])
+    housing_outside_diameter: (
+        Annotated[float, Quantity("length", above="0 mm", at_most="20 m", varies=True)] | None
+    ) = Field(None, examples=["100 mm"])
+    shaft_material: _SeatMaterialField | None = Field(None, examples=["aluminium"])
+    housing_material: _SeatMaterialField | None = Field(None, examples=["aluminium"])
+    shaft_finish: Annotated[Literal["ground", "turned"] | None, Replaces("shaft_roughness")] = (
+        Field(None, examples=["ground"])
+    )
+    shaft_roughness: Annotated[_Roughness | None, Replaces("shaft_finish")] = Field(
+        None, examples=["4 um"]
+    )
+    housing_finish: Annotated[Literal["ground", "turned"] | None, Replaces("housing_roughness")] = (
+        Field(None, examples=["turned"])
+    )
+    housing_roughness: Annotated[_Roughness | None, Replaces("housing_finish")] = Field(
+        None, examples=["6 um"]
+    )
     ring_expansion: _Expansion | None = Field(None, examples=["12.5e-6 1/K"])
     ball_expansion: _Expansion | None = Field(None, examples=["2.8e-6 1/K"])
     assembly_temperature: Annotated[
-        float, Quantity("temperature", at_least="-100 degC", at_most="400 degC")
+        float, Quantity("temperature", at_least="-100 degC", at_most="400 degC", varies=True)
     ] = Field(293.15, examples=["20 degC"])
-    wear: Annotated[float, Quantity("length", at_least="0 mm", at_most="5 mm")] = Field(
-        0.0, examples=["0.01 mm"]
+    wear: Annotated[float, Quantity("length", at_least="0 mm", at_most="5 mm", varies=True)] = (
+        Field(0.0, examples=["0.01 mm"])
     )
     limit: Literal["minimum", "mean", "maximum"] = Field("mean", examples=["minimum"])
 
     @model_validator(mode="after")
     def _consistent(self) -> Self:
-        self._check_rivals()
-        self._check_diameters()
-        return self
-
-    def _check_rivals(self) -> None:
-        for first, second in _RIVALS:
-            if getattr(self, first) is not None and getattr(self, second) is not None:
-                raise InputError(f"is given beside {second}; give one", field=first)
+        refuse_rivals(self)
         if self.measuring_load is not None and self.measured_clearance is None:
             raise InputError(
                 "is given without the clearance that it shows",
@@ -216,6 +185,8 @@ class Mounting(Record):
                 value=from_si(self.measuring_load, "force"),
                 example='measured_clearance = "0.026 mm"',
             )
+        self._check_diameters()
+        return self
 
     def _check_diameters(self) -> None:
         rules = (
@@ -235,9 +206,3 @@ class Mounting(Record):
                     field=field,
                     value=from_si(inner, "length"),
                 )
-
-
-@lru_cache(maxsize=1)
-def _seat_materials() -> dict[str, SeatMaterial]:
-    records = toml_of("seat_materials")["material"]
-    return {record["name"]: SeatMaterial.from_mapping(record) for record in records}

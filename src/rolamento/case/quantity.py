@@ -13,19 +13,27 @@ import operator
 import unicodedata
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache
 from typing import TYPE_CHECKING, Annotated, Any, Final, Literal
 
-from pydantic import AfterValidator, BeforeValidator, Field, GetCoreSchemaHandler, ValidationInfo
+from pydantic import (
+    AfterValidator,
+    BeforeValidator,
+    Field,
+    GetCoreSchemaHandler,
+    GetJsonSchemaHandler,
+    ValidationInfo,
+)
 from pydantic_core import CoreSchema, core_schema
 
 from rolamento.errors import InputError, UnitError
-from rolamento.units import Dimension, from_si, to_si
+from rolamento.units import SI_UNIT, Dimension, from_si, to_si
 
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-__all__ = ["AT_THE_BORDER", "Count", "Line", "Quantity", "Ratio", "at_the_border"]
+__all__ = ["AT_THE_BORDER", "Count", "Line", "Quantity", "Ratio", "Replaces", "at_the_border"]
 
 AT_THE_BORDER: Final = {"border": True}
 """The context in which values cross between text and SI: a file is read or written."""
@@ -38,6 +46,14 @@ _RELATIONS: Final[dict[Relation, tuple[str, Callable[[Any, float], Any]]]] = {
     "below": ("less than", operator.lt),
     "at_most": ("at most", operator.le),
 }
+_JSON_SCHEMA: Final[dict[Relation, str]] = {
+    "above": "exclusiveMinimum",
+    "at_least": "minimum",
+    "below": "exclusiveMaximum",
+    "at_most": "maximum",
+}
+Bounds = dict[Relation, tuple[float, str]]
+"""Limits by their relation, in SI units and as they are written."""
 
 
 def at_the_border(context: object) -> bool:
@@ -45,16 +61,22 @@ def at_the_border(context: object) -> bool:
     return context == AT_THE_BORDER
 
 
-def _checked_bounds(
-    value: float, given: object, bounds: dict[Relation, tuple[float, str]]
-) -> float:
+def _checked_bounds(value: float, given: object, bounds: Bounds) -> float:
     """Return the value, with no negative zero, or name the bounds that it breaks."""
     if not math.isfinite(value):
         raise InputError("must be a finite number", value=given)
     if any(not _RELATIONS[relation][1](value, limit) for relation, (limit, _) in bounds.items()):
-        limits = (f"{_RELATIONS[relation][0]} {text}" for relation, (_, text) in bounds.items())
-        raise InputError(f"must be {' and '.join(limits)}", value=given)
+        raise InputError(f"must be {_limits(bounds)}", value=given)
     return value + 0.0
+
+
+def _limits(bounds: Bounds) -> str:
+    return " and ".join(f"{_RELATIONS[name][0]} {text}" for name, (_, text) in bounds.items())
+
+
+def _number_schema(bounds: Bounds) -> dict[str, Any]:
+    limits = {_JSON_SCHEMA[relation]: limit for relation, (limit, _) in bounds.items()}
+    return {"type": "number", **limits}
 
 
 def _number(value: object) -> float:
@@ -69,13 +91,26 @@ def _number(value: object) -> float:
 
 @dataclass(frozen=True, slots=True)
 class Quantity:
-    """Annotation of a float field that has a dimension; limits are text with a unit."""
+    """Annotation of a float field that has a dimension; limits are text with a unit.
+
+    varies: whether many cases that are solved together may differ in it.
+    """
 
     dimension: Dimension
     above: str = ""
     at_least: str = ""
     below: str = ""
     at_most: str = ""
+    varies: bool = False
+
+    @property
+    def limits(self) -> str:
+        """The bounds in words; empty if there are none."""
+        return _limits(_bounds(self))
+
+    def allows(self, values: NDArray[np.float64]) -> NDArray[np.bool_]:
+        """Tell which of the SI values are finite and within the bounds."""
+        return _within(values, _bounds(self))
 
     def __get_pydantic_core_schema__(
         self, source: object, handler: GetCoreSchemaHandler
@@ -88,43 +123,44 @@ class Quantity:
             ),
         )
 
-    def allows(self, values: NDArray[np.float64]) -> NDArray[np.bool_]:
-        """Tell which of the SI values are finite and within the bounds."""
-        return _within(values, self._bounds())
+    def __get_pydantic_json_schema__(
+        self, schema: CoreSchema, handler: GetJsonSchemaHandler
+    ) -> dict[str, Any]:
+        """Text with a unit, as in files, or a number in the SI unit, as in Python."""
+        number = {**_number_schema(_bounds(self)), "unit": SI_UNIT[self.dimension]}
+        text = {"type": "string", "dimension": self.dimension, "limits": self.limits}
+        return number if handler.mode == "serialization" else {"anyOf": [text, number]}
 
     def _validated(self, value: object, info: ValidationInfo) -> float:
         if isinstance(value, str):
-            return _checked_bounds(to_si(value, self.dimension), value, self._bounds())
+            return _checked_bounds(to_si(value, self.dimension), value, _bounds(self))
         number = _number(value)
         if at_the_border(info.context):
             name = self.dimension.replace("_", " ")
             raise UnitError(f"needs its unit: a {name} is written as text with a unit", value=value)
-        return _checked_bounds(number, value, self._bounds())
+        return _checked_bounds(number, value, _bounds(self))
 
     def _serialised(self, value: float, info: core_schema.SerializationInfo) -> float | str:
         return from_si(value, self.dimension) if at_the_border(info.context) else value
 
-    def _bounds(self) -> dict[Relation, tuple[float, str]]:
-        texts: dict[Relation, str] = {
-            "above": self.above,
-            "at_least": self.at_least,
-            "below": self.below,
-            "at_most": self.at_most,
-        }
-        return {
-            relation: (to_si(text, self.dimension), text)
-            for relation, text in texts.items()
-            if text
-        }
-
 
 @dataclass(frozen=True, slots=True)
 class Ratio:
-    """Annotation of a float field without a dimension."""
+    """Annotation of a float field without a dimension; varies as in `Quantity`."""
 
     above: float | None = None
     at_least: float | None = None
     at_most: float | None = None
+    varies: bool = False
+
+    @property
+    def limits(self) -> str:
+        """The bounds in words; empty if there are none."""
+        return _limits(_bounds(self))
+
+    def allows(self, values: NDArray[np.float64]) -> NDArray[np.bool_]:
+        """Tell which of the values are finite and within the bounds."""
+        return _within(values, _bounds(self))
 
     def __get_pydantic_core_schema__(
         self, source: object, handler: GetCoreSchemaHandler
@@ -132,31 +168,50 @@ class Ratio:
         """Tell pydantic to read the field with this object."""
         return core_schema.no_info_plain_validator_function(self._validated)
 
-    def allows(self, values: NDArray[np.float64]) -> NDArray[np.bool_]:
-        """Tell which of the values are finite and within the bounds."""
-        return _within(values, self._bounds())
+    def __get_pydantic_json_schema__(
+        self, schema: CoreSchema, handler: GetJsonSchemaHandler
+    ) -> dict[str, Any]:
+        """Tell what number it is."""
+        return _number_schema(_bounds(self))
 
     def _validated(self, value: object) -> float:
-        return _checked_bounds(_number(value), value, self._bounds())
-
-    def _bounds(self) -> dict[Relation, tuple[float, str]]:
-        limits: dict[Relation, float | None] = {
-            "above": self.above,
-            "at_least": self.at_least,
-            "at_most": self.at_most,
-        }
-        return {name: (limit, f"{limit:g}") for name, limit in limits.items() if limit is not None}
+        return _checked_bounds(_number(value), value, _bounds(self))
 
 
-def _within(
-    values: NDArray[np.float64], bounds: dict[Relation, tuple[float, str]]
-) -> NDArray[np.bool_]:
+@cache
+def _bounds(annotation: Quantity | Ratio) -> Bounds:
+    found: Bounds = {}
+    for relation in _RELATIONS:
+        limit = getattr(annotation, relation, None)
+        if isinstance(annotation, Quantity) and limit:
+            found[relation] = (to_si(limit, annotation.dimension), limit)
+        elif isinstance(annotation, Ratio) and limit is not None:
+            found[relation] = (limit, f"{limit:g}")
+    return found
+
+
+def _within(values: NDArray[np.float64], bounds: Bounds) -> NDArray[np.bool_]:
     import numpy as np
 
     inside = np.isfinite(values)
     for relation, (limit, _) in bounds.items():
         inside &= _RELATIONS[relation][1](values, limit)
     return inside
+
+
+class Replaces:
+    """Annotation of a field whose value takes the place of that of others.
+
+    Of fields that replace each other, its rivals, a case takes one.
+
+    Parameters
+    ----------
+    names
+        Of fields of the same table, or dotted from the case.
+    """
+
+    def __init__(self, *names: str) -> None:
+        self.names = names
 
 
 def _whole_number(value: object) -> object:

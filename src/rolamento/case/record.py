@@ -6,17 +6,34 @@ exceptions reaches a user.
 
 from __future__ import annotations
 
+import inspect
+import re
 from collections.abc import Mapping
+from functools import cache
 from types import UnionType
-from typing import Annotated, Any, Final, NoReturn, Self, Union, get_args, get_origin
+from typing import Annotated, Any, ClassVar, Final, NoReturn, Self, Union, get_args, get_origin
 
-from pydantic import BaseModel, ConfigDict, ValidationError
-from pydantic_core import ErrorDetails
+from pydantic import (
+    BaseModel,
+    ConfigDict,
+    GetCoreSchemaHandler,
+    GetJsonSchemaHandler,
+    ValidationError,
+)
+from pydantic_core import CoreSchema, ErrorDetails, core_schema
 
-from rolamento.case.quantity import AT_THE_BORDER
+from rolamento.case.quantity import AT_THE_BORDER, Replaces
 from rolamento.errors import ABSENT, InputError, UnknownKeyError, nearest
 
-__all__ = ["Record", "record_of"]
+__all__ = [
+    "ByElement",
+    "Record",
+    "example_of",
+    "meanings",
+    "record_of",
+    "refuse_rivals",
+    "replaced",
+]
 
 _RULES: Final = {
     "missing": "is missing",
@@ -31,6 +48,8 @@ _RULES: Final = {
     "too_long": "must have at most {max_length}",
     "tuple_type": "must be a list",
     "literal_error": "must be one of {expected}",
+    "union_tag_invalid": "must be one of {expected_tags}",
+    "union_tag_not_found": "must be a table",
     "model_type": "must be a table",
     "model_attributes_type": "must be a table",
 }
@@ -59,6 +78,35 @@ class Record(BaseModel):
 
     def __setattr__(self, name: str, value: object) -> NoReturn:
         raise AttributeError(f"a {type(self).__name__} does not change; see its replace method")
+
+    has_short_form: ClassVar[bool] = False
+    """Whether a text may stand for the table that describes it in a case file."""
+
+    @classmethod
+    def table_of_text(cls, text: str) -> dict[str, Any]:
+        """Return the table of a case file that a text stands for.
+
+        Raises
+        ------
+        InputError
+            If the text stands for none.
+        """
+        raise InputError("must be a table", value=text)
+
+    @classmethod
+    def __get_pydantic_json_schema__(
+        cls, schema: CoreSchema, handler: GetJsonSchemaHandler
+    ) -> dict[str, Any]:
+        """Put the meaning of each field beside its unit and bounds."""
+        described = handler(schema)
+        table = handler.resolve_ref_schema(described)
+        table["description"] = inspect.cleandoc(cls.__doc__ or "").partition("\n\nParameters")[0]
+        for name, field in table.get("properties", {}).items():
+            if name in meanings(cls):
+                field.setdefault("description", meanings(cls)[name])
+            if others := replaced(cls, name):
+                field["replaces"] = list(others)
+        return described
 
     def replace(self, **changes: Any) -> Self:
         """Return a new record with the given fields changed, validated afresh.
@@ -95,26 +143,100 @@ class Record(BaseModel):
         return self.model_dump(context=AT_THE_BORDER, exclude_none=True)
 
 
+class ByElement:
+    """Annotation of a record, or a union of records, that tell themselves apart by `element`.
+
+    A table without `element` is of the first.
+    """
+
+    def __get_pydantic_core_schema__(
+        self, source: object, handler: GetCoreSchemaHandler
+    ) -> CoreSchema:
+        """Tell pydantic to choose the record by the element."""
+        members = get_args(source) or (source,)
+        choices = {f"{_TAG}{member.model_fields['element'].default}": member for member in members}
+        first = next(iter(choices))
+
+        def tag(given: Any) -> str | None:
+            if isinstance(given, Mapping):
+                return f"{_TAG}{given['element']}" if "element" in given else first
+            return f"{_TAG}{given.element}" if isinstance(given, members) else None
+
+        return core_schema.tagged_union_schema(
+            {name: handler.generate_schema(member) for name, member in choices.items()}, tag
+        )
+
+
+_TAG: Final = "element="
+"""Begins the part of an error's place that tells which member of a union it is in."""
+
+
+def refuse_rivals(record: BaseModel) -> None:
+    """Refuse a record that gives two of its fields of which there may be one.
+
+    Raises
+    ------
+    InputError
+        Naming both.
+    """
+    given = [name for name in type(record).model_fields if getattr(record, name) is not None]
+    for index, name in enumerate(given):
+        for before in given[:index]:
+            if before in replaced(type(record), name) and name in replaced(type(record), before):
+                raise InputError(f"is given beside {before}; give one", field=name)
+
+
+@cache
+def replaced(record: type[BaseModel], field: str) -> tuple[str, ...]:
+    """Return what a value of a field takes the place of: fields of the record, or dotted ones."""
+    marks = (mark for mark in record.model_fields[field].metadata if isinstance(mark, Replaces))
+    names = dict.fromkeys(name for mark in marks for name in mark.names if name != field)
+    return tuple(names)
+
+
+@cache
+def meanings(record: type[BaseModel]) -> Mapping[str, str]:
+    """Return what each field of a record means, from the parameters of its docstring."""
+    lines = inspect.cleandoc(record.__doc__ or "").split("\n")
+    found: dict[str, list[str]] = {}
+    names: list[str] = []
+    for line in lines:
+        if line.startswith(" "):
+            for name in names:
+                found[name].append(line.strip())
+        else:
+            names = re.split(r", ", line)
+            names = names if all(name in record.model_fields for name in names) else []
+            found.update({name: [] for name in names})
+    return {name: " ".join(text) for name, text in found.items()}
+
+
 def _plain_error(error: ValidationError, model: type[BaseModel]) -> InputError:
     """Return the most telling of pydantic's findings, in our words."""
-    # A misspelt key is also a missing one: tell of the misspelling.
-    found = min(error.errors(include_url=False), key=lambda e: e["type"] != "extra_forbidden")
-    path = tuple(str(part) for part in found["loc"])
+    # A misspelt key is also a missing one: tell of the misspelling. Another element has other keys.
+    found = min(
+        error.errors(include_url=False),
+        key=lambda e: (e["loc"][-1:] != ("element",), e["type"] != "extra_forbidden"),
+    )
+    path = tuple(str(part) for part in found["loc"] if not str(part).startswith(_TAG))
     parent = _model_at(model, path[:-1])
     if found["type"] == "extra_forbidden":
         return _unknown_key(path, parent)
     cause = found.get("ctx", {}).get("error")
     if isinstance(cause, InputError):
         return _completed(cause, path, parent, found["input"])
-    value = ABSENT if found["type"] == "missing" else found["input"]
+    value: Any = ABSENT if found["type"] == "missing" else found["input"]
+    if found["type"] == "union_tag_invalid":
+        path, value = (*path, "element"), value["element"]
     return InputError(
-        _rule(found), field=".".join(path), value=value, example=_example(parent, path)
+        _rule(found), field=".".join(path), value=value, example=example_of(parent, path)
     )
 
 
 def _rule(found: ErrorDetails) -> str:
     template = _RULES.get(found["type"])
-    return found["msg"] if template is None else template.format(**found.get("ctx", {}))
+    rule = found["msg"] if template is None else template.format(**found.get("ctx", {}))
+    return rule.replace(_TAG, "")
 
 
 def _completed(
@@ -124,7 +246,7 @@ def _completed(
     full_path = (*path, cause.field) if cause.field else path
     known = cause.with_details(field=".".join(full_path))
     if not cause.field:
-        known = known.with_details(value=given, example=_example(parent, path) or None)
+        known = known.with_details(value=given, example=example_of(parent, path) or None)
     return known
 
 
@@ -158,7 +280,7 @@ def record_of(annotation: object) -> type[BaseModel] | None:
     return next((record for record in found if record is not None), None)
 
 
-def _example(parent: type[BaseModel] | None, path: tuple[str, ...]) -> str:
+def example_of(parent: type[BaseModel] | None, path: tuple[str, ...]) -> str:
     """Return an example of a field as a line of a case file."""
     field = parent.model_fields.get(path[-1]) if parent is not None and path else None
     if field is None or not field.examples:

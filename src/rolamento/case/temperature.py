@@ -12,7 +12,9 @@ from rolamento.case.record import Record
 __all__ = ["Temperature"]
 
 _OF_BEARING: Final = ("inner_ring", "outer_ring", "balls")
-_Celsius = Annotated[float, Quantity("temperature", at_least="-100 degC", at_most="400 degC")]
+_Celsius = Annotated[
+    float, Quantity("temperature", at_least="-100 degC", at_most="400 degC", varies=True)
+]
 
 
 class Temperature(Record):
@@ -37,12 +39,18 @@ class Temperature(Record):
         If a value is missing or out of range.
     """
 
-    lubricant: _Celsius | None = Field(None, examples=["70 degC"])
-    inner_ring: _Celsius | None = Field(None, examples=["75 degC"])
-    outer_ring: _Celsius | None = Field(None, examples=["68 degC"])
-    balls: _Celsius | None = Field(None, examples=["75 degC"])
-    shaft: _Celsius | None = Field(None, examples=["75 degC"])
-    housing: _Celsius | None = Field(None, examples=["60 degC"])
+    lubricant: _Celsius | None = Field(
+        None, title="temperature of the lubricant", examples=["70 degC"]
+    )
+    inner_ring: _Celsius | None = Field(
+        None, title="temperature of the inner ring", examples=["75 degC"]
+    )
+    outer_ring: _Celsius | None = Field(
+        None, title="temperature of the outer ring", examples=["68 degC"]
+    )
+    balls: _Celsius | None = Field(None, title="temperature of the balls", examples=["75 degC"])
+    shaft: _Celsius | None = Field(None, title="temperature of the shaft", examples=["75 degC"])
+    housing: _Celsius | None = Field(None, title="temperature of the housing", examples=["60 degC"])
 
     @property
     def of_bearing(self) -> Temperature:

@@ -22,7 +22,7 @@ from rolamento.catalogue.record import CatalogueBearing
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.ratings import (
-    MOST_GAMMA,
+    MAXIMUM_GAMMA,
     dynamic_factor,
     dynamic_factor_of_grooves,
     dynamic_rating,
@@ -44,7 +44,7 @@ _FILLINGS: Final = (0.35, 0.98)
 _PITCHES: Final = np.linspace(0.964, 1.036, 37)
 _FIRST_LOOK: Final = 0.25
 """Part by which C may be off at the mean diameter for a closer look."""
-_GAMMAS: Final = np.linspace(0.005, MOST_GAMMA, 80)
+_GAMMAS: Final = np.linspace(0.005, MAXIMUM_GAMMA, 80)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

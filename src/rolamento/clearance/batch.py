@@ -25,21 +25,11 @@ from rolamento.numerics import FloatArray
 __all__ = ["MOUNTED_FIELDS", "operating_batch"]
 
 _PARTS: Final = ("inner_ring", "outer_ring", "balls", "shaft", "housing")
-_MOUNTING: Final = (
-    "shaft_interference",
-    "housing_interference",
-    "shaft_bore",
-    "housing_outside_diameter",
-    "shaft_roughness",
-    "housing_roughness",
-    "ring_expansion",
-    "ball_expansion",
-    "assembly_temperature",
-    "wear",
-)
-MOUNTED_FIELDS: Final = (
-    *(f"temperature.{name}" for name in _PARTS),
-    *(f"mounting.{name}" for name in _MOUNTING),
+MOUNTED_FIELDS: Final = tuple(
+    name
+    for name, field in Case.fields().items()
+    if field.varies and name.startswith(("temperature.", "mounting."))
+    if name != "temperature.lubricant"
 )
 """What a batch may vary of a mounted bearing beside its geometry and its duty."""
 
@@ -186,13 +176,10 @@ def _mounting(case: Case, arrays: Mapping[str, FloatArray]) -> Any:
         name: arrays.get(f"mounting.{name}", getattr(mounting, name))
         for name in Mounting.model_fields
     }
-    for seat in ("shaft", "housing"):
-        for name, rivals in (
-            (f"{seat}_interference", (f"{seat}_tolerance",)),
-            (f"{seat}_roughness", (f"{seat}_finish",)),
-        ):
-            if f"mounting.{name}" in arrays:
-                given.update(dict.fromkeys(rivals))
+    for name in MOUNTED_FIELDS:
+        if name in arrays:
+            rivals = Case.fields()[name].rivals
+            given.update((rival.removeprefix("mounting."), None) for rival in rivals)
     return SimpleNamespace(**given)
 
 

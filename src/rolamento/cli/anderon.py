@@ -9,12 +9,7 @@ from typing import TYPE_CHECKING, Annotated, ClassVar, Final
 
 import typer
 
-from rolamento.cli.common import (
-    NO_RESULT,
-    SOLVED,
-    plain_endings,
-    words_of,
-)
+from rolamento.cli.common import NO_RESULT, SOLVED, plain_endings, words_of
 from rolamento.cli.grouped_help import GroupedCommand, Groups
 from rolamento.cli.option_names import in_options
 from rolamento.cli.options import (
@@ -241,7 +236,7 @@ def _draw(found: NoiseResult, plot: str, language: str) -> None:
         figure = noise_figure(one.noise, limits=limits, title=one.title, language=language)
     else:
         from rolamento.report.anderon import noise_record
-        from rolamento.weibull.trend import parse_trend
+        from rolamento.weibull import parse_trend
 
         record = parse_trend(noise_record(found, language))
         figure = noise_trend_figure(record, limits=limits, language=language)

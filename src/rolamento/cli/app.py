@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+import shutil
 import sys
 from typing import TYPE_CHECKING, Annotated, Final
 
@@ -46,12 +48,12 @@ from rolamento.cli.verify import verify
 from rolamento.cli.waiting import waiting
 from rolamento.cli.weibull import WeibullCommand, weibull
 from rolamento.cli.weibull_plan import app as weibull_plan_app
+from rolamento.report.language import Words
 
 if TYPE_CHECKING:
     from rolamento.report.language import Words
 
-__all__ = ["COMMANDS", "app", "main"]
-
+_PROGRAM: Final = "rolamento"
 COMMANDS: Final[Groups] = {
     "Inside the bearing": ("demo", "solve", "turn", "friction"),
     "Life and life tests": ("life", "weibull", "weibull-plan", "trend"),
@@ -127,7 +129,7 @@ def solve(
         check_outputs({"--json": json, "--csv": csv}, case)
         analysis = _analysed(rolamento.load_case(case, settings or ()), lang)
         _show(analysis, json, csv, lang)
-    raise typer.Exit(SOLVED if analysis.state.status.converged else NO_RESULT)
+    raise typer.Exit(SOLVED if analysis.solved.converged[0] else NO_RESULT)
 
 
 @app.command()
@@ -142,15 +144,16 @@ def demo(
 
     It is a 218 angular-contact bearing at 10 000 rpm under combined load.
     """
-    from rolamento.cli import demonstration
+    from rolamento.tasks.demonstration import example_case, write_example
 
     with plain_endings(lang):
+        words = words_of(lang)
         if write is not None:
-            print_text(demonstration.written(write, words_of(lang)))
+            write_example(write)
+            print_text(words.demo_written.format(path=write, command=_command()) + "\n")
             return
-        example = demonstration.example_case()
-        _show(_analysed(example, lang), None, None, lang)
-        print_text(demonstration.what_next(words_of(lang)))
+        _show(_analysed(example_case(), lang), None, None, lang)
+        print_text(_what_next(words))
 
 
 def _analysed(case: rolamento.Case, lang: Language | None) -> rolamento.Analysis:
@@ -165,24 +168,21 @@ def _show(
     analysis: rolamento.Analysis, json: str | None, csv: str | None, lang: Language | None
 ) -> None:
     """Write what was asked for; standard output takes data or the report, not both."""
-    state = analysis.state
     if json is not None:
         put(analysis.to_json() + "\n", json)
     if csv is not None:
-        from rolamento.report.balls_csv import ball_csv
+        from rolamento.report.balls import ball_csv
 
-        put(ball_csv(state), csv)
+        put(ball_csv(analysis.solved), csv)
     if STANDARD_STREAM not in (json, csv):
-        _print_report(analysis, words_of(lang))
-    elif not state.status.converged:
-        complain_of(state.status, lang)
+        from rolamento.report.medium import Medium
+        from rolamento.report.terminal import terminal_report
 
-
-def _print_report(analysis: rolamento.Analysis, words: Words) -> None:
-    from rolamento.report.medium import Medium
-    from rolamento.report.terminal import terminal_report
-
-    print_text(terminal_report(analysis.state, words, Medium.of(sys.stdout), analysis))
+        print_text(
+            terminal_report(analysis.solved, words_of(lang), Medium.of(sys.stdout), analysis)
+        )
+    elif not analysis.solved.converged[0]:
+        complain_of(analysis.solved, lang)
 
 
 app.command(epilog="Examples: sweep study.toml -o result.nc; sweep --list fields.")(sweep)
@@ -235,3 +235,35 @@ app.command(cls=JsonCommand, epilog="Example: tolerance scatter.nc --plot bands.
 app.command(epilog="Example: reproduce radaelli-2013 --output radaelli --lang pt.")(reproduce)
 app.command(cls=JsonCommand)(verify)
 app.add_typer(catalogue_app, name="catalogue")
+
+
+def _what_next(words: Words) -> str:
+    """Return which file was solved, and commands to go on with."""
+    from rolamento.tasks.demonstration import EXAMPLE
+
+    command = _command()
+    steps = (
+        (words.demo_copy, "demo --write case.toml"),
+        (words.demo_vary, "solve case.toml --set bearing.ball_material=Si3N4"),
+        (words.demo_data, "solve case.toml --csv balls.csv --json state.json"),
+    )
+    lines = [f"  # {purpose}\n  {command} {arguments}\n" for purpose, arguments in steps]
+    source = words.demo_source.format(path=_nearby(str(EXAMPLE)))
+    return f"\n{source}\n\n{words.demo_next}\n{''.join(lines)}"
+
+
+def _command() -> str:
+    """Return how this program can be called again from here."""
+    called, found = sys.argv[0], shutil.which(_PROGRAM)
+    if os.path.basename(called) != _PROGRAM or not os.path.isfile(called):
+        return _PROGRAM
+    known = found is not None and os.path.samefile(found, called)
+    return _PROGRAM if known else _nearby(called)
+
+
+def _nearby(path: str) -> str:
+    """Return the path as seen from the current directory, if that is shorter."""
+    try:
+        return min(os.path.relpath(path), path, key=len)
+    except ValueError:  # on another drive
+        return path

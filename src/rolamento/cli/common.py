@@ -15,20 +15,7 @@ from rolamento.errors import InputError
 
 if TYPE_CHECKING:
     from rolamento.report.language import Words
-    from rolamento.state import Status
-
-__all__ = [
-    "INTERRUPTED",
-    "NO_RESULT",
-    "SOLVED",
-    "WRONG_INPUT",
-    "Language",
-    "complain_of",
-    "complain_of_points",
-    "plain_endings",
-    "same_file",
-    "words_of",
-]
+    from rolamento.solved import Solved
 
 SOLVED: Final = 0
 NO_RESULT: Final = 1
@@ -56,10 +43,10 @@ def plain_endings(lang: Language | None) -> Iterator[None]:
         raise typer.Exit(INTERRUPTED) from None
 
 
-def complain_of(status: Status, lang: Language | None) -> None:
-    """Say on standard error why there is no result, and what to do."""
+def complain_of(solved: Solved, lang: Language | None, case: int = 0) -> None:
+    """Say on standard error why a case has no result, and what to do."""
     words = words_of(lang)
-    parts = (words.reason(status), words.advice(status))
+    parts = (words.reason(solved, case), words.advice(solved, case))
     complain(": ".join(part for part in parts if part))
 
 

@@ -80,7 +80,7 @@ def friction(
 ) -> None:
     """Show the friction torque by every model.
 
-    Of a case, or over one of its fields; says which of the models hold.
+    Of a case, or over one of its fields; says which of the models are valid.
     """
     with plain_endings(lang):
         _check(case, over, json, csv, plot, variants or [])

@@ -38,9 +38,8 @@ if TYPE_CHECKING:
 
     from matplotlib.figure import Figure
 
-    from rolamento.life.l_able import FactorTable
     from rolamento.report.medium import Medium
-    from rolamento.studies.life_curves import LifeCurve
+    from rolamento.tasks.life_over import LifeCurve
 
 __all__ = ["life"]
 
@@ -106,18 +105,18 @@ def life(
         if reliability is not None:
             own.append(_setting_of(reliability))
         cases = [rolamento.load_case(path, own) for path in case]
-        table = _factor_table(nsk_table, cases, decimal_mark)
+        tables = {"nsk_table": nsk_table, "decimal_mark": decimal_mark}
         if over is not None:
-            curves = _curves(cases[0], over, points, log, variants or [], table, lang)
+            curves = _curves(cases[0], over, points, log, variants or [], tables, lang)
             from rolamento.report import life_curves
 
             solved = show_curves(curves, life_curves, _figure, (json, csv, plot), lang)
         elif spectrum is not None:
-            solved = _spectrum(cases[0], spectrum, decimal_mark, table, json, csv, lang)
+            solved = _spectrum(cases[0], spectrum, tables, json, csv, lang)
         elif len(cases) > 1:
-            solved = _shaft(case, cases, table, json, lang)
+            solved = _shaft(case, cases, tables, json, lang)
         else:
-            solved = _one(cases[0], table, json, lang)
+            solved = _one(cases[0], tables, json, lang)
     raise typer.Exit(SOLVED if solved else NO_RESULT)
 
 
@@ -178,60 +177,38 @@ def _check_files(
         )
 
 
-def _factor_table(
-    path: str | None, cases: list[rolamento.Case], decimal_mark: str | None
-) -> FactorTable | None:
-    """Read the user's a_NSK, which means nothing without a_c."""
-    if path is None:
-        return None
-    for case in cases:
-        if case.life is None or case.life.nsk_cleanliness is None:
-            raise InputError(
-                "is missing: the columns of --nsk-table hold it",
-                field="life.nsk_cleanliness",
-                example="--set life.nsk_cleanliness=0.8",
-            )
-    from rolamento.studies.factor_table import read_factor_table
-
-    with told_in_options():
-        return read_factor_table(path, decimal_mark=decimal_mark)
-
-
 def _one(
-    case: rolamento.Case, table: FactorTable | None, json: str | None, lang: Language | None
+    case: rolamento.Case, tables: dict[str, str | None], json: str | None, lang: Language | None
 ) -> bool:
     """Show the life of a case; tell whether it has a result."""
-    from rolamento.life import sensitivity
-    from rolamento.report.life import life_report
-    from rolamento.report.life_data import life_json
-    from rolamento.studies.shaft import conditions_with, life_of_case
+    from rolamento.report.life import life_json, life_report
+    from rolamento.tasks.life import life_of_case
 
-    with waiting(lang):
-        state, found = life_of_case(case, nsk_table=table)
-    words = words_of(lang)
-    changes = () if found is None else sensitivity(state, conditions_with(state.case, table))
+    with told_in_options(), waiting(lang):
+        found = life_of_case(case, **tables)
     if json is not None:
-        put(life_json(state, found, changes) + "\n", json)
+        put(life_json(found.solved, found.life, found.changes) + "\n", json)
     if json != STANDARD_STREAM:
-        print_text(life_report(state, found, changes, words, _medium()))
-    elif found is None:
-        complain_of(state.status, lang)
-    return found is not None
+        words = words_of(lang)
+        print_text(life_report(found.solved, found.life, found.changes, words, _medium()))
+    elif not found.converged:
+        complain_of(found.solved, lang)
+    return found.converged
 
 
 def _shaft(
     paths: list[str],
     cases: list[rolamento.Case],
-    table: FactorTable | None,
+    tables: dict[str, str | None],
     json: str | None,
     lang: Language | None,
 ) -> bool:
     """Show the lives of several bearings and of all together."""
     from rolamento.report.shaft import shaft_json, shaft_report
-    from rolamento.studies.shaft import life_of_shaft
+    from rolamento.tasks.life import life_of_shaft
 
-    with waiting(lang):
-        found = life_of_shaft(cases, nsk_table=table)
+    with told_in_options(), waiting(lang):
+        found = life_of_shaft(cases, **tables)
     titles = [own.title for own in cases]
     names = titles if all(titles) and len(set(titles)) == len(titles) else paths
     if json is not None:
@@ -240,28 +217,25 @@ def _shaft(
         print_text(shaft_report(found, names, words_of(lang), _medium()))
     elif not found.converged:
         words = words_of(lang)
-        failed = next(state for state in found.states if not state.status.converged)
-        complain(f"{failed.title}: {words.reason(failed.status)}")
+        failed = next(solved for solved in found.bearings if not solved.converged[0])
+        complain(f"{failed.title}: {words.reason(failed)}")
     return found.converged
 
 
 def _spectrum(
     case: rolamento.Case,
     path: str,
-    decimal_mark: str | None,
-    table: FactorTable | None,
+    tables: dict[str, str | None],
     json: str | None,
     csv: str | None,
     lang: Language | None,
 ) -> bool:
     """Show the life under a duty of several steps."""
     from rolamento.report.life_spectrum import spectrum_csv, spectrum_json, spectrum_report
-    from rolamento.studies.spectrum import life_under, read_spectrum
+    from rolamento.tasks.life_spectrum import life_under
 
-    with told_in_options():
-        steps = read_spectrum(path, decimal_mark=decimal_mark)
-    with waiting(lang):
-        found = life_under(case, steps, nsk_table=table)
+    with told_in_options(), waiting(lang):
+        found = life_under(case, path, **tables)
     words = words_of(lang)
     if json is not None:
         put(spectrum_json(found) + "\n", json)
@@ -271,7 +245,7 @@ def _spectrum(
         print_text(spectrum_report(found, words, _medium()))
     elif not found.converged:
         failed = found.status[(found.status != "converged") & found.taking_part]
-        complain_of_points(failed, len(steps), lang)
+        complain_of_points(failed, len(found.steps), lang)
     return found.converged
 
 
@@ -281,16 +255,17 @@ def _curves(
     points: int,
     log: bool,
     variants: list[str],
-    table: FactorTable | None,
+    tables: dict[str, str | None],
     lang: Language | None,
 ) -> list[LifeCurve]:
     """Solve the case and its variants over a field."""
-    from rolamento.studies.life_curves import life_curve, read_range
+    from rolamento.studies.ranges import read_range
+    from rolamento.tasks.life_over import life_curve
 
     chosen = read_range(over, points, log=log)
     cases = [("", case), *((text, rolamento.override(case, [text])) for text in variants)]
-    with waiting(lang):
-        return [life_curve(one, chosen, label=label, nsk_table=table) for label, one in cases]
+    with told_in_options(), waiting(lang):
+        return [life_curve(one, chosen, label=label, **tables) for label, one in cases]
 
 
 def _figure(curves: Sequence[LifeCurve], language: str) -> Figure:

@@ -1,13 +1,17 @@
-"""Numbers with units that options give: speeds, rates, times, levels."""
+"""Values with units that options give: speeds, rates, times, levels, alone or by fields.
+
+A field list is a record in one option: ``inner_race,jitter=0.02,azimuth=90 deg``.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from math import isfinite, nan
 from typing import Any, Final, Literal
 
-from rolamento.errors import InputError
+from rolamento.errors import InputError, nearest
 
-__all__ = ["Kind", "number_given", "number_of", "value_of"]
+__all__ = ["Kind", "fields_of", "number_given", "number_of"]
 
 Kind = Literal["number", "whole", "text", "angle", "length", "frequency", "time", "acceleration"]
 
@@ -17,6 +21,7 @@ _UNITS: Final[dict[str, dict[str, float]]] = {
     "acceleration": {"m/s^2": 1.0, "m/s²": 1.0, "mm/s^2": 1e-3, "g": 9.80665, "mg": 9.80665e-3},
 }
 """Units of what is no dimension of a case file; a bare number is in the first."""
+_LONGEST: Final = 1000
 _MOST: Final = 1e12
 
 
@@ -48,10 +53,10 @@ def number_of(text: str, option: str, kind: Kind, example: str) -> float:
     InputError
         If it is none.
     """
-    return float(value_of(text, option, "", kind, example))
+    return float(_value_of(text, option, "", kind, example))
 
 
-def value_of(text: str, option: str, key: str, kind: Kind, example: str) -> Any:
+def _value_of(text: str, option: str, key: str, kind: Kind, example: str) -> Any:
     """Return a value of some kind, in SI units; a text as it is.
 
     Parameters
@@ -109,3 +114,54 @@ def _wanted(kind: Kind, what: str = "a number") -> str:
         return "a whole number"
     units = ", ".join(unit for unit in _UNITS.get(kind, {}) if "²" not in unit)
     return f"{what}, alone or in {units}" if units else what
+
+
+def fields_of(
+    text: str, option: str, known: Mapping[str, Kind], example: str, *, first: str = ""
+) -> dict[str, Any]:
+    """Return the fields that an option gives, as plain SI values.
+
+    Parameters
+    ----------
+    text
+        ``KEY=VALUE`` with commas between.
+    option
+        What to call it.
+    known
+        The keys, and what their values are.
+    example
+        What would be accepted.
+    first
+        Key of the first value, which may stand alone; then it must be given.
+
+    Raises
+    ------
+    InputError
+        If a key is unknown or given twice, or a value is none.
+    """
+    if len(text) > _LONGEST:
+        raise InputError(f"must be at most {_LONGEST} characters", source=option, example=example)
+    found: dict[str, Any] = {}
+    for place, part in enumerate(text.split(",")):
+        key, equals, value = (piece.strip() for piece in part.partition("="))
+        if not equals and first and place == 0:
+            key, value = first, key
+        elif not equals or key not in known:
+            _refuse(key, option, known, example)
+        if key in found:
+            raise InputError("is given twice", source=option, field=key, example=example)
+        found[key] = _value_of(value, option, key, known[key], example)
+    if first and first not in found:
+        raise InputError("is missing", source=option, field=first, example=example)
+    return found
+
+
+def _refuse(key: str, option: str, known: Mapping[str, Kind], example: str) -> None:
+    near = nearest(key, known)
+    raise InputError(
+        f"must be KEY=VALUE, with a KEY of {', '.join(known)}"
+        + (f"; perhaps {near}" if near else ""),
+        source=option,
+        value=key,
+        example=example,
+    )

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import sys
 from enum import StrEnum
-from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, NoReturn
 
 import typer
 
@@ -13,20 +12,15 @@ from rolamento.cli.common import (
     INTERRUPTED,
     NO_RESULT,
     SOLVED,
-    Language,
     plain_endings,
     words_of,
 )
 from rolamento.cli.options import LanguageOption, SettingsOption
-from rolamento.cli.outputs import check_outputs
-from rolamento.cli.streams import STANDARD_STREAM, complain, print_text
+from rolamento.cli.streams import complain, print_text
 from rolamento.errors import InputError
 
 if TYPE_CHECKING:
-    from rolamento.studies import Study, Summary
-    from rolamento.studies.runner import Executor
-
-__all__ = ["sweep"]
+    from rolamento.report.language import Words
 
 
 class Listed(StrEnum):
@@ -78,87 +72,81 @@ def sweep(
     """
     with plain_endings(lang):
         if listed is not None:
-            from rolamento.cli.sweep_list import fields_text, outputs_text
-
             print_text(fields_text() if listed is Listed.fields else outputs_text())
             return
         if study is None:
             raise InputError("is missing", field="STUDY", example="rolamento sweep study.toml")
-        where = _executor(threads, scheduler)
-        summary = _swept(study, output, settings or [], where, restart, lang)
-    raise typer.Exit(SOLVED if summary.converged else NO_RESULT)
+        from rolamento.cli.sweep_progress import told
+        from rolamento.report.medium import Medium
+        from rolamento.report.study import study_report
+        from rolamento.tasks import studies
+
+        words = words_of(lang)
+        try:
+            with told(words) as progress:
+                swept = studies.sweep(
+                    study,
+                    output,
+                    settings=settings or (),
+                    threads=threads,
+                    scheduler=scheduler,
+                    restart=restart,
+                    progress=progress,
+                )
+        except KeyboardInterrupt as stop:
+            _tell_what_is_kept(stop, words)
+        title = swept.study.title or swept.study.case.title
+        print_text(study_report(swept.summary, title, words, Medium.of(sys.stdout)))
+    raise typer.Exit(SOLVED if swept.summary.converged else NO_RESULT)
 
 
-def _swept(
-    path: str,
-    output: str | None,
-    settings: list[str],
-    where: Executor,
-    restart: bool,
-    lang: Language | None,
-) -> Summary:
-    from rolamento.studies import load_study
-    from rolamento.studies.reading import case_file_of
-
-    result = output or _default_name(path)
-    check_outputs({"--output": result}, path, rule="is the study file itself")
-    if path != STANDARD_STREAM:  # which is there to be read once
-        case = case_file_of(path)
-        check_outputs(
-            {"--output": result},
-            None if case is None else str(case),
-            rule="is the study's case file",
-        )
-    loaded = load_study(path, settings)
-    summary = _run(loaded, result, where, restart, lang)
-    _print_report(loaded, summary, lang)
-    return summary
-
-
-def _executor(threads: int | None, scheduler: str | None) -> Executor:
-    """Solve in threads of this process, or on a cluster."""
-    from rolamento.studies.runner import local_threads
-
-    if scheduler is None:
-        return local_threads(threads)
-    if threads is not None:
-        raise InputError(
-            "is given beside --scheduler: the cluster has threads of its own",
-            field="--threads",
-            value=threads,
-        )
-    from rolamento.studies.cluster import dask_cluster
-
-    return dask_cluster(scheduler)
-
-
-def _run(
-    study: Study, result: str, where: Executor, restart: bool, lang: Language | None
-) -> Summary:
-    """Solve with progress; on Ctrl-C say what is kept."""
-    from rolamento.cli.sweep_progress import told
+def _tell_what_is_kept(stop: KeyboardInterrupt, words: Words) -> NoReturn:
+    """End after Ctrl-C; before the first case there is nothing to tell."""
     from rolamento.report.study_words import STUDY_WORDS
-    from rolamento.studies import Interrupted, run_to_file
+    from rolamento.studies import Interrupted
 
-    words = words_of(lang)
-    try:
-        with told(words) as progress:
-            return run_to_file(study, result, executor=where, restart=restart, progress=progress)
-    except Interrupted as stop:
-        said = STUDY_WORDS[words.code].stopped
-        complain(said.format(done=stop.done, total=stop.total, folder=stop.folder))
-        raise typer.Exit(INTERRUPTED) from None
+    if not isinstance(stop, Interrupted):
+        raise stop
+    said = STUDY_WORDS[words.code].stopped
+    complain(said.format(done=stop.done, total=stop.total, folder=stop.folder))
+    raise typer.Exit(INTERRUPTED) from None
 
 
-def _print_report(study: Study, summary: Summary, lang: Language | None) -> None:
-    from rolamento.report.medium import Medium
-    from rolamento.report.study import study_report
+def fields_text() -> str:
+    """Return the fields, one a line: name, SI unit, an example, and whether it can be scattered."""
+    from rolamento.studies.fields import known_fields
+    from rolamento.studies.solving import array_fields
 
-    title = study.title or study.case.title
-    print_text(study_report(summary, title, words_of(lang), Medium.of(sys.stdout)))
+    rows = [
+        (
+            field.name,
+            field.unit,
+            field.example,
+            "axes and scatter" if name in array_fields() else "axes",
+        )
+        for name, field in known_fields().items()
+    ]
+    return _columns([("field", "unit", "example", "for"), *rows])
 
 
-def _default_name(path: str) -> str:
-    """Return the study's name with the ending of NetCDF, in the current directory."""
-    stem = "study" if path == STANDARD_STREAM else Path(path).stem
-    return f"{stem}.nc"
+def outputs_text() -> str:
+    """Return the outputs, one a line: name, SI unit, whether it is per ball, meaning."""
+    from rolamento.studies.outputs import DEFAULT_OUTPUTS, catalogue
+
+    rows = [
+        (
+            f"{name}{'*' if name in DEFAULT_OUTPUTS else ''}",
+            output.unit,
+            "per ball" if output.per_ball else "",
+            output.long_name,
+        )
+        for name, output in catalogue().items()
+    ]
+    foot = "\n* put out if a study names no outputs\n"
+    return _columns([("output", "unit", "", "meaning"), *rows]) + foot
+
+
+def _columns(rows: list[tuple[str, ...]]) -> str:
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    lines = ("  ".join(c.ljust(w) for c, w in zip(row, widths, strict=True)) for row in rows)
+    return "".join(f"{line.rstrip()}\n" for line in lines)

@@ -43,11 +43,16 @@ StatusColumnOption = Annotated[
 
 
 @contextmanager
-def told_in_options() -> Iterator[None]:
-    """Tell what is wrong with a table in the words of the command."""
+def told_in_options(**options: str) -> Iterator[None]:
+    """Tell what is wrong with a table, or with an argument, in the words of the command.
+
+    options: those that arguments come from, by their names: ``times="--time"``.
+    """
     try:
         yield
     except InputError as error:
+        if error.field in options and not error.source:
+            raise error.with_details(field="", source=options[error.field]) from None
         raise _told(error) from None
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -21,7 +21,7 @@ from rolamento.cli.waiting import waiting
 from rolamento.errors import InputError
 
 if TYPE_CHECKING:
-    from rolamento.report.tolerance import ToleranceStudy
+    from rolamento.studies.sensitivity import ToleranceStudy
 
 __all__ = ["tolerance"]
 
@@ -58,16 +58,15 @@ def tolerance(
         wanted = _percentiles(percentiles)
         check_outputs({"--json": json, "--plot": plot}, result, rule="is the study itself")
         with waiting(lang):
-            dataset, found = _found(result, wanted, sobol)
-        _show(dataset, found, json, plot, lang)
-    some = int(found.bands.without_result.sum()) < found.bands.samples * max(
-        found.bands.without_result.size, 1
-    )
-    raise typer.Exit(SOLVED if some else NO_RESULT)
+            from rolamento.tasks import studies
+
+            found = studies.tolerance(result, percentiles=wanted, sobol_samples=sobol)
+        _show(found, json, plot, lang)
+    raise typer.Exit(SOLVED if found.bands.share_without_result < 1.0 else NO_RESULT)
 
 
 def _percentiles(text: str | None) -> tuple[float, ...]:
-    from rolamento.studies.tolerance import PERCENTILES, checked_percentiles
+    from rolamento.studies.tolerance import PERCENTILES
 
     if text is None:
         return PERCENTILES
@@ -80,54 +79,10 @@ def _percentiles(text: str | None) -> tuple[float, ...]:
             value=text,
             example="5,50,95",
         ) from None
-    return checked_percentiles(values)
+    return tuple(values)
 
 
-def _found(
-    result: str, percentiles: tuple[float, ...], sobol: int | None
-) -> tuple[Any, ToleranceStudy]:
-    """Read or run the study, and take it apart."""
-    from rolamento._reading import format_of_path
-    from rolamento.report.tolerance import ToleranceStudy
-    from rolamento.studies import load_study, run, sensitivity
-    from rolamento.studies.dataset import load_result
-    from rolamento.studies.samples import samples_of
-    from rolamento.studies.tolerance import tolerance_bands
-
-    indices = None
-    if result == STANDARD_STREAM or format_of_path(result) is not None:
-        study = load_study(result)
-        if study.scatter is None:
-            raise InputError(
-                "is missing: there is nothing to take percentiles of",
-                field="scatter",
-                source=result,
-            )
-        indices = None if sobol is None else sensitivity.sobol(study, samples=sobol)
-        dataset = run(study)
-    elif sobol is not None:
-        raise InputError(
-            "needs the study file: indices come from runs of their own",
-            field="--sobol",
-            source=result,
-            example="rolamento tolerance study.toml --sobol 1024",
-        )
-    else:
-        dataset = load_result(result)
-    samples = samples_of(dataset)
-    ranks = sensitivity.rank_correlation(dataset) if samples.inputs else None
-    title = str(dataset.attrs.get("title", ""))
-    bands = tolerance_bands(dataset, percentiles)
-    return dataset, ToleranceStudy(title, samples, bands, ranks, indices)
-
-
-def _show(
-    dataset: Any,
-    found: ToleranceStudy,
-    json: str | None,
-    plot: str | None,
-    lang: Language | None,
-) -> None:
+def _show(found: ToleranceStudy, json: str | None, plot: str | None, lang: Language | None) -> None:
     """Write what was asked for; standard output takes data or the report, not both."""
     from rolamento.report.tolerance import tolerance_json, tolerance_report
 
@@ -135,12 +90,10 @@ def _show(
     if json is not None:
         put(tolerance_json(found) + "\n", json)
     if plot is not None:
-        if found.ranks is None:
-            raise InputError("has no scattered input to draw", field="scatter.fields")
         from rolamento.plots.saving import save_figure
         from rolamento.plots.tolerance import tolerance_figure
 
-        save_figure(tolerance_figure(dataset, found.bands, found.ranks, words.code), plot)
+        save_figure(tolerance_figure(found, words.code), plot)
     if json == STANDARD_STREAM:
         return
     from rolamento.report.medium import Medium

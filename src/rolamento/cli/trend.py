@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from typing import TYPE_CHECKING, Annotated, Final
+from typing import TYPE_CHECKING, Annotated, Any, Final
 
 import typer
 
@@ -16,8 +16,7 @@ from rolamento.cli.table_options import DecimalMarkOption, TimeColumnOption, tol
 from rolamento.errors import InputError
 
 if TYPE_CHECKING:
-    from rolamento.clearance import WearFit, WearLaw
-    from rolamento.weibull.trend import Trend
+    from rolamento.clearance import WearLaw
 
 __all__ = ["trend"]
 
@@ -69,52 +68,29 @@ def trend(
     with plain_endings(lang):
         data, json = data_and_json(data, example, json)
         check_outputs({"--json": json, "--plot": plot}, data, rule="is the file of the data itself")
+        check_one_given(data, example, "trend", EXAMPLES)
+        if law is not None and law not in LAWS:
+            rule = f"must be one of {', '.join(LAWS)}"
+            raise InputError(rule, source="--law", value=law, example="running-in")
+        columns = {"time": time_column, "bearing": bearing_column, "decimal_mark": decimal_mark}
+        from rolamento.report.medium import Medium
+        from rolamento.report.trend import trend_json, trend_report
+        from rolamento.tasks.weibull import trend_study
+        from rolamento.weibull import published_trend
+
         with told_in_options():
-            record = _record(data, example, time_column, bearing_column, decimal_mark)
-        fits = _fits(record, law)
+            given: Any = data
+            if example is not None:
+                given = published_trend(known_example(example, EXAMPLES).replace("-", "_"))
+            found = trend_study(given, law=None if law is None else LAWS[law], columns=columns)
         words = words_of(lang)
         if plot is not None:
             from rolamento.plots.saving import save_figure
             from rolamento.plots.trend import trend_figure
 
-            save_figure(trend_figure(record, fits, words.code), plot)
-        from rolamento.report.medium import Medium
-        from rolamento.report.trend import trend_json, trend_report
-
+            save_figure(trend_figure(found.trend, found.fits, words.code), plot)
         if json is not None:
-            put(trend_json(record, fits) + "\n", json)
+            put(trend_json(found) + "\n", json)
         if json != STANDARD_STREAM:
-            print_text(trend_report(record, fits, words, Medium.of(sys.stdout)))
+            print_text(trend_report(found, words, Medium.of(sys.stdout)))
     raise typer.Exit(SOLVED)
-
-
-def _record(
-    data: str | None,
-    example: str | None,
-    time: str | None,
-    bearing: str | None,
-    decimal_mark: str | None,
-) -> Trend:
-    from rolamento.weibull.trend import published_trend, read_trend
-
-    check_one_given(data, example, "trend", EXAMPLES)
-    if example is None:
-        assert data is not None
-        return read_trend(data, time=time, bearing=bearing, decimal_mark=decimal_mark)
-    return published_trend(known_example(example, EXAMPLES).replace("-", "_"))
-
-
-def _fits(record: Trend, law: str | None) -> dict[str, WearFit]:
-    """Fit the law that was asked for, or running-in to what is a length; else none."""
-    from rolamento.weibull.trend import wear_of_each
-
-    if law is not None and law not in LAWS:
-        raise InputError(
-            f"must be one of {', '.join(LAWS)}", source="--law", value=law, example="running-in"
-        )
-    try:
-        return wear_of_each(record, LAWS[law or "running-in"])
-    except InputError as error:
-        if law is None:  # noise, say, or too few measurements
-            return {}
-        raise error.with_details(source="--law") from None

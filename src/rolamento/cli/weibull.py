@@ -2,46 +2,50 @@
 
 from __future__ import annotations
 
+import re
 import sys
-from typing import TYPE_CHECKING, Annotated, ClassVar, Final
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Final, cast
 
 import typer
 
 from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
-    Language,
     plain_endings,
     words_of,
 )
 from rolamento.cli.grouped_help import GroupedCommand, Groups
 from rolamento.cli.options import LanguageOption, SeedOption, json_option, plot_option
 from rolamento.cli.outputs import check_outputs
-from rolamento.cli.shipped_data import data_and_json, known_example
+from rolamento.cli.shipped_data import check_one_given, data_and_json, known_example
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
 from rolamento.cli.table_options import (
     DecimalMarkOption,
     StatusColumnOption,
     TimeColumnOption,
-)
-from rolamento.cli.weibull_options import (
-    EXAMPLES,
-    life_test,
-    only_groups,
-    wanted,
+    told_in_options,
 )
 from rolamento.errors import InputError
 
 if TYPE_CHECKING:
     from rolamento.report.language import Words
-    from rolamento.weibull.summary import LifeTestSummary
+    from rolamento.weibull import FitMethod, LifeTestSummary, Method, ShapePrior
 
 __all__ = ["WeibullCommand", "weibull"]
 
+EXAMPLES: Final = ("campanha-2008", "lieblein-zelen-1956")
+FITS: Final[dict[str, FitMethod]] = {
+    "ml": "maximum_likelihood",
+    "unbiased": "unbiased",
+    "rrx": "rank_regression_x_on_y",
+    "rry": "rank_regression_y_on_x",
+    "three-parameter": "three_parameter",
+}
 _CONFIDENCE: Final = 0.9
-_SAMPLES, _FEWEST_SAMPLES = 10_000, 1000
-_MOST_DRAWN: Final = 5_000_000
-"""Bearings in all drawn tests together, if it is left to the program."""
+_MAXIMUM_NUMBERS: Final = 50
+_MAXIMUM_CALCULATED: Final = 8
+_PRIOR: Final = re.compile(r"(?:(lognormal|uniform):)?([^:]{1,30})\.\.([^:]{1,30})")
 
 
 class WeibullCommand(GroupedCommand):
@@ -195,55 +199,68 @@ def weibull(
         data, json = data_and_json(data, example, json)
         outputs = {"--json": json, "--plot": plot, "--contour": contour}
         check_outputs(outputs, data, rule="is the file of the data itself")
+        words = words_of(lang)
         if write is not None:
-            print_text(_written(data, example, write, words_of(lang)))
+            print_text(_write_example(data, example, write, words))
             return
-        test = life_test(
-            data,
-            example,
-            group=group,
-            unit=unit,
-            time=time_column,
-            status=status_column,
-            decimal_mark=decimal_mark,
-        )
-        test = only_groups(test, only or ())
-        asked = wanted(
-            test.unit,
-            methods=method or (),
-            three_parameter=three_parameter,
-            bounds=bounds,
-            shape=shape,
-            bayes=bayes,
-            confidence=confidence,
-            sides=sides,
-            reliabilities=reliability or (),
-            times=time or (),
-            calculated=calculated_life or (),
-            samples=_enough(test.size) if samples is None else samples,
-            seed=seed,
-        )
+        check_one_given(data, example, "weibull", EXAMPLES)
+        columns = {
+            "group": group, "unit": unit, "time": time_column, "status": status_column,
+            "decimal_mark": decimal_mark,
+        }  # fmt: skip
+        wanted: dict[str, Any] = {
+            "methods": _fit_methods(method or (), three_parameter),
+            "bounds": _bounds_method(bounds, shape),
+            "prior": None if bayes is None else _prior_of(bayes),
+            "reliabilities": tuple(dict.fromkeys(reliability or (0.9, 0.5))),
+            "shape": shape, "confidence": confidence, "sides": sides, "seed": seed,
+        }  # fmt: skip
+        calculated = _named_lives(calculated_life or ())
+        for option, many in (("--reliability", reliability), ("--time", time)):
+            if len(many or ()) > _MAXIMUM_NUMBERS:
+                raise InputError(f"may be given {_MAXIMUM_NUMBERS} times at most", source=option)
         from rolamento.cli.waiting import progress_of
         from rolamento.report.weibull_words import WEIBULL_WORDS
-        from rolamento.weibull.summary import summarise
+        from rolamento.tasks.weibull import bands_of, life_test_study, regions_of
+        from rolamento.weibull import published_life_test
 
-        words = words_of(lang)
         with progress_of(WEIBULL_WORDS[words.code].working) as progress:
-            found = summarise(test, asked, by_group=by_group, progress=progress)
+            with told_in_options(times="--time", calculated="--calculated-life", only="--only"):
+                given: Any = data
+                if example is not None:
+                    given = published_life_test(_published_name(example), **columns)
+                found = life_test_study(
+                    given,
+                    only=only or (),
+                    by_group=by_group,
+                    times=time or (),
+                    calculated=calculated,
+                    samples=samples,
+                    columns=columns,
+                    progress=progress,
+                    **wanted,
+                )
             if plot is not None:
-                _draw_paper(found, plot, words.code)
+                from rolamento.plots.saving import save_figure
+                from rolamento.plots.weibull import weibull_figure
+
+                save_figure(weibull_figure(found, bands_of(found), words.code), plot)
             if contour is not None:
-                _draw_contour(found, contour, contour_of, words.code)
-        _show(found, json, lang)
+                from rolamento.plots.saving import save_figure
+                from rolamento.plots.weibull import contour_figure
+
+                with told_in_options(quantity="--contour-of"):
+                    regions = regions_of(found, contour_of)
+                save_figure(contour_figure(found, regions, words.code), contour)
+        _show(found, json, words)
     raise typer.Exit(SOLVED if found.has_result else NO_RESULT)
 
 
-def _enough(size: int) -> int:
-    """How many tests to draw: those of many bearings take long, and few of them do."""
-    return max(min(_SAMPLES, _MOST_DRAWN // size), _FEWEST_SAMPLES)
+def _published_name(example: str) -> str:
+    return known_example(example, EXAMPLES).replace("-", "_")
 
 
-def _written(data: str | None, example: str | None, path: str, words: Words) -> str:
+def _write_example(data: str | None, example: str | None, path: str, words: Words) -> str:
     """Write an example's CSV under a new name, and return what to say about it."""
     from rolamento._writing import write_text
     from rolamento.report.weibull_words import WEIBULL_WORDS
@@ -251,55 +268,14 @@ def _written(data: str | None, example: str | None, path: str, words: Words) -> 
 
     if example is None or data is not None:
         raise InputError("goes with --example alone", source="--write", value=path)
-    text = published_text(known_example(example, EXAMPLES).replace("-", "_"))
-    write_text(text, path, new=True)
+    write_text(published_text(_published_name(example)), path, new=True)
     return WEIBULL_WORDS[words.code].written.format(path=path) + "\n"
 
 
-def _draw_paper(found: LifeTestSummary, path: str, language: str) -> None:
-    from rolamento.plots.saving import save_figure
-    from rolamento.plots.weibull import weibull_figure
-    from rolamento.weibull.band import confidence_band
-
-    asked = found.wanted
-    bands = {
-        group.name: confidence_band(
-            group.test,
-            method=asked.bounds,
-            confidence=asked.confidence,
-            samples=asked.samples,
-            seed=asked.seed,
-            shape=asked.shape,
-        )
-        for group in found.groups
-        if group.bounded
-    }
-    save_figure(weibull_figure(found, bands, language), path)
-
-
-def _draw_contour(found: LifeTestSummary, path: str, quantity: str, language: str) -> None:
-    from rolamento.plots.saving import save_figure
-    from rolamento.plots.weibull_contour import contour_figure
-    from rolamento.weibull.likelihood_region import likelihood_region
-
-    asked = found.wanted
-    try:
-        regions = {
-            group.name: likelihood_region(
-                group.test, quantity, samples=asked.samples, seed=asked.seed
-            )
-            for group in found.groups
-        }
-    except InputError as error:
-        raise error.with_details(source="--contour-of") from None
-    save_figure(contour_figure(found, regions, language), path)
-
-
-def _show(found: LifeTestSummary, json: str | None, lang: Language | None) -> None:
+def _show(found: LifeTestSummary, json: str | None, words: Words) -> None:
     """Write what was asked for; standard output takes data or the report, not both."""
     from rolamento.report.weibull import weibull_json, weibull_report
 
-    words = words_of(lang)
     if json is not None:
         put(weibull_json(found) + "\n", json)
     if json != STANDARD_STREAM:
@@ -310,3 +286,70 @@ def _show(found: LifeTestSummary, json: str | None, lang: Language | None) -> No
         from rolamento.report.weibull_sentences import said_advice
 
         complain(said_advice(found.groups[0].main.code, words.code))
+
+
+# --- what the options say --------------------------------------------------------------------
+
+
+def _fit_methods(names: Sequence[str], three_parameter: bool) -> tuple[FitMethod, ...]:
+    for name in names:
+        if name not in FITS:
+            raise InputError(
+                f"must be one of {', '.join(FITS)}", source="--method", value=name, example="ml"
+            )
+    chosen = [*(names or ("ml", "unbiased", "rrx", "rry"))]
+    chosen += ["three-parameter"] if three_parameter else []
+    return tuple(dict.fromkeys(FITS[name] for name in chosen))
+
+
+def _bounds_method(name: str | None, shape: float | None) -> Method | None:
+    if name is None:
+        return None
+    from rolamento.weibull import METHODS
+
+    known = [method.replace("_", "-") for method in METHODS if method != "fixed_shape"]
+    word = name.replace("_", "-")
+    if word not in known:
+        raise InputError(
+            f"must be one of {', '.join(known)}", source="--bounds", value=name, example=known[0]
+        )
+    if shape is not None:
+        raise InputError("does not go with --shape, which has bounds of its own", source="--bounds",
+                         value=name)  # fmt: skip
+    return cast("Method", word.replace("-", "_"))
+
+
+def _prior_of(text: str) -> ShapePrior:
+    from rolamento.weibull import ShapePrior
+
+    match = _PRIOR.fullmatch(text.strip())
+    try:
+        low, high = (float(match[2]), float(match[3])) if match else (0.0, 0.0)
+    except ValueError:
+        match = None
+    if match is None:
+        raise InputError(
+            "must be LOW..HIGH, what the shape lies between with 90 %; or uniform:LOW..HIGH",
+            source="--bayes",
+            value=text,
+            example="1..2.5",
+        )
+    try:
+        return ShapePrior(low, high, kind="uniform" if match[1] == "uniform" else "lognormal")
+    except InputError as error:
+        raise error.with_details(source="--bayes") from None
+
+
+def _named_lives(texts: Sequence[str]) -> dict[str, str]:
+    """Calculated lives by their names; those without one are called by what was written."""
+    if len(texts) > _MAXIMUM_CALCULATED:
+        rule = f"may be given {_MAXIMUM_CALCULATED} times at most"
+        raise InputError(rule, source="--calculated-life")
+    lives: dict[str, str] = {}
+    for text in texts:
+        name, _, life = text.rpartition("=")
+        name = name.strip() or text.strip()
+        if name in lives:
+            raise InputError("has two lives of one name", source="--calculated-life", value=text)
+        lives[name] = life
+    return lives

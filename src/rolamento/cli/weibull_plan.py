@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from typing import TYPE_CHECKING, Annotated, Any, Final
+from typing import Annotated, Final
 
 import typer
 
@@ -14,22 +14,17 @@ from rolamento.cli.common import (
     words_of,
 )
 from rolamento.cli.grouped_help import GroupedCommands
-from rolamento.cli.life_units import given_life, life_in
 from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.options import LanguageOption, PlotOption, SeedOption, json_option
 from rolamento.cli.outputs import check_outputs
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
+from rolamento.cli.table_options import told_in_options
 from rolamento.errors import InputError
-
-if TYPE_CHECKING:
-    from rolamento.weibull.precision import LifeTestPlan
 
 __all__ = ["app"]
 
 _SHAPE: Final = 1.5
-_MOST_SIZES: Final = 20
-_OTHERS: Final = (0, 1, 2)
-"""Failures allowed in the tests that are drawn beside the one that is planned."""
+_MAXIMUM_SIZES: Final = 20
 
 app = typer.Typer(
     cls=GroupedCommands,
@@ -87,40 +82,33 @@ def demonstration(
     """
     with plain_endings(lang):
         check_outputs({"--json": json, "--plot": plot})
-        wanted, unit = given_life(life, "--life")
-        each = None if time is None else life_in(time, unit, "--time")
-        if bearings is None and each is None:
-            each = wanted  # as long as the life: there the shape does not matter
         from rolamento.report.medium import Medium
         from rolamento.report.weibull_plan import demonstration_json, demonstration_report
-        from rolamento.weibull.planning import alternatives, demonstrate
+        from rolamento.tasks.weibull import demonstration_study
 
-        plan = demonstrate(
-            wanted,
-            shape=shape,
-            bearings=bearings,
-            time=each,
-            reliability=reliability,
-            confidence=confidence,
-            failures_allowed=failures_allowed,
-        )
-        others = alternatives(plan)
+        with told_in_options(life="--life", time="--time"):
+            found = demonstration_study(
+                life,
+                bearings=bearings,
+                time=time,
+                shape=shape,
+                reliability=reliability,
+                confidence=confidence,
+                failures_allowed=failures_allowed,
+            )
         words = words_of(lang)
         if plot is not None:
             from rolamento.plots.saving import save_figure
             from rolamento.plots.weibull_plan import chance_figure
 
-            beside = [k for k in _OTHERS if k != failures_allowed]
-            more = alternatives(plan, [plan.bearings], beside) if plan.planned else ()
-            save_figure(chance_figure([plan, *more], unit, words.code), plot)
+            save_figure(chance_figure([found.plan, *found.beside], found.unit, words.code), plot)
         if json is not None:
-            put(demonstration_json(plan, others, unit) + "\n", json)
+            put(demonstration_json(found) + "\n", json)
         if json != STANDARD_STREAM:
-            medium = Medium.of(sys.stdout)
-            print_text(demonstration_report(plan, others, unit, words, medium))
-        elif not plan.planned:
-            _complain(plan.code, words.code)
-    raise typer.Exit(SOLVED if plan.planned else NO_RESULT)
+            print_text(demonstration_report(found, words, Medium.of(sys.stdout)))
+        elif not found.plan.planned:
+            _complain(found.plan.code, words.code)
+    raise typer.Exit(SOLVED if found.plan.planned else NO_RESULT)
 
 
 @app.command(
@@ -165,62 +153,50 @@ def precision(
     """
     with plain_endings(lang):
         check_outputs({"--json": json, "--plot": plot})
+        sizes = group_size or []
         if (ratio is None) == (failures is None):
             raise InputError("give --ratio or --failures", source="precision", example="--ratio 5")
-        if ratio is not None and groups is not None and len(group_size or ()) > 1:
+        if ratio is not None and groups is not None and len(sizes) > 1:
             raise InputError("goes with one --group-size", source="--groups", value=groups)
-        if len(group_size or ()) > _MOST_SIZES:
-            raise InputError(f"may be given {_MOST_SIZES} times at most", source="--group-size")
-        # without a life, times are multiples of it
-        expected, unit = (1.0, "") if life is None else given_life(life, "--life")
-        keywords: dict[str, Any] = {
-            "shape": shape, "life": expected, "reliability": reliability,
-            "confidence": confidence, "samples": samples, "seed": seed,
-        }  # fmt: skip
+        if len(sizes) > _MAXIMUM_SIZES:
+            rule = f"may be given {_MAXIMUM_SIZES} times at most"
+            raise InputError(rule, source="--group-size")
         words = words_of(lang)
         from rolamento.cli.waiting import progress_of
         from rolamento.report.medium import Medium
         from rolamento.report.weibull_plan import precision_json, precision_report
         from rolamento.report.weibull_plan_words import PLAN_WORDS
+        from rolamento.tasks.weibull import precision_study
 
-        with progress_of(PLAN_WORDS[words.code].working) as progress:
-            plans = _plans(ratio, failures, groups, group_size or [], keywords, progress)
+        with (
+            progress_of(PLAN_WORDS[words.code].working) as progress,
+            told_in_options(life="--life"),
+        ):
+            found = precision_study(
+                ratio,
+                failures=failures,
+                groups=groups,
+                group_sizes=sizes,
+                life=life,
+                shape=shape,
+                reliability=reliability,
+                confidence=confidence,
+                samples=samples,
+                seed=seed,
+                progress=progress,
+            )
         if json is not None:
-            put(precision_json(plans, ratio, unit) + "\n", json)
+            put(precision_json(found) + "\n", json)
         if plot is not None:
             from rolamento.plots.saving import save_figure
             from rolamento.plots.weibull_plan import cost_figure
 
-            label = unit or f"L{100.0 * (1.0 - reliability):.6g}"
-            save_figure(cost_figure(plans, label, words.code), plot)
-        planned = any(plan.planned for plan in plans)
+            save_figure(cost_figure(found.plans, found.time_label, words.code), plot)
         if json != STANDARD_STREAM:
-            print_text(precision_report(plans, ratio, unit, words, Medium.of(sys.stdout)))
-        elif not planned:
-            _complain(plans[0].code, words.code)
-    raise typer.Exit(SOLVED if planned else NO_RESULT)
-
-
-def _plans(
-    ratio: float | None,
-    failures: int | None,
-    groups: int | None,
-    sizes: list[int],
-    keywords: dict[str, Any],
-    progress: Any,
-) -> tuple[LifeTestPlan, ...]:
-    """Plan one test, or many that are as precise."""
-    from rolamento.weibull.precision import plan_for_ratio, plan_of, plans_for_ratio
-
-    if failures is not None:
-        return tuple(plan_of(failures, groups, size, **keywords) for size in sizes or [1])
-    assert ratio is not None
-    if groups is not None:
-        size = sizes[0] if sizes else 1
-        return (plan_for_ratio(ratio, groups=groups, group_size=size, **keywords),)
-    if sizes:
-        keywords = {**keywords, "group_sizes": [size for size in sizes if size != 1]}
-    return plans_for_ratio(ratio, progress=progress, **keywords)
+            print_text(precision_report(found, words, Medium.of(sys.stdout)))
+        elif not found.planned:
+            _complain(found.plans[0].code, words.code)
+    raise typer.Exit(SOLVED if found.planned else NO_RESULT)
 
 
 def _complain(code: str, language: str) -> None:

@@ -18,11 +18,17 @@ from typing import Final
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento.friction.control import controlling_race, unit_motion
-from rolamento.friction.ellipse_mesh import ellipse_mesh
-from rolamento.friction.least_power import start_of
-from rolamento.friction.loaded_balls import LoadedBalls
-from rolamento.friction.minimum_power import flat_balls, least_power_motion
+from rolamento.friction.minimum_power import loaded_contacts, minimum_power_motion, start_of
+from rolamento.friction.model import (
+    ContactLoss,
+    Torque,
+    TorqueModel,
+    checked_coefficient,
+    controlling_race,
+    limits_of_dry_friction,
+    torque_of_losses,
+    unit_motion,
+)
 from rolamento.friction.slip import (
     BallVelocity,
     Patch,
@@ -30,16 +36,15 @@ from rolamento.friction.slip import (
     relative_motion,
     rolling_lines,
 )
-from rolamento.friction.torque import ContactLoss, Torque, checked_coefficient, torque_of_losses
+from rolamento.friction.traction import ellipse_mesh
 from rolamento.numerics import BoolArray, FloatArray
-
-NAME: Final = "harris_1971"
+from rolamento.solved import Solved
 
 _POINTS = 120
 _STEPS = 60
 _TOLERANCE = 1e-8
 """Of the balance of forces, over friction itself: what stands of a closed form in doubles."""
-_LEAST_DAMPING = 1e-14
+_MINIMUM_DAMPING = 1e-14
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,12 +113,12 @@ def _slip(patch: Patch, motion: RelativeMotion, s: FloatArray) -> FloatArray:
     )
 
 
-def harris_1971(balls: LoadedBalls, coefficient: ArrayLike) -> Torque:
+def harris_1971(solved: Solved, coefficient: ArrayLike) -> Torque:
     """Torque of Harris's model of 1971, for dry friction at low speed.
 
     Parameters
     ----------
-    balls : of solved cases.
+    solved : cases.
     coefficient : μ, a number or (cases,).
 
     Returns
@@ -121,15 +126,15 @@ def harris_1971(balls: LoadedBalls, coefficient: ArrayLike) -> Torque:
     Torque; parts "spin" and "rolling_slip". A case with a ball that did not converge is NaN.
     """
     mu = checked_coefficient(coefficient, "friction_coefficient")
-    inner, outer, chosen = flat_balls(balls)
+    inner, outer, chosen = loaded_contacts(solved)
     parts = {name: ContactLoss(*np.zeros((2, *chosen.shape))) for name in ("spin", "rolling_slip")}
     converged = np.ones(chosen.shape, np.bool_)
     if np.any(chosen):
-        start = start_of(unit_motion(balls, controlling_race(balls, "jones")), chosen)
+        start = start_of(unit_motion(solved, controlling_race(solved, "jones")), chosen)
         motion, converged[chosen] = _balanced(inner, outer, start)
         friction = np.broadcast_to(mu, chosen.shape)[chosen]
         for place, patch in enumerate((inner, outer)):
-            seen = _seen(patch, motion)
+            seen = _motion_at(patch, motion)
             sums = line_friction(patch, seen)
             spin = -friction * sums.twist * seen.twist
             for loss, value in (
@@ -137,14 +142,14 @@ def harris_1971(balls: LoadedBalls, coefficient: ArrayLike) -> Torque:
                 (parts["rolling_slip"], friction * sums.power - spin),
             ):
                 (loss.inner, loss.outer)[place][chosen] = value
-    return torque_of_losses(NAME, balls, parts, np.all(converged, axis=-1))
+    return torque_of_losses(MODEL.name, solved, parts, np.all(converged, axis=-1))
 
 
 def _balanced(inner: Patch, outer: Patch, start: FloatArray) -> tuple[FloatArray, BoolArray]:
     """The motion (balls, 3) that balances the balls, by Newton with damping from a mesh's."""
     free = np.broadcast_to(np.eye(3), (*start.shape, 3))
     # one point along the ellipse, in the middle: no slip across rolling there
-    found = least_power_motion(inner, outer, start, free, ellipse_mesh(_POINTS, 1))
+    found = minimum_power_motion(inner, outer, start, free, ellipse_mesh(_POINTS, 1))
     motion = np.stack([found.ball_x, found.ball_z, found.orbit], axis=-1)
     motion = np.where(found.converged[:, np.newaxis], motion, start)
     error, hessian, scale = _imbalance(inner, outer, motion)
@@ -153,21 +158,21 @@ def _balanced(inner: Patch, outer: Patch, start: FloatArray) -> tuple[FloatArray
         size = np.max(np.abs(error) / scale, axis=1)
         if np.all((size <= 1e-3 * _TOLERANCE) | (damping > 1e6)):
             break
-        trial = motion - _step(error, hessian, damping)
+        trial = motion - _damped_step(error, hessian, damping)
         new_error, new_hessian, _ = _imbalance(inner, outer, trial)
         better = np.max(np.abs(new_error) / scale, axis=1) < size
         motion = np.where(better[:, np.newaxis], trial, motion)
         error = np.where(better[:, np.newaxis], new_error, error)
         hessian = np.where(better[:, np.newaxis, np.newaxis], new_hessian, hessian)
-        damping = np.maximum(np.where(better, 0.01 * damping, 30.0 * damping), _LEAST_DAMPING)
+        damping = np.maximum(np.where(better, 0.01 * damping, 30.0 * damping), _MINIMUM_DAMPING)
     return motion, np.max(np.abs(error) / scale, axis=1) <= _TOLERANCE
 
 
-def _step(error: FloatArray, hessian: FloatArray, damping: FloatArray) -> FloatArray:
+def _damped_step(error: FloatArray, hessian: FloatArray, damping: FloatArray) -> FloatArray:
     stiffness = np.einsum("bii->bi", hessian)
     # where nothing resists a turn, a little does: the step stays finite
-    greatest = stiffness.max(axis=1, keepdims=True)
-    diagonal = np.sqrt(np.maximum(stiffness, np.where(greatest > 0.0, 1e-12 * greatest, 1.0)))
+    maximum = stiffness.max(axis=1, keepdims=True)
+    diagonal = np.sqrt(np.maximum(stiffness, np.where(maximum > 0.0, 1e-12 * maximum, 1.0)))
     scaled = hessian / (diagonal[:, :, np.newaxis] * diagonal[:, np.newaxis, :])
     scaled = scaled + damping[:, np.newaxis, np.newaxis] * np.eye(3)
     return np.asarray(
@@ -175,7 +180,7 @@ def _step(error: FloatArray, hessian: FloatArray, damping: FloatArray) -> FloatA
     )
 
 
-def _seen(patch: Patch, motion: FloatArray) -> RelativeMotion:
+def _motion_at(patch: Patch, motion: FloatArray) -> RelativeMotion:
     ball_x, ball_z, orbit = motion[:, 0], motion[:, 1], motion[:, 2]
     ring = 1.0 if patch.race == "inner" else 0.0
     ball = BallVelocity(ball_x - orbit, np.zeros_like(orbit), ball_z)
@@ -189,7 +194,7 @@ def _imbalance(
     gradient, scale = np.zeros_like(motion), np.zeros_like(motion)
     hessian = np.zeros((*motion.shape, 3))
     for patch in (inner, outer):
-        seen = _seen(patch, motion)
+        seen = _motion_at(patch, motion)
         sums = line_friction(patch, seen)
         cosine, sine = np.cos(patch.contact_angle), np.sin(patch.contact_angle)
         roll = patch.side * sums.roll
@@ -228,3 +233,14 @@ def _curvature(patch: Patch, motion: RelativeMotion) -> FloatArray:
         axis=-1,
     )
     return np.asarray(np.einsum("bl,bli,blj->bij", weight, rate, rate))
+
+
+MODEL: Final = TorqueModel(
+    name="harris_1971",
+    title="Harris 1971",
+    short_title="Harris",
+    long_title="Harris's model of 1971",
+    needs=("friction_coefficient",),
+    evaluate=lambda setting: harris_1971(setting.solved, setting.friction_coefficient[:, 0]),
+    limits=limits_of_dry_friction,
+)

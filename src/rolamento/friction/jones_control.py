@@ -14,18 +14,24 @@ from typing import Final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rolamento.friction.control import ControlChoice, controlling_race, unit_motion
-from rolamento.friction.ellipse_mesh import EllipseMesh, ellipse_mesh
-from rolamento.friction.least_power import least_power_losses
-from rolamento.friction.loaded_balls import LoadedBalls
-from rolamento.friction.torque import Torque, checked_coefficient, torque_of_losses
+from rolamento.friction.minimum_power import minimum_power_losses
+from rolamento.friction.model import (
+    ControlChoice,
+    Torque,
+    TorqueModel,
+    checked_coefficient,
+    controlling_race,
+    limits_of_dry_friction,
+    torque_of_losses,
+    unit_motion,
+)
+from rolamento.friction.traction import EllipseMesh, ellipse_mesh
 from rolamento.numerics import FloatArray
-
-NAME: Final = "jones_control"
+from rolamento.solved import Solved
 
 
 def jones_control(
-    balls: LoadedBalls,
+    solved: Solved,
     coefficient: ArrayLike,
     *,
     control: ControlChoice = "jones",
@@ -35,7 +41,7 @@ def jones_control(
 
     Parameters
     ----------
-    balls : of solved cases.
+    solved : cases.
     coefficient : μ, a number or (cases,).
     control : which race the balls roll on; by default that with the greater resistance to spin.
     mesh : points on the ellipses; 80 × 5 by default.
@@ -46,16 +52,34 @@ def jones_control(
     """
     mu = checked_coefficient(coefficient, "friction_coefficient")
     mesh = ellipse_mesh() if mesh is None else mesh
-    held = controlling_race(balls, control)
-    directions = _allowed(balls, held)
-    losses, converged, _ = least_power_losses(balls, mu, unit_motion(balls, held), directions, mesh)
-    return torque_of_losses(NAME, balls, losses, converged)
+    held = controlling_race(solved, control)
+    directions = _allowed_directions(solved, held)
+    losses, converged, _ = minimum_power_losses(
+        solved, mu, unit_motion(solved, held), directions, mesh
+    )
+    return torque_of_losses(MODEL.name, solved, losses, converged)
 
 
-def _allowed(balls: LoadedBalls, held: NDArray[np.int64]) -> FloatArray:
+def _allowed_directions(solved: Solved, held: NDArray[np.int64]) -> FloatArray:
     """Turn about the tangent of the race that holds the ball, and orbit; (cases, balls, 3, 2)."""
-    angle = np.where(held > 0, balls.outer.contact_angle, balls.inner.contact_angle)
+    angle = np.where(held > 0, solved.outer.contact_angle, solved.inner.contact_angle)
     zero, one = np.zeros_like(angle), np.ones_like(angle)
     turn = np.stack([np.cos(angle), -np.sin(angle), zero], axis=-1)
     orbit = np.stack([zero, zero, one], axis=-1)
     return np.stack([turn, orbit], axis=-1)
+
+
+MODEL: Final = TorqueModel(
+    name="jones_control",
+    title="Jones, raceway control",
+    short_title="Jones ctrl",
+    long_title="Jones's model with raceway control",
+    needs=("friction_coefficient",),
+    evaluate=lambda setting: jones_control(
+        setting.solved,
+        setting.friction_coefficient[:, 0],
+        control=setting.control,
+        mesh=setting.mesh,
+    ),
+    limits=limits_of_dry_friction,
+)

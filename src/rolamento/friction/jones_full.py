@@ -14,24 +14,28 @@ from typing import Final
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento.friction.control import controlling_race, unit_motion
-from rolamento.friction.ellipse_mesh import EllipseMesh, ellipse_mesh
-from rolamento.friction.least_power import least_power_losses
-from rolamento.friction.loaded_balls import LoadedBalls
-from rolamento.friction.minimum_power import FreeMotion
-from rolamento.friction.torque import Torque, checked_coefficient, torque_of_losses
-
-NAME: Final = "jones_full"
+from rolamento.friction.minimum_power import FreeMotion, minimum_power_losses
+from rolamento.friction.model import (
+    Torque,
+    TorqueModel,
+    checked_coefficient,
+    controlling_race,
+    limits_of_dry_friction,
+    torque_of_losses,
+    unit_motion,
+)
+from rolamento.friction.traction import EllipseMesh, ellipse_mesh
+from rolamento.solved import Solved
 
 
 def jones_full(
-    balls: LoadedBalls, coefficient: ArrayLike, *, mesh: EllipseMesh | None = None
+    solved: Solved, coefficient: ArrayLike, *, mesh: EllipseMesh | None = None
 ) -> Torque:
     """Torque of Jones's full model, for dry or boundary friction at low speed.
 
     Parameters
     ----------
-    balls : of solved cases.
+    solved : cases.
     coefficient : μ, a number or (cases,). The motion does not depend on it: T is proportional.
     mesh : points on the ellipses; 80 × 5 by default.
 
@@ -39,11 +43,11 @@ def jones_full(
     -------
     Torque; parts "spin" and "rolling_slip". A case with a ball that did not converge is NaN.
     """
-    return jones_full_motion(balls, coefficient, mesh=mesh)[0]
+    return jones_full_motion(solved, coefficient, mesh=mesh)[0]
 
 
 def jones_full_motion(
-    balls: LoadedBalls, coefficient: ArrayLike, *, mesh: EllipseMesh | None = None
+    solved: Solved, coefficient: ArrayLike, *, mesh: EllipseMesh | None = None
 ) -> tuple[Torque, FreeMotion | None]:
     """The torque, and the motion of the balls that bear on both races, for a unit speed.
 
@@ -51,7 +55,20 @@ def jones_full_motion(
     """
     mu = checked_coefficient(coefficient, "friction_coefficient")
     mesh = ellipse_mesh() if mesh is None else mesh
-    start = unit_motion(balls, controlling_race(balls, "jones"))
-    free = np.broadcast_to(np.eye(3), (*balls.loaded.shape, 3, 3))
-    losses, converged, motion = least_power_losses(balls, mu, start, free, mesh)
-    return torque_of_losses(NAME, balls, losses, converged), motion
+    start = unit_motion(solved, controlling_race(solved, "jones"))
+    free = np.broadcast_to(np.eye(3), (*solved.inner.load.shape, 3, 3))
+    losses, converged, motion = minimum_power_losses(solved, mu, start, free, mesh)
+    return torque_of_losses(MODEL.name, solved, losses, converged), motion
+
+
+MODEL: Final = TorqueModel(
+    name="jones_full",
+    title="Jones, full",
+    short_title="Jones full",
+    long_title="Jones's full model",
+    needs=("friction_coefficient",),
+    evaluate=lambda setting: jones_full(
+        setting.solved, setting.friction_coefficient[:, 0], mesh=setting.mesh
+    ),
+    limits=limits_of_dry_friction,
+)

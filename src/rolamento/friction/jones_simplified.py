@@ -11,22 +11,30 @@ from typing import Final
 
 from numpy.typing import ArrayLike
 
-from rolamento.friction.closed_forms import rolling_slip_loss, spin_loss
-from rolamento.friction.control import ControlChoice, controlling_race, unit_motion
-from rolamento.friction.loaded_balls import LoadedBalls
-from rolamento.friction.torque import Torque, checked_coefficient, torque_of_losses
-
-NAME: Final = "jones_simplified"
+from rolamento.friction.closed_forms import rolling_moment, spin_moment
+from rolamento.friction.model import (
+    ControlChoice,
+    Torque,
+    TorqueModel,
+    checked_coefficient,
+    controlling_race,
+    has_result,
+    limits_of_dry_friction,
+    loss_at_rates,
+    torque_of_losses,
+    unit_motion,
+)
+from rolamento.solved import Solved
 
 
 def jones_simplified(
-    balls: LoadedBalls, coefficient: ArrayLike, *, control: ControlChoice = "jones"
+    solved: Solved, coefficient: ArrayLike, *, control: ControlChoice = "jones"
 ) -> Torque:
     """Torque of Jones's model with spin and rolling apart, for dry friction at low speed.
 
     Parameters
     ----------
-    balls : of solved cases.
+    solved : cases.
     coefficient : μ, a number or (cases,).
     control : which race the balls roll on; by default that with the greater resistance to spin.
 
@@ -35,9 +43,27 @@ def jones_simplified(
     Torque; parts "spin" and "rolling_slip".
     """
     mu = checked_coefficient(coefficient, "friction_coefficient")
-    motion = unit_motion(balls, controlling_race(balls, control))
+    motion = unit_motion(solved, controlling_race(solved, control))
     losses = {
-        "spin": spin_loss(balls, motion, mu),
-        "rolling_slip": rolling_slip_loss(balls, motion, mu),
+        "spin": loss_at_rates(
+            solved, lambda patch: spin_moment(patch, mu), motion.inner_spin, motion.outer_spin
+        ),
+        "rolling_slip": loss_at_rates(
+            solved, lambda patch: rolling_moment(patch, mu), motion.inner_roll, motion.outer_roll
+        ),
     }
-    return torque_of_losses(NAME, balls, losses, balls.solved)
+    return torque_of_losses(MODEL.name, solved, losses, has_result(solved))
+
+
+MODEL: Final = TorqueModel(
+    name="jones_simplified",
+    title="Jones, simplified",
+    short_title="Jones simp",
+    long_title="Jones's simplified model",
+    needs=("friction_coefficient",),
+    evaluate=lambda setting: jones_simplified(
+        setting.solved, setting.friction_coefficient[:, 0], control=setting.control
+    ),
+    limits=limits_of_dry_friction,
+    closed_form=True,
+)

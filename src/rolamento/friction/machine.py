@@ -1,21 +1,24 @@
-"""What the models of lubricated machine bearings need beside a solved state."""
+"""What the models of lubricated machine bearings need beside solved cases."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Final
+from dataclasses import dataclass, fields, replace
+from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
-from rolamento.friction.loaded_balls import LoadedBalls
-from rolamento.friction.palmgren import BearingKind, Lubrication, palmgren
-from rolamento.friction.skf import SkfConstants, SkfMoment, Supply, skf_moment
-from rolamento.friction.torque import Torque
+from rolamento.case import Case
+from rolamento.catalogue import built_in_geometry
+from rolamento.friction.palmgren import BearingKind, Lubrication
+from rolamento.friction.skf import (
+    SkfConstants,
+    Supply,
+    angular_contact_constants,
+    deep_groove_series,
+)
+from rolamento.lubrication import Film
 from rolamento.numerics import FloatArray
-from rolamento.rows.ball import BatchState
-from rolamento.state import State
-
-_SAME_ANGLE: Final = float(np.radians(1.0))
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,15 +28,16 @@ class MachineBearing:
     bore_diameter, outside_diameter m; kinematic_viscosity of the oil, or the grease's base oil,
     at its temperature, m²/s; static_load_rating C_0, N; static_load_ratio P_0/C_0 for Palmgren's
     model (left out without); contact_angle nominal, rad, for angular-contact bearings; constants
-    of the series for SKF's model (left out without).
+    of the series for SKF's model (left out without). Viscosity, rating and ratio are numbers, or
+    arrays (cases,).
     """
 
     kind: BearingKind
     bore_diameter: float
     outside_diameter: float
-    kinematic_viscosity: float
-    static_load_rating: float
-    static_load_ratio: float | None = None
+    kinematic_viscosity: float | FloatArray
+    static_load_rating: float | FloatArray
+    static_load_ratio: float | FloatArray | None = None
     contact_angle: float = 0.0
     lubrication: Lubrication = "grease"
     supply: Supply = "grease"
@@ -41,59 +45,63 @@ class MachineBearing:
     constants: SkfConstants | None = None
 
     @property
-    def skf_angle_differs(self) -> bool:
-        """Whether SKF's constants for angular-contact bearings are for another contact angle."""
-        own = None if self.constants is None else self.constants.contact_angle
-        return own is not None and abs(self.contact_angle - own) > _SAME_ANGLE
-
-    @property
     def mean_diameter(self) -> float:
         """d_m of these models, the mean of bore and outside diameter; m."""
         return 0.5 * (self.bore_diameter + self.outside_diameter)
 
+    def part(self, some: slice) -> MachineBearing:
+        """Return that of some of the cases."""
+        varied: dict[str, Any] = {
+            field.name: value[some]
+            for field in fields(self)
+            if isinstance(value := getattr(self, field.name), np.ndarray)
+        }
+        return replace(self, **varied)
 
-def ring_loads(state: State | BatchState) -> tuple[FloatArray, FloatArray]:
-    """Radial and axial load on the bearing, (cases,); N."""
-    load = np.asarray([state.load]) if isinstance(state, State) else np.asarray(state.load)
-    return np.hypot(load[:, 1], load[:, 2]), np.abs(load[:, 0])
 
+def machine_of(
+    case: Case, film: Film, static_load_rating: ArrayLike, static_load: ArrayLike
+) -> MachineBearing | None:
+    """Return the bearing as those models know it, from its designation.
 
-def palmgren_torque(
-    state: State | BatchState, balls: LoadedBalls, machine: MachineBearing
-) -> Torque | None:
-    """Palmgren's torque of the states, or None without a load ratio."""
-    if machine.static_load_ratio is None:
+    Parameters
+    ----------
+    case
+        With a designation: single row. An oil is taken to stand in the housing as a low bath, for
+        the case does not say how it is supplied.
+    film
+        Of the solved cases: supplies the viscosity.
+    static_load_rating, static_load
+        C_0 and P_0, numbers or (cases,); N.
+
+    Returns
+    -------
+    MachineBearing or None
+        None without a designation or a static rating; SKF's constants for the deep-groove series
+        that are on file, and for angular-contact bearings.
+    """
+    published = case.bearing.published
+    rating, load = np.broadcast_arrays(
+        np.asarray(static_load_rating, np.float64),
+        np.asarray(static_load, np.float64),
+        film.temperature,
+    )[:2]
+    if published is None or case.bearing.is_set or not np.all((rating > 0.0) & (load >= 0.0)):
         return None
-    radial, axial = ring_loads(state)
-    return palmgren(
-        kind=machine.kind,
-        lubrication=machine.lubrication,
-        speed=balls.relative_speed[:, 0],
-        mean_diameter=machine.mean_diameter,
-        kinematic_viscosity=machine.kinematic_viscosity,
-        radial_load=radial,
-        axial_load=axial,
-        static_load_ratio=machine.static_load_ratio,
-        contact_angle=machine.contact_angle,
-    )
-
-
-def skf_moment_of(
-    state: State | BatchState, balls: LoadedBalls, machine: MachineBearing
-) -> SkfMoment | None:
-    """SKF's moment of the states, or None without the constants of the series."""
-    if machine.constants is None:
-        return None
-    radial, axial = ring_loads(state)
-    return skf_moment(
-        machine.constants,
-        speed=balls.relative_speed[:, 0],
-        bore_diameter=machine.bore_diameter,
-        outside_diameter=machine.outside_diameter,
-        kinematic_viscosity=machine.kinematic_viscosity,
-        radial_load=radial,
-        axial_load=axial,
-        static_load_rating=machine.static_load_rating,
-        supply=machine.supply,
-        oil=machine.oil,
+    designation = built_in_geometry(case.bearing.designation or "", False).designation
+    deep = published.kind == "deep_groove"
+    grease = case.lubricant is not None and case.lubricant.kind == "grease"
+    return MachineBearing(
+        kind=published.kind,
+        bore_diameter=published.bore,
+        outside_diameter=published.outside_diameter,
+        kinematic_viscosity=film.kinematic_viscosity,
+        static_load_rating=rating,
+        static_load_ratio=load / rating,
+        contact_angle=published.contact_angle or designation.contact_angle or 0.0,
+        lubrication="grease" if grease else "oil_bath",
+        supply="grease" if grease else "low_oil_bath",
+        constants=(
+            deep_groove_series().get(designation.series) if deep else angular_contact_constants()
+        ),
     )

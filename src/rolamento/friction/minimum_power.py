@@ -6,21 +6,25 @@ along its orbit: the minimum is the equilibrium. With fewer motions allowed (rac
 is the equilibrium of what remains, and takes no less power.
 
 Newton's method on the rounded law, from a wide rounding to a narrow one, each step shortened
-until the power falls; many balls at a time.
+until the power falls; many balls at a time. Jones's full model and his model with raceway control
+take their torque from the motion that is found.
 """
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from rolamento.friction.ellipse_mesh import EllipseMesh
-from rolamento.friction.loaded_balls import LoadedBalls
+from rolamento.friction.model import ContactLoss, bears_on_both, has_result
 from rolamento.friction.slip import BallVelocity, Patch, RelativeMotion, relative_motion
 from rolamento.friction.slip import slip_velocity as slip_at
+from rolamento.friction.traction import EllipseMesh, contact_friction
+from rolamento.kinematics import BallMotion
 from rolamento.numerics import BoolArray, FloatArray
+from rolamento.solved import Solved
 
 ROUNDINGS = (0.1, 0.01)
 """v0 over the slip that rolling alone makes in the smaller contact, stage by stage."""
@@ -39,7 +43,7 @@ class FreeMotion:
     """The motion found, for a unit speed of the inner ring relative to the outer.
 
     Seen from the outer ring. ball_x, ball_z and orbit: (balls,), rad/s; rounding: v0 of the last
-    stage, m/s; converged: (balls,); residual: the greatest gradient over its own scale.
+    stage, m/s; converged: (balls,); residual: the maximum gradient over its own scale.
     """
 
     ball_x: FloatArray
@@ -59,16 +63,56 @@ class FreeMotion:
         return relative_motion(patch, self.at_cage(), ring - self.orbit)
 
 
-def flat_balls(balls: LoadedBalls) -> tuple[Patch, Patch, BoolArray]:
-    """The balls that bear on both races, each distinct one once per case.
+def loaded_contacts(solved: Solved) -> tuple[Patch, Patch, BoolArray]:
+    """The contacts of the balls that bear on both races.
 
-    Returns the inner and outer contacts, arrays (loaded,), and which of (cases, balls) they are.
+    Returns those of the inner and of the outer race, arrays (loaded,), and which of
+    (cases, elements) they are.
     """
-    chosen = balls.loaded
-    return _picked(balls.inner, chosen), _picked(balls.outer, chosen), chosen
+    chosen = bears_on_both(solved)
+    inner, outer = (_picked(Patch.of(race), chosen) for race in solved.contacts.values())
+    return inner, outer, chosen
 
 
-def least_power_motion(
+def start_of(motion: BallMotion, chosen: BoolArray) -> FloatArray:
+    """The motion under raceway control, seen from the outer ring: (loaded, 3)."""
+    orbit, speed, attitude = (
+        array[chosen] for array in (motion.orbital_speed, motion.ball_speed, motion.attitude)
+    )
+    return np.stack([orbit + speed * np.cos(attitude), -speed * np.sin(attitude), orbit], axis=-1)
+
+
+def minimum_power_losses(
+    solved: Solved,
+    mu: FloatArray,
+    motion: BallMotion,
+    directions: FloatArray,
+    mesh: EllipseMesh,
+) -> tuple[Mapping[str, ContactLoss], BoolArray, FreeMotion | None]:
+    """Losses of every contact at the motion of minimum power, at a unit relative speed; N·m.
+
+    directions: (cases, elements, 3, k), the changes of the motion that are allowed.
+    Returns the losses by source, which cases were found, and the motion of the loaded balls.
+    """
+    inner, outer, chosen = loaded_contacts(solved)
+    losses = {name: ContactLoss(*np.zeros((2, *chosen.shape))) for name in ("spin", "rolling_slip")}
+    if not np.any(chosen):
+        return losses, has_result(solved), None
+    mesh = mesh.folded()  # nothing tumbles, so the power is even along rolling
+    found = minimum_power_motion(inner, outer, start_of(motion, chosen), directions[chosen], mesh)
+    coefficient = np.broadcast_to(mu, chosen.shape)[chosen]
+    for patch in (inner, outer):
+        # Coulomb's sharp law at the motion found with the rounded one: near a minimum that is off
+        # by the square only
+        friction = contact_friction(patch, found.relative_motion(patch), coefficient, mesh=mesh)
+        getattr(losses["spin"], patch.race)[chosen] = friction.spin_power
+        getattr(losses["rolling_slip"], patch.race)[chosen] = friction.power - friction.spin_power
+    converged = np.ones(chosen.shape, np.bool_)
+    converged[chosen] = found.converged
+    return losses, np.all(converged, axis=-1), found
+
+
+def minimum_power_motion(
     inner: Patch,
     outer: Patch,
     start: FloatArray,
@@ -76,7 +120,7 @@ def least_power_motion(
     mesh: EllipseMesh,
     roundings: tuple[float, ...] = ROUNDINGS,
 ) -> FreeMotion:
-    """Find the motion of least friction power.
+    """Find the motion of minimum friction power.
 
     Parameters
     ----------

@@ -21,10 +21,17 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento.errors import InputError
-from rolamento.friction.torque import Torque, checked_positive, torque_of_parts
+from rolamento.friction.model import (
+    Setting,
+    Torque,
+    TorqueModel,
+    checked_numbers,
+    checked_positive,
+    limits_of_lubricated_bearings,
+    relative_speed,
+    torque_of_parts,
+)
 from rolamento.numerics import FloatArray
-
-NAME: Final = "palmgren"
 
 BearingKind = Literal["deep_groove", "angular_contact"]
 Lubrication = Literal["grease", "oil_mist", "oil_bath", "oil_jet"]
@@ -84,7 +91,7 @@ def load_torque(
     -------
     M1 of the broadcast shape.
     """
-    z, y = LOAD_FACTORS[_known(kind)]
+    z, y = LOAD_FACTORS[_checked_kind(kind)]
     f1 = z * np.asarray(static_load_ratio, dtype=np.float64) ** y
     return np.asarray(f1 * np.asarray(load) * np.asarray(mean_diameter))
 
@@ -94,7 +101,7 @@ def friction_load(
 ) -> FloatArray:
     """Load P1 that goes into M1; N. contact_angle: nominal, of angular-contact bearings; rad."""
     fr, fa = np.abs(radial), np.abs(axial)
-    if _known(kind) == "deep_groove":
+    if _checked_kind(kind) == "deep_groove":
         combined = 3.0 * fa - 0.1 * fr
     else:
         combined = 0.9 * fa / np.tan(contact_angle) - 0.1 * fr
@@ -136,25 +143,61 @@ def palmgren(
     InputError
         For an unknown word, or a number out of range.
     """
-    if lubrication not in LUBRICATION_FACTORS[_known(kind)]:
+    if lubrication not in LUBRICATION_FACTORS[_checked_kind(kind)]:
         known = ", ".join(LUBRICATION_FACTORS[kind])
         raise InputError(f"must be one of {known}", field="lubrication", value=lubrication)
     if kind == "angular_contact":
         checked_positive(contact_angle, "contact_angle")
-    turning = np.atleast_1d(np.asarray(speed, dtype=np.float64))
+    turning = np.atleast_1d(checked_numbers(speed, "speed"))
     diameter = checked_positive(mean_diameter, "mean_diameter")
     viscosity = checked_positive(kinematic_viscosity, "kinematic_viscosity")
     ratio = checked_positive(static_load_ratio, "static_load_ratio", zero=True)
-    load = friction_load(radial_load, axial_load, kind, contact_angle)
+    radial, axial = (
+        checked_numbers(radial_load, "radial_load"),
+        checked_numbers(axial_load, "axial_load"),
+    )
+    load = friction_load(radial, axial, kind, contact_angle)
     factor = LUBRICATION_FACTORS[kind][lubrication] if f0 is None else f0
     parts = np.broadcast_arrays(
         lubricant_torque(viscosity, turning, diameter, factor),
         load_torque(load, diameter, ratio, kind),
     )
-    return torque_of_parts(NAME, dict(zip(("lubricant", "load"), parts, strict=True)), turning)
+    return torque_of_parts(
+        MODEL.name, dict(zip(("lubricant", "load"), parts, strict=True)), turning
+    )
 
 
-def _known(kind: str) -> str:
+def _checked_kind(kind: str) -> str:
     if kind not in LOAD_FACTORS:
         raise InputError(f"must be one of {', '.join(LOAD_FACTORS)}", field="kind", value=kind)
     return kind
+
+
+def _of_bearing(setting: Setting) -> Torque:
+    machine, load = setting.machine, setting.solved.load
+    assert machine is not None
+    assert machine.static_load_ratio is not None
+    return palmgren(
+        kind=machine.kind,
+        lubrication=machine.lubrication,
+        speed=relative_speed(setting.solved),
+        mean_diameter=machine.mean_diameter,
+        kinematic_viscosity=machine.kinematic_viscosity,
+        radial_load=np.hypot(load.fy, load.fz),
+        axial_load=load.fx,
+        static_load_ratio=machine.static_load_ratio,
+        contact_angle=machine.contact_angle,
+    )
+
+
+MODEL: Final = TorqueModel(
+    name="palmgren",
+    title="Palmgren",
+    short_title="Palmgren",
+    long_title="Palmgren's model",
+    needs=("machine", "static_load_ratio"),
+    evaluate=_of_bearing,
+    limits=limits_of_lubricated_bearings,
+    of_contacts=False,
+    closed_form=True,
+)

@@ -22,11 +22,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento.friction.loaded_balls import LoadedBalls
-from rolamento.friction.slip import Patch, relative_motion
-from rolamento.friction.torque import ContactLoss, checked_positive
+from rolamento.friction.model import ContactLoss, bears_on_both, checked_positive
+from rolamento.friction.slip import Patch, solved_motion
 from rolamento.geometry import Race
 from rolamento.numerics import FloatArray
+from rolamento.solved import RACES, Solved
 
 
 def rolling_force(
@@ -65,8 +65,8 @@ def rolling_force(
     return np.asarray(np.where(works, force, 0.0 * patch.load))
 
 
-def rolling_resistance_loss(balls: LoadedBalls, viscosity: ArrayLike) -> ContactLoss:
-    """Power of rolling resistance in every contact at the speeds of the state; W.
+def rolling_resistance_loss(solved: Solved, viscosity: ArrayLike) -> ContactLoss:
+    """Power of rolling resistance in every contact as it was solved; W.
 
     viscosity : η₀ at the inlet, a number or (cases,); Pa·s.
 
@@ -76,14 +76,13 @@ def rolling_resistance_loss(balls: LoadedBalls, viscosity: ArrayLike) -> Contact
         If a viscosity is negative.
     """
     eta = checked_positive(viscosity, "dynamic_viscosity", zero=True).reshape(-1, 1)
-    return ContactLoss(_loss(balls, "inner", eta), _loss(balls, "outer", eta))
+    return ContactLoss(*(_loss_of_race(solved, race, eta) for race in RACES))
 
 
-def _loss(balls: LoadedBalls, race: Race, viscosity: FloatArray) -> FloatArray:
+def _loss_of_race(solved: Solved, race: Race, viscosity: FloatArray) -> FloatArray:
     """2 F_R u, with the speed u = ω_roll R_x of pure rolling."""
-    patch = balls.patch(race)
-    motion = relative_motion(patch, balls.ball_velocity, balls.ring_speed(race))
-    curvature = balls.inner_rolling_curvature if race == "inner" else balls.outer_rolling_curvature
-    speed = np.abs(motion.roll) / curvature
-    force = rolling_force(patch, curvature, balls.modulus, viscosity, speed)
-    return np.asarray(np.where(balls.loaded, 2.0 * force * speed, 0.0))
+    contacts = solved.contacts[race]
+    curvature = contacts.rolling_curvature
+    speed = np.abs(solved_motion(solved, race, yawing=False).roll) / curvature
+    force = rolling_force(Patch.of(contacts), curvature, contacts.modulus, viscosity, speed)
+    return np.asarray(np.where(bears_on_both(solved), 2.0 * force * speed, 0.0))

@@ -38,10 +38,17 @@ from numpy.typing import ArrayLike
 
 from rolamento._data import toml_of
 from rolamento.errors import InputError, nearest
-from rolamento.friction.torque import Torque, checked_positive, torque_of_parts
-from rolamento.numerics import FloatArray
-
-NAME: Final = "skf"
+from rolamento.friction.model import (
+    Setting,
+    Torque,
+    TorqueModel,
+    checked_numbers,
+    checked_positive,
+    limits_of_lubricated_bearings,
+    relative_speed,
+    torque_of_parts,
+)
+from rolamento.numerics import BoolArray, FloatArray
 
 Kind = Literal["deep_groove", "angular_contact"]
 Supply = Literal["grease", "oil_air", "low_oil_bath", "oil_jet"]
@@ -94,7 +101,7 @@ def deep_groove_series() -> Mapping[str, SkfConstants]:
     """Return the constants by bearing series, such as "62" of 6205."""
     k_z = toml_of("skf_friction")["K_Z"]["deep_groove"]
     return {
-        name: SkfConstants("deep_groove", **_numbers(row), k_z=k_z)
+        name: SkfConstants("deep_groove", **_geometry_constants(row), k_z=k_z)
         for row in toml_of("skf_friction")["deep_groove"]
         for name in row["series"]
     }
@@ -105,7 +112,7 @@ def _angular_contact_designs() -> Mapping[str, SkfConstants]:
     return {
         name: SkfConstants(
             "angular_contact",
-            **_numbers(row),
+            **_geometry_constants(row),
             k_z=row["K_Z"],
             contact_angle=radians(row["contact_angle_deg"]),
         )
@@ -136,7 +143,7 @@ def angular_contact_constants(design: str = "single_row") -> SkfConstants:
     return designs[design]
 
 
-def _numbers(row: Mapping[str, Any]) -> dict[str, float]:
+def _geometry_constants(row: Mapping[str, Any]) -> dict[str, float]:
     return {key.lower(): row[key] for key in ("R1", "R2", "R3", "S1", "S2", "S3") if key in row}
 
 
@@ -215,24 +222,24 @@ def skf_moment(
     InputError
         For an unknown word, or a number that is missing or out of range.
     """
-    n = _RPM * np.abs(np.asarray(speed, dtype=np.float64))
+    n = _RPM * np.abs(checked_numbers(speed, "speed"))
     bore = 1e3 * checked_positive(bore_diameter, "bore_diameter")
     outside = 1e3 * checked_positive(outside_diameter, "outside_diameter")
     if not np.all(outside > bore):
         raise InputError("must exceed the bore diameter", field="outside_diameter")
     nu = 1e6 * checked_positive(kinematic_viscosity, "kinematic_viscosity")
-    fr = np.abs(np.asarray(radial_load, dtype=np.float64))
-    fa = np.abs(np.asarray(axial_load, dtype=np.float64))
+    fr = np.abs(checked_numbers(radial_load, "radial_load"))
+    fa = np.abs(checked_numbers(axial_load, "axial_load"))
     mean = 0.5 * (bore + outside)
     if constants.kind == "deep_groove":
         rolling, sliding = _deep_groove(constants, mean, fr, fa, static_load_rating)
     else:
         rolling, sliding = _angular_contact(constants, mean, fr, fa, n)
     heating = 1.0 / (1.0 + 1.84e-9 * (n * mean) ** 1.28 * nu**0.64)
-    starved = _known(STARVATION, supply, "supply") * nu * n * (bore + outside)
+    starved = _factor_of(STARVATION, supply, "supply") * nu * n * (bore + outside)
     replenishment = np.exp(-starved * np.sqrt(constants.k_z / (2.0 * (outside - bore))))
     boundary = np.exp(-2.6e-8 * (n * nu) ** 1.4 * mean)
-    full_film = _known(SLIDING_FULL_FILM, oil, "oil")
+    full_film = _factor_of(SLIDING_FULL_FILM, oil, "oil")
     coefficient = boundary * SLIDING_BOUNDARY + (1.0 - boundary) * full_film
     return SkfMoment(
         *np.broadcast_arrays(
@@ -247,10 +254,12 @@ def skf_moment(
 
 
 def skf_torque(moment: SkfMoment, speed: ArrayLike) -> Torque:
-    """The moment as a `Torque`; parts "rolling" and "sliding". speed: rad/s."""
+    """The moment as a `Torque`; parts "rolling" and "sliding". speed: rad/s.
+
+    Contact seals and the drag of an oil bath are not counted.
+    """
     parts = {"rolling": np.atleast_1d(moment.rolling), "sliding": np.atleast_1d(moment.sliding)}
-    notes = ("contact seals and drag of an oil bath are not counted",)
-    return torque_of_parts(NAME, parts, np.atleast_1d(np.asarray(speed)), notes)
+    return torque_of_parts(MODEL.name, parts, np.atleast_1d(np.asarray(speed)))
 
 
 def _deep_groove(
@@ -288,7 +297,56 @@ def _angular_contact(
     return rolling, sliding
 
 
-def _known(table: Mapping[str, float], word: str, field: str) -> float:
+def _factor_of(table: Mapping[str, float], word: str, field: str) -> float:
     if word not in table:
         raise InputError(f"must be one of {', '.join(table)}", field=field, value=word)
     return table[word]
+
+
+_SAME_ANGLE: Final = radians(1.0)
+
+
+def _of_bearing(setting: Setting) -> Torque:
+    machine, load = setting.machine, setting.solved.load
+    assert machine is not None
+    assert machine.constants is not None
+    speed = relative_speed(setting.solved)
+    moment = skf_moment(
+        machine.constants,
+        speed=speed,
+        bore_diameter=machine.bore_diameter,
+        outside_diameter=machine.outside_diameter,
+        kinematic_viscosity=machine.kinematic_viscosity,
+        radial_load=np.hypot(load.fy, load.fz),
+        axial_load=load.fx,
+        static_load_rating=machine.static_load_rating,
+        supply=machine.supply,
+        oil=machine.oil,
+    )
+    return skf_torque(moment, speed)
+
+
+def _limits(setting: Setting) -> dict[str, BoolArray]:
+    """SKF's constants for angular-contact bearings are for one contact angle."""
+    machine = setting.machine
+    assert machine is not None
+    assert machine.constants is not None
+    own = machine.constants.contact_angle
+    differs = own is not None and abs(machine.contact_angle - own) > _SAME_ANGLE
+    return {
+        **limits_of_lubricated_bearings(setting),
+        "other_angle": np.full(setting.regime.shape, differs),
+    }
+
+
+MODEL: Final = TorqueModel(
+    name="skf",
+    title="SKF",
+    short_title="SKF",
+    long_title="SKF's model",
+    needs=("machine", "constants"),
+    evaluate=_of_bearing,
+    limits=_limits,
+    of_contacts=False,
+    closed_form=True,
+)

@@ -1,43 +1,42 @@
-"""Friction of a solved state: torque, power, heat, and which models hold."""
+"""Friction of solved cases: torque, power, heat, and which models are valid."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
-from typing import Any, Final, Literal
+from dataclasses import dataclass, replace
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rolamento._json import plain
 from rolamento.errors import InputError
-from rolamento.friction import (
-    harris_1971,
-    jones_control,
-    jones_full,
-    jones_simplified,
-    palmgren,
-    skf,
-    todd,
-)
-from rolamento.friction.control import ControlChoice, controlling_race, unit_motion
-from rolamento.friction.ellipse_mesh import EllipseMesh
-from rolamento.friction.hysteresis import DEFAULT_LOSS, hysteresis_loss
-from rolamento.friction.loaded_balls import LoadedBalls, loaded_balls
-from rolamento.friction.machine import MachineBearing, palmgren_torque, skf_moment_of
-from rolamento.friction.regime import LOW_SPEED, ModelVerdict, film_regime, verdict
-from rolamento.friction.rolling_resistance import rolling_resistance_loss
-from rolamento.friction.torque import (
+from rolamento.friction.closed_forms import DEFAULT_HYSTERESIS
+from rolamento.friction.machine import MachineBearing
+from rolamento.friction.model import (
     ContactLoss,
+    ControlChoice,
+    ModelValidity,
+    Setting,
     Torque,
     checked_coefficient,
+    checked_positive,
+    controlling_race,
+    has_result,
+    hysteresis_loss,
+    over_cases,
+    relative_speed,
     torque_of_losses,
+    unit_motion,
+    validity_of,
 )
+from rolamento.friction.models import CONTACT_MODELS, TORQUE_MODELS
+from rolamento.friction.rolling_resistance import rolling_resistance_loss
+from rolamento.friction.traction import EllipseMesh
+from rolamento.lubrication.films import film, has_film, oil_of
 from rolamento.numerics import FloatArray
-from rolamento.rows.ball import BatchState
-from rolamento.state import State
-
-ContactModel = Literal["jones_full", "jones_control", "jones_simplified", "harris_1971", "todd"]
+from rolamento.numerics.blocks import in_blocks
+from rolamento.solved import Solved, refuse_other
 
 HYSTERESIS: Final = "hysteresis"
 ROLLING_RESISTANCE: Final = "rolling_resistance"
@@ -49,6 +48,8 @@ class Friction:
 
     Attributes
     ----------
+    friction_coefficient
+        μ between balls and races, (cases,)
     model
         of the friction in the contacts
     torque
@@ -60,210 +61,210 @@ class Friction:
     torque_by_source
         "spin", "rolling_slip", "hysteresis", "rolling_resistance": (cases,), N·m
     heat
-        the same sources, contact by contact: (cases, balls), W; sums up to the power
+        the same sources, contact by contact: (cases, elements), W; sums up to the power
+    film_parameter
+        the minimum λ of all contacts, (cases,); NaN where it is not known
     regime
         (cases,): "boundary", "mixed", "full_film" or "unknown"
     models
         every model that could be evaluated: its torque
-    verdicts
-        whether each of them holds here, and if not, why
+    validity
+        whether each of them is valid here, and if not, why
     """
 
+    friction_coefficient: FloatArray
     model: str
     torque: FloatArray
     starting_torque: FloatArray
     power: FloatArray
     torque_by_source: Mapping[str, FloatArray]
     heat: Mapping[str, ContactLoss]
+    film_parameter: FloatArray
     regime: NDArray[np.str_]
     models: Mapping[str, Torque]
-    verdicts: tuple[ModelVerdict, ...]
+    validity: tuple[ModelValidity, ...]
 
-    def holding(self, case: int = 0) -> tuple[str, ...]:
-        """Name the models that hold for a case."""
-        return tuple(found.model for found in self.verdicts if found.holds[case])
+    def valid_models(self, case: int = 0) -> tuple[str, ...]:
+        """Name the models that are valid for a case."""
+        return tuple(found.model for found in self.validity if found.valid[case])
 
     def to_mapping(self, case: int = 0) -> dict[str, Any]:
         """Give one case as plain mappings and lists in SI units, NaN as None."""
-        return {
-            "model": self.model,
-            "regime": str(self.regime[case]),
-            "torque": plain(self.torque[case]),
-            "starting_torque": plain(self.starting_torque[case]),
-            "power": plain(self.power[case]),
-            "torque_by_source": {k: plain(v[case]) for k, v in self.torque_by_source.items()},
-            "heat": [
-                {
-                    race: {k: plain(getattr(v, race)[case, j]) for k, v in self.heat.items()}
-                    for race in ("inner", "outer")
-                }
-                for j in range(self._ball_count)
-            ],
-            "models": [
-                {
-                    "model": found.model,
-                    "torque": plain(self.models[found.model].total[case]),
-                    "holds": bool(found.holds[case]),
-                    "notes": [name for name, where in found.notes.items() if where[case]],
-                }
-                for found in self.verdicts
-            ],
-        }
-
-    @property
-    def _ball_count(self) -> int:
-        return next((int(loss.inner.shape[1]) for loss in self.heat.values()), 0)
+        mapping: dict[str, Any] = plain(
+            {
+                "friction_coefficient": self.friction_coefficient[case],
+                "model": self.model,
+                "regime": str(self.regime[case]),
+                "torque": self.torque[case],
+                "starting_torque": self.starting_torque[case],
+                "power": self.power[case],
+                "torque_by_source": {k: part[case] for k, part in self.torque_by_source.items()},
+                "heat": {
+                    source: {"inner": loss.inner[case], "outer": loss.outer[case]}
+                    for source, loss in self.heat.items()
+                },
+                "models": {
+                    found.model: {
+                        "torque": self.models[found.model].total[case],
+                        "parts": {k: p[case] for k, p in self.models[found.model].parts.items()},
+                        "holds": found.valid[case],
+                        "reasons": [name for name, where in found.notes.items() if where[case]],
+                    }
+                    for found in self.validity
+                },
+            }
+        )
+        return mapping
 
 
 def friction(
-    state: State | BatchState,
+    solved: Solved,
     *,
-    friction_coefficient: ArrayLike,
-    model: ContactModel = "jones_full",
+    model: str = "jones_full",
+    friction_coefficient: ArrayLike | None = None,
     static_coefficient: ArrayLike | None = None,
-    hysteresis: ArrayLike = DEFAULT_LOSS,
+    hysteresis: ArrayLike = DEFAULT_HYSTERESIS,
     dynamic_viscosity: ArrayLike | None = None,
     film_parameter: ArrayLike | None = None,
     machine: MachineBearing | None = None,
     control: ControlChoice = "jones",
     compare: bool | None = None,
     mesh: EllipseMesh | None = None,
+    threads: int | None = None,
 ) -> Friction:
-    """Find torque, power and heat of friction in a solved bearing.
+    """Find torque, power and heat of friction in solved bearings.
+
+    With an oil at a known temperature its rolling resistance counts, and its film decides which
+    models are valid.
 
     Parameters
     ----------
-    state
-        A solved state, or a batch of them.
-    friction_coefficient
-        μ between balls and races, a number or one for each case.
+    solved
+        From `rolamento.solve`.
     model
-        Of the friction in the contacts.
+        Of the friction in the contacts: a name in `CONTACT_MODELS`.
+    friction_coefficient
+        μ between balls and races in the place of the lubricant's, a number or (cases,).
     static_coefficient
         μ at the first motion; μ itself if not given.
     hysteresis
         α_h of the material; 0 leaves hysteresis out.
     dynamic_viscosity
-        η₀ of the oil at the contacts' inlets, Pa·s; with it the oil's rolling resistance counts.
+        η₀ of the oil at the contacts' inlets in the place of the lubricant's, Pa·s.
     film_parameter
-        λ of the cases, if known: it decides which models hold.
+        λ of the cases in the place of the film's.
     machine
         Sizes, rating and lubricant, for Palmgren's and SKF's models beside.
     control
         Which race the balls roll on, for the models that need to know.
     compare
-        Whether to evaluate the other models of the contacts too; by default for a state, and
-        not for a batch.
+        Whether to evaluate the other models of the contacts too; by default of a single case only.
     mesh
         Points on the ellipses; 80 × 5 by default.
-
-    Returns
-    -------
-    Friction
+    threads
+        As many as there are processors by default.
 
     Raises
     ------
     InputError
-        For an unknown word, or a number out of range.
+        For an unknown word, a coefficient that is missing, or a number out of range.
     """
-    if model not in LOW_SPEED:
-        raise InputError(f"must be one of {', '.join(LOW_SPEED)}", field="model", value=model)
-    balls = loaded_balls(state)
-    mu = checked_coefficient(friction_coefficient, "friction_coefficient")
-    still = (
-        mu
-        if static_coefficient is None
-        else checked_coefficient(static_coefficient, "static_coefficient")
+    refuse_other(solved, "friction")
+    if model not in CONTACT_MODELS:
+        raise InputError(
+            f"must be one of {', '.join(CONTACT_MODELS)}",
+            field="model",
+            value=model,
+            example='model="jones_full"',
+        )
+    mu = friction_coefficient
+    if mu is None:
+        mu = solved.field("lubricant.friction_coefficient")
+        if np.all(np.isnan(mu)) and len(solved):
+            raise InputError(
+                "is missing: friction rests on it",
+                field="lubricant.friction_coefficient",
+                example="friction_coefficient=0.1",
+            )
+    viscosity, known = dynamic_viscosity, film_parameter
+    if has_film(solved):
+        if viscosity is None:
+            viscosity = np.where(solved.converged, oil_of(solved).dynamic_viscosity, 0.0)
+    elif known is None:
+        known = np.nan
+
+    def column(value: ArrayLike, name: str) -> FloatArray:
+        return over_cases(checked_coefficient(value, name), name, len(solved))
+
+    cases = len(solved)
+    if viscosity is not None:
+        checked_positive(viscosity, "dynamic_viscosity", zero=True)
+        viscosity = over_cases(viscosity, "dynamic_viscosity", cases)
+    setting = Setting(
+        solved,
+        friction_coefficient=column(mu, "friction_coefficient"),
+        static_coefficient=column(
+            mu if static_coefficient is None else static_coefficient, "static_coefficient"
+        ),
+        hysteresis=column(hysteresis, "hysteresis"),
+        dynamic_viscosity=viscosity,
+        film_parameter=None if known is None else over_cases(known, "film_parameter", cases),
+        control=control,
+        mesh=mesh,
+        machine=machine,
     )
-    wanted = LOW_SPEED if _compares(state, compare) else (model,)
-    models = {name: _contact_model(name, balls, mu[:, 0], control, mesh) for name in wanted}
-    chosen = models[model]
-    slow = _hysteresis(balls, hysteresis, control)
-    oil = _oil(balls, dynamic_viscosity)
-    regime = film_regime(film_parameter, len(chosen.total))
-    compared = {**models, **_machine_models(state, balls, machine)}
-    sources = [chosen, slow, *([] if oil is None else [oil])]
+    compared = len(solved) == 1 if compare is None else compare
+    return in_blocks(lambda some: _friction_of(some, model, compared), setting, threads)
+
+
+def _friction_of(setting: Setting, model: str, compare: bool) -> Friction:
+    thinnest = setting.film_parameter
+    if thinnest is None:
+        thinnest = film(setting.solved, threads=1).minimum_film_parameter[:, np.newaxis]
+        setting = replace(setting, film_parameter=thinnest)
+    models = {
+        name: own.evaluate(setting)
+        for name, own in TORQUE_MODELS.items()
+        if name == model or ((compare or not own.of_contacts) and setting.supplies(own.needs))
+    }
+    beside = [_hysteresis(setting)]
+    if setting.dynamic_viscosity is not None:
+        beside.append(_rolling_resistance(setting, setting.dynamic_viscosity))
+    sources = [models[model], *beside]
+    mu = setting.friction_coefficient
     with np.errstate(divide="ignore", invalid="ignore"):
-        lift = np.where(mu > 0.0, still / mu, 1.0)[:, 0]
-    torque = np.sum([source.total for source in sources], axis=0)
+        lift = np.where(mu > 0.0, setting.static_coefficient / mu, 1.0)[:, 0]
     return Friction(
+        friction_coefficient=mu[:, 0],
         model=model,
-        torque=torque,
-        starting_torque=lift * chosen.total + slow.total,
+        torque=np.sum([source.total for source in sources], axis=0),
+        starting_torque=lift * models[model].total + beside[0].total,
         power=np.sum([source.power for source in sources], axis=0),
         torque_by_source={k: v for source in sources for k, v in source.parts.items()},
         heat={k: v for source in sources for k, v in source.losses.items()},
-        regime=regime,
-        models=compared,
-        verdicts=tuple(
-            verdict(
-                name,
-                balls,
-                mu,
-                regime,
-                found.converged,
-                other_angle=name == skf.NAME and machine is not None and machine.skf_angle_differs,
-            )
-            for name, found in compared.items()
+        film_parameter=thinnest[:, 0],
+        regime=setting.regime,
+        models=models,
+        validity=tuple(
+            validity_of(TORQUE_MODELS[name], setting, found.converged)
+            for name, found in models.items()
         ),
     )
 
 
-def _compares(state: State | BatchState, compare: bool | None) -> bool:
-    return isinstance(state, State) if compare is None else compare
+def _hysteresis(setting: Setting) -> Torque:
+    solved = setting.solved
+    motion = unit_motion(solved, controlling_race(solved, setting.control))
+    lost = hysteresis_loss(solved, motion, setting.hysteresis)
+    return torque_of_losses(HYSTERESIS, solved, {HYSTERESIS: lost}, has_result(solved))
 
 
-def _contact_model(
-    name: str,
-    balls: LoadedBalls,
-    mu: FloatArray,
-    control: ControlChoice,
-    mesh: EllipseMesh | None,
-) -> Torque:
-    """One model of the contacts, without hysteresis."""
-    if name == jones_full.NAME:
-        return jones_full.jones_full(balls, mu, mesh=mesh)
-    if name == jones_control.NAME:
-        return jones_control.jones_control(balls, mu, control=control, mesh=mesh)
-    if name == jones_simplified.NAME:
-        return jones_simplified.jones_simplified(balls, mu, control=control)
-    if name == harris_1971.NAME:
-        return harris_1971.harris_1971(balls, mu)
-    return _without_hysteresis(todd.todd(balls, mu, hysteresis=0.0, control=control))
-
-
-def _without_hysteresis(torque: Torque) -> Torque:
-    """Todd's torque without the source that is counted for every model."""
-    parts = {name: part for name, part in torque.parts.items() if name != HYSTERESIS}
-    losses = {name: loss for name, loss in torque.losses.items() if name != HYSTERESIS}
-    return Torque(torque.model, torque.total, parts, torque.power, torque.converged, losses)
-
-
-def _hysteresis(balls: LoadedBalls, loss: ArrayLike, control: ControlChoice) -> Torque:
-    lost = checked_coefficient(loss, "hysteresis")
-    motion = unit_motion(balls, controlling_race(balls, control))
-    return torque_of_losses(
-        HYSTERESIS, balls, {HYSTERESIS: hysteresis_loss(balls, motion, lost)}, balls.solved
-    )
-
-
-def _oil(balls: LoadedBalls, viscosity: ArrayLike | None) -> Torque | None:
-    """The oil's rolling resistance as a torque; none where no viscosity is given."""
-    if viscosity is None:
-        return None
-    speed = np.abs(balls.relative_speed)
+def _rolling_resistance(setting: Setting, viscosity: FloatArray) -> Torque:
+    """The oil's rolling resistance as a torque."""
+    solved = setting.solved
+    speed = np.abs(relative_speed(solved))[:, np.newaxis]
     turning = np.where(speed > 0.0, speed, 1.0)
-    unit = rolling_resistance_loss(balls, viscosity).scaled(1.0 / turning)
-    return torque_of_losses(ROLLING_RESISTANCE, balls, {ROLLING_RESISTANCE: unit}, balls.solved)
-
-
-def _machine_models(
-    state: State | BatchState, balls: LoadedBalls, machine: MachineBearing | None
-) -> dict[str, Torque]:
-    if machine is None:
-        return {}
-    found = {palmgren.NAME: palmgren_torque(state, balls, machine)}
-    moment = skf_moment_of(state, balls, machine)
-    if moment is not None:
-        found[skf.NAME] = skf.skf_torque(moment, balls.relative_speed[:, 0])
-    return {name: torque for name, torque in found.items() if torque is not None}
+    unit = rolling_resistance_loss(solved, viscosity[:, 0]).scaled(1.0 / turning)
+    return torque_of_losses(
+        ROLLING_RESISTANCE, solved, {ROLLING_RESISTANCE: unit}, has_result(solved)
+    )

@@ -9,31 +9,45 @@ from __future__ import annotations
 
 from typing import Final
 
+import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento.friction.closed_forms import rolling_slip_loss, spin_loss
-from rolamento.friction.control import ControlChoice, controlling_race, unit_motion
-from rolamento.friction.hysteresis import DEFAULT_LOSS, hysteresis_loss
-from rolamento.friction.loaded_balls import LoadedBalls
-from rolamento.friction.torque import Torque, checked_coefficient, torque_of_losses
-
-NAME: Final = "todd"
+from rolamento.friction.closed_forms import (
+    DEFAULT_HYSTERESIS,
+    rolling_moment,
+    spin_moment,
+)
+from rolamento.friction.model import (
+    ControlChoice,
+    Setting,
+    Torque,
+    TorqueModel,
+    checked_coefficient,
+    controlling_race,
+    has_result,
+    hysteresis_loss,
+    limits_of_dry_friction,
+    loss_at_rates,
+    torque_of_losses,
+    unit_motion,
+)
+from rolamento.solved import Solved
 
 
 def todd(
-    balls: LoadedBalls,
+    solved: Solved,
     coefficient: ArrayLike,
     *,
-    hysteresis: ArrayLike = DEFAULT_LOSS,
+    hysteresis: ArrayLike | None = DEFAULT_HYSTERESIS,
     control: ControlChoice = "jones",
 ) -> Torque:
     """Torque of Todd's model, for dry or boundary friction at low speed.
 
     Parameters
     ----------
-    balls : of solved cases.
+    solved : cases.
     coefficient : μ, a number or (cases,).
-    hysteresis : α_h, likewise; 0 leaves hysteresis out.
+    hysteresis : α_h, likewise; None leaves that part out.
     control : which race the balls roll on; by default that with the greater resistance to spin.
 
     Returns
@@ -41,12 +55,37 @@ def todd(
     Torque; parts "spin", "rolling_slip" and "hysteresis".
     """
     mu = checked_coefficient(coefficient, "friction_coefficient")
-    lost = checked_coefficient(hysteresis, "hysteresis")
-    held = controlling_race(balls, control)
-    motion = unit_motion(balls, held)
+    held = controlling_race(solved, control)
+    motion = unit_motion(solved, held)
+    inner_roll = np.where(held < 0, motion.inner_roll, 0.0)
+    outer_roll = np.where(held > 0, motion.outer_roll, 0.0)
     losses = {
-        "spin": spin_loss(balls, motion, mu),
-        "rolling_slip": rolling_slip_loss(balls, motion, mu, at_inner=held < 0, at_outer=held > 0),
-        "hysteresis": hysteresis_loss(balls, motion, lost),
+        "spin": loss_at_rates(
+            solved, lambda patch: spin_moment(patch, mu), motion.inner_spin, motion.outer_spin
+        ),
+        "rolling_slip": loss_at_rates(
+            solved, lambda patch: rolling_moment(patch, mu), inner_roll, outer_roll
+        ),
     }
-    return torque_of_losses(NAME, balls, losses, balls.solved)
+    if hysteresis is not None:
+        lost = checked_coefficient(hysteresis, "hysteresis")
+        losses["hysteresis"] = hysteresis_loss(solved, motion, lost)
+    return torque_of_losses(MODEL.name, solved, losses, has_result(solved))
+
+
+def _of_contacts(setting: Setting) -> Torque:
+    """Without hysteresis, which is counted for every model."""
+    mu = setting.friction_coefficient[:, 0]
+    return todd(setting.solved, mu, hysteresis=None, control=setting.control)
+
+
+MODEL: Final = TorqueModel(
+    name="todd",
+    title="Todd",
+    short_title="Todd",
+    long_title="Todd's model",
+    needs=("friction_coefficient",),
+    evaluate=_of_contacts,
+    limits=limits_of_dry_friction,
+    closed_form=True,
+)

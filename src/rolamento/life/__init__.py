@@ -1,16 +1,18 @@
 """Rating and fatigue life: one file a theory, one record for all of them.
 
-Pure functions of arrays first; `life` and `life_of_batch` gather all theories for solved cases,
+Pure functions of arrays first; `life` gathers all theories for solved cases,
 `sensitivity` tells what would help.
 """
 
 from rolamento.life.conditions import LifeConditions, conditions_of, with_lubricant
 from rolamento.life.headline import Headline
-from rolamento.life.record import Life, Limit
+from rolamento.life.record import Life
 from rolamento.life.sensitivity import Change, sensitivity
-from rolamento.life.summary import LifeSummary, life, life_of_batch
+from rolamento.life.summary import LifeSummary, Limit, life
+from rolamento.life.theories import THEORIES
 
 __all__ = [
+    "THEORIES",
     "Change",
     "Headline",
     "Life",
@@ -19,7 +21,6 @@ __all__ = [
     "Limit",
     "conditions_of",
     "life",
-    "life_of_batch",
     "sensitivity",
     "with_lubricant",
 ]

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento._data import toml_of
+from rolamento._reach import numbers
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 
@@ -25,10 +26,7 @@ def positive(value: ArrayLike, field: str, *, zero: bool = False) -> FloatArray:
     InputError
         If one is below.
     """
-    try:
-        array = np.asarray(value, dtype=np.float64)
-    except (TypeError, ValueError):
-        raise InputError("must be a number, or an array of them", field=field) from None
+    array = numbers(value, field)
     low = array < 0.0 if zero else array <= 0.0
     if np.any(low):
         raise InputError(
@@ -48,8 +46,8 @@ def within(value: ArrayLike, field: str, least: float, most: float, example: str
         If one lies outside, or is not a number.
     """
     try:
-        array = np.asarray(value, dtype=np.float64)
-    except (TypeError, ValueError):
+        array = numbers(value, field)
+    except InputError:
         array = np.asarray(np.nan)
     outside = ~((array >= least) & (array <= most))
     if np.any(outside):

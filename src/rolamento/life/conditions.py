@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento.case import Case
-from rolamento.case.life_model import LifeModel
+from rolamento.case.life_model import LifeModel, TallianFactors
 from rolamento.errors import InputError
 from rolamento.life._figures import positive, within
 from rolamento.life.contamination import (
@@ -24,6 +24,7 @@ from rolamento.life.l_able import FactorTable
 from rolamento.life.reliability import RATING_RELIABILITY, Edition, reliability_factor
 from rolamento.lubrication.oil_state import oil_state
 from rolamento.numerics import FloatArray
+from rolamento.solved import Solved
 
 FatigueLoad = Literal["contacts", "estimate"]
 
@@ -77,6 +78,8 @@ class LifeConditions:
         a_c, for L_able
     nsk_table
         a_NSK as read off the maker's chart; without it a_ISO stands in
+    tallian_subsurface, tallian_surface
+        factors of Tallian's form, by the origin of the failure
     inner_turning, outer_turning
         whether a ring turns against the load; by default those with a speed, and the inner where
         none has
@@ -108,6 +111,8 @@ class LifeConditions:
     depth: Depth = "local"
     nsk_cleanliness: ArrayLike | None = None
     nsk_table: FactorTable | None = None
+    tallian_subsurface: TallianFactors | None = None
+    tallian_surface: TallianFactors | None = None
     inner_turning: bool | None = None
     outer_turning: bool | None = None
     wanted_life: float | None = None
@@ -139,23 +144,21 @@ class LifeConditions:
             positive(self.fatigue_load_limit, "fatigue_load_limit")
 
 
-def conditions_of(case: Case, values: Mapping[str, ArrayLike] | None = None) -> LifeConditions:
+def conditions_of(source: Case | Solved) -> LifeConditions:
     """Return what a case says of its life: the [life] table, its designation, its lubricant.
 
     Parameters
     ----------
-    case
-        The one that was solved.
-    values
-        What varies over the cases of a batch: arrays (cases,) by the dotted names of fields, such
-        as ``"life.contamination"`` or ``"temperature.lubricant"``; SI.
+    source
+        A case, or solved ones: of these, what varied is an array (cases,).
 
     Raises
     ------
     InputError
         If the lubricant is dirtier than all classes of the standard.
     """
-    model, varied = case.life or LifeModel(), values or {}
+    case, varied = _case_and_varied(source)
+    model = case.life or LifeModel()
 
     def number(name: str) -> Any:
         given = varied.get(f"life.{name}")
@@ -172,12 +175,22 @@ def conditions_of(case: Case, values: Mapping[str, ArrayLike] | None = None) -> 
         additives=model.additives,
         fatigue_load_limit=model.fatigue_load_method if limit is None else limit,
         depth=model.depth,
+        tallian_subsurface=model.tallian_subsurface,
+        tallian_surface=model.tallian_surface,
         bearing_temperature=_hottest(case, varied),
         inner_turning=False if model.rotating_load else None,
         outer_turning=True if model.rotating_load else None,
     )
     rated = _with_published_ratings(conditions, case)
-    return with_lubricant(rated, case, varied.get("temperature.lubricant"))
+    return with_lubricant(rated, source)
+
+
+def _case_and_varied(source: Case | Solved) -> tuple[Case, Mapping[str, FloatArray]]:
+    """A case, and what varied from it of life and temperatures."""
+    if isinstance(source, Case):
+        return source, {}
+    names = (name for name in source.varied if name.startswith(("life.", "temperature.")))
+    return source.case, {name: source.field(name) for name in names}
 
 
 _NUMBERS: Final = (
@@ -191,7 +204,7 @@ _NUMBERS: Final = (
 )
 
 
-def _hottest(case: Case, varied: Mapping[str, ArrayLike]) -> FloatArray | None:
+def _hottest(case: Case, varied: Mapping[str, FloatArray]) -> FloatArray | None:
     """Temperature of the hottest of rings and balls, K; None where none is given."""
     found = []
     for part in ("inner_ring", "outer_ring", "balls"):
@@ -234,21 +247,18 @@ def _with_published_ratings(conditions: LifeConditions, case: Case) -> LifeCondi
     return replace(conditions, **taken, sources=sources)
 
 
-def with_lubricant(
-    conditions: LifeConditions, case: Case, temperature: ArrayLike | None = None
-) -> LifeConditions:
-    """Fill in viscosity and temperature from the case's lubricant, where they are not given.
+def with_lubricant(conditions: LifeConditions, source: Case | Solved) -> LifeConditions:
+    """Fill in viscosity and temperature from the lubricant, where they are not given.
 
     Without a lubricant, or its temperature, or with a dry one, the conditions stay as they are.
 
     Parameters
     ----------
-    conditions, case
-        What is to be filled in, and from what.
-    temperature
-        Of the lubricant, in the place of the case's: a number or (cases,), K.
+    conditions, source
+        What is to be filled in, and from what: a case, or solved ones.
     """
-    warm = case.lubricant_temperature if temperature is None else temperature
+    case, varied = _case_and_varied(source)
+    warm = varied.get("temperature.lubricant", case.lubricant_temperature)
     if case.lubricant is None or case.lubricant.kind == "dry" or warm is None:
         return conditions
     kelvin = np.asarray(warm, dtype=np.float64)

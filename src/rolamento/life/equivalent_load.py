@@ -18,11 +18,12 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rolamento._reach import numbers
 from rolamento.errors import InputError
 from rolamento.life._figures import figures, positive
 from rolamento.numerics import FloatArray
 
-STEEPEST: Final = float(np.radians(45.0))
+MAXIMUM_ANGLE: Final = float(np.radians(45.0))
 """Beyond it a bearing is a thrust bearing, with tables of its own."""
 _ROUNDING: Final = 1e-9
 _SAME_AS: Final = {"e2": "e"}
@@ -74,7 +75,7 @@ def load_factors(
     ISO 281:2007, table 3.
     """
     angle, load = np.broadcast_arrays(
-        _angle(contact_angle), np.asarray(relative_axial_load, dtype=np.float64) * 1e-6
+        _angle(contact_angle), numbers(relative_axial_load, "relative_axial_load") * 1e-6
     )
     names = ("X2", "Y2", "Y1", "e2") if double_row else ("X", "Y", "Y1", "e")
     radial, axial, below, limit = (_interpolated(name, angle, load) for name in names)
@@ -144,8 +145,8 @@ def static_safety(static_rating: ArrayLike, static_equivalent: ArrayLike) -> Flo
 
 
 def _angle(contact_angle: ArrayLike) -> FloatArray:
-    angle = np.asarray(contact_angle, dtype=np.float64)
-    if np.any((angle < 0.0) | (angle > STEEPEST * (1.0 + _ROUNDING))):
+    angle = numbers(contact_angle, "contact_angle")
+    if np.any((angle < 0.0) | (angle > MAXIMUM_ANGLE * (1.0 + _ROUNDING))):
         raise InputError(
             "must be from 0 to 45°: beyond it a thrust bearing, with tables of its own, begins",
             field="contact_angle",

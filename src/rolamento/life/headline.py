@@ -20,15 +20,15 @@ Sources: ISO 281:2007, 9.3.3; ADR 0010.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import isfinite
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from rolamento.life import theories as by
-from rolamento.life.modified import LEAST_RATIO, MOST_RATIO, bounded_modification_factor
-from rolamento.life.record import BOUNDS, OUTSIDE, Life
+from rolamento.life.basis import Basis
+from rolamento.life.iso281_modified import MAXIMUM_RATIO, MINIMUM_RATIO, bounded_modification_factor
+from rolamento.life.iso16281_modified import THEORY as MODIFIED_REFERENCE
+from rolamento.life.record import BOUNDS, OUTSIDE, Life, finite
 from rolamento.numerics import BoolArray, FloatArray
 
 __all__ = ["Headline", "headline_of"]
@@ -48,14 +48,14 @@ class Headline:
     reliability
         S that it is for
     life, hours
-        millions of revolutions and hours; NaN where there is none. Where neither `holds` nor
+        millions of revolutions and hours; NaN where there is none. Where neither `valid` nor
         `below` is true this is what the formula gives, and not to be relied on
-    holds
+    valid
         whether the theory is for such a case
     below
         whether the number is a bound, and the life less
     reason
-        name in `NOTES`: why it is a bound, or why nothing leads; empty where the life holds
+        name in `NOTES`: why it is a bound, or why nothing leads; empty where the life is valid
     factor
         of the basic reference life: a_1 a_ISO
     """
@@ -64,7 +64,7 @@ class Headline:
     reliability: float
     life: FloatArray
     hours: FloatArray
-    holds: BoolArray
+    valid: BoolArray
     below: BoolArray
     reason: Names
     factor: FloatArray
@@ -72,23 +72,23 @@ class Headline:
     @property
     def leads(self) -> BoolArray:
         """(cases,): whether there is a life, or a bound of it, to go by."""
-        return np.asarray(self.holds | self.below)
+        return np.asarray(self.valid | self.below)
 
     def to_mapping(self, case: int = 0) -> dict[str, Any]:
         """Give one case as plain values; NaN as None, endless life as None beside "endless"."""
         return {
             "theory": str(self.theory[case]) or None,
             "reliability": self.reliability,
-            "life": _finite(self.life[case]),
-            "hours": _finite(self.hours[case]),
+            "life": finite(self.life[case]),
+            "hours": finite(self.hours[case]),
             "endless": bool(np.isposinf(self.life[case])),
-            "holds": bool(self.holds[case]),
+            "holds": bool(self.valid[case]),
             "below": bool(self.below[case]),
             "reason": str(self.reason[case]) or None,
         }
 
 
-def headline_of(basis: by.Basis, modified: Life | None, basic: Life) -> Headline:
+def headline_of(basis: Basis, modified: Life | None, basic: Life) -> Headline:
     """Choose the life that leads.
 
     Parameters
@@ -106,13 +106,13 @@ def headline_of(basis: by.Basis, modified: Life | None, basic: Life) -> Headline
     binds = bound < 1.0
     share = np.where(binds, bound, 1.0)
     found = _headline(basic, basic.factors["a_1"] * share)
-    below = binds & found.holds
+    below = binds & found.valid
     return Headline(
-        theory=np.where(binds, by.MODIFIED_REFERENCE, found.theory).astype(_NAME),
+        theory=np.where(binds, MODIFIED_REFERENCE.name, found.theory).astype(_NAME),
         reliability=found.reliability,
         life=found.life * share,
         hours=found.hours * share,
-        holds=np.asarray(found.holds & ~binds),
+        valid=np.asarray(found.valid & ~binds),
         below=np.asarray(below),
         reason=np.where(below, reason, found.reason).astype(_NAME),
         factor=found.factor,
@@ -126,7 +126,7 @@ def _headline(record: Life, factor: FloatArray) -> Headline:
         reliability=record.reliability,
         life=record.life,
         hours=record.hours,
-        holds=record.holds,
+        valid=record.valid,
         below=record.below,
         reason=_reason(record),
         factor=np.asarray(np.broadcast_to(factor, cases)),
@@ -143,23 +143,20 @@ def _reason(record: Life) -> Names:
     return found
 
 
-def _half_known(basis: by.Basis, basic: Life) -> tuple[FloatArray, Names]:
+def _half_known(basis: Basis, basic: Life) -> tuple[FloatArray, Names]:
     """a_ISO with the best that may be where one of κ and e_C is unknown, and the note for it."""
-    cases = len(basis.balls)
-    ratio, clean = basis.viscosity_ratio, by.cleanliness_at_best(basis)
+    cases = len(basis)
+    ratio = basis.viscosity_ratio
+    clean = basis.cleanliness_at(np.full(cases, MAXIMUM_RATIO) if ratio is None else ratio)
     if ratio is None and clean is None:
         return np.full(cases, np.inf), np.full(cases, "", dtype=_NAME)
-    kappa = np.full(cases, MOST_RATIO) if ratio is None else ratio
+    kappa = np.full(cases, MAXIMUM_RATIO) if ratio is None else ratio
     dirt = np.ones(cases) if clean is None else clean
     load = basic.factors["equivalent_load"]
     factor = bounded_modification_factor(
         kappa, dirt, basis.ratings.fatigue_of_set, load, additives=basis.given.additives
     )
     reason = np.full(cases, "viscosity_unknown" if ratio is None else "contamination_unknown")
-    reason = np.where(kappa < LEAST_RATIO, "viscosity_ratio_too_small", reason)
+    reason = np.where(kappa < MINIMUM_RATIO, "viscosity_ratio_too_small", reason)
     reason = np.where(dirt <= 0.0, "contamination_severe", reason)
     return np.where(np.isnan(factor), np.inf, factor), reason.astype(_NAME)
-
-
-def _finite(value: float) -> float | None:
-    return float(value) if isfinite(value) else None

@@ -25,17 +25,24 @@ Source: Ioannides and Harris (1985); Campanha (2008), eq. 2.6.5; Lundberg and Pa
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Final, Literal, get_args
+from typing import TYPE_CHECKING, Final, Literal, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rolamento._reach import numbers
 from rolamento.contact.subsurface import orthogonal_shear
 from rolamento.errors import InputError
 from rolamento.life._figures import positive
-from rolamento.life.reference import SLOPE, ReferenceLife, system_life
+from rolamento.life.iso16281 import SLOPE, ReferenceLife, system_life
 from rolamento.life.shear_field import FieldMesh, shear_integrals
+from rolamento.life.theory import OF_BEARING, Theory
 from rolamento.numerics import FloatArray
+
+if TYPE_CHECKING:
+    from rolamento.life.basis import Basis
+    from rolamento.life.record import Life
+    from rolamento.solved import Contacts
 
 Depth = Literal["local", "mean"]
 
@@ -43,7 +50,7 @@ FATIGUE_LIMIT: Final = 374e6
 """τ_u of bearing steel: the orthogonal shear under 1500 MPa of a usual contact ellipse; Pa."""
 STRESS_EXPONENT: Final = 31.0 / 3.0
 DEPTH_EXPONENT: Final = 7.0 / 3.0
-_GREATEST_SHEAR: Final = 0.25
+_MAXIMUM_SHEAR: Final = 0.25
 """τ_0/p0 of a line contact; every ellipse has less."""
 
 
@@ -74,7 +81,7 @@ def fatigue_limit_of_pressure(pressure: ArrayLike, ellipticity: ArrayLike) -> Fl
 
 
 def risk_integral(
-    contacts: Ellipses,
+    contacts: Ellipses | Contacts,
     fatigue_limit: ArrayLike,
     *,
     depth: Depth = "local",
@@ -106,7 +113,7 @@ def risk_integral(
     )
     result = np.where(np.isnan(p0), np.nan, 0.0)
     with np.errstate(invalid="ignore"):
-        harmed = (p0 > 0.0) & (limit < _GREATEST_SHEAR * p0)
+        harmed = (p0 > 0.0) & (limit < _MAXIMUM_SHEAR * p0)
     a, b, p0 = a[harmed], b[harmed], p0[harmed]
     found = shear_integrals(
         limit[harmed] / p0,
@@ -122,27 +129,28 @@ def risk_integral(
     return np.asarray(result)
 
 
-def race_risk(integral: ArrayLike, *, turning: ArrayLike) -> FloatArray:
+def race_risk(integral: ArrayLike, *, turning: ArrayLike, slope: float = SLOPE) -> FloatArray:
     """Risk of a race from its balls' integrals.
 
     Parameters
     ----------
     integral : array (…, Z).
     turning : array that broadcasts with (…), whether the race turns against the load.
+    slope : Weibull's e.
 
     Returns
     -------
     Array (…), in the unit of the integrals.
     """
-    one = np.asarray(integral, dtype=np.float64)
-    by_damage = np.mean(one ** (1.0 / SLOPE), axis=-1) ** SLOPE
+    one = numbers(integral, "integral")
+    by_damage = np.mean(one ** (1.0 / slope), axis=-1) ** slope
     return np.asarray(np.where(turning, by_damage, np.mean(one, axis=-1)))
 
 
 def stress_volume_life(
     reference: ReferenceLife,
-    inner: Ellipses,
-    outer: Ellipses,
+    inner: Ellipses | Contacts,
+    outer: Ellipses | Contacts,
     row_starts: tuple[int, ...] = (0,),
     *,
     fatigue_limit: ArrayLike = FATIGUE_LIMIT,
@@ -166,7 +174,7 @@ def stress_volume_life(
     -------
     StressVolumeLife; infinite where no point of a race exceeds the limit.
     """
-    limit = np.asarray(fatigue_limit, dtype=np.float64).reshape(-1, 1)
+    limit = numbers(fatigue_limit, "fatigue_limit").reshape(-1, 1)
     races = []
     for contacts, basic, turning in (
         (inner, reference.inner, inner_turning),
@@ -206,6 +214,36 @@ def material_constant(
     race_radius : array, r; m.
         All broadcast against each other.
     """
-    cycles = np.asarray(life) * 1e6 * np.asarray(cycles_per_revolution)
-    volume = 2.0 * np.pi * np.asarray(race_radius) * np.asarray(risk)
+    cycles = numbers(life, "life") * 1e6 * numbers(cycles_per_revolution, "cycles_per_revolution")
+    volume = 2.0 * np.pi * numbers(race_radius, "race_radius") * numbers(risk, "risk")
     return np.asarray(-np.log(0.9) / (cycles**SLOPE * volume))
+
+
+def _evaluate(basis: Basis) -> Life:
+    (inner, outer), reference = basis.turning, basis.reference
+    found = stress_volume_life(
+        reference,
+        basis.solved.inner,
+        basis.solved.outer,
+        tuple(basis.solved.rows.starts.tolist()),
+        fatigue_limit=basis.over_cases("fatigue_limit"),
+        inner_turning=inner,
+        outer_turning=outer,
+        depth=basis.given.depth,
+    )
+    notes = {
+        "no_surface_stress": np.ones(len(basis), dtype=np.bool_),
+        "below_fatigue_limit": np.isinf(found.life) & np.isfinite(reference.life),
+    }
+    return basis.record(THEORY.name, found.life, {"a_1": basis.reliability_factor}, notes)
+
+
+THEORY: Final = Theory(
+    name="ioannides_harris",
+    title="by Ioannides and Harris",
+    evaluate=_evaluate,
+    validity=OF_BEARING,
+    rank=4,
+    bound=True,
+    slow=True,
+)

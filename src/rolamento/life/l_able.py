@@ -17,17 +17,32 @@ table 2.6.3.
 
 from __future__ import annotations
 
+import os
 from dataclasses import dataclass
-from typing import Final
+from math import isfinite
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento.errors import InputError
+from rolamento._reach import numbers
+from rolamento.errors import FileError, InputError
 from rolamento.life._figures import positive
-from rolamento.life.basic import load_notes
-from rolamento.life.reference import SLOPE
+from rolamento.life.iso281 import load_notes
+from rolamento.life.iso281_modified import life_modification_factor
+from rolamento.life.iso16281 import SLOPE
+from rolamento.life.theory import (
+    OF_BEARING,
+    OF_EQUIVALENT_LOAD,
+    VISCOSITY_RATIO,
+    Need,
+    Theory,
+)
 from rolamento.numerics import BoolArray, FloatArray
+
+if TYPE_CHECKING:
+    from rolamento.life.basis import Basis
+    from rolamento.life.record import Life
 
 CLEANLINESS: Final = {
     "very_clean": (1.0, 1.0),
@@ -37,11 +52,18 @@ CLEANLINESS: Final = {
     "very_contaminated": (0.05, 0.05),
 }
 """a_c by word, least and most: filters to 10, 30, 100 µm, coarser, none. Campanha, table 2.6.3."""
-LEAST_SPEED: Final = 20.0
+MINIMUM_SPEED: Final = 20.0
 """r/min."""
-HOTTEST: Final = 130.0 + 273.15
+MAXIMUM_TEMPERATURE: Final = 130.0 + 273.15
 """K."""
-_MOST_POINTS: Final = 10_000
+_MAXIMUM_POINTS: Final = 10_000
+_MAXIMUM_ROWS: Final = 1000
+_NAMES: Final = {
+    "viscosity_ratio": "κ of the rows",
+    "load_parameter": "load parameters of the header",
+    "factor": "a_NSK",
+}
+_EXAMPLE: Final = "kappa,0.01,0.05,0.2"
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -70,8 +92,8 @@ class FactorTable:
     def __post_init__(self) -> None:
         for name in ("viscosity_ratio", "load_parameter", "factor"):
             array = np.array(positive(getattr(self, name), name))
-            if not np.all(np.isfinite(array)) or array.size > _MOST_POINTS:
-                raise InputError(f"must be at most {_MOST_POINTS} finite numbers", field=name)
+            if not np.all(np.isfinite(array)) or array.size > _MAXIMUM_POINTS:
+                raise InputError(f"must be at most {_MAXIMUM_POINTS} finite numbers", field=name)
             object.__setattr__(self, name, array)
         for name in ("viscosity_ratio", "load_parameter"):
             axis = getattr(self, name)
@@ -89,7 +111,7 @@ class FactorTable:
         A load parameter of 0 or less (P ≤ P_u) gives infinity: the fatigue limit is not reached.
         """
         kappa, load = np.broadcast_arrays(
-            np.asarray(viscosity_ratio, np.float64), np.asarray(load_parameter, np.float64)
+            numbers(viscosity_ratio, "viscosity_ratio"), numbers(load_parameter, "load_parameter")
         )
         with np.errstate(divide="ignore", invalid="ignore"):
             row, row_share = _placed(np.log(kappa), np.log(self.viscosity_ratio))
@@ -103,6 +125,61 @@ class FactorTable:
         return np.where(load <= 0.0, np.inf, np.exp(low * (1.0 - row_share) + high * row_share))
 
 
+def read_factor_table(
+    path: str | os.PathLike[str], *, decimal_mark: str | None = None
+) -> FactorTable:
+    """Read a table of a_NSK.
+
+    Parameters
+    ----------
+    path
+        Comma-separated values. The header has any word, then the load parameters (P - P_u)/(C a_c)
+        of the columns, rising; every row below has κ, rising from row to row, and a_NSK.
+    decimal_mark
+        ``"point"`` or ``"comma"``, where nothing in the table tells whether 1.500 is 1.5.
+
+    Raises
+    ------
+    FileError
+        If it is not such a file; with line and column.
+    """
+    from rolamento._tables import read_table
+
+    table = read_table(path, most_rows=_MAXIMUM_ROWS, example=_EXAMPLE).plain(decimal_mark)
+    loads = [_cell(text, table.source, table.header_line, text) for text in table.header[1:]]
+    rows = [
+        [
+            _cell(text, table.source, line, "κ" if column == 0 else table.header[column])
+            for column, text in enumerate(cells)
+        ]
+        for cells, line in zip(table.rows, table.lines, strict=True)
+    ]
+    if len(loads) < 2 or len(rows) < 2:
+        raise FileError(
+            "needs at least two rows (κ) of two columns (load parameters)",
+            source=table.source,
+            example=_EXAMPLE,
+        )
+    array = np.array(rows)
+    try:
+        return FactorTable(array[:, 0], np.array(loads), array[:, 1:])
+    except InputError as error:
+        field = _NAMES.get(error.field, error.field)
+        raise error.with_details(source=table.source, field=field) from None
+
+
+def _cell(text: str, source: str, line: int, column: str) -> float:
+    try:
+        value = float(text)
+    except ValueError:
+        value = float("nan")
+    if not isfinite(value):
+        raise FileError(
+            "must be a number", field=column, value=text, source=source, line=line, example="0.5"
+        )
+    return value
+
+
 def load_parameter(
     equivalent_load: ArrayLike,
     fatigue_load_limit: ArrayLike,
@@ -112,7 +189,9 @@ def load_parameter(
     """(P - P_u)/(C a_c), over which the maker's curves are drawn; arrays, N."""
     rating = positive(dynamic_rating, "dynamic_rating")
     clean = positive(contamination_factor, "contamination_factor")
-    excess = np.asarray(equivalent_load) - np.asarray(fatigue_load_limit)
+    excess = numbers(equivalent_load, "equivalent_load") - numbers(
+        fatigue_load_limit, "fatigue_load_limit"
+    )
     return np.asarray(excess / (rating * clean))
 
 
@@ -131,11 +210,11 @@ def refusals(
     speed : array, of the rings against each other; rad/s.
     temperature : array, of the bearing; K, NaN if unknown.
     """
-    turns = np.abs(np.asarray(speed, dtype=np.float64)) * 30.0 / np.pi
+    turns = np.abs(numbers(speed, "speed")) * 30.0 / np.pi
     return {
         **load_notes(equivalent_load, dynamic_rating, static_rating),
-        "too_slow": np.asarray(turns < LEAST_SPEED * (1.0 - 1e-12)),
-        "too_hot": np.asarray(np.asarray(temperature, dtype=np.float64) > HOTTEST),
+        "too_slow": np.asarray(turns < MINIMUM_SPEED * (1.0 - 1e-12)),
+        "too_hot": np.asarray(numbers(temperature, "temperature") > MAXIMUM_TEMPERATURE),
     }
 
 
@@ -153,7 +232,11 @@ def l_able(
         and a_1.
     refused : of `refusals`.
     """
-    life = np.asarray(basic_life) * np.asarray(factor) * np.asarray(reliability_factor)
+    life = (
+        numbers(basic_life, "basic_life")
+        * numbers(factor, "factor")
+        * numbers(reliability_factor, "reliability_factor")
+    )
     outside = np.any(np.broadcast_arrays(*refused.values()), axis=0)
     return np.where(outside, np.nan, life)
 
@@ -167,7 +250,11 @@ def surface_factor(
     unit. Returns f = (a_NSK L_10/L)^e; NaN above 1, where no risk is left for the surface.
     Campanha (2008), eq. 2.6.9.
     """
-    ratio = np.asarray(factor) * np.asarray(basic_life) / np.asarray(subsurface_life)
+    ratio = (
+        numbers(factor, "factor")
+        * numbers(basic_life, "basic_life")
+        / numbers(subsurface_life, "subsurface_life")
+    )
     f = ratio**SLOPE
     return np.where(f <= 1.0, f, np.nan)
 
@@ -177,10 +264,10 @@ def life_with_surface(subsurface_life: ArrayLike, surface_factor: ArrayLike) -> 
 
     The risk below the surface counts 1, that of the surface 1/f - 1: together 1/f.
     """
-    f = np.asarray(surface_factor, dtype=np.float64)
+    f = numbers(surface_factor, "surface_factor")
     if np.any((f <= 0.0) | (f > 1.0)):
         raise InputError("must be above 0 and at most 1", field="surface_factor", example="0.5")
-    return np.asarray(np.asarray(subsurface_life) * f ** (1.0 / SLOPE))
+    return np.asarray(numbers(subsurface_life, "subsurface_life") * f ** (1.0 / SLOPE))
 
 
 def _placed(
@@ -191,3 +278,58 @@ def _placed(
     share = (value - axis[index]) / (axis[index + 1] - axis[index])
     inside = (share >= -1e-9) & (share <= 1.0 + 1e-9)
     return np.asarray(index, dtype=np.int64), np.where(inside, share, np.nan)
+
+
+def _evaluate(basis: Basis) -> Life:
+    """L_able of solved cases; InputError if κ is not known."""
+    given, ratio, ratings = basis.given, basis.viscosity_ratio, basis.ratings
+    if ratio is None:
+        raise InputError(
+            "is missing: L_able needs the viscosity ratio, or the viscosity",
+            field="viscosity_ratio",
+            example="viscosity_ratio = 1.5",
+        )
+    clean, load = basis.over_cases("nsk_cleanliness"), basis.loads.dynamic
+    hot = np.fmax(basis.over_cases("temperature"), basis.over_cases("bearing_temperature"))
+    refused = refusals(load, ratings.dynamic_of_set, ratings.static_of_set, basis.speed, hot)
+    if given.nsk_table is None:
+        outside = "viscosity_ratio_too_small"
+        factor = life_modification_factor(
+            ratio, np.minimum(clean, 1.0), ratings.fatigue_of_set, load
+        )
+    else:
+        outside = "outside_the_table"
+        place = load_parameter(load, ratings.fatigue_of_set, ratings.dynamic_of_set, clean)
+        factor = given.nsk_table.at(ratio, place)
+    notes = {
+        **basis.notes_on_load(),
+        **refused,
+        "stand_in_for_the_chart": np.full(len(basis), given.nsk_table is None),
+        outside: np.isnan(factor) & ~np.isnan(load),
+    }
+    factors = {"a_1": basis.reliability_factor, "a_nsk": l_able(1.0, factor, refused)}
+    return basis.record(THEORY.name, basis.basic_life, factors, notes)
+
+
+NSK_CLEANLINESS: Final = Need(
+    "life.nsk_cleanliness",
+    "the maker's cleanliness factor",
+    "[life] with nsk_cleanliness = 0.8 in the case",
+    ("nsk_cleanliness",),
+)
+THEORY: Final = Theory(
+    name="l_able",
+    title="L_able of NSK",
+    evaluate=_evaluate,
+    asked=lambda basis: basis.given.nsk_cleanliness is not None,
+    needs=(NSK_CLEANLINESS, VISCOSITY_RATIO),
+    validity=(
+        *OF_BEARING,
+        *OF_EQUIVALENT_LOAD,
+        "viscosity_ratio_too_small",
+        "outside_the_table",
+        "too_slow",
+        "too_hot",
+    ),
+    rank=5,
+)

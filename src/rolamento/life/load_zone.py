@@ -19,8 +19,9 @@ from typing import Final
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rolamento._reach import numbers
 from rolamento.life._figures import positive
-from rolamento.life.reference import RaceRatings, race_life, system_life
+from rolamento.life.iso16281 import RaceRatings, race_life, system_life
 from rolamento.numerics import FloatArray
 from rolamento.static.sjovall import sjovall_radial
 
@@ -28,7 +29,7 @@ NO_CLEARANCE: Final = 0.5
 _CATALOGUE: Final = 0.00044
 """δ Q^(-2/3) D^(1/3) of steel balls; N, mm."""
 _NODES: Final = 64
-_LEAST, _MOST = 1e-5, 1e5
+_MINIMUM, _MAXIMUM = 1e-5, 1e5
 _GRID: Final = 4001
 _STEPS: Final = 4
 
@@ -70,7 +71,7 @@ def load_zone(
     """
     load = positive(radial_load, "radial_load", zero=True) / positive(ball_count, "ball_count")
     clearance, load, k = np.broadcast_arrays(
-        np.asarray(diametral_clearance, dtype=np.float64), load, positive(stiffness, "stiffness")
+        numbers(diametral_clearance, "diametral_clearance"), load, positive(stiffness, "stiffness")
     )
     with np.errstate(divide="ignore", invalid="ignore"):
         target = clearance * np.cbrt(k / load) ** 2
@@ -105,7 +106,7 @@ def continuous_life(
     Parameters: arrays that broadcast: ε, F_r (N) and Z; the ratings likewise. Returns millions of
     revolutions. At ε = 0.5 and a conformity of 0.52 this is (C/F_r)³.
     """
-    ball = positive(radial_load, "radial_load") / np.asarray(ball_count)
+    ball = positive(radial_load, "radial_load") / numbers(ball_count, "ball_count")
     return np.asarray(_life_at(positive(load_zone, "load_zone"), ratings) / ball**3)
 
 
@@ -146,7 +147,7 @@ def _mean(epsilon: FloatArray, power: float) -> FloatArray:
 @cache
 def _grid() -> tuple[FloatArray, FloatArray]:
     """Logarithms of ε and f there, from the narrowest zone to the widest."""
-    grid = np.linspace(np.log(_LEAST), np.log(_MOST), _GRID)
+    grid = np.linspace(np.log(_MINIMUM), np.log(_MAXIMUM), _GRID)
     return grid, clearance_function(np.exp(grid))
 
 

@@ -8,12 +8,11 @@ from math import isfinite
 from typing import Any, Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rolamento.numerics import BoolArray, FloatArray
 
 NOTES: Final[Mapping[str, str]] = {
-    # outside what the theory holds for
+    # outside what the theory is valid for
     "load_above_half_rating": (
         "The equivalent load is above half of the dynamic rating: the contacts deform plastically,"
         " and the standard does not vouch for the life."
@@ -72,6 +71,13 @@ NOTES: Final[Mapping[str, str]] = {
         "The cleanliness is not given: even perfectly clean so thin an oil leaves less than this."
     ),
     # what the number leaves out, or how it was had
+    "factors_of_the_user": (
+        "The factors of Tallian's form are the user's: none are public. What is not given is by"
+        " Lundberg and Palmgren."
+    ),
+    "surface_left_out": (
+        "No factors of failures from the surface are given: only those from below it count."
+    ),
     "moment_left_out": (
         "The equivalent load leaves out the moment; the reference life counts it, ball by ball."
     ),
@@ -147,7 +153,7 @@ OUTSIDE: Final = frozenset(
         "outside_the_table",
     }
 )
-"""Notes that say that a theory does not hold for the case, though it may give a number."""
+"""Notes that say that a theory is not valid for the case, though it may give a number."""
 
 
 BOUNDS: Final = frozenset(
@@ -160,32 +166,6 @@ BOUNDS: Final = frozenset(
     }
 )
 """Notes that say that the number is an upper bound: the life is below it."""
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Limit:
-    """What limits the life; arrays over cases.
-
-    Attributes
-    ----------
-    row
-        that lives shortest, counted from 0
-    race
-        of that row that lives shortest: "inner" or "outer"; empty without load or result
-    ball
-        that presses hardest on that race, counted from 0 over all rows; -1 without
-    share
-        of the bearing's risk that this race has
-    factor
-        what would raise the modified life most: "viscosity_ratio", "contamination" or "load";
-        empty where lubrication is not known
-    """
-
-    row: NDArray[np.int64]
-    race: NDArray[np.str_]
-    ball: NDArray[np.int64]
-    share: FloatArray
-    factor: NDArray[np.str_]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -220,7 +200,7 @@ class Life:
     notes: Mapping[str, BoolArray] = field(default_factory=dict)
 
     @property
-    def holds(self) -> BoolArray:
+    def valid(self) -> BoolArray:
         """(cases,): whether there is a life, and the case lies within what the theory is for."""
         return self._without(OUTSIDE)
 
@@ -252,16 +232,17 @@ class Life:
         return {
             "theory": self.theory,
             "reliability": self.reliability,
-            "basic": _finite(self.basic[case]),
-            "life": _finite(self.life[case]),
-            "hours": _finite(self.hours[case]),
+            "basic": finite(self.basic[case]),
+            "life": finite(self.life[case]),
+            "hours": finite(self.hours[case]),
             "endless": bool(np.isposinf(self.life[case])),
-            "factors": {name: _finite(array[case]) for name, array in self.factors.items()},
-            "holds": bool(self.holds[case]),
+            "factors": {name: finite(array[case]) for name, array in self.factors.items()},
+            "holds": bool(self.valid[case]),
             "below": bool(self.below[case]),
             "notes": list(self.sentences(case)),
         }
 
 
-def _finite(value: float) -> float | None:
+def finite(value: float) -> float | None:
+    """Return a number as JSON has it: None where there is none."""
     return float(value) if isfinite(value) else None

@@ -19,6 +19,7 @@ from typing import Final, Literal, get_args
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rolamento._reach import numbers
 from rolamento.errors import InputError
 from rolamento.life._figures import positive, within
 from rolamento.numerics import BoolArray, FloatArray
@@ -27,10 +28,10 @@ Edition = Literal["2007", "1990"]
 
 RATING_RELIABILITY: Final = 0.9
 """S of the rating life L_10."""
-_LEAST_LIFE: Final = {"2007": 0.05, "1990": 0.0}
+_MINIMUM_LIFE: Final = {"2007": 0.05, "1990": 0.0}
 _PRINTED_TO: Final = {"2007": 0.9995, "1990": 0.99}
 _SLOPE: Final = 1.5
-_LEAST, _MOST = 0.01, 0.999999
+_MINIMUM, _MAXIMUM = 0.01, 0.999999
 _ROUNDING: Final = 1e-12
 
 
@@ -51,8 +52,8 @@ def reliability_factor(reliability: ArrayLike, edition: Edition = "2007") -> Flo
     InputError
         For a reliability out of range (a percentage, perhaps), or an unknown edition.
     """
-    s = within(reliability, "reliability", _LEAST, _MOST, "reliability = 0.95")
-    least = _LEAST_LIFE[_checked(edition)]
+    s = within(reliability, "reliability", _MINIMUM, _MAXIMUM, "reliability = 0.95")
+    least = _MINIMUM_LIFE[_checked(edition)]
     risk = np.log(s) / np.log(RATING_RELIABILITY)
     return np.asarray((1.0 - least) * risk ** (1.0 / _SLOPE) + least)
 
@@ -70,14 +71,14 @@ def reliability_of(life_ratio: ArrayLike, edition: Edition = "2007") -> FloatArr
     S of that shape: 1 up to the least life of the edition.
     """
     ratio = positive(life_ratio, "life_ratio", zero=True)
-    least = _LEAST_LIFE[_checked(edition)]
+    least = _MINIMUM_LIFE[_checked(edition)]
     risk = np.maximum((ratio - least) / (1.0 - least), 0.0) ** _SLOPE
     return np.asarray(RATING_RELIABILITY**risk)
 
 
 def outside_print(reliability: ArrayLike, edition: Edition = "2007") -> BoolArray:
     """Tell whether a reliability lies outside the standard's table, so that a_1 is continued."""
-    s = np.asarray(reliability, dtype=np.float64)
+    s = numbers(reliability, "reliability")
     most = _PRINTED_TO[_checked(edition)]
     return np.asarray((s < RATING_RELIABILITY - _ROUNDING) | (s > most + _ROUNDING))
 

@@ -12,8 +12,8 @@ from rolamento.case import Case
 from rolamento.errors import InputError
 from rolamento.life.conditions import LifeConditions, conditions_of
 from rolamento.life.summary import LifeSummary, life
-from rolamento.solution import solve
-from rolamento.state import State
+from rolamento.solved import Solved
+from rolamento.solving import solve
 
 CHANGES: Final[Mapping[str, str]] = {
     "less_load": "all forces and moments a tenth smaller",
@@ -47,7 +47,7 @@ class Change:
         return CHANGES[self.name]
 
 
-def sensitivity(state: State, conditions: LifeConditions | None = None) -> tuple[Change, ...]:
+def sensitivity(solved: Solved, conditions: LifeConditions | None = None) -> tuple[Change, ...]:
     """Life ratios of changes of load, clearance, oil and cleanliness, the most helpful first.
 
     By the life that leads: the modified reference life where viscosity and contamination are given,
@@ -56,39 +56,51 @@ def sensitivity(state: State, conditions: LifeConditions | None = None) -> tuple
 
     Parameters
     ----------
-    state
-        Of `rolamento.solve`.
+    solved
+        Of `rolamento.solve`: a single case, from which nothing varied.
     conditions
         As `life`.
+
+    Raises
+    ------
+    InputError
+        If these are several cases, and as `life`.
     """
-    given = conditions_of(state.case) if conditions is None else conditions
-    case = state.case
-    before = _life(state, given)
+    if len(solved) != 1 or solved.varied:
+        raise InputError(
+            "must be a single case, from which nothing varied",
+            field="solved",
+            value=f"{len(solved)} cases",
+            example="sensitivity(rolamento.solve(case))",
+        )
+    given = conditions_of(solved) if conditions is None else conditions
+    case = solved.case
+    before = _life(solved, given)
     found = [Change("less_load", _after(_with_less_load(case), given, before))]
     for name, step in (("less_clearance", -_CLEARANCE), ("more_clearance", _CLEARANCE)):
         if case.bearing.diametral_clearance is not None:
             found.append(Change(name, _after(_with_clearance(case, step), given, before)))
-    summary = life(state, given, stress_volume=False)
+    summary = life(solved, given, stress_volume=False)
     if summary.contamination_factor is not None:
         found += [
-            Change("thicker_oil", _ratio(_life(state, _with_thicker_oil(given)), before)),
-            Change("cleaner_oil", _ratio(_life(state, _with_cleaner_oil(summary, given)), before)),
+            Change("thicker_oil", _ratio(_life(solved, _with_thicker_oil(given)), before)),
+            Change("cleaner_oil", _ratio(_life(solved, _with_cleaner_oil(summary, given)), before)),
         ]
     return tuple(sorted(found, key=lambda change: -np.nan_to_num(change.life_ratio, nan=-np.inf)))
 
 
-def _life(state: State, given: LifeConditions) -> float:
+def _life(solved: Solved, given: LifeConditions) -> float:
     """The life that leads; NaN where it does not hold or is a bound."""
-    leading = life(state, given, stress_volume=False).headline
-    return float(leading.life[0]) if leading.holds[0] else float("nan")
+    leading = life(solved, given, stress_volume=False).headline
+    return float(leading.life[0]) if leading.valid[0] else float("nan")
 
 
 def _after(case: Case | None, given: LifeConditions, before: float) -> float:
     """Life of a changed case over the one before; NaN where it cannot be, or has no result."""
     if case is None:
         return float("nan")
-    state = solve(case)
-    return _ratio(_life(state, given), before) if state.status.converged else float("nan")
+    solved = solve(case)
+    return _ratio(_life(solved, given), before) if solved.converged[0] else float("nan")
 
 
 def _ratio(after: float, before: float) -> float:

@@ -21,10 +21,11 @@ from typing import Final
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rolamento._reach import numbers
 from rolamento.contact.subsurface import point_stresses
 from rolamento.numerics import FloatArray
 
-FLATTEST: Final = 60.0
+MAXIMUM_ELLIPTICITY: Final = 60.0
 """a/b up to which the field is tabulated; flatter ones count as this one."""
 _SHAPES: Final = 12
 _WIDTH: Final = 1.5
@@ -118,8 +119,8 @@ def shear_integrals(
     ShearIntegrals (contacts,): local, I with each point's own depth; plain, I without depth
     (h = 0); mean_depth, of the weight ⟨g - t⟩^c. Zero, zero and NaN where no point exceeds t.
     """
-    t = np.asarray(threshold, dtype=np.float64)
-    k = np.clip(np.asarray(ellipticity, dtype=np.float64), 1.0, FLATTEST)
+    t = numbers(threshold, "threshold")
+    k = np.clip(numbers(ellipticity, "ellipticity"), 1.0, MAXIMUM_ELLIPTICITY)
     field = _field(mesh or FieldMesh())
     sums = np.empty((3, t.size))
     weights = np.stack(
@@ -158,7 +159,7 @@ def _field(mesh: FieldMesh) -> _Field:
     eta, zeta = (grid.ravel() for grid in np.meshgrid(across, depth, indexing="ij"))
     weight = 2.0 * np.outer(across_weight, depth_weight).ravel()
     angle = (2.0 * np.arange(_SHAPES) + 1.0) * np.pi / (2.0 * _SHAPES)
-    log_shape = 0.5 * np.log(FLATTEST) * (1.0 + np.cos(angle))
+    log_shape = 0.5 * np.log(MAXIMUM_ELLIPTICITY) * (1.0 + np.cos(angle))
     barycentric = np.sin(angle) * (-1.0) ** np.arange(_SHAPES)
     shear = passing_shear(eta, zeta, np.exp(log_shape)[:, np.newaxis])
     return _Field(shear, zeta, weight, log_shape, barycentric)

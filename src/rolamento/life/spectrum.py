@@ -18,9 +18,10 @@ from typing import Final
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rolamento._reach import numbers
 from rolamento.errors import InputError
 from rolamento.life._figures import positive
-from rolamento.life.reference import SLOPE, system_life
+from rolamento.life.iso16281 import SLOPE, system_life
 from rolamento.numerics import FloatArray
 
 ROLLER_SLOPE: Final = 9.0 / 8.0
@@ -47,7 +48,7 @@ def miner_life(lives: ArrayLike, shares: ArrayLike, *, axis: int = 0) -> FloatAr
     InputError
         If the shares are negative, do not sum to 1, or are as many as there are no lives.
     """
-    life = np.moveaxis(np.asarray(lives, dtype=np.float64), axis, -1)
+    life = np.moveaxis(numbers(lives, "lives"), axis, -1)
     share = positive(shares, "shares", zero=True)
     if share.ndim != 1 or share.size != life.shape[-1]:
         raise InputError(
@@ -72,7 +73,7 @@ def revolution_shares(time_shares: ArrayLike, speeds: ArrayLike) -> FloatArray:
     InputError
         If nothing turns in any step.
     """
-    turned = positive(time_shares, "time_shares", zero=True) * np.abs(np.asarray(speeds))
+    turned = positive(time_shares, "time_shares", zero=True) * np.abs(numbers(speeds, "speeds"))
     total = turned.sum()
     if not total > 0.0:
         raise InputError("must not all be zero: nothing turns", field="speeds")
@@ -94,7 +95,7 @@ def races_under_spectrum(
     -------
     Life, in the unit of the lives; a 0-dimensional array.
     """
-    races = np.concatenate([np.asarray(inner), np.asarray(outer)], axis=1)
+    races = np.concatenate([numbers(inner, "inner"), numbers(outer, "outer")], axis=1)
     return system_life(miner_life(races, shares), slope=slope)
 
 
@@ -114,7 +115,7 @@ def shaft_life(lives: ArrayLike, *, axis: int = -1, slope: ArrayLike = SLOPE) ->
     exponents = positive(slope, "slope")
     if exponents.ndim == 0:
         return system_life(lives, axis=axis, slope=float(exponents))
-    life = np.moveaxis(np.asarray(lives, dtype=np.float64), axis, -1)
+    life = np.moveaxis(numbers(lives, "lives"), axis, -1)
     if exponents.shape != life.shape[-1:]:
         raise InputError("must be one number, or one for each bearing", field="slope")
     return _mixed_life(life, exponents)

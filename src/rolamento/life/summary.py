@@ -1,4 +1,4 @@
-"""All theories of life side by side, for a solved state or a batch of them."""
+"""All theories of life side by side, for one solved case or many."""
 
 from __future__ import annotations
 
@@ -7,24 +7,55 @@ from dataclasses import dataclass
 from typing import Any, Final
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
-from rolamento.case import Case
-from rolamento.life import theories as by
+from rolamento._reach import numbers
+from rolamento.errors import InputError
+from rolamento.life import iso16281, iso16281_modified
+from rolamento.life.basis import Basis, EquivalentLoads, Ratings
 from rolamento.life.conditions import LifeConditions, conditions_of
-from rolamento.life.duty_loads import EquivalentLoads, Ratings
 from rolamento.life.headline import Headline, headline_of
-from rolamento.life.limits import limit_of
-from rolamento.life.modified import MOST_RATIO
-from rolamento.life.record import Life, Limit
-from rolamento.life.reference import ReferenceLife
+from rolamento.life.iso281_modified import (
+    MAXIMUM_RATIO,
+    bounded_modification_factor,
+    life_modification_factor,
+)
+from rolamento.life.iso16281 import SLOPE, ReferenceLife
+from rolamento.life.record import Life, finite
 from rolamento.life.reliability import reliability_factor, reliability_of
-from rolamento.life.solved_balls import SolvedRows, rows_of_batch, rows_of_state
+from rolamento.life.theories import THEORIES
 from rolamento.numerics import FloatArray
-from rolamento.rows.ball import BatchState
-from rolamento.state import State
+from rolamento.solved import Solved
 
 _HOUR: Final = 3600.0
+_WORTH: Final = 1.5
+"""Gain of the modified life below which neither oil nor cleanliness is what limits it."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Limit:
+    """What limits the life; arrays over cases.
+
+    Attributes
+    ----------
+    row
+        that lives shortest, counted from 0
+    race
+        of that row that lives shortest: "inner" or "outer"; empty without load or result
+    ball
+        that presses hardest on that race, counted from 0 over all rows; -1 without
+    share
+        of the bearing's risk that this race has
+    factor
+        what would raise the modified life most: "viscosity_ratio", "contamination" or "load";
+        empty where lubrication is not known
+    """
+
+    row: NDArray[np.int64]
+    race: NDArray[np.str_]
+    ball: NDArray[np.int64]
+    share: FloatArray
+    factor: NDArray[np.str_]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -34,16 +65,15 @@ class LifeSummary:
     Attributes
     ----------
     theories
-        by name: "iso281", "iso281_modified", "iso281_1990", "iso16281", "iso16281_modified",
-        "ioannides_harris", "l_able"
+        by their names in `theories.THEORIES`, in that order; those that were asked for
     ratings
         C, C_0 and C_u, N
     loads
         P, P_0, X, Y, e and the static safety
     headline
         the life that leads, by the one rule for all reports, figures and outputs
-    reference
-        the reference life, race by race
+    reference, reference_load
+        the reference life, race by race, and P_ref, (cases,), N
     limit
         what limits the life
     viscosity_ratio, contamination_factor
@@ -57,6 +87,7 @@ class LifeSummary:
     ratings: Ratings
     loads: EquivalentLoads
     reference: ReferenceLife
+    reference_load: FloatArray
     limit: Limit
     viscosity_ratio: FloatArray | None
     contamination_factor: FloatArray | None
@@ -92,7 +123,7 @@ class LifeSummary:
         edition, leading = self.conditions.edition, self.headline
         for_ninety = leading.hours / reliability_factor(leading.reliability, edition)
         with np.errstate(divide="ignore", invalid="ignore"):
-            ratio = np.asarray(time, np.float64) / _HOUR / for_ninety
+            ratio = numbers(time, "time") / _HOUR / for_ninety
         known = np.where(np.isnan(ratio), 1.0, ratio)
         return np.where(np.isnan(ratio), np.nan, reliability_of(known, edition))
 
@@ -119,7 +150,7 @@ class LifeSummary:
             },
             "viscosity_ratio": _at(self.viscosity_ratio, case),
             "contamination_factor": _at(self.contamination_factor, case),
-            "wanted_life": self._wanted(case),
+            "wanted_life": self._required(case),
             "limit": {
                 "row": int(self.limit.row[case]),
                 "race": str(self.limit.race[case]) or None,
@@ -129,8 +160,8 @@ class LifeSummary:
             },
         }
 
-    def _wanted(self, case: int) -> dict[str, float | bool | None] | None:
-        """The life that is wanted (s), and its reliability; None if none is."""
+    def _required(self, case: int) -> dict[str, float | bool | None] | None:
+        """The required life (s), and its reliability; None if there is none."""
         wanted = self.conditions.wanted_life
         if wanted is None:
             return None
@@ -142,84 +173,114 @@ class LifeSummary:
 
 
 def life(
-    state: State, conditions: LifeConditions | None = None, *, stress_volume: bool = True
+    solved: Solved,
+    conditions: LifeConditions | None = None,
+    *,
+    stress_volume: bool | None = None,
 ) -> LifeSummary:
-    """Life of a solved state by every theory that the conditions allow.
+    """Life of solved cases by every theory that the conditions ask for.
 
     Parameters
     ----------
-    state
-        Of `rolamento.solve`.
+    solved
+        Of `rolamento.solve`, one case or many.
     conditions
-        Ratings, lubrication and wishes; by default those of the case, `conditions_of`.
+        Ratings, lubrication and wishes, numbers or arrays (cases,); by default what the case says
+        and what varied from it, `conditions_of`.
     stress_volume
-        Whether to evaluate the theory of Ioannides and Harris.
+        Whether to evaluate theories that take milliseconds for a case, such as that of Ioannides
+        and Harris; by default of a single case only.
 
     Raises
     ------
     InputError
         If the bearing is a thrust bearing (above 45°), or no rating is given and none follows.
     """
-    given = conditions_of(state.case) if conditions is None else conditions
-    return _summary(rows_of_state(state), given, stress_volume)
-
-
-def life_of_batch(
-    case: Case,
-    batch: BatchState,
-    conditions: LifeConditions | None = None,
-    *,
-    stress_volume: bool = False,
-) -> LifeSummary:
-    """Life of solved cases; as `life`, with arrays over cases.
-
-    Parameters
-    ----------
-    case
-        The one that was solved.
-    batch
-        Of `solve_batch`.
-    conditions, stress_volume
-        As `life`; the numbers of the conditions may be arrays (cases,).
-    """
-    given = conditions_of(case) if conditions is None else conditions
-    return _summary(rows_of_batch(case, batch), given, stress_volume)
-
-
-def _summary(balls: SolvedRows, given: LifeConditions, stress_volume: bool) -> LifeSummary:
-    basis = by.basis_of(balls, given)
-    theories = {by.BASIC: by.basic(basis), by.REFERENCE: by.referenced(basis)}
-    if basis.contamination_factor is not None:
-        theories[by.MODIFIED] = by.modified(basis)
-        theories[by.MODIFIED_REFERENCE] = by.modified_reference(basis)
-    if given.material_factor is not None or given.operation_factor is not None:
-        theories[by.ADJUSTED] = by.adjusted(basis)
-    if stress_volume:
-        theories[by.STRESS_VOLUME] = by.stress_volume(basis)
-    if given.nsk_cleanliness is not None:
-        theories[by.L_ABLE] = by.l_able(basis)
+    if not isinstance(solved, Solved):
+        raise InputError(
+            "must be what rolamento.solve returned",
+            field="solved",
+            value=type(solved).__name__,
+            example="life(rolamento.solve(case))",
+        )
+    given = conditions_of(solved) if conditions is None else conditions
+    slow = len(solved) == 1 if stress_volume is None else stress_volume
+    basis = Basis.of(solved, given)
+    theories = {
+        name: theory.evaluate(basis)
+        for name, theory in THEORIES.items()
+        if theory.asked(basis) and (slow or not theory.slow)
+    }
+    modified = theories.get(iso16281_modified.THEORY.name)
     return LifeSummary(
         theories=theories,
-        headline=headline_of(basis, theories.get(by.MODIFIED_REFERENCE), theories[by.REFERENCE]),
+        headline=headline_of(basis, modified, theories[iso16281.THEORY.name]),
         ratings=basis.ratings,
         loads=basis.loads,
         reference=basis.reference,
-        limit=limit_of(
-            balls,
-            basis.reference,
-            by.factor_now(basis),
-            by.factor_if(basis, ratio=MOST_RATIO),
-            by.factor_if(basis, clean=1.0),
-        ),
+        reference_load=basis.reference_load,
+        limit=_limit_of(basis),
         viscosity_ratio=basis.viscosity_ratio,
         contamination_factor=basis.contamination_factor,
         conditions=given,
     )
 
 
+def _limit_of(basis: Basis) -> Limit:
+    """Find what limits the life of solved cases."""
+    reference, rows = basis.reference, basis.solved.rows
+    count = len(rows)
+    races = np.concatenate([reference.inner, reference.outer], axis=1)
+    ended = np.isfinite(reference.life) & ~basis.unloaded
+    weakest = np.argmin(np.where(np.isnan(races), np.inf, races), axis=1)
+    row = np.where(ended, weakest % count, 0)
+    inner = weakest < count
+    race = np.where(ended, np.where(inner, "inner", "outer"), "")
+    with np.errstate(divide="ignore", invalid="ignore"):
+        risk = races**-SLOPE
+        share = np.take_along_axis(risk, weakest[:, np.newaxis], 1)[:, 0] / risk.sum(axis=1)
+    load = np.where(inner[:, np.newaxis], basis.solved.inner.load, basis.solved.outer.load)
+    own = rows.row_of_element == row[:, np.newaxis]
+    heaviest = np.argmax(np.where(own & ~np.isnan(load), load, -1.0), axis=1)
+    return Limit(
+        row=np.asarray(row, dtype=np.int64),
+        race=np.asarray(race, dtype=np.str_),
+        ball=np.where(ended, heaviest, -1).astype(np.int64),
+        share=np.where(ended, share, np.nan),
+        factor=_costliest(basis),
+    )
+
+
+def _costliest(basis: Basis) -> NDArray[np.str_]:
+    """Which of thicker oil (κ = 4), cleaner oil (e_C = 1) and less load would gain most."""
+    ratio, clean = basis.viscosity_ratio, basis.contamination_factor
+    if ratio is None or clean is None:
+        return np.full(len(basis), "", dtype="U15")
+    limit, load = basis.ratings.fatigue_of_set, basis.reference_load
+    additives = basis.given.additives
+    thick = np.full(len(basis), MAXIMUM_RATIO)
+    clean_if_thick = basis.cleanliness_at(thick)
+    assert clean_if_thick is not None
+
+    def factor_if(ratio: FloatArray, clean: FloatArray) -> FloatArray:
+        """a_ISO if the oil were thicker or cleaner; NaN where the theory cannot judge it."""
+        factor = life_modification_factor(ratio, clean, limit, load, additives=additives)
+        return np.where(clean > 0.0, factor, np.nan)
+
+    now = bounded_modification_factor(ratio, clean, limit, load, additives=additives)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        gain_of_oil = factor_if(thick, clean_if_thick) / now
+        gain_of_filter = factor_if(ratio, np.ones(len(basis))) / now
+        oil, dirt = np.nan_to_num(gain_of_oil), np.nan_to_num(gain_of_filter)
+    best = np.where(oil >= dirt, "viscosity_ratio", "contamination")
+    named = np.where(np.maximum(oil, dirt) < _WORTH, "load", best)
+    # where only one of them can be judged, the load cannot be told to be what costs most
+    judged = ~np.isnan(gain_of_oil) & ~np.isnan(gain_of_filter)
+    return np.asarray(np.where((named == "load") & ~judged, "", named), dtype="U15")
+
+
 def _at(array: FloatArray | None, case: int) -> float | None:
     """One case's number of an array over cases, or of one for all; None where there is none."""
     if array is None:
         return None
-    value = float(array[case if array.size > 1 else 0])
-    return value if np.isfinite(value) else None
+    return finite(array[case])

@@ -17,23 +17,11 @@ from typing import Final
 import numpy as np
 
 from rolamento import assembly
-from rolamento.assembly import Cases, solve_cases
-from rolamento.case import Case
-from rolamento.lubrication.running import running_balls
-from rolamento.lubrication.table import (
-    FilmTable,
-    film_of_batch,
-    film_table,
-    lubricant_of,
-    lubricant_temperature_of,
-)
+from rolamento.assembly import Balanced, Cases, solve_cases
+from rolamento.lubrication.films import film
 from rolamento.numerics import BoolArray, FloatArray
-from rolamento.oil.piezoviscosity import roelands
-from rolamento.rows.ball import BatchState
-from rolamento.rows.ball.assemble import solve_columns_of
-from rolamento.rows.ball.columns import Columns
+from rolamento.oil import roelands
 from rolamento.solved import Solved
-from rolamento.status import CONVERGED, NOT_CONVERGED
 
 PASSES: Final = 25
 SAME: Final = 1e-6
@@ -69,89 +57,39 @@ class ShearedFilm:
         return np.asarray(self.friction[case] * pressure * gap / viscosity)
 
 
-def solve_on_film(case: Case, columns: Columns, *, threads: int | None = None) -> BatchState:
-    """Solve columns of a case whose model wants the film in the balance of the balls.
-
-    A case whose film still changes after `PASSES` solutions has no result.
-    """
-    batch = solve_columns_of(columns, threads=threads)
-    before = _sheared(case, columns, batch)
-    for _ in range(PASSES):
-        batch = solve_columns_of(columns, threads=threads, film=before)
-        after = _sheared(case, columns, batch)
-        moved = np.abs(after.thickness - before.thickness).max(axis=(1, 2), initial=0.0)
-        size = after.thickness.max(axis=(1, 2), initial=0.0)
-        before = after
-        settled = ~(moved > SAME * size)
-        if settled.all():
-            break
-    batch.code[~settled & (batch.code == CONVERGED)] = NOT_CONVERGED
-    _forget(batch, batch.code != CONVERGED)
-    return batch
-
-
-def _forget(batch: BatchState, failed: BoolArray) -> None:
-    """Leave cases without any number: the ring's, and every row's."""
-    arrays = [batch.displacement, batch.load, batch.stiffness]
-    for row in batch.rows:
-        arrays += [row.displacement, row.load, row.position]
-        if row.rolling is not None:
-            row.rolling.forget(failed)
-    for array in arrays:
-        array[failed] = np.nan
-
-
-def _sheared(case: Case, columns: Columns, batch: BatchState) -> ShearedFilm:
-    """The films that a solution brings about."""
-    films = film_of_batch(case, batch)
-    contacts = [batch.contact("inner"), batch.contact("outer")]
-    pressure = np.stack([contact.max_pressure for contact in contacts], axis=-1)
-    return ShearedFilm(
-        thickness=np.nan_to_num(_thickness(films)),
-        pressure=np.nan_to_num(pressure),
-        friction=columns.friction,
-        viscosity=films.oil.dynamic_viscosity,
-        pressure_viscosity=films.oil.pressure_viscosity,
-        shears=case.model.traction == "film",
-        lifts=case.model.film_in_contact,
-    )
-
-
-def _thickness(films: FilmTable) -> FloatArray:
-    """Central film at both races; (cases, balls, 2)."""
-    return np.stack([films.inner.central_thickness, films.outer.central_thickness], axis=-1)
-
-
 def solved_on_film(cases: Cases) -> Solved:
     """Solve cases whose model wants the film in the balance of the balls.
 
     A case whose film still changes after `PASSES` solutions has no result.
     """
-    before = _film_felt(cases, solve_cases(cases))
+    balanced, settled, _ = balanced_on_film(cases)
+    return assembly.result(cases, balanced.without(~settled))
+
+
+def balanced_on_film(cases: Cases) -> tuple[Balanced, BoolArray, ShearedFilm]:
+    """The last balance, which cases have settled, and the film that they were balanced with."""
+    after = _film_felt(cases, solve_cases(cases))
     for _ in range(PASSES):
-        balanced = assembly.balance(cases, before)
+        before, balanced = after, assembly.balance(cases, after)
         after = _film_felt(cases, assembly.result(cases, balanced))
         moved = np.abs(after.thickness - before.thickness).max(axis=(1, 2), initial=0.0)
-        size = after.thickness.max(axis=(1, 2), initial=0.0)
-        before = after
-        settled = ~(moved > SAME * size)
+        settled = ~(moved > SAME * after.thickness.max(axis=(1, 2), initial=0.0))
         if settled.all():
             break
-    return assembly.result(cases, balanced.without(~settled))
+    return balanced, settled, before
 
 
 def _film_felt(cases: Cases, solved: Solved) -> ShearedFilm:
     """The films that a solution brings about."""
-    case = cases.case
-    temperature = np.full(len(solved), lubricant_temperature_of(case))
-    films = film_table(case, lubricant_of(case), running_balls(solved), temperature)
-    contacts = solved.contacts.values()
+    films, model = film(solved), cases.case.model
+    thickness = [films.inner.central_thickness, films.outer.central_thickness]
+    pressure = [solved.inner.max_pressure, solved.outer.max_pressure]
     return ShearedFilm(
-        thickness=np.nan_to_num(_thickness(films)),
-        pressure=np.nan_to_num(np.stack([c.max_pressure for c in contacts], axis=-1)),
+        thickness=np.nan_to_num(np.stack(thickness, axis=-1)),
+        pressure=np.nan_to_num(np.stack(pressure, axis=-1)),
         friction=cases.traction.friction,
-        viscosity=films.oil.dynamic_viscosity,
-        pressure_viscosity=films.oil.pressure_viscosity,
-        shears=case.model.traction == "film",
-        lifts=case.model.film_in_contact,
+        viscosity=films.dynamic_viscosity,
+        pressure_viscosity=films.pressure_viscosity,
+        shears=model.traction == "film",
+        lifts=model.film_in_contact,
     )

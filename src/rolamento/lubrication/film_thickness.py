@@ -1,9 +1,12 @@
-"""Isothermal, fully flooded film of an elliptical contact.
+"""Film thickness of an elliptical contact, and what heat and lack of oil leave of it.
 
-Every group takes the radius R_x of the rolling direction, 1/R_x summed over both bodies with a
-hollow negative, and k is the exact ratio of the semi-axes, across over along rolling:
+Isothermal and fully flooded first: every group takes the radius R_x of the rolling direction, 1/R_x
+summed over both bodies with a hollow negative, and k is the exact ratio of the semi-axes, across
+over along rolling:
 
     U = η u / (E' R_x)      W = Q / (E' R_x²)      G = α E'      H = h / R_x
+
+The heat of shear in the inlet goes by the loading L = η b u²/k_f with b = -d ln η/dT there.
 """
 
 from __future__ import annotations
@@ -15,6 +18,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento._reach import in_reach
+from rolamento.case.film_model import Supply
 from rolamento.numerics import FloatArray
 
 COMPUTED_RANGE: Final[dict[str, tuple[float, float]]] = {
@@ -24,6 +28,16 @@ COMPUTED_RANGE: Final[dict[str, tuple[float, float]]] = {
     "k": (1.0, 8.0),
 }
 """What the formulas were fitted to, rounded outward; rolling bearings mostly lie beyond in W."""
+
+REPLENISHMENT: Final[dict[Supply, float]] = {
+    "bath": 3e-8,
+    "jet": 3e-8,
+    "grease": 6e-8,
+    "oil_air": 6e-8,
+}
+"""K_rs by the way of lubrication. SKF, General catalogue (2018), frictional moment."""
+BEARING_TYPE: Final = {"deep_groove": 3.1, "angular_contact": 4.4}
+"""K_z. As above."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,3 +121,150 @@ def minimum_film(groups: FilmGroups) -> FloatArray:
 
 def _loaded(groups: FilmGroups) -> FloatArray:
     return np.where(groups.load > 0.0, groups.load, np.nan)
+
+
+# --- heat of shear in the inlet ---------------------------------------------------------------
+
+
+def thermal_loading(
+    viscosity: ArrayLike,
+    viscosity_temperature_coefficient: ArrayLike,
+    entrainment_speed: ArrayLike,
+    thermal_conductivity: ArrayLike,
+) -> FloatArray:
+    """Loading parameter L = η b u²/k_f; dimensionless.
+
+    Parameters: arrays that broadcast; Pa·s, 1/K, m/s, W/(m·K). Returns the broadcast shape.
+    Raises InputError if a number is negative, not finite, or far beyond any oil.
+    """
+    eta = in_reach(viscosity, "viscosity", "Pa·s", 0.0, 1e9)
+    falling = in_reach(
+        viscosity_temperature_coefficient, "viscosity_temperature_coefficient", "1/K", 0.0, 1e3
+    )
+    u = in_reach(entrainment_speed, "entrainment_speed", "m/s", 0.0, 1e6)
+    conductivity = in_reach(thermal_conductivity, "thermal_conductivity", "W/(m·K)", 1e-6, 1e6)
+    return np.asarray(eta * falling * u**2 / conductivity)
+
+
+def murch_wilson(loading: ArrayLike) -> FloatArray:
+    """Share of the film that is left, 3.94/(3.94 + L^0.62); at most 1.
+
+    Parameters: L, array, at least 0. Returns its shape. Murch and Wilson (1975), for rolling.
+    """
+    return np.asarray(3.94 / (3.94 + in_reach(loading, "loading", "", 0.0, 1e40) ** 0.62))
+
+
+def gupta_cheng(
+    loading: ArrayLike, max_pressure: ArrayLike, modulus: ArrayLike, slide_to_roll: ArrayLike
+) -> FloatArray:
+    """Share of the film that is left under load and sliding; at least 0.
+
+    Parameters
+    ----------
+    loading : array, L.
+    max_pressure, modulus : arrays, Hertz pressure and E'; Pa.
+    slide_to_roll : array, sliding over entrainment speed.
+        All broadcast against each other.
+
+    Gupta, Cheng, Zhu, Forster and Schrand (1992):
+    (1 - 13.2 (p_0/E') L^0.42) / (1 + 0.213 (1 + 2.23 S^0.83) L^0.64).
+    """
+    loading = in_reach(loading, "loading", "", 0.0, 1e40)
+    pressure = in_reach(max_pressure, "max_pressure", "Pa", 0.0, 1e15)
+    modulus = in_reach(modulus, "modulus", "Pa", 1.0, 1e15)
+    strained = 1.0 - 13.2 * pressure / modulus * loading**0.42
+    sliding = 1.0 + 2.23 * in_reach(slide_to_roll, "slide_to_roll", "", 0.0, 1e40) ** 0.83
+    return np.asarray(np.maximum(strained, 0.0) / (1.0 + 0.213 * sliding * loading**0.64))
+
+
+# --- lack of oil in the inlet -----------------------------------------------------------------
+
+
+def flooded_distance_central(
+    film: ArrayLike, rolling_radius: ArrayLike, semi_minor: ArrayLike
+) -> FloatArray:
+    """Inlet distance m* in semi-axes b beyond which more oil does not thicken the central film.
+
+    Parameters: film h/R_x, arrays; R_x and b, m. Returns m* = 1 + 3.06 ((R_x/b)² H)^0.58.
+    Hamrock and Dowson (1977), part IV.
+    """
+    return _flooded(film, rolling_radius, semi_minor, 3.06, 0.58)
+
+
+def flooded_distance_minimum(
+    film: ArrayLike, rolling_radius: ArrayLike, semi_minor: ArrayLike
+) -> FloatArray:
+    """As `flooded_distance_central` for the minimum film: m* = 1 + 3.34 ((R_x/b)² H)^0.56."""
+    return _flooded(film, rolling_radius, semi_minor, 3.34, 0.56)
+
+
+def inlet_distance_central(distance: ArrayLike, flooded: ArrayLike) -> FloatArray:
+    """Share of the central film that is left, ((m - 1)/(m* - 1))^0.29, at most 1.
+
+    Parameters: m, distance of the oil's beginning from the centre over b, and m*, arrays. Returns
+    the broadcast shape; 0 where the oil begins inside the contact. Hamrock and Dowson (1977), IV.
+    """
+    return _share_left(distance, flooded, 0.29)
+
+
+def inlet_distance_minimum(distance: ArrayLike, flooded: ArrayLike) -> FloatArray:
+    """As `inlet_distance_central` for the minimum film, with the exponent 0.25."""
+    return _share_left(distance, flooded, 0.25)
+
+
+def replenishment(
+    viscosity: ArrayLike,
+    speed: ArrayLike,
+    bore: float,
+    outside_diameter: float,
+    supply: Supply,
+    *,
+    angular_contact: bool,
+) -> FloatArray:
+    """Factor of how well the track is refilled between balls.
+
+    Parameters
+    ----------
+    viscosity : array, kinematic, in operation; m²/s.
+    speed : array, of the rings against each other; rad/s.
+    bore, outside_diameter : m.
+    supply : way of lubrication.
+    angular_contact : whether the bearing is one, or else a deep-groove bearing.
+
+    Returns
+    -------
+    exp(-K_rs ν n (d + D) √(K_z / (2 (D - d)))) in mm²/s, r/min and mm; the broadcast shape.
+
+    SKF, General catalogue (2018): there of the rolling friction, which follows the film.
+    """
+    d = 1e3 * float(in_reach(bore, "bore", "m", 0.0, 1e3))
+    outside = 1e3 * float(
+        in_reach(outside_diameter, "outside_diameter", "m", bore, 1e3, least_too=False)
+    )
+    kind = BEARING_TYPE["angular_contact" if angular_contact else "deep_groove"]
+    nu = in_reach(viscosity, "viscosity", "m²/s", 0.0, 1e6)
+    omega = in_reach(speed, "speed", "rad/s", 0.0, 1e9)
+    flow = nu * omega * 1e6 * 30.0 / np.pi
+    spread = (d + outside) * np.sqrt(kind / (2.0 * (outside - d)))
+    return np.asarray(np.exp(-REPLENISHMENT[supply] * flow * spread))
+
+
+def _flooded(
+    film: ArrayLike,
+    rolling_radius: ArrayLike,
+    semi_minor: ArrayLike,
+    factor: float,
+    exponent: float,
+) -> FloatArray:
+    radius = in_reach(rolling_radius, "rolling_radius", "m", 1e-12, 1e9)
+    b = in_reach(semi_minor, "semi_minor", "m", 1e-15, 1e3)
+    ratio = radius / b
+    return np.asarray(1.0 + factor * (ratio**2 * in_reach(film, "film", "", 0.0, 1e9)) ** exponent)
+
+
+def _share_left(distance: ArrayLike, flooded: ArrayLike, exponent: float) -> FloatArray:
+    beyond = np.maximum(in_reach(distance, "distance", "", 0.0, 1e30) - 1.0, 0.0)
+    needed = np.asarray(flooded, dtype=np.float64) - 1.0
+    with np.errstate(divide="ignore", invalid="ignore"):
+        share = np.minimum(beyond / needed, 1.0) ** exponent
+    return np.asarray(np.where(needed > 0.0, share, np.where(np.isnan(needed), np.nan, 1.0)))

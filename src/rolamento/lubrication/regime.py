@@ -7,13 +7,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import lru_cache
-from math import isfinite
+from math import isnan
 from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rolamento._data import toml_of
+from rolamento._reach import in_reach
 from rolamento.errors import InputError
 
 Origin = Literal["surface", "subsurface", "undecided"]
@@ -88,13 +89,14 @@ def crack_origin(crack_depth: float, greatest_shear_depth: float) -> Origin:
     InputError
         If a depth is not a positive number (the crack's may be zero).
     """
-    if not (isfinite(crack_depth) and crack_depth >= 0.0):
-        raise InputError("must be zero or more", field="crack_depth", value=crack_depth)
-    if not (isfinite(greatest_shear_depth) and greatest_shear_depth > 0.0):
-        raise InputError(
-            "must be greater than zero", field="greatest_shear_depth", value=greatest_shear_depth
-        )
-    ratio = crack_depth / greatest_shear_depth
+    crack = float(in_reach(crack_depth, "crack_depth", "m", 0.0, 1e3))
+    shear = float(
+        in_reach(greatest_shear_depth, "greatest_shear_depth", "m", 0.0, 1e3, least_too=False)
+    )
+    ratio = crack / shear
+    if isnan(ratio):
+        field = "crack_depth" if isnan(crack) else "greatest_shear_depth"
+        raise InputError("must be a number", field=field, value="nan")
     origins: list[Origin] = [
         record["origin"]
         for record in toml_of("lubrication_regimes")["crack"]

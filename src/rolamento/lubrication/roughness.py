@@ -25,9 +25,9 @@ SAMPLING_LENGTHS: Final = 5
 """By ISO 4288."""
 _GAUSS: Final = sqrt(log(2.0) / pi)
 """α of the weight function: half of a wave of the cut-off's length passes."""
-_LEAST_POINTS: Final = 10
+_MINIMUM_POINTS: Final = 10
 """In a cut-off: with fewer the weights are too coarse."""
-_MOST_POINTS: Final = 10_000_000
+_MAXIMUM_POINTS: Final = 10_000_000
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,7 +88,7 @@ def roughness_of_profile(
 
     ISO 16610-21 (filter), ISO 4287 (parameters).
     """
-    profile = _profile(heights)
+    profile = _checked_heights(heights)
     _check_lengths(spacing, cutoff, short_cutoff, sampling_lengths, form)
     points = floor(cutoff / spacing + 1e-9)
     margin = points // 2
@@ -153,14 +153,14 @@ def rms_of_mean_roughness(mean_roughness: ArrayLike) -> FloatArray:
     return np.asarray(sqrt(pi / 2.0) * np.asarray(mean_roughness, dtype=np.float64))
 
 
-def _profile(heights: ArrayLike) -> FloatArray:
+def _checked_heights(heights: ArrayLike) -> FloatArray:
     try:
         profile = filled(heights)
     except (TypeError, ValueError):
         raise InputError("must be numbers", field="heights") from None
-    if profile.ndim != 1 or not 0 < profile.size <= _MOST_POINTS:
+    if profile.ndim != 1 or not 0 < profile.size <= _MAXIMUM_POINTS:
         raise InputError(
-            f"must be a list of at most {_MOST_POINTS} heights",
+            f"must be a list of at most {_MAXIMUM_POINTS} heights",
             field="heights",
             value=str(profile.shape),
         )
@@ -173,24 +173,30 @@ def _check_lengths(
     spacing: float, cutoff: float, short_cutoff: float | None, sampling_lengths: int, form: int
 ) -> None:
     for name, value in (("spacing", spacing), ("cutoff", cutoff)):
-        if not (isfinite(value) and value > 0.0):
+        if not _is_positive(value):
             raise InputError("must be greater than zero", field=name, value=value)
-    if cutoff < _LEAST_POINTS * spacing:
+    if cutoff < _MINIMUM_POINTS * spacing:
         raise InputError(
-            f"must be at least {_LEAST_POINTS} times the spacing of the points",
+            f"must be at least {_MINIMUM_POINTS} times the spacing of the points",
             field="cutoff",
             value=cutoff,
         )
-    if short_cutoff is not None and not 0.0 < short_cutoff < cutoff:
+    if short_cutoff is not None and not (_is_positive(short_cutoff) and short_cutoff < cutoff):
         raise InputError(
             "must be greater than zero and less than the cut-off",
             field="short_cutoff",
             value=short_cutoff,
         )
-    if sampling_lengths < 1:
-        raise InputError("must be at least 1", field="sampling_lengths", value=sampling_lengths)
+    if not _is_positive(sampling_lengths) or sampling_lengths != int(sampling_lengths):
+        raise InputError(
+            "must be a whole number from 1 on", field="sampling_lengths", value=sampling_lengths
+        )
     if form not in (0, 1, 2):
         raise InputError("must be 0, 1 or 2", field="form", value=form)
+
+
+def _is_positive(value: object) -> bool:
+    return isinstance(value, int | float | np.number) and isfinite(value) and bool(value > 0.0)
 
 
 def _levelled(profile: FloatArray, degree: int) -> FloatArray:

@@ -1,4 +1,39 @@
-"""The oil itself: viscosity over temperature and pressure, density.
+"""The oil itself: viscosity over temperature and pressure, viscosity index, density."""
 
-A model a function, of numbers or arrays in SI units; nothing here knows a bearing.
-"""
+from rolamento.oil.properties import (
+    MINIMUM_VISCOSITY,
+    STANDARD_TEMPERATURE,
+    ViscosityLine,
+    astm_d341,
+    astm_d341_line,
+    barus,
+    density_by_expansion,
+    density_of_lubricating_oil,
+    dynamic_viscosity,
+    reference_viscosities,
+    roelands,
+    so_klaus,
+    viscosity_100_of_index,
+    viscosity_index,
+    viscosity_temperature_coefficient,
+    wooster,
+)
+
+__all__ = [
+    "MINIMUM_VISCOSITY",
+    "STANDARD_TEMPERATURE",
+    "ViscosityLine",
+    "astm_d341",
+    "astm_d341_line",
+    "barus",
+    "density_by_expansion",
+    "density_of_lubricating_oil",
+    "dynamic_viscosity",
+    "reference_viscosities",
+    "roelands",
+    "so_klaus",
+    "viscosity_100_of_index",
+    "viscosity_index",
+    "viscosity_temperature_coefficient",
+    "wooster",
+]

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from rolamento.vibration.anderon import BandName, Noise, NoiseSteps
-    from rolamento.weibull.trend import Trend
+    from rolamento.weibull import Trend
 
 __all__ = ["noise_bands", "noise_figure", "noise_trend_figure"]
 

@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from math import pi
-from typing import Final, NamedTuple
+from typing import TYPE_CHECKING, Final, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+
+from rolamento import units
+
+if TYPE_CHECKING:
+    from rolamento.case.fields import Field
 
 __all__ = [
     "DEGREE",
@@ -17,6 +21,7 @@ __all__ = [
     "PERCENT",
     "RPM",
     "ReadableUnit",
+    "read_values",
     "readable_unit",
 ]
 
@@ -39,10 +44,10 @@ class ReadableUnit(NamedTuple):
         return f"{name} ({self.symbol})"
 
 
-DEGREE: Final = ReadableUnit("°", 180.0 / pi)
+DEGREE: Final = ReadableUnit("°", units.DEGREES)
 MILLIMETRE: Final = ReadableUnit("mm", 1e3)
 MEGAPASCAL: Final = ReadableUnit("MPa", 1e-6)
-RPM: Final = ReadableUnit("rpm", 30.0 / pi)
+RPM: Final = ReadableUnit("rpm", units.RPM)
 PERCENT: Final = ReadableUnit("%", 1e2)
 NONE: Final = ReadableUnit("–", 1.0)
 
@@ -51,7 +56,7 @@ _READABLE: Final[Mapping[str, tuple[tuple[float, ReadableUnit], ...]]] = {
     "1": ((0.0, NONE),),
     "Mrev": ((0.0, ReadableUnit("10⁶ rev", 1.0)),),
     "m": ((0.0, ReadableUnit("µm", 1e6)), (1e-3, MILLIMETRE)),
-    "rad": ((0.0, ReadableUnit("mrad", 1e3)), (0.5 * pi / 180.0, DEGREE)),
+    "rad": ((0.0, ReadableUnit("mrad", 1e3)), (0.5 / units.DEGREES, DEGREE)),
     "rad/s": ((0.0, RPM),),
     "N": ((0.0, ReadableUnit("N", 1.0)), (1e4, ReadableUnit("kN", 1e-3))),
     "N*m": (
@@ -88,13 +93,21 @@ def readable_unit(unit: str, values: ArrayLike) -> ReadableUnit:
     plain = unit.strip().replace("**", "^").replace("·", "*").replace(" ", "*")
     choices = _READABLE.get(plain)
     if choices is None:
-        return ReadableUnit(_written(plain), 1.0)
+        return ReadableUnit(_with_raised_powers(plain), 1.0)
     magnitudes = np.abs(np.asarray(values, dtype=np.float64))
     greatest = float(np.max(magnitudes, initial=0.0, where=np.isfinite(magnitudes)))
     return [readable for least, readable in choices if least <= greatest][-1]
 
 
-def _written(unit: str) -> str:
+def read_values(field: Field, values: NDArray[np.float64]) -> tuple[NDArray[np.float64], str]:
+    """Return values of a field of a case as a person reads them, and their unit."""
+    if field.dimension == "temperature":
+        return np.round(values - units.ZERO_CELSIUS, 9), "°C"
+    unit = readable_unit(field.unit, values)
+    return unit.of(values), unit.symbol
+
+
+def _with_raised_powers(unit: str) -> str:
     for power, raised in _RAISED.items():
         unit = unit.replace(power, raised)
     return unit.replace("*", "·")[:_LONGEST_SYMBOL]

@@ -1,41 +1,47 @@
-"""What every ball bears, over its azimuth: loads, contact angles, pressures."""
+"""What every ball bears: loads, contact angles, pressures over its azimuth; the load rosette."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from math import degrees
-from typing import Any, Final, Literal
+from typing import Any, Final
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.projections.polar import PolarAxes
+from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
+from rolamento.errors import InputError
+from rolamento.geometry import Race
 from rolamento.plots.axes_units import DEGREE, MEGAPASCAL, ReadableUnit, readable_unit
-from rolamento.plots.frame import GREY, empty_frame, label_x, label_y, legend_above
-from rolamento.plots.reading import PlottedBall, PlottedState, contact_value, rows_of
-from rolamento.plots.style import INNER, OUTER, SERIES, in_style, new_figure
+from rolamento.plots.frame import (
+    GREY,
+    empty_frame,
+    label_x,
+    label_y,
+    legend_above,
+    number,
+    require_axes,
+)
+from rolamento.plots.style import INNER, OUTER, SERIES, in_style, new_figure, new_polar_figure
 from rolamento.plots.words import ENGLISH, PlotWords
-
-__all__ = ["ball_loads", "contact_angles", "pressures", "race_name", "row_keywords"]
+from rolamento.solved import NO_LOAD, RACES, Solved, refuse_other
 
 Floats = NDArray[np.float64]
-Race = Literal["inner", "outer"]
-RACES: Final[tuple[Race, Race]] = ("inner", "outer")
 _TURN: Final = 360.0
 _STEP: Final = 45.0
 _MARGIN: Final = 8.0
+_DIRECTIONS: Final = ("0°, +z", "45°", "90°\n+y", "135°", "180°", "225°", "270°", "315°")
 
 
 @in_style
-def ball_loads(
-    state: PlottedState, axes: Axes | None = None, *, words: PlotWords = ENGLISH
-) -> Axes:
+def ball_loads(solved: Solved, axes: Axes | None = None, *, words: PlotWords = ENGLISH) -> Axes:
     """Draw the contact loads of the balls over their azimuth, for each race and row.
 
     Parameters
     ----------
-    state
-        A solved state; without a result, a frame that says why is drawn.
+    solved
+        One case; without a result, a frame that says why is drawn.
     axes
         To draw on; of a new figure if not given.
     words
@@ -45,50 +51,64 @@ def ball_loads(
     -------
     Axes
         Those given. A contact without load is drawn as zero.
+
+    Raises
+    ------
+    InputError
+        If this is not one solved case, or the axes are none.
     """
-
-    def loads(ball: PlottedBall, race: Race) -> float:
-        return ball.inner.load if race == "inner" else ball.outer.load
-
-    greatest = [loads(ball, race) for ball in state.balls for race in RACES]
-    return _over_azimuth(
-        state, axes, loads, readable_unit("N", greatest), words.ball_load, words, from_zero=True
-    )
+    return _over_azimuth(solved, axes, "load", None, words.ball_load, words, from_zero=True)
 
 
 @in_style
-def contact_angles(
-    state: PlottedState, axes: Axes | None = None, *, words: PlotWords = ENGLISH
-) -> Axes:
+def contact_angles(solved: Solved, axes: Axes | None = None, *, words: PlotWords = ENGLISH) -> Axes:
     """Draw the loaded contact angles over azimuth, with the free angle where it is given.
 
-    Parameters and result as of `ball_loads`; where ball and race do not touch, nothing is drawn.
+    Parameters, result and errors as of `ball_loads`; where ball and race do not touch, nothing is
+    drawn.
     """
-
-    def angles(ball: PlottedBall, race: Race) -> float:
-        return contact_value(ball, race, "contact_angle")
-
-    axes = _over_azimuth(state, axes, angles, DEGREE, words.contact_angle, words)
-    free = _free_angle(state)
-    if state.status.converged and free is not None:
-        axes.axhline(degrees(free), color=GREY, linewidth=0.9, zorder=1.5, label=words.free_angle)
+    axes = _over_azimuth(solved, axes, "contact_angle", DEGREE, words.contact_angle, words)
+    bearing = solved.case.bearing
+    one = bearing.arrangement is None and bearing.rows is None
+    if solved.converged[0] and one and bearing.contact_angle is not None:
+        angle = degrees(bearing.contact_angle)
+        axes.axhline(angle, color=GREY, linewidth=0.9, zorder=1.5, label=words.free_angle)
         legend_above(axes)
     return axes
 
 
 @in_style
-def pressures(state: PlottedState, axes: Axes | None = None, *, words: PlotWords = ENGLISH) -> Axes:
-    """Draw the greatest Hertz pressures of the contacts over azimuth.
+def pressures(solved: Solved, axes: Axes | None = None, *, words: PlotWords = ENGLISH) -> Axes:
+    """Draw the maximum Hertz pressures of the contacts over azimuth.
 
-    Parameters and result as of `ball_loads`; where ball and race do not touch, nothing is drawn.
+    Parameters, result and errors as of `ball_loads`; where ball and race do not touch, nothing is
+    drawn.
     """
+    name, unit = words.max_pressure, MEGAPASCAL
+    return _over_azimuth(solved, axes, "max_pressure", unit, name, words, from_zero=True)
 
-    def pressure(ball: PlottedBall, race: Race) -> float:
-        return contact_value(ball, race, "max_pressure")
 
-    return _over_azimuth(
-        state, axes, pressure, MEGAPASCAL, words.max_pressure, words, from_zero=True
-    )
+def touching(solved: Solved, race: Race, name: str) -> Floats:
+    """Return a number of the contacts with a race; NaN where they do not touch; (balls,)."""
+    other: Race = "outer" if race == "inner" else "inner"
+    own, beside = solved.contacts[race], solved.contacts[other]
+    touches = own.load[0] > NO_LOAD * np.abs(beside.load[0])
+    return np.where(touches, getattr(own, name)[0], np.nan)
+
+
+def check_one_case(solved: Solved, figure: str) -> None:
+    """Refuse what is not one solved case.
+
+    Raises
+    ------
+    InputError
+        Saying what it must be.
+    """
+    refuse_other(solved, f"plots.{figure}")
+    if len(solved) != 1:
+        raise InputError(
+            "must be of one case", field="solved", value=len(solved), example="solved[0]"
+        )
 
 
 def race_name(race: Race, row: int, rows: int, words: PlotWords) -> str:
@@ -97,37 +117,49 @@ def race_name(race: Race, row: int, rows: int, words: PlotWords) -> str:
     return name if rows == 1 else f"{name}, {words.row.format(number=row)}"
 
 
-def row_keywords(race: Race, place: int) -> dict[str, Any]:
+def row_keywords(race: Race, row: int) -> dict[str, Any]:
     """Colour and line tell the race, markers the row: filled ones, then hollow ones."""
     race_series = INNER if race == "inner" else OUTER
-    if place == 0:
+    if row == 0:
         return race_series.keywords(markers=True)
-    shape: dict[str, Any] = {"marker": SERIES[(1 + place) % len(SERIES)].marker, "linewidth": 1.0}
-    hollow = {"markerfacecolor": "white"} if place % 2 else {}
+    shape: dict[str, Any] = {"marker": SERIES[(1 + row) % len(SERIES)].marker, "linewidth": 1.0}
+    hollow = {"markerfacecolor": "white"} if row % 2 else {}
     return {**race_series.keywords(), **shape, **hollow}
 
 
+def rows_in_order(solved: Solved) -> list[NDArray[np.intp]]:
+    """Return the balls of each row in order of azimuth, as indices."""
+    order = np.argsort(solved.elements.azimuth[0], kind="stable")
+    return [order[solved.elements.row[order] == row] for row in range(len(solved.rows))]
+
+
 def _over_azimuth(
-    state: PlottedState,
+    solved: Solved,
     axes: Axes | None,
-    value: Callable[[PlottedBall, Race], float],
-    unit: ReadableUnit,
+    quantity: str,
+    unit: ReadableUnit | None,
     name: str,
     words: PlotWords,
     *,
     from_zero: bool = False,
 ) -> Axes:
-    """Draw a number of every contact."""
-    axes = new_figure()[1] if axes is None else axes
-    if not state.status.converged:
-        return empty_frame(axes, words.reason(state.status.code))
-    rows = rows_of(state)
-    for place, (row, balls) in enumerate(rows):
-        azimuth = np.mod(DEGREE.of([ball.azimuth for ball in balls]), _TURN)
+    """Draw a number of every contact; without a unit, loads in one that fits them."""
+    check_one_case(solved, "ball_loads")
+    axes = new_figure()[1] if axes is None else require_axes(axes)
+    if not solved.converged[0]:
+        return empty_frame(axes, words.reason(str(solved.status.code[0])))
+    if unit is None:
+        numbers = {race: solved.contacts[race].load[0] for race in RACES}
+        unit = readable_unit("N", np.concatenate(list(numbers.values())))
+    else:
+        numbers = {race: touching(solved, race, quantity) for race in RACES}
+    rows = rows_in_order(solved)
+    for row, balls in enumerate(rows):
+        azimuth = np.mod(DEGREE.of(solved.elements.azimuth[0, balls]), _TURN)
         for race in RACES:
-            values = unit.of([value(ball, race) for ball in balls])
             label = race_name(race, row, len(rows), words)
-            axes.plot(*_all_round(azimuth, values), label=label, **row_keywords(race, place))
+            line = _all_round(azimuth, unit.of(numbers[race][balls]))
+            axes.plot(*line, label=label, **row_keywords(race, row))
     axes.set_xlim(-_MARGIN, _TURN + _MARGIN)
     axes.set_xticks(np.arange(0.0, _TURN + 1.0, _STEP))
     if from_zero:
@@ -147,9 +179,74 @@ def _all_round(azimuth: Floats, values: Floats) -> tuple[Floats, Floats]:
     return around[near], np.tile(values[order], len(turns))[near]
 
 
-def _free_angle(state: PlottedState) -> float | None:
-    """The free contact angle, if one was given for the whole bearing."""
-    bearing = state.case.bearing if state.case is not None else None
-    if bearing is None or bearing.arrangement is not None or bearing.rows is not None:
-        return None
-    return bearing.contact_angle
+@in_style
+def load_rosette(
+    solved: Solved, axes: Axes | None = None, *, words: PlotWords = ENGLISH
+) -> PolarAxes:
+    """Draw the contact loads around the bearing: +z is up, azimuths run clockwise over +y.
+
+    Parameters
+    ----------
+    solved
+        One case; without a result, a frame that says why is drawn.
+    axes
+        Polar axes to draw on; of a new figure if not given.
+    words
+        Language of the labels.
+
+    Returns
+    -------
+    PolarAxes
+        Those given.
+
+    Raises
+    ------
+    InputError
+        If this is not one solved case, or the axes are not polar.
+    """
+    check_one_case(solved, "load_rosette")
+    polar = new_polar_figure()[1] if axes is None else _turned(axes)
+    if not solved.converged[0]:
+        empty_frame(polar, words.reason(str(solved.status.code[0])))
+        return polar
+    loads = {race: solved.contacts[race].load[0] for race in RACES}
+    unit = readable_unit("N", np.concatenate(list(loads.values())))
+    rows = rows_in_order(solved)
+    for row, balls in enumerate(rows):
+        around = np.append(balls, balls[0])
+        for race in RACES:
+            label = race_name(race, row, len(rows), words)
+            azimuth, load = solved.elements.azimuth[0, around], unit.of(loads[race][around])
+            polar.plot(azimuth, load, label=label, **row_keywords(race, row))
+    polar.set_thetagrids(np.arange(0.0, 360.0, 45.0), _DIRECTIONS)
+    polar.set_rlim(bottom=0.0)
+    polar.set_xlabel(f"{unit.label(words.ball_load)}, {words.seen_from}", labelpad=6.0)
+    legend_above(polar)
+    larger = unit.of(np.maximum(loads["inner"], loads["outer"]))
+    _number_circles(polar, solved.elements.azimuth[0], larger, words)
+    return polar
+
+
+def _number_circles(axes: PolarAxes, azimuth: Floats, load: Floats, words: PlotWords) -> None:
+    """Write what the circles stand for where the balls bear least, and clear of what they bear."""
+    directions = np.arange(202.5, 562.5, 45.0)
+    near = np.cos(azimuth - np.radians(directions)[:, np.newaxis]) > np.cos(np.pi / 4)
+    borne = np.where(near, load, 0.0).max(axis=1)
+    emptiest = int(borne.argmin())
+    rim = float(axes.get_rmax())
+    circles = np.asarray(MaxNLocator(4, steps=[1, 2, 2.5, 5, 10]).tick_values(0.0, rim))
+    circles = circles[(circles > 0.0) & (circles <= rim)]
+    clear = 2.0 * borne[emptiest]
+    names = [number(circle, words) if circle > clear else "" for circle in circles]
+    axes.set_rgrids(circles, names if any(names) else [number(c, words) for c in circles])
+    axes.set_rlabel_position(directions[emptiest] % 360.0)
+
+
+def _turned(axes: Axes) -> PolarAxes:
+    if not isinstance(axes, PolarAxes):
+        raise InputError(
+            "must be polar", field="axes", example='figure.add_subplot(projection="polar")'
+        )
+    axes.set_theta_zero_location("N")
+    axes.set_theta_direction(-1)
+    return axes

@@ -129,14 +129,14 @@ def cage_turn_figure(turn: CageTurn, language: str = "en") -> Figure:
 
 
 def _displacements(axes: Axes, turn: CageTurn, shared: PlotWords, words: _Words) -> None:
-    if not np.isfinite(turn.displacement).any():
+    if not np.isfinite(turn.solved.displacement.array).any():
         empty_frame(axes, words.no_result)
         return
     variation = turn.variation("displacement")
     extent = variation.peak_to_peak[:3]
     unit = _fitting(_LENGTHS, extent) if turn.converged else _LENGTHS[0]
     for index, name in enumerate(_SHIFTS):
-        values = turn.displacement[:, index]
+        values = turn.solved.displacement.array[:, index]
         if turn.converged:
             values = _about(values, variation.mean[index], extent[index])
         _line(axes, turn, unit.of(values), index, name)
@@ -147,14 +147,14 @@ def _displacements(axes: Axes, turn: CageTurn, shared: PlotWords, words: _Words)
 
 
 def _stiffnesses(axes: Axes, turn: CageTurn, shared: PlotWords, words: _Words) -> None:
-    if not np.isfinite(turn.stiffness).any():
+    if not np.isfinite(turn.solved.stiffness.array).any():
         empty_frame(axes, words.no_result)
         return
     variation = turn.variation("stiffness")
     extent, mean = np.diagonal(variation.peak_to_peak)[:3], np.diagonal(variation.mean)[:3]
     unit = _fitting(_SHARES, extent / np.abs(mean)) if turn.converged else _STIFFNESS
     for index, name in enumerate(_SHIFTS):
-        values = turn.stiffness[:, index, index]
+        values = turn.solved.stiffness.array[:, index, index]
         if turn.converged:
             values = _about(values / mean[index], 1.0, extent[index])
         _line(axes, turn, unit.of(values), index, f"{name}–{name}")

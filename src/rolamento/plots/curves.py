@@ -1,6 +1,6 @@
 """Curves of one bearing: load over displacement, stiffness and contact angle over speed.
 
-They take plain arrays in SI units: columns of a `BatchState`, or variables of a study.
+They take plain arrays in SI units: columns of a `Solved`, or variables of a study.
 """
 
 from __future__ import annotations
@@ -14,12 +14,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from rolamento.errors import InputError
 from rolamento.plots.axes_units import DEGREE, RPM, readable_unit
-from rolamento.plots.balls import RACES
 from rolamento.plots.frame import empty_frame, label_x, label_y, legend_above
 from rolamento.plots.style import INNER, OUTER, in_style, new_figure, series
 from rolamento.plots.words import ENGLISH, PlotWords
-
-__all__ = ["MOST_MARKERS", "contact_angle_over_speed", "load_displacement", "stiffness_over_speed"]
+from rolamento.solved import RACES
 
 Floats = NDArray[np.float64]
 
@@ -106,8 +104,8 @@ def stiffness_over_speed(
     speed
         (cases,), in rad/s.
     stiffness
-        (cases, 5, 5), as of `BatchState`; or (cases, directions), each already of its direction,
-        such as ``np.stack([study["stiffness_xx"], study["stiffness_zz"]], axis=1)``.
+        (cases, 5, 5), as of `Solved.stiffness.array`; or (cases, directions), each already of its
+        direction, such as ``np.stack([study["stiffness_xx"], study["stiffness_zz"]], axis=1)``.
     axes
         To draw on; of a new figure if not given.
     directions

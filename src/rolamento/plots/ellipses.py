@@ -19,17 +19,14 @@ from matplotlib.collections import EllipseCollection
 from matplotlib.patches import Patch
 from numpy.typing import ArrayLike
 
-from rolamento.case.bearing import Bearing
 from rolamento.errors import InputError
-from rolamento.geometry import edge_cosine
+from rolamento.geometry import Race, edge_cosine
 from rolamento.plots.axes_units import DEGREE, MILLIMETRE
-from rolamento.plots.balls import RACES, Race
-from rolamento.plots.frame import GREY, empty_frame, label_y, legend_above, number
-from rolamento.plots.reading import PlottedBall, PlottedState, contact_value, rows_of
+from rolamento.plots.balls import check_one_case, rows_in_order, touching
+from rolamento.plots.frame import GREY, empty_frame, label_y, legend_above, number, require_axes
 from rolamento.plots.style import INNER, OUTER, in_style, new_figure, new_stacked_figure
 from rolamento.plots.words import ENGLISH, PlotWords
-
-__all__ = ["contact_ellipses", "ellipses_of_both_races"]
+from rolamento.solved import RACES, Solved
 
 _FRAME_SHAPE: Final = 3.3
 """Width of the drawing over its height, as it fits two to a page."""
@@ -43,7 +40,9 @@ _BARS: Final = (1, 2, 5)
 class _Slot:
     """One ball's place in the drawing, and its ellipse; mm."""
 
-    ball: PlottedBall
+    row: int
+    azimuth: float
+    """rad"""
     across: float
     semi_major: float
     semi_minor: float
@@ -75,7 +74,7 @@ class _Scale(NamedTuple):
 
 @in_style
 def contact_ellipses(
-    state: PlottedState,
+    solved: Solved,
     axes: Axes | None = None,
     *,
     race: Race = "inner",
@@ -89,14 +88,14 @@ def contact_ellipses(
 
     Parameters
     ----------
-    state
-        A solved state that knows its case; without a result, a frame that says why is drawn.
+    solved
+        One case; without a result, a frame that says why is drawn.
     axes
         To draw on; of a new figure if not given.
     race
         ``"inner"`` or ``"outer"``.
     balls
-        Which of the state's balls, counted from 0; all if not given.
+        Which of the balls, counted from 0; all if not given.
     words
         Language of the labels.
 
@@ -109,28 +108,30 @@ def contact_ellipses(
     Raises
     ------
     InputError
-        If the state does not know its case, or has no such ball.
+        If this is not one solved case, or it has no such ball.
     """
-    axes = new_figure()[1] if axes is None else axes
-    if not state.status.converged:
-        return empty_frame(axes, words.reason(state.status.code))
-    groups = _groups(state, race, balls)
+    check_one_case(solved, "contact_ellipses")
+    axes = new_figure()[1] if axes is None else require_axes(axes)
+    if not solved.converged[0]:
+        return empty_frame(axes, words.reason(str(solved.status.code[0])))
+    groups = _groups(solved, race, balls)
     return _draw(axes, groups, race, _scale(groups), words)
 
 
 @in_style
 def ellipses_of_both_races(
-    state: PlottedState, *, balls: Sequence[int] | None = None, words: PlotWords = ENGLISH
+    solved: Solved, *, balls: Sequence[int] | None = None, words: PlotWords = ENGLISH
 ) -> tuple[Axes, Axes]:
     """Draw the ellipses of the inner race above those of the outer, in a new figure.
 
     Parameters and errors as of `contact_ellipses`; both races are drawn to the same scale.
     """
+    check_one_case(solved, "ellipses_of_both_races")
     _, (inner, outer) = new_stacked_figure(2)
-    if not state.status.converged:
-        message = words.reason(state.status.code)
+    if not solved.converged[0]:
+        message = words.reason(str(solved.status.code[0]))
         return empty_frame(inner, message), empty_frame(outer, message)
-    groups = {race: _groups(state, race, balls) for race in RACES}
+    groups = {race: _groups(solved, race, balls) for race in RACES}
     scale = _scale([*groups["inner"], *groups["outer"]], races=2)
     _draw(inner, groups["inner"], "inner", scale, words)
     _draw(outer, groups["outer"], "outer", scale, words)
@@ -153,11 +154,12 @@ def _draw(
     return axes
 
 
-def _groups(state: PlottedState, race: Race, chosen: Sequence[int] | None) -> list[list[_Slot]]:
+def _groups(solved: Solved, race: Race, chosen: Sequence[int] | None) -> list[list[_Slot]]:
     """Return the chosen balls, row by row."""
-    picked = {id(ball) for ball in _picked(state, chosen)}
-    rows = ([ball for ball in row if id(ball) in picked] for _, row in rows_of(state))
-    return [[_slot(ball, state, race) for ball in row] for row in rows if row]
+    picked = set(_picked(len(solved.elements.row), chosen))
+    slots = _slots(solved, race)
+    groups = ([slots[ball] for ball in row if ball in picked] for row in rows_in_order(solved))
+    return [group for group in groups if group]
 
 
 def _scale(groups: Sequence[list[_Slot]], races: int = 1) -> _Scale:
@@ -180,57 +182,39 @@ def _side_by_side(groups: Sequence[list[_Slot]], step: float) -> list[_Slot]:
     return placed
 
 
-def _picked(state: PlottedState, chosen: Sequence[int] | None) -> list[PlottedBall]:
+def _picked(count: int, chosen: Sequence[int] | None) -> Sequence[int]:
     if chosen is None:
-        return list(state.balls)
+        return range(count)
     for index in chosen:
-        if not 0 <= index < len(state.balls):
-            last = len(state.balls) - 1
-            raise InputError(f"must be from 0 to {last}", field="balls", value=index)
+        if not 0 <= index < count:
+            raise InputError(f"must be from 0 to {count - 1}", field="balls", value=index)
     if not chosen:
         raise InputError("must name at least one ball", field="balls", example="[0, 1]")
-    return [state.balls[index] for index in chosen]
+    return chosen
 
 
-def _slot(ball: PlottedBall, state: PlottedState, race: Race) -> _Slot:
-    radius = _groove_radius(ball, state, race)
-    bearing = _bearing_of(ball, state)
-    height = bearing.inner_shoulder_height if race == "inner" else bearing.outer_shoulder_height
-    return _Slot(
-        ball=ball,
-        across=radius * contact_value(ball, race, "contact_angle"),
-        semi_major=1e3 * contact_value(ball, race, "semi_major"),
-        semi_minor=1e3 * contact_value(ball, race, "semi_minor"),
-        groove_radius=radius,
-        edge=radius * acos(float(edge_cosine(bearing, race))),
-        shoulder=height is not None,
+def _slots(solved: Solved, race: Race) -> list[_Slot]:
+    angle, semi_major, semi_minor = (
+        touching(solved, race, name) for name in ("contact_angle", "semi_major", "semi_minor")
     )
-
-
-def _bearing_of(ball: PlottedBall, state: PlottedState) -> Bearing:
-    """Return the geometry of a ball's row."""
-    if state.case is None:
-        raise InputError(
-            "is missing: contact ellipses need the bearing's geometry; solve the case with this "
-            "release to write it into the JSON",
-            field="case",
-            example="rolamento solve case.toml --json state.json",
+    bearings = [place.bearing for place in solved.case.bearing.places]
+    slots = []
+    for ball, row in enumerate(solved.elements.row.tolist()):
+        bearing = bearings[row]
+        radius = 1e3 * getattr(bearing, f"{race}_conformity") * bearing.ball_diameter
+        slots.append(
+            _Slot(
+                row=row,
+                azimuth=float(solved.elements.azimuth[0, ball]),
+                across=float(radius * angle[ball]),
+                semi_major=float(1e3 * semi_major[ball]),
+                semi_minor=float(1e3 * semi_minor[ball]),
+                groove_radius=radius,
+                edge=radius * acos(float(edge_cosine(bearing, race))),
+                shoulder=getattr(bearing, f"{race}_shoulder_height") is not None,
+            )
         )
-    places = state.case.bearing.places
-    if ball.row >= len(places):
-        raise InputError(
-            f"is not one of the case's rows, 0 to {len(places) - 1}",
-            field="balls.row",
-            value=ball.row,
-        )
-    return places[ball.row].bearing
-
-
-def _groove_radius(ball: PlottedBall, state: PlottedState, race: Race) -> float:
-    """Return the radius of a ball's groove in mm."""
-    bearing = _bearing_of(ball, state)
-    conformity = bearing.inner_conformity if race == "inner" else bearing.outer_conformity
-    return 1e3 * conformity * bearing.ball_diameter
+    return slots
 
 
 def _extent(slots: Sequence[_Slot]) -> tuple[float, float]:
@@ -287,8 +271,8 @@ def _draw_edges(axes: Axes, slots: Sequence[_Slot], words: PlotWords) -> list[Ar
     axes.axhline(0.0, color=GREY, linewidth=0.8, linestyle=(0, (8, 2, 1, 2)), zorder=1.5)
     margin = -axes.get_xlim()[0]
     handles: list[Artist] = []
-    for row in sorted({slot.ball.row for slot in slots}):
-        group = [slot for slot in slots if slot.ball.row == row]
+    for row in sorted({slot.row for slot in slots}):
+        group = [slot for slot in slots if slot.row == row]
         if not group[0].shoulder:
             continue
         edge = group[0].edge
@@ -323,8 +307,8 @@ def _draw_bar(axes: Axes, words: PlotWords) -> None:
 
 
 def _label(axes: Axes, slots: Sequence[_Slot], race: Race, words: PlotWords) -> None:
-    rows = sorted({slot.ball.row for slot in slots})
-    names = [number(float(DEGREE.of(slot.ball.azimuth)) % 360.0, words) for slot in slots]
+    rows = sorted({slot.row for slot in slots})
+    names = [number(float(DEGREE.of(slot.azimuth)) % 360.0, words) for slot in slots]
     every = ceil(sum(len(name) + 2 for name in names) / _LABEL_CHARACTERS)
     axes.set_xticks([slot.along for slot in slots][::every], names[::every])
     axes.grid(False, axis="x")
@@ -332,7 +316,7 @@ def _label(axes: Axes, slots: Sequence[_Slot], race: Race, words: PlotWords) -> 
     across = words.across_inner if race == "inner" else words.across_outer
     label_y(axes, MILLIMETRE.label(across), words)
     for row in rows if len(rows) > 1 else ():
-        begin = min(slot.along for slot in slots if slot.ball.row == row)
+        begin = min(slot.along for slot in slots if slot.row == row)
         name = words.row.format(number=row)
         axes.annotate(name, (begin, 0.03), xycoords=("data", "axes fraction"), fontsize=8.0)
 

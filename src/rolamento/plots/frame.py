@@ -14,22 +14,8 @@ from matplotlib.figure import Figure
 from matplotlib.projections.polar import PolarAxes
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter, ScalarFormatter
 
+from rolamento.errors import InputError
 from rolamento.plots.words import PlotWords
-
-__all__ = [
-    "GREY",
-    "PlainNumbers",
-    "add_title",
-    "empty_frame",
-    "figure_of",
-    "in_lines",
-    "label_x",
-    "label_y",
-    "legend_above",
-    "log_scale",
-    "number",
-    "shown_text",
-]
 
 GREY: Final = "#707070"
 _THIN_SPACE: Final = "\u2009"
@@ -38,6 +24,8 @@ _UPRIGHT_WIDTH: Final = 45
 _TITLE_CHARACTERS_PER_INCH: Final = 13.0
 _CHARACTERS_PER_INCH: Final = 17.0
 _HANDLE_CHARACTERS: Final = 7
+_HALF_LINE: Final = 42
+"""Characters of a label of which two stand side by side."""
 _LONG_NUMBER: Final = re.compile(r"\d{5,}")
 
 
@@ -135,6 +123,16 @@ def legend_above(
     legend.get_title().set_fontsize(8.0)
 
 
+def legend_in_columns(axes: Axes, handles: Sequence[Artist] = (), title: str = "") -> None:
+    """Put the legend over the frame, in two columns where its labels are short enough.
+
+    handles: what to show, with labels of their own; all that is drawn if not given.
+    """
+    shown = handles or axes.get_legend_handles_labels()[0]
+    longest = max((len(shown_text(str(handle.get_label()), 60)) for handle in shown), default=0)
+    legend_above(axes, handles=shown, title=title, columns=2 if longest <= _HALF_LINE else None)
+
+
 def _columns(axes: Axes, labels: Sequence[str]) -> int:
     """Return how many labels stand side by side over a frame, one wide as the other."""
     room = figure_of(axes).get_figwidth() * axes.get_position().width * _CHARACTERS_PER_INCH
@@ -172,3 +170,28 @@ def figure_of(axes: Axes) -> Figure:
     figure = axes.get_figure(root=True)
     assert isinstance(figure, Figure)
     return figure
+
+
+def require(given: object, kind: type, field: str, example: str) -> None:
+    """Refuse what a figure cannot be drawn from.
+
+    Raises
+    ------
+    InputError
+        Naming what it has to be, and how that is made.
+    """
+    if not isinstance(given, kind):
+        name = type(given).__name__
+        raise InputError(f"must be a {kind.__name__}", field=field, value=name, example=example)
+
+
+def require_axes(given: Axes) -> Axes:
+    """Return the axes, if they are some.
+
+    Raises
+    ------
+    InputError
+        If not.
+    """
+    require(given, Axes, "axes", "figure.add_subplot()")
+    return given

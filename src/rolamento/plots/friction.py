@@ -10,7 +10,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from rolamento.plots.axes_units import NONE, readable_unit
+from rolamento.plots.axes_units import NONE, read_values, readable_unit
 from rolamento.plots.frame import (
     add_title,
     empty_frame,
@@ -22,7 +22,6 @@ from rolamento.plots.over_field import (
     across,
     is_geometric,
     judged_line,
-    read_values,
     short_label,
 )
 from rolamento.plots.style import (
@@ -33,6 +32,7 @@ from rolamento.plots.style import (
     series,
     styled,
 )
+from rolamento.plots.variable_names import torque_model_name
 from rolamento.plots.words import plot_words
 
 if TYPE_CHECKING:
@@ -46,7 +46,7 @@ Floats = NDArray[np.float64]
 
 _CONTROLLED: Final = "friction_control"
 _WIDE: Final = 30.0
-"""Greatest over least torque from which on both axes become logarithmic, not only the field's."""
+"""Maximum over minimum torque from which on both axes become logarithmic, not only the field's."""
 _VARIANTS: Final[tuple[Any, ...]] = ("-", "--", ":", "-.", (0, (5, 1, 1, 1)), (0, (7, 2)))
 
 
@@ -54,7 +54,6 @@ _VARIANTS: Final[tuple[Any, ...]] = ("-", "--", ":", "-.", (0, (5, 1, 1, 1)), (0
 class _Words:
     torque: str
     ratio: str
-    models: Mapping[str, str]
     inner: str
     outer: str
     faint: str
@@ -65,19 +64,9 @@ _WORDS: Final[Mapping[str, _Words]] = {
     "en": _Words(
         torque="Friction torque",
         ratio="Spin to roll",
-        models={
-            "jones_full": "Jones, full",
-            "jones_control": "Jones, raceway control",
-            "jones_simplified": "Jones, simplified",
-            "harris_1971": "Harris 1971",
-            "todd": "Todd",
-            "palmgren": "Palmgren",
-            "skf": "SKF",
-            _CONTROLLED: "friction control",
-        },
         inner="inner contact",
         outer="outer contact",
-        faint="faint: the model does not hold there",
+        faint="faint: the model is not valid there",
         fields={
             "duty.load.fx": "Axial load",
             "duty.load.fy": "Radial load y",
@@ -94,16 +83,6 @@ _WORDS: Final[Mapping[str, _Words]] = {
     "pt": _Words(
         torque="Torque de atrito",
         ratio="Pivotamento sobre rolamento",
-        models={
-            "jones_full": "Jones, completo",
-            "jones_control": "Jones, controle de pista",
-            "jones_simplified": "Jones, simplificado",
-            "harris_1971": "Harris 1971",
-            "todd": "Todd",
-            "palmgren": "Palmgren",
-            "skf": "SKF",
-            _CONTROLLED: "controle por atrito",
-        },
         inner="contato interno",
         outer="contato externo",
         faint="claro: o modelo não vale ali",
@@ -165,14 +144,14 @@ def torque_by_model(
     shared, words = plot_words(language), _WORDS.get(language, _WORDS["en"])
     with styled():
         axes = new_figure()[1] if axes is None else axes
-        lines = list(_torques(curves, words))
+        lines = list(_lines(curves, language))
         values = np.concatenate([torque for torque, _, _, _ in lines])
         if not np.isfinite(values).any():
             return empty_frame(axes, shared.no_result)
         unit, x = readable_unit("N*m", values), _x(curves[0])
         faint = False
-        for torque, holds, name, look in lines:
-            faint |= judged_line(axes, x, unit.of(torque), holds, name, look)
+        for torque, valid, name, look in lines:
+            faint |= judged_line(axes, x, unit.of(torque), valid, name, look)
         across(axes, curves[0].field, curves[0].values, words.fields, shared)
         if _is_wide(values) and is_geometric(curves[0].values):
             log_scale(axes, "y", shared)
@@ -220,32 +199,31 @@ def spin_to_roll(
     return axes
 
 
-def _torques(
-    curves: Sequence[FrictionCurve], words: _Words
+def _lines(
+    curves: Sequence[FrictionCurve], language: str
 ) -> list[tuple[Floats, NDArray[np.bool_], str, dict[str, Any]]]:
-    """Torque, where it holds, name and look of every line."""
+    """Torque, where it is valid, name and look of every line."""
     own = curves[0]
     lines: list[tuple[Floats, NDArray[np.bool_], str, dict[str, Any]]] = []
-    for index, verdict in enumerate(own.friction.verdicts):
-        name = words.models.get(verdict.model, verdict.model)
+    for index, found in enumerate(own.friction.validity):
+        name = torque_model_name(found.model, language)
         look = series(index).keywords()
-        lines.append((own.torque(verdict.model), verdict.holds, name, look))
+        lines.append((own.torque(found.model), found.valid, name, look))
     controlled = own.is_speed and own.controlled is not None
     if controlled:
         torque = own.controlled_torque
-        name = words.models[_CONTROLLED]
+        name = torque_model_name(_CONTROLLED, language)
         look = series(len(lines)).keywords()
         lines.append((torque, own.friction.regime != "full_film", name, look))
     for number, curve in enumerate(curves[1:], start=1):
         look = {"color": "#000000", "linestyle": _VARIANTS[number % len(_VARIANTS)]}
         model = _CONTROLLED if controlled else curve.friction.model
         if controlled:
-            torque, holds = curve.controlled_torque, curve.friction.regime != "full_film"
+            torque, valid = curve.controlled_torque, curve.friction.regime != "full_film"
         else:
-            torque, holds = curve.torque(model), curve.friction.verdicts[0].holds
-        lines.append(
-            (torque, np.asarray(holds), f"{words.models[model]}, {short_label(curve.label)}", look)
-        )
+            torque, valid = curve.torque(model), curve.friction.validity[0].valid
+        name = f"{torque_model_name(model, language)}, {short_label(curve.label)}"
+        lines.append((torque, np.asarray(valid), name, look))
     return lines
 
 

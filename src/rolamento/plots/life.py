@@ -1,45 +1,79 @@
-"""Life over a field of a case: by every theory, in hours."""
+"""Figures of life: over a field, over load with tests beside it, a_ISO, the load zone, what helps.
+
+A theory has the same colour and line on all of them, by its rank.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING, Any, Final, Literal, NamedTuple
 
 import numpy as np
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
-from rolamento.plots.frame import GREY, add_title, empty_frame, legend_above
+from rolamento.life.iso281_modified import MAXIMUM_FACTOR, life_modification_factor
+from rolamento.life.iso16281 import THEORY as REFERENCE
+from rolamento.life.theories import BY_RANK, THEORIES
+from rolamento.plots.axes_units import MEGAPASCAL, read_values
+from rolamento.plots.frame import (
+    GREY,
+    add_title,
+    empty_frame,
+    label_x,
+    label_y,
+    legend_above,
+    log_scale,
+    number,
+)
 from rolamento.plots.life_words import LifeWords, life_words
-from rolamento.plots.over_field import across, decades, judged_line, read_values, short_label
-from rolamento.plots.style import new_figure, series, styled
+from rolamento.plots.over_field import across, decades, judged_line, short_label
+from rolamento.plots.style import SERIES, new_figure, series, styled
 from rolamento.plots.words import PlotWords, plot_words
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from rolamento.studies.life_curves import LifeCurve
+    from rolamento.life import Change, LifeSummary
+    from rolamento.tasks.life_over import LifeCurve, LoadLives, ZoneLife
 
-__all__ = ["in_order", "life_figure", "life_limits", "lives_by_theory", "theory_look"]
+__all__ = [
+    "BearingTests",
+    "aiso_chart",
+    "helps_figure",
+    "life_figure",
+    "life_over_zone",
+    "lives_by_theory",
+    "load_over_life",
+    "load_zone_figure",
+    "sn_figure",
+    "theory_look",
+    "what_helps",
+]
 
 Floats = NDArray[np.float64]
+By = Literal["load", "pressure"]
 
-_ORDER: Final = (
-    "iso16281_modified",
-    "iso281_modified",
-    "iso16281",
-    "iso281",
-    "ioannides_harris",
-    "l_able",
-    "iso281_1990",
-)
-"""Of colours, so that a theory looks the same on every figure."""
-_BOUND: Final = "ioannides_harris"
+_LOAD_ROOM: Final = 1.15
+_BLACK: Final = "#000000"
 _ABOVE: Final = 10.0
 """How far an upper bound may lead the axis beyond the other theories."""
 _ROOM: Final = 1.5
 _VARIANTS: Final[tuple[Any, ...]] = ("-", "--", ":", "-.", (0, (5, 1, 1, 1)), (0, (7, 2)))
 _HOUR: Final = 3600.0
+_RATIOS: Final = (0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 1.0, 1.5, 2.0, 3.0, 4.0)
+"""κ of the curves, as on the standard's charts."""
+_STRENGTH: Final = (0.005, 5.0)
+_FACTOR: Final = (0.1, MAXIMUM_FACTOR)
+_POINTS: Final = 400
+_AISO_ROOM: Final = 1.4
+_LABELLED: Final = {4.0: 38.0, 3.0: 24.0, 2.0: 15.5, 1.5: 10.0, 1.0: 6.5}
+"""a_ISO at which curves are named that crowd: down a slope, beside each other."""
+_HIGH: Final = 27.0
+"""Likewise of the others, where they run up that far."""
+_BAR: Final = 0.62
+_MARGIN: Final = 0.2
+_TICKS: Final = (0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 2.5, 3.0)
 
 
 def life_figure(curves: Sequence[LifeCurve], language: str = "en") -> Figure:
@@ -81,17 +115,17 @@ def lives_by_theory(
     with styled():
         axes = new_figure(height=110.0)[1] if axes is None else axes
         own = curves[0]
-        turns = any(not np.isnan(life).all() for life in own.lives.values())
-        lines = list(_lines(curves, turns, words))
-        limits = life_limits((life, theory) for life, _, theory, _, _ in lines)
+        turns = own.in_hours
+        lines = list(_lines_of_theories(curves, words))
+        limits = _limits_of_lives((life, theory) for life, _, theory, _, _ in lines)
         if limits is None:
             endless = any(np.isposinf(life).any() for life, *_ in lines)
             return empty_frame(axes, words.endless if endless else shared.no_result)
         x, faint = read_values(own.over.field, own.values)[0], False
-        for life, holds, _, name, look in lines:
+        for life, valid, _, name, look in lines:
             beyond = not np.any(life < limits[1])
             shown = words.above.format(name=name) if beyond else name
-            faint |= judged_line(axes, x, life, holds, shown, look)
+            faint |= judged_line(axes, x, life, valid, shown, look)
         if turns and own.case.life is not None and own.case.life.wanted_life is not None:
             wanted = own.case.life.wanted_life / _HOUR
             axes.axhline(wanted, color=GREY, linewidth=0.9, label=words.wanted)
@@ -106,16 +140,12 @@ def lives_by_theory(
 
 def theory_look(theory: str) -> dict[str, Any]:
     """Return the colour and line of a theory, the same on every figure."""
-    place = _ORDER.index(theory) if theory in _ORDER else len(_ORDER)
-    return series(place).keywords()
+    rank = THEORIES[theory].rank
+    again = {} if rank < len(SERIES) else {"linestyle": (0, (3, 1))}
+    return {**series(rank).keywords(), **again}
 
 
-def in_order(theories: Iterable[str]) -> list[str]:
-    """Return theories in the order in which figures list them."""
-    return sorted(theories, key=lambda t: _ORDER.index(t) if t in _ORDER else len(_ORDER))
-
-
-def life_limits(lives: Iterable[tuple[Floats, str]]) -> tuple[float, float] | None:
+def _limits_of_lives(lives: Iterable[tuple[Floats, str]]) -> tuple[float, float] | None:
     """Return how far an axis of lives goes; None if there is none.
 
     An upper bound, decades above all others, leads it a little, and not at all from far away.
@@ -124,36 +154,35 @@ def life_limits(lives: Iterable[tuple[Floats, str]]) -> tuple[float, float] | No
     known = [(life, theory) for life, theory in known if life.size]
     if not known:
         return None
-    others = [life for life, theory in known if theory != _BOUND]
+    others = [life for life, theory in known if not THEORIES[theory].bound]
     least = min(float(life.min()) for life, _ in known)
     most = max(float(life.max()) for life, _ in known)
     if others:
         highest = max(float(life.max()) for life in others)
-        near = any(life.min() < _ABOVE * highest for life, theory in known if theory == _BOUND)
+        near = any(
+            life.min() < _ABOVE * highest for life, theory in known if THEORIES[theory].bound
+        )
         most = min(most, _ABOVE * highest if near else highest)
     return least / _ROOM, most * _ROOM
 
 
-def _lines(
-    curves: Sequence[LifeCurve], turns: bool, words: LifeWords
+def _lines_of_theories(
+    curves: Sequence[LifeCurve], words: LifeWords
 ) -> Iterable[tuple[Floats, NDArray[np.bool_], str, str, dict[str, Any]]]:
-    """Life, where it holds, theory, name and look of every line."""
-
-    def found(curve: LifeCurve, theory: str) -> tuple[Floats, NDArray[np.bool_]]:
-        lives = curve.lives if turns else curve.revolutions
-        return lives[theory], curve.holds[theory]
-
-    for theory in in_order(curves[0].lives):
-        name = words.theories.get(theory, theory)
-        yield (*found(curves[0], theory), theory, name, theory_look(theory))
-    for number, curve in enumerate(curves[1:], start=1):
+    """Life, where it is valid, theory, name and look of every line."""
+    first = curves[0]
+    for theory in _by_rank(first.theories):
+        name, own = words.theories.get(theory, theory), first[theory]
+        yield first.shown(own), own.valid, theory, name, theory_look(theory)
+    for place, curve in enumerate(curves[1:], start=1):
         leading = curve.headline
         names = dict.fromkeys(theory for theory in leading.theory.tolist() if theory)
-        look = {"color": "#000000", "linestyle": _VARIANTS[number % len(_VARIANTS)]}
+        look = {"color": "#000000", "linestyle": _VARIANTS[place % len(_VARIANTS)]}
         theories = " / ".join(words.theories[theory] for theory in names)
-        led = leading.hours if turns else leading.life
+        # in the unit of the first, whether this one turns or not
+        led = leading.hours if first.in_hours else leading.life
         label = f"{theories}, {short_label(curve.label)}"
-        yield (led, leading.holds, next(iter(names), ""), label, look)
+        yield led, leading.valid, next(iter(names), REFERENCE.name), label, look
 
 
 def _mark_missing(axes: Axes, x: Floats, curve: LifeCurve, shared: PlotWords) -> None:
@@ -168,3 +197,361 @@ def _mark_missing(axes: Axes, x: Floats, curve: LifeCurve, shared: PlotWords) ->
             marker="x",
             label=shared.no_result_count.format(count=int(missing.sum()), total=len(missing)),
         )
+
+
+def _by_rank(theories: Iterable[str]) -> list[str]:
+    return sorted(theories, key=BY_RANK.index)
+
+
+# --- over load --------------------------------------------------------------------------------
+
+
+class BearingTests(NamedTuple):
+    """Bearings that ran: what they are called, how long and under what they ran, which failed.
+
+    revolutions: millions; load: P/C, or Pa on a figure over pressure; failed: else they were
+    taken off whole. Of each, (bearings,).
+    """
+
+    label: str
+    revolutions: ArrayLike
+    load: ArrayLike
+    failed: ArrayLike
+
+
+def sn_figure(
+    lives: LoadLives, language: str = "en", *, by: By = "load", tests: Sequence[BearingTests] = ()
+) -> Figure:
+    """Draw life over load, as `load_over_life`, with the case's title."""
+    with styled():
+        figure, axes = new_figure(height=115.0)
+        load_over_life(lives, axes, language=language, by=by, tests=tests)
+        if lives.case.title:
+            add_title(figure, lives.case.title)
+    return figure
+
+
+def load_over_life(
+    lives: LoadLives,
+    axes: Axes | None = None,
+    *,
+    language: str = "en",
+    by: By = "load",
+    tests: Sequence[BearingTests] = (),
+) -> Axes:
+    """Draw load over life by every theory: straight the basic one, bent those with a fatigue limit.
+
+    Parameters
+    ----------
+    lives
+        Of `rolamento.tasks.life_over.lives_over_load`.
+    axes
+        To draw on; of a new figure if not given.
+    language
+        ``"en"`` or ``"pt"``.
+    by
+        Upright is P/C ("load"), or the greatest contact pressure ("pressure").
+    tests
+        Bearings that ran: filled marks of those that failed, hollow ones of the others.
+
+    A line is faint where its theory does not hold; the case itself has a mark on each.
+    """
+    shared, words = plot_words(language), life_words(language)
+    with styled():
+        axes = new_figure(height=115.0)[1] if axes is None else axes
+        upright = lives.load if by == "load" else MEGAPASCAL.of(lives.pressure)
+        found = {name: record.life for name, record in lives.theories.items()}
+        limits = _limits_of_lives((life, name) for name, life in found.items())
+        if limits is None or not np.isfinite(upright).any():
+            return empty_frame(axes, shared.no_result)
+        faint = False
+        for theory in _by_rank(found):
+            record, name = lives.theories[theory], words.theories.get(theory, theory)
+            faint |= _draw_load(
+                axes, found[theory], upright, record.valid, name, theory_look(theory)
+            )
+        own = [life[lives.own] for life in found.values()]
+        axes.plot(
+            own, np.full(len(own), upright[lives.own]), label=words.own, color=_BLACK,
+            marker="o", markerfacecolor="white", linestyle="", zorder=3.0,
+        )  # fmt: skip
+        for place, one in enumerate(tests):
+            _draw_tests(axes, one, place, by, words)
+        if by == "load":
+            axes.axhline(lives.fatigue_load, color=GREY, linewidth=0.9, label=words.fatigue_load)
+        ran = np.array(
+            [limits[0] * _LOAD_ROOM, *(n for one in tests for n in np.ravel(one.revolutions))]
+        )
+        least = float(ran[ran > 0.0].min()) / _LOAD_ROOM
+        decades(axes, "x", (least, limits[1]), shared)
+        decades(axes, "y", _upright_limits(lives, upright, by), shared)
+        axes.set_xlabel(words.revolutions, parse_math=False)
+        axes.set_ylabel(_upright_name(lives, by, words), parse_math=False)
+        legend_above(axes, title=words.faint if faint else "")
+    return axes
+
+
+def _draw_load(
+    axes: Axes,
+    life: Floats,
+    upright: Floats,
+    valid: NDArray[np.bool_],
+    name: str,
+    look: dict[str, Any],
+) -> bool:
+    """Draw load over life; what is without an end lies beyond the frame."""
+    there = np.isfinite(life) & np.isfinite(upright)
+    return judged_line(axes, life[there], upright[there], valid[there], name, look)
+
+
+def _draw_tests(axes: Axes, tests: BearingTests, place: int, by: By, words: LifeWords) -> None:
+    look = SERIES[(place + 1) % len(SERIES)]
+    ran, load = np.asarray(tests.revolutions, np.float64), np.asarray(tests.load, np.float64)
+    upright = load if by == "load" else MEGAPASCAL.of(load)
+    failed = np.asarray(tests.failed, np.bool_)
+    for chosen, said, face in (
+        (failed, words.failed, look.color),
+        (~failed, words.standing, "white"),
+    ):
+        if chosen.any():
+            axes.plot(
+                ran[chosen], upright[chosen], label=f"{tests.label}: {said}",
+                color=look.color, marker=look.marker, markerfacecolor=face, markersize=5.0,
+                linestyle="", zorder=2.5,
+            )  # fmt: skip
+
+
+def _upright_limits(lives: LoadLives, upright: Floats, by: By) -> tuple[float, float]:
+    known = upright[np.isfinite(upright)]
+    least, most = float(known.min()), float(known.max())
+    if by == "load":
+        least = min(least, lives.fatigue_load)
+    return least / _LOAD_ROOM, most * _LOAD_ROOM
+
+
+def _upright_name(lives: LoadLives, by: By, words: LifeWords) -> str:
+    if by == "pressure":
+        return MEGAPASCAL.label(words.pressure)
+    return words.reference_load if lives.by_reference else words.load
+
+
+# --- a_ISO, the load zone, what would help ----------------------------------------------------
+
+
+def aiso_chart(
+    summary: LifeSummary | None = None, axes: Axes | None = None, *, language: str = "en"
+) -> Axes:
+    """Draw a_ISO over e_C C_u/P for κ from 0.1 to 4, and where solved cases are on it.
+
+    Parameters
+    ----------
+    summary
+        Of `rolamento.life`, of one case or several; without it the chart alone.
+    axes
+        To draw on; of a new figure if not given.
+    language
+        ``"en"`` or ``"pt"``.
+
+    Curves are without additives; a case with them may lie above its curve, at 3 at most.
+    ISO 281:2007, 9.3.3: radial ball bearings.
+    """
+    shared, words = plot_words(language), life_words(language)
+    with styled():
+        axes = new_figure(height=110.0)[1] if axes is None else axes
+        points = [] if summary is None else _factors_of(summary, words, shared)
+        limits = _wide_enough([strength for *_, strength, _ in points])
+        strength = np.geomspace(*limits, _POINTS)
+        for ratio in _RATIOS:
+            factor = life_modification_factor(ratio, strength, 1.0, 1.0)
+            axes.plot(strength, factor, color=GREY, linewidth=0.8, zorder=1.5)
+            _name_curve(axes, strength, factor, ratio, f"{words.viscosity_ratio} ", shared)
+        for label, marker, colour, x, y in points:
+            axes.plot(
+                x, y, label=label, marker=marker, color=colour, linestyle="", markersize=9.0,
+                markerfacecolor="none", markeredgewidth=1.6, zorder=3.0, clip_on=False,
+            )  # fmt: skip
+        log_scale(axes, "x", shared)
+        log_scale(axes, "y", shared)
+        axes.set_xlim(*limits)
+        axes.set_ylim(_FACTOR[0], _FACTOR[1] * _AISO_ROOM)
+        axes.set_xlabel(r"$e_C\,C_u/P$")
+        axes.set_ylabel(r"$a_\mathrm{ISO}$")
+        if summary is not None and not points:
+            axes.text(0.04, 0.92, words.no_factor, transform=axes.transAxes, parse_math=False)
+        legend_above(axes)
+    return axes
+
+
+def load_zone_figure(life: ZoneLife, language: str = "en") -> Figure:
+    """Draw life over the load zone, as `life_over_zone`, with the case's title."""
+    with styled():
+        figure, axes = new_figure(height=95.0)
+        life_over_zone(life, axes, language=language)
+        if life.case.title:
+            add_title(figure, life.case.title)
+    return figure
+
+
+def life_over_zone(life: ZoneLife, axes: Axes | None = None, *, language: str = "en") -> Axes:
+    """Draw life over the load zone ε of a radially loaded bearing, and the case's own place.
+
+    Parameters
+    ----------
+    life
+        Of `rolamento.tasks.life_over.lives_over_zone`; where the case's load is radial, the
+        clearance that makes each zone under it stands below.
+    axes, language
+        As `aiso_chart`.
+    """
+    shared, words = plot_words(language), life_words(language)
+    with styled():
+        axes = new_figure(height=95.0)[1] if axes is None else axes
+        axes.plot(life.zone, life.life_ratio, color=SERIES[0].color)
+        axes.axvline(0.5, color=GREY, linewidth=0.9, label=words.no_clearance)
+        best, ratio = life.best
+        label = f"{words.best}: ε = {number(best, shared, 2)}, {_times(ratio, shared)}"
+        axes.plot(best, ratio, label=label, **_mark(2))
+        if life.own is not None and life.zone[0] <= life.own[0] <= life.zone[-1]:
+            own, ratio = life.own
+            label = f"{words.own}: ε = {number(own, shared, 2)}, {_times(ratio, shared)}"
+            axes.plot(own, ratio, label=label, **_mark(1))
+        _zone_ticks(axes, life, shared, words)
+        label_y(axes, words.zone_life, shared)
+        axes.set_xlim(0.0, float(life.zone[-1]))
+        axes.set_ylim(0.0, 1.15 * float(np.max(life.life_ratio)))
+        legend_above(axes)
+    return axes
+
+
+def helps_figure(changes: Sequence[Change], language: str = "en", title: str = "") -> Figure:
+    """Draw what would help, as `what_helps`, with a title."""
+    with styled():
+        figure, axes = new_figure(height=24.0 + 9.0 * max(len(changes), 2))
+        what_helps(changes, axes, language=language)
+        if title:
+            add_title(figure, title)
+    return figure
+
+
+def what_helps(
+    changes: Sequence[Change], axes: Axes | None = None, *, language: str = "en"
+) -> Axes:
+    """Draw a bar for each change: life after it over life before; the most helpful at the top.
+
+    Parameters
+    ----------
+    changes
+        Of `rolamento.life.sensitivity`; one without a ratio has a line without a bar.
+    axes, language
+        As `aiso_chart`.
+    """
+    shared, words = plot_words(language), life_words(language)
+    with styled():
+        axes = new_figure()[1] if axes is None else axes
+        ratios = np.array([change.life_ratio for change in changes], dtype=np.float64)
+        known = np.isfinite(ratios)
+        if not known.any():
+            return empty_frame(axes, shared.no_result)
+        places = np.arange(len(changes))
+        colours = [SERIES[2].color if ratio >= 1.0 else SERIES[1].color for ratio in ratios]
+        axes.barh(places, np.where(known, ratios - 1.0, 0.0), _BAR, left=1.0, color=colours)
+        for place, ratio in zip(places, ratios, strict=True):
+            text = _times(ratio, shared) if np.isfinite(ratio) else shared.no_result
+            side = -4 if ratio < 1.0 else 4
+            axes.annotate(
+                text, (ratio if np.isfinite(ratio) else 1.0, place), (side, 0),
+                textcoords="offset points", va="center", ha="right" if side < 0 else "left",
+                fontsize=8.0, parse_math=False,
+            )  # fmt: skip
+        axes.axvline(1.0, color=GREY, linewidth=0.9)
+        names = [words.changes.get(change.name, change.name) for change in changes]
+        axes.set_yticks(places, names, parse_math=False)
+        axes.invert_yaxis()
+        axes.grid(False, axis="y")
+        least, most = min(float(ratios[known].min()), 1.0), max(float(ratios[known].max()), 1.0)
+        room = _MARGIN * max(most - least, 0.1)
+        axes.set_xlim(least - (room if least < 1.0 else 0.0), most + room)
+        label_x(axes, words.life_ratio, shared)
+    return axes
+
+
+def _factors_of(
+    summary: LifeSummary, words: LifeWords, shared: PlotWords
+) -> list[tuple[str, str, str, Floats, Floats]]:
+    """Label, marker, colour, e_C C_u/P and a_ISO of each modified theory; bounds left out."""
+    found = []
+    for theory in _by_rank(summary.theories):
+        record = summary[theory]
+        if "a_iso" not in record.factors:
+            continue
+        factor, clean = record.factors["a_iso"], record.factors["contamination_factor"]
+        load = record.factors.get("equivalent_load", summary.loads.dynamic)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            strength = clean * summary.ratings.fatigue_of_set / load
+        known = np.isfinite(factor) & ~record.below
+        there = known & np.isfinite(strength) & (strength > 0.0)
+        if not there.any():
+            continue
+        label = words.theories[theory]
+        if there.sum() == 1:
+            ratio = float(record.factors["viscosity_ratio"][there][0])
+            label += f", {words.viscosity_ratio} {number(ratio, shared, 3)}"
+            label += f", {words.factor} = {number(float(factor[there][0]), shared, 3)}"
+        if summary.conditions.additives:
+            label += f", {words.with_additives}"
+        look = SERIES[THEORIES[theory].rank]
+        found.append((label, look.marker, look.color, strength[there], factor[there]))
+    return found
+
+
+def _wide_enough(strengths: Sequence[Floats]) -> tuple[float, float]:
+    """Return limits that hold all points, whole in the standard's own range."""
+    all_of_them = np.concatenate([np.array(_STRENGTH), *strengths])
+    least, most = float(all_of_them.min()), float(all_of_them.max())
+    low = _STRENGTH[0] if least >= _STRENGTH[0] else least / 2.0
+    return low, _STRENGTH[1] if most <= _STRENGTH[1] else most * 2.0
+
+
+def _name_curve(
+    axes: Axes, strength: Floats, factor: Floats, ratio: float, prefix: str, shared: PlotWords
+) -> None:
+    """Write κ on a curve: where it has room if it is steep, else at its right end."""
+    height = _LABELLED.get(ratio, _HIGH)
+    steep = float(factor[-1]) > height
+    place = int(np.argmax(factor > height)) if steep else len(factor) - 1
+    axes.annotate(
+        (prefix if ratio == max(_RATIOS) else "") + number(ratio, shared),
+        (float(strength[place]), float(factor[place])),
+        (0.0, 0.0) if steep else (3.0, 0.0),
+        textcoords="offset points",
+        ha="center" if steep else "left",
+        va="center",
+        fontsize=7.0,
+        annotation_clip=False,
+        bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.6} if steep else None,
+    )
+
+
+def _zone_ticks(axes: Axes, life: ZoneLife, shared: PlotWords, words: LifeWords) -> None:
+    """Number the zones, and below them the clearance that makes each under the case's load."""
+    under_load = bool(np.isfinite(life.clearance).all())
+
+    def written(zone: float) -> str:
+        above = number(zone, shared)
+        if not under_load:
+            return above
+        micrometres = round(1e6 * float(np.interp(zone, life.zone, life.clearance)))
+        return f"{above}\n{number(float(micrometres), shared)}"
+
+    axes.set_xticks(_TICKS, [written(tick) for tick in _TICKS])
+    name = f"{words.zone}\n{words.clearance}" if under_load else words.zone
+    axes.set_xlabel(name, parse_math=False)
+
+
+def _times(ratio: float, shared: PlotWords) -> str:
+    return f"× {number(ratio, shared, 3)}"
+
+
+def _mark(index: int) -> dict[str, Any]:
+    look = SERIES[index]
+    return {"color": look.color, "marker": look.marker, "linestyle": "", "markersize": 7.0}

@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 from numpy.typing import NDArray
 
-from rolamento.plots.axes_units import NONE, readable_unit
+from rolamento.plots.axes_units import NONE, read_values
 from rolamento.plots.frame import label_x, log_scale, number
 from rolamento.plots.words import PlotWords
 
@@ -18,11 +18,10 @@ if TYPE_CHECKING:
 
     from rolamento.studies.fields import Field
 
-__all__ = ["across", "decades", "is_geometric", "judged_line", "read_values", "short_label"]
+__all__ = ["across", "decades", "is_geometric", "judged_line", "short_label"]
 
 Floats = NDArray[np.float64]
 
-_ZERO_CELSIUS: Final = 273.15
 _FAINT: Final = 0.3
 """Of a line where its model does not hold."""
 _DECADES: Final = 100.0
@@ -44,7 +43,7 @@ def across(
     names: what is said of fields, by their dotted names; others by their own words.
     """
     x, symbol = read_values(field, values)
-    known = names.get(field.name, field.long_name[:1].upper() + field.long_name[1:])
+    known = names.get(field.name, field.label[:1].upper() + field.label[1:])
     label_x(axes, known if symbol == NONE.symbol else f"{known} ({symbol})", words)
     if is_geometric(values):
         log_scale(axes, "x", words)
@@ -71,14 +70,6 @@ def _tick(value: float, words: PlotWords) -> str:
     if value >= _LONG and np.isclose(value, 10.0**power):
         return "10" + str(power).translate(_RAISED)
     return number(value, words)
-
-
-def read_values(field: Field, values: Floats) -> tuple[Floats, str]:
-    """Return the values of a field as a person reads them, and their unit."""
-    if field.dimension == "temperature":
-        return values - _ZERO_CELSIUS, "°C"
-    unit = readable_unit(field.unit, values)
-    return unit.of(values), unit.symbol
 
 
 def judged_line(

@@ -12,22 +12,21 @@ from matplotlib.patches import Ellipse
 from numpy.typing import NDArray
 
 from rolamento.errors import InputError
-from rolamento.friction.loaded_balls import loaded_balls
 from rolamento.friction.slip import (
     Patch,
     RelativeMotion,
-    greatest_pressure_slip,
+    maximum_pressure_slip,
     pressure_share,
-    relative_motion,
     rolling_lines,
     slip_velocity,
+    solved_motion,
 )
 from rolamento.plots.axes_units import MILLIMETRE
 from rolamento.plots.balls import Race
 from rolamento.plots.frame import PlainNumbers, empty_frame, figure_of, label_x, label_y, number
 from rolamento.plots.style import in_style, new_figure, new_stacked_figure
 from rolamento.plots.words import ENGLISH, PlotWords
-from rolamento.state import State
+from rolamento.solved import Solved
 
 __all__ = ["QUANTITIES", "Quantity", "slip_map", "slip_maps"]
 
@@ -54,7 +53,7 @@ _WORDS: Final[Mapping[str, Mapping[str, str]]] = {
         "across": "Across rolling",
         "along": "Along rolling",
         "lines": "no slip along rolling",
-        "greatest": "greatest, {value}",
+        "maximum": "maximum, {value}",
         "no_contact": "ball and race do not touch",
     },
     "pt": {
@@ -64,7 +63,7 @@ _WORDS: Final[Mapping[str, Mapping[str, str]]] = {
         "across": "Transversal ao rolamento",
         "along": "No sentido do rolamento",
         "lines": "sem deslizamento no sentido do rolamento",
-        "greatest": "máximo, {value}",
+        "maximum": "máximo, {value}",
         "no_contact": "esfera e pista não se tocam",
     },
 }
@@ -84,7 +83,7 @@ class _Contact:
 
 @in_style
 def slip_map(
-    state: State,
+    solved: Solved,
     axes: Axes | None = None,
     *,
     quantity: Quantity = "slip",
@@ -94,13 +93,13 @@ def slip_map(
 ) -> Axes:
     """Draw slip, pressure or their product over one contact ellipse.
 
-    The motion is that of the state, by its raceway control. Lines of pure rolling are dashed;
-    arrows show how the race slips over the ball; a cross marks the greatest product.
+    The motion is that of the solved case, by its raceway control. Lines of pure rolling are dashed;
+    arrows show how the race slips over the ball; a cross marks the maximum product.
 
     Parameters
     ----------
-    state
-        A solved state; without a result, a frame that says why is drawn.
+    solved
+        A single solved case; without a result, a frame that says why is drawn.
     axes
         To draw on; of a new figure if not given.
     quantity
@@ -108,7 +107,7 @@ def slip_map(
     race
         ``"inner"`` or ``"outer"``.
     ball
-        Counted from 0; the one with the greatest load on this race if not given.
+        Counted from 0; the one with the maximum load on this race if not given.
     words
         Language of the labels.
 
@@ -127,9 +126,9 @@ def slip_map(
         raise InputError(
             f"must be one of {', '.join(QUANTITIES)}", field="quantity", value=quantity
         )
-    if not state.status.converged:
-        return empty_frame(axes, words.reason(state.status.code))
-    contact = _contact(state, race, ball)
+    if not solved.converged[0]:
+        return empty_frame(axes, words.reason(str(solved.status.code[0])))
+    contact = _contact(solved, race, ball)
     if not contact.touches:
         return empty_frame(axes, _said(words, "no_contact"))
     _draw(axes, contact, quantity, words)
@@ -138,7 +137,7 @@ def slip_map(
 
 @in_style
 def slip_maps(
-    state: State, *, race: Race = "inner", ball: int = _HEAVIEST, words: PlotWords = ENGLISH
+    solved: Solved, *, race: Race = "inner", ball: int = _HEAVIEST, words: PlotWords = ENGLISH
 ) -> tuple[Axes, ...]:
     """Draw slip, pressure and their product of one contact below each other, in a new figure.
 
@@ -146,23 +145,20 @@ def slip_maps(
     """
     _, frames = new_stacked_figure(len(QUANTITIES), height=170.0)
     for axes, quantity in zip(frames, QUANTITIES, strict=True):
-        slip_map(state, axes, quantity=quantity, race=race, ball=ball, words=words)
+        slip_map(solved, axes, quantity=quantity, race=race, ball=ball, words=words)
     return frames
 
 
-def _contact(state: State, race: Race, ball: int) -> _Contact:
-    balls = loaded_balls(state)
-    patch = balls.patch(race)
+def _contact(solved: Solved, race: Race, ball: int) -> _Contact:
+    patch, motion = Patch.of(solved.contacts[race]), solved_motion(solved, race)
+    count = patch.load.shape[1]
     if ball == _HEAVIEST:
         ball = int(np.argmax(patch.load[0]))
-    if not 0 <= ball < len(state.balls):
-        raise InputError(
-            f"must be from 0 to {len(state.balls) - 1}", field="ball", value=ball, example="0"
-        )
-    motion = relative_motion(patch, balls.ball_velocity, balls.ring_speed(race))
+    if not 0 <= ball < count:
+        raise InputError(f"must be from 0 to {count - 1}", field="ball", value=ball, example="0")
 
     def one(array: Floats) -> Floats:
-        return np.array([np.broadcast_to(array, patch.load.shape)[0, ball]])
+        return np.asarray(array[0, ball : ball + 1])
 
     chosen = RelativeMotion(
         one(motion.drift), one(motion.roll), one(motion.twist), one(motion.tumble), motion.side
@@ -190,7 +186,7 @@ def _draw(axes: Axes, contact: _Contact, quantity: Quantity, words: PlotWords) -
     if quantity == "slip":
         _draw_arrows(axes, contact, a, b)
     if quantity == "pressure_slip":
-        _mark_greatest(axes, contact, a, b, words)
+        _mark_maximum(axes, contact, a, b, words)
     axes.set_xlim(-1.05 * a, 1.05 * a)
     axes.set_ylim(-1.15 * b, 1.15 * b)
     axes.grid(False)
@@ -247,8 +243,8 @@ def _draw_arrows(axes: Axes, contact: _Contact, a: float, b: float) -> None:
     )
 
 
-def _mark_greatest(axes: Axes, contact: _Contact, a: float, b: float, words: PlotWords) -> None:
-    found = greatest_pressure_slip(contact.patch, contact.motion)
+def _mark_maximum(axes: Axes, contact: _Contact, a: float, b: float, words: PlotWords) -> None:
+    found = maximum_pressure_slip(contact.patch, contact.motion)
     factor, unit = _UNITS["pressure_slip"]
     value = f"{number(float(factor * found.value[0]), words)} {unit}"
     axes.plot(
@@ -259,7 +255,7 @@ def _mark_greatest(axes: Axes, contact: _Contact, a: float, b: float, words: Plo
         markersize=6.0,
         markeredgewidth=1.6,
         linestyle="none",
-        label=_said(words, "greatest").format(value=value),
+        label=_said(words, "maximum").format(value=value),
         zorder=4.0,
     )
 

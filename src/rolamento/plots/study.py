@@ -17,25 +17,11 @@ from numpy.typing import NDArray
 from rolamento.errors import InputError, nearest
 from rolamento.plots.axes_units import NONE, ReadableUnit, readable_unit
 from rolamento.plots.words import PlotWords
-
-__all__ = [
-    "SAMPLE",
-    "Column",
-    "StudyData",
-    "Variable",
-    "axis_of",
-    "common_failure",
-    "has_result",
-    "input_of",
-    "inputs",
-    "most_telling",
-    "output_of",
-    "outputs",
-]
+from rolamento.studies.study import SAMPLE
 
 Floats = NDArray[np.float64]
 
-SAMPLE: Final = "sample"
+
 _STATUS: Final = "status"
 _CONVERGED: Final = "converged"
 _TELLING: Final = (
@@ -101,7 +87,7 @@ class StudyData(Protocol):
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Column:
+class PlottedVariable:
     """One variable, ready to be drawn.
 
     Attributes
@@ -148,7 +134,7 @@ def most_telling(study: StudyData) -> str:
     return next((name for name in _TELLING if name in known), known[0])
 
 
-def output_of(study: StudyData, name: str, words: PlotWords) -> Column:
+def output_of(study: StudyData, name: str, words: PlotWords) -> PlottedVariable:
     """Return an output, NaN where the status says that there is no result.
 
     Raises
@@ -167,10 +153,10 @@ def output_of(study: StudyData, name: str, words: PlotWords) -> Column:
     values = np.where(_failed(study, variable) | ~np.isfinite(values), np.nan, values)
     kept = [size != 1 for size in values.shape]
     dims = tuple(str(dim) for dim, keep in zip(variable.dims, kept, strict=True) if keep)
-    return _column(name, dims, np.squeeze(values), variable, words)
+    return _plotted(name, dims, np.squeeze(values), variable, words)
 
 
-def axis_of(study: StudyData, name: str, size: int, words: PlotWords) -> Column:
+def axis_of(study: StudyData, name: str, size: int, words: PlotWords) -> PlottedVariable:
     """Return the values along an axis; numbers from 0 where the study does not tell.
 
     An axis along which several inputs vary together is told by the first of them.
@@ -179,14 +165,14 @@ def axis_of(study: StudyData, name: str, size: int, words: PlotWords) -> Column:
     coordinate = study.coords[name if name in along else along[0]] if along else None
     if coordinate is None:
         label = NONE.label(words.name(name))
-        return Column(name, (name,), np.arange(float(size)), label, NONE)
+        return PlottedVariable(name, (name,), np.arange(float(size)), label, NONE)
     column = _input(name if name in along else along[0], coordinate, words)
     if not np.isfinite(column.values).all():
         raise InputError("holds what is not a number", field=name)
     return column
 
 
-def input_of(study: StudyData, name: str, words: PlotWords) -> Column:
+def input_of(study: StudyData, name: str, words: PlotWords) -> PlottedVariable:
     """Return a varied input, or an output, of a study of samples.
 
     Raises
@@ -226,14 +212,14 @@ def common_failure(study: StudyData) -> str:
     return worst if known.get(worst) else ""
 
 
-def _input(name: str, coordinate: Variable, words: PlotWords) -> Column:
+def _input(name: str, coordinate: Variable, words: PlotWords) -> PlottedVariable:
     dims = tuple(str(dim) for dim in coordinate.dims)
     values = np.asarray(coordinate.values)
     if _numeric(coordinate):
-        return _column(name, dims, values.astype(np.float64), coordinate, words)
+        return _plotted(name, dims, values.astype(np.float64), coordinate, words)
     texts, places = _positions([str(value)[:60] for value in values.tolist()])
     label = words.name(name, _long_name(coordinate))
-    return Column(name, dims, places, label, NONE, texts)
+    return PlottedVariable(name, dims, places, label, NONE, texts)
 
 
 def _positions(texts: Sequence[str]) -> tuple[tuple[str, ...], Floats]:
@@ -243,12 +229,12 @@ def _positions(texts: Sequence[str]) -> tuple[tuple[str, ...], Floats]:
     return different, np.array([place[text] for text in texts])
 
 
-def _column(
+def _plotted(
     name: str, dims: tuple[str, ...], values: Floats, variable: Variable, words: PlotWords
-) -> Column:
+) -> PlottedVariable:
     unit = readable_unit(str(variable.attrs.get("units", "1")), values)
     label = unit.label(words.name(name, _long_name(variable)))
-    return Column(name, dims, unit.of(values), label, unit)
+    return PlottedVariable(name, dims, unit.of(values), label, unit)
 
 
 def _long_name(variable: Variable) -> str:

@@ -1,4 +1,4 @@
-"""Lines and maps of studies: an output over one or two inputs that were varied in steps."""
+"""Figures of studies: lines and maps over inputs varied in steps, histograms and scatter plots."""
 
 from __future__ import annotations
 
@@ -8,12 +8,13 @@ from typing import Any, Final, NamedTuple
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.colors import BoundaryNorm
+from matplotlib.lines import Line2D
 from matplotlib.patches import Patch, Rectangle
 from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
 from rolamento.errors import InputError
-from rolamento.plots.axes_units import NONE
+from rolamento.plots.axes_units import NONE, PERCENT, ReadableUnit
 from rolamento.plots.curves import MOST_MARKERS
 from rolamento.plots.frame import (
     GREY,
@@ -28,19 +29,18 @@ from rolamento.plots.frame import (
     number,
 )
 from rolamento.plots.study import (
-    SAMPLE,
-    Column,
+    PlottedVariable,
     StudyData,
     axis_of,
     common_failure,
+    input_of,
     inputs,
     most_telling,
     output_of,
 )
 from rolamento.plots.style import SERIES, Series, in_style, new_figure, series
 from rolamento.plots.words import ENGLISH, PlotWords
-
-__all__ = ["MOST_LINES", "nothing_to_draw", "study_lines", "study_map", "telling_kind"]
+from rolamento.studies.study import SAMPLE
 
 Floats = NDArray[np.float64]
 
@@ -54,6 +54,9 @@ _HATCH: Final[dict[str, Any]] = {
     "linewidth": 0.0,
 }
 _COLOUR_STEPS: Final = 9
+_PERCENTS: Final = ((5.0, "--"), (50.0, "-"), (95.0, "-."))
+_FEWEST_BINS: Final = 5
+_MOST_BINS: Final = 60
 
 
 def telling_kind(study: StudyData, variable: str = "", words: PlotWords = ENGLISH) -> str:
@@ -177,7 +180,7 @@ def nothing_to_draw(axes: Axes, study: StudyData, words: PlotWords) -> Axes:
 class _Table(NamedTuple):
     """An output over one or two axes: values (along, other); across: what `along` is told by."""
 
-    output: Column
+    output: PlottedVariable
     values: Floats
     along: str
     other: str | None
@@ -203,7 +206,7 @@ def _table(study: StudyData, variable: str, over: str, words: PlotWords) -> _Tab
     return _Table(output, values, along, other, across)
 
 
-def _axis_named(study: StudyData, name: str, output: Column) -> str:
+def _axis_named(study: StudyData, name: str, output: PlottedVariable) -> str:
     """Return the axis that is called so, or along which an input of that name varies."""
     axes = {dim: dim for dim in output.dims}
     axes.update({n: str(study.coords[n].dims[0]) for n in inputs(study)})
@@ -215,7 +218,7 @@ def _axis_named(study: StudyData, name: str, output: Column) -> str:
     return axes[name]
 
 
-def _longest(study: StudyData, output: Column, words: PlotWords) -> str:
+def _longest(study: StudyData, output: PlottedVariable, words: PlotWords) -> str:
     """Return the axis that best runs across: not samples, not balls, numbers, many of them."""
 
     def rank(dim: str) -> tuple[bool, bool, bool, int]:
@@ -226,12 +229,16 @@ def _longest(study: StudyData, output: Column, words: PlotWords) -> str:
     return max(output.dims, key=rank)
 
 
-def _line(axes: Axes, x: Column, values: Floats, look: Series, label: str | None = None) -> None:
+def _line(
+    axes: Axes, x: PlottedVariable, values: Floats, look: Series, label: str | None = None
+) -> None:
     markers = len(values) <= MOST_MARKERS or bool(x.texts)
     axes.plot(x.values, values, label=label, **look.keywords(markers=markers))
 
 
-def _family(axes: Axes, x: Column, table: _Table, family: Column, words: PlotWords) -> None:
+def _family(
+    axes: Axes, x: PlottedVariable, table: _Table, family: PlottedVariable, words: PlotWords
+) -> None:
     """Draw a line for each value of the other axis."""
     count = table.values.shape[1]
     if count > MOST_LINES:
@@ -247,13 +254,13 @@ def _family(axes: Axes, x: Column, table: _Table, family: Column, words: PlotWor
         _line(axes, x, table.values[:, index], series(index), name)
 
 
-def _value(column: Column, index: int, words: PlotWords) -> str:
+def _value(column: PlottedVariable, index: int, words: PlotWords) -> str:
     if column.texts:
         return column.texts[int(column.values[index])]
     return number(float(column.values[index]), words)
 
 
-def _spread(axes: Axes, x: Column, values: Floats, words: PlotWords) -> None:
+def _spread(axes: Axes, x: PlottedVariable, values: Floats, words: PlotWords) -> None:
     """Draw the median of the samples and a band around it."""
     low, middle, high = (_percentile(values, percent) for percent in (_BAND[0], 50.0, _BAND[1]))
     band = words.percentile_band.format(least=f"{_BAND[0]:.0f}", most=f"{_BAND[1]:.0f}")
@@ -268,7 +275,7 @@ def _percentile(values: Floats, percent: float) -> Floats:
     return np.array([np.percentile(row, percent) if row.size else np.nan for row in rows])
 
 
-def _mark_missing(axes: Axes, x: Column, values: Floats, words: PlotWords) -> None:
+def _mark_missing(axes: Axes, x: PlottedVariable, values: Floats, words: PlotWords) -> None:
     missing = np.isnan(values)
     count = int(missing.sum())
     if count:
@@ -284,7 +291,7 @@ def _mark_missing(axes: Axes, x: Column, values: Floats, words: PlotWords) -> No
         )
 
 
-def _scale(axes: Axes, name: str, column: Column, words: PlotWords) -> None:
+def _scale(axes: Axes, name: str, column: PlottedVariable, words: PlotWords) -> None:
     """Label an axis with what runs along it."""
     (label_x if name == "x" else label_y)(axes, column.label, words)
     axis = axes.xaxis if name == "x" else axes.yaxis
@@ -304,7 +311,9 @@ def _in_ratios(values: Floats) -> bool:
     return bool(np.allclose(ratios, ratios[0], rtol=0.05))
 
 
-def _colour(axes: Axes, x: Column, y: Column, table: _Table, words: PlotWords) -> None:
+def _colour(
+    axes: Axes, x: PlottedVariable, y: PlottedVariable, table: _Table, words: PlotWords
+) -> None:
     """Draw the cells, in few colours that the bar tells apart."""
     order_x, order_y = np.argsort(x.values), np.argsort(y.values)
     values = table.values[np.ix_(order_x, order_y)].T
@@ -344,3 +353,140 @@ def _edges(values: Floats) -> Floats:
     first, last = 1.5 * values[0] - 0.5 * values[1], 1.5 * values[-1] - 0.5 * values[-2]
     edges: Floats = np.concatenate([[first], middle, [last]])
     return edges
+
+
+@in_style
+def study_histogram(
+    study: StudyData,
+    variable: str = "",
+    axes: Axes | None = None,
+    *,
+    words: PlotWords = ENGLISH,
+) -> Axes:
+    """Draw how an output is distributed over the samples, with median and percentiles.
+
+    Parameters
+    ----------
+    study
+        A Dataset of `rolamento.studies`.
+    variable
+        Name of the output; the most telling one if not given.
+    axes
+        To draw on; of a new figure if not given.
+    words
+        Language of the labels.
+
+    Returns
+    -------
+    Axes
+        Those given; shares are of the samples that have a result.
+
+    Raises
+    ------
+    InputError
+        If there is no such output, or it does not vary along samples alone.
+    """
+    output = _along_samples(study, variable, "histogram", words)
+    axes = new_figure()[1] if axes is None else axes
+    values = output.values[np.isfinite(output.values)]
+    if not values.size:
+        return nothing_to_draw(axes, study, words)
+    bins = int(np.clip(np.ceil(2.0 * values.size ** (1.0 / 3.0)), _FEWEST_BINS, _MOST_BINS))
+    weights = np.full(values.size, PERCENT.factor / values.size)
+    axes.hist(
+        values,
+        bins=bins,
+        weights=weights,
+        facecolor="#9FC6DF",
+        edgecolor=series(0).color,
+        linewidth=0.6,
+    )
+    _draw_percentiles(axes, values, output.unit, words, upright=True)
+    _count_missing(axes, output.values, words)
+    label_x(axes, output.label, words)
+    label_y(axes, PERCENT.label(words.share), words)
+    legend_above(axes)
+    return axes
+
+
+@in_style
+def study_scatter(
+    study: StudyData,
+    variable: str = "",
+    axes: Axes | None = None,
+    *,
+    over: str = "",
+    words: PlotWords = ENGLISH,
+) -> Axes:
+    """Draw an output of every sample over an input, with median and percentiles of the output.
+
+    Parameters and errors as of `study_histogram`; `over` names an input, or another output; the
+    first input if not given.
+    """
+    output = _along_samples(study, variable, "scatter", words)
+    across = input_of(study, over or _first_input(study), words)
+    if across.dims != (SAMPLE,):
+        raise InputError("does not vary along the samples", field="over", value=across.name)
+    axes = new_figure()[1] if axes is None else axes
+    values = output.values[np.isfinite(output.values)]
+    if not values.size:
+        return nothing_to_draw(axes, study, words)
+    axes.plot(
+        across.values,
+        output.values,
+        "o",
+        color=series(0).color,
+        markersize=3.0,
+        markeredgewidth=0.0,
+        alpha=0.5,
+        rasterized=True,
+    )
+    _draw_percentiles(axes, values, output.unit, words, upright=False)
+    _count_missing(axes, output.values, words)
+    label_x(axes, across.label, words)
+    if across.texts:
+        axes.set_xticks(np.arange(float(len(across.texts))), list(across.texts))
+    label_y(axes, output.label, words)
+    legend_above(axes)
+    return axes
+
+
+def _along_samples(study: StudyData, variable: str, kind: str, words: PlotWords) -> PlottedVariable:
+    output = output_of(study, variable or most_telling(study), words)
+    if output.dims != (SAMPLE,):
+        raise InputError(
+            f"needs an output that varies along samples alone; {output.name} varies along"
+            f" {', '.join(output.dims) or 'nothing'}",
+            field="kind",
+            value=kind,
+            example="lines or map",
+        )
+    return output
+
+
+def _first_input(study: StudyData) -> str:
+    """Return the first input that was drawn at random."""
+    along = (name for name in inputs(study) if tuple(study.coords[name].dims) == (SAMPLE,))
+    name = next((name for name in along if name != SAMPLE), "")
+    if not name:
+        raise InputError("is missing: the study names no input", field="over")
+    return name
+
+
+def _draw_percentiles(
+    axes: Axes, values: Floats, unit: ReadableUnit, words: PlotWords, *, upright: bool
+) -> None:
+    for percent, style in _PERCENTS:
+        value = float(np.percentile(values, percent))
+        name = words.median if percent == 50.0 else f"{percent:.0f} %"
+        draw = axes.axvline if upright else axes.axhline
+        label = f"{name}: {number(value, words)} {unit.symbol}".removesuffix(f" {NONE.symbol}")
+        draw(value, color="black", linewidth=1.1, linestyle=style, label=label)
+
+
+def _count_missing(axes: Axes, values: Floats, words: PlotWords) -> None:
+    """Say in the legend how many samples have no result."""
+    missing = int(np.isnan(values).sum())
+    if missing:
+        label = words.no_result_count.format(count=missing, total=values.size)
+        axes.add_line(Line2D([], [], color=GREY, linestyle="", marker="x", label=label))

@@ -12,19 +12,22 @@ from numpy.typing import NDArray
 
 from rolamento.errors import InputError
 from rolamento.plots.axes_units import PERCENT, readable_unit
-from rolamento.plots.frame import GREY, empty_frame, label_x, label_y, number, shown_text
+from rolamento.plots.frame import (
+    GREY,
+    empty_frame,
+    label_x,
+    label_y,
+    number,
+    require,
+    shown_text,
+)
 from rolamento.plots.style import MILLIMETRE, WIDTH, series, styled
 from rolamento.plots.words import PlotWords, plot_words
-from rolamento.studies.samples import FINEST, FLAT
+from rolamento.studies.sensitivity import RankCorrelations, ToleranceStudy
+from rolamento.studies.tolerance import FINEST, FLAT, ToleranceBand, ToleranceBands
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-    from xarray import Dataset
-
-    from rolamento.studies.sensitivity import RankCorrelations
-    from rolamento.studies.tolerance import ToleranceBand, ToleranceBands
-
-__all__ = ["MOST_OUTPUTS", "tolerance_figure"]
 
 Floats = NDArray[np.float64]
 
@@ -64,9 +67,7 @@ _WORDS: Final[Mapping[str, _Words]] = {
 }
 
 
-def tolerance_figure(
-    dataset: Dataset, bands: ToleranceBands, ranks: RankCorrelations, language: str = "en"
-) -> Figure:
+def tolerance_figure(study: ToleranceStudy, language: str = "en") -> Figure:
     """Draw the distribution of each output with its percentiles, and the inputs that move it.
 
     Percentiles are lines, their confidence intervals bands. Beside them stand the rank
@@ -74,18 +75,21 @@ def tolerance_figure(
 
     Parameters
     ----------
-    dataset
-        A scatter study's result without further axes; its first six outputs are drawn.
-    bands, ranks
-        From it, by `tolerance_bands` and `rank_correlation`.
+    study
+        From `rolamento.tasks.studies.tolerance`, without further axes; its first six outputs are
+        drawn.
     language
         ``"en"`` or ``"pt"``.
 
     Raises
     ------
     InputError
-        If the study has axes beside the samples.
+        If the study has axes beside the samples, or no scattered input.
     """
+    require(study, ToleranceStudy, "study", "rolamento.tasks.studies.tolerance(file)")
+    bands, ranks = study.bands, study.ranks
+    if ranks is None:
+        raise InputError("has no scattered input to draw", field="scatter.fields")
     if bands.without_result.ndim or any(band.axes for band in bands.bands):
         raise InputError(
             "has axes beside its samples; a figure of tolerance bands is of one point",
@@ -99,7 +103,7 @@ def tolerance_figure(
         figure = Figure(figsize=(WIDTH * MILLIMETRE, height))
         grid = figure.add_gridspec(len(chosen), 2, width_ratios=[3, 2])
         for row, band in enumerate(chosen):
-            values = np.asarray(dataset[band.name].where(dataset["status"] == 0).values, np.float64)
+            values = study.samples.values(band.name)
             left, right = (figure.add_subplot(grid[row, column]) for column in (0, 1))
             _distribution(left, values, bands, band, shared, words)
             _ranking(right, ranks, band.name, shared, words)

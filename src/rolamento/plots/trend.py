@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from rolamento.clearance.wear import WearFit
-    from rolamento.weibull.trend import Trend
+    from rolamento.weibull import Trend
 
 __all__ = ["trend_figure", "trend_lines"]
 

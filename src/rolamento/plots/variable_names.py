@@ -7,7 +7,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Final
 
-__all__ = ["variable_name"]
+from rolamento.case import Case
+
+__all__ = ["torque_model_name", "variable_name"]
 
 _STIFFNESS: Final = re.compile(r"stiffness_(r?[xyz])(r?[xyz])")
 _OF_BALLS: Final = re.compile(r"(?:(max|min|mean)_)?(?:(inner|outer)_)?([a-z_]+)")
@@ -24,23 +26,17 @@ class _Names:
     stiffness: str
 
 
+def _labels() -> dict[str, str]:
+    """Labels of fields by the last part of their names, where that is of one field only."""
+    fields = Case.fields().values()
+    leaves = [field.leaf for field in fields]
+    labelled = (field for field in fields if field.is_labelled and leaves.count(field.leaf) == 1)
+    return {field.leaf: field.label for field in labelled}
+
+
 _ENGLISH: Final = _Names(
     whole={
-        "x": "axial displacement x",
-        "y": "radial displacement y",
-        "z": "radial displacement z",
-        "ry": "tilt about y",
-        "rz": "tilt about z",
-        "fx": "axial load Fx",
-        "fy": "radial load Fy",
-        "fz": "radial load Fz",
-        "my": "moment My",
-        "mz": "moment Mz",
-        "inner_speed": "speed of the inner ring",
-        "outer_speed": "speed of the outer ring",
-        "first_ball_azimuth": "azimuth of the first ball",
-        "ball_count": "number of balls",
-        "contact_angle": "free contact angle",
+        **_labels(),
         "loaded_balls": "loaded balls",
         "life_hours": "life",
         "equivalent_load": "equivalent load P",
@@ -147,3 +143,29 @@ def variable_name(variable: str, language: str) -> str:
     if race:
         name = f"{name}, {names.races[race]}"
     return names.reductions[reduction].format(name) if reduction else name
+
+
+_CONTROLLED: Final = {
+    "en": ("friction control", "fr. control"),
+    "pt": ("controle por atrito", "c. atrito"),
+}
+_TORQUE_MODELS_PT: Final[Mapping[str, tuple[str, str]]] = {
+    "jones_full": ("Jones, completo", "Jones comp"),
+    "jones_control": ("Jones, controle de pista", "Jones ctrl"),
+    "jones_simplified": ("Jones, simplificado", "Jones simp"),
+}
+"""Of those whose name is not the same in Portuguese."""
+
+
+def torque_model_name(model: str, language: str, *, short: bool = False) -> str:
+    """Say what a torque model, or friction control, is called; short: over a narrow column."""
+    from rolamento.friction.models import TORQUE_MODELS
+
+    if model == "friction_control":
+        return _CONTROLLED.get(language, _CONTROLLED["en"])[short]
+    if language == "pt" and model in _TORQUE_MODELS_PT:
+        return _TORQUE_MODELS_PT[model][short]
+    known = TORQUE_MODELS.get(model)
+    if known is None:
+        return model
+    return known.short_title if short else known.title

@@ -21,12 +21,12 @@ from rolamento.plots.frame import (
     label_x,
     label_y,
     legend_above,
+    legend_in_columns,
     number,
     shown_text,
 )
 from rolamento.plots.style import INNER, Series, new_figure, new_stacked_figure, series, styled
 from rolamento.plots.vibration_words import VibrationWords, vibration_words
-from rolamento.plots.weibull_words import legend_in_columns
 from rolamento.plots.words import PlotWords, plot_words
 from rolamento.vibration.diagnosis import COMPONENTS
 

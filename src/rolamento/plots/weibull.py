@@ -1,44 +1,48 @@
-"""Probability paper: lives that follow Weibull's distribution lie on a straight line.
+"""What life tests look like: probability paper, and regions of equal likelihood.
 
-Across runs time, in its logarithm; upright ln ln 1/(1 - F), numbered by F, the share that has
-failed.
+On *probability paper* lives that follow Weibull's distribution lie on a straight line. Across runs
+time, in its logarithm; upright ln ln 1/(1 - F), numbered by F, the share that has failed. *Regions*
+show which shapes and lives go together with the data.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.ticker import MaxNLocator, NullLocator
 from numpy.typing import NDArray
 
 from rolamento.plots.frame import (
     GREY,
     add_title,
     empty_frame,
+    legend_in_columns,
     number,
     shown_text,
 )
 from rolamento.plots.over_field import decades
 from rolamento.plots.style import Series, new_figure, series, styled
-from rolamento.plots.weibull_words import (
-    WeibullPlotWords,
-    legend_in_columns,
-    weibull_plot_words,
-)
+from rolamento.plots.weibull_words import WeibullPlotWords, weibull_plot_words
 from rolamento.plots.words import PlotWords, plot_words
-from rolamento.weibull.ranks import plotting_positions
+from rolamento.weibull import EXPONENTS, plot_ordinate, plotting_positions
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from rolamento.weibull.band import Band
-    from rolamento.weibull.fit import WeibullFit
-    from rolamento.weibull.life_test import LifeTest
-    from rolamento.weibull.summary import GroupSummary, LifeTestSummary
+    from rolamento.weibull import (
+        Band,
+        GroupSummary,
+        LifeTest,
+        LifeTestSummary,
+        LikelihoodRegion,
+        WeibullFit,
+    )
 
-__all__ = ["weibull_figure", "weibull_paper"]
+__all__ = ["contour_figure", "likelihood_contour", "weibull_figure", "weibull_paper"]
 
 Floats = NDArray[np.float64]
 
@@ -60,6 +64,18 @@ _MARKS: Final = ("*", "P", "X", "D", "v")
 _MOST_MARKED: Final = 2000
 _FARTHEST: Final = 30.0
 """Beyond the data by this factor nothing is shown, however far bounds reach."""
+_CONTOUR_HEIGHT: Final = 105.0
+_LOOKS: Final[Mapping[str, tuple[str, str]]] = {
+    "maximum_likelihood": ("o", "black"),
+    "unbiased": ("D", "black"),
+    "rank_regression_x_on_y": ("^", "black"),
+    "rank_regression_y_on_x": ("v", "black"),
+    "fixed_shape": ("s", "black"),
+}
+"""Markers of the fits of two parameters; a third parameter has no place here."""
+_LINES: Final[tuple[Any, ...]] = ("-", "--", ":")
+_SHORT, _TICKS = 4.0, 7
+_RATING_SHAPE: Final = EXPONENTS["ball"]
 
 
 def weibull_figure(
@@ -110,10 +126,10 @@ def weibull_paper(
             return empty_frame(axes, shared.no_result)
         limits = _limits(summary, found)
         for index, group in enumerate(summary.groups):
-            _group(axes, group, index, found.get(group.name), limits, shared, words)
+            _draw_group(axes, group, index, found.get(group.name), limits, shared, words)
         if len(summary.groups) == 1:
             _other_fits(axes, summary.groups[0], limits, words)
-        _calculated(axes, summary, shared, words)
+        _mark_calculated(axes, summary, shared, words)
         decades(axes, "x", limits[0], shared)
         _percent_axis(axes, limits[1], shared, words)
         axes.set_xlabel(words.time.format(unit=shown_text(summary.test.unit)), parse_math=False)
@@ -121,7 +137,7 @@ def weibull_paper(
     return axes
 
 
-def _group(
+def _draw_group(
     axes: Axes,
     group: GroupSummary,
     index: int,
@@ -131,23 +147,23 @@ def _group(
     words: WeibullPlotWords,
 ) -> None:
     look, test = series(index), group.test
-    label: str | None = _label(group, shared, words)
+    label: str | None = _label_of(group, shared, words)
     if group.main.converged:
         axes.plot(*_line(group.main, limits[1]), label=label, zorder=2.5, **look.keywords())
         label = None
     if test.failures and group.ranked:
         points = plotting_positions(test)
         axes.plot(
-            points.times, _ordinate(points.failed_share), color=look.color, marker=look.marker,
+            points.times, plot_ordinate(points.failed_share), color=look.color, marker=look.marker,
             linestyle="", markersize=5.0, zorder=3.0, label=label,
         )  # fmt: skip
         label = None
     if band is not None and band.converged:
-        _band(axes, band, look, limits[0], shared, words)
+        _draw_band(axes, band, look, limits[0], shared, words)
     _at_the_foot(axes, test, look, index, label, words)
 
 
-def _label(group: GroupSummary, shared: PlotWords, words: WeibullPlotWords) -> str:
+def _label_of(group: GroupSummary, shared: PlotWords, words: WeibullPlotWords) -> str:
     test, fit = group.test, group.main
     name = f"{shown_text(group.name, 24)}: " if group.name else ""
     failed = words.of_failed.format(failed=test.failures, size=test.size)
@@ -160,11 +176,10 @@ def _label(group: GroupSummary, shared: PlotWords, words: WeibullPlotWords) -> s
 def _line(fit: WeibullFit, upright: tuple[float, float]) -> tuple[Floats, Floats]:
     """Times and ordinates of a fit from the lowest to the highest share."""
     ordinate = np.linspace(*upright, _CURVE)
-    with np.errstate(over="ignore"):
-        return fit.location + fit.scale * np.exp(ordinate / fit.shape), ordinate
+    return fit.life_at_ordinate(ordinate), ordinate
 
 
-def _band(
+def _draw_band(
     axes: Axes,
     band: Band,
     look: Series,
@@ -173,7 +188,7 @@ def _band(
     words: WeibullPlotWords,
 ) -> None:
     """Fill between the bounds of the lives; where nothing failed, draw the lower ones."""
-    ordinate, confidence = _ordinate(band.failed_share), number(100.0 * band.confidence, shared)
+    ordinate, confidence = plot_ordinate(band.failed_share), number(100.0 * band.confidence, shared)
     if band.sides == "lower":
         label = words.lower_bound.format(confidence=confidence)
         axes.plot(
@@ -247,20 +262,15 @@ def _once(axes: Axes, label: str) -> str | None:
     return None if label in axes.get_legend_handles_labels()[1] else label
 
 
-def _calculated(
+def _mark_calculated(
     axes: Axes, summary: LifeTestSummary, shared: PlotWords, words: WeibullPlotWords
 ) -> None:
     """Mark calculated lives at the share that is to have failed by then."""
-    life = summary.wanted.lives[0]
-    ordinate = life.log_risk
-    name_of_life = life.name.replace(".", shared.decimal_mark)
-    for index, (name, value) in enumerate(summary.wanted.calculated.items()):
-        shown = f"{number(value, shared)} {shown_text(summary.test.unit)}"
-        shown = f"{shown_text(name, 24)}, {shown}" if name else shown
+    ordinate = summary.wanted.lives[0].log_risk
+    for index, (label, value) in enumerate(_calculated_lives(summary, shared, words)):
         axes.plot(
             value, ordinate, marker=_MARKS[index % len(_MARKS)], markersize=9.0, linestyle="",
-            color="black", markerfacecolor="white", markeredgewidth=1.1, zorder=4.0,
-            label=words.calculated.format(life=name_of_life, name=shown),
+            color="black", markerfacecolor="white", markeredgewidth=1.1, zorder=4.0, label=label,
         )  # fmt: skip
 
 
@@ -284,7 +294,7 @@ def _limits(
     inside = [float(np.clip(time, low, high)) for time in times if np.isfinite(time) and time > 0.0]
     # a calculated life is what the reader asks about, however far
     inside += summary.wanted.calculated.values()
-    upright = _ordinate(np.array([min(shares) / 1.15, 1.0 - (1.0 - max(shares)) / 1.15]))
+    upright = plot_ordinate(np.array([min(shares) / 1.15, 1.0 - (1.0 - max(shares)) / 1.15]))
     return (0.8 * min(inside), 1.25 * max(inside)), (float(upright[0]), float(upright[1]))
 
 
@@ -292,15 +302,202 @@ def _percent_axis(
     axes: Axes, upright: tuple[float, float], shared: PlotWords, words: WeibullPlotWords
 ) -> None:
     """Number the upright axis by shares; those of L10 and of the scale are marked."""
-    ticks = [p for p in _PERCENTAGES if upright[0] <= _ordinate(np.array(p / 100.0)) <= upright[1]]
-    places = _ordinate(np.array(ticks) / 100.0)
+    ticks = [p for p in _PERCENTAGES if upright[0] <= plot_ordinate(p / 100.0) <= upright[1]]
+    places = plot_ordinate(np.array(ticks) / 100.0)
     axes.set_yticks(places, [number(tick, shared) for tick in ticks])
     axes.set_yticks([], minor=True)
     axes.set_ylim(*upright)
     axes.set_ylabel(words.failed_share, parse_math=False)
-    axes.axhline(float(_ordinate(np.array(0.1))), color=GREY, linewidth=0.7, zorder=1.0)
+    axes.axhline(float(plot_ordinate(0.1)), color=GREY, linewidth=0.7, zorder=1.0)
 
 
-def _ordinate(failed_share: Any) -> Floats:
-    with np.errstate(divide="ignore"):
-        return np.asarray(np.log(-np.log1p(-np.asarray(failed_share, dtype=np.float64))))
+def _calculated_lives(
+    summary: LifeTestSummary, shared: PlotWords, words: WeibullPlotWords
+) -> Iterator[tuple[str, float]]:
+    """Give the calculated lives with their labels."""
+    life = summary.wanted.lives[0].name.replace(".", shared.decimal_mark)
+    for name, value in summary.wanted.calculated.items():
+        shown = f"{number(value, shared)} {shown_text(summary.test.unit)}"
+        shown = f"{shown_text(name, 24)}, {shown}" if name else shown
+        yield words.calculated.format(life=life, name=shown), value
+
+
+# --- regions of equal likelihood -------------------------------------------------------------
+
+
+def contour_figure(
+    summary: LifeTestSummary, regions: Mapping[str, LikelihoodRegion], language: str = "en"
+) -> Figure:
+    """Draw regions, as `likelihood_contour`, with the title of the data."""
+    entries = len(summary.groups) + len(summary.groups[0].fits) + len(summary.wanted.calculated) + 3
+    with styled():
+        figure, axes = new_figure(height=_CONTOUR_HEIGHT + _LEGEND_LINE * (entries // 2))
+        likelihood_contour(summary, regions, axes, language=language)
+        if summary.test.title:
+            add_title(figure, summary.test.title)
+    return figure
+
+
+def likelihood_contour(
+    summary: LifeTestSummary,
+    regions: Mapping[str, LikelihoodRegion],
+    axes: Axes | None = None,
+    *,
+    language: str = "en",
+) -> Axes:
+    """Draw the regions within which shape and life lie with 50, 90 and 95 %.
+
+    Parameters
+    ----------
+    summary
+        Of `rolamento.weibull.summary`: of a test without groups the estimates of all methods
+        of two parameters are marked.
+    regions
+        Of `rolamento.weibull.likelihood_region`, by the names of the groups; all of one
+        quantity.
+    axes
+        To draw on; of a new figure if not given.
+    language
+        ``"en"`` or ``"pt"``.
+
+    Returns
+    -------
+    Axes
+        Those given: the shape across, the life upright, both by their logarithms. Calculated lives
+        are lines where the regions are of that life.
+    """
+    shared, words = plot_words(language), weibull_plot_words(language)
+    with styled():
+        axes = new_figure(height=_CONTOUR_HEIGHT)[1] if axes is None else axes
+        drawn = [
+            (index, group, regions[group.name])
+            for index, group in enumerate(summary.groups)
+            if group.name in regions and regions[group.name].converged
+        ]
+        if not drawn:
+            return empty_frame(axes, shared.no_result)
+        handles: list[Line2D] = []
+        for index, group, region in drawn:
+            handles += _draw_region(axes, region, group, index, shared, words)
+        if len(summary.groups) == 1:
+            handles += _mark_estimates(axes, drawn[0][1].fits, drawn[0][2], words)
+        handles += _lines_of_calculated(axes, summary, drawn[0][2], shared, words)
+        _set_axes(axes, [region for *_, region in drawn], shared, words, handles)
+        all_drawn = all(region.drawn for *_, region in drawn)
+        title = words.drawn if all_drawn else words.chi_square
+        legend_in_columns(axes, handles, title)
+    return axes
+
+
+def _draw_region(
+    axes: Axes,
+    region: LikelihoodRegion,
+    group: GroupSummary,
+    index: int,
+    shared: PlotWords,
+    words: WeibullPlotWords,
+) -> list[Line2D]:
+    """Draw one group's regions, the innermost darkest; return what stands for them."""
+    look, levels = series(index), sorted(region.levels)
+    axes.contourf(
+        region.shape, region.life, region.fall, levels=[0.0, *levels],
+        colors=[look.color] * len(levels), alpha=0.12, zorder=1.2,
+    )  # fmt: skip
+    for level in levels:  # each again up to the outermost, so that the inner ones are darker
+        axes.contourf(
+            region.shape, region.life, region.fall, levels=[0.0, level],
+            colors=[look.color], alpha=0.1, zorder=1.3,
+        )  # fmt: skip
+    styles = [_LINES[i % len(_LINES)] for i in range(len(levels))]
+    axes.contour(
+        region.shape, region.life, region.fall, levels=levels, colors=[look.color],
+        linestyles=styles, linewidths=1.1, zorder=2.0,
+    )  # fmt: skip
+    if group.name:  # its maximum; of a test without groups all estimates are marked
+        life = region.quantity.at(np.array([region.fit.shape]), np.log([region.fit.scale]))
+        axes.plot(region.fit.shape, life, color=look.color, marker=look.marker, zorder=4.0)
+    name = f"{shown_text(group.name, 24)}: " if group.name else ""
+    keywords: dict[str, Any] = {"color": look.color, "linewidth": 1.1}
+    return [
+        Line2D(
+            [], [], linestyle=style, **keywords,
+            label=name + words.region.format(probability=number(100.0 * probability, shared)),
+        )
+        for probability, style in zip(sorted(region.probabilities), styles, strict=True)
+    ]  # fmt: skip
+
+
+def _mark_estimates(
+    axes: Axes, fits: Sequence[WeibullFit], region: LikelihoodRegion, words: WeibullPlotWords
+) -> list[Line2D]:
+    handles: list[Line2D] = []
+    for fit in fits:
+        if fit.method not in _LOOKS or not fit.converged:
+            continue
+        marker, colour = _LOOKS[fit.method]
+        life = region.quantity.at(np.array([fit.shape]), np.log([fit.scale]))
+        filled = colour if fit.method == "maximum_likelihood" else "white"
+        handles += axes.plot(
+            fit.shape, life, marker=marker, color=colour, markerfacecolor=filled, linestyle="",
+            markersize=6.0, label=words.fits[fit.method], zorder=4.0,
+        )  # fmt: skip
+    return handles
+
+
+def _lines_of_calculated(
+    axes: Axes,
+    summary: LifeTestSummary,
+    region: LikelihoodRegion,
+    shared: PlotWords,
+    words: WeibullPlotWords,
+) -> list[Line2D]:
+    """Draw calculated lives, where the regions are of the life that they are for."""
+    if summary.wanted.lives[0].name != region.quantity.name:
+        return []
+    handles: list[Line2D] = []
+    for index, (label, value) in enumerate(_calculated_lives(summary, shared, words)):
+        handles.append(
+            axes.axhline(
+                value, color="black", linewidth=1.0, linestyle=_LINES[(index + 1) % len(_LINES)],
+                label=label, zorder=1.8,
+            )
+        )  # fmt: skip
+    return handles
+
+
+def _set_axes(
+    axes: Axes,
+    regions: Sequence[LikelihoodRegion],
+    shared: PlotWords,
+    words: WeibullPlotWords,
+    handles: list[Line2D],
+) -> None:
+    shapes = [float(shape) for region in regions for shape in region.shape[[0, -1]]]
+    lives = [float(life) for region in regions for life in region.life[[0, -1]]]
+    # lines and marks beyond the regions widen the frame, but by little
+    placed = [line for line in handles if np.size(line.get_ydata())]
+    upright = [float(np.asarray(line.get_ydata())[0]) for line in placed]
+    points = [line for line in placed if line.get_linestyle() == "None"]
+    across = [float(np.asarray(line.get_xdata())[0]) for line in points]
+    low, high = min(lives) / 3.0, max(lives) * 3.0
+    lives += [1.1 * y if y > max(lives) else y / 1.1 for y in upright if low < y < high]
+    shapes += [x for x in across if min(shapes) / 2.0 < x < max(shapes) * 2.0]
+    _set_scale(axes, "x", (min(shapes), max(shapes)), shared)
+    _set_scale(axes, "y", (min(lives), max(lives)), shared)
+    if min(shapes) < _RATING_SHAPE < max(shapes):
+        line = axes.axvline(_RATING_SHAPE, color=GREY, linewidth=0.9, label=words.rating_shape)
+        handles.append(line)
+    quantity, unit = regions[0].quantity, shown_text(regions[0].fit.unit)
+    axes.set_xlabel(words.shape, parse_math=False)
+    name = quantity.name.replace(".", shared.decimal_mark)
+    label = words.scale if quantity.name == "scale" else words.life
+    axes.set_ylabel(label.format(life=name, unit=unit), parse_math=False)
+
+
+def _set_scale(axes: Axes, axis: str, limits: tuple[float, float], shared: PlotWords) -> None:
+    """Make an axis logarithmic; a short one has even steps, for it has few round decades."""
+    decades(axes, axis, limits, shared)
+    if limits[1] < _SHORT * limits[0]:
+        scaled = getattr(axes, f"{axis}axis")
+        scaled.set_major_locator(MaxNLocator(_TICKS, steps=[1, 2, 2.5, 5, 10]))
+        scaled.set_minor_locator(NullLocator())

@@ -26,8 +26,7 @@ from rolamento.plots.words import PlotWords, plot_words
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from rolamento.weibull.planning import Demonstration
-    from rolamento.weibull.precision import LifeTestPlan
+    from rolamento.weibull import Demonstration, LifeTestPlan
 
 __all__ = ["chance_figure", "chance_of_passing", "cost_figure", "cost_of_precision"]
 

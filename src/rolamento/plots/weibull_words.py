@@ -1,21 +1,12 @@
-"""What stands on figures of life tests, in English and in Brazilian Portuguese; their legends."""
+"""What stands on figures of life tests, in English and in Brazilian Portuguese."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
-from rolamento.plots.frame import legend_above, shown_text
-
-if TYPE_CHECKING:
-    from matplotlib.artist import Artist
-    from matplotlib.axes import Axes
-
-__all__ = ["WeibullPlotWords", "legend_in_columns", "weibull_plot_words"]
-
-_HALF_LINE: Final = 42
-"""Characters of a label of which two stand side by side."""
+__all__ = ["WeibullPlotWords", "weibull_plot_words"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -96,13 +87,3 @@ _PORTUGUESE: Final = WeibullPlotWords(
 def weibull_plot_words(code: str) -> WeibullPlotWords:
     """Return a language by its code, ``"en"`` or ``"pt"``; English for any other."""
     return _PORTUGUESE if code == "pt" else _ENGLISH
-
-
-def legend_in_columns(axes: Axes, handles: Sequence[Artist] = (), title: str = "") -> None:
-    """Put the legend over the frame, in two columns where its labels are short enough.
-
-    handles: what to show, with labels of their own; all that is drawn if not given.
-    """
-    shown = handles or axes.get_legend_handles_labels()[0]
-    longest = max((len(shown_text(str(handle.get_label()), 60)) for handle in shown), default=0)
-    legend_above(axes, handles=shown, title=title, columns=2 if longest <= _HALF_LINE else None)

@@ -7,28 +7,19 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from rolamento.plots.axes_units import readable_unit
+from rolamento.plots.axes_units import read_values
 from rolamento.report.page import Page
 
 if TYPE_CHECKING:
     from rolamento.studies.fields import Field
 
-__all__ = ["place_text", "read_values", "written_values"]
+__all__ = ["place_text", "written_values"]
 
-_ZERO_CELSIUS: Final = 273.15
 _DECADES: Final = 100.0
 _PLACES: Final = {
     "en": ("everywhere", "at {value}", "from {least} to {greatest}"),
     "pt": ("em todos os pontos", "em {value}", "de {least} a {greatest}"),
 }
-
-
-def read_values(field: Field, values: NDArray[np.float64]) -> tuple[NDArray[np.float64], str]:
-    """Return values of a field as a person reads them, and their unit."""
-    if field.dimension == "temperature":
-        return np.round(values - _ZERO_CELSIUS, 9), "°C"
-    unit = readable_unit(field.unit, values)
-    return unit.of(values), unit.symbol
 
 
 def written_values(page: Page, values: NDArray[np.float64]) -> list[str]:

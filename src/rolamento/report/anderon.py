@@ -15,11 +15,9 @@ from rolamento.report.anderon_words import NOISE_WORDS, NoiseWords
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium
 from rolamento.report.numbers import ABSENT, Digits
-from rolamento.report.page import Lines, Page
+from rolamento.report.page import Lines, Page, one_line, rendered, shortened, table
 from rolamento.report.plain_data import csv_number, json_text
 from rolamento.report.reading_words import said_choice
-from rolamento.report.terminal import rendered
-from rolamento.report.weibull_numbers import one_line, shortened, table
 from rolamento.units import rpm_of
 from rolamento.vibration.anderon import BANDS, BandNoise, velocity_of_anderons
 from rolamento.vibration.anderon_trend import AnderonTrend, BandTrend

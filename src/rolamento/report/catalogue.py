@@ -20,8 +20,7 @@ from rolamento.errors import InputError
 from rolamento.report.catalogue_words import CATALOGUE_WORDS, CatalogueWords
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium
-from rolamento.report.page import Lines, Page
-from rolamento.report.terminal import rendered
+from rolamento.report.page import Lines, Page, rendered
 from rolamento.units import from_si
 
 __all__ = ["axis_toml", "bearing_json", "bearing_report", "search_json", "search_report"]

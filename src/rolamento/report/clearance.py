@@ -13,9 +13,8 @@ from rich.text import Text
 from rolamento.clearance import WARNINGS, ClearanceSamples, OperatingClearance, Step
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium
-from rolamento.report.page import Lines, Page
+from rolamento.report.page import Lines, Page, rendered
 from rolamento.report.sentences import portuguese_sentence
-from rolamento.report.terminal import rendered
 
 __all__ = ["clearance_json", "clearance_report"]
 

@@ -24,10 +24,9 @@ from rolamento.report.frequencies_words import FREQUENCY_WORDS
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium
 from rolamento.report.numbers import ABSENT
-from rolamento.report.page import Lines, Page
+from rolamento.report.page import Lines, Page, rendered
 from rolamento.report.plain_data import csv_number, json_text
 from rolamento.report.reading_words import said_choice
-from rolamento.report.terminal import rendered
 from rolamento.units import rpm_of
 from rolamento.vibration.diagnosis import DAMAGE, SEVERE, ComponentVerdict, Diagnosis
 from rolamento.vibration.frequencies import FaultFrequencies

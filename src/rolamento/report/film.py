@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
-from math import degrees, isfinite, nan
+from math import isfinite, nan
 from typing import Final
 
+import numpy as np
 from rich.text import Text
 
-from rolamento.lubrication.record import BallFilm, ContactFilm, Film
+from rolamento.geometry import Race
+from rolamento.lubrication import Film
 from rolamento.report.film_sentences import said_note
 from rolamento.report.page import Lines, Page
+from rolamento.solved import RACES
 
 __all__ = ["film_notes", "film_parts"]
 
@@ -114,19 +117,20 @@ _WHOLE: Final = 0.9995
 
 
 def film_parts(page: Page, film: Film) -> list[Lines]:
-    """Show the film: the oil, the thinnest films, and the balls where anything turns."""
+    """Show the film of a single case: the oil, the thinnest films, and those of the balls."""
     said = _words(page)
-    thinnest = [film.thinnest("inner"), film.thinnest("outer")]
     lines = [page.heading(said.film), *_oil(page, said, film)]
-    known = [contact for contact in thinnest if contact is not None]
-    if not any(contact.central_thickness > 0.0 for contact in known):
-        return [lines + page.hanging(Text("  "), said.at_rest)] if known else [lines]
-    return [lines + _thinnest(page, said, thinnest), _balls(page, said, film)]
+    thickness = [_at_thinnest(film, race, "central_thickness") for race in RACES]
+    if not any(map(isfinite, thickness)):
+        return [lines]
+    if not any(value > 0.0 for value in thickness):
+        return [lines + page.hanging(Text("  "), said.at_rest)]
+    return [lines + _thinnest(page, said, film), _balls(page, said, film)]
 
 
 def film_notes(page: Page, film: Film) -> list[str]:
-    """Return what is to be known of a film, in the page's language."""
-    return [said_note(note, page.words.code) for note in film.notes]
+    """Return what is to be known of the film of a single case, in the page's language."""
+    return [said_note(note, page.words.code) for note in film.notes_of()]
 
 
 def _words(page: Page) -> _Words:
@@ -137,78 +141,87 @@ def _oil(page: Page, said: _Words, film: Film) -> Lines:
     short = page.digits.short
     oil = said.oil.format(
         name=film.lubricant,
-        temperature=f"{short(round(film.temperature - _ZERO_CELSIUS, 1), 4)} °C",
-        kinematic=short(1e6 * film.kinematic_viscosity, 3),
-        dynamic=short(1e3 * film.dynamic_viscosity, 3),
-        alpha=short(1e9 * film.pressure_viscosity, 3),
+        temperature=f"{short(round(float(film.temperature[0]) - _ZERO_CELSIUS, 1), 4)} °C",
+        kinematic=short(1e6 * film.kinematic_viscosity[0], 3),
+        dynamic=short(1e3 * film.dynamic_viscosity[0], 3),
+        alpha=short(1e9 * film.pressure_viscosity[0], 3),
     )
     lines = page.hanging(Text("  "), oil)
-    if isfinite(film.reference_viscosity):
+    needed = float(film.reference_viscosity[0])
+    if isfinite(needed):
         ratio = said.ratio.format(
-            ratio=short(film.viscosity_ratio, 3), needed=short(1e6 * film.reference_viscosity, 3)
+            ratio=short(film.viscosity_ratio[0], 3), needed=short(1e6 * needed, 3)
         )
         lines += page.hanging(Text("  "), ratio)
     return lines
 
 
-def _thinnest(page: Page, said: _Words, contacts: list[ContactFilm | None]) -> Lines:
-    def column(label: str, name: str, factor: float, unit: str, digits: int = 3) -> list[Text]:
-        values = [nan if c is None else factor * getattr(c, name) for c in contacts]
-        cells = (page.text(page.digits.short(value, digits)) for value in values)
-        return [page.text(label), *cells, page.text(unit)]
+def _at_thinnest(film: Film, race: Race, name: str) -> float:
+    """A number at the contact of a race with the thinnest film."""
+    element = film.thinnest(race)
+    return nan if element is None else float(getattr(film.of(race), name)[0, element])
 
-    heads = ["", page.words.inner, page.words.outer, ""]
-    rows = [
-        [page.text(head, "dim") for head in heads],
-        column(said.central, "central_thickness", 1e6, "µm"),
-        column(said.minimum, "minimum_thickness", 1e6, "µm"),
-        column(said.parameter, "film_parameter", 1.0, ""),
-        column(said.entrainment, "entrainment_speed", 1.0, "m/s"),
-    ]
-    known = [contact for contact in contacts if contact is not None]
-    for label, name in ((said.heat, "thermal_factor"), (said.starvation, "starvation_factor")):
-        if any(getattr(contact, name) < _WHOLE for contact in known):
-            rows.append(column(label, name, 1e2, "%"))
+
+def _thinnest(page: Page, said: _Words, film: Film) -> Lines:
+    rows = [[page.text(head, "dim") for head in ("", page.words.inner, page.words.outer, "")]]
+    for label, name, factor, unit in (
+        (said.central, "central_thickness", 1e6, "µm"),
+        (said.minimum, "minimum_thickness", 1e6, "µm"),
+        (said.parameter, "film_parameter", 1.0, ""),
+        (said.entrainment, "entrainment_speed", 1.0, "m/s"),
+        (said.heat, "thermal_factor", 1e2, "%"),
+        (said.starvation, "starvation_factor", 1e2, "%"),
+    ):
+        values = [_at_thinnest(film, race, name) for race in RACES]
+        if unit == "%" and not any(value < _WHOLE for value in values):
+            continue
+        cells = (page.text(page.digits.short(factor * value, 3)) for value in values)
+        rows.append([page.text(label), *cells, page.text(unit)])
     lines = [page.text(f"  {said.thinnest}", "dim"), *page.columns(rows, "lrrl")]
-    return lines + _regimes(page, said, contacts)
+    return lines + _regimes(page, said, film)
 
 
-def _regimes(page: Page, said: _Words, contacts: list[ContactFilm | None]) -> Lines:
+def _regimes(page: Page, said: _Words, film: Film) -> Lines:
     """Name the regime of each race's thinnest film, and what failures it lets expect."""
     lines: Lines = []
-    for race, contact in zip((page.words.inner, page.words.outer), contacts, strict=True):
-        if contact is None or not contact.regime:
+    for name, race in zip((page.words.inner, page.words.outer), RACES, strict=True):
+        element = film.thinnest(race)
+        regime = "" if element is None else str(film.of(race).regime[0, element])
+        if element is None or not regime:
             continue
-        failures = ", ".join(said.failures.get(f, f) for f in contact.expected_failures)
-        text = f"{said.regimes.get(contact.regime, contact.regime)}; {said.expected}: {failures}"
-        lines += page.hanging(page.text(f"  {race}: ", "dim"), text)
+        expected = film.of(race).expected_failures(0, element)
+        failures = ", ".join(said.failures.get(f, f) for f in expected)
+        text = f"{said.regimes.get(regime, regime)}; {said.expected}: {failures}"
+        lines += page.hanging(page.text(f"  {name}: ", "dim"), text)
     return lines
 
 
-_COLUMNS: Final[tuple[tuple[str, str, Callable[[BallFilm], float], int], ...]] = (
-    ("h_c,i", "µm", lambda ball: 1e6 * ball.inner.central_thickness, 3),
-    ("h_c,o", "µm", lambda ball: 1e6 * ball.outer.central_thickness, 3),
-    ("h_0,i", "µm", lambda ball: 1e6 * ball.inner.minimum_thickness, 3),
-    ("h_0,o", "µm", lambda ball: 1e6 * ball.outer.minimum_thickness, 3),
-    ("λ_i", "–", lambda ball: ball.inner.film_parameter, 3),
-    ("λ_o", "–", lambda ball: ball.outer.film_parameter, 3),
+_COLUMNS: Final[tuple[tuple[str, str, Race, str, float], ...]] = (
+    ("h_c,i", "µm", "inner", "central_thickness", 1e6),
+    ("h_c,o", "µm", "outer", "central_thickness", 1e6),
+    ("h_0,i", "µm", "inner", "minimum_thickness", 1e6),
+    ("h_0,o", "µm", "outer", "minimum_thickness", 1e6),
+    ("λ_i", "–", "inner", "film_parameter", 1.0),
+    ("λ_o", "–", "outer", "film_parameter", 1.0),
 )
 
 
 def _balls(page: Page, said: _Words, film: Film) -> Lines:
-    """Set the films of all balls in a table, the least of each column marked."""
-    numbers = [Text(), Text("#"), *(Text(str(j), "dim") for j in range(len(film.balls)))]
-    azimuths = page.digits.column([degrees(ball.azimuth) for ball in film.balls], 5, 2)
+    """Set the films of all balls in a table, the minimum of each column marked."""
+    azimuth = np.degrees(film.azimuth[0])
+    numbers = [Text(), Text("#"), *(Text(str(j), "dim") for j in range(len(azimuth)))]
+    azimuths = page.digits.column(azimuth.tolist(), 5, 2)
     columns = [numbers, [page.text("ψ"), page.text("°", "dim"), *map(page.text, azimuths)]]
-    for symbol, unit, of, digits in _COLUMNS:
-        values = [of(ball) for ball in film.balls]
-        if not any(map(isfinite, values)):
+    for symbol, unit, race, name, factor in _COLUMNS:
+        values = factor * getattr(film.of(race), name)[0]
+        if not np.isfinite(values).any():
             continue
-        least = min(value for value in values if isfinite(value))
-        cells = page.digits.column(values, digits)
+        minimum = np.nanmin(values[np.isfinite(values)])
+        cells = page.digits.column(values.tolist(), 3)
         head = [page.text(f"{symbol} "), page.text(f"{unit} ", "dim")]
         columns.append(
-            head + [_marked(page, c, v == least) for c, v in zip(cells, values, strict=True)]
+            head
+            + [_marked(page, c, v == minimum) for c, v in zip(cells, values.tolist(), strict=True)]
         )
     rows = list(zip(*columns, strict=True))
     table = page.columns(rows, "r" * len(columns))
@@ -217,5 +230,5 @@ def _balls(page: Page, said: _Words, film: Film) -> Lines:
     return [page.heading(said.balls), *table[:2], rule, *table[2:], *legend]
 
 
-def _marked(page: Page, text: str, least: bool) -> Text:
-    return page.text(text + ("◂" if least else " "), "bold magenta" if least else "")
+def _marked(page: Page, text: str, minimum: bool) -> Text:
+    return page.text(text + ("◂" if minimum else " "), "bold magenta" if minimum else "")

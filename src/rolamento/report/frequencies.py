@@ -14,9 +14,8 @@ from rich.text import Text
 from rolamento.report.frequencies_words import FREQUENCY_WORDS, FrequencyWords
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium
-from rolamento.report.page import Lines, Page
+from rolamento.report.page import Lines, Page, rendered
 from rolamento.report.plain_data import json_text
-from rolamento.report.terminal import rendered
 from rolamento.units import rpm_of
 from rolamento.vibration.frequencies import FAULTS, FaultFrequencies, FaultKind, Harmonic
 from rolamento.vibration.frequency_band import Alternative
@@ -204,9 +203,7 @@ def _notes(page: Page, said: FrequencyWords, words: Words, found: FrequencyResul
 
 def said_failure(solved: Solved, words: Words) -> str:
     """Say why a case has no result, and what to do."""
-    code, advice = str(solved.status.code[0]), solved.advice[0]
-    told = (words.reasons.get(code, code), words.sentence(advice) if advice else "")
-    return ": ".join(part for part in told if part)
+    return ": ".join(part for part in (words.reason(solved), words.advice(solved)) if part)
 
 
 # --- data ------------------------------------------------------------------------------------

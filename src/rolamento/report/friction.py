@@ -10,13 +10,14 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 from rich.text import Text
 
+from rolamento.plots.variable_names import torque_model_name
 from rolamento.report.page import Lines, Page
 
 if TYPE_CHECKING:
-    from rolamento.friction import Friction, ModelVerdict
-    from rolamento.state import State
+    from rolamento.friction import Friction, ModelValidity
+    from rolamento.solved import Solved
 
-__all__ = ["friction_parts", "model_name", "reason_text", "unit_of_power", "unit_of_torque"]
+__all__ = ["friction_parts", "reason_text", "unit_of_power", "unit_of_torque"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,39 +32,15 @@ class _Words:
     heat: str
     total: str
     models: str
-    names: Mapping[str, str]
     contacts: str
     all_sources: str
-    holds_here: str
-    holds: str
-    fails: str
+    valid_here: str
+    valid: str
+    refused: str
     reasons: Mapping[str, str]
     at_rest: str
     legend: str
 
-
-_NAMES: Final = {
-    "en": {
-        "jones_full": "Jones, full",
-        "jones_control": "Jones, raceway control",
-        "jones_simplified": "Jones, simplified",
-        "harris_1971": "Harris 1971",
-        "todd": "Todd",
-        "palmgren": "Palmgren",
-        "skf": "SKF",
-        "friction_control": "friction control",
-    },
-    "pt": {
-        "jones_full": "Jones, completo",
-        "jones_control": "Jones, controle de pista",
-        "jones_simplified": "Jones, simplificado",
-        "harris_1971": "Harris 1971",
-        "todd": "Todd",
-        "palmgren": "Palmgren",
-        "skf": "SKF",
-        "friction_control": "controle por atrito",
-    },
-}
 
 _WORDS: Final[Mapping[str, _Words]] = {
     "en": _Words(
@@ -82,12 +59,11 @@ _WORDS: Final[Mapping[str, _Words]] = {
         heat="heat,",
         total="sum",
         models="Friction torque by model",
-        names=_NAMES["en"],
         contacts="contacts",
         all_sources="in all",
-        holds_here="holds here",
-        holds="yes",
-        fails="no: ",
+        valid_here="valid here",
+        valid="yes",
+        refused="no: ",
         reasons={
             "inertia": "inertia",
             "full_film": "full film",
@@ -119,12 +95,11 @@ _WORDS: Final[Mapping[str, _Words]] = {
         heat="calor,",
         total="soma",
         models="Torque de atrito por modelo",
-        names=_NAMES["pt"],
         contacts="contatos",
         all_sources="ao todo",
-        holds_here="vale aqui",
-        holds="sim",
-        fails="não: ",
+        valid_here="vale aqui",
+        valid="sim",
+        refused="não: ",
         reasons={
             "inertia": "inércia",
             "full_film": "filme completo",
@@ -142,66 +117,58 @@ _WORDS: Final[Mapping[str, _Words]] = {
     ),
 }
 
-_REMARKS: Final = ("partial_film", "at_rest")
-"""Reasons that do not refuse a model."""
-_MACHINE: Final = ("palmgren", "skf")
-"""Models of whole bearings: nothing is added to their torque."""
-
 
 def unit_of_torque(values: Sequence[float]) -> tuple[float, str]:
     """Return factor and unit in which torques of a table are read; values in N·m."""
-    return _unit(values, ((1.0, "N·m"), (1e3, "N·mm"), (1e6, "µN·m")))
+    return _readable(values, ((1.0, "N·m"), (1e3, "N·mm"), (1e6, "µN·m")))
 
 
 def unit_of_power(values: Sequence[float]) -> tuple[float, str]:
     """Return factor and unit in which powers of a table are read; values in W."""
-    return _unit(values, ((1.0, "W"), (1e3, "mW"), (1e6, "µW")))
+    return _readable(values, ((1.0, "W"), (1e3, "mW"), (1e6, "µW")))
 
 
-def _unit(values: Sequence[float], units: tuple[tuple[float, str], ...]) -> tuple[float, str]:
-    """Return the greatest unit of which the greatest value has at least a tenth, else the last."""
-    greatest = max((abs(value) for value in values if isfinite(value)), default=0.0)
-    fitting = (pair for pair in units if pair[0] * greatest >= 0.1)
-    return next(fitting, units[-1] if greatest else units[1])
+def _readable(values: Sequence[float], units: tuple[tuple[float, str], ...]) -> tuple[float, str]:
+    """Return the largest unit of which the maximum has at least a tenth, else the last."""
+    maximum = max((abs(value) for value in values if isfinite(value)), default=0.0)
+    fitting = (pair for pair in units if pair[0] * maximum >= 0.1)
+    return next(fitting, units[-1] if maximum else units[1])
 
 
-def model_name(model: str, language: str) -> str:
-    """Say what a model is called."""
-    return _NAMES.get(language, _NAMES["en"]).get(model, model)
+def reason_text(validity: ModelValidity, language: str, case: int = 0) -> str:
+    """Say whether a model is valid for a case, and if not, why; remarks follow a "yes"."""
+    from rolamento.friction.model import REMARKS
 
-
-def reason_text(verdict: ModelVerdict, language: str, case: int = 0) -> str:
-    """Say whether a model holds for a case, and if not, why; remarks follow what holds."""
     said = _WORDS.get(language, _WORDS["en"])
-    reasons = [name for name, where in verdict.notes.items() if where[case]]
-    if verdict.holds[case]:
+    reasons = [name for name, where in validity.notes.items() if where[case]]
+    if validity.valid[case]:
         remarks = [said.reasons[name] for name in reasons]
-        return "; ".join([said.holds, *remarks])
-    refused = [name for name in reasons if name not in _REMARKS]
+        return "; ".join([said.valid, *remarks])
+    refused = [name for name in reasons if name not in REMARKS]
     refused = ["no_result"] if "no_result" in refused else refused
-    return said.fails + ", ".join(said.reasons[name] for name in refused)
+    return said.refused + ", ".join(said.reasons[name] for name in refused)
 
 
-def friction_parts(page: Page, state: State, friction: Friction) -> list[Lines]:
-    """Show the friction of a solved state: torque and heat by source, and the models."""
-    return [_sources(page, state, friction), _models(page, state, friction)]
+def friction_parts(page: Page, solved: Solved, friction: Friction) -> list[Lines]:
+    """Show the friction of a single solved case: torque and heat by source, and the models."""
+    return [_torque_and_heat(page, solved, friction), _model_table(page, solved, friction)]
 
 
 def _words(page: Page) -> _Words:
     return _WORDS.get(page.words.code, _WORDS["en"])
 
 
-def _sources(page: Page, state: State, friction: Friction) -> Lines:
+def _torque_and_heat(page: Page, solved: Solved, friction: Friction) -> Lines:
     said, digits = _words(page), page.digits
-    lubricant = state.case.lubricant
+    lubricant = solved.case.lubricant
     assert lubricant is not None
     lines = [page.heading(said.friction)]
     mu = digits.short(lubricant.friction_coefficient or 0.0)
     named = said.coefficient.format(value=mu, name=lubricant.name)
     lines += page.hanging(Text("  "), named)
     lines += _totals(page, said, friction)
-    lines += [Text(), *_table(page, said, friction)]
-    name = said.names[friction.model]
+    lines += [Text(), *_source_table(page, said, friction)]
+    name = torque_model_name(friction.model, page.words.code)
     return lines + page.hanging(Text("  "), said.legend.format(model=name), "dim")
 
 
@@ -222,7 +189,7 @@ def _totals(page: Page, said: _Words, friction: Friction) -> Lines:
     return page.columns(rows, "lrl")
 
 
-def _table(page: Page, said: _Words, friction: Friction) -> Lines:
+def _source_table(page: Page, said: _Words, friction: Friction) -> Lines:
     """Set torque and heat of every source, the heat by race, and their sums."""
     names = [name for name in said.sources if name in friction.torque_by_source]
     torque = [float(friction.torque_by_source[name][0]) for name in names]
@@ -251,39 +218,39 @@ def _table(page: Page, said: _Words, friction: Friction) -> Lines:
     return page.columns(rows, "l" + "r" * len(columns), gap=3)
 
 
-def _models(page: Page, state: State, friction: Friction) -> Lines:
-    """Set the torque of every model and whether it holds here; the one that is used in bold."""
+def _model_table(page: Page, solved: Solved, friction: Friction) -> Lines:
+    """Set the torque of every model and whether it is valid here; the one in use in bold."""
+    from rolamento.friction.models import TORQUE_MODELS
+
     said = _words(page)
     added = float(friction.torque[0] - friction.models[friction.model].total[0])
     entries: list[tuple[str, float, float, str]] = []
-    for verdict in friction.verdicts:
-        own = float(friction.models[verdict.model].total[0])
-        whole = own if verdict.model in _MACHINE else own + added
-        entries.append((verdict.model, own, whole, reason_text(verdict, page.words.code)))
-    speed = abs(state.case.duty.inner_speed - state.case.duty.outer_speed)
-    if state.rolling is not None and speed > 0.0:
-        own = state.rolling.power / speed
+    for found in friction.validity:
+        own = float(friction.models[found.model].total[0])
+        whole = own + added if TORQUE_MODELS[found.model].of_contacts else own
+        entries.append((found.model, own, whole, reason_text(found, page.words.code)))
+    speed = abs(solved.case.duty.inner_speed - solved.case.duty.outer_speed)
+    if solved.rolling is not None and speed > 0.0:
+        own = float(solved.rolling.power[0]) / speed
         film = friction.regime[0] == "full_film"
-        held = said.fails + said.reasons["full_film"] if film else said.holds
+        held = said.refused + said.reasons["full_film"] if film else said.valid
         entries.append(("friction_control", own, own + added, held))
     factor, unit = unit_of_torque([own for _, own, _, _ in entries])
     owns = page.digits.column([factor * own for _, own, _, _ in entries], 4)
     wholes = page.digits.column([factor * whole for _, _, whole, _ in entries], 4)
     rows = [
-        [Text(), page.text(said.contacts), page.text(said.all_sources), page.text(said.holds_here)],
+        [Text(), page.text(said.contacts), page.text(said.all_sources), page.text(said.valid_here)],
         [Text(), page.text(unit, "dim"), page.text(unit, "dim"), Text()],
     ]
-    for (model, _, _, verdict_text), own_text, whole_text in zip(
-        entries, owns, wholes, strict=True
-    ):
+    for (model, _, _, reason), own_text, whole_text in zip(entries, owns, wholes, strict=True):
         style = "bold" if model == friction.model else ""
-        dim = "" if verdict_text.startswith(said.holds) else "yellow"
+        dim = "" if reason.startswith(said.valid) else "yellow"
         rows.append(
             [
-                page.text(said.names.get(model, model), style),
+                page.text(torque_model_name(model, page.words.code), style),
                 page.text(own_text, style),
                 page.text(whole_text, style),
-                page.text(verdict_text, dim),
+                page.text(reason, dim),
             ]
         )
     return [page.heading(said.models), *page.columns(rows, "lrrl")]

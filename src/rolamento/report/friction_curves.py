@@ -12,15 +12,16 @@ import numpy as np
 from numpy.typing import NDArray
 from rich.text import Text
 
-from rolamento.plots.axes_units import readable_unit
-from rolamento.report.across import place_text, read_values, written_values
-from rolamento.report.friction import friction_parts, model_name, unit_of_torque
+from rolamento.plots.axes_units import read_values, readable_unit
+from rolamento.plots.variable_names import torque_model_name
+from rolamento.report.across import place_text, written_values
+from rolamento.report.friction import friction_parts, unit_of_torque
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium
 from rolamento.report.numbers import decimals_for
-from rolamento.report.page import Lines, Page
+from rolamento.report.page import Lines, Page, rendered
 from rolamento.report.plain_data import csv_number, json_text
-from rolamento.report.terminal import rendered, terminal_head
+from rolamento.report.terminal import terminal_head
 
 if TYPE_CHECKING:
     from rolamento.analysis import Analysis
@@ -37,13 +38,12 @@ _MARK: Final = "*"
 class _Words:
     torque: str
     with_all: str
-    fails: str
+    refused: str
     all_models: str
     reasons: Mapping[str, str]
     spin: str
     spin_legend: str
     variant: str
-    heads: Mapping[str, str]
     failed: str
 
 
@@ -54,7 +54,7 @@ _WORDS: Final[Mapping[str, _Words]] = {
             "running torque of all sources, in {unit}: the contacts by each model, elastic"
             " hysteresis{oil}; with friction control the balls' inertia counts"
         ),
-        fails="* the model does not hold there",
+        refused="* the model is not valid there",
         all_models="every model but friction control",
         reasons={
             "inertia": "inertia counts",
@@ -65,18 +65,10 @@ _WORDS: Final[Mapping[str, _Words]] = {
         },
         spin="Spin to roll over {field}",
         spin_legend=(
-            "friction control, the ball with the greatest inner load; i inner contact, o outer"
+            "friction control, the ball with the maximum inner load; i inner contact, o outer"
             " contact; n_m cage"
         ),
         variant="with {label}",
-        heads={
-            "jones_full": "Jones full",
-            "jones_control": "Jones ctrl",
-            "jones_simplified": "Jones simp",
-            "harris_1971": "Harris",
-            "todd": "Todd",
-            _CONTROLLED: "fr. control",
-        },
         failed="{failed} of {count} points without a result: {reasons}",
     ),
     "pt": _Words(
@@ -85,7 +77,7 @@ _WORDS: Final[Mapping[str, _Words]] = {
             "torque em movimento de todas as fontes, em {unit}: os contatos segundo cada modelo,"
             " histerese elástica{oil}; com controle por atrito conta a inércia das esferas"
         ),
-        fails="* o modelo não vale ali",
+        refused="* o modelo não vale ali",
         all_models="todos os modelos menos o controle por atrito",
         reasons={
             "inertia": "a inércia conta",
@@ -100,14 +92,6 @@ _WORDS: Final[Mapping[str, _Words]] = {
             " n_m gaiola"
         ),
         variant="com {label}",
-        heads={
-            "jones_full": "Jones comp",
-            "jones_control": "Jones ctrl",
-            "jones_simplified": "Jones simp",
-            "harris_1971": "Harris",
-            "todd": "Todd",
-            _CONTROLLED: "c. atrito",
-        },
         failed="{failed} de {count} pontos sem resultado: {reasons}",
     ),
 }
@@ -119,9 +103,9 @@ def friction_report(
 ) -> str:
     """Return the friction of one case as text that ends in a newline."""
     page = Page(words, medium or Medium())
-    parts = [terminal_head(page, analysis.state)]
+    parts = [terminal_head(page, analysis.solved)]
     if analysis.friction is not None:
-        parts += friction_parts(page, analysis.state, analysis.friction)
+        parts += friction_parts(page, analysis.solved, analysis.friction)
     return rendered(page.medium, parts)
 
 
@@ -168,10 +152,10 @@ def _heading(page: Page, template: str, curve: FrictionCurve) -> Lines:
 
 
 def _columns(curve: FrictionCurve) -> dict[str, tuple[NDArray[np.float64], NDArray[np.bool_]]]:
-    """Torque of every model, and where the model holds."""
+    """Torque of every model, and where the model is valid."""
     found = {
-        verdict.model: (curve.torque(verdict.model), verdict.holds)
-        for verdict in curve.friction.verdicts
+        validity.model: (curve.torque(validity.model), validity.valid)
+        for validity in curve.friction.validity
     }
     if curve.controlled is not None and np.isfinite(curve.controlled_torque).any():
         torque = curve.controlled_torque
@@ -183,16 +167,19 @@ def _columns(curve: FrictionCurve) -> dict[str, tuple[NDArray[np.float64], NDArr
 def _torques(page: Page, curve: FrictionCurve) -> Lines:
     said, digits = _words(page), page.digits
     columns = _columns(curve)
-    greatest = [float(v) for torque, _ in columns.values() for v in torque]
-    factor, unit = unit_of_torque(greatest)
+    values_shown = [float(v) for torque, _ in columns.values() for v in torque]
+    factor, unit = unit_of_torque(values_shown)
     across, symbol = read_values(curve.field, curve.values)
     values = written_values(page, across)
-    decimals = decimals_for([factor * value for value in greatest], 5)
+    decimals = decimals_for([factor * value for value in values_shown], 5)
     cells: list[Lines] = [[Text(), page.text(symbol, "dim"), *map(page.text, values)]]
-    for model, (torque, holds) in columns.items():
+    for model, (torque, valid) in columns.items():
         written = [digits.fixed(factor * float(value), decimals) for value in torque]
-        head = [page.text(f"{said.heads.get(model, model)} "), page.text(f"{unit} ", "dim")]
-        cells.append(head + [_judged(page, t, h) for t, h in zip(written, holds, strict=True)])
+        head = [
+            page.text(f"{torque_model_name(model, page.words.code, short=True)} "),
+            page.text(f"{unit} ", "dim"),
+        ]
+        cells.append(head + [_marked(page, t, v) for t, v in zip(written, valid, strict=True)])
     lines = _heading(page, said.torque, curve)
     lines += page.columns(list(zip(*cells, strict=True)), "r" * len(cells))
     oil = _OIL[page.words.code] if "rolling_resistance" in curve.friction.heat else ""
@@ -200,25 +187,25 @@ def _torques(page: Page, curve: FrictionCurve) -> Lines:
     return lines + _failures(page, curve)
 
 
-def _judged(page: Page, text: str, holds: bool) -> Text:
-    return page.text(f"{text} ") if holds else page.text(f"{text}{_MARK}", "yellow")
+def _marked(page: Page, text: str, valid: bool) -> Text:
+    return page.text(f"{text} ") if valid else page.text(f"{text}{_MARK}", "yellow")
 
 
 def _failures(page: Page, curve: FrictionCurve) -> Lines:
-    """Say of every group of models why and where they do not hold, and what was not solved."""
+    """Say of every group of models why and where they are not valid, and what was not solved."""
     said, lines = _words(page), []
     why: dict[str, list[str]] = {}
-    for verdict in curve.friction.verdicts:
+    for validity in curve.friction.validity:
         for name in said.reasons:
-            where = verdict.notes.get(name)
+            where = validity.notes.get(name)
             if where is not None and where.any():
                 place = place_text(page, curve.field, curve.values, where)
                 text = f"{said.reasons[name]} {place}"
-                why.setdefault(text, []).append(model_name(verdict.model, page.words.code))
-    if any(not verdict.holds.all() for verdict in curve.friction.verdicts):
-        lines += page.hanging(Text("  "), said.fails, "dim")
+                why.setdefault(text, []).append(torque_model_name(validity.model, page.words.code))
+    if any(not validity.valid.all() for validity in curve.friction.validity):
+        lines += page.hanging(Text("  "), said.refused, "dim")
     for text, models in why.items():
-        every = len(models) == len(curve.friction.verdicts)
+        every = len(models) == len(curve.friction.validity)
         named = said.all_models if every else "; ".join(models)
         lines += page.hanging(Text("    "), f"{text}: {named}", "dim")
     failed = curve.status[curve.status != "converged"]
@@ -261,7 +248,7 @@ def curves_csv(curves: Sequence[FrictionCurve]) -> str:
     text = StringIO(newline="")
     writer = csv.writer(text)
     first = curves[0]
-    models = [verdict.model for verdict in first.friction.verdicts]
+    models = [validity.model for validity in first.friction.validity]
     sources = list(first.friction.torque_by_source)
     writer.writerow(
         [
@@ -280,7 +267,7 @@ def curves_csv(curves: Sequence[FrictionCurve]) -> str:
     )
     for curve in curves:
         torques = [curve.torque(model) for model in models]
-        holds = {verdict.model: verdict.holds for verdict in curve.friction.verdicts}
+        valid = {validity.model: validity.valid for validity in curve.friction.validity}
         parts = [
             curve.friction.torque_by_source.get(s, np.full(len(curve), np.nan)) for s in sources
         ]
@@ -291,10 +278,10 @@ def curves_csv(curves: Sequence[FrictionCurve]) -> str:
                     csv_number(curve.values[point]),
                     str(curve.status[point]),
                     *(csv_number(torque[point]) for torque in torques),
-                    *("yes" if holds[model][point] else "no" for model in models),
+                    *("yes" if valid[model][point] else "no" for model in models),
                     *(csv_number(part[point]) for part in parts),
                     *(csv_number(column[point]) for column in _controlled_columns(curve)),
-                    csv_number(curve.film_parameter[point]),
+                    csv_number(curve.friction.film_parameter[point]),
                 ]
             )
     return text.getvalue()
@@ -327,13 +314,13 @@ def curves_json(curves: Sequence[FrictionCurve]) -> str:
 def _curve_mapping(curve: FrictionCurve) -> dict[str, Any]:
     friction = curve.friction
     models = {
-        verdict.model: {
-            "contact_torque": friction.models[verdict.model].total,
-            "torque": curve.torque(verdict.model),
-            "holds": verdict.holds.tolist(),
-            "reasons": {name: where.tolist() for name, where in verdict.notes.items()},
+        validity.model: {
+            "contact_torque": friction.models[validity.model].total,
+            "torque": curve.torque(validity.model),
+            "holds": validity.valid.tolist(),
+            "reasons": {name: where.tolist() for name, where in validity.notes.items()},
         }
-        for verdict in friction.verdicts
+        for validity in friction.validity
     }
     torque, cage, inner, outer = _controlled_columns(curve)
     return {
@@ -345,7 +332,7 @@ def _curve_mapping(curve: FrictionCurve) -> dict[str, Any]:
         "power": friction.power,
         "torque_by_source": dict(friction.torque_by_source),
         "regime": friction.regime.tolist(),
-        "film_parameter": curve.film_parameter,
+        "film_parameter": curve.friction.film_parameter,
         "models": models,
         "friction_control": {
             "torque": torque,

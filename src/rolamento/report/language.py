@@ -5,10 +5,12 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 from rolamento.report.sentences import portuguese_sentence
-from rolamento.state import Status
+
+if TYPE_CHECKING:
+    from rolamento.solved import Solved
 
 __all__ = ["ENGLISH", "LANGUAGES", "PORTUGUESE", "Words", "words_for"]
 
@@ -122,13 +124,15 @@ class Words:
     demo_data: str
     demo_written: str
 
-    def reason(self, status: Status) -> str:
-        """Say why there is no result."""
-        return self.reasons.get(status.code, status.code)
+    def reason(self, solved: Solved, case: int = 0) -> str:
+        """Say why a case has no result."""
+        code = str(solved.status.code[case])
+        return self.reasons.get(code, code)
 
-    def advice(self, status: Status) -> str:
-        """Say what to do, or nothing."""
-        return self.sentence(status.advice) if status.advice else ""
+    def advice(self, solved: Solved, case: int = 0) -> str:
+        """Say what to do about it, or nothing."""
+        advice = solved.advice[case]
+        return self.sentence(advice) if advice else ""
 
     def note(self, note: str) -> str:
         """Say what the engine noted."""

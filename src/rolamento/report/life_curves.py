@@ -1,4 +1,4 @@
-"""Life over a field for a reader: every theory at every value, and where each holds."""
+"""Life over a field for a reader: every theory at every value, and where each is valid."""
 
 from __future__ import annotations
 
@@ -12,19 +12,18 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 from rich.text import Text
 
-from rolamento.numerics import BoolArray, FloatArray
-from rolamento.report.across import place_text, read_values, written_values
+from rolamento.life.theories import FIRST_LEFT_OUT
+from rolamento.plots.axes_units import read_values
+from rolamento.report.across import place_text, written_values
 from rolamento.report.language import ENGLISH, Words
-from rolamento.report.life_numbers import given_percent, life_text, lives_column, said_of
-from rolamento.report.life_remarks import remarks
+from rolamento.report.life_statement import given_percent, life_text, lives_column, remarks, said_of
 from rolamento.report.medium import Medium
-from rolamento.report.page import Lines, Page
+from rolamento.report.page import Lines, Page, rendered
 from rolamento.report.plain_data import csv_number, json_text
-from rolamento.report.terminal import rendered
 
 if TYPE_CHECKING:
-    from rolamento.life import Headline
-    from rolamento.studies.life_curves import LifeCurve
+    from rolamento.life import Headline, Life
+    from rolamento.tasks.life_over import LifeCurve
 
 __all__ = ["curves_csv", "curves_json", "curves_report"]
 
@@ -32,7 +31,6 @@ SCHEMA: Final = 1
 _MARK: Final = "*"
 _LESS: Final = "<"
 _LEADS: Final = "headline"
-_FIRST_LEFT_OUT: Final = ("ioannides_harris", "l_able", "iso281_1990")
 _RELIABILITY: Final = 0.9
 
 
@@ -109,51 +107,44 @@ def _curve(page: Page, curve: LifeCurve) -> Lines:
     lines = [page.heading(own.heading.format(field=curve.field))]
     if curve.label:
         lines += page.hanging(Text("  "), own.variant.format(label=curve.label))
-    lives, unit = shown_lives(curve)
+    unit = said.hour if curve.in_hours else said.million
     leading = curve.headline
-    table, left_out = _table(page, curve, lives)
+    table, left_out = _life_table(page, curve)
     lines += table
     reliability = _RELIABILITY if curve.case.life is None else curve.case.life.reliability
     varied = curve.field == "life.reliability"
     legend = (own.legend_varied if varied else own.legend).format(
-        unit=said.hour if unit == "h" else said.million,
+        unit=unit,
         reliability=given_percent(page, reliability),
     )
     lines += page.hanging(Text("  "), legend, "dim")
     if left_out:
         lines += page.hanging(Text("  "), own.left_out.format(names="; ".join(left_out)), "dim")
-    if any(not np.all(curve.holds[name] | curve.below[name]) for name in lives):
+    if any(not np.all(life.valid | life.below) for life in curve.theories.values()):
         lines += page.hanging(Text("  "), own.fails, "dim")
-    if np.any(leading.below) or any(np.any(curve.below[name]) for name in lives):
+    if np.any(leading.below) or any(np.any(life.below) for life in curve.theories.values()):
         lines += page.hanging(Text("  "), own.below, "dim")
-    lines += _extremes(page, own, curve, lives, said.hour if unit == "h" else said.million)
+    lines += _extremes(page, own, curve, unit)
     return lines + _remarks(page, curve) + _failures(page, own, curve)
 
 
-def shown_lives(curve: LifeCurve) -> tuple[Mapping[str, FloatArray], str]:
-    """Return the lives that a table shows, and "h"; in "Mrev" where nothing ever turns."""
-    turns = any(np.any(~np.isnan(hours)) for hours in curve.lives.values())
-    return (curve.lives, "h") if turns else (curve.revolutions, "Mrev")
-
-
-def _table(
-    page: Page, curve: LifeCurve, lives: Mapping[str, FloatArray]
-) -> tuple[Lines, list[str]]:
+def _life_table(page: Page, curve: LifeCurve) -> tuple[Lines, list[str]]:
     """Set the lives below each other; theories for which there is no room are named instead."""
     own, said = _WORDS.get(page.words.code, _WORDS["en"]), said_of(page)
     across, symbol = read_values(curve.over.field, curve.values)
     values = written_values(page, across)
-    names = [name for name in said.names if name in lives]
     columns: dict[str, Lines] = {
         "": [Text(), page.text(symbol, "dim"), *map(page.text, values)],
-        **{name: _life_column(page, curve, name, lives[name]) for name in names},
+        **{
+            name: _column(page, said.short[name], curve, life)
+            for name, life in curve.theories.items()
+        },
     }
     leading = curve.headline
-    if any(theory not in lives for theory in leading.theory[leading.below].tolist()):
-        led = leading.hours if lives is curve.lives else leading.life
-        columns[_LEADS] = _column(page, ("", own.leads), led, leading.holds, leading.below)
+    if any(theory not in curve.theories for theory in leading.theory[leading.below].tolist()):
+        columns[_LEADS] = _column(page, ("", own.leads), curve, leading)
     left_out = []
-    for name in _FIRST_LEFT_OUT:
+    for name in FIRST_LEFT_OUT:
         if name in columns and page.width_of(list(columns.values())) > page.medium.width:
             del columns[name]
             left_out.append(said.names[name])
@@ -161,36 +152,27 @@ def _table(
     return page.columns(rows, "r" * len(columns)), left_out
 
 
-def _life_column(page: Page, curve: LifeCurve, name: str, lives: FloatArray) -> Lines:
-    """A theory's name, and its lives, marked where it does not hold."""
-    heads = said_of(page).short[name]
-    return _column(page, heads, lives, curve.holds[name], curve.below[name])
-
-
-def _column(
-    page: Page, heads: Sequence[str], lives: FloatArray, holds: BoolArray, below: BoolArray
-) -> Lines:
-    cells = zip(lives_column(page, lives.tolist()), holds, below, strict=True)
+def _column(page: Page, heads: Sequence[str], curve: LifeCurve, life: Life | Headline) -> Lines:
+    """A theory's name, and its lives, marked where it is not valid."""
+    cells = zip(lives_column(page, curve.shown(life).tolist()), life.valid, life.below, strict=True)
     return [
         *(page.text(f"{word} ") for word in heads),
         *(_marked(page, cell, bool(held), bool(bound)) for cell, held, bound in cells),
     ]
 
 
-def _marked(page: Page, cell: str, holds: bool, below: bool) -> Text:
+def _marked(page: Page, cell: str, valid: bool, below: bool) -> Text:
     """A life, with a mark where it is a bound or does not hold."""
     if below:
-        return page.text(f"{_LESS}{cell} ", "" if holds else "yellow")
-    return page.text(f"{cell} ") if holds else page.text(f"{cell}{_MARK}", "yellow")
+        return page.text(f"{_LESS}{cell} ", "" if valid else "yellow")
+    return page.text(f"{cell} ") if valid else page.text(f"{cell}{_MARK}", "yellow")
 
 
-def _extremes(
-    page: Page, own: _Words, curve: LifeCurve, lives: Mapping[str, FloatArray], unit: str
-) -> Lines:
-    """Say where the life that leads is longest and shortest, where it holds."""
+def _extremes(page: Page, own: _Words, curve: LifeCurve, unit: str) -> Lines:
+    """Say where the life that leads is longest and shortest, where it is valid."""
     leading = curve.headline
-    led = leading.hours if lives is curve.lives else leading.life
-    usable = leading.holds & np.isfinite(led)
+    led = curve.shown(leading)
+    usable = leading.valid & np.isfinite(led)
     if np.count_nonzero(usable) < 2:
         return []
     across, symbol = read_values(curve.over.field, curve.values)
@@ -212,11 +194,11 @@ def _remarks(page: Page, curve: LifeCurve) -> Lines:
     solved = curve.status == "converged"
     found = [
         (theory, name, place_text(page, curve.over.field, curve.values, where))
-        for theory, notes in curve.notes.items()
-        for name, where in ((name, where & solved) for name, where in notes.items())
+        for theory, life in curve.theories.items()
+        for name, where in ((name, where & solved) for name, where in life.notes.items())
         if where.any()
     ]
-    return remarks(page, found, len(curve.notes))
+    return remarks(page, found, len(curve.theories))
 
 
 def _failures(page: Page, own: _Words, curve: LifeCurve) -> Lines:
@@ -240,7 +222,7 @@ def curves_csv(curves: Sequence[LifeCurve]) -> str:
     text = StringIO(newline="")
     writer = csv.writer(text)
     field = curves[0].over.field
-    theories = list(dict.fromkeys(name for curve in curves for name in curve.lives))
+    theories = list(dict.fromkeys(name for curve in curves for name in curve.theories))
     writer.writerow(
         [
             "variant",
@@ -259,20 +241,22 @@ def curves_csv(curves: Sequence[LifeCurve]) -> str:
         ]
     )
     for curve in curves:
-        nothing = np.full(len(curve), np.nan)
+        records = [curve.theories.get(name) for name in theories]
+        leading = curve.headline
         for point in range(len(curve)):
-            lives = (curve.lives, curve.revolutions)
             writer.writerow(
                 [
                     curve.label,
                     csv_number(curve.values[point]),
                     str(curve.status[point]),
-                    *(_written(of.get(name, nothing)[point]) for of in lives for name in theories),
-                    *(
-                        "yes" if name in curve.holds and curve.holds[name][point] else "no"
-                        for name in theories
-                    ),
-                    *_headline_cells(curve.headline, point),
+                    *("" if own is None else _life_cell(own.hours[point]) for own in records),
+                    *("" if own is None else _life_cell(own.life[point]) for own in records),
+                    *(_yes_or_no(own is not None and own.valid[point]) for own in records),
+                    str(leading.theory[point]),
+                    _life_cell(leading.hours[point]),
+                    _life_cell(leading.life[point]),
+                    _yes_or_no(leading.valid[point]),
+                    _yes_or_no(leading.below[point]),
                     csv_number(curve.viscosity_ratio[point]),
                     csv_number(curve.contamination_factor[point]),
                 ]
@@ -280,16 +264,11 @@ def curves_csv(curves: Sequence[LifeCurve]) -> str:
     return text.getvalue()
 
 
-def _headline_cells(leading: Headline, point: int) -> list[str]:
-    return [
-        str(leading.theory[point]),
-        _written(leading.hours[point]),
-        _written(leading.life[point]),
-        *("yes" if where[point] else "no" for where in (leading.holds, leading.below)),
-    ]
+def _yes_or_no(value: bool) -> str:
+    return "yes" if value else "no"
 
 
-def _written(value: float) -> str:
+def _life_cell(value: float) -> str:
     return "inf" if isinf(value) else csv_number(value)
 
 
@@ -312,14 +291,14 @@ def curves_json(curves: Sequence[LifeCurve]) -> str:
 def _curve_mapping(curve: LifeCurve) -> dict[str, Any]:
     theories = {
         name: {
-            "hours": curve.lives[name],
-            "life": curve.revolutions[name],
-            "endless": np.isinf(curve.revolutions[name]).tolist(),
-            "holds": curve.holds[name].tolist(),
-            "below": curve.below[name].tolist(),
-            "notes": {note: where.tolist() for note, where in curve.notes[name].items()},
+            "hours": own.hours,
+            "life": own.life,
+            "endless": np.isinf(own.life).tolist(),
+            "holds": own.valid.tolist(),
+            "below": own.below.tolist(),
+            "notes": {note: where.tolist() for note, where in own.notes.items() if np.any(where)},
         }
-        for name in curve.lives
+        for name, own in curve.theories.items()
     }
     leading = curve.headline
     return {
@@ -329,7 +308,7 @@ def _curve_mapping(curve: LifeCurve) -> dict[str, Any]:
             "theory": leading.theory.tolist(),
             "hours": leading.hours,
             "life": leading.life,
-            "holds": leading.holds.tolist(),
+            "holds": leading.valid.tolist(),
             "below": leading.below.tolist(),
             "reason": leading.reason.tolist(),
         },

@@ -69,6 +69,13 @@ PORTUGUESE_NOTES: Final[Mapping[str, str]] = {
     "contamination_unknown": (
         "A limpeza não foi dada: mesmo perfeitamente limpo, um óleo tão fino deixa menos que isto."
     ),
+    "factors_of_the_user": (
+        "Os fatores da forma de Tallian são do usuário: nenhum é público. O que não é dado segue"
+        " Lundberg e Palmgren."
+    ),
+    "surface_left_out": (
+        "Não há fatores de falhas a partir da superfície: só contam as que vêm de baixo dela."
+    ),
     "moment_left_out": (
         "A carga equivalente não inclui o momento; a vida de referência o conta, esfera por esfera."
     ),

@@ -12,17 +12,25 @@ import numpy as np
 from numpy.typing import NDArray
 from rich.text import Text
 
+from rolamento.life import Life
+from rolamento.life.iso16281 import THEORY as REFERENCE
 from rolamento.report.language import ENGLISH, Words
-from rolamento.report.life_numbers import given_percent, lives_column, percent, said_of
-from rolamento.report.life_remarks import remarks, verdict
-from rolamento.report.life_statement import reached, wanted_sentence
+from rolamento.report.life_statement import (
+    given_percent,
+    lives_column,
+    percent,
+    reached,
+    remarks,
+    required_sentence,
+    said_of,
+    verdict,
+)
 from rolamento.report.medium import Medium
-from rolamento.report.page import Lines, Page
+from rolamento.report.page import Lines, Page, rendered
 from rolamento.report.plain_data import csv_number, json_text
-from rolamento.report.terminal import rendered
 
 if TYPE_CHECKING:
-    from rolamento.studies.spectrum import SpectrumLife
+    from rolamento.tasks.life_spectrum import DutyLife, SpectrumLife
 
 __all__ = ["spectrum_csv", "spectrum_json", "spectrum_report"]
 
@@ -30,7 +38,6 @@ SCHEMA: Final = 1
 _MOST_SHOWN: Final = 40
 _BAR: Final = 20
 _CONVERGED: Final = "converged"
-_REFERENCE: Final = "iso16281"
 
 
 @dataclass(frozen=True, slots=True)
@@ -117,7 +124,7 @@ def spectrum_report(
     Parameters
     ----------
     found
-        Of `rolamento.studies.spectrum.life_under`.
+        Of `rolamento.tasks.life_spectrum.life_under`.
     words
         The language.
     medium
@@ -139,7 +146,7 @@ def _statement(page: Page, own: _Words, found: SpectrumLife) -> Lines:
     sentences: list[tuple[str, str]] = []
     if not found.converged:
         sentences.append((own.no_life, "bold red"))
-    elif not (leading.holds or leading.below):
+    elif not (leading.valid or leading.below):
         sentences += [(said.none_holds, "bold red"), (said.not_to_be_used, "bold")]
     else:
         text = reached(
@@ -155,9 +162,9 @@ def _statement(page: Page, own: _Words, found: SpectrumLife) -> Lines:
         if leading.below:
             sentences.append((own.bounded, "yellow"))
         sentences += _worst(page, own, found)
-        reliability = found.reliability_of_wanted()
-        if found.wanted_life is not None and reliability is not None:
-            text = wanted_sentence(page, found.wanted_life, reliability, below=leading.below)
+        reliability = found.reliability_of_required()
+        if found.required_life is not None and reliability is not None:
+            text = required_sentence(page, found.required_life, reliability, below=leading.below)
             sentences.append((text, ""))
     if abs(found.steps.given_sum - 1.0) > 1e-9:
         total = page.digits.short(found.steps.given_sum, 5)
@@ -182,9 +189,9 @@ def _worst(page: Page, own: _Words, found: SpectrumLife) -> list[tuple[str, str]
 
 def _theories(page: Page, own: _Words, found: SpectrumLife) -> Lines:
     said = said_of(page)
-    names = [name for name in said.names if name in found.life]
-    revolutions = lives_column(page, [found.life[name] for name in names])
-    hours = lives_column(page, [found.hours[name] for name in names])
+    names = list(found.theories)
+    revolutions = lives_column(page, [own.life for own in found.theories.values()])
+    hours = lives_column(page, [own.hours for own in found.theories.values()])
     rows = [
         [page.text(head, "dim") for head in ("", said.million, said.hour, said.holds_here)],
         *(
@@ -192,7 +199,7 @@ def _theories(page: Page, own: _Words, found: SpectrumLife) -> Lines:
                 page.text(said.names[name]),
                 page.text(revolutions[index]),
                 page.text(hours[index]),
-                verdict(page, found.holds[name], found.below[name]),
+                verdict(page, found[name].valid, found[name].below),
             ]
             for index, name in enumerate(names)
         ),
@@ -211,13 +218,14 @@ def _remarks(page: Page, own: _Words, found: SpectrumLife) -> Lines:
     part = found.taking_part
     count = int(part.sum())
     notes = []
-    for theory, names in found.notes.items():
-        for name, where in names.items():
+    for theory, life in found.theories.items():
+        assert isinstance(life.steps, Life)
+        for name, where in life.steps.notes.items():
             some = int((where & part).sum())
             if some:
                 place = own.in_all if some == count else own.in_steps
                 notes.append((theory, name, place.format(some=some, count=count)))
-    return remarks(page, notes, len(found.notes))
+    return remarks(page, notes, len(found.theories))
 
 
 def _steps(page: Page, own: _Words, found: SpectrumLife) -> Lines:
@@ -225,17 +233,17 @@ def _steps(page: Page, own: _Words, found: SpectrumLife) -> Lines:
     leading = found.headline
     shown = _shown(found)
     columns = [
-        _column(page, own.step, "", [str(step + 1) for step in shown]),
-        _column(page, own.time, "%", _shares(page, found.time_shares, shown)),
-        _column(page, own.turns, "%", _shares(page, found.revolution_shares, shown)),
+        _step_column(page, own.step, "", [str(step + 1) for step in shown]),
+        _step_column(page, own.time, "%", _shares(page, found.time_shares, shown)),
+        _step_column(page, own.turns, "%", _shares(page, found.revolution_shares, shown)),
     ]
-    lives = lives_column(page, leading.step_hours[shown].tolist())
+    lives = lives_column(page, leading.steps.hours[shown].tolist())
     ends = [
-        _column(page, said_of(page).hour, "", lives),
-        _column(page, own.damage, "%", _shares(page, leading.damage, shown)),
+        _step_column(page, said_of(page).hour, "", lives),
+        _step_column(page, own.damage, "%", _shares(page, leading.damage, shown)),
     ]
     for name, cells in found.steps.cells.items():
-        column = _column(page, name.rpartition(".")[2], "", [cells[step] for step in shown])
+        column = _step_column(page, name.rpartition(".")[2], "", [cells[step] for step in shown])
         if page.width_of([*columns, column, *ends]) <= page.medium.width - _BAR // 2:
             columns.append(column)
     columns += ends
@@ -249,7 +257,7 @@ def _steps(page: Page, own: _Words, found: SpectrumLife) -> Lines:
             damage=percent(page, max(rest, 0.0)),
         )
         lines += page.hanging(Text("  "), text, "dim")
-    legend = own.legend.format(theory=said_of(page).long[leading.theory or _REFERENCE])
+    legend = own.legend.format(theory=said_of(page).long[leading.theory or REFERENCE.name])
     return [*lines, *page.hanging(Text("  "), legend, "dim"), *_failures(page, own, found)]
 
 
@@ -262,7 +270,7 @@ def _shown(found: SpectrumLife) -> NDArray[np.int64]:
     return np.sort(np.argsort(-damage, kind="stable")[:_MOST_SHOWN]).astype(np.int64)
 
 
-def _column(page: Page, head: str, unit: str, cells: list[str]) -> Lines:
+def _step_column(page: Page, head: str, unit: str, cells: list[str]) -> Lines:
     return [page.text(head, "dim"), page.text(unit, "dim"), *map(page.text, cells)]
 
 
@@ -307,7 +315,7 @@ def spectrum_csv(found: SpectrumLife) -> str:
     """Return the steps, one a line below a header that names the units (RFC 4180)."""
     text = StringIO(newline="")
     writer = csv.writer(text)
-    theories = list(found.life)
+    theories = list(found.theories)
     writer.writerow(
         [
             "step",
@@ -327,8 +335,8 @@ def spectrum_csv(found: SpectrumLife) -> str:
                 csv_number(found.time_shares[step]),
                 csv_number(found.revolution_shares[step]),
                 *(cells[step] for cells in found.steps.cells.values()),
-                *(csv_number(found.step_hours[name][step]) for name in theories),
-                *(csv_number(found.damage[name][step]) for name in theories),
+                *(csv_number(own.steps.hours[step]) for own in found.theories.values()),
+                *(csv_number(own.damage[step]) for own in found.theories.values()),
             ]
         )
     return text.getvalue()
@@ -344,8 +352,8 @@ def spectrum_json(found: SpectrumLife) -> str:
             "reliability": found.reliability,
             "mean_speed": found.mean_speed,
             "headline": _headline_mapping(found),
-            "theories": {name: _theory_mapping(found, name) for name in found.life},
-            "wanted_life": _wanted_mapping(found),
+            "theories": {name: _theory_mapping(own) for name, own in found.theories.items()},
+            "wanted_life": _required_life_mapping(found),
             "steps": {
                 "status": found.status.tolist(),
                 "time_share": found.time_shares,
@@ -361,35 +369,39 @@ def _headline_mapping(found: SpectrumLife) -> dict[str, Any]:
     leading = found.headline
     return {
         "theory": leading.theory or None,
-        "life": leading.life,
-        "hours": leading.hours,
-        "endless": bool(np.isposinf(leading.life)),
-        "holds": leading.holds,
-        "below": leading.below,
-        "step_hours": leading.step_hours,
+        **_life_mapping(leading),
+        "step_hours": leading.steps.hours,
         "damage": leading.damage,
     }
 
 
-def _theory_mapping(found: SpectrumLife, name: str) -> dict[str, Any]:
+def _theory_mapping(own: DutyLife) -> dict[str, Any]:
+    assert isinstance(own.steps, Life)
+    notes = {note: where.tolist() for note, where in own.steps.notes.items() if np.any(where)}
     return {
-        "life": found.life[name],
-        "hours": found.hours[name],
-        "endless": bool(np.isposinf(found.life[name])),
-        "holds": found.holds[name],
-        "below": found.below[name],
-        "notes": {note: where.tolist() for note, where in found.notes[name].items()},
-        "step_life": found.step_life[name],
-        "step_hours": found.step_hours[name],
-        "damage": found.damage[name],
+        **_life_mapping(own),
+        "notes": notes,
+        "step_life": own.steps.life,
+        "step_hours": own.steps.hours,
+        "damage": own.damage,
     }
 
 
-def _wanted_mapping(found: SpectrumLife) -> dict[str, float | bool | None] | None:
-    if found.wanted_life is None:
+def _life_mapping(own: DutyLife) -> dict[str, Any]:
+    return {
+        "life": own.life,
+        "hours": own.hours,
+        "endless": bool(np.isposinf(own.life)),
+        "holds": own.valid,
+        "below": own.below,
+    }
+
+
+def _required_life_mapping(found: SpectrumLife) -> dict[str, float | bool | None] | None:
+    if found.required_life is None:
         return None
     return {
-        "life": found.wanted_life,
-        "reliability": found.reliability_of_wanted(),
+        "life": found.required_life,
+        "reliability": found.reliability_of_required(),
         "below": found.headline.below,
     }

@@ -1,40 +1,153 @@
-"""The plain statement on a life: how long, by which theory, what limits it, what would help."""
+"""What all pages of life have in common: lives as they are written, notes, and the statement.
+
+Three digits tell what a life is worth.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from math import isfinite, isinf
+from collections.abc import Iterable, Sequence
+from math import floor, isfinite, isinf, log10
 from typing import TYPE_CHECKING, Final
 
 from rich.text import Text
 
+from rolamento.life.iso16281 import THEORY as REFERENCE
+from rolamento.life.iso16281_modified import THEORY as MODIFIED_REFERENCE
 from rolamento.life.record import BOUNDS, OUTSIDE
-from rolamento.report.life_numbers import (
-    factor_text,
-    given_percent,
-    life_text,
-    percent,
-    said_of,
-)
+from rolamento.report.life_words import LIFE_WORDS, LifeWords
+from rolamento.report.numbers import ABSENT
 from rolamento.report.page import Lines, Page
 
 if TYPE_CHECKING:
     from rolamento.life import Change, Headline, LifeSummary
-    from rolamento.state import State
+    from rolamento.solved import Solved
 
-__all__ = ["reached", "statement", "wanted_sentence"]
-
-_WORTH: Final = 1.05
-_BASIC: Final = "iso16281"
-_MODIFIED: Final = "iso16281_modified"
+_LONGEST: Final = 1e8
+"""From which a life is written by its order of magnitude."""
+_SHORTEST: Final = 1e-4
+_LEAST_PERCENT, _MOST_PERCENT = 0.1, 99.9
+_KILO: Final = 1e3
 _HOUR: Final = 3600.0
+_WORTH: Final = 1.05
 
 Sentence = tuple[str, str]
 """What is said, and its style."""
 
 
+def said_of(page: Page) -> LifeWords:
+    """Return what is said of life in the page's language."""
+    return LIFE_WORDS.get(page.words.code, LIFE_WORDS["en"])
+
+
+def significant(value: float, digits: int = 3) -> float:
+    """Round to so many significant digits."""
+    if value == 0.0 or not isfinite(value):
+        return value
+    return round(value, digits - 1 - floor(log10(abs(value))))
+
+
+def life_text(page: Page, value: float) -> str:
+    """Write a life in hours or millions of revolutions: three digits, or that it has no end."""
+    if value == float("inf"):
+        return said_of(page).endless
+    if not isfinite(value):
+        return ABSENT
+    if value >= _LONGEST or 0.0 < value < _SHORTEST:
+        mantissa, _, exponent = f"{value:.2e}".partition("e")
+        return f"{mantissa.replace('.', page.words.decimal_mark)}e{int(exponent)}"
+    rounded = significant(value)
+    decimals = max(2 - floor(log10(rounded)), 0) if rounded > 0.0 else 0
+    return page.digits.fixed(rounded, decimals)
+
+
+def lives_column(page: Page, values: Sequence[float]) -> list[str]:
+    """Write lives that stand below each other, their decimal marks in line."""
+    cells, mark = [life_text(page, value) for value in values], page.words.decimal_mark
+    tails = [
+        len(cell) - cell.index(mark) if mark in cell and "e" not in cell else 0 for cell in cells
+    ]
+    return [cell + " " * (max(tails) - tail) for cell, tail in zip(cells, tails, strict=True)]
+
+
+def factor_text(page: Page, value: float) -> str:
+    """Write a factor with three digits, trailing zeros left out."""
+    return page.digits.short(significant(value), 3)
+
+
+def percent(page: Page, share: float) -> str:
+    """Write a share or a reliability that was found, with three digits; nearly sure is not sure."""
+    if not isfinite(share):
+        return ABSENT
+    number = significant(100.0 * share)
+    if share < 1.0 and number >= 100.0:
+        return said_of(page).more_than.format(value=f"{page.digits.short(_MOST_PERCENT)} %")
+    if 0.0 < number < _LEAST_PERCENT:
+        return said_of(page).less_than.format(value=f"{page.digits.short(_LEAST_PERCENT)} %")
+    return f"{page.digits.short(number, 3)} %"
+
+
+def given_percent(page: Page, share: float) -> str:
+    """Write a reliability that was given, with all its digits."""
+    return f"{page.digits.short(100.0 * share, 7)} %"
+
+
+def unit_of_force(values: Sequence[float]) -> tuple[float, str]:
+    """Return factor and unit of forces that stand below each other; values in N."""
+    greatest = max((abs(value) for value in values if isfinite(value)), default=0.0)
+    return (1.0 / _KILO, "kN") if greatest >= _KILO else (1.0, "N")
+
+
+def force_text(page: Page, value: float) -> str:
+    """Write a force in its unit, with four digits and no more than three decimals."""
+    return page.digits.short(round(significant(value, 4), 3), 4)
+
+
+# --- notes ------------------------------------------------------------------------------------
+
+
+def remarks(page: Page, found: Iterable[tuple[str, str, str]], count: int) -> Lines:
+    """List what refuses theories, then what they leave out.
+
+    Parameters
+    ----------
+    page
+        What is written on.
+    found
+        Theory, name of the note, and where it is true, if not everywhere.
+    count
+        How many theories there are.
+    """
+    said = said_of(page)
+    about: dict[tuple[str, str], list[str]] = {}
+    for theory, name, place in found:
+        about.setdefault((name, place), []).append(theory)
+    lines: Lines = []
+    for name, place in sorted(about, key=lambda key: key[0] not in OUTSIDE):
+        theories = about[name, place]
+        every = len(theories) == count > 1
+        named = said.every_theory if every else "; ".join(said.names[t] for t in theories)
+        named += f", {place}" if place else ""
+        if name in OUTSIDE:
+            text = said.fails_for.format(theories=named, reason=said.notes[name])
+            lines += page.hanging(page.text("  ✗ ", "yellow"), text, "yellow")
+        else:
+            lines += page.hanging(page.text("  • ", "yellow"), f"{named}: {said.notes[name]}")
+    return lines
+
+
+def verdict(page: Page, valid: bool, below: bool) -> Text:
+    """Say in a word whether a theory is valid, or gives an upper bound of the life."""
+    said = said_of(page)
+    if below:
+        return page.text(said.bound, "green" if valid else "yellow")
+    return page.text(said.holds, "green") if valid else page.text(said.fails, "yellow")
+
+
+# --- the statement ----------------------------------------------------------------------------
+
+
 def statement(
-    page: Page, state: State, summary: LifeSummary, changes: Sequence[Change] | None = None
+    page: Page, solved: Solved, summary: LifeSummary, changes: Sequence[Change] | None = None
 ) -> Lines:
     """State the life that leads, or its bound and the reason; warn if nothing does.
 
@@ -44,11 +157,11 @@ def statement(
     if not leading.leads[0]:
         sentences = _warning(page, summary)
     elif isinf(leading.life[0]):
-        sentences = [_endless(page, state, leading), *_wanted(page, summary)]
+        sentences = [_endless(page, solved, leading), *_required(page, summary)]
     else:
-        sentences = [_life(page, state, leading), *_left_out(page, leading)]
-        sentences += [*_limit(page, state, summary), *_help(page, summary, changes)]
-        sentences += _wanted(page, summary)
+        sentences = [_life(page, solved, leading), *_left_out(page, leading)]
+        sentences += [*_limit(page, solved, summary), *_help(page, summary, changes)]
+        sentences += _required(page, summary)
     lines: Lines = []
     for text, style in sentences:
         lines += page.hanging(Text("  "), text, style)
@@ -83,35 +196,35 @@ def reached(
     )
 
 
-def wanted_sentence(page: Page, wanted: float, reliability: float, *, below: bool = False) -> str:
-    """Say with which reliability a wanted life (s) is reached, or below which."""
+def required_sentence(page: Page, wanted: float, reliability: float, *, below: bool = False) -> str:
+    """Say with which reliability a required life (s) is reached, or below which."""
     said = said_of(page)
     return (said.wanted_below if below else said.wanted).format(
         life=life_text(page, wanted / _HOUR), reliability=percent(page, reliability)
     )
 
 
-def _life(page: Page, state: State, leading: Headline) -> Sentence:
+def _life(page: Page, solved: Solved, leading: Headline) -> Sentence:
     theory, life, hours = str(leading.theory[0]), float(leading.life[0]), float(leading.hours[0])
-    what, below = _what(page, state), bool(leading.below[0])
+    what, below = _what(page, solved), bool(leading.below[0])
     return reached(page, theory, life, hours, leading.reliability, what, below=below), "bold"
 
 
-def _endless(page: Page, state: State, leading: Headline) -> Sentence:
+def _endless(page: Page, solved: Solved, leading: Headline) -> Sentence:
     """Say that fatigue ends no such life."""
     said, theory = said_of(page), str(leading.theory[0])
-    return said.endless_life.format(what=_what(page, state), theory=said.long[theory]), "bold"
+    return said.endless_life.format(what=_what(page, solved), theory=said.long[theory]), "bold"
 
 
-def _what(page: Page, state: State) -> str:
-    return said_of(page).several if state.case.bearing.is_set else said_of(page).one
+def _what(page: Page, solved: Solved) -> str:
+    return said_of(page).several if solved.case.bearing.is_set else said_of(page).one
 
 
-def _limit(page: Page, state: State, summary: LifeSummary) -> list[Sentence]:
+def _limit(page: Page, solved: Solved, summary: LifeSummary) -> list[Sentence]:
     said, race = said_of(page), str(summary.limit.race[0])
     if not race:
         return []
-    template = said.limit_of_row if state.case.bearing.is_set else said.limit
+    template = said.limit_of_row if solved.case.bearing.is_set else said.limit
     return [(template.format(race=said.races[race], row=int(summary.limit.row[0])), "")]
 
 
@@ -150,8 +263,8 @@ def cost_text(page: Page, summary: LifeSummary) -> str:
     )
 
 
-def _wanted(page: Page, summary: LifeSummary) -> list[Sentence]:
-    """Say how reliable the wanted life is, if one is and the theory for it holds."""
+def _required(page: Page, summary: LifeSummary) -> list[Sentence]:
+    """Say how reliable the required life is, if there is one and the theory for it is valid."""
     wanted = summary.conditions.wanted_life
     if wanted is None:
         return []
@@ -159,7 +272,7 @@ def _wanted(page: Page, summary: LifeSummary) -> list[Sentence]:
     if not isfinite(reliability):
         return []
     below = bool(summary.headline.below[0])
-    return [(wanted_sentence(page, wanted, reliability, below=below), "")]
+    return [(required_sentence(page, wanted, reliability, below=below), "")]
 
 
 def _left_out(page: Page, leading: Headline) -> list[Sentence]:
@@ -167,14 +280,15 @@ def _left_out(page: Page, leading: Headline) -> list[Sentence]:
     said = said_of(page)
     if leading.below[0]:
         return [(said.notes[str(leading.reason[0])], "yellow")]
-    if leading.theory[0] == _MODIFIED:
+    if leading.theory[0] == MODIFIED_REFERENCE.name:
         return []
     return [(said.lubrication_left_out, "dim")]
 
 
 def _warning(page: Page, summary: LifeSummary) -> list[Sentence]:
     """Say that there is no life to go by, why not, and what the numbers are."""
-    said, best = said_of(page), summary[_MODIFIED if _MODIFIED in summary.theories else _BASIC]
+    said = said_of(page)
+    best = summary.theories.get(MODIFIED_REFERENCE.name, summary[REFERENCE.name])
     reasons = [said.notes[name] for name in best.notes_of() if name in OUTSIDE - BOUNDS]
     if "unloaded" in best.notes_of():
         return [(said.notes["unloaded"], "bold")]

@@ -96,6 +96,7 @@ _ENGLISH: Final = LifeWords(
         "iso16281_modified": "ISO/TS 16281, modified",
         "ioannides_harris": "Ioannides and Harris",
         "l_able": "NSK, L_able",
+        "tallian": "Tallian's form",
     },
     short={
         "iso281": ("ISO 281", "basic"),
@@ -105,6 +106,7 @@ _ENGLISH: Final = LifeWords(
         "iso16281_modified": ("TS 16281", "modified"),
         "ioannides_harris": ("Ioannides", "Harris"),
         "l_able": ("NSK", "L_able"),
+        "tallian": ("Tallian", "form"),
     },
     long={
         "iso281": "rating life, ISO 281",
@@ -114,6 +116,7 @@ _ENGLISH: Final = LifeWords(
         "iso16281_modified": "modified reference life, ISO/TS 16281",
         "ioannides_harris": "stress-volume life, Ioannides and Harris",
         "l_able": "L_able, NSK",
+        "tallian": "Tallian's form",
     },
     valid={
         "iso281": (
@@ -131,6 +134,7 @@ _ENGLISH: Final = LifeWords(
             "clean oil and thick films: fatigue from below the surface alone. An upper bound."
         ),
         "l_able": "P up to C/2 and C_0, 20 r/min and more, 130 °C and less.",
+        "tallian": "P_ref up to C/2 and C_0; as good as the factors, which are the user's.",
     },
     life="Life",
     one="this bearing",
@@ -234,6 +238,7 @@ _PORTUGUESE: Final = LifeWords(
         "iso16281_modified": "ISO/TS 16281, modif.",
         "ioannides_harris": "Ioannides e Harris",
         "l_able": "NSK, L_able",
+        "tallian": "forma de Tallian",
     },
     short={
         "iso281": ("ISO 281", "básica"),
@@ -243,6 +248,7 @@ _PORTUGUESE: Final = LifeWords(
         "iso16281_modified": ("TS 16281", "modif."),
         "ioannides_harris": ("Ioannides", "Harris"),
         "l_able": ("NSK", "L_able"),
+        "tallian": ("forma de", "Tallian"),
     },
     long={
         "iso281": "vida nominal, ISO 281",
@@ -252,6 +258,7 @@ _PORTUGUESE: Final = LifeWords(
         "iso16281_modified": "vida de referência modificada, ISO/TS 16281",
         "ioannides_harris": "vida por volume tensionado, Ioannides e Harris",
         "l_able": "L_able, NSK",
+        "tallian": "forma de Tallian",
     },
     valid={
         "iso281": (
@@ -269,6 +276,7 @@ _PORTUGUESE: Final = LifeWords(
             "óleo limpo e filmes espessos: só a fadiga a partir do interior. Um limite superior."
         ),
         "l_able": "P até C/2 e C_0, a partir de 20 rpm, até 130 °C.",
+        "tallian": "P_ref até C/2 e C_0; tão boa quanto os fatores, que são do usuário.",
     },
     life="Vida",
     one="este rolamento",

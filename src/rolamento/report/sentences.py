@@ -131,8 +131,8 @@ _SENTENCES: Final = (
         " contato elástico: confira as unidades das cargas e dos deslocamentos.",
     ),
     (
-        "A number of this case is not finite.",
-        "Um número deste caso não é finito.",
+        "A number of this case is not finite, or out of its bounds.",
+        "Um número deste caso não é finito, ou está fora dos seus limites.",
     ),
     (
         "An overspeed: the rings turn at n d_m = NUMBER million mm r/min, and no ball bearing is"

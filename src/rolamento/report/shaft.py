@@ -10,16 +10,22 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 from rich.text import Text
 
+from rolamento.life.theories import FIRST_LEFT_OUT, THEORIES
 from rolamento.report.language import ENGLISH, Words
-from rolamento.report.life_numbers import given_percent, life_text, lives_column, percent, said_of
-from rolamento.report.life_remarks import remarks
+from rolamento.report.life_statement import (
+    given_percent,
+    life_text,
+    lives_column,
+    percent,
+    remarks,
+    said_of,
+)
 from rolamento.report.medium import Medium
-from rolamento.report.page import Lines, Page
+from rolamento.report.page import Lines, Page, rendered
 from rolamento.report.plain_data import json_text
-from rolamento.report.terminal import rendered
 
 if TYPE_CHECKING:
-    from rolamento.studies.shaft import ShaftLife
+    from rolamento.tasks.life import ShaftLife, SystemLife
 
 __all__ = ["shaft_json", "shaft_report"]
 
@@ -27,9 +33,6 @@ SCHEMA: Final = 1
 _SHORTEST_NAME, _LONGEST_NAME = 12, 30
 _NUMBER_WIDTH: Final = 6
 """Of the first column, with the gaps beside it."""
-_FIRST_LEFT_OUT: Final = ("l_able", "iso281_1990")
-_BOUND: Final = "ioannides_harris"
-"""A theory for single bearings: bounds of parts say little of the whole."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -111,7 +114,7 @@ def shaft_report(
     Parameters
     ----------
     found
-        Of `rolamento.studies.shaft.life_of_shaft`.
+        Of `rolamento.tasks.life.life_of_shaft`.
     names
         Of the bearings: their titles, or files.
     words
@@ -122,8 +125,8 @@ def shaft_report(
     page = Page(words, medium or Medium())
     own = _WORDS.get(words.code, _WORDS["en"])
     parts = [_statement(page, own, found)]
-    if found.hours:
-        parts.append([*_table(page, own, found, names), *_remarks(page, own, found)])
+    if found.theories:
+        parts.append([*_bearing_table(page, own, found, names), *_remarks(page, own, found)])
     return rendered(page.medium, parts)
 
 
@@ -138,12 +141,12 @@ def _statement(page: Page, own: _Words, found: ShaftLife) -> Lines:
     sentences: list[tuple[str, str]] = []
     if not found.converged:
         sentences.append((own.no_life, "bold red"))
-        for number, state in enumerate(found.states, start=1):
-            if not state.status.converged:
-                parts = (page.words.reason(state.status), page.words.advice(state.status))
+        for number, solved in enumerate(found.bearings, start=1):
+            if not solved.converged[0]:
+                parts = (page.words.reason(solved), page.words.advice(solved))
                 reason = ": ".join(part for part in parts if part)
                 sentences.append((own.failed.format(number=number, reason=reason), "red"))
-    elif not (leading.holds or leading.below):
+    elif not (leading.valid or leading.below):
         sentences += [(said.none_holds, "bold red"), (said.not_to_be_used, "bold")]
     elif np.isnan(leading.hours):
         sentences.append((own.no_hours, "yellow"))
@@ -171,18 +174,18 @@ def _reached(page: Page, own: _Words, found: ShaftLife) -> list[tuple[str, str]]
     return [(text, "bold"), (limit, "")]
 
 
-def _table(page: Page, own: _Words, found: ShaftLife, names: Sequence[str]) -> Lines:
+def _bearing_table(page: Page, own: _Words, found: ShaftLife, names: Sequence[str]) -> Lines:
     """Set bearings below each other, theories side by side, all together at the foot."""
     said = said_of(page)
     columns = {
-        name: _column(page, found, name)
-        for name in said.names
-        if name in found.hours and name != _BOUND
+        name: _hours_column(page, found, name)
+        for name in found.theories
+        if not THEORIES[name].bound  # bounds of parts say little of the whole
     }
     risk = [percent(page, float(share)) for share in found.headline.risk]
     last: Lines = [Text(), page.text(own.risk), *map(page.text, [*risk, ""])]
     left_out = []
-    for name in _FIRST_LEFT_OUT:
+    for name in FIRST_LEFT_OUT:
         if name in columns and _room(page, [*columns.values(), last]) < _SHORTEST_NAME:
             del columns[name]
             left_out.append(said.names[name])
@@ -202,23 +205,24 @@ def _table(page: Page, own: _Words, found: ShaftLife, names: Sequence[str]) -> L
     return lines + page.hanging(Text("  "), legend, "dim")
 
 
-def _column(page: Page, found: ShaftLife, name: str) -> Lines:
+def _hours_column(page: Page, found: ShaftLife, name: str) -> Lines:
     """A theory's name, the hours of each bearing by it, and of all together."""
-    cells = lives_column(page, [*found.bearing_hours[name].tolist(), found.hours[name]])
-    holds = [s is not None and bool(s[name].holds[0]) for s in found.lives]
+    cells = lives_column(page, [*found[name].bearing_hours.tolist(), found[name].hours])
+    valid = [s is not None and bool(s[name].valid[0]) for s in found.lives]
     below = [s is not None and bool(s[name].below[0]) for s in found.lives]
-    fine = all(h or b for h, b in zip(holds, below, strict=True))
-    marks = zip(cells, [*holds, fine], [*below, any(below) and fine], strict=True)
+    whole = found[name]
+    fine = all(h or b for h, b in zip(valid, below, strict=True))
+    marks = zip(cells, [*valid, fine], [*below, whole.below], strict=True)
     marked = [_marked(page, *mark) for mark in marks]
     marked[-1].stylize("bold")
     return [*(page.text(f"{word} ") for word in said_of(page).short[name]), *marked]
 
 
-def _marked(page: Page, cell: str, holds: bool, below: bool) -> Text:
+def _marked(page: Page, cell: str, valid: bool, below: bool) -> Text:
     """A life, with a mark where it is a bound or does not hold."""
     if below:
         return page.text(f"<{cell} ", "yellow")
-    return page.text(f"{cell}{' ' if holds else '*'}", "" if holds else "yellow")
+    return page.text(f"{cell}{' ' if valid else '*'}", "" if valid else "yellow")
 
 
 def _room(page: Page, columns: Sequence[Lines]) -> int:
@@ -235,13 +239,13 @@ def _remarks(page: Page, own: _Words, found: ShaftLife) -> Lines:
     numbers: dict[tuple[str, str], list[str]] = {}
     for number, summary in enumerate(found.lives, start=1):
         for life in () if summary is None else summary.theories.values():
-            for name in () if life.theory == _BOUND else life.notes_of():
+            for name in () if THEORIES[life.theory].bound else life.notes_of():
                 numbers.setdefault((life.theory, name), []).append(str(number))
     notes = [
         (theory, name, "" if len(own_numbers) == len(found) else _place(own, own_numbers))
         for (theory, name), own_numbers in numbers.items()
     ]
-    return remarks(page, notes, sum(name != _BOUND for name in found.hours))
+    return remarks(page, notes, sum(not THEORIES[name].bound for name in found.theories))
 
 
 def _place(own: _Words, numbers: Sequence[str]) -> str:
@@ -258,29 +262,29 @@ def shaft_json(found: ShaftLife, names: Sequence[str]) -> str:
             "bearings": [
                 {
                     "name": name,
-                    "status": state.status.code,
+                    "status": str(solved.status.code[0]),
                     "life": None if summary is None else summary.to_mapping(),
-                    "case": state.case.to_mapping(),
+                    "case": solved.case.to_mapping(),
                 }
-                for name, state, summary in zip(names, found.states, found.lives, strict=True)
+                for name, solved, summary in zip(names, found.bearings, found.lives, strict=True)
             ],
             "headline": {
                 "theories": list(found.headline.theories),
                 "hours": found.headline.hours if isfinite(found.headline.hours) else None,
-                "holds": found.headline.holds,
+                "holds": found.headline.valid,
                 "below": found.headline.below,
                 "risk": found.headline.risk,
             },
-            "together": {name: _together(found, name) for name in found.hours},
+            "together": {name: _together(own) for name, own in found.theories.items()},
         }
     )
 
 
-def _together(found: ShaftLife, name: str) -> dict[str, Any]:
-    hours = found.hours[name]
+def _together(own: SystemLife) -> dict[str, Any]:
+    hours = own.hours
     return {
         "hours": hours if isfinite(hours) else None,
         "endless": bool(np.isposinf(hours)),
-        "holds": found.holds[name],
-        "risk": found.risk[name],
+        "holds": own.valid,
+        "risk": own.risk,
     }

@@ -9,9 +9,8 @@ from rich.text import Text
 
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium
-from rolamento.report.page import Lines, Page
+from rolamento.report.page import Lines, Page, rendered
 from rolamento.report.study_words import STUDY_WORDS, StudyWords
-from rolamento.report.terminal import rendered
 from rolamento.studies import OutputRange, Summary
 
 __all__ = ["study_report"]
@@ -95,7 +94,7 @@ def _ranges(page: Page, said: StudyWords, ranges: tuple[OutputRange, ...]) -> Li
     rows = [[page.text(head, "dim") for head in heads]]
     for found in ranges:
         shown = _shown(found)
-        values = [v * shown.scale for v in (found.least, found.median, found.greatest)]
+        values = [v * shown.scale for v in (found.minimum, found.median, found.maximum)]
         cells = page.digits.column(values, digits=5)
         rows.append([page.text(text) for text in (found.output.name, *cells, shown.unit)])
     lines = page.columns(rows, "lrrrl")

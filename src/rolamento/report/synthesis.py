@@ -15,11 +15,9 @@ from rolamento.report.frequencies_words import FREQUENCY_WORDS
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium
 from rolamento.report.numbers import ABSENT
-from rolamento.report.page import Lines, Page
+from rolamento.report.page import Lines, Page, one_line, rendered, short_number, table
 from rolamento.report.plain_data import json_text
 from rolamento.report.synthesis_words import SYNTHESIS_WORDS, SynthesisWords
-from rolamento.report.terminal import rendered
-from rolamento.report.weibull_numbers import one_line, short_number, table
 from rolamento.units import rpm_of
 from rolamento.vibration.synthesis import Fault, GivenSpeed, SwingingSpeed, WanderingSpeed
 

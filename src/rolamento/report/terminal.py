@@ -2,102 +2,83 @@
 
 from __future__ import annotations
 
-from io import StringIO
 from typing import TYPE_CHECKING, Final
 
-from rich.console import Console
 from rich.text import Text
 
+from rolamento.case import Case
 from rolamento.case.bearing import Bearing
 from rolamento.case.duty import AXES, LOADS, Duty
-from rolamento.report.balls import ball_parts, heaviest_part, rosette_part, rosettes_width
+from rolamento.report.balls import (
+    ball_parts,
+    heaviest_part,
+    rolling_part,
+    rosette_part,
+    rosettes_width,
+)
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium
-from rolamento.report.page import Lines, Page, beside
-from rolamento.report.ring import ring_part, stiffness_part
-from rolamento.report.rolling import rolling_part
-from rolamento.report.rows import arrangement_lines, preload_part, rows_part
-from rolamento.state import State
+from rolamento.report.page import Lines, Page, beside, notes_part, rendered
+from rolamento.report.ring import (
+    arrangement_lines,
+    preload_part,
+    ring_part,
+    rows_part,
+    stiffness_part,
+)
+from rolamento.solved import Solved
 from rolamento.units import Dimension
 
 if TYPE_CHECKING:
     from rolamento.analysis import Analysis
 
-__all__ = ["notes_part", "rendered", "terminal_head", "terminal_report"]
-
 _GAP: Final = 3
 
 
 def terminal_report(
-    state: State,
+    solved: Solved,
     words: Words = ENGLISH,
     medium: Medium | None = None,
     analysis: Analysis | None = None,
 ) -> str:
-    """Return the report of a state as text that ends in a newline.
+    """Return the report of a case as text that ends in a newline.
 
     Parameters
     ----------
-    state
-        Converged or not; without a result the report says why and what to do.
+    solved
+        One case, converged or not: without a result the report says why and what to do.
     words
         The language.
     medium
         What the text is shown on; by default plain text of 80 columns in UTF-8.
     analysis
-        What follows from the state; film, friction and life are shown if it has them.
+        What follows from it; film, friction and life are shown if it has them.
     """
     page = Page(words, medium or Medium())
-    parts = [terminal_head(page, state)]
-    if state.status.converged:
-        parts += [*_set(page, state), *_middle(page, state)]
-        parts += [stiffness_part(page, state), *ball_parts(page, state)]
-        parts += [part for part in [rolling_part(page, state)] if part]
-    notes = [page.words.note(note) for note in state.notes]
+    parts = [terminal_head(page, solved)]
+    if solved.converged[0]:
+        parts += [*_set(page, solved), *_middle(page, solved)]
+        parts += [stiffness_part(page, solved), *ball_parts(page, solved)]
+        parts += [part for part in [rolling_part(page, solved)] if part]
+    notes = [words.note(note) for note in solved.notes[0]]
     if analysis is not None:
-        parts += _what_follows(page, analysis, notes)
+        parts += _what_follows(page, solved, analysis, notes)
     if notes:
         parts.append(notes_part(page, notes))
     return rendered(page.medium, parts)
 
 
-def rendered(medium: Medium, parts: list[Lines]) -> str:
-    """Return the parts one below the other, with an empty line between them."""
-    console = Console(
-        file=StringIO(),
-        width=medium.width,
-        color_system=medium.colors,
-        force_terminal=medium.colors is not None,
-        no_color=medium.colors is None,
-        legacy_windows=False,
-        highlight=False,
-        markup=False,
-        emoji=False,
-    )
-    with console.capture() as capture:
-        for number, part in enumerate(parts):
-            for line in [Text(), *part] if number else part:
-                line.rstrip()
-                console.print(line, no_wrap=True, overflow="ignore", crop=False)
-    return capture.get()
-
-
-def terminal_head(page: Page, state: State) -> Lines:
+def terminal_head(page: Page, solved: Solved) -> Lines:
     """Show the title, what was given, and how the solution ended."""
-    words, case = page.words, state.case
+    words, case = page.words, solved.case
     entries = [
         (words.bearing, _bearing(page, case.bearing), ""),
         (words.duty, _duty(page, case.duty), ""),
-        (words.model, _model(page, state), ""),
-        *_status(page, state),
+        (words.model, _model(page, case), ""),
+        *_status(page, solved),
     ]
     entries = [entry for entry in entries if entry[1]]  # at rest no model matters
-    width = max(len(label) for label, _, _ in entries)
-    lines = page.hanging(Text(), state.title or words.untitled, "bold")
-    lines.append(page.rule(page.medium.width))
-    for label, content, style in entries:
-        lines += page.hanging(page.text(f"{label:{width}}  ", "dim"), content, style)
-    return lines
+    return [*page.title(solved.title or words.untitled), *page.labelled(entries)]
 
 
 def _bearing(page: Page, bearing: Bearing) -> str:
@@ -158,9 +139,9 @@ def _imposed(page: Page, duty: Duty) -> list[str]:
     return given
 
 
-def _model(page: Page, state: State) -> str:
+def _model(page: Page, case: Case) -> str:
     """Return the choices that matter: at rest, none does."""
-    words, duty, model = page.words, state.case.duty, state.case.model
+    words, duty, model = page.words, case.duty, case.model
     if duty.inner_speed == 0.0 == duty.outer_speed:
         return ""
     left_out = [
@@ -177,36 +158,37 @@ def _model(page: Page, state: State) -> str:
     return ", ".join([words.raceway_control[model.raceway_control], *cage, *left_out])
 
 
-def _status(page: Page, state: State) -> list[tuple[str, str, str]]:
+def _status(page: Page, solved: Solved) -> list[tuple[str, str, str]]:
     """Return label, text and style of the status, and of the advice if there is any."""
-    words, status = page.words, state.status
-    if status.converged:
+    words, status = page.words, solved.status
+    if solved.converged[0]:
         text = words.converged.format(
-            iterations=status.iterations, residual=page.digits.exponent(status.residual)
+            iterations=int(status.iterations[0]),
+            residual=page.digits.exponent(float(status.residual[0])),
         )
         return [(words.status, f"✓ {text}", "green")]
-    reason = (words.status, f"✗ {words.reason(status)}", "bold red")
-    return [reason, (words.advice_label, words.advice(status), "")]
+    reason = (words.status, f"✗ {words.reason(solved)}", "bold red")
+    return [reason, (words.advice_label, words.advice(solved), "")]
 
 
-def _set(page: Page, state: State) -> list[Lines]:
+def _set(page: Page, solved: Solved) -> list[Lines]:
     """Show the rows of a set and their preload; nothing of a plain bearing."""
-    if not state.case.bearing.is_set:
+    if not solved.case.bearing.is_set:
         return []
-    preload = [] if state.preload is None else [preload_part(page, state, state.preload)]
-    return [rows_part(page, state), *preload]
+    preload = [] if solved.preload is None else [preload_part(page, solved, solved.preload)]
+    return [rows_part(page, solved), *preload]
 
 
-def _middle(page: Page, state: State) -> list[Lines]:
+def _middle(page: Page, solved: Solved) -> list[Lines]:
     """Show the ring above the heaviest ball, and the rosettes beside them, or below in a line."""
-    left = [*ring_part(page, state), Text(), *heaviest_part(page, state)]
-    room = page.medium.width - max(map(len, left)) - _GAP
-    if len(state.rows) < 2 or rosettes_width(len(state.rows)) <= room:
-        return [beside(left, rosette_part(page, state, room), gap=_GAP)]
-    return [left, rosette_part(page, state, page.medium.width)]
+    left = [*ring_part(page, solved), Text(), *heaviest_part(page, solved)]
+    room, rows = page.medium.width - max(map(len, left)) - _GAP, len(solved.rows)
+    if rows < 2 or rosettes_width(rows) <= room:
+        return [beside(left, rosette_part(page, solved, room), gap=_GAP)]
+    return [left, rosette_part(page, solved, page.medium.width)]
 
 
-def _what_follows(page: Page, analysis: Analysis, notes: list[str]) -> list[Lines]:
+def _what_follows(page: Page, solved: Solved, analysis: Analysis, notes: list[str]) -> list[Lines]:
     """Show film, friction and life; what is to be known of them goes to the notes."""
     parts: list[Lines] = []
     if analysis.film is not None:
@@ -217,22 +199,14 @@ def _what_follows(page: Page, analysis: Analysis, notes: list[str]) -> list[Line
     if analysis.friction is not None:
         from rolamento.report.friction import friction_parts
 
-        parts += friction_parts(page, analysis.state, analysis.friction)
+        parts += friction_parts(page, solved, analysis.friction)
     if analysis.life is not None:
-        from rolamento.report.life_section import life_notes, life_part
+        from rolamento.report.life import life_notes, life_part
 
-        parts.append(life_part(page, analysis.state, analysis.life))
+        parts.append(life_part(page, solved, analysis.life))
         notes += life_notes(page, analysis.life)
     if analysis.notes:
         from rolamento.report.life_sentences import said_analysis_note
 
         notes += [said_analysis_note(name, page.words.code) for name in analysis.notes]
     return parts
-
-
-def notes_part(page: Page, notes: list[str]) -> Lines:
-    """List what the user should know."""
-    lines = [page.heading(page.words.notes)]
-    for note in notes:
-        lines += page.hanging(page.text("  • ", "yellow"), note)
-    return lines

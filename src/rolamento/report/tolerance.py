@@ -14,11 +14,9 @@ from rolamento.errors import InputError
 from rolamento.plots.axes_units import ReadableUnit, readable_unit
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium
-from rolamento.report.page import Lines, Page
-from rolamento.report.terminal import rendered
-from rolamento.studies.samples import Samples
-from rolamento.studies.sensitivity import RankCorrelations, SobolIndices
-from rolamento.studies.tolerance import ToleranceBand, ToleranceBands
+from rolamento.report.page import Lines, Page, rendered
+from rolamento.studies.sensitivity import RankCorrelations, SobolIndices, ToleranceStudy
+from rolamento.studies.tolerance import Samples, ToleranceBand
 
 __all__ = ["MOST_POINTS", "ToleranceStudy", "tolerance_json", "tolerance_report"]
 
@@ -29,17 +27,6 @@ MOST_POINTS: Final = 20
 _SHOWN: Final = (5.0, 50.0, 95.0)
 _MOST_INPUTS: Final = 6
 _BAR: Final = 18
-
-
-@dataclass(frozen=True, slots=True)
-class ToleranceStudy:
-    """What is known of a scatter study; without inputs no ranks, and indices only if asked for."""
-
-    title: str
-    samples: Samples
-    bands: ToleranceBands
-    ranks: RankCorrelations | None
-    sobol: SobolIndices | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -140,8 +127,6 @@ def tolerance_report(
 
 
 def _head(page: Page, said: _Words, study: ToleranceStudy) -> Lines:
-    lines = page.hanging(Text(), study.title or said.untitled, "bold")
-    lines.append(page.rule(page.medium.width))
     counted = said.counted.format(
         samples=page.digits.fixed(len(study.samples), 0), inputs=len(study.samples.inputs)
     )
@@ -150,10 +135,7 @@ def _head(page: Page, said: _Words, study: ToleranceStudy) -> Lines:
         (said.study, counted, ""),
         (said.result, _result(page, said, study), "bold red" if failed else "green"),
     ]
-    width = max(len(label) for label, _, _ in entries)
-    for label, content, style in entries:
-        lines += page.hanging(page.text(f"{label:{width}}  ", "dim"), content, style)
-    return lines
+    return [*page.title(study.title or said.untitled), *page.labelled(entries)]
 
 
 def _result(page: Page, said: _Words, study: ToleranceStudy) -> str:

@@ -5,19 +5,20 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 from math import isfinite
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 from rich.text import Text
 
 from rolamento.clearance.wear import WearFit
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium
-from rolamento.report.page import Lines, Page
+from rolamento.report.page import Lines, Page, one_line, rendered, shortened, table
 from rolamento.report.plain_data import json_text
-from rolamento.report.terminal import rendered
-from rolamento.report.weibull_numbers import one_line, shortened, table
 from rolamento.units import to_si
-from rolamento.weibull.trend import Trend
+from rolamento.weibull import Trend
+
+if TYPE_CHECKING:
+    from rolamento.tasks.weibull import TrendStudy
 
 __all__ = ["trend_json", "trend_report"]
 
@@ -103,49 +104,43 @@ _WORDS: Final[Mapping[str, _Words]] = {
 }
 
 
-def trend_json(trend: Trend, fits: Mapping[str, WearFit]) -> str:
+def trend_json(found: TrendStudy) -> str:
     """Return a record and its fits as one JSON object; the fits in SI units."""
     return json_text(
         {
             "schema": SCHEMA,
             "kind": "trend",
-            **trend.to_mapping(),
-            "wear": {name: asdict(fit) for name, fit in fits.items()},
+            **found.trend.to_mapping(),
+            "wear": {name: asdict(fit) for name, fit in found.fits.items()},
         }
     )
 
 
-def trend_report(
-    trend: Trend,
-    fits: Mapping[str, WearFit],
-    words: Words = ENGLISH,
-    medium: Medium | None = None,
-) -> str:
+def trend_report(found: TrendStudy, words: Words = ENGLISH, medium: Medium | None = None) -> str:
     """Return the page of a record as text that ends in a newline.
 
     Parameters
     ----------
-    trend
-        Of `rolamento.weibull.trend`.
-    fits
-        Of `wear_of_each`; empty for what is no clearance.
+    found
+        Of `rolamento.tasks.weibull.trend_study`.
     words, medium
         The language, and what the text is shown on; by default plain text of 80 columns.
     """
     page, said = Page(words, medium or Medium()), _WORDS[words.code]
+    trend = found.trend
     head = page.hanging(Text(), one_line(trend.title) or said.untitled, "bold")
     head.append(page.rule(page.medium.width))
     head += page.hanging(page.text(f"{said.source}  ", "dim"), one_line(trend.source))
-    parts = [head, _measured(page, said, trend)]
+    parts = [head, _measurements(page, said, trend)]
     if trend.passed_over:
         columns = ", ".join(shortened(one_line(name), 30) for name in trend.passed_over)
         parts.append(page.hanging(Text("  "), said.passed_over.format(columns=columns), "dim"))
-    if fits:
-        parts.append(_wear(page, said, trend, fits))
+    if found.fits:
+        parts.append(_laws_of_wear(page, said, trend, found.fits))
     return rendered(page.medium, parts)
 
 
-def _measured(page: Page, said: _Words, trend: Trend) -> Lines:
+def _measurements(page: Page, said: _Words, trend: Trend) -> Lines:
     """One line a measurement."""
     places = {name: place for place, name in enumerate(trend.names)}
     order = sorted(
@@ -158,10 +153,14 @@ def _measured(page: Page, said: _Words, trend: Trend) -> Lines:
         f"{shortened(said.quantities.get(name, name))} {unit}"
         for name, unit in zip(trend.quantities, trend.units, strict=True)
     ]
-    columns = [_cells(page, trend, shown, quantity) for quantity in range(len(trend.quantities))]
+    columns = [
+        _column_of(page, trend, shown, quantity) for quantity in range(len(trend.quantities))
+    ]
     rows = [
         [
-            str(trend.bearings[row]) if _begins(trend, shown, place) else "",
+            ""
+            if place and trend.bearings[row] == trend.bearings[shown[place - 1]]
+            else str(trend.bearings[row]),
             page.digits.short(float(trend.times[row]), 6),
             *(column[place] for column in columns),
         ]
@@ -176,11 +175,7 @@ def _measured(page: Page, said: _Words, trend: Trend) -> Lines:
     return lines
 
 
-def _begins(trend: Trend, shown: Sequence[int], place: int) -> bool:
-    return place == 0 or trend.bearings[shown[place]] != trend.bearings[shown[place - 1]]
-
-
-def _cells(page: Page, trend: Trend, rows: Sequence[int], quantity: int) -> list[str]:
+def _column_of(page: Page, trend: Trend, rows: Sequence[int], quantity: int) -> list[str]:
     values = [float(trend.values[row, quantity]) for row in rows]
     cells = [page.digits.short(value, 5) for value in values]
     return [
@@ -189,7 +184,7 @@ def _cells(page: Page, trend: Trend, rows: Sequence[int], quantity: int) -> list
     ]
 
 
-def _wear(page: Page, said: _Words, trend: Trend, fits: Mapping[str, WearFit]) -> Lines:
+def _laws_of_wear(page: Page, said: _Words, trend: Trend, fits: Mapping[str, WearFit]) -> Lines:
     """One line a bearing: the constants of its law, with their errors."""
     length, time = trend.units[0], trend.time_unit
     metre, second = to_si(f"1 {length}", "length"), to_si(f"1 {time}", "time")

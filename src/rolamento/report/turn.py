@@ -17,11 +17,9 @@ from rolamento._json import dumps
 from rolamento.case.duty import AXES, LOADS
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium
-from rolamento.report.page import Lines, Page
-from rolamento.report.terminal import rendered
-from rolamento.studies.cage_turn import BallHistory, CageTurn, ContactHistory, Variation
-
-__all__ = ["turn_csv", "turn_json", "turn_report"]
+from rolamento.report.page import Lines, Page, rendered
+from rolamento.report.plain_data import csv_number
+from rolamento.studies.cage_turn import BallHistory, CageTurn, Compared, ContactHistory, Variation
 
 SCHEMA: Final = 1
 _RPM: Final = 30.0 / pi
@@ -48,8 +46,8 @@ class _Words:
     relative: str
     no_variation: str
     one_ball: str
-    greatest_load: str
-    least_load: str
+    maximum_load: str
+    minimum_load: str
     loaded_over: str
     at: str
     contact_angle: str
@@ -76,8 +74,8 @@ _WORDS: Final[Mapping[str, _Words]] = {
         relative="of mean",
         no_variation="no variation: the ring stands still while the balls pass",
         one_ball="One ball on its way round",
-        greatest_load="greatest load",
-        least_load="least load",
+        maximum_load="maximum load",
+        minimum_load="minimum load",
         loaded_over="loaded over",
         at="at",
         contact_angle="contact angle there",
@@ -102,8 +100,8 @@ _WORDS: Final[Mapping[str, _Words]] = {
         relative="da média",
         no_variation="sem variação: o anel fica parado enquanto as esferas passam",
         one_ball="Uma esfera em sua volta",
-        greatest_load="maior carga",
-        least_load="menor carga",
+        maximum_load="maior carga",
+        minimum_load="menor carga",
         loaded_over="carregada em",
         at="em",
         contact_angle="ângulo de contato ali",
@@ -134,8 +132,6 @@ def turn_report(turn: CageTurn, words: Words = ENGLISH, medium: Medium | None = 
 
 
 def _head(page: Page, said: _Words, turn: CageTurn) -> Lines:
-    lines = page.hanging(Text(), turn.case.title or page.words.untitled, "bold")
-    lines.append(page.rule(page.medium.width))
     points = said.points.format(
         count=len(turn), period=page.digits.short(degrees(turn.period), digits=4)
     )
@@ -148,10 +144,7 @@ def _head(page: Page, said: _Words, turn: CageTurn) -> Lines:
         entries.append((page.words.advice_label, page.words.sentence(turn.advice), ""))
     if good:
         entries.insert(1, (said.cage, _cage(page, said, turn), ""))
-    width = max(len(label) for label, _, _ in entries)
-    for label, content, style in entries:
-        lines += page.hanging(page.text(f"{label:{width}}  ", "dim"), content, style)
-    return lines
+    return [*page.title(turn.case.title or page.words.untitled), *page.labelled(entries)]
 
 
 def _status(page: Page, said: _Words, turn: CageTurn) -> str:
@@ -167,10 +160,10 @@ def _cage(page: Page, said: _Words, turn: CageTurn) -> str:
     if not isfinite(turn.passage_frequency):
         return said.at_rest
     speed = turn.cage_speed
-    mean, least, greatest = (
-        page.digits.short(_RPM * value) for value in (speed.mean, speed.least, speed.greatest)
+    mean, lowest, highest = (
+        page.digits.short(_RPM * value) for value in (speed.mean, speed.minimum, speed.maximum)
     )
-    spread = said.spread.format(mean=mean, least=least, greatest=greatest)
+    spread = said.spread.format(mean=mean, least=lowest, greatest=highest)
     frequency = page.digits.short(turn.passage_frequency)
     return f"{spread}\n{said.passage.format(frequency=frequency)}"
 
@@ -276,14 +269,14 @@ def _ball(page: Page, said: _Words, history: BallHistory, turn: CageTurn) -> Lin
 
     rows = [
         [Text(), page.text(words.inner, "dim"), page.text(words.outer, "dim"), Text()],
-        [page.text(said.greatest_load), *along(there("load", 1.0), "N")],
+        [page.text(said.maximum_load), *along(there("load", 1.0), "N")],
         [page.text(f"  {said.at}"), *along(np.degrees(history.azimuth[heaviest]).tolist(), "°")],
         [page.text(f"  {said.pressure}"), *along(there("max_pressure", 1e-6), "MPa")],
         [
             page.text(f"  {said.contact_angle}"),
             *along(there("contact_angle", 180.0 / pi), "°"),
         ],
-        [page.text(said.least_load), *along([float(race.load.min()) for race in races], "N")],
+        [page.text(said.minimum_load), *along([float(race.load.min()) for race in races], "N")],
         [page.text(said.loaded_over), *along([_loaded_over(race) for race in races], "°")],
     ]
     title = ", ".join(part for part in (said.one_ball, number) if part)
@@ -305,7 +298,7 @@ def turn_csv(turn: CageTurn) -> str:
     """
     text = StringIO(newline="")
     writer = csv.writer(text)
-    balls = turn.inner_load.shape[1]
+    balls = turn.solved.inner.load.shape[1]
     shifts = [f"{axis}_um" if len(axis) == 1 else f"{axis}_mrad" for axis in AXES]
     loads = [f"{load}_N" if load[0] == "f" else f"{load}_Nm" for load in LOADS]
     writer.writerow(
@@ -329,19 +322,15 @@ def _lines(turn: CageTurn) -> Iterator[list[str]]:
     for point in range(len(turn)):
         numbers = np.concatenate(
             [
-                factors * turn.displacement[point],
-                turn.load[point],
-                turn.stiffness[point].ravel(),
-                turn.inner_load[point],
-                turn.outer_load[point],
+                factors * turn.solved.displacement.array[point],
+                turn.solved.load.array[point],
+                turn.solved.stiffness.array[point].ravel(),
+                turn.solved.inner.load[point],
+                turn.solved.outer.load[point],
             ]
         )
-        first = [_written(degrees(turn.angle[point])), _written(time[point])]
-        yield [*first, str(turn.status[point]), *map(_written, numbers.tolist())]
-
-
-def _written(value: float) -> str:
-    return f"{value:.10g}" if isfinite(value) else ""
+        first = [csv_number(degrees(turn.angle[point])), csv_number(time[point])]
+        yield [*first, str(turn.status[point]), *map(csv_number, numbers.tolist())]
 
 
 def turn_json(turn: CageTurn) -> str:
@@ -355,13 +344,13 @@ def turn_json(turn: CageTurn) -> str:
         "period": turn.period,
         "angle": turn.angle,
         "time": turn.time,
-        "cage_speed": {"mean": speed.mean, "least": speed.least, "greatest": speed.greatest},
+        "cage_speed": {"mean": speed.mean, "least": speed.minimum, "greatest": speed.maximum},
         "passage_frequency": turn.passage_frequency,
         "orders": turn.orders.tolist(),
         "frequencies": turn.frequencies,
-        "displacement": _variation_mapping(turn.displacement, turn.variation("displacement")),
-        "load": _variation_mapping(turn.load, turn.variation("load")),
-        "stiffness": _variation_mapping(turn.stiffness, turn.variation("stiffness")),
+        "displacement": _variation_mapping(turn, "displacement"),
+        "load": _variation_mapping(turn, "load"),
+        "stiffness": _variation_mapping(turn, "stiffness"),
         "balls": [
             {
                 "row": history.row,
@@ -375,9 +364,10 @@ def turn_json(turn: CageTurn) -> str:
     return dumps(mapping)
 
 
-def _variation_mapping(values: NDArray[np.float64], variation: Variation) -> dict[str, Any]:
+def _variation_mapping(turn: CageTurn, quantity: Compared) -> dict[str, Any]:
+    variation = turn.variation(quantity)
     return {
-        "values": values,
+        "values": getattr(turn.solved, quantity).array,
         "mean": variation.mean,
         "peak_to_peak": variation.peak_to_peak,
         "amplitude": np.abs(variation.harmonics),

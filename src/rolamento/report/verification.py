@@ -12,8 +12,7 @@ from rich.text import Text
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium
 from rolamento.report.numbers import ABSENT
-from rolamento.report.page import Lines, Page
-from rolamento.report.terminal import rendered
+from rolamento.report.page import Lines, Page, rendered
 from rolamento.report.verification_words import VERIFICATION_WORDS, VerificationWords
 from rolamento.verification import VERDICTS, Check, Verdict, Verification
 

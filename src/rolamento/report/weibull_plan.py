@@ -4,33 +4,27 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from math import isclose, isfinite, nan
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 from rich.text import Text
 
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium
 from rolamento.report.numbers import ABSENT
-from rolamento.report.page import Lines, Page
+from rolamento.report.page import FIGURES, Lines, Page, one_line, percent, rendered, table
 from rolamento.report.plain_data import json_text
-from rolamento.report.terminal import rendered
-from rolamento.report.weibull_numbers import FIGURES, life_name, one_line, percent, table
+from rolamento.report.weibull import life_name
 from rolamento.report.weibull_plan_words import PLAN_WORDS, PlanWords
 from rolamento.report.weibull_sentences import said_advice
 from rolamento.report.weibull_words import counted
-from rolamento.weibull.planning import Demonstration
-from rolamento.weibull.precision import LifeTestPlan
-from rolamento.weibull.quantity import Quantity
+from rolamento.weibull import Demonstration, Estimand, LifeTestPlan
+
+if TYPE_CHECKING:
+    from rolamento.tasks.weibull import DemonstrationStudy, PrecisionStudy
 
 __all__ = ["demonstration_json", "demonstration_report", "precision_json", "precision_report"]
 
 SCHEMA: Final = 1
-RATIOS: Final = (0.5, 1.0, 1.5, 2.0, 3.0, 5.0, 10.0)
-"""True life over the one to be shown, of which the chances are told."""
-SHAPES: Final = (0.8, 1.0, 1.2, 1.5, 2.0, 2.5, 3.0)
-"""Shapes of which it is told what the same test would show."""
-MULTIPLES: Final = ""
-"""Unit of times that are multiples of the expected life."""
 _FAIR: Final = 0.9
 _FEW: Final = 3
 
@@ -38,51 +32,26 @@ _FEW: Final = 3
 # --- demonstration ---------------------------------------------------------------------------
 
 
-def demonstration_json(plan: Demonstration, others: Sequence[Demonstration], unit: str) -> str:
+def demonstration_json(found: DemonstrationStudy) -> str:
     """Return a planned demonstration as one JSON object; times in the unit that it names."""
-    chances, confidences = plan.chance_of_passing(RATIOS), plan.confidence_at(SHAPES)
-    return json_text(
-        {
-            "schema": SCHEMA,
-            "kind": "weibull_plan_demonstration",
-            "unit": unit,
-            **plan.to_mapping(),
-            "chance_of_passing": [
-                {"life_ratio": ratio, "chance": chance, "expected_time": plan.expected_time(ratio)}
-                for ratio, chance in zip(RATIOS, chances.tolist(), strict=True)
-            ],
-            "confidence_at_shape": [
-                {"shape": shape, "confidence": confidence}
-                for shape, confidence in zip(SHAPES, confidences.tolist(), strict=True)
-            ],
-            "alternatives": [other.to_mapping() for other in others],
-        }
-    )
+    return json_text({"schema": SCHEMA, "kind": "weibull_plan_demonstration", **found.to_mapping()})
 
 
 def demonstration_report(
-    plan: Demonstration,
-    others: Sequence[Demonstration],
-    unit: str,
-    words: Words = ENGLISH,
-    medium: Medium | None = None,
+    found: DemonstrationStudy, words: Words = ENGLISH, medium: Medium | None = None
 ) -> str:
     """Return the page of a planned demonstration as text that ends in a newline.
 
     Parameters
     ----------
-    plan
-        Of `rolamento.weibull.planning.demonstrate`.
-    others
-        That show as much, of `alternatives`.
-    unit
-        Of the life and all times.
+    found
+        Of `rolamento.tasks.weibull.demonstration_study`.
     words, medium
         The language, and what the text is shown on; by default plain text of 80 columns.
     """
     page, said = Page(words, medium or Medium()), PLAN_WORDS[words.code]
-    unit = one_line(unit)
-    quantity = life_name(page, Quantity.life(plan.reliability))
+    plan, others, unit = found.plan, found.alternatives, one_line(found.unit)
+    quantity = life_name(page, Estimand.life(plan.reliability))
     title = said.showing.format(
         quantity=quantity,
         life=page.digits.short(plan.life, FIGURES),
@@ -96,16 +65,18 @@ def demonstration_report(
             Text("  "), said.shape.format(shape=page.digits.short(plan.shape, FIGURES)), "dim"
         ),
     ]
-    parts = [head, _test(page, said, plan, quantity, unit)]
+    parts = [head, _what_is_tested(page, said, plan, quantity, unit)]
     if plan.planned:
-        parts.append(_chances(page, said, plan, unit))
-        parts.append([] if _as_long(plan) else _shapes(page, said, plan))
+        parts.append(_chances(page, said, found))
+        parts.append([] if _as_long(plan) else _shapes(page, said, found))
     if others:
         parts.append(_trade(page, said, others, unit))
     return rendered(page.medium, [part for part in parts if part])
 
 
-def _test(page: Page, said: PlanWords, plan: Demonstration, quantity: str, unit: str) -> Lines:
+def _what_is_tested(
+    page: Page, said: PlanWords, plan: Demonstration, quantity: str, unit: str
+) -> Lines:
     """Say in sentences what the test is, and what may be expected of it."""
     if not plan.planned:
         return page.hanging(page.text("  ✗ ", "red"), said_advice(plan.code, page.words.code))
@@ -123,8 +94,8 @@ def _test(page: Page, said: PlanWords, plan: Demonstration, quantity: str, unit:
             total=page.digits.short(plan.total_time, FIGURES),
             failures=failures,
         ),
-        said.shown.format(shown=_share(page, plan.shown)),
-        said.just_as_wanted.format(chance=_share(page, float(plan.chance_of_passing(1.0)))),
+        said.shown.format(shown=_probability(page, plan.shown)),
+        said.just_as_wanted.format(chance=_probability(page, float(plan.chance_of_passing(1.0)))),
         said.to_pass.format(
             quantity=quantity, life=life, unit=unit, ratio=page.digits.short(ratio, _FEW)
         ),
@@ -147,21 +118,23 @@ def _bullets(page: Page, sentences: Sequence[str]) -> Lines:
     return lines
 
 
-def _chances(page: Page, said: PlanWords, plan: Demonstration, unit: str) -> Lines:
+def _chances(page: Page, said: PlanWords, found: DemonstrationStudy) -> Lines:
+    ratios, chances, ends = zip(*found.chances, strict=True)
     rows = [
-        [said.passes, *(_share(page, float(x)) for x in plan.chance_of_passing(RATIOS))],
+        [said.passes, *(_probability(page, chance) for chance in chances)],
         [
-            said.ends_after.format(unit=unit),
-            *(page.digits.short(plan.expected_time(ratio), _FEW) for ratio in RATIOS),
+            said.ends_after.format(unit=one_line(found.unit)),
+            *(page.digits.short(end, _FEW) for end in ends),
         ],
     ]
-    heads = [said.true_ratio, *(page.digits.short(ratio, 2) for ratio in RATIOS)]
+    heads = [said.true_ratio, *(page.digits.short(ratio, 2) for ratio in ratios)]
     return [page.heading(said.chance), *table(page, heads, rows)]
 
 
-def _shapes(page: Page, said: PlanWords, plan: Demonstration) -> Lines:
-    heads = [said.shape_head, *(page.digits.short(shape, 2) for shape in SHAPES)]
-    row = [said.shown_with, *(_share(page, float(x)) for x in plan.confidence_at(SHAPES))]
+def _shapes(page: Page, said: PlanWords, found: DemonstrationStudy) -> Lines:
+    shapes, confidences = zip(*found.confidences, strict=True)
+    heads = [said.shape_head, *(page.digits.short(shape, 2) for shape in shapes)]
+    row = [said.shown_with, *(_probability(page, one) for one in confidences)]
     return [page.heading(said.other_shape), *table(page, heads, [row])]
 
 
@@ -188,44 +161,29 @@ def _trade(page: Page, said: PlanWords, others: Sequence[Demonstration], unit: s
 # --- precision -------------------------------------------------------------------------------
 
 
-def precision_json(plans: Sequence[LifeTestPlan], ratio: float | None, unit: str) -> str:
+def precision_json(found: PrecisionStudy) -> str:
     """Return planned tests as one JSON object; times in the unit that it names."""
-    return json_text(
-        {
-            "schema": SCHEMA,
-            "kind": "weibull_plan_precision",
-            "unit": unit,
-            "wanted_ratio": ratio,
-            "plans": [plan.to_mapping() for plan in plans],
-        }
-    )
+    return json_text({"schema": SCHEMA, "kind": "weibull_plan_precision", **found.to_mapping()})
 
 
 def precision_report(
-    plans: Sequence[LifeTestPlan],
-    ratio: float | None,
-    unit: str,
-    words: Words = ENGLISH,
-    medium: Medium | None = None,
+    found: PrecisionStudy, words: Words = ENGLISH, medium: Medium | None = None
 ) -> str:
     """Return the page of planned tests as text that ends in a newline.
 
     Parameters
     ----------
-    plans
-        Of `rolamento.weibull.precision`, all of one life, shape and confidence.
-    ratio
-        Of the bounds that was wanted; None where the tests were given.
-    unit
-        Of the life and all times.
+    found
+        Of `rolamento.tasks.weibull.precision_study`.
     words, medium
         The language, and what the text is shown on; by default plain text of 80 columns.
     """
     page, said = Page(words, medium or Medium()), PLAN_WORDS[words.code]
-    unit, first = one_line(unit), plans[0]
-    quantity = life_name(page, Quantity.life(first.reliability))
-    expected = said.expected_multiples if unit == MULTIPLES else said.expected
-    unit = quantity if unit == MULTIPLES else unit
+    plans, ratio, unit = found.plans, found.ratio, one_line(found.unit)
+    first = plans[0]
+    quantity = life_name(page, Estimand.life(first.reliability))
+    expected = said.expected if unit else said.expected_multiples
+    unit = unit or quantity  # without a unit times are multiples of the life
     entries = [
         expected.format(
             shape=page.digits.short(first.shape, FIGURES),
@@ -244,14 +202,14 @@ def precision_report(
         page.rule(page.medium.width),
         *(line for entry in entries for line in page.hanging(Text("  "), entry, "dim")),
     ]
-    parts = [head, _statement(page, said, plans, quantity, unit)]
-    if any(plan.planned for plan in plans):
+    parts = [head, _what_it_takes(page, said, plans, quantity, unit)]
+    if found.planned:
         heading = said.tests if ratio is None else said.table
-        parts += _plans(page, said, plans, unit, heading)
+        parts += _table_of_plans(page, said, plans, unit, heading)
     return rendered(page.medium, [part for part in parts if part])
 
 
-def _statement(
+def _what_it_takes(
     page: Page, said: PlanWords, plans: Sequence[LifeTestPlan], quantity: str, unit: str
 ) -> Lines:
     planned = [plan for plan in plans if plan.planned]
@@ -295,7 +253,7 @@ def _mean_end(plan: LifeTestPlan) -> float:
     return float("inf") if plan.duration is None else plan.duration.mean
 
 
-def _plans(
+def _table_of_plans(
     page: Page, said: PlanWords, plans: Sequence[LifeTestPlan], unit: str, heading: str
 ) -> list[Lines]:
     """One line a test: in one table where it is wide enough, else in two."""
@@ -380,7 +338,7 @@ def _kind(page: Page, said: PlanWords, plan: LifeTestPlan) -> str:
     return said.part_fails.format(percent=page.digits.short(100.0 * share, 2))
 
 
-def _share(page: Page, share: float) -> str:
+def _probability(page: Page, share: float) -> str:
     """Write a probability in per cent; what is nearly sure, or nearly not, as more or less."""
     if not isfinite(share):
         return ABSENT

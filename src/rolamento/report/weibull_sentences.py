@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Final
 
-from rolamento.weibull.fit import ADVICE, NOTES
-from rolamento.weibull.planning import PLAN_ADVICE
+from rolamento.weibull import ADVICE, NOTES, PLAN_ADVICE
 
 __all__ = ["said_advice", "said_note"]
 

@@ -467,6 +467,6 @@ def _number_of(value: object, field: str) -> float:
         return float("nan")
     if isinstance(value, bool) or not isinstance(value, int | float):
         raise InputError("must be a number or null", field=field, value=value)
-    if not isfinite(value) or abs(value) > _LARGEST:
+    if abs(value) > _LARGEST or not isfinite(value):  # a whole number may be too large for a float
         raise InputError(f"must be within ±{_LARGEST:g}", field=field, value=value)
     return float(value)

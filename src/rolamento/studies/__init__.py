@@ -9,11 +9,9 @@ From the inside out: `fields` (what may vary), `axes` and `scatter` (how), `samp
 """
 
 from rolamento.studies.axes import Axis
-from rolamento.studies.reading import load_study, parse_study, study_to_json, study_to_toml
-from rolamento.studies.runner import Interrupted, run, run_to_file
+from rolamento.studies.runner import Interrupted, OutputRange, Summary, run, run_to_file
 from rolamento.studies.scatter import Correlation, Distribution, Scatter
-from rolamento.studies.study import Study
-from rolamento.studies.summary import OutputRange, Summary
+from rolamento.studies.study import Study, load_study, parse_study, study_to_json, study_to_toml
 
 __all__ = [
     "Axis",

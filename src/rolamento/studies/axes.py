@@ -32,12 +32,12 @@ Column = NDArray[np.float64] | tuple[fields.Value, ...]
 """What a field takes along an axis: SI floats of a continuous field, else values as in a file."""
 
 
-def _plain(values: object) -> object:
+def _as_list(values: object) -> object:
     """Take arrays as lists."""
     return values.tolist() if isinstance(values, np.ndarray) else values
 
 
-def _named(name: str) -> str:
+def _checked_name(name: str) -> str:
     plain = name.replace(" ", "").replace("_", "").replace("-", "").replace(".", "")
     if name and not (plain.isalnum() and plain.isascii() and name[0].isalpha() and name[-1] != " "):
         raise InputError(
@@ -48,8 +48,8 @@ def _named(name: str) -> str:
 
 
 FieldName = Annotated[str, Field(strict=True, max_length=200)]
-DimensionName = Annotated[Line, AfterValidator(_named), Field(max_length=60)]
-_Values = Annotated[tuple[Any, ...], BeforeValidator(_plain), Field(max_length=MOST_VALUES)]
+DimensionName = Annotated[Line, AfterValidator(_checked_name), Field(max_length=60)]
+_Values = Annotated[tuple[Any, ...], BeforeValidator(_as_list), Field(max_length=MOST_VALUES)]
 
 
 class Axis(Record):
@@ -199,7 +199,7 @@ class Axis(Record):
         return tuple(int(value) for value in whole)
 
     @model_serializer(mode="wrap")
-    def _written(self, handler: SerializerFunctionWrapHandler, info: SerializationInfo) -> Any:
+    def _with_units(self, handler: SerializerFunctionWrapHandler, info: SerializationInfo) -> Any:
         """Write quantities with units where a person reads, and leave out what says nothing."""
         table: dict[str, Any] = handler(self)
         if not at_the_border(info.context):
@@ -208,18 +208,18 @@ class Axis(Record):
         if self.field is not None:
             field = fields.read_field(self.field)
             for key in {"first", "last"} & kept.keys():
-                kept[key] = _written(field, kept[key])
+                kept[key] = _text_of(field, kept[key])
             if "values" in kept:
-                kept["values"] = [_written(field, value) for value in kept["values"]]
+                kept["values"] = [_text_of(field, value) for value in kept["values"]]
         else:
             kept["zipped"] = {
-                name: [_written(fields.read_field(name), value) for value in values]
+                name: [_text_of(fields.read_field(name), value) for value in values]
                 for name, values in kept["zipped"].items()
             }
         return kept
 
 
-def _written(field: fields.Field, given: object) -> fields.Value:
+def _text_of(field: fields.Field, given: object) -> fields.Value:
     if isinstance(given, str):
         return given
     return field.written(field.checked(given, in_file=False))

@@ -9,43 +9,24 @@ Sources: Sunnersjö, Journal of Sound and Vibration 58 (1978) 363; Radaelli (201
 
 from __future__ import annotations
 
+import os
 from dataclasses import dataclass
 from functools import reduce
 from math import gcd, pi
-from typing import TYPE_CHECKING, Any, Final, Literal
+from typing import Final, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
-from rolamento.case import Case
-from rolamento.case.bearing import Bearing
-from rolamento.contact.hertz import effective_modulus, elliptical_contact
+from rolamento.case import Case, load_case
 from rolamento.errors import InputError
-from rolamento.geometry import Race, race_curvature
-from rolamento.rows.ball import BatchState
-from rolamento.solution import solve, solve_batch
-
-if TYPE_CHECKING:
-    from rolamento.rows.ball.detail import BallTable, ContactTable
-
-__all__ = [
-    "DEFAULT_POINTS",
-    "LEAST_POINTS",
-    "MOST_POINTS",
-    "ROUNDING",
-    "BallHistory",
-    "CageSpeed",
-    "CageTurn",
-    "ContactHistory",
-    "Quantity",
-    "Variation",
-    "cage_turn",
-]
+from rolamento.solved import Contacts, Solved
+from rolamento.solving import solve
 
 Floats = NDArray[np.float64]
-Quantity = Literal["displacement", "load", "stiffness"]
+Compared = Literal["displacement", "load", "stiffness"]
 
-LEAST_POINTS: Final = 4
+FEWEST_POINTS: Final = 4
 MOST_POINTS: Final = 4096
 DEFAULT_POINTS: Final = 256
 """Keeps the first harmonics to 1e-6 and the extremes of the stiffness to 2 % where balls leave the
@@ -53,7 +34,7 @@ load zone, and everything to rounding where all stay loaded: see
 docs/theory/variable-compliance.md."""
 
 ROUNDING: Final = 1e-9
-"""Of the greatest of its kind: a variation below is rounding of the solver, and given as zero."""
+"""Of the maximum of its kind: a variation below is rounding of the solver, and given as zero."""
 
 _LOADED: Final = 0.01  # of the heaviest ball: one that carries less follows the cage
 _STANDSTILL: Final = 1e-9  # of the rings' speeds: below, the cage stands still
@@ -69,13 +50,13 @@ class CageSpeed:
     """
 
     mean: float
-    least: float
-    greatest: float
+    minimum: float
+    maximum: float
 
     @property
     def spread(self) -> float:
-        """Greatest less least, over the mean; NaN where the cage stands still."""
-        return (self.greatest - self.least) / abs(self.mean) if self.mean else float("nan")
+        """Maximum less minimum, over the mean; NaN where the cage stands still."""
+        return (self.maximum - self.minimum) / abs(self.mean) if self.mean else float("nan")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -91,7 +72,7 @@ class ContactHistory:
 
     @property
     def heaviest(self) -> int:
-        """Where the load is greatest; -1 where there is no result for the whole way."""
+        """Where the load is at its maximum; -1 where there is no result for the whole way."""
         return int(np.argmax(self.load)) if np.isfinite(self.load).all() else -1
 
 
@@ -124,7 +105,7 @@ class Variation:
     mean
         over the period
     peak_to_peak
-        greatest less least of the points, which may miss a sharp extreme between two of them
+        maximum less minimum of the points, which may miss a sharp extreme between two of them
     harmonics
         (orders, …) complex: the quantity is mean + Σ Re[harmonics exp(i order ψ)], so that the
         absolute value is an amplitude; orders as in `CageTurn.orders`
@@ -141,45 +122,25 @@ class CageTurn:
 
     Attributes
     ----------
-    case
-        that was turned
+    solved
+        a case for each point
     angle
         (points,), azimuth of the first ball, from 0 to below `period` (rad)
     period
         after which the balls stand as before: one pitch 2π/Z; with rows of different ball counts,
         2π over their greatest common divisor (rad)
-    status
-        (points,), "converged" or why there is no result
     advice
         what a person can do about the first point without a result, or None
-    residual
-        the greatest of the converged points
-    displacement, load
-        (points, 5)
-    stiffness
-        (points, 5, 5)
-    row
-        (balls,), the row of each ball
-    inner_load, outer_load
-        (points, balls), of every ball's contacts (N)
     cage_speed
         mean and spread of the loaded balls' orbital speeds
     histories
         of one ball of each row over a revolution
     """
 
-    case: Case
+    solved: Solved
     angle: Floats
     period: float
-    status: NDArray[np.str_]
     advice: str | None
-    residual: float
-    displacement: Floats
-    load: Floats
-    stiffness: Floats
-    row: NDArray[np.int64]
-    inner_load: Floats
-    outer_load: Floats
     cage_speed: CageSpeed
     histories: tuple[BallHistory, ...]
 
@@ -188,9 +149,19 @@ class CageTurn:
         return len(self.angle)
 
     @property
+    def case(self) -> Case:
+        """What was turned."""
+        return self.solved.case
+
+    @property
+    def status(self) -> NDArray[np.str_]:
+        """(points,), "converged" or why there is no result."""
+        return self.solved.status.code
+
+    @property
     def converged(self) -> bool:
         """Whether every point has a result."""
-        return bool(np.all(self.status == "converged"))
+        return bool(self.solved.converged.all())
 
     @property
     def orders(self) -> NDArray[np.int64]:
@@ -235,19 +206,20 @@ class CageTurn:
         fastest = max(abs(duty.inner_speed), abs(duty.outer_speed))
         return abs(self.cage_speed.mean) > _STANDSTILL * fastest
 
-    def variation(self, quantity: Quantity) -> Variation:
+    def variation(self, quantity: Compared) -> Variation:
         """Return mean, peak to peak and harmonics of displacement, load or stiffness.
 
         What is below `ROUNDING`, or below ten times the solver's residual where that is more, of
-        the greatest of its kind is zero; tilts are compared on the arm of half the pitch diameter.
+        the maximum of its kind is zero; tilts are compared on the arm of half the pitch diameter.
         """
-        values: Floats = getattr(self, quantity)
+        values: Floats = getattr(self.solved, quantity).array
+        residual = self.solved.status.residual[self.solved.converged].max(initial=0.0)
         arms = self._arms(quantity)
         scaled = values * arms
         scale = np.abs(scaled).max(initial=0.0) if self.converged else np.nan
         if quantity == "load":
-            scale = max(scale, self.outer_load.max(initial=0.0))
-        floor = max(ROUNDING, 10.0 * self.residual) * scale / arms
+            scale = max(scale, self.solved.outer.load.max(initial=0.0))
+        floor = max(ROUNDING, 10.0 * residual) * scale / arms
         mean, extent = values.mean(axis=0), np.ptp(values, axis=0)
         count = len(self.orders)
         harmonics = 2.0 * np.fft.rfft(values, axis=0)[1 : count + 1] / len(self)
@@ -258,7 +230,7 @@ class CageTurn:
             harmonics=np.where((np.abs(harmonics) <= floor) | (extent <= floor), 0.0, harmonics),
         )
 
-    def _arms(self, quantity: Quantity) -> Floats:
+    def _arms(self, quantity: Compared) -> Floats:
         """Factors that bring rotations and moments to the units of shifts and forces."""
         arm = 0.5 * self.case.bearing.pitch_diameter
         arms: Floats = np.array([1.0, 1.0, 1.0, arm, arm])
@@ -268,13 +240,18 @@ class CageTurn:
         return inverse if quantity == "load" else inverse[:, np.newaxis] * inverse
 
 
-def cage_turn(case: Case, *, points: int = DEFAULT_POINTS, threads: int | None = None) -> CageTurn:
+def cage_turn(
+    case: Case | str | os.PathLike[str],
+    *,
+    points: int = DEFAULT_POINTS,
+    threads: int | None = None,
+) -> CageTurn:
     """Solve a case for azimuths of the first ball evenly spread over one period.
 
     Parameters
     ----------
     case
-        The case; its own first_ball_azimuth is not used.
+        Or the file of one; its own first_ball_azimuth is not used.
     points
         In one period, 4 to 4096.
     threads
@@ -288,93 +265,56 @@ def cage_turn(case: Case, *, points: int = DEFAULT_POINTS, threads: int | None =
     A point without a result never raises: its status tells, its numbers are NaN, and with them
     whatever describes the whole turn.
     """
-    if not LEAST_POINTS <= points <= MOST_POINTS:
+    if not FEWEST_POINTS <= points <= MOST_POINTS:
         raise InputError(
-            f"must be {LEAST_POINTS} to {MOST_POINTS}",
+            f"must be {FEWEST_POINTS} to {MOST_POINTS}",
             field="points",
             value=points,
             example=f"points = {DEFAULT_POINTS}",
         )
-    places = [place.bearing for place in case.bearing.places]
-    counts = [place.ball_count for place in places]
+    case = case if isinstance(case, Case) else load_case(case)
+    counts = [place.bearing.ball_count for place in case.bearing.places]
     repeats = reduce(gcd, counts)
     period = 2.0 * pi / repeats
     angle = period * np.arange(points) / points
-    batch = solve_batch(case, first_ball_azimuth=angle, threads=threads)
-    balls = batch.balls()
-    row = np.repeat(np.arange(len(counts)), counts)
+    solved = solve(case, {"duty.first_ball_azimuth": angle}, threads=threads)
+    failed = np.flatnonzero(~solved.converged)
     return CageTurn(
-        case=case,
+        solved=solved,
         angle=angle,
         period=period,
-        status=batch.status,
-        advice=_advice(case, batch, angle),
-        residual=float(batch.residual[batch.converged].max(initial=0.0)),
-        displacement=batch.displacement,
-        load=batch.load,
-        stiffness=batch.stiffness,
-        row=row,
-        inner_load=balls.inner.load,
-        outer_load=balls.outer.load,
-        cage_speed=_cage_speed(batch, balls),
+        advice=solved[int(failed[0])].advice[0] if len(failed) else None,
+        cage_speed=_cage_speed(solved),
         histories=tuple(
-            _history(balls, place, index, np.flatnonzero(row == index)[:: count // repeats])
-            for index, (place, count) in enumerate(zip(places, counts, strict=True))
+            _history(solved, row, count // repeats) for row, count in enumerate(counts)
         ),
     )
 
 
-def _advice(case: Case, batch: BatchState, angle: Floats) -> str | None:
-    """Ask the solver of one case what to do where a batch only says that there is no result."""
-    if batch.converged.all():
-        return None
-    first = float(angle[np.argmin(batch.converged)])
-    return solve(case.replace(duty=case.duty.replace(first_ball_azimuth=first))).status.advice
-
-
-def _cage_speed(batch: BatchState, balls: BallTable) -> CageSpeed:
+def _cage_speed(solved: Solved) -> CageSpeed:
     """Mean and extremes of the loaded balls' orbital speeds; NaN if a point has no result."""
-    load, orbit = balls.inner.load, np.asarray(balls.motion.orbital_speed)
+    load = solved.inner.load
     loaded = load > _LOADED * load.max(axis=1, keepdims=True)
-    if not batch.converged.all() or not loaded.any():
+    if not solved.converged.all() or not loaded.any():
         return CageSpeed(*[float("nan")] * 3)
-    speeds = np.broadcast_to(orbit, load.shape)[loaded]
+    speeds = solved.elements.orbital_speed[loaded]
     return CageSpeed(float(speeds.mean()), float(speeds.min()), float(speeds.max()))
 
 
-def _history(
-    balls: BallTable, bearing: Bearing, row: int, chosen: NDArray[np.int64]
-) -> BallHistory:
-    """Line up the balls of a row, each over one period, to one ball's way round."""
-    azimuth = _below_full_turn(balls.azimuth[:, chosen].ravel())
+def _history(solved: Solved, row: int, pitches: int) -> BallHistory:
+    """Line up the balls of a row that stand so many pitches apart to one ball's way round."""
+    balls = np.flatnonzero(solved.elements.row == row)[::pitches]
+    azimuth = _below_full_turn(solved.elements.azimuth[:, balls].ravel())
     order = np.argsort(azimuth)
-    return BallHistory(
-        row=row,
-        azimuth=azimuth[order],
-        inner=_contact_history(bearing, balls.inner, "inner", chosen, order),
-        outer=_contact_history(bearing, balls.outer, "outer", chosen, order),
-    )
+
+    def met(contacts: Contacts) -> ContactHistory:
+        columns = (contacts.load, contacts.contact_angle, contacts.max_pressure)
+        return ContactHistory(*(column[:, balls].ravel()[order] for column in columns))
+
+    return BallHistory(row, azimuth[order], met(solved.inner), met(solved.outer))
 
 
 def _below_full_turn(azimuth: Floats) -> Floats:
     """Reduce to 0 … 2π, where what is a rounding below 2π is 0."""
     reduced = np.mod(azimuth, 2.0 * pi)
     return np.asarray(np.where(2.0 * pi - reduced < 1e-12, 0.0, reduced), dtype=np.float64)
-
-
-def _contact_history(
-    bearing: Bearing,
-    contacts: ContactTable,
-    race: Race,
-    chosen: NDArray[np.int64],
-    order: NDArray[Any],
-) -> ContactHistory:
-    load = contacts.load[:, chosen].ravel()[order]
-    angle = contacts.contact_angle[:, chosen].ravel()[order]
-    conformity = bearing.inner_conformity if race == "inner" else bearing.outer_conformity
-    curvature = race_curvature(
-        bearing.ball_diameter, bearing.pitch_diameter, conformity, angle, race
-    )
-    modulus = effective_modulus(bearing.ring_material, bearing.ball_material)
-    ellipse = elliptical_contact(load, curvature.rolling, curvature.across, modulus)
-    return ContactHistory(load, angle, np.asarray(ellipse.max_pressure, dtype=np.float64))

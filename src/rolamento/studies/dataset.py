@@ -16,8 +16,7 @@ from rolamento._foreign.bounds import check_declared
 from rolamento._foreign.isolated import Isolated
 from rolamento._foreign.readers import NetcdfVariables
 from rolamento.errors import FileError
-from rolamento.studies.layout import Layout, Variable, slabs
-from rolamento.studies.plan import Plan
+from rolamento.studies.plan import Layout, Plan, Variable, slabs
 from rolamento.studies.study import SAMPLE
 
 __all__ = ["dataset", "load_result"]

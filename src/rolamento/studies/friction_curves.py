@@ -7,19 +7,19 @@ at both contacts, where raceway control makes one of them zero.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
-from rolamento.analysis import BatchAnalysis, analyse_batch, joined, least_film_parameter
 from rolamento.case import Case
 from rolamento.errors import InputError
-from rolamento.friction import Friction
-from rolamento.rows.ball import BatchState
-from rolamento.solution import solve_batch
+from rolamento.friction import Friction, friction
+from rolamento.friction.model import relative_speed
+from rolamento.numerics.blocks import joined
+from rolamento.solved import Solved
+from rolamento.solving import solve
 from rolamento.studies.fields import Field
 from rolamento.studies.ranges import MOST_POINTS, Range, read_range, refuse_many_singles
 from rolamento.studies.solving import array_fields, base_case
@@ -29,7 +29,6 @@ __all__ = ["MOST_POINTS", "Controlled", "FrictionCurve", "Range", "friction_curv
 Floats = NDArray[np.float64]
 
 _COEFFICIENT: Final = "lubricant.friction_coefficient"
-_TEMPERATURE: Final = "temperature.lubricant"
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -37,7 +36,7 @@ class Controlled:
     """Balls that friction alone controls, their inertia counted; arrays (points,), SI.
 
     torque: of the friction in the contacts, N·m; cage_speed rad/s; inner_spin_to_roll and
-    outer_spin_to_roll of the ball with the greatest inner load. NaN without a result.
+    outer_spin_to_roll of the ball with the maximum inner load. NaN without a result.
     """
 
     torque: Floats
@@ -62,8 +61,6 @@ class FrictionCurve:
         (points,), of each solved case
     friction
         arrays over the points
-    film_parameter
-        (points,), the least λ of all contacts; NaN where it is not known
     controlled
         under friction control; None for a set of rows
     """
@@ -74,7 +71,6 @@ class FrictionCurve:
     values: Floats
     status: NDArray[np.str_]
     friction: Friction
-    film_parameter: Floats
     controlled: Controlled | None
 
     def __len__(self) -> int:
@@ -137,91 +133,44 @@ def friction_curve(
             field=_COEFFICIENT,
             example="--coefficient 0.1",
         )
-    blocks = _blocks(case, over, hysteresis)
-    found = joined([analysis for _, _, analysis in blocks])
-    assert found.friction is not None
-    film = None if found.film is None else least_film_parameter(found.film)
+    solutions = _solutions(case, over)
+    found = joined([friction(solved, hysteresis=hysteresis, compare=True) for solved in solutions])
     return FrictionCurve(
         case=case,
         label=label,
         field=over.field,
         values=over.values,
-        status=np.concatenate([batch.status for _, batch, _ in blocks]),
-        friction=found.friction,
-        film_parameter=np.full(len(over.values), np.nan) if film is None else film,
-        controlled=_controlled(case, over, blocks),
+        status=np.concatenate([solved.status.code for solved in solutions]),
+        friction=found,
+        controlled=None if case.bearing.is_set else joined(list(map(_controlled, solutions))),
     )
 
 
-Block = tuple[Case, BatchState, BatchAnalysis]
-
-
-def _blocks(case: Case, over: Range, hysteresis: float) -> list[Block]:
-    """One batch where the field varies as an array, else a batch of one for each value."""
+def _solutions(case: Case, over: Range) -> list[Solved]:
+    """One result where the field varies as an array, else one for each value."""
     name, values = over.field.name, over.values
     if name in array_fields():
-        batch = solve_batch(case, {name: values})
-        mu = values if name == _COEFFICIENT else None
-        warm = values if name == _TEMPERATURE else None
-        analysis = analyse_batch(
-            case,
-            batch,
-            model="jones_full",
-            hysteresis=hysteresis,
-            compare=True,
-            friction_coefficient=mu,
-            lubricant_temperature=warm,
-        )
-        return [(case, batch, analysis)]
-    return [_single(own, hysteresis) for own in _cases(case, over)]
+        return [solve(case, {name: values})]
+    refuse_many_singles(len(values))
+    return [solve(base_case(case, {name: float(value)})) for value in values]
 
 
-def _cases(case: Case, over: Range) -> list[Case]:
-    refuse_many_singles(len(over.values))
-    return [base_case(case, {over.field.name: float(value)}) for value in over.values]
-
-
-def _single(case: Case, hysteresis: float) -> Block:
-    batch = solve_batch(case)
-    analysis = analyse_batch(case, batch, model="jones_full", hysteresis=hysteresis, compare=True)
-    return case, batch, analysis
-
-
-def _controlled(case: Case, over: Range, blocks: Sequence[Block]) -> Controlled | None:
-    """Solve again under friction control, unless that is how it was solved."""
-    if case.bearing.is_set:
-        return None
-    name = over.field.name
-    parts = []
-    for own, solved, _ in blocks:
-        batch = solved
-        if own.model.raceway_control != "friction":
-            changed = own.replace(model=own.model.replace(raceway_control="friction"))
-            values = {name: over.values} if name in array_fields() else {}
-            batch = solve_batch(changed, values)
-        parts.append(_motion(batch))
-    return Controlled(*(np.concatenate(columns) for columns in zip(*parts, strict=True)))
-
-
-def _motion(batch: BatchState) -> tuple[Floats, Floats, Floats, Floats]:
-    """Torque, cage speed and the ratios of the heaviest ball; NaN without a result."""
-    from rolamento.rows.ball import layout
-
-    row = batch.rows[0]
-    nothing = np.full(len(batch), np.nan)
-    if row.rolling is None:
-        return nothing, nothing, nothing, nothing
-    table = batch.balls()
-    speed = np.abs(row.parameters[layout.INNER_SPEED] - row.parameters[layout.OUTER_SPEED])
-    power = row.rolling.power.sum(axis=(1, 2))
+def _controlled(solved: Solved) -> Controlled:
+    """What friction control makes of cases, unless that is how they were solved."""
+    case = solved.case
+    if case.model.raceway_control != "friction":
+        own = case.replace(model=case.model.replace(raceway_control="friction"))
+        solved = solve(own, solved.varied)
+    nothing = np.full(len(solved), np.nan)
+    if solved.rolling is None:
+        return Controlled(nothing, nothing, nothing, nothing)
+    speed = np.abs(relative_speed(solved))
     with np.errstate(divide="ignore", invalid="ignore"):
-        torque = np.where(speed > 0.0, power / speed, np.nan)
-    heaviest = np.argmax(np.nan_to_num(table.inner.load), axis=1)[:, np.newaxis]
+        torque = np.where(speed > 0.0, solved.rolling.power / speed, np.nan)
+    heaviest = np.argmax(np.nan_to_num(solved.inner.load), axis=1)[:, np.newaxis]
     ratios = (
-        np.take_along_axis(values, heaviest, axis=1)[:, 0]
-        for values in (table.motion.inner_spin_to_roll, table.motion.outer_spin_to_roll)
+        np.take_along_axis(contacts.spin_to_roll, heaviest, axis=1)[:, 0]
+        for contacts in (solved.inner, solved.outer)
     )
-    inner, outer = (np.where(batch.converged, ratio, np.nan) for ratio in ratios)
-    solved = batch.converged
-    cage = np.where(solved, row.rolling.cage_speed, np.nan)
-    return np.where(solved, torque, np.nan), cage, inner, outer
+    columns = (torque, solved.rolling.cage_speed, *ratios)
+    return Controlled(*(np.where(solved.converged, column, np.nan) for column in columns))

@@ -13,30 +13,16 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 
 from rolamento.geometry import Race
-from rolamento.studies.ball_outputs import RACES, family
-from rolamento.studies.outputs import Floats, Output, Solved
+from rolamento.solved import RACES
+from rolamento.studies.bearing_outputs import family
+from rolamento.studies.outputs import Evaluation, Floats, Output
 
 if TYPE_CHECKING:
-    from rolamento.friction.slip import Patch, RelativeMotion
-    from rolamento.friction.summary import ContactModel
-
-__all__ = ["friction_outputs", "greatest_product"]
+    from rolamento.friction import Friction
+    from rolamento.solved import Solved
 
 _COEFFICIENT: Final = ("lubricant.friction_coefficient",)
 _OIL: Final = ("lubricant", "temperature.lubricant")
-_MODELS: Final[tuple[tuple[ContactModel, str], ...]] = (
-    ("jones_simplified", "Jones's simplified model"),
-    ("todd", "Todd's model"),
-    ("jones_control", "Jones's model with raceway control"),
-    ("jones_full", "Jones's full model"),
-    ("harris_1971", "Harris's model of 1971"),
-)
-_CLOSED_FORMS: Final = ("jones_simplified", "todd")
-_POINTS: Final = 41
-_ZOOMS: Final = 4
-_SHRINKING: Final = 0.1
-_BLOCK: Final = 2048
-"""Contacts at a time."""
 
 
 def friction_outputs() -> tuple[Output, ...]:
@@ -63,26 +49,33 @@ def friction_outputs() -> tuple[Output, ...]:
 
 
 def _of_models() -> Iterator[Output]:
-    for model, words in _MODELS:
-        for name, unit, attribute in (("torque", "N*m", "torque"), ("power", "W", "power")):
+    from rolamento.friction import CONTACT_MODELS, TORQUE_MODELS
+
+    for model in CONTACT_MODELS:
+        known = TORQUE_MODELS[model]
+        for name, unit in (("torque", "N*m"), ("power", "W")):
             yield Output(
                 f"friction_{name}_{model}",
                 unit,
-                f"friction {name} by {words}",
-                _total(model, attribute),
+                f"friction {name} by {known.long_title}",
+                _total(model, name),
                 needs=_COEFFICIENT,
-                slow=model not in _CLOSED_FORMS,
+                slow=not known.closed_form,
             )
 
 
 def _of_control() -> Iterator[Output]:
     """What friction control finds, where the case is solved with it."""
-    for name, unit, words, compute in (
-        ("rolling_power", "W", "power lost in the contacts", _rolling_power),
-        ("cage_speed", "rad/s", "speed of the cage", _cage_speed),
+    for name, unit, words, attribute in (
+        ("rolling_power", "W", "power lost in the contacts", "power"),
+        ("cage_speed", "rad/s", "speed of the cage", "cage_speed"),
     ):
         yield Output(
-            name, unit, f"{words} under friction control", compute, needs=("friction control",)
+            name,
+            unit,
+            f"{words} under friction control",
+            _of_rolling(attribute),
+            needs=("friction control",),
         )
 
 
@@ -99,128 +92,89 @@ def _of_contacts() -> Iterator[Output]:
         yield from family(
             f"{race}_pressure_slip",
             "W/m^2",
-            f"greatest product of pressure and slip, {race} race",
+            f"maximum product of pressure and slip, {race} race",
             _pressure_slip(race),
             None,
             (),
         )
 
 
-def _total(model: ContactModel, attribute: str) -> Callable[[Solved], Floats]:
-    def compute(solved: Solved) -> Floats:
-        values: Floats = getattr(solved.friction(model), attribute)
-        return np.where(solved.has_friction, values, np.nan)
+def _coefficient(given: Evaluation) -> Floats:
+    """μ of every case; NaN where there is none that the friction models take."""
+    mu = given.solved.field("lubricant.friction_coefficient")
+    return np.where(mu <= 1.0, mu, np.nan)
+
+
+def _friction(solved: Solved, *, model: str) -> Friction:
+    """Torque, power and heat; without friction where there is no coefficient for the models."""
+    from rolamento.friction import friction
+
+    mu = solved.field("lubricant.friction_coefficient")
+    return friction(
+        solved,
+        friction_coefficient=np.where(mu <= 1.0, mu, 0.0),
+        model=model,
+        film_parameter=np.nan,
+        compare=False,
+        threads=1,
+    )
+
+
+def _total(model: str, attribute: str) -> Callable[[Evaluation], Floats]:
+    def compute(given: Evaluation) -> Floats:
+        values: Floats = getattr(given.of(_friction, model=model), attribute)
+        return np.where(np.isnan(_coefficient(given)), np.nan, values)
 
     return compute
 
 
-def _source(name: str) -> Callable[[Solved], Floats]:
-    def compute(solved: Solved) -> Floats:
-        found = solved.friction("jones_simplified").torque_by_source.get(name)
-        return np.where(solved.has_friction, np.nan if found is None else found, np.nan)
+def _source(name: str) -> Callable[[Evaluation], Floats]:
+    def compute(given: Evaluation) -> Floats:
+        found = given.of(_friction, model="jones_simplified").torque_by_source.get(name)
+        unknown = np.isnan(_coefficient(given))
+        return np.where(unknown, np.nan, np.nan if found is None else found)
 
     return compute
 
 
-def _rolling_power(solved: Solved) -> Floats:
-    rolling = solved.batch.rows[0].rolling
-    if rolling is None:
-        return np.full(len(solved.batch), np.nan)
-    return np.where(solved.batch.converged, rolling.power.sum(axis=(1, 2)), np.nan)
+def _of_rolling(attribute: str) -> Callable[[Evaluation], Floats]:
+    def compute(given: Evaluation) -> Floats:
+        rolling, converged = given.solved.rolling, given.solved.converged
+        return np.where(
+            converged, np.nan if rolling is None else getattr(rolling, attribute), np.nan
+        )
+
+    return compute
 
 
-def _cage_speed(solved: Solved) -> Floats:
-    rolling = solved.batch.rows[0].rolling
-    if rolling is None:
-        return np.full(len(solved.batch), np.nan)
-    return np.where(solved.batch.converged, rolling.cage_speed, np.nan)
-
-
-def _spin_loss(race: Race) -> Callable[[Solved], Floats]:
+def _spin_loss(race: Race) -> Callable[[Evaluation], Floats]:
     """M_s |ω_s| with the spin as it was solved; 0 at a race that a ball rolls on without spin."""
 
-    def compute(solved: Solved) -> Floats:
-        from rolamento.friction.spin import spin_moment
+    def compute(given: Evaluation) -> Floats:
+        from rolamento.friction.closed_forms import spin_moment
+        from rolamento.friction.slip import Patch
 
-        motion = solved.balls.motion
-        spin = motion.inner_spin if race == "inner" else motion.outer_spin
-        mu = solved.friction_coefficient[:, np.newaxis]
-        balls = solved.loaded_balls
-        loss = spin_moment(balls.patch(race), mu) * np.abs(spin)
-        return np.where(balls.loaded, loss, np.where(np.isnan(balls.outer.load), np.nan, 0.0))
-
-    return compute
-
-
-def _pressure_slip(race: Race) -> Callable[[Solved], Floats]:
-    def compute(solved: Solved) -> Floats:
-        from rolamento.friction.slip import BallVelocity, relative_motion
-
-        balls = solved.loaded_balls
-        patch = balls.patch(race)
-        yaw = solved.balls.yaw
-        across = balls.ball_speed * np.cos(balls.attitude)
-        ball = BallVelocity(
-            across * np.cos(yaw),
-            across * np.sin(yaw),
-            -balls.ball_speed * np.sin(balls.attitude),
-        )
-        motion = relative_motion(patch, ball, balls.ring_speed(race))
-        value = greatest_product(patch, motion)
-        touching = np.where(np.isnan(balls.outer.load), np.nan, 0.0)
-        return np.where(balls.loaded, value, touching)
+        contacts = given.solved.contacts[race]
+        mu = given.solved.field("lubricant.friction_coefficient")[:, np.newaxis]
+        loss = spin_moment(Patch.of(contacts), mu) * np.abs(contacts.spin)
+        return _of_loaded(given.solved, loss)
 
     return compute
 
 
-def greatest_product(patch: Patch, motion: RelativeMotion) -> Floats:
-    """Return the greatest product p·v of each contact; W/m², NaN without a contact.
+def _pressure_slip(race: Race) -> Callable[[Evaluation], Floats]:
+    def compute(given: Evaluation) -> Floats:
+        from rolamento.friction.slip import Patch, fast_maximum_pressure_slip, solved_motion
 
-    For a ball that does not tumble, v² = v_y(u)² + (b ω_n v)² at u = x0/a, v = y0/b, and over v
-    (1 - u² - v²)(A² + B² v²) is greatest at v² = max(0, ((1 - u²) B² - A²)/(2 B²)): only u is left
-    to be searched. Where balls tumble, the whole ellipse is searched.
-    """
-    from rolamento.friction.slip import RelativeMotion, greatest_pressure_slip
+        patch, motion = Patch.of(given.solved.contacts[race]), solved_motion(given.solved, race)
+        return _of_loaded(given.solved, fast_maximum_pressure_slip(patch, motion))
 
-    shape = patch.load.shape
-    flat = patch.mapped(np.ravel)
-    columns = [np.ravel(a) for a in (motion.drift, motion.roll, motion.twist, motion.tumble)]
-    tumbles = bool(np.any(np.nan_to_num(columns[3]) != 0.0))
-    found = np.full(flat.load.size, np.nan)
-    size = _BLOCK // 16 if tumbles else _BLOCK
-    (contacts,) = np.nonzero(flat.load > 0.0)
-    for first in range(0, contacts.size, size):
-        some = contacts[first : first + size]
-        part = flat.mapped(lambda array, chosen=some: array[chosen])  # type: ignore[misc]
-        drift, roll, twist, tumble = (column[some] for column in columns)
-        own = RelativeMotion(drift, roll, twist, tumble, motion.side)
-        if tumbles:
-            found[some] = greatest_pressure_slip(part, own).value
-        else:
-            found[some] = _without_tumbling(part, own)
-    return found.reshape(shape)
+    return compute
 
 
-def _without_tumbling(patch: Patch, motion: RelativeMotion) -> Floats:
-    """The greatest product of contacts (contacts,): a grid over u, then grids about its best."""
-    points = patch.at_points()
-    drift, roll, twist = (
-        array[:, np.newaxis] for array in (motion.drift, motion.roll, motion.twist)
-    )
-    across = (points.semi_minor * twist) ** 2
-    steps, centre, width = np.linspace(-1.0, 1.0, _POINTS), np.zeros((patch.load.size, 1)), 1.0
-    best = np.zeros(patch.load.size)
-    for _ in range(_ZOOMS):
-        u = np.clip(centre + width * steps, -1.0, 1.0)
-        rolling = drift + motion.side * points.rolling_radius(u) * roll
-        along = (rolling - points.semi_major * u * twist) ** 2
-        room = 1.0 - u**2
-        with np.errstate(divide="ignore", invalid="ignore"):
-            square = np.where(across > 0.0, 0.5 * (room - along / across), 0.0)
-        square = np.clip(square, 0.0, room)
-        product = (room - square) * (along + across * square)
-        place = np.argmax(product, axis=1)[:, np.newaxis]
-        centre = np.take_along_axis(u, place, axis=1)
-        best = np.maximum(best, np.take_along_axis(product, place, axis=1)[:, 0])
-        width *= _SHRINKING
-    return np.sqrt(best) * patch.max_pressure
+def _of_loaded(solved: Solved, values: Floats) -> Floats:
+    """Values of the balls that bear on both races, 0 of the others."""
+    from rolamento.friction.model import bears_on_both
+
+    unloaded = np.where(np.isnan(solved.outer.load), np.nan, 0.0)
+    return np.where(bears_on_both(solved), values, unloaded)

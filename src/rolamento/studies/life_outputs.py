@@ -8,33 +8,26 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 
 from rolamento.errors import InputError
-from rolamento.studies.outputs import Floats, Output, Solved
+from rolamento.life import LifeSummary, life
+from rolamento.life.theories import THEORIES
+from rolamento.life.theory import CLEANLINESS, REQUIRED_LIFE, VISCOSITY_RATIO
+from rolamento.studies.outputs import Evaluation, Floats, Output
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from rolamento.case import Case
-    from rolamento.life import Headline, Life, LifeConditions, LifeSummary
+    from rolamento.life import Headline, Life
+    from rolamento.solved import Solved
 
 __all__ = ["life_outputs", "refuse_lifeless"]
 
 Get = Callable[["LifeSummary"], "Floats | None"]
 
 _LIFE: Final = ("life",)
-_MODIFIED: Final = (*_LIFE, "viscosity ratio", "cleanliness")
-_STRESS_VOLUME: Final = "ioannides_harris"
-_BEST: Final = ""
+_MODIFIED: Final = (*_LIFE, VISCOSITY_RATIO.name, CLEANLINESS.name)
+_LEADING: Final = ""
 """In the place of a theory's name: the life that leads."""
-_THEORIES: Final = (
-    (_BEST, "the one that leads: ISO/TS 16281, modified where it can be", _LIFE),
-    ("iso281", "basic, ISO 281", _LIFE),
-    ("iso281_modified", "modified, ISO 281", _MODIFIED),
-    ("iso281_1990", "adjusted, ISO 281:1990", (*_LIFE, "adjustment")),
-    ("iso16281", "basic reference, ISO/TS 16281", _LIFE),
-    ("iso16281_modified", "modified reference, ISO/TS 16281", _MODIFIED),
-    (_STRESS_VOLUME, "by Ioannides and Harris", _LIFE),
-    ("l_able", "L_able of NSK", (*_LIFE, "life.nsk_cleanliness", "viscosity ratio")),
-)
 _HOURS: Final = "h"
 _REVOLUTIONS: Final = "Mrev"
 """As the whole field counts lives; the only outputs that are not in SI units."""
@@ -54,14 +47,14 @@ def refuse_lifeless(case: Case, varied: frozenset[str]) -> None:
         For a thrust bearing, geometry without a rating, or oil dirtier than all classes.
     """
     from rolamento.life import conditions_of
-    from rolamento.life.equivalent_load import STEEPEST
+    from rolamento.life.equivalent_load import MAXIMUM_ANGLE
     from rolamento.ratings import dynamic_factor
 
     if any(name.startswith(("bearing.", "life.")) for name in varied):
         return
     rows = [place.bearing for place in case.bearing.places]
     angle = np.array([row.contact_angle or 0.0 for row in rows])
-    if np.any(angle > STEEPEST * (1.0 + 1e-9)):
+    if np.any(angle > MAXIMUM_ANGLE * (1.0 + 1e-9)):
         raise InputError(
             "is a thrust bearing's: it has no life by these theories, which go up to 45°",
             field="case.bearing.contact_angle",
@@ -82,39 +75,36 @@ def refuse_lifeless(case: Case, varied: frozenset[str]) -> None:
 
 
 def _of_theories() -> Iterator[Output]:
-    for theory, words, needs in _THEORIES:
+    leading = (_LEADING, "the one that leads: ISO/TS 16281, modified where it can be", _LIFE, False)
+    own = (
+        (one.name, one.title, (*_LIFE, *(need.name for need in one.needs)), one.slow)
+        for one in THEORIES.values()
+    )
+    for theory, title, needs, slow in (leading, *own):
         end = f"_{theory}" if theory else ""
-        stress = theory == _STRESS_VOLUME
         for name, unit, what, attribute in (
             ("life_hours", _HOURS, "life in hours", "hours"),
             ("life_revolutions", _REVOLUTIONS, "life in millions of revolutions", "life"),
         ):
-            get = _life(theory, attribute)
-            yield Output(
-                f"{name}{end}",
-                unit,
-                f"{what}, {words}",
-                _number(get, stress),
-                needs=needs,
-                slow=stress,
-            )
+            compute = _number(_life(theory, attribute), slow)
+            yield Output(f"{name}{end}", unit, f"{what}, {title}", compute, needs=needs, slow=slow)
         yield Output(
             f"life_holds{end}",
             "1",
-            f"1 where the life holds, else 0, {words}",
-            _holds(theory, stress),
+            f"1 where the life is valid, else 0, {title}",
+            _validity(theory, slow),
             kind="whole",
             needs=needs,
-            slow=stress,
+            slow=slow,
         )
 
 
 def _bound() -> Output:
-    def compute(solved: Solved) -> NDArray[np.int32]:
-        summary = solved.life(stress_volume=False)
+    def compute(found: Evaluation) -> NDArray[np.int32]:
+        summary = found.of(_life_if_any, stress_volume=False)
         if summary is None:
-            return np.zeros(len(solved.batch), np.int32)
-        return np.asarray(summary.headline.below & solved.batch.converged, np.int32)
+            return np.zeros(len(found.solved), np.int32)
+        return np.asarray(summary.headline.below & found.solved.converged, np.int32)
 
     words = "1 where the life that leads is below its number, an upper bound, else 0"
     return Output("life_below", "1", words, compute, kind="whole", needs=_LIFE)
@@ -126,7 +116,7 @@ def _of_loads() -> Iterator[Output]:
         ("static_rating", "N", "static rating C_0", lambda s: s.ratings.static_of_set),
         ("fatigue_load_limit", "N", "fatigue load limit C_u", lambda s: s.ratings.fatigue_of_set),
         ("equivalent_load", "N", "dynamic equivalent load P, ISO 281", lambda s: s.loads.dynamic),
-        ("reference_load", "N", "equivalent load by ISO/TS 16281", _reference_load),
+        ("reference_load", "N", "equivalent load by ISO/TS 16281", lambda s: s.reference_load),
         ("static_equivalent_load", "N", "static equivalent load P_0", lambda s: s.loads.static),
         ("static_safety", "1", "static safety S_0 = C_0/P_0", lambda s: s.loads.safety),
         ("rating_over_load", "1", "C/P, dynamic rating over equivalent load", _rating_over_load),
@@ -135,20 +125,19 @@ def _of_loads() -> Iterator[Output]:
 
 
 def _of_factors() -> Iterator[Output]:
+    factors = (
+        (f"modification_factor_{one.name.removesuffix('_modified')}", one.name, one.title)
+        for one in THEORIES.values()
+        if CLEANLINESS in one.needs
+    )
     for name, words, get, needs in (
         ("contamination_factor", "contamination factor e_C", _contamination, _MODIFIED),
-        ("modification_factor_iso281", "a_ISO, ISO 281", _factor("iso281_modified"), _MODIFIED),
-        (
-            "modification_factor_iso16281",
-            "a_ISO, ISO/TS 16281",
-            _factor("iso16281_modified"),
-            _MODIFIED,
-        ),
+        *((name, f"a_ISO, {title}", _factor(theory), _MODIFIED) for name, theory, title in factors),
         (
             "wanted_reliability",
-            "reliability of the wanted life",
-            _wanted,
-            (*_LIFE, "life.wanted_life"),
+            "reliability of the required life",
+            _reliability_of_required,
+            (*_LIFE, REQUIRED_LIFE.name),
         ),
     ):
         yield Output(name, "1", words, _number(get), needs=needs)
@@ -165,30 +154,38 @@ def _of_limit() -> Iterator[Output]:
         yield Output(name, "1", words, _number(get), needs=_LIFE)
 
 
-def _number(get: Get, stress_volume: bool = False) -> Callable[[Solved], Floats]:
+def _life_if_any(solved: Solved, *, stress_volume: bool) -> LifeSummary | None:
+    """Life by every theory that the cases allow; None if they allow none."""
+    try:
+        return life(solved, stress_volume=stress_volume)
+    except InputError:  # a thrust bearing or one without a rating, one of many in a study
+        return None
+
+
+def _number(get: Get, stress_volume: bool = False) -> Callable[[Evaluation], Floats]:
     """Take a number of every case; NaN where there is none."""
 
-    def compute(solved: Solved) -> Floats:
-        summary = solved.life(stress_volume=stress_volume)
-        found = None if summary is None else get(summary)
-        return np.where(solved.batch.converged, np.nan if found is None else found, np.nan)
+    def compute(found: Evaluation) -> Floats:
+        summary = found.of(_life_if_any, stress_volume=stress_volume)
+        own = None if summary is None else get(summary)
+        return np.where(found.solved.converged, np.nan if own is None else own, np.nan)
 
     return compute
 
 
-def _holds(theory: str, stress_volume: bool) -> Callable[[Solved], NDArray[np.int32]]:
-    def compute(solved: Solved) -> NDArray[np.int32]:
-        summary = solved.life(stress_volume=stress_volume)
-        found = None if summary is None else _record(summary, theory)
-        if found is None:
-            return np.zeros(len(solved.batch), np.int32)
-        return np.asarray(found.holds & solved.batch.converged, np.int32)
+def _validity(theory: str, stress_volume: bool) -> Callable[[Evaluation], NDArray[np.int32]]:
+    def compute(found: Evaluation) -> NDArray[np.int32]:
+        summary = found.of(_life_if_any, stress_volume=stress_volume)
+        own = None if summary is None else _record(summary, theory)
+        if own is None:
+            return np.zeros(len(found.solved), np.int32)
+        return np.asarray(own.valid & found.solved.converged, np.int32)
 
     return compute
 
 
 def _record(summary: LifeSummary, theory: str) -> Life | Headline | None:
-    return summary.headline if theory == _BEST else summary.theories.get(theory)
+    return summary.headline if theory == _LEADING else summary.theories.get(theory)
 
 
 def _life(theory: str, attribute: str) -> Get:
@@ -207,10 +204,6 @@ def _factor(theory: str) -> Get:
     return get
 
 
-def _reference_load(summary: LifeSummary) -> Floats:
-    return summary["iso16281"].factors["equivalent_load"]
-
-
 def _rating_over_load(summary: LifeSummary) -> Floats:
     with np.errstate(divide="ignore"):
         return np.asarray(summary.ratings.dynamic_of_set / summary.loads.dynamic)
@@ -220,15 +213,14 @@ def _contamination(summary: LifeSummary) -> Floats | None:
     return summary.contamination_factor
 
 
-def _wanted(summary: LifeSummary) -> Floats | None:
-    conditions: LifeConditions = summary.conditions
-    wanted = conditions.wanted_life
-    return None if wanted is None else summary.reliability_after(wanted)
+def _reliability_of_required(summary: LifeSummary) -> Floats | None:
+    required = summary.conditions.wanted_life
+    return None if required is None else summary.reliability_after(required)
 
 
 def _inner_share(summary: LifeSummary) -> Floats:
     """Part of the inner races in Σ L^-e over all races; NaN without an end."""
-    from rolamento.life.reference import SLOPE, system_life
+    from rolamento.life.iso16281 import SLOPE, system_life
 
     inner, whole = system_life(summary.reference.inner), summary.reference.life
     with np.errstate(divide="ignore", invalid="ignore"):

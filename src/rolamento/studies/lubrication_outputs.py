@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
 from rolamento.geometry import Race
-from rolamento.studies.ball_outputs import RACES, family
-from rolamento.studies.outputs import Floats, Output, Solved
+from rolamento.solved import RACES
+from rolamento.studies.bearing_outputs import family
+from rolamento.studies.outputs import Evaluation, Floats, Output
 
-__all__ = ["lubrication_outputs"]
+if TYPE_CHECKING:
+    from rolamento.lubrication import Film
+    from rolamento.solved import Solved
 
 _OIL: Final = ("lubricant", "temperature.lubricant")
 _ROUGH: Final = (*_OIL, "surface")
@@ -30,24 +33,16 @@ def lubrication_outputs() -> tuple[Output, ...]:
         Output(
             "film_parameter",
             "1",
-            "film parameter λ: least of all contacts",
-            _least_parameter,
+            "film parameter λ: minimum of all contacts",
+            lambda given: given.of(_film).minimum_film_parameter,
             needs=_ROUGH,
         ),
-        Output(
-            "viscosity_ratio",
-            "1",
-            "viscosity ratio κ",
-            lambda solved: np.where(solved.batch.converged, solved.film.viscosity_ratio, np.nan),
-            needs=_OIL,
-        ),
+        Output("viscosity_ratio", "1", "viscosity ratio κ", _of_oil("viscosity_ratio"), needs=_OIL),
         Output(
             "kinematic_viscosity",
             "m^2/s",
             "kinematic viscosity of the lubricant",
-            lambda solved: np.where(
-                solved.batch.converged, solved.film.oil.kinematic_viscosity, np.nan
-            ),
+            _of_oil("kinematic_viscosity"),
             needs=_OIL,
         ),
     )
@@ -60,16 +55,17 @@ def _of_contacts() -> Iterator[Output]:
             yield from family(f"{race}_{name}", unit, f"{words}, {race} race", get, None, needs)
 
 
-def _contact(race: Race, attribute: str) -> Callable[[Solved], Floats]:
-    def get(solved: Solved) -> Floats:
-        films = solved.film.inner if race == "inner" else solved.film.outer
-        values: Floats = getattr(films, attribute)
-        return values
+def _film(solved: Solved) -> Film:
+    from rolamento.lubrication import film
 
-    return get
+    return film(solved, threads=1)
 
 
-def _least_parameter(solved: Solved) -> Floats:
-    from rolamento.analysis import least_film_parameter
+def _contact(race: Race, attribute: str) -> Callable[[Evaluation], Floats]:
+    return lambda given: getattr(given.of(_film).of(race), attribute)
 
-    return least_film_parameter(solved.film)
+
+def _of_oil(attribute: str) -> Callable[[Evaluation], Floats]:
+    return lambda given: np.where(
+        given.solved.converged, getattr(given.of(_film), attribute), np.nan
+    )

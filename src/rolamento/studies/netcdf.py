@@ -16,8 +16,7 @@ import h5netcdf
 import numpy as np
 
 from rolamento._writing import check_space
-from rolamento.studies.layout import Layout, Variable, slabs
-from rolamento.studies.plan import Part, Plan
+from rolamento.studies.plan import Layout, Part, Plan, Variable, slabs
 
 __all__ = ["netcdf_writer"]
 

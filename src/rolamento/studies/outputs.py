@@ -5,31 +5,24 @@ Each module of outputs offers its own as a tuple; a new one is named in `catalog
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Hashable, Iterable, Mapping
 from dataclasses import dataclass
-from functools import cache, cached_property
-from typing import TYPE_CHECKING, Any, Final, Literal
+from functools import cache
+from typing import TYPE_CHECKING, Any, Final, Literal, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rolamento.analysis.needs import has_life
-from rolamento.case.life_model import DIRT
 from rolamento.errors import InputError, UnknownKeyError, nearest
 
 if TYPE_CHECKING:
     from rolamento.case import Case
-    from rolamento.contact.hertz import HertzContact
-    from rolamento.friction import Friction, LoadedBalls
-    from rolamento.friction.summary import ContactModel
-    from rolamento.geometry import Race
-    from rolamento.life import LifeSummary
-    from rolamento.lubrication import FilmTable
-    from rolamento.rows.ball import BatchState
-    from rolamento.rows.ball.detail import BallTable, ContactTable
+    from rolamento.life.theory import Need
+    from rolamento.solved import Solved
 
-__all__ = ["DEFAULT_OUTPUTS", "Output", "Solved", "catalogue", "outputs_of", "refuse_missing"]
 
+T = TypeVar("T")
 Floats = NDArray[np.float64]
 
 DEFAULT_OUTPUTS: Final = (
@@ -46,146 +39,20 @@ DEFAULT_OUTPUTS: Final = (
 )
 
 
-class Solved:
-    """A solved batch, from which each output takes what it needs; shared parts are made once.
+class Evaluation:
+    """A solved batch, and what each law says of it, found once for all outputs that ask."""
 
-    Parameters
-    ----------
-    batch
-        From `solve_batch`.
-    case
-        The one that was solved; film, friction and life take lubricant, temperature, surface and
-        ratings of it.
-    values
-        What varied, by the dotted names of the fields; SI.
-    """
+    def __init__(self, solved: Solved) -> None:
+        self.solved = solved
+        self._found: dict[tuple[object, ...], Any] = {}
 
-    def __init__(
-        self,
-        batch: BatchState,
-        case: Case | None = None,
-        values: Mapping[str, NDArray[Any]] | None = None,
-    ) -> None:
-        self.batch, self._case, self._values = batch, case, values or {}
-
-    @property
-    def case(self) -> Case:
-        """What was solved."""
-        assert self._case is not None
-        return self._case
-
-    @cached_property
-    def shared(self) -> BatchState:
-        """The batch, whose balls and ellipses are made once for all that follows from it."""
-        from rolamento.analysis import remembering
-
-        return remembering(self.batch)
-
-    @cached_property
-    def loaded_balls(self) -> LoadedBalls:
-        """The balls as the friction models see them."""
-        from rolamento.friction import loaded_balls
-
-        return loaded_balls(self.shared)
-
-    @cached_property
-    def film(self) -> FilmTable:
-        """The film of every contact."""
-        from rolamento.lubrication import film_of_batch
-
-        given = self._values.get("temperature.lubricant")
-        warm = None if given is None else self._sound(given)
-        return film_of_batch(self.case, self.shared, lubricant_temperature=warm, threads=1)
-
-    @cached_property
-    def friction_coefficient(self) -> Floats:
-        """μ of every case."""
-        given = self._values.get("lubricant.friction_coefficient")
-        own = None if self.case.lubricant is None else self.case.lubricant.friction_coefficient
-        mu = own if given is None else self._sound(given)
-        return np.full(len(self.batch), mu, np.float64)
-
-    @property
-    def has_friction(self) -> NDArray[np.bool_]:
-        """Whether a case has a coefficient that the friction models take."""
-        return np.asarray(self.friction_coefficient <= 1.0)
-
-    @cached_property
-    def _frictions(self) -> dict[str, Friction]:
-        return {}
-
-    def friction(self, model: ContactModel) -> Friction:
-        """Torque, power and heat with a model of the contacts.
-
-        Where there is no coefficient that the models take, it is taken as zero: `has_friction`.
-        """
-        from rolamento.friction import friction
-
-        if model not in self._frictions:
-            self._frictions[model] = friction(
-                self.shared,
-                friction_coefficient=np.where(self.has_friction, self.friction_coefficient, 0.0),
-                model=model,
-                dynamic_viscosity=self.film.oil.dynamic_viscosity if self._has_film else None,
-                compare=False,
-            )
-        return self._frictions[model]
-
-    @cached_property
-    def _lives(self) -> dict[bool, LifeSummary | None]:
-        return {}
-
-    def life(self, *, stress_volume: bool = False) -> LifeSummary | None:
-        """Life by every theory that the case allows; None if it allows none.
-
-        stress_volume: with that of Ioannides and Harris, which takes long.
-        """
-        if stress_volume not in self._lives:
-            self._lives[stress_volume] = self._life(stress_volume)
-        return self._lives[stress_volume]
-
-    def _life(self, stress_volume: bool) -> LifeSummary | None:
-        from rolamento.life import conditions_of, life_of_batch
-
-        names = [name for name in self._values if name.startswith(("life.", "temperature."))]
-        values = {name: self._sound(self._values[name]) for name in names}
-        try:
-            conditions = conditions_of(self.case, values)
-            return life_of_batch(self.case, self.shared, conditions, stress_volume=stress_volume)
-        except InputError:  # a thrust bearing or one without a rating, one of many in a study
-            return None
-
-    @property
-    def _has_film(self) -> bool:
-        lubricant = self.case.lubricant
-        warm = (
-            "temperature.lubricant" in self._values or self.case.lubricant_temperature is not None
-        )
-        return lubricant is not None and lubricant.kind != "dry" and warm
-
-    def _sound(self, values: NDArray[Any]) -> Floats:
-        """Replace what made a case invalid: its results are NaN whatever stands there."""
-        invalid = self.batch.status == "invalid_input"
-        return np.where(invalid, 1.0, np.asarray(values, dtype=np.float64))
-
-    @cached_property
-    def balls(self) -> BallTable:
-        """Every ball of every case."""
-        return self.shared.balls()
-
-    @cached_property
-    def _hertz(self) -> dict[Race, HertzContact]:
-        return {}
-
-    def hertz(self, race: Race) -> HertzContact:
-        """Ellipse and pressure of every contact of a race."""
-        if race not in self._hertz:
-            self._hertz[race] = self.shared.contact(race, self.balls)
-        return self._hertz[race]
-
-    def contacts(self, race: Race) -> ContactTable:
-        """Load, angle and deflection of every contact of a race."""
-        return self.balls.inner if race == "inner" else self.balls.outer
+    def of(self, law: Callable[..., T], **options: Hashable) -> T:
+        """Return what a law says of the batch, such as ``of(friction, model="todd")``."""
+        key = (law, *sorted(options.items()))
+        if key not in self._found:
+            self._found[key] = law(self.solved, **options)
+        found: T = self._found[key]
+        return found
 
 
 @dataclass(frozen=True, slots=True)
@@ -216,7 +83,7 @@ class Output:
     name: str
     unit: str
     long_name: str
-    compute: Callable[[Solved], NDArray[Any]]
+    compute: Callable[[Evaluation], NDArray[Any]]
     per_ball: bool = False
     kind: Literal["real", "whole"] = "real"
     needs: tuple[str, ...] = ()
@@ -234,13 +101,20 @@ class Output:
 
 
 @cache
+def needs_of_life() -> Mapping[str, Need]:
+    """Return what theories of life need of a case, by name."""
+    from rolamento.life.theories import NEEDS
+
+    return NEEDS
+
+
+@cache
 def catalogue() -> Mapping[str, Output]:
     """Return all outputs by name."""
-    from rolamento.studies.ball_outputs import ball_outputs
+    from rolamento.studies.bearing_outputs import ball_outputs, ring_outputs
     from rolamento.studies.friction_outputs import friction_outputs
     from rolamento.studies.life_outputs import life_outputs
     from rolamento.studies.lubrication_outputs import lubrication_outputs
-    from rolamento.studies.ring_outputs import ring_outputs
 
     providers = (ring_outputs, ball_outputs, lubrication_outputs, friction_outputs, life_outputs)
     return {output.name: output for provider in providers for output in provider()}
@@ -287,26 +161,6 @@ _MISSING: Final[Mapping[str, tuple[str, str]]] = {
         "a designation or a [life] table",
         '[life] with cleanliness = "-/17/14" and oil_supply = "circulating" in the case',
     ),
-    "viscosity ratio": (
-        "a viscosity ratio, or a lubricant and its temperature,",
-        "[life] with viscosity_ratio = 1.5 in the case",
-    ),
-    "cleanliness": (
-        "the cleanliness of the lubricant",
-        '[life] with cleanliness = "-/17/14" and oil_supply = "circulating" in the case',
-    ),
-    "adjustment": (
-        "a material factor or an operation factor",
-        "[life] with operation_factor = 0.8 in the case",
-    ),
-    "life.nsk_cleanliness": (
-        "the maker's cleanliness factor",
-        "[life] with nsk_cleanliness = 0.8 in the case",
-    ),
-    "life.wanted_life": (
-        "the life that is wanted",
-        '[life] with wanted_life = "20000 h" in the case',
-    ),
 }
 
 
@@ -322,7 +176,10 @@ def refuse_missing(outputs: Iterable[Output], case: Case, varied: Iterable[str])
     for output in outputs:
         for need in output.needs:
             if not _has(case, need, given):
-                what, example = _MISSING[need]
+                of_life = needs_of_life().get(need)
+                what, example = (
+                    _MISSING[need] if of_life is None else (of_life.what, of_life.example)
+                )
                 raise InputError(
                     f"needs {what}, which the case does not have",
                     field="outputs",
@@ -339,8 +196,10 @@ def refuse_missing(outputs: Iterable[Output], case: Case, varied: Iterable[str])
 def _has(case: Case, need: str, varied: frozenset[str]) -> bool:
     if need in varied or any(name.startswith(f"{need}.") for name in varied):
         return True
-    if need in _LIFE_NEEDS:
-        return _LIFE_NEEDS[need](case, varied)
+    if need == "life":
+        return has_life(case) or "bearing.designation" in varied
+    if need in needs_of_life():
+        return needs_of_life()[need].met(case, varied)
     lubricant = case.lubricant
     if need == "lubricant":
         return lubricant is not None and lubricant.kind != "dry"
@@ -352,27 +211,3 @@ def _has(case: Case, need: str, varied: frozenset[str]) -> bool:
     if need == "surface":
         return case.surface is not None
     return case.model.raceway_control == "friction" or "model.raceway_control" in varied
-
-
-def _has_of_life(case: Case, names: Iterable[str], varied: frozenset[str]) -> bool:
-    """Whether the [life] table has one of some fields, or one varies."""
-    return any(
-        f"life.{name}" in varied or getattr(case.life, name, None) is not None for name in names
-    )
-
-
-def _has_viscosity_ratio(case: Case, varied: frozenset[str]) -> bool:
-    given = _has_of_life(case, ("viscosity_ratio",), varied)
-    return given or all(_has(case, need, varied) for need in ("lubricant", "temperature.lubricant"))
-
-
-_LIFE_NEEDS: Final[Mapping[str, Callable[[Case, frozenset[str]], bool]]] = {
-    "life": lambda case, varied: has_life(case) or "bearing.designation" in varied,
-    "viscosity ratio": _has_viscosity_ratio,
-    "cleanliness": lambda case, varied: _has_of_life(case, DIRT, varied),
-    "adjustment": lambda case, varied: _has_of_life(
-        case, ("material_factor", "operation_factor"), varied
-    ),
-    "life.nsk_cleanliness": lambda case, varied: _has_of_life(case, ("nsk_cleanliness",), varied),
-    "life.wanted_life": lambda case, varied: _has_of_life(case, ("wanted_life",), varied),
-}

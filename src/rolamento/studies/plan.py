@@ -3,30 +3,40 @@
 Cases are counted with the last dimension the fastest. A chunk is a run of cases whose length
 follows from the study alone, so that whoever solves it, and with however many threads, gets the
 same numbers. It is short enough that a run can be stopped after any of them.
+
+`Layout` tells how a result is laid out, whatever the file.
 """
 
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property, lru_cache
 from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
 
-from rolamento.case import Case
+import rolamento
+from rolamento.case import Case, case_to_toml
 from rolamento.case.arrangement import ARRANGEMENTS
 from rolamento.errors import InputError
-from rolamento.studies.fields import Value
-from rolamento.studies.outputs import Output, Solved, outputs_of
-from rolamento.studies.reading import parse_study, study_to_json
-from rolamento.studies.sampling import Sampler
-from rolamento.studies.solving import INVALID_INPUT, array_fields, base_case, solve, status_names
-from rolamento.studies.study import SAMPLE, Study
-
-__all__ = ["Part", "Plan", "Task", "solve_task"]
+from rolamento.status import INVALID_INPUT, STATUS_NAMES
+from rolamento.studies.axes import Axis
+from rolamento.studies.fields import Field, Value, read_field
+from rolamento.studies.outputs import Evaluation, Output, outputs_of
+from rolamento.studies.scatter import Sampler
+from rolamento.studies.solving import array_fields, base_case, solve
+from rolamento.studies.study import (
+    SAMPLE,
+    Study,
+    coordinate_names,
+    parse_study,
+    study_to_json,
+    study_to_toml,
+)
 
 Indices = NDArray[np.intp]
 Floats = NDArray[np.float64]
@@ -102,7 +112,7 @@ class Plan:
         self._groups_shape = tuple(axis.size for axis in study.axes if study.is_grouped(axis))
         self._in_a_group = study.cases // math.prod(self._groups_shape)
         self._base_case = lru_cache(maxsize=256)(self._made_case)
-        self.balls = self._greatest_ball_count()
+        self.balls = self._maximum_ball_count()
         self.chunk = chunk or self._bounded_chunk()
 
     @property
@@ -160,17 +170,17 @@ class Plan:
         for group, cases in self._groups(first, last):
             # Twice if alone: a single case may be solved by plain Python, or by compiled code,
             # whose last digits differ, as the process happens to have it loaded.
-            solved = cases if len(cases) > 1 else np.repeat(cases, 2)
-            values = {name: values[solved] for name, values in varied.items()}
+            cases = cases if len(cases) > 1 else np.repeat(cases, 2)
+            values = {name: values[cases] for name, values in varied.items()}
             try:
                 case = self._base_case(group)
-                batch = solve(case, values, cases=len(solved), threads=threads)
+                found = solve(case, values, cases=len(cases), threads=threads)
             except InputError as error:
                 if str(error) not in messages and len(messages) < _MOST_MESSAGES:
                     messages.append(str(error))
                 continue
-            arrays["status"][solved] = batch.code
-            self._put(arrays, solved, Solved(batch, case, values))
+            arrays["status"][cases] = found.status.number
+            self._put(arrays, cases, Evaluation(found))
         return Part(index, arrays, tuple(messages))
 
     def task(self, index: int) -> Task:
@@ -184,18 +194,16 @@ class Plan:
 
     def empty(self, cases: int) -> dict[str, NDArray[Any]]:
         """Status and outputs of so many cases, none of them solved."""
-        arrays: dict[str, NDArray[Any]] = {
-            "status": np.full(cases, status_names()[INVALID_INPUT], np.int8)
-        }
+        arrays: dict[str, NDArray[Any]] = {"status": np.full(cases, INVALID_INPUT, np.int8)}
         for output in self.outputs:
             shape = (cases, self.balls) if output.per_ball else (cases,)
             arrays[output.name] = np.full(shape, output.absent, output.dtype)
         return arrays
 
-    def _put(self, arrays: Mapping[str, NDArray[Any]], cases: Indices, solved: Solved) -> None:
+    def _put(self, arrays: Mapping[str, NDArray[Any]], cases: Indices, given: Evaluation) -> None:
         """Compute the outputs of a group, and put them to their places."""
         for output in self.outputs:
-            values = output.compute(solved)
+            values = output.compute(given)
             if output.per_ball:
                 arrays[output.name][cases, : values.shape[1]] = values
             else:
@@ -234,7 +242,7 @@ class Plan:
             drawn = {name: np.concatenate([drawn[name], again[name]]) for name in drawn}
         return drawn
 
-    def _greatest_ball_count(self) -> int:
+    def _maximum_ball_count(self) -> int:
         """Of all the cases, over all rows, or somewhat more: the length of that dimension."""
         bearing = self.study.case.bearing
         columns = {name: column for columns in self.columns for name, column in columns.items()}
@@ -268,3 +276,158 @@ def solve_task(task: Task, threads: int | None = 1) -> Part:
 @lru_cache(maxsize=4)
 def _plan(study: str, chunk: int) -> Plan:
     return Plan(parse_study(study, format="json"), chunk)
+
+
+BALL: Final = "ball"
+_UNIT: Final = re.compile(r"[\d.+-]+(?:[eE][+-]?\d+)?\s*(.*)", re.DOTALL)
+
+
+@dataclass(frozen=True, slots=True)
+class Variable:
+    """A variable of the result.
+
+    values: of coordinates along the axes; ``None`` of what is written chunk by chunk.
+    """
+
+    name: str
+    dims: tuple[str, ...]
+    dtype: np.dtype[Any]
+    attrs: Mapping[str, Any] = field(default_factory=dict)
+    values: NDArray[Any] | None = None
+
+
+class Layout:
+    """The layout of a study's result.
+
+    Attributes
+    ----------
+    sizes
+        of all dimensions, ``"ball"`` included if there are outputs per ball
+    axes
+        coordinates along the axes
+    samples
+        scattered fields, along ``"sample"``
+    outputs
+        the status, then what was asked for
+    """
+
+    def __init__(self, plan: Plan) -> None:
+        self.plan = plan
+        study = plan.study
+        self.names = coordinate_names(study)
+        self.dims = tuple(study.sizes)
+        self.sizes = dict(study.sizes)
+        if any(output.per_ball for output in plan.outputs):
+            self.sizes[BALL] = plan.balls
+        self.axes = tuple(self._along_axes())
+        scattered = tuple(study.scatter.fields) if study.scatter is not None else ()
+        self.samples = tuple(
+            Variable(
+                self.names[name], (SAMPLE,), np.dtype(np.float64), field_attrs(read_field(name))
+            )
+            for name in scattered
+        )
+        self.outputs = (self._status(), *self._chosen())
+
+    @property
+    def coordinates(self) -> str:
+        """Names of the coordinates that are no dimension, as the CF conventions list them."""
+        names = [variable.name for variable in (*self.axes, *self.samples)]
+        return " ".join(name for name in names if name not in self.sizes)
+
+    def attrs(self, counts: Mapping[str, int], messages: tuple[str, ...]) -> dict[str, Any]:
+        """Return the attributes of the whole result.
+
+        counts: cases by status; messages: why some are not valid.
+        """
+        study = self.plan.study
+        attrs: dict[str, Any] = {
+            "title": study.title or study.case.title,
+            "case": case_to_toml(study.case),
+            "study": study_to_toml(study),
+            "rolamento_version": rolamento.__version__,
+            "seed": study.seed,
+            "cases": self.plan.cases,
+        }
+        attrs.update({f"cases_{name}": count for name, count in counts.items() if count})
+        if messages:
+            attrs["invalid_input_messages"] = "\n".join(messages)
+        return attrs
+
+    def _along_axes(self) -> Iterator[Variable]:
+        for axis, dim, columns in zip(
+            self.plan.study.ordered_axes, self.dims, self.plan.columns, strict=False
+        ):
+            for name, column in columns.items():
+                attrs = {**field_attrs(read_field(name)), **_given_unit(axis, name)}
+                values = np.asarray(column)
+                yield Variable(self.names[name], (dim,), values.dtype, attrs, values)
+        if BALL in self.sizes:
+            yield Variable(BALL, (BALL,), np.dtype(np.int64), {}, np.arange(self.plan.balls))
+
+    def _status(self) -> Variable:
+        attrs = {
+            "long_name": "how the solution ended",
+            "flag_values": np.array(list(STATUS_NAMES), np.int8),
+            "flag_meanings": " ".join(STATUS_NAMES.values()),
+        }
+        return Variable("status", self.dims, np.dtype(np.int8), attrs)
+
+    def _chosen(self) -> Iterator[Variable]:
+        for output in self.plan.outputs:
+            dims = (*self.dims, BALL) if output.per_ball else self.dims
+            attrs = {"units": output.unit, "long_name": output.long_name}
+            yield Variable(output.name, dims, output.dtype, attrs)
+
+
+def field_attrs(known: Field) -> dict[str, Any]:
+    """Return the attributes of a coordinate that holds a field of the case."""
+    attrs = {"long_name": known.long_name, "field": known.name}
+    return {"units": known.unit, **attrs} if known.unit else attrs
+
+
+def _given_unit(axis: Axis, name: str) -> dict[str, str]:
+    """Return the unit that an axis was given in, if it is one and not the SI unit."""
+    units = set()
+    for value in axis.given(name):
+        match = _UNIT.fullmatch(value) if isinstance(value, str) else None
+        units.add(match[1].strip() if match else "")
+    unit = units.pop() if len(units) == 1 else ""
+    known = read_field(name)
+    return {"given_in": unit} if unit and known.dimension and unit != known.unit else {}
+
+
+def slabs(
+    first: int, last: int, shape: tuple[int, ...]
+) -> Iterator[tuple[tuple[slice, ...], slice]]:
+    """Cut a run of cases into boxes of the grid: each with its place and its part of the run.
+
+    At most one box less than twice the dimensions: a ragged beginning, whole rows, a ragged end.
+    """
+    yield from _slabs(first, last, shape, (), 0)
+
+
+def _slabs(
+    first: int, last: int, shape: tuple[int, ...], fixed: tuple[slice, ...], offset: int
+) -> Iterator[tuple[tuple[slice, ...], slice]]:
+    if first >= last:
+        return
+    length = int(np.prod(shape[1:], dtype=np.int64))
+    if len(shape) == 1:
+        yield (*fixed, slice(first, last)), slice(offset, offset + last - first)
+        return
+    row, begin = divmod(first, length)
+    end_row, end = divmod(last, length)
+    if row == end_row:
+        yield from _slabs(begin, end, shape[1:], (*fixed, slice(row, row + 1)), offset)
+        return
+    if begin:
+        yield from _slabs(begin, length, shape[1:], (*fixed, slice(row, row + 1)), offset)
+        offset += length - begin
+        row += 1
+    if row < end_row:
+        whole = (end_row - row) * length
+        place = (*fixed, slice(row, end_row), *(slice(0, size) for size in shape[1:]))
+        yield place, slice(offset, offset + whole)
+        offset += whole
+    yield from _slabs(0, end, shape[1:], (*fixed, slice(end_row, end_row + 1)), offset)

@@ -7,31 +7,32 @@ order.
 
 from __future__ import annotations
 
+import math
 import os
 import queue
 import stat
 import threading
 import time
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import AbstractContextManager, contextmanager
+from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Final, Protocol
 
 import numpy as np
+from numpy.typing import NDArray
 
 from rolamento.errors import FileError, InputError
 from rolamento.numerics.threads import thread_count
+from rolamento.status import CONVERGED, STATUS_NAMES
+from rolamento.studies.outputs import Output
 from rolamento.studies.plan import Part, Plan
-from rolamento.studies.solving import CONVERGED, status_names
 from rolamento.studies.store import Store
 from rolamento.studies.study import Study
-from rolamento.studies.summary import OutputRange, Spreads, Summary
-from rolamento.studies.writing import Writer, writer_for
 
 if TYPE_CHECKING:
     import xarray as xr
-
-__all__ = ["Executor", "Interrupted", "Progress", "local_threads", "run", "run_to_file"]
 
 Executor = Callable[[Plan, Sequence[int]], Iterator[Part]]
 """Solves chunks of a plan, given by number; parts come in any order."""
@@ -47,6 +48,9 @@ _LONGEST_UNWRITTEN: Final = 2.0
 """Seconds that a solved chunk waits for others before it is written."""
 _PATIENCE: Final = 2.0
 """Seconds that threads are given to end in when a run stops; they end by themselves later."""
+_MOST_KEPT: Final = 200_000
+"""Values of an output that are kept for its median."""
+_ENDINGS: Final = (".nc", ".csv", ".parquet")
 
 
 class Interrupted(KeyboardInterrupt):
@@ -153,7 +157,7 @@ def run_to_file(
         On Ctrl-C.
     """
     result = Path(path)
-    writer = writer_for(result)
+    _check_ending(result)
     _check_place(result)
     began = time.perf_counter()
     plan = Plan(study, chunk)
@@ -170,7 +174,7 @@ def run_to_file(
                     shelf.add(part)
                     tally.add(part)
             seconds = time.perf_counter() - began
-            ranges = _assembled(plan, store, writer, tally, result)
+            ranges = _assembled(plan, store, tally, result)
             _move(store.result, result)
         except KeyboardInterrupt:
             raise Interrupted(tally.done, plan.cases, store.folder) from None
@@ -293,13 +297,12 @@ class _Shelf:
         self._written = time.monotonic()
 
 
-def _assembled(
-    plan: Plan, store: Store, writer: Writer, tally: _Tally, result: Path
-) -> tuple[OutputRange, ...]:
+def _assembled(plan: Plan, store: Store, tally: _Tally, result: Path) -> tuple[OutputRange, ...]:
     """Put the parts together in one file, in order, and gather the ranges of the outputs."""
     spreads = Spreads(plan)
     try:
-        with writer(store.result, plan, tally.counts, tally.some_messages) as file:
+        counts, messages = tally.counts, tally.some_messages
+        with open_result(store.result, result.suffix.lower(), plan, counts, messages) as file:
             for first in range(0, plan.chunks, plan.chunks_together):
                 last = min(first + plan.chunks_together, plan.chunks)
                 part = Part.joined([store.get(index) for index in range(first, last)])
@@ -332,7 +335,6 @@ class _Tally:
 
     def __init__(self, plan: Plan, progress: Progress | None) -> None:
         self._plan, self._progress = plan, progress
-        self._names = {code: name for name, code in status_names().items()}
         self.counts: Counter[str] = Counter()
         self.messages: list[str] = []
         self.done = self.kept = 0
@@ -355,12 +357,14 @@ class _Tally:
     def tell(self) -> None:
         """Tell of what is done."""
         if self._progress is not None:
-            self._progress(self.done, self._plan.cases, self.done - self.counts[CONVERGED])
+            self._progress(
+                self.done, self._plan.cases, self.done - self.counts[STATUS_NAMES[CONVERGED]]
+            )
 
     def _count(self, part: Part) -> None:
         codes, numbers = np.unique(part.arrays["status"], return_counts=True)
         for code, number in zip(codes, numbers, strict=True):
-            self.counts[self._names[int(code)]] += int(number)
+            self.counts[STATUS_NAMES[int(code)]] += int(number)
         self.messages += [text for text in part.messages if text not in self.messages]
         self.done += self._plan.size(part.index)
 
@@ -384,5 +388,147 @@ def _move(unfinished: Path, result: Path) -> None:
     try:
         os.replace(unfinished, result)
     except OSError as error:
-        reason = (error.strerror or str(error)).lower()
-        raise FileError(f"cannot be written: {reason}", source=str(result)) from None
+        raise _unwritable(result, error) from None
+
+
+@dataclass(frozen=True, slots=True)
+class OutputRange:
+    """Minimum, median and maximum of an output over the cases with a result; SI units.
+
+    every: the median is of every so-manieth case; 1 if of all.
+    """
+
+    output: Output
+    minimum: float
+    median: float
+    maximum: float
+    every: int
+
+
+@dataclass(frozen=True, slots=True)
+class Summary:
+    """A run to a file.
+
+    Attributes
+    ----------
+    path
+        the result
+    cases
+        in all
+    solved
+        in this run; the others were kept from an earlier one
+    seconds
+        that this took
+    counts
+        of cases by status
+    messages
+        why some cases are not valid
+    ranges
+        of the outputs
+    """
+
+    path: Path
+    cases: int
+    solved: int
+    seconds: float
+    counts: Mapping[str, int]
+    messages: tuple[str, ...]
+    ranges: tuple[OutputRange, ...]
+
+    @property
+    def converged(self) -> int:
+        """Cases with a result."""
+        return self.counts.get("converged", 0)
+
+
+class Spreads:
+    """Gathers the ranges of the outputs, part by part, in bounded memory."""
+
+    def __init__(self, plan: Plan) -> None:
+        self._plan = plan
+        self._every = -(-plan.cases // _MOST_KEPT)
+        self._minimum = {output.name: math.inf for output in plan.outputs}
+        self._maximum = {output.name: -math.inf for output in plan.outputs}
+        self._kept: dict[str, list[NDArray[np.float32]]] = {o.name: [] for o in plan.outputs}
+
+    def add(self, part: Part) -> None:
+        """Take in a part."""
+        first, _ = self._plan.bounds_of(part)
+        chosen = slice(-first % self._every, None, self._every)
+        solved = part.arrays["status"] == CONVERGED
+        for output in self._plan.outputs:
+            values = part.arrays[output.name]
+            there = (
+                values[solved & np.isfinite(values)]
+                if values.ndim == 1
+                else values[np.isfinite(values)]
+            )
+            if there.size:
+                self._minimum[output.name] = min(self._minimum[output.name], float(there.min()))
+                self._maximum[output.name] = max(self._maximum[output.name], float(there.max()))
+            some = values[chosen][solved[chosen]]
+            self._kept[output.name].append(_few(some).astype(np.float32))
+
+    def ranges(self) -> tuple[OutputRange, ...]:
+        """Return the ranges so far; NaN of an output without a value."""
+        return tuple(self._range(output) for output in self._plan.outputs)
+
+    def _range(self, output: Output) -> OutputRange:
+        kept = np.concatenate(self._kept[output.name])
+        kept = kept[np.isfinite(kept)]
+        if not len(kept):
+            return OutputRange(output, math.nan, math.nan, math.nan, self._every)
+        minimum, maximum = self._minimum[output.name], self._maximum[output.name]
+        return OutputRange(output, minimum, float(np.median(kept)), maximum, self._every)
+
+
+def _few(values: NDArray[np.generic]) -> NDArray[np.generic]:
+    """Of an output per ball, the values of every ball in turn: one for each case."""
+    if values.ndim == 1:
+        return values
+    cases = np.arange(len(values))
+    return np.asarray(values[cases, cases % values.shape[1]])
+
+
+class PartWriter(Protocol):
+    """Takes the parts of a result, one after the other from the first to the last."""
+
+    def put(self, part: Part) -> None:
+        """Write a part."""
+        ...
+
+
+def _check_ending(result: Path) -> None:
+    if result.suffix.lower() not in _ENDINGS:
+        raise FileError(
+            f"must end in {', '.join(_ENDINGS[:-1])} or {_ENDINGS[-1]}",
+            source=str(result),
+            example="result.nc",
+        )
+
+
+@contextmanager
+def open_result(
+    place: Path, ending: str, plan: Plan, counts: Mapping[str, int], messages: tuple[str, ...]
+) -> Iterator[PartWriter]:
+    """Open the writer of a kind of file; what the disk refuses is told as a `FileError`."""
+    opener: Callable[..., AbstractContextManager[PartWriter]]
+    # each brings a library that the others do not need
+    if ending == ".nc":
+        from rolamento.studies.netcdf import netcdf_writer as opener
+    elif ending == ".csv":
+        from rolamento.studies.tables import csv_writer as opener
+    else:
+        from rolamento.studies.tables import parquet_writer as opener
+    try:
+        with opener(place, plan, counts, messages) as opened:
+            yield opened
+    except FileError:
+        raise
+    except OSError as error:
+        raise _unwritable(place, error) from None
+
+
+def _unwritable(path: Path, error: OSError) -> FileError:
+    reason = (error.strerror or str(error)).lower()
+    return FileError(f"cannot be written: {reason}", source=str(path))

@@ -10,13 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rolamento.case import Case
-from rolamento.case._overrides import overridden
-from rolamento.studies.fields import Value, read_field
+from rolamento.case.fields import Value
 
 if TYPE_CHECKING:
-    from rolamento.rows.ball import BatchState
-
-__all__ = ["CONVERGED", "INVALID_INPUT", "array_fields", "base_case", "solve", "status_names"]
+    from rolamento.solved import Solved
 
 CONVERGED: Final = "converged"
 INVALID_INPUT: Final = "invalid_input"
@@ -25,44 +22,25 @@ INVALID_INPUT: Final = "invalid_input"
 @cache
 def array_fields() -> frozenset[str]:
     """Return the fields that may vary within a batch; each value of another needs its own case."""
-    from rolamento.rows.ball import batch_fields
+    from rolamento.case.varied import batch_fields
 
     return frozenset(batch_fields())
 
 
-@cache
-def status_names() -> Mapping[str, int]:
-    """Return the code of each status by name."""
-    from rolamento.rows.ball.batch_state import STATUS_NAMES
-
-    return {name: int(code) for code, name in sorted(STATUS_NAMES.items())}
-
-
 def base_case(case: Case, values: Mapping[str, Value]) -> Case:
     """Return a case with some fields changed; each takes the place of its rival.
-
-    Balls whose material is not given go on following that of the rings.
 
     Raises
     ------
     InputError
         If there is no such case.
     """
-    mapping = case.to_mapping()
-    if "ball_material" not in case.bearing.model_fields_set:
-        del mapping["bearing"]["ball_material"]
-    settings = [f"{name}={_written(name, value)}" for name, value in values.items()]
-    return Case.from_mapping(overridden(mapping, settings, Case)[0])
-
-
-def _written(name: str, value: Value) -> str:
-    written = read_field(name).written(value)
-    return str(written).lower() if isinstance(written, bool) else str(written)
+    return case.with_(values)
 
 
 def solve(
     case: Case, values: Mapping[str, NDArray[np.float64]], *, cases: int, threads: int | None
-) -> BatchState:
+) -> Solved:
     """Solve a case for so many values of its fields.
 
     Raises
@@ -70,8 +48,8 @@ def solve(
     InputError
         If fields that vary do not go with the case, whatever their values.
     """
-    from rolamento.solution import solve_batch
+    from rolamento.solving import solve as solve_cases
 
     if not values:  # every case the same: the length has to come from somewhere
         values = {"duty.inner_speed": np.full(cases, case.duty.inner_speed)}
-    return solve_batch(case, values, threads=threads)
+    return solve_cases(case, values, threads=threads)

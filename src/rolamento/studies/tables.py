@@ -14,9 +14,8 @@ import pyarrow.csv
 import pyarrow.parquet
 from numpy.typing import NDArray
 
-from rolamento.studies.layout import BALL, Layout, Variable
-from rolamento.studies.plan import Part, Plan
-from rolamento.studies.solving import status_names
+from rolamento.status import STATUS_NAMES
+from rolamento.studies.plan import BALL, Layout, Part, Plan, Variable
 from rolamento.studies.study import SAMPLE
 
 __all__ = ["ATTRIBUTES", "csv_writer", "parquet_writer"]
@@ -51,7 +50,7 @@ class _Table:
             yield inputs[name]
 
     def _outputs(self, part: Part) -> Iterator[Any]:
-        names = np.array(list(status_names()))
+        names = np.array(list(STATUS_NAMES.values()))
         for variable in self._layout.outputs:
             values = part.arrays[variable.name]
             if variable.name == "status":

@@ -10,26 +10,39 @@ import importlib
 from typing import TYPE_CHECKING, Any, Final
 
 if TYPE_CHECKING:
+    from rolamento.tasks.demonstration import example_case, write_example
     from rolamento.tasks.diagnosis import DiagnosisResult, TooShort, diagnose
+    from rolamento.tasks.drawing import Drawing, Kind, draw
     from rolamento.tasks.frequencies import FrequencyResult, fault_frequencies
     from rolamento.tasks.noise import FullScale, NoiseResult, anderons
+    from rolamento.tasks.studies import Sweep, sweep, tolerance
     from rolamento.tasks.synthesis import SynthesisResult, Unsolved, synthesise
 
 __all__ = [
     "DiagnosisResult",
+    "Drawing",
     "FrequencyResult",
     "FullScale",
+    "Kind",
     "NoiseResult",
+    "Sweep",
     "SynthesisResult",
     "TooShort",
     "Unsolved",
     "anderons",
     "diagnose",
+    "draw",
+    "example_case",
     "fault_frequencies",
+    "sweep",
     "synthesise",
+    "tolerance",
+    "write_example",
 ]
 
-_MODULES: Final = ("frequencies", "diagnosis", "synthesis", "noise")
+_MODULES: Final = (
+    "frequencies", "diagnosis", "synthesis", "noise", "studies", "drawing", "demonstration",
+)  # fmt: skip
 
 
 def __getattr__(name: str) -> Any:

@@ -18,11 +18,9 @@ from rolamento.contact.hertz import (
     elliptical_contact,
 )
 from rolamento.geometry import race_curvature
-from rolamento.lubrication.entrainment import rolling_entrainment_speed
+from rolamento.kinematics import rolling_entrainment_speed
 from rolamento.lubrication.film_thickness import central_film, film_groups
-from rolamento.oil.pressure_viscosity import wooster
-from rolamento.oil.viscosity import ViscosityLine, astm_d341, astm_d341_line
-from rolamento.oil.viscosity_index import viscosity_index
+from rolamento.oil import ViscosityLine, astm_d341, astm_d341_line, viscosity_index, wooster
 from rolamento.verification.check import Check, half_unit
 from rolamento.verification.published import MM, RPM, published, steel
 

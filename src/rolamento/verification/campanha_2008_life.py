@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Final
 
-from rolamento.life.basic import basic_rating_life, hours
+from rolamento.life.iso281 import basic_rating_life, hours
 from rolamento.ratings import dynamic_factor_of_grooves
 from rolamento.verification.check import Check
 from rolamento.verification.published import RPM, published

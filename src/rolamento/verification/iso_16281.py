@@ -13,7 +13,7 @@ from typing import Final
 from rolamento.case import Case
 from rolamento.case.bearing import Bearing
 from rolamento.case.duty import Duty, Load
-from rolamento.life.reference import race_ratings, reference_life
+from rolamento.life.iso16281 import race_ratings, reference_life
 from rolamento.rows.ball import solve
 from rolamento.static import axial_load
 from rolamento.verification.check import Check, half_unit

@@ -6,8 +6,8 @@ from collections.abc import Iterator, Mapping
 from math import cbrt, nan, radians
 from typing import Any, Final
 
-from rolamento.life.basic import basic_rating_life, hours
 from rolamento.life.equivalent_load import equivalent_load, load_factors, static_equivalent_load
+from rolamento.life.iso281 import basic_rating_life, hours
 from rolamento.verification.check import Check
 from rolamento.verification.published import RPM, published
 

@@ -1,80 +1,164 @@
-"""Life tests and Weibull's distribution: fits, bounds, comparisons, bearings in series.
+"""Life tests and Weibull's distribution: fits, bounds, comparisons, plans, bearings in series.
 
-A `LifeTest` holds the data. Fits give a `WeibullFit`, `bounds` and `all_bounds` limits by several
-methods, `compare`, `life_ratio` and `against_calculated_life` tests; `series_life` puts bearings
-together. Every record has a status; what does not exist is NaN. See docs/theory/weibull.md.
+A `LifeTest` holds the data, `read_life_test` reads them; times alone will do where all bearings
+failed. `maximum_likelihood` and other fits give a `WeibullFit`, `bounds` and `all_bounds` limits by
+several methods, `compare`, `life_ratio` and `against_calculated_life` tests; `summarise` all of it.
+`demonstrate` and `plan_for_ratio` plan a test, `series_life` puts bearings together. Every record
+has a status; what does not exist is NaN. See docs/theory/weibull.md.
 """
 
 from __future__ import annotations
 
-from rolamento.weibull.bounds import METHODS, Bounds, Method, Sides, all_bounds, bounds
-from rolamento.weibull.calculated import CalculatedLife, Verdict, against_calculated_life
-from rolamento.weibull.comparison import Comparison, Hypothesis, compare
-from rolamento.weibull.fit import ADVICE, NOTES, WeibullFit
-from rolamento.weibull.fixed_shape import fixed_shape
-from rolamento.weibull.life_ratio import LifeRatio, life_ratio
+from rolamento.weibull.bounds import (
+    METHODS,
+    Band,
+    Bounds,
+    Method,
+    Sides,
+    all_bounds,
+    bounds,
+    confidence_band,
+)
+from rolamento.weibull.comparison import (
+    CalculatedLife,
+    Comparison,
+    Contradiction,
+    Hypothesis,
+    LifeRatio,
+    against_calculated_life,
+    compare,
+    life_ratio,
+)
+from rolamento.weibull.estimates import (
+    PlottingPositions,
+    Ranks,
+    Regression,
+    fixed_shape,
+    maximum_likelihood,
+    median_rank,
+    plotting_positions,
+    rank_regression,
+    three_parameter,
+)
+from rolamento.weibull.fit import ADVICE, NOTES, Estimand, WeibullFit, plot_ordinate
 from rolamento.weibull.life_test import LifeTest, Scheme
-from rolamento.weibull.maximum_likelihood import maximum_likelihood
+from rolamento.weibull.likelihood_ratio import LikelihoodRegion, likelihood_region
+from rolamento.weibull.planning import PLAN_ADVICE, Demonstration, alternatives, demonstrate
 from rolamento.weibull.posterior import Posterior, ShapePrior, posterior
-from rolamento.weibull.published import PUBLISHED, published_life_test, published_text
-from rolamento.weibull.quantity import Quantity
-from rolamento.weibull.rank_regression import Regression, rank_regression
-from rolamento.weibull.ranks import PlottingPositions, Ranks, median_rank, plotting_positions
-from rolamento.weibull.reading import parse_life_test, read_life_test
-from rolamento.weibull.sampled import Draws, pivotal_draws
+from rolamento.weibull.precision import (
+    FailureTime,
+    LifeTestPlan,
+    failure_time,
+    mean_failure_times,
+    plan_for_ratio,
+    plan_of,
+    plans_for_ratio,
+)
+from rolamento.weibull.reading import (
+    PUBLISHED,
+    parse_life_test,
+    published_life_test,
+    published_text,
+    read_life_test,
+)
+from rolamento.weibull.sampled import Correction, Draws, pivotal_draws, unbiased
+from rolamento.weibull.summary import (
+    FIT_METHODS,
+    FitMethod,
+    GroupSummary,
+    LifeTestSummary,
+    Wanted,
+    summarise,
+)
 from rolamento.weibull.system import (
     EXPONENTS,
     series_life,
     series_reliability,
     system_rating_life,
 )
-from rolamento.weibull.three_parameter import three_parameter
-from rolamento.weibull.unbiased import Correction, unbiased
+from rolamento.weibull.trend import (
+    PUBLISHED_TRENDS,
+    Trend,
+    parse_trend,
+    published_trend,
+    published_trend_text,
+    read_trend,
+    wear_of_each,
+)
 
 __all__ = [
     "ADVICE",
     "EXPONENTS",
+    "FIT_METHODS",
     "METHODS",
     "NOTES",
+    "PLAN_ADVICE",
     "PUBLISHED",
+    "PUBLISHED_TRENDS",
+    "Band",
     "Bounds",
     "CalculatedLife",
     "Comparison",
+    "Contradiction",
     "Correction",
+    "Demonstration",
     "Draws",
+    "Estimand",
+    "FailureTime",
+    "FitMethod",
+    "GroupSummary",
     "Hypothesis",
     "LifeRatio",
     "LifeTest",
+    "LifeTestPlan",
+    "LifeTestSummary",
+    "LikelihoodRegion",
     "Method",
     "PlottingPositions",
     "Posterior",
-    "Quantity",
     "Ranks",
     "Regression",
     "Scheme",
     "ShapePrior",
     "Sides",
-    "Verdict",
+    "Trend",
+    "Wanted",
     "WeibullFit",
     "against_calculated_life",
     "all_bounds",
+    "alternatives",
     "bounds",
     "compare",
+    "confidence_band",
+    "demonstrate",
+    "failure_time",
     "fixed_shape",
     "life_ratio",
+    "likelihood_region",
     "maximum_likelihood",
+    "mean_failure_times",
     "median_rank",
     "parse_life_test",
+    "parse_trend",
     "pivotal_draws",
+    "plan_for_ratio",
+    "plan_of",
+    "plans_for_ratio",
+    "plot_ordinate",
     "plotting_positions",
     "posterior",
     "published_life_test",
     "published_text",
+    "published_trend",
+    "published_trend_text",
     "rank_regression",
     "read_life_test",
+    "read_trend",
     "series_life",
     "series_reliability",
+    "summarise",
     "system_rating_life",
     "three_parameter",
     "unbiased",
+    "wear_of_each",
 ]

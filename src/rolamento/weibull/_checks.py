@@ -3,22 +3,46 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Final
+from math import isfinite
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento.errors import InputError
+from rolamento.errors import ABSENT, InputError
 from rolamento.numerics import FloatArray
 from rolamento.numerics.masked import filled
 
-MOST_SAMPLES: Final = 1_000_000
-MOST_SHAPE: Final = 1000.0
+MAXIMUM_SAMPLES: Final = 1_000_000
+MAXIMUM_SHAPE: Final = 1000.0
+
+
+def numbers(values: Any, field: str, example: str) -> FloatArray:
+    """Return numbers as an array of its own, of any shape; NaN where they are masked or None.
+
+    Lists, arrays and series will do; text, tables and lists of several lengths will not.
+    """
+    array: FloatArray | None = None
+    try:
+        given = values if isinstance(values, np.ma.MaskedArray) else np.asarray(values)
+        text = given.dtype.kind == "O" and any(isinstance(one, str) for one in given.flat)
+        if given.dtype.kind in "iufO" and given.dtype != np.bool_ and not text:
+            array = np.array(filled(given))
+    except (TypeError, ValueError):
+        pass
+    if array is None or values is None or hasattr(values, "columns"):
+        raise InputError(
+            "must be numbers: a list, an array or a series of them",
+            field=field,
+            value=values if values is None or isinstance(values, str | bool) else ABSENT,
+            example=example,
+        )
+    return array
 
 
 def share(value: object, field: str, example: str = "0.9") -> float:
     """Return a number between 0 and 1, both excluded."""
-    number = _number(value)
+    number = _scalar(value)
     if not 0.0 < number < 1.0:
         raise InputError(
             "must be between 0 and 1, both excluded", field=field, value=value, example=example
@@ -28,10 +52,7 @@ def share(value: object, field: str, example: str = "0.9") -> float:
 
 def shares(value: ArrayLike, field: str, example: str = "0.9") -> FloatArray:
     """Return numbers between 0 and 1, both excluded, as an array."""
-    try:
-        array = filled(value)
-    except (TypeError, ValueError):
-        array = np.asarray(np.nan)
+    array = numbers(value, field, example)
     bad = ~((array > 0.0) & (array < 1.0))
     if np.any(bad):
         raise InputError(
@@ -45,7 +66,7 @@ def shares(value: ArrayLike, field: str, example: str = "0.9") -> FloatArray:
 
 def positive(value: object, field: str, example: str) -> float:
     """Return a finite number above zero."""
-    number = _number(value)
+    number = _scalar(value)
     if not (0.0 < number < np.inf):
         raise InputError(
             "must be a number greater than zero", field=field, value=value, example=example
@@ -56,20 +77,27 @@ def positive(value: object, field: str, example: str) -> float:
 def shape_of(value: object, field: str = "shape") -> float:
     """Return a Weibull shape within reason."""
     number = positive(value, field, "1.5")
-    if number > MOST_SHAPE:
-        raise InputError(f"must be {MOST_SHAPE:g} or less", field=field, value=value, example="1.5")
+    if number > MAXIMUM_SHAPE:
+        raise InputError(
+            f"must be {MAXIMUM_SHAPE:g} or less", field=field, value=value, example="1.5"
+        )
     return number
 
 
 def sample_count(value: object, least: int = 100) -> int:
     """Return how many samples to draw."""
+    return whole_number(value, "samples", least, MAXIMUM_SAMPLES, "10000")
+
+
+def whole_number(value: object, field: str, least: int, most: int, example: str = "") -> int:
+    """Return a whole number between limits."""
     whole = isinstance(value, int | np.integer) and not isinstance(value, bool)
-    if not whole or not least <= int(value) <= MOST_SAMPLES:  # type: ignore[call-overload]
+    if not whole or not least <= int(value) <= most:  # type: ignore[call-overload]
         raise InputError(
-            f"must be a whole number from {least} to {MOST_SAMPLES}",
-            field="samples",
+            f"must be a whole number from {least} to {most}",
+            field=field,
             value=value,
-            example="10000",
+            example=example or str(max(least, 10) if most >= 10 else least),
         )
     return int(value)  # type: ignore[call-overload, no-any-return]
 
@@ -93,10 +121,15 @@ def one_of(value: object, field: str, allowed: Iterable[str]) -> None:
         )
 
 
-def _number(value: object) -> float:
-    if isinstance(value, bool):
-        return float("nan")
+def _scalar(value: object) -> float:
     try:
+        if isinstance(value, bool | str) or np.ndim(value):  # type: ignore[arg-type]
+            return float("nan")
         return float(value)  # type: ignore[arg-type]
     except (TypeError, ValueError, OverflowError):
         return float("nan")
+
+
+def finite_or_none(value: float) -> float | None:
+    """Return a number as plain value; None where there is none, or it is infinite."""
+    return float(value) if isfinite(value) else None

@@ -4,25 +4,31 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from math import isfinite
 from typing import Any, Final, Literal, get_args
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
-from rolamento.weibull._checks import generator, one_of, sample_count, shape_of, share
-from rolamento.weibull.asymptotic import fisher_limits, likelihood_ratio_limits
-from rolamento.weibull.calibrated import calibrated_limits
-from rolamento.weibull.censoring import model_of
-from rolamento.weibull.fit import Outcome, WeibullFit
-from rolamento.weibull.fixed_shape import fixed_shape, fixed_shape_limits
+from rolamento.weibull._checks import (
+    finite_or_none,
+    generator,
+    one_of,
+    sample_count,
+    shape_of,
+    share,
+)
+from rolamento.weibull.drawing import model_of
+from rolamento.weibull.estimates import fixed_shape, fixed_shape_limits, maximum_likelihood
+from rolamento.weibull.fit import Estimand, Outcome, WeibullFit
 from rolamento.weibull.life_test import LifeTest
-from rolamento.weibull.maximum_likelihood import maximum_likelihood
-from rolamento.weibull.quantity import Quantity
+from rolamento.weibull.likelihood_ratio import (
+    calibrated_limits,
+    fisher_limits,
+    likelihood_ratio_limits,
+)
 from rolamento.weibull.sampled import sampled_limits
-
-__all__ = ["METHODS", "Bounds", "Method", "Sides", "all_bounds", "bounds"]
 
 Method = Literal[
     "pivotal",
@@ -38,7 +44,10 @@ Method = Literal[
 Sides = Literal["two", "lower", "upper"]
 METHODS: Final = get_args(Method)
 _ANALYTIC: Final = ("likelihood_ratio", "fisher")
-_MOST_QUANTITIES: Final = 1000
+_MAXIMUM_QUANTITIES: Final = 1000
+_LEAST, _MOST, _POINTS = 0.001, 0.999, 61
+MAXIMUM_BAND_SAMPLES: Final = 10_000
+"""More make no difference that a picture could show."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -84,24 +93,32 @@ class Bounds(Outcome):
     seed: int = 0
     notes: tuple[str, ...] = ()
 
+    @property
+    def one_sided_confidence(self) -> float:
+        """Of each limit by itself: of two sides each leaves out half of what they do together."""
+        return 0.5 * (1.0 + self.confidence) if self.sides == "two" else self.confidence
+
+    @property
+    def ratio(self) -> float:
+        """Upper over lower limit; infinite where one is open."""
+        return np.inf if self.lower == 0.0 else self.upper / self.lower
+
+    def contains(self, value: float) -> bool:
+        """Whether a value lies between the limits."""
+        return self.lower <= value <= self.upper
+
     def to_mapping(self) -> dict[str, Any]:
         """Give the bounds as plain values; None where there is no number, or the end is open."""
-        numbers = {
-            name: value if isfinite(value) else None
-            for name, value in (
-                ("estimate", self.estimate),
-                ("lower", self.lower),
-                ("upper", self.upper),
-            )
-        }
         return {
             "quantity": self.quantity,
             "method": self.method,
             "confidence": self.confidence,
             "sides": self.sides,
-            **numbers,
+            "estimate": finite_or_none(self.estimate),
+            "lower": finite_or_none(self.lower),
+            "upper": finite_or_none(self.upper),
             "unit": self.unit,
-            "status": {"code": self.code, "converged": self.converged, "advice": self.advice},
+            "status": self.status(),
             "samples": self.samples,
             "dropped": self.dropped,
             "seed": self.seed,
@@ -110,8 +127,8 @@ class Bounds(Outcome):
 
 
 def bounds(
-    test: LifeTest,
-    quantity: str | Quantity = "L10",
+    test: LifeTest | ArrayLike,
+    quantity: str | Estimand = "L10",
     *,
     method: Method | None = None,
     confidence: float = 0.9,
@@ -159,8 +176,8 @@ def bounds(
 
 
 def all_bounds(
-    test: LifeTest,
-    quantities: Iterable[str | Quantity],
+    test: LifeTest | ArrayLike,
+    quantities: Iterable[str | Estimand],
     *,
     method: Method | None = None,
     confidence: float = 0.9,
@@ -170,22 +187,25 @@ def all_bounds(
     shape: float | None = None,
 ) -> tuple[Bounds, ...]:
     """Bounds on many quantities, from the same drawn tests; parameters as of `bounds`."""
-    wanted = [Quantity.of(quantity) for quantity in quantities]
-    if not 0 < len(wanted) <= _MOST_QUANTITIES:
-        raise InputError(f"must be 1 to {_MOST_QUANTITIES}", field="quantities")
-    chosen = _method(test, method, shape)
+    test = LifeTest.of(test)
+    if isinstance(quantities, str) or not isinstance(quantities, Iterable):
+        raise InputError("must be a list", field="quantities", example='["shape", "L10"]')
+    wanted = [Estimand.of(quantity) for quantity in quantities]
+    if not 0 < len(wanted) <= _MAXIMUM_QUANTITIES:
+        raise InputError(f"must be 1 to {_MAXIMUM_QUANTITIES}", field="quantities")
+    chosen = _chosen_method(test, method, shape)
     one_of(sides, "sides", get_args(Sides))
     tail = 1.0 - share(confidence, "confidence")
     tails = np.array({"two": [tail / 2.0, 1.0 - tail / 2.0], "lower": [tail],
                       "upper": [1.0 - tail]}[sides])  # fmt: skip
     count, random = sample_count(samples), generator(seed)
     if chosen == "fixed_shape":
-        return _at_fixed_shape(test, shape_of(shape), wanted, confidence, sides, tails)
+        return _bounds_at_fixed_shape(test, shape_of(shape), wanted, confidence, sides, tails)
     fit = maximum_likelihood(test)
     limits = np.full((len(wanted), len(tails)), np.nan)
     code, drawn, notes = fit.code, (0, 0, 0), fit.notes
     if fit.converged and chosen in _ANALYTIC:
-        limits = _analytic(test, fit, chosen, wanted, tails)
+        limits = _analytic_limits(test, fit, chosen, wanted, tails)
         notes = (*notes, "large_sample_method")
     elif fit.converged and chosen == "calibrated_likelihood_ratio":
         limits, drawing = calibrated_limits(test, fit, wanted, tails, count, random)
@@ -195,10 +215,10 @@ def all_bounds(
         limits, draws = sampled_limits(test, fit, chosen, wanted, tails, count, random)
         code, drawn = draws.code, (draws.samples, draws.dropped, int(seed))
         notes = (*notes, *draws.notes)
-    return _records(test, fit, wanted, chosen, confidence, sides, limits, code, drawn, notes)
+    return _bounds_of(test, fit, wanted, chosen, confidence, sides, limits, code, drawn, notes)
 
 
-def _method(test: LifeTest, method: str | None, shape: float | None) -> str:
+def _chosen_method(test: LifeTest, method: str | None, shape: float | None) -> str:
     if method is None:
         if shape is not None:
             return "fixed_shape"
@@ -214,8 +234,8 @@ def _method(test: LifeTest, method: str | None, shape: float | None) -> str:
     return method
 
 
-def _analytic(
-    test: LifeTest, fit: WeibullFit, method: str, quantities: list[Quantity], tails: FloatArray
+def _analytic_limits(
+    test: LifeTest, fit: WeibullFit, method: str, quantities: list[Estimand], tails: FloatArray
 ) -> FloatArray:
     if method == "fisher":
         return fisher_limits(test, fit, quantities, tails)
@@ -225,10 +245,10 @@ def _analytic(
     return likelihood_ratio_limits(test, fit, quantities, roots)
 
 
-def _at_fixed_shape(
+def _bounds_at_fixed_shape(
     test: LifeTest,
     shape: float,
-    quantities: list[Quantity],
+    quantities: list[Estimand],
     confidence: float,
     sides: Sides,
     tails: FloatArray,
@@ -238,7 +258,7 @@ def _at_fixed_shape(
     fit = fixed_shape(test, shape)
     limits = np.array([fixed_shape_limits(test, shape, q, tails) for q in quantities])
     notes = ("inspections_shared",) if test.inspected else ()
-    return _records(
+    return _bounds_of(
         test,
         fit,
         quantities,
@@ -252,10 +272,10 @@ def _at_fixed_shape(
     )
 
 
-def _records(
+def _bounds_of(
     test: LifeTest,
     fit: WeibullFit,
-    quantities: list[Quantity],
+    quantities: list[Estimand],
     method: str,
     confidence: float,
     sides: Sides,
@@ -279,3 +299,85 @@ def _records(
             )
         )  # fmt: skip
     return tuple(records)
+
+
+# --- the band around a fitted line ----------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Band:
+    """Bounds of lives over a range of reliabilities, each by itself.
+
+    Attributes
+    ----------
+    code
+        "converged", or why there is none, a key of `fit.ADVICE`
+    method, confidence, sides
+        of the bounds: two-sided, or lower ones where nothing failed
+    reliability
+        (points,), falling
+    estimate, lower, upper
+        (points,) lives; NaN or infinite where there is no bound
+    unit
+        label of times
+    """
+
+    code: str
+    method: str
+    confidence: float
+    sides: Sides
+    reliability: FloatArray
+    estimate: FloatArray
+    lower: FloatArray
+    upper: FloatArray
+    unit: str
+
+    @property
+    def converged(self) -> bool:
+        """Whether there is a band."""
+        return self.code == "converged"
+
+    @property
+    def failed_share(self) -> FloatArray:
+        """F = 1 - R."""
+        return 1.0 - self.reliability
+
+
+def confidence_band(
+    test: LifeTest | ArrayLike,
+    *,
+    method: Method | None = None,
+    confidence: float = 0.9,
+    samples: int = 10_000,
+    seed: int = 0,
+    shape: float | None = None,
+) -> Band:
+    """Bounds of the lives that 99.9 % down to 0.1 % of the bearings reach.
+
+    Parameters
+    ----------
+    test
+        With any kind of censoring.
+    method, confidence, samples, seed, shape
+        As of `bounds`; samples above 10 000 are not drawn.
+    """
+    test = LifeTest.of(test)
+    first, last = (float(np.log(-np.log1p(-failed))) for failed in (_LEAST, _MOST))
+    ordinate = np.linspace(first, last, _POINTS)
+    reliability = np.exp(-np.exp(ordinate))
+    sides: Sides = "two" if test.failures else "lower"
+    found = all_bounds(
+        test,
+        [Estimand.life(float(r)) for r in reliability],
+        method=method,
+        confidence=confidence,
+        sides=sides,
+        samples=min(samples, MAXIMUM_BAND_SAMPLES),
+        seed=seed,
+        shape=shape,
+    )
+    estimate, lower, upper = np.array([[one.estimate, one.lower, one.upper] for one in found]).T
+    code = next((one.code for one in found if one.converged), found[0].code)
+    return Band(
+        code, found[0].method, confidence, sides, reliability, estimate, lower, upper, test.unit
+    )

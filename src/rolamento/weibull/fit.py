@@ -1,4 +1,4 @@
-"""The common record of all fits: a Weibull distribution with a status.
+"""What all fits say: a Weibull distribution with a status, and what may be estimated of one.
 
     R(t) = exp(-((t - γ)/η)^β),    t_R = γ + η (-ln R)^(1/β)
 
@@ -7,19 +7,19 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from math import gamma, isfinite
-from typing import Any, Final, Self
+from math import exp, gamma, isfinite
+from typing import Any, Final, Literal, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
-from rolamento.weibull._checks import shares
-from rolamento.weibull.life_test import LifeTest
-
-__all__ = ["ADVICE", "NOTES", "Outcome", "WeibullFit"]
+from rolamento.weibull._checks import finite_or_none, numbers, positive, share, shares
+from rolamento.weibull.life_test import MAXIMUM_TIME, LifeTest
 
 ADVICE: Final[Mapping[str, str]] = {
     "no_failures": (
@@ -121,6 +121,10 @@ class Outcome:
         """What a person can do, where there is no result."""
         return ADVICE.get(self.code)
 
+    def status(self) -> dict[str, Any]:
+        """Give the status as plain values."""
+        return {"code": self.code, "converged": self.converged, "advice": self.advice}
+
     def sentences(self) -> tuple[str, ...]:
         """Say the notes."""
         return tuple(NOTES[name] for name in self.notes)
@@ -203,10 +207,15 @@ class WeibullFit(Outcome):
 
     def reliability_at(self, time: ArrayLike) -> FloatArray:
         """Share of the bearings that reach a time; 1 up to the location."""
-        t = np.asarray(time, dtype=np.float64) - self.location
+        t = numbers(time, "time", "[100.0, 200.0]") - self.location
         with np.errstate(over="ignore"):
             alive = np.exp(-((np.maximum(t, 0.0) / self.scale) ** self.shape))
         return np.where(np.isnan(t), np.nan, alive)
+
+    def life_at_ordinate(self, ordinate: FloatArray) -> FloatArray:
+        """Times of the fitted line at ordinates of the Weibull plot, see `plot_ordinate`."""
+        with np.errstate(over="ignore"):
+            return np.asarray(self.location + self.scale * np.exp(ordinate / self.shape))
 
     def with_notes(self, *notes: str) -> Self:
         """Return the same fit with more notes."""
@@ -215,14 +224,14 @@ class WeibullFit(Outcome):
     def to_mapping(self) -> dict[str, Any]:
         """Give the fit as plain values; None where there is no number."""
         numbers = ("shape", "scale", "location", "log_likelihood", "correlation")
-        found = {name: _finite(getattr(self, name)) for name in numbers}
+        found = {name: finite_or_none(getattr(self, name)) for name in numbers}
         return {
             "method": self.method,
-            "status": {"code": self.code, "converged": self.converged, "advice": self.advice},
+            "status": self.status(),
             **found,
-            "l10": _finite(self.l10),
-            "l50": _finite(self.l50),
-            "mean": _finite(self.mean),
+            "l10": finite_or_none(self.l10),
+            "l50": finite_or_none(self.l50),
+            "mean": finite_or_none(self.mean),
             "failures": self.failures,
             "size": self.size,
             "unit": self.unit,
@@ -230,5 +239,103 @@ class WeibullFit(Outcome):
         }
 
 
-def _finite(value: float) -> float | None:
-    return float(value) if isfinite(value) else None
+_WRITTEN: Final = re.compile(r"([LlRr])([0-9]{1,20}(?:\.[0-9]{1,20})?(?:[eE][+-]?[0-9]{1,2})?)")
+
+
+@dataclass(frozen=True, slots=True)
+class Estimand:
+    """What is estimated of a Weibull distribution: shape, scale, a life, the reliability at a time.
+
+    Written as a word: "shape", "scale", "L10" (the life that 90 % reach), "L50", "L0.1", and "R100"
+    (the reliability at time 100, in the unit of the test).
+
+    Attributes
+    ----------
+    kind
+        "shape", "life" or "reliability"
+    value
+        the reliability that the life is for; or the time that the reliability is for, in the unit
+        of the test; NaN for the shape
+    name
+        as it is written
+    """
+
+    kind: Literal["shape", "life", "reliability"]
+    value: float
+    name: str
+
+    @classmethod
+    def of(cls, written: str | Estimand) -> Self | Estimand:
+        """Read what is to be estimated.
+
+        Raises
+        ------
+        InputError
+            If it is none.
+        """
+        if isinstance(written, Estimand):
+            return written
+        word = str(written).strip()
+        if word in ("shape", "scale"):
+            return cls("shape", np.nan, word) if word == "shape" else cls("life", exp(-1.0), word)
+        match = _WRITTEN.fullmatch(word)
+        number = float(match[2]) if match else np.nan
+        if match and match[1] in "Ll" and 0.0 < number < 100.0:
+            return cls.life(1.0 - number / 100.0)
+        if match and match[1] in "Rr" and 0.0 < number <= MAXIMUM_TIME:
+            return cls.reliability(number)
+        raise InputError(
+            "must be shape, scale, a life such as L10 (of the 10 % that fail first), or a"
+            " reliability at a time such as R100",
+            field="quantity",
+            value=written,
+            example="L10",
+        )
+
+    @classmethod
+    def life(cls, reliability: float) -> Self:
+        """Life that a share of the bearings reach."""
+        r = share(reliability, "reliability")
+        return cls("life", r, f"L{100.0 * (1.0 - r):.6g}")
+
+    @classmethod
+    def reliability(cls, time: float) -> Self:
+        """Share of the bearings that reach a time."""
+        t = positive(time, "time", "100.0")
+        return cls("reliability", t, f"R{t:.12g}")
+
+    @property
+    def log_risk(self) -> float:
+        """Of a life: ln(-ln R), the ordinate of the Weibull plot."""
+        return float(np.log(-np.log(self.value)))
+
+    @property
+    def level(self) -> float:
+        """What it is for: ln(-ln R) of a life, ln t of a reliability, 0 of the shape."""
+        if self.kind == "shape":
+            return 0.0
+        return self.log_risk if self.kind == "life" else float(np.log(self.value))
+
+    @property
+    def ends(self) -> tuple[float, float]:
+        """Minimum and maximum that it can be."""
+        return (0.0, 1.0) if self.kind == "reliability" else (0.0, np.inf)
+
+    def at(self, shape: FloatArray, log_scale: FloatArray) -> FloatArray:
+        """Value for distributions given by shape and logarithm of the scale; arrays of one shape.
+
+        NaN where the distribution has none.
+        """
+        if self.kind == "shape":
+            return shape
+        with np.errstate(over="ignore", invalid="ignore"):
+            if self.kind == "life":
+                return np.asarray(np.exp(log_scale + self.log_risk / shape))
+            return np.asarray(np.exp(-np.exp(shape * (np.log(self.value) - log_scale))))
+
+
+def plot_ordinate(failed_share: ArrayLike) -> FloatArray:
+    """Ordinate ln ln 1/(1 - F) of the Weibull plot, F being the share that has failed."""
+    share_ = numbers(failed_share, "failed_share", "[0.1, 0.5]")
+    with np.errstate(divide="ignore"):
+        return np.asarray(np.log(-np.log1p(-share_)))

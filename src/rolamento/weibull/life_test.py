@@ -15,18 +15,24 @@ from dataclasses import dataclass
 from typing import Any, Final, Literal
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from rolamento.errors import InputError
 from rolamento.numerics import BoolArray, FloatArray
-from rolamento.weibull import _columns as columns
-from rolamento.weibull._columns import IntArray, TextArray
-
-__all__ = ["LifeTest", "Scheme"]
-
-MOST_GROUPS: Final = 1000
+from rolamento.weibull._checks import numbers
 
 Scheme = Literal["complete", "type_ii", "sudden_death", "type_i", "multiple", "interval"]
+TextArray = NDArray[np.str_]
+IntArray = NDArray[np.int64]
+
+MAXIMUM_ROWS: Final = 100_000
+MAXIMUM_UNITS: Final = 1_000_000
+MAXIMUM_GROUPS: Final = 1000
+LONGEST_LABEL: Final = 60
+_EXAMPLE: Final = "[120.5, 88.0, 300.0]"
+_FLAGS: Final = "[True, False, True]"
+MINIMUM_TIME: Final = 1e-30
+MAXIMUM_TIME: Final = 1e30
 
 
 @dataclass(frozen=True, slots=True, eq=False, init=False)
@@ -86,26 +92,33 @@ class LifeTest:
         source: str = "",
         passed_over: Sequence[str] = (),
     ) -> None:
-        t = columns.numbers(times, "times")
+        t = _times_of(times)
         rows = len(t)
         put: dict[str, Any] = {
             "times": t,
-            "failed": columns.flags(failed, rows),
-            "lower": columns.numbers(np.nan if lower is None else lower, "lower", rows),
-            "counts": columns.counts(counts, rows),
-            "group": columns.labels(group, "group", rows),
-            "rig": columns.labels(rig, "rig", rows),
-            "unit": columns.label(unit, "unit") or "h",
+            "failed": _flags_of(failed, rows),
+            "lower": _spread(
+                numbers(np.nan if lower is None else lower, "lower", "[100.0]"), "lower", rows
+            ),
+            "counts": _counts_of(counts, rows),
+            "group": _labels_of(group, "group", rows),
+            "rig": _labels_of(rig, "rig", rows),
+            "unit": _label_of(unit, "unit") or "h",
             "title": str(title),
             "source": str(source),
             "passed_over": tuple(passed_over),
         }
-        columns.check_times(t, put["failed"], put["lower"])
-        columns.check_rigs(t, put["failed"], put["lower"], put["counts"], put["rig"])
+        _check_times(t, put["failed"], put["lower"])
+        _check_rigs(t, put["failed"], put["lower"], put["counts"], put["rig"])
         for name, value in put.items():
             if isinstance(value, np.ndarray):
                 value.setflags(write=False)
             object.__setattr__(self, name, value)
+
+    @classmethod
+    def of(cls, test: LifeTest | ArrayLike) -> LifeTest:
+        """Return a test as it is, and times alone as a test in which all bearings failed."""
+        return test if isinstance(test, LifeTest) else cls(test)
 
     @classmethod
     def sudden_death(
@@ -132,9 +145,9 @@ class LifeTest:
         group, unit, title, source
             As of `LifeTest`; the group of each rig.
         """
-        ends = columns.numbers(times, "times")
-        sizes = columns.counts(size, len(ends), "size")
-        fails = columns.flags(failed, len(ends))
+        ends = _times_of(times)
+        sizes = _counts_of(size, len(ends), "size")
+        fails = _flags_of(failed, len(ends))
         rest = sizes - fails
         rows = np.concatenate([np.flatnonzero(fails), np.flatnonzero(rest)])
         first = np.arange(len(rows)) < np.count_nonzero(fails)
@@ -144,7 +157,7 @@ class LifeTest:
             ends[rows],
             first,
             counts=np.where(first, 1, rest[rows]),
-            group=columns.labels(group, "group", len(ends))[rows],
+            group=_labels_of(group, "group", len(ends))[rows],
             rig=[f"rig {row + 1}" for row in rows],
             unit=unit,
             title=title,
@@ -202,11 +215,17 @@ class LifeTest:
 
     def select(self, rows: ArrayLike) -> LifeTest:
         """Return some of the rows, by a mask or by their numbers."""
-        which = np.asarray(rows)
-        if which.dtype != np.bool_:
-            which = which.astype(np.int64)
-        if which.ndim != 1 or (which.dtype == np.bool_ and len(which) != len(self)):
-            raise InputError("must be a mask, one entry a row, or a list of numbers", field="rows")
+        which = _entries(rows, "rows", "[0, 2]")
+        mask = which.dtype == np.bool_
+        inside = mask or (
+            which.dtype.kind in "iu" and np.all((-len(self) <= which) & (which < len(self)))
+        )
+        if which.ndim != 1 or not inside or (mask and len(which) != len(self)):
+            raise InputError(
+                "must be a mask, one entry a row, or the numbers of rows",
+                field="rows",
+                example="[0, 2]",
+            )
         return LifeTest(
             self.times[which],
             self.failed[which],
@@ -223,11 +242,141 @@ class LifeTest:
     def by_group(self) -> dict[str, LifeTest]:
         """Part the test by its groups, in the order in which they appear."""
         names = dict.fromkeys(str(name) for name in self.group)
-        if len(names) > MOST_GROUPS:
-            raise InputError(f"has more than {MOST_GROUPS} groups", field="group")
+        if len(names) > MAXIMUM_GROUPS:
+            raise InputError(f"has more than {MAXIMUM_GROUPS} groups", field="group")
         return {name: self.select(self.group == name) for name in names}
 
     def _rigs_all_failed(self) -> bool:
         """Tell whether every suspended bearing was suspended by a failure in its rig."""
         stopped = set(self.rig[self.failed])
         return all(name != "" and name in stopped for name in self.rig[~self.failed])
+
+
+# --- what a caller gives ---------------------------------------------------------------------
+
+
+def _times_of(values: ArrayLike) -> FloatArray:
+    """Return times, one a row."""
+    array = numbers(values, "times", _EXAMPLE)
+    if array.ndim != 1 or not 1 <= len(array) <= MAXIMUM_ROWS:
+        raise InputError(
+            f"must be a list of 1 to {MAXIMUM_ROWS} numbers", field="times", example=_EXAMPLE
+        )
+    return array
+
+
+def _flags_of(values: ArrayLike, rows: int) -> BoolArray:
+    """Return true or false, one a row."""
+    array = _entries(values, "failed", _FLAGS)
+    if array.dtype != np.bool_ and not (
+        array.dtype.kind in "iuf" and np.all((array == 0) | (array == 1))
+    ):
+        raise InputError("must be true or false, one a row", field="failed", example=_FLAGS)
+    return _spread(array.astype(np.bool_), "failed", rows)
+
+
+def _counts_of(values: ArrayLike, rows: int, field: str = "counts") -> IntArray:
+    """Return whole numbers above zero, one a row."""
+    array = numbers(values, field, "[1, 1, 4]")
+    bad = ~((array >= 1.0) & (array <= MAXIMUM_UNITS) & (array == np.floor(array)))
+    if np.any(bad):
+        raise InputError(
+            f"must be whole numbers from 1 to {MAXIMUM_UNITS}",
+            field=field,
+            value=float(array[bad].flat[0]),
+            example="[1, 1, 4]",
+        )
+    counts = _spread(array, field, rows).astype(np.int64)
+    if counts.sum() > MAXIMUM_UNITS:
+        raise InputError(f"must be {MAXIMUM_UNITS} bearings at most, all together", field=field)
+    return counts
+
+
+def _labels_of(values: ArrayLike, field: str, rows: int) -> TextArray:
+    """Return short texts, one a row."""
+    array = _entries(values, field, '["lot A", "lot B"]')
+    if array.size == 0:
+        array = np.array([], dtype=np.str_)
+    texts = np.array([_label_of(v, field) for v in array.ravel().tolist()], dtype=np.str_)
+    return _spread(texts.reshape(array.shape), field, rows)
+
+
+def _label_of(value: object, field: str) -> str:
+    """Return a short text."""
+    text = str(value).strip()
+    if len(text) > LONGEST_LABEL or not text.isprintable():
+        raise InputError(
+            f"must be one line of {LONGEST_LABEL} characters at most", field=field, value=text
+        )
+    return text
+
+
+def _entries(values: ArrayLike, field: str, example: str) -> NDArray[Any]:
+    """Return what is one a row, or one for all of them; no table, and nothing ragged."""
+    try:
+        array = np.array(values)
+    except ValueError:  # lists in lists of several lengths
+        array = np.array(None)
+    if hasattr(values, "columns") or array.ndim > 1 or (array.ndim == 0 and array[()] is None):
+        raise InputError("must be a list, one entry a row", field=field, example=example)
+    return array
+
+
+def _spread(array: NDArray[Any], field: str, rows: int) -> NDArray[Any]:
+    """Give one value to all rows, or check that there is one for each."""
+    if array.ndim == 0:
+        return np.full(rows, array[()])
+    if array.shape != (rows,):
+        raise InputError(
+            f"must be as long as the times, which are {rows}", field=field, value=array.shape
+        )
+    return array
+
+
+def _check_times(times: FloatArray, failed: BoolArray, lower: FloatArray) -> None:
+    """Refuse times that cannot be, and inspections that do not precede their failure."""
+    bad = ~((times >= MINIMUM_TIME) & (times <= MAXIMUM_TIME))
+    if np.any(bad):
+        raise InputError(
+            "must be finite numbers above zero; leave out a bearing that never ran",
+            field="times",
+            value=float(times[bad][0]),
+            example=_EXAMPLE,
+        )
+    given = ~np.isnan(lower)
+    bad = given & ~((lower >= 0.0) & (lower < times) & failed)
+    if np.any(bad):
+        raise InputError(
+            "must lie below the time of its row, and only a failed bearing has one",
+            field="lower",
+            value=float(lower[bad][0]),
+            example="lower = [100.0], times = [150.0]",
+        )
+
+
+def _check_rigs(
+    times: FloatArray, failed: BoolArray, lower: FloatArray, counts: IntArray, rig: TextArray
+) -> None:
+    """Refuse a rig that does not end as one, at its first failure."""
+    labelled = rig != ""
+    if not np.any(labelled):
+        return
+    names, which = np.unique(rig[labelled], return_inverse=True)
+    ends = times[labelled]
+    first, last = np.full(len(names), np.inf), np.zeros(len(names))
+    np.minimum.at(first, which, ends)
+    np.maximum.at(last, which, ends)
+    failures = np.bincount(which, weights=(counts * failed)[labelled])
+    inspected = np.bincount(which, weights=~np.isnan(lower[labelled]))
+    for wrong, what in (
+        (first < last, "ends at several times"),
+        (failures > 1.0, "has several failures"),
+        (inspected > 0.0, "has a failure found at an inspection"),
+    ):
+        if np.any(wrong):
+            raise InputError(
+                f"{what}, and a rig ends as one, at its first failure; leave the rig out where its"
+                " bearings ran on",
+                field="rig",
+                value=str(names[wrong][0]),
+            )

@@ -25,11 +25,16 @@ from numpy.typing import ArrayLike
 
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
-from rolamento.weibull._checks import positive, share
-from rolamento.weibull._columns import MOST_TIME
-from rolamento.weibull.order_statistics import MOST, planned_shape, whole_number
-
-__all__ = ["PLAN_ADVICE", "Demonstration", "alternatives", "demonstrate"]
+from rolamento.weibull._checks import (
+    MAXIMUM_SHAPE,
+    finite_or_none,
+    numbers,
+    positive,
+    shape_of,
+    share,
+    whole_number,
+)
+from rolamento.weibull.life_test import MAXIMUM_TIME
 
 PLAN_ADVICE: Final[Mapping[str, str]] = {
     "not_shown": (
@@ -55,7 +60,9 @@ PLAN_ADVICE: Final[Mapping[str, str]] = {
 }
 """What a person can do, by the code of a plan without result."""
 
-MOST_ALLOWED: Final = 1000
+MAXIMUM_ALLOWED: Final = 1000
+MAXIMUM_BEARINGS: Final = 100_000
+MINIMUM_SHAPE: Final = 0.1
 _POINTS: Final = 2001
 
 
@@ -115,11 +122,11 @@ class Demonstration:
         life_ratio : array
             Their true life over the one to be shown; 1 for bearings that are just as wanted.
         """
-        ratio = np.asarray(life_ratio, dtype=np.float64)
+        ratio = numbers(life_ratio, "life_ratio", "[1.0, 2.0, 5.0]")
         with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
             risk = self._risk() * np.maximum(ratio, 0.0) ** -self.shape
         failed = np.where(ratio >= 0.0, -np.expm1(-risk), np.nan)
-        return _at_most(self.failures_allowed, self.bearings, failed)
+        return _chance_of_at_most(self.failures_allowed, self.bearings, failed)
 
     def life_ratio_for(self, chance: float) -> float:
         """Life over the one to be shown that bearings need in order to pass with a probability."""
@@ -129,12 +136,12 @@ class Demonstration:
 
     def confidence_at(self, shape: ArrayLike) -> FloatArray:
         """Confidence that the same test gives if the shape is another: array."""
-        beta = np.asarray(shape, dtype=np.float64)
+        beta = numbers(shape, "shape", "[1.0, 1.5]")
         if not np.all((beta > 0.0) & np.isfinite(beta)):
             raise InputError("must be above zero", field="shape", example="1.5")
         with np.errstate(over="ignore"):
             risk = (self.time / self.life) ** beta * -np.log(self.reliability)
-        return 1.0 - _at_most(self.failures_allowed, self.bearings, -np.expm1(-risk))
+        return 1.0 - _chance_of_at_most(self.failures_allowed, self.bearings, -np.expm1(-risk))
 
     def expected_time(self, life_ratio: float = 1.0) -> float:
         """Mean time until the test ends: at T, or at the failure that is one too many.
@@ -151,7 +158,7 @@ class Demonstration:
             return float("nan")
         t = np.linspace(0.0, 1.0, _POINTS)
         risk = self._risk() * (t / ratio) ** self.shape
-        running = _at_most(self.failures_allowed, self.bearings, -np.expm1(-risk))
+        running = _chance_of_at_most(self.failures_allowed, self.bearings, -np.expm1(-risk))
         inner = float(np.sum(running[1:-1])) + 0.5 * float(running[0] + running[-1])
         return self.time * inner / (_POINTS - 1)
 
@@ -160,7 +167,7 @@ class Demonstration:
         values = {name: value for name, value in asdict(self).items() if name != "code"}
         values["total_time"] = self.total_time
         plain = {
-            name: None if isinstance(value, float) and not isfinite(value) else value
+            name: finite_or_none(value) if isinstance(value, float) else value
             for name, value in values.items()
         }
         return {
@@ -213,20 +220,21 @@ def demonstrate(
     wanted = positive(life, "life", "1000.0")
     given = (
         wanted, share(reliability, "reliability"), share(confidence, "confidence"),
-        planned_shape(shape), whole_number(failures_allowed, "failures_allowed", 0, MOST_ALLOWED),
+        planned_shape(shape),
+        whole_number(failures_allowed, "failures_allowed", 0, MAXIMUM_ALLOWED),
     )  # fmt: skip
     if bearings is None and time is None:
         raise InputError("or time must be given", field="bearings", example="10")
     if bearings is not None:
-        whole_number(bearings, "bearings", given[4] + 1, MOST)
+        whole_number(bearings, "bearings", given[4] + 1, MAXIMUM_BEARINGS)
     if time is not None:
         positive(time, "time", "500.0")
     if bearings is None:
         assert time is not None
-        return _for_time(*given, time)
+        return _bearings_for(*given, time)
     if time is None:
-        return _for_bearings(*given, bearings)
-    return _judged(*given, bearings, time)
+        return _time_for(*given, bearings)
+    return _confidence_of(*given, bearings, time)
 
 
 def alternatives(
@@ -258,7 +266,7 @@ def alternatives(
     )
 
 
-def _for_bearings(
+def _time_for(
     life: float, reliability: float, confidence: float, shape: float, allowed: int, bearings: int
 ) -> Demonstration:
     """Find the time."""
@@ -267,33 +275,33 @@ def _for_bearings(
         ratio = (np.log1p(-failed) / np.log(reliability)) ** (1.0 / shape)
     time = float(life * ratio)
     given = (life, reliability, confidence, shape, allowed, bearings)
-    if not 0.0 < time <= MOST_TIME:
+    if not 0.0 < time <= MAXIMUM_TIME:
         return Demonstration("too_long", *given, float("nan"), float("nan"))
     return Demonstration("planned", *given, time, confidence)
 
 
-def _for_time(
+def _bearings_for(
     life: float, reliability: float, confidence: float, shape: float, allowed: int, time: float
 ) -> Demonstration:
     """Find the least number of bearings."""
     given = (life, reliability, confidence, shape, allowed)
 
     def shows(bearings: int) -> bool:
-        return _judged(*given, bearings, time).planned
+        return _confidence_of(*given, bearings, time).planned
 
     low, high = allowed, allowed + 1  # of the lower one it is known that it does not
     while not shows(high):
-        if high == MOST:
+        if high == MAXIMUM_BEARINGS:
             nan = float("nan")
             return Demonstration("too_many_bearings", *given, 0, float(time), nan)
-        low, high = high, min(2 * high, MOST)
+        low, high = high, min(2 * high, MAXIMUM_BEARINGS)
     while high - low > 1:
         middle = (low + high) // 2
         low, high = (low, middle) if shows(middle) else (middle, high)
-    return _judged(*given, high, time)
+    return _confidence_of(*given, high, time)
 
 
-def _judged(
+def _confidence_of(
     life: float,
     reliability: float,
     confidence: float,
@@ -314,7 +322,7 @@ def _judged(
     )
 
 
-def _at_most(allowed: int, bearings: int, failed: FloatArray) -> FloatArray:
+def _chance_of_at_most(allowed: int, bearings: int, failed: FloatArray) -> FloatArray:
     """Probability that at most so many fail, each with a probability."""
     from scipy.special import bdtr
 
@@ -328,3 +336,16 @@ def _failed_share(allowed: int, bearings: int, chance: float) -> float:
     from scipy.special import betaincinv
 
     return float(betaincinv(allowed + 1.0, bearings - allowed, 1.0 - chance))
+
+
+def planned_shape(value: object) -> float:
+    """Return a shape that plans can be made with."""
+    shape = shape_of(value)
+    if shape < MINIMUM_SHAPE:
+        raise InputError(
+            f"must be from {MINIMUM_SHAPE:g} to {MAXIMUM_SHAPE:g}",
+            field="shape",
+            value=value,
+            example="1.5",
+        )
+    return shape

@@ -15,38 +15,44 @@ which itself varies from test to test, by W. Its median is what a plan is judged
 beside the ratio that only one test in ten exceeds. The distributions are drawn, by the engine that
 fits real tests.
 
-Sources: Johnson (1964) for sudden death; McCool (1970, 1974).
+*When a failure comes.* The share of a population that has failed when the r-th of n does has a
+Beta(r, n + 1 - r) distribution, and a time is t = η (-ln(1 - F))^(1/β) of it. Percentiles follow at
+once. Means have a closed form whose terms alternate in sign and cancel when there are many; here
+they are summed over ln t, where the density falls off at both ends, so that the trapezoidal rule is
+as good as exact.
+
+Sources: Johnson (1964) for sudden death; McCool (1970, 1974); Lieblein (1955) for the moments;
+David and Nagaraja (2003) for order statistics.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from functools import lru_cache
 from math import ceil, exp, inf, isfinite, log, nan
 from typing import Any, Final
 
 import numpy as np
+from numpy.typing import NDArray
 
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
-from rolamento.weibull import profile
-from rolamento.weibull._checks import generator, positive, sample_count, share
-from rolamento.weibull.censoring import FirstFailures, draw_fits
-from rolamento.weibull.order_statistics import (
-    FailureTime,
-    failure_time,
-    mean_failure_times,
-    planned_shape,
+from rolamento.weibull._checks import (
+    finite_or_none,
+    generator,
+    positive,
+    sample_count,
+    share,
     whole_number,
 )
-from rolamento.weibull.planning import PLAN_ADVICE
+from rolamento.weibull.drawing import FirstFailures, draw_fits
+from rolamento.weibull.likelihood import CONVERGED
+from rolamento.weibull.planning import MAXIMUM_BEARINGS, PLAN_ADVICE, planned_shape
 
-__all__ = ["LifeTestPlan", "plan_for_ratio", "plan_of", "plans_for_ratio"]
-
-MOST_FAILURES: Final = 1000
-MOST_GROUPS: Final = 20_000
-MOST_IN_GROUP: Final = 1000
+MAXIMUM_FAILURES: Final = 1000
+MAXIMUM_RIGS: Final = 20_000
+MAXIMUM_RIG_SIZE: Final = 1000
 _RARELY: Final = 0.9
 _EVALUATIONS: Final = 80
 _GUESSES: Final = 12
@@ -54,6 +60,37 @@ _FIRST_GUESS: Final = 10
 
 Evaluate = Callable[[int], float]
 Progress = Callable[[int, int], None]
+_POINTS: Final = 801
+_NEXT_TO_NOTHING: Final = 1e-18
+_RANKS_AT_ONCE: Final = 1000
+
+
+@dataclass(frozen=True, slots=True)
+class FailureTime:
+    """When a failure comes; in the unit of the scale.
+
+    Attributes
+    ----------
+    mean, deviation
+        expected time, and its standard deviation
+    median
+        as often earlier as later
+    lower, upper
+        limits that it lies between with the probability, as much left out on each side
+    probability
+        of that
+    """
+
+    mean: float
+    deviation: float
+    median: float
+    lower: float
+    upper: float
+    probability: float
+
+    def to_mapping(self) -> dict[str, Any]:
+        """Give the time as plain values; None where it is beyond any number."""
+        return {name: finite_or_none(value) for name, value in asdict(self).items()}
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -132,11 +169,10 @@ class LifeTestPlan:
             "life", "reliability", "shape", "confidence", "ratio", "ratio_rarely_exceeded",
             "shape_ratio", "bearing_time", "rig_time",
         )  # fmt: skip
-        found = {name: getattr(self, name) for name in numbers}
         return {
             "status": {"code": self.code, "planned": self.planned, "advice": self.advice},
             **{name: getattr(self, name) for name in counts},
-            **{name: value if isfinite(value) else None for name, value in found.items()},
+            **{name: finite_or_none(getattr(self, name)) for name in numbers},
             "duration": None if self.duration is None else self.duration.to_mapping(),
         }
 
@@ -179,8 +215,8 @@ def plan_of(
     InputError
         For a number out of range.
     """
-    r = whole_number(failures, "failures", 1, MOST_FAILURES)
-    g = r if groups is None else whole_number(groups, "groups", r, MOST_GROUPS)
+    r = whole_number(failures, "failures", 1, MAXIMUM_FAILURES)
+    g = r if groups is None else whole_number(groups, "groups", r, MAXIMUM_RIGS)
     expected = _Expected.of(group_size, shape, life, reliability, confidence, samples, seed)
     return expected.plan(g, r)
 
@@ -228,16 +264,18 @@ def plan_for_ratio(
     part = positive(failed_share, "failed_share", "0.5")
     if part > 1.0:
         raise InputError("must be 1 or less", field="failed_share", value=part, example="0.5")
-    most = MOST_FAILURES
+    most = MAXIMUM_FAILURES
     if groups is not None:
-        most = min(whole_number(groups, "groups", 1, MOST_GROUPS), most)
+        most = min(whole_number(groups, "groups", 1, MAXIMUM_RIGS), most)
     expected = _Expected.of(group_size, shape, life, reliability, confidence, samples, seed)
 
     def groups_for(failures: int) -> int:
         return ceil(failures / part - 1e-9) if groups is None else groups
 
-    most = min(most, int(MOST_GROUPS * part)) if groups is None else most
-    found = _least(lambda r: log(expected.plan(groups_for(r), r).ratio), log(wanted), most)
+    most = min(most, int(MAXIMUM_RIGS * part)) if groups is None else most
+    found = _minimum_failures(
+        lambda r: log(expected.plan(groups_for(r), r).ratio), log(wanted), most
+    )
     if found is None:
         code = "too_many_failures" if groups is None else "not_reached"
         return expected.without(code, 0 if groups is None else groups)
@@ -319,7 +357,7 @@ class _Expected:
         """Check what the caller gives."""
         generator(seed)
         return cls(
-            whole_number(group_size, "group_size", 1, MOST_IN_GROUP),
+            whole_number(group_size, "group_size", 1, MAXIMUM_RIG_SIZE),
             planned_shape(shape),
             positive(life, "life", "1000.0"),
             share(reliability, "reliability"),
@@ -339,7 +377,7 @@ class _Expected:
         """Draw what may be expected of a test."""
         if failures < 2:
             return self.without("too_few_failures", groups)
-        ratio_of_shape, shift = _pivots(groups, failures, self.samples, self.seed)
+        ratio_of_shape, shift = _drawn_pivots(groups, failures, self.samples, self.seed)
         # the life of a bearing for R is that of a group for R^m
         log_risk = log(-log(self.reliability) * self.group_size)
         tail = 0.5 * (1.0 - self.confidence)
@@ -360,8 +398,8 @@ class _Expected:
             self.reliability,
             self.shape,
             self.confidence,
-            _exp(width / w_median),
-            _exp(width / w_rare),
+            _exponential(width / w_median),
+            _exponential(width / w_rare),
             float(w_high / w_low),
             failure_time(failures, groups, self.shape, scale),
             rig_time * self.group_size,
@@ -372,10 +410,12 @@ class _Expected:
 
 
 @lru_cache(maxsize=32)
-def _pivots(groups: int, failures: int, samples: int, seed: int) -> tuple[FloatArray, FloatArray]:
+def _drawn_pivots(
+    groups: int, failures: int, samples: int, seed: int
+) -> tuple[FloatArray, FloatArray]:
     """β̂/β and β̂ ln(η̂/η) of drawn tests stopped at the r-th failure of g; those that have a fit."""
     fits = draw_fits(FirstFailures(groups, failures), 1.0, 0.0, samples, generator(seed))
-    good = fits.code == profile.CONVERGED
+    good = fits.code == CONVERGED
     shape = fits.shape[good]
     shift = shape * fits.log_scale[0, good]
     for array in (shape, shift):
@@ -383,7 +423,7 @@ def _pivots(groups: int, failures: int, samples: int, seed: int) -> tuple[FloatA
     return shape, shift
 
 
-def _least(evaluate: Evaluate, wanted: float, most: int) -> int | None:
+def _minimum_failures(evaluate: Evaluate, wanted: float, most: int) -> int | None:
     """Least r from 2 to the most whose value is not above the wanted one; None without.
 
     The value falls with r, about as 1/√(r - 1).
@@ -403,5 +443,97 @@ def _least(evaluate: Evaluate, wanted: float, most: int) -> int | None:
     return high if 2 <= high <= most else None
 
 
-def _exp(value: float) -> float:
+def _exponential(value: float) -> float:
     return exp(value) if value < 700.0 else inf
+
+
+# --- when a failure comes -------------------------------------------------------------------------
+
+
+def failure_time(
+    rank: int, size: int, shape: float, scale: float = 1.0, probability: float = 0.9
+) -> FailureTime:
+    """Time of the r-th failure among n bearings that start together.
+
+    Parameters
+    ----------
+    rank, size
+        r and n, up to 100 000.
+    shape, scale
+        β, η.
+    probability
+        Of the two limits.
+
+    Raises
+    ------
+    InputError
+        If a number is out of range.
+    """
+    r, n = _ranked(rank, size)
+    beta, eta = planned_shape(shape), positive(scale, "scale", "1000.0")
+    tail = 0.5 * (1.0 - share(probability, "probability"))
+    # each limit from its own side, so that none is lost in 1 - F
+    risks = _risk_below(r, n, tail), _risk_below(r, n, 0.5), _risk_above(r, n, tail)
+    lower, median, upper = (eta * float(risk) ** (1.0 / beta) for risk in risks)
+    mean, deviation = (
+        eta * float(moment[0]) for moment in _moments_of_times(np.array([r]), n, beta)
+    )
+    return FailureTime(mean, deviation, median, lower, upper, probability)
+
+
+def mean_failure_times(count: int, size: int, shape: float, scale: float = 1.0) -> FloatArray:
+    """Mean times of the first failures among n bearings: (count,); parameters as `failure_time`."""
+    r, n = _ranked(count, size)
+    beta, eta = planned_shape(shape), positive(scale, "scale", "1000.0")
+    ranks = np.arange(1, r + 1)
+    parts = [
+        _moments_of_times(ranks[i : i + _RANKS_AT_ONCE], n, beta)[0]
+        for i in range(0, r, _RANKS_AT_ONCE)
+    ]
+    return np.asarray(eta * np.concatenate(parts))
+
+
+def _ranked(rank: int, size: int) -> tuple[int, int]:
+    n = whole_number(size, "size", 1, MAXIMUM_BEARINGS)
+    return whole_number(rank, "rank", 1, n), n
+
+
+def _risk_below(rank: FloatArray | int, size: int, probability: float) -> FloatArray:
+    """Cumulated risk -ln(1 - F) that the r-th failure comes before with a probability."""
+    from scipy.special import betaincinv
+
+    r = np.asarray(rank, dtype=np.float64)
+    return np.asarray(-np.log1p(-betaincinv(r, size + 1.0 - r, probability)))
+
+
+def _risk_above(rank: FloatArray | int, size: int, probability: float) -> FloatArray:
+    """Cumulated risk that it comes after with a probability."""
+    from scipy.special import betaincinv
+
+    r = np.asarray(rank, dtype=np.float64)
+    return np.asarray(-np.log(betaincinv(size + 1.0 - r, r, probability)))
+
+
+def _moments_of_times(
+    rank: NDArray[np.int64], size: int, shape: float
+) -> tuple[FloatArray, FloatArray]:
+    """Mean and standard deviation of the times of some failures, over the scale."""
+    from scipy.special import betaln
+
+    r = rank.astype(np.float64)[:, np.newaxis]
+    left = size + 1.0 - r
+    low = np.log(_risk_below(r, size, _NEXT_TO_NOTHING))
+    # where the times weigh more than the density does: z^(2/β) e^(-left z) has its end there
+    weight = 2.0 / shape
+    heavy = (60.0 + weight + 10.0 * weight**0.5) / left
+    high = np.log(np.maximum(_risk_above(r, size, _NEXT_TO_NOTHING), heavy))
+    x = low + (high - low) * np.linspace(0.0, 1.0, _POINTS)
+    risk = np.exp(x)
+    log_density = (r - 1.0) * np.log(-np.expm1(-risk)) - left * risk + x - betaln(r, left)
+    share_ = np.exp(log_density) * (high - low) / (_POINTS - 1)
+    middle = np.log(_risk_below(r, size, 0.5))
+    time = np.exp((x - middle) / shape)  # over the median
+    mean = np.sum(share_ * time, axis=1, keepdims=True)
+    variance = np.sum(share_ * (time - mean) ** 2, axis=1)
+    unit = np.exp(middle[:, 0] / shape)
+    return unit * mean[:, 0], unit * np.sqrt(variance)

@@ -2,59 +2,312 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from typing import Final
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field
+from typing import Any, Final, Literal, get_args
+
+from numpy.typing import ArrayLike
 
 from rolamento.errors import InputError
-from rolamento.weibull.bounds import Sides, all_bounds
-from rolamento.weibull.calculated import (
+from rolamento.weibull._checks import finite_or_none, one_of
+from rolamento.weibull.bounds import Bounds, Method, Sides, all_bounds
+from rolamento.weibull.comparison import (
     VERDICT_METHODS,
     CalculatedLife,
+    Comparison,
+    Hypothesis,
+    LifeRatio,
     against_calculated_life,
+    compare,
+    life_ratio,
 )
-from rolamento.weibull.comparison import Comparison, Hypothesis, compare
-from rolamento.weibull.fit import WeibullFit
-from rolamento.weibull.fixed_shape import fixed_shape
-from rolamento.weibull.life_ratio import LifeRatio, life_ratio
+from rolamento.weibull.estimates import (
+    fixed_shape,
+    maximum_likelihood,
+    plotting_positions,
+    rank_regression,
+    three_parameter,
+)
+from rolamento.weibull.fit import Estimand, WeibullFit
 from rolamento.weibull.life_test import LifeTest
-from rolamento.weibull.maximum_likelihood import maximum_likelihood
-from rolamento.weibull.posterior import posterior
-from rolamento.weibull.rank_regression import rank_regression
-from rolamento.weibull.summary_record import (
-    FIT_METHODS,
-    AssumedShape,
-    Credible,
-    FitMethod,
-    GroupSummary,
-    LifeTestSummary,
-    Wanted,
-    has_ranks,
-)
-from rolamento.weibull.three_parameter import three_parameter
-from rolamento.weibull.unbiased import unbiased
+from rolamento.weibull.posterior import ShapePrior, posterior
+from rolamento.weibull.sampled import unbiased
 
-__all__ = [
-    "FIT_METHODS",
-    "AssumedShape",
-    "Credible",
-    "FitMethod",
-    "GroupSummary",
-    "LifeTestSummary",
-    "Wanted",
-    "summarise",
+FitMethod = Literal[
+    "maximum_likelihood",
+    "unbiased",
+    "rank_regression_x_on_y",
+    "rank_regression_y_on_x",
+    "three_parameter",
 ]
-
+FIT_METHODS: Final = get_args(FitMethod)
+MAXIMUM_RANKED: Final = 20_000
+"""Failures up to which each gets its rank, and is drawn."""
 ASSUMED_SHAPES: Final = (1.0, 1.5, 2.0)
 """For a test that tells no shape of its own."""
-MOST_GROUPS: Final = 20
-_MOST_RATIOS: Final = 10
+MAXIMUM_GROUPS: Final = 20
+_MAXIMUM_RATIOS: Final = 10
 _HYPOTHESES: Final[tuple[Hypothesis, ...]] = ("common_shape", "same_life", "homogeneous")
 
 Progress = Callable[[int, int], None]
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Wanted:
+    """What is to be found of a life test.
+
+    Attributes
+    ----------
+    methods
+        of fitting, `FIT_METHODS`
+    bounds
+        method of the bounds; that of `rolamento.weibull.bounds` by default
+    confidence, sides
+        of the bounds
+    reliabilities
+        that lives are wanted for; a calculated life is for the first
+    times
+        that reliabilities are wanted for; unit of the test
+    shape
+        β from experience: then only the scale comes from the test
+    prior
+        what was known of the shape, for the posterior; None without
+    calculated
+        calculated lives by their names; unit of the test
+    samples, seed
+        tests to draw, and what they are drawn with
+    """
+
+    methods: tuple[FitMethod, ...] = FIT_METHODS[:4]
+    bounds: Method | None = None
+    confidence: float = 0.9
+    sides: Sides = "two"
+    reliabilities: tuple[float, ...] = (0.9, 0.5)
+    times: tuple[float, ...] = ()
+    shape: float | None = None
+    prior: ShapePrior | None = None
+    calculated: Mapping[str, float] = field(default_factory=dict)
+    samples: int = 10_000
+    seed: int = 0
+
+    def __post_init__(self) -> None:
+        """Refuse unknown methods, and no life at all."""
+        for name in ("methods", "reliabilities", "times"):
+            many = getattr(self, name)
+            if isinstance(many, str) or not isinstance(many, Iterable):
+                raise InputError("must be a list", field=name, value=many)
+            object.__setattr__(self, name, tuple(many))
+        for method in self.methods:
+            one_of(method, "method", FIT_METHODS)
+        if not self.reliabilities:
+            raise InputError("must be one at least", field="reliability", example="0.9")
+        if self.shape is not None and self.bounds not in (None, "fixed_shape"):
+            raise InputError("goes with no other bounds", field="shape", value=self.shape)
+
+    @property
+    def lives(self) -> tuple[Estimand, ...]:
+        """Lives that are wanted."""
+        return tuple(Estimand.life(r) for r in self.reliabilities)
+
+    @property
+    def shares(self) -> tuple[Estimand, ...]:
+        """Reliabilities that are wanted."""
+        return tuple(Estimand.reliability(time) for time in self.times)
+
+    def bounded(self, with_shape: bool) -> tuple[Estimand, ...]:
+        """Quantities that are bounded; the shape only where it is not given."""
+        shape = (Estimand.of("shape"),) if with_shape else ()
+        return (*shape, Estimand.of("scale"), *self.lives, *self.shares)
+
+
+@dataclass(frozen=True, slots=True)
+class Credible:
+    """Median and interval of a quantity after the test, with what was known before.
+
+    Attributes
+    ----------
+    quantity, unit
+        as it is written, and its label; empty for a shape or a reliability
+    median, lower, upper, probability
+        the quantity lies between the limits with the probability
+    """
+
+    quantity: str
+    unit: str
+    median: float
+    lower: float
+    upper: float
+    probability: float
+
+    def to_mapping(self) -> dict[str, Any]:
+        """Give it as plain values; None where there is no number."""
+        names = ("median", "lower", "upper")
+        return {
+            "quantity": self.quantity,
+            "unit": self.unit,
+            **{name: finite_or_none(getattr(self, name)) for name in names},
+            "probability": self.probability,
+        }
+
+
+@dataclass(frozen=True, slots=True)
+class AssumedShape:
+    """What a test that tells no shape would say, were the shape this."""
+
+    shape: float
+    bounds: tuple[Bounds, ...]
+
+    def to_mapping(self) -> dict[str, Any]:
+        """Give it as plain values."""
+        return {"shape": self.shape, "bounds": [bound.to_mapping() for bound in self.bounds]}
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class GroupSummary:
+    """What one group says, or a test without groups.
+
+    Attributes
+    ----------
+    name
+        label of the group; empty without
+    test
+        its part of the data
+    fits
+        by every method that was wanted and can be; the first is what the bounds are about
+    bounds
+        on shape, scale, lives and reliabilities
+    assumed
+        where the test tells no shape: what it would say with shapes that are usual
+    calculated
+        calculated lives set against it, by their names
+    prior_code, credible
+        status of the posterior, empty if none was wanted; and what it says
+    """
+
+    name: str
+    test: LifeTest
+    fits: tuple[WeibullFit, ...]
+    bounds: tuple[Bounds, ...]
+    assumed: tuple[AssumedShape, ...]
+    calculated: Mapping[str, CalculatedLife]
+    prior_code: str
+    credible: tuple[Credible, ...]
+
+    @property
+    def ranked(self) -> bool:
+        """Whether the failures have ranks: their times are known, and they are not too many."""
+        return has_ranks(self.test)
+
+    @property
+    def main(self) -> WeibullFit:
+        """Fit that the bounds are about."""
+        return self.fits[0]
+
+    @property
+    def bounded(self) -> bool:
+        """Whether there are bounds on anything."""
+        return any(bound.converged for bound in self.bounds)
+
+    @property
+    def has_result(self) -> bool:
+        """Whether the group says anything in numbers of its own."""
+        return self.main.converged or self.bounded or bool(self.credible)
+
+    def bound(self, quantity: Estimand) -> Bounds | None:
+        """Bounds on a quantity."""
+        return next((one for one in self.bounds if one.quantity == quantity.name), None)
+
+    def to_mapping(self) -> dict[str, Any]:
+        """Give the group as plain values."""
+        test = self.test
+        points = _plotted_points(test) if self.ranked else []
+        return {
+            "name": self.name,
+            "size": test.size,
+            "failures": test.failures,
+            "suspensions": test.suspensions,
+            "scheme": test.scheme,
+            "total_time": test.total_time,
+            "points": points,
+            "fits": [fit.to_mapping() for fit in self.fits],
+            "bounds": [bound.to_mapping() for bound in self.bounds],
+            "assumed_shapes": [one.to_mapping() for one in self.assumed],
+            "calculated": {name: one.to_mapping() for name, one in self.calculated.items()},
+            "posterior": {"code": self.prior_code, "of": [c.to_mapping() for c in self.credible]}
+            if self.prior_code
+            else None,
+        }
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class LifeTestSummary:
+    """What a life test says.
+
+    Attributes
+    ----------
+    test
+        the data, all groups together
+    wanted
+        what was asked for
+    groups
+        in the order of the data; one without a name where they are not parted
+    comparisons
+        whether the groups have shape and life in common
+    ratios
+        life of the first group over that of each other
+    """
+
+    test: LifeTest
+    wanted: Wanted
+    groups: tuple[GroupSummary, ...]
+    comparisons: tuple[Comparison, ...] = ()
+    ratios: tuple[LifeRatio, ...] = ()
+
+    @property
+    def has_result(self) -> bool:
+        """Whether any group says anything in numbers of its own."""
+        return any(group.has_result for group in self.groups)
+
+    def to_mapping(self) -> dict[str, Any]:
+        """Give the summary as plain values; None where there is no number."""
+        test, wanted = self.test, self.wanted
+        return {
+            "title": test.title,
+            "source": test.source,
+            "passed_over": list(test.passed_over),
+            "unit": test.unit,
+            "size": test.size,
+            "failures": test.failures,
+            "suspensions": test.suspensions,
+            "confidence": wanted.confidence,
+            "samples": wanted.samples,
+            "seed": wanted.seed,
+            "groups": [group.to_mapping() for group in self.groups],
+            "comparisons": [one.to_mapping() for one in self.comparisons],
+            "life_ratios": [one.to_mapping() for one in self.ratios],
+        }
+
+
+def has_ranks(test: LifeTest) -> bool:
+    """Whether the failures of a test have ranks: their times are known, and they are not many."""
+    return not test.inspected and test.failures <= MAXIMUM_RANKED
+
+
+def _plotted_points(test: LifeTest) -> list[dict[str, float]]:
+    """Points of the Weibull plot."""
+    positions = plotting_positions(test)
+    columns = zip(positions.times, positions.rank, positions.failed_share, strict=True)
+    return [
+        {"time": float(time), "rank": float(rank), "failed_share": float(share)}
+        for time, rank, share in columns
+    ]
+
+
+# --- how it is found ------------------------------------------------------------------------------
+
+
 def summarise(
-    test: LifeTest,
+    test: LifeTest | ArrayLike,
     wanted: Wanted | None = None,
     *,
     by_group: bool = True,
@@ -78,17 +331,18 @@ def summarise(
     InputError
         For more than 20 groups to be taken by themselves, or what bounds and fits refuse.
     """
+    test = LifeTest.of(test)
     asked = Wanted() if wanted is None else wanted
     tests = test.by_group() if by_group else {"": test}
-    if len(tests) > MOST_GROUPS:
+    if len(tests) > MAXIMUM_GROUPS:
         raise InputError(
-            f"must be {MOST_GROUPS} at most to be told by themselves; take another column, or all"
-            " together",
+            f"must be {MAXIMUM_GROUPS} at most to be told by themselves; take another column, or"
+            " all together",
             field="groups",
             value=len(tests),
         )
     compared = len(tests) > 1 and not test.inspected
-    pairs = list(tests)[1 : _MOST_RATIOS + 1] if compared else []
+    pairs = list(tests)[1 : _MAXIMUM_RATIOS + 1] if compared else []
     steps = len(tests) + (len(_HYPOTHESES) if compared else 0) + len(pairs)
     done = 0
 
@@ -100,7 +354,7 @@ def summarise(
 
     groups = []
     for name, part in tests.items():
-        groups.append(_group(name, part, asked))
+        groups.append(_summary_of(name, part, asked))
         step()
     comparisons = []
     for hypothesis in _HYPOTHESES if compared else ():
@@ -108,13 +362,13 @@ def summarise(
         step()
     ratios = []
     for other in pairs:
-        ratios.append(_ratio(tests, other, comparisons, asked))
+        ratios.append(_ratio_to_first(tests, other, comparisons, asked))
         step()
     return LifeTestSummary(test, asked, tuple(groups), tuple(comparisons), tuple(ratios))
 
 
-def _group(name: str, test: LifeTest, asked: Wanted) -> GroupSummary:
-    fits = _fits(test, asked)
+def _summary_of(name: str, test: LifeTest, asked: Wanted) -> GroupSummary:
+    fits = _fits_by(test, asked)
     # without failures nothing bounds from above: all of the confidence goes to the lower bound
     sides = asked.sides if test.failures or asked.sides != "two" else "lower"
     bounds = all_bounds(
@@ -128,20 +382,23 @@ def _group(name: str, test: LifeTest, asked: Wanted) -> GroupSummary:
         shape=asked.shape,
     )
     alone = not any(bound.converged for bound in bounds)
-    code, credible = _credible(test, asked)
+    code, credible = _credible_intervals(test, asked)
     return GroupSummary(
         name,
         test,
         fits,
         bounds,
-        _assumed(test, asked, sides) if alone and not credible else (),
-        {label: _against(test, life, asked) for label, life in asked.calculated.items()},
+        _at_assumed_shapes(test, asked, sides) if alone and not credible else (),
+        {
+            label: _against_calculation(test, life, asked)
+            for label, life in asked.calculated.items()
+        },
         code,
         credible,
     )
 
 
-def _fits(test: LifeTest, asked: Wanted) -> tuple[WeibullFit, ...]:
+def _fits_by(test: LifeTest, asked: Wanted) -> tuple[WeibullFit, ...]:
     """Fits by every method, the one that the bounds are about first."""
     fits = [] if asked.shape is None else [fixed_shape(test, asked.shape)]
     wanted = dict.fromkeys(asked.methods)
@@ -161,7 +418,7 @@ def _fits(test: LifeTest, asked: Wanted) -> tuple[WeibullFit, ...]:
     return tuple(fits)
 
 
-def _assumed(test: LifeTest, asked: Wanted, sides: Sides) -> tuple[AssumedShape, ...]:
+def _at_assumed_shapes(test: LifeTest, asked: Wanted, sides: Sides) -> tuple[AssumedShape, ...]:
     quantities = (*asked.lives, *asked.shares)
     return tuple(
         AssumedShape(
@@ -172,7 +429,7 @@ def _assumed(test: LifeTest, asked: Wanted, sides: Sides) -> tuple[AssumedShape,
     )
 
 
-def _against(test: LifeTest, life: float, asked: Wanted) -> CalculatedLife:
+def _against_calculation(test: LifeTest, life: float, asked: Wanted) -> CalculatedLife:
     return against_calculated_life(
         test,
         life,
@@ -185,7 +442,7 @@ def _against(test: LifeTest, life: float, asked: Wanted) -> CalculatedLife:
     )
 
 
-def _credible(test: LifeTest, asked: Wanted) -> tuple[str, tuple[Credible, ...]]:
+def _credible_intervals(test: LifeTest, asked: Wanted) -> tuple[str, tuple[Credible, ...]]:
     """Status of the posterior, and what it says."""
     if asked.prior is None:
         return "", ()
@@ -201,7 +458,7 @@ def _credible(test: LifeTest, asked: Wanted) -> tuple[str, tuple[Credible, ...]]
     return found.code, tuple(credible)
 
 
-def _ratio(
+def _ratio_to_first(
     tests: Mapping[str, LifeTest], other: str, comparisons: list[Comparison], asked: Wanted
 ) -> LifeRatio:
     """Ratio of the first group's life to another's; at a common shape unless the data deny it."""

@@ -20,13 +20,11 @@ from numpy.typing import ArrayLike
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.numerics.root import increasing_root
-from rolamento.weibull._checks import one_of, shape_of, shares
-
-__all__ = ["EXPONENTS", "series_life", "series_reliability", "system_rating_life"]
+from rolamento.weibull._checks import numbers, one_of, shape_of, shares
 
 EXPONENTS: Final = {"ball": 10.0 / 9.0, "roller": 9.0 / 8.0}
 """Weibull exponent of the standards' ratings."""
-_MOST_PARTS: Final = 100_000
+_MAXIMUM_PARTS: Final = 100_000
 
 
 def system_rating_life(
@@ -49,7 +47,7 @@ def system_rating_life(
     """
     one_of(kind, "kind", EXPONENTS)
     e = EXPONENTS[kind] if exponent is None else shape_of(exponent, "exponent")
-    array = _parts(lives, "lives")
+    array = _positive_numbers(lives, "lives")
     shortest = array.min(axis=-1)
     with np.errstate(invalid="ignore", divide="ignore"):
         ratio = np.where(np.isinf(array), 0.0, shortest[..., np.newaxis] / array)
@@ -73,8 +71,10 @@ def series_reliability(
     R of the shape of the times.
     """
     beta, eta, gamma = _distributions(shapes, scales, locations)
-    t = np.asarray(time, dtype=np.float64)
-    return np.asarray(np.exp(-_risk(t[..., np.newaxis], beta, eta, gamma)))
+    t = numbers(time, "time", "[100.0, 200.0]")
+    with np.errstate(over="ignore"):
+        risk = np.sum((np.maximum(t[..., np.newaxis] - gamma, 0.0) / eta) ** beta, axis=-1)
+    return np.asarray(np.exp(-risk))
 
 
 def series_life(
@@ -110,19 +110,14 @@ def series_life(
     return increasing_root(excess, start, least, np.maximum(most, least))[0]
 
 
-def _risk(t: FloatArray, beta: FloatArray, eta: FloatArray, gamma: FloatArray) -> FloatArray:
-    with np.errstate(over="ignore"):
-        return np.asarray(np.sum((np.maximum(t - gamma, 0.0) / eta) ** beta, axis=-1))
-
-
 def _distributions(
     shapes: ArrayLike, scales: ArrayLike, locations: ArrayLike
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
-    beta, eta = _parts(shapes, "shapes"), _parts(scales, "scales")
+    beta, eta = _positive_numbers(shapes, "shapes"), _positive_numbers(scales, "scales")
+    gamma = numbers(locations, "locations", "[0.0, 0.0]")
     try:
-        gamma = np.asarray(locations, dtype=np.float64)
         beta, eta, gamma = np.broadcast_arrays(beta, eta, np.atleast_1d(gamma))
-    except (TypeError, ValueError):
+    except ValueError:  # of several lengths
         gamma = np.array([np.nan])
     if not np.all((gamma >= 0.0) & np.isfinite(gamma)) or beta.ndim != 1:
         raise InputError(
@@ -135,13 +130,12 @@ def _distributions(
     return beta, eta, gamma
 
 
-def _parts(values: ArrayLike, field: str) -> FloatArray:
-    try:
-        array = np.atleast_1d(np.asarray(values, dtype=np.float64))
-    except (TypeError, ValueError):
-        array = np.array([np.nan])
-    if array.shape[-1] > _MOST_PARTS or not array.size or not np.all(array > 0.0):
+def _positive_numbers(values: ArrayLike, field: str) -> FloatArray:
+    array = np.atleast_1d(numbers(values, field, "[1000.0, 800.0]"))
+    if array.shape[-1] > _MAXIMUM_PARTS or not array.size or not np.all(array > 0.0):
         raise InputError(
-            f"must be 1 to {_MOST_PARTS} numbers above zero", field=field, example="[1000.0, 800.0]"
+            f"must be 1 to {_MAXIMUM_PARTS} numbers above zero",
+            field=field,
+            example="[1000.0, 800.0]",
         )
     return array

@@ -19,27 +19,19 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from importlib import resources
 from math import isfinite
-from typing import Any, Final
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
 from rolamento._tables import Numerals, parse_table, table_text
-from rolamento.clearance.wear import WearFit, WearLaw, fit_wear
 from rolamento.errors import InputError
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.weibull._checks import one_of
-from rolamento.weibull._columns import LONGEST_LABEL, TextArray
-from rolamento.weibull.csv_cells import header_of, place_of, word_and_unit
+from rolamento.weibull.life_test import LONGEST_LABEL, TextArray
+from rolamento.weibull.reading import header_of, place_of, word_and_unit
 
-__all__ = [
-    "PUBLISHED_TRENDS",
-    "Trend",
-    "parse_trend",
-    "published_trend",
-    "published_trend_text",
-    "read_trend",
-    "wear_of_each",
-]
+if TYPE_CHECKING:
+    from rolamento.clearance.wear import WearFit, WearLaw
 
 PUBLISHED_TRENDS: Final = ("campanha_2008_clearance", "campanha_2008_anderon")
 _HEAD: Final = re.compile(r"(.*?)\s*[\[(]([^\[\]()]{1,20})[\])]")
@@ -49,9 +41,9 @@ _BEARINGS: Final = (
 )
 _EXAMPLE: Final = "time (h),bearing,radial clearance (µm)"
 _REJECTED: Final = ("x", "×")
-_MOST_ROWS: Final = 10_000
-_MOST_QUANTITIES: Final = 8
-_MOST_BEARINGS: Final = 50
+_MAXIMUM_ROWS: Final = 10_000
+_MAXIMUM_QUANTITIES: Final = 8
+_MAXIMUM_BEARINGS: Final = 50
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -150,9 +142,9 @@ def read_trend(
     return parse_trend(*table_text(path), time=time, bearing=bearing, decimal_mark=decimal_mark)
 
 
-def published_trend(name: str) -> Trend:
-    """Return a published record, one of `PUBLISHED_TRENDS`."""
-    return parse_trend(published_trend_text(name), f"{name}.csv")
+def published_trend(name: str, **columns: str | None) -> Trend:
+    """Return a published record, one of `PUBLISHED_TRENDS`; columns as of `read_trend`."""
+    return parse_trend(published_trend_text(name), f"{name}.csv", **columns)
 
 
 def published_trend_text(name: str) -> str:
@@ -186,7 +178,7 @@ def parse_trend(
     FileError, InputError
         If it is no such record.
     """
-    table = parse_table(text, source, most_rows=_MOST_ROWS, example=_EXAMPLE)
+    table = parse_table(text, source, most_rows=_MAXIMUM_ROWS, example=_EXAMPLE)
     try:
         columns = _Columns.of(table.header, time, bearing)
     except InputError as error:
@@ -199,8 +191,8 @@ def parse_trend(
         except InputError as error:
             raise table.placed(error, number) from None
     times, bearings, values, rejected = zip(*parsed, strict=True)
-    if len(set(bearings)) > _MOST_BEARINGS:
-        raise InputError(f"has more than {_MOST_BEARINGS} bearings", source=source)
+    if len(set(bearings)) > _MAXIMUM_BEARINGS:
+        raise InputError(f"has more than {_MAXIMUM_BEARINGS} bearings", source=source)
     return Trend(
         np.array(times),
         np.array(bearings, dtype=np.str_),
@@ -223,6 +215,7 @@ def wear_of_each(trend: Trend, law: WearLaw = "running_in") -> dict[str, WearFit
     InputError
         If the first quantity is no length, the times are no times, or there are too few.
     """
+    from rolamento.clearance.wear import fit_wear
     from rolamento.units import to_si
 
     unit, time_unit = trend.units[0], trend.time_unit
@@ -252,7 +245,7 @@ class _Columns:
     @classmethod
     def of(cls, header: Sequence[str], time: str | None, bearing: str | None) -> _Columns:
         """Find the columns by the cells of the header."""
-        heads = [_head(cell) for cell in header]
+        heads = [_name_and_unit(cell) for cell in header]
         by_name = {"time": _place_of_time(header), "bearing": _place_of_bearing(header)}
         for column, title in (("time", time), ("bearing", bearing)):
             if title is not None:
@@ -271,8 +264,8 @@ class _Columns:
             missing = header[first] if not time_unit else header[others[0]] if others else "header"
             rule = "needs its unit in brackets" if others else "has no column of a quantity"
             raise InputError(rule, field=missing, example=_EXAMPLE)
-        if len(places) > _MOST_QUANTITIES:
-            rule = f"must have 1 to {_MOST_QUANTITIES} columns of quantities"
+        if len(places) > _MAXIMUM_QUANTITIES:
+            rule = f"must have 1 to {_MAXIMUM_QUANTITIES} columns of quantities"
             raise InputError(rule, field="header")
         return cls(
             first,
@@ -293,12 +286,12 @@ class _Columns:
             raise InputError(
                 f"must be a name of {LONGEST_LABEL} characters at most", field="bearing", value=name
             )
-        time = _number(cells[self.time], "time", numerals)
+        time = _measured(cells[self.time], "time", numerals)
         if time < 0.0:
             raise InputError("must not be negative", field="time", value=cells[self.time])
         rejected = [cells[place].casefold() in _REJECTED for place in self.places]
         values = [
-            np.nan if bad or not cells[place] else _number(cells[place], quantity, numerals)
+            np.nan if bad or not cells[place] else _measured(cells[place], quantity, numerals)
             for place, bad, quantity in zip(self.places, rejected, self.quantities, strict=True)
         ]
         return time, name, values, rejected
@@ -320,7 +313,7 @@ def _place_of_bearing(header: Sequence[str]) -> int | None:
     return next((place for place, name in enumerate(names) if name in _BEARINGS), None)
 
 
-def _head(cell: str) -> tuple[str, str]:
+def _name_and_unit(cell: str) -> tuple[str, str]:
     match = _HEAD.fullmatch(cell)
     name, unit = (match[1], match[2].strip()) if match else (cell, "")
     if len(name) > LONGEST_LABEL or not cell.isprintable():
@@ -330,7 +323,7 @@ def _head(cell: str) -> tuple[str, str]:
     return name, unit
 
 
-def _number(cell: str, field: str, numerals: Numerals) -> float:
+def _measured(cell: str, field: str, numerals: Numerals) -> float:
     value = numerals.number(cell)
     if value is None or not isfinite(value):
         raise InputError("must be a number", field=field, value=cell, example="36.5")

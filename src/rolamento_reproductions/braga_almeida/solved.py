@@ -13,7 +13,6 @@ from rolamento.case.bearing import Bearing
 from rolamento.case.duty import Duty, Load
 from rolamento.case.lubricant import Lubricant
 from rolamento.case.model import Model
-from rolamento.friction import loaded_balls
 from rolamento.friction.slip import (
     BallVelocity,
     Patch,
@@ -75,7 +74,17 @@ class Ball:
 
     def patch(self, race: Race) -> Patch:
         """The contact with a race, arrays of one."""
-        return loaded_balls(self.state).patch(race).mapped(lambda array: array[0, :1])
+        contact, bearing = getattr(self.state.balls[0], race), self.state.case.bearing
+        numbers = (
+            contact.load,
+            contact.contact_angle,
+            contact.semi_major,
+            contact.semi_minor,
+            bearing.ball_diameter,
+            bearing.pitch_diameter,
+            getattr(bearing, f"{race}_conformity"),
+        )
+        return Patch(race, *(np.array([number]) for number in numbers))
 
     def motion(self, race: Race) -> RelativeMotion:
         """How the race moves relative to the ball, arrays of one."""

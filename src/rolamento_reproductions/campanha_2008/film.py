@@ -5,16 +5,18 @@ from __future__ import annotations
 from functools import cache
 from typing import Any
 
+import numpy as np
+
 from rolamento.case import Case
 from rolamento.case.duty import Duty, Load
 from rolamento.contact.hertz import effective_modulus, elliptical_contact
 from rolamento.geometry import Race
-from rolamento.lubrication import film_of
+from rolamento.lubrication import film as film_of
 from rolamento.lubrication.film_thickness import central_film, film_groups
 from rolamento.lubrication.regime import regime_of
 from rolamento.lubrication.roughness import rms_of_mean_roughness
-from rolamento.oil.pressure_viscosity import wooster
-from rolamento.rows.ball import solve
+from rolamento.oil import wooster
+from rolamento.solving import solve
 from rolamento.verification import Check
 from rolamento.verification.published import MM
 from rolamento_reproductions.campanha_2008.contact import (
@@ -307,10 +309,8 @@ def _solved_films(condition: str) -> tuple[float, float]:
         temperature={"lubricant": temperature(condition) + ZERO_CELSIUS},
     )
     film = film_of(solve(case))
-    inner, outer = film.thinnest("inner"), film.thinnest("outer")
-    assert inner is not None
-    assert outer is not None
-    return inner.central_thickness, outer.central_thickness
+    inner, outer = film.inner.central_thickness, film.outer.central_thickness
+    return float(np.nanmin(inner)), float(np.nanmin(outer))
 
 
 def _choices() -> Table:

@@ -14,7 +14,7 @@ from rolamento.case.lubricant import Lubricant
 from rolamento.case.material import Material
 from rolamento.contact.hertz import HertzContact, effective_modulus, elliptical_contact
 from rolamento.geometry import Race, race_curvature
-from rolamento.life.basic import basic_rating_life, hours
+from rolamento.life.iso281 import basic_rating_life, hours
 from rolamento.lubrication.oil_state import OilState, oil_state
 from rolamento.verification import Check, campanha_2008_clearance, campanha_2008_film
 from rolamento.verification.published import MM, bearing_of, published, steel

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from rolamento.life.basic import MILLION
+from rolamento.life.iso281 import MILLION
 from rolamento.weibull import published_text
 from rolamento_reproductions.campanha_2008.against_calculated import against_table
 from rolamento_reproductions.campanha_2008.fits import fits_table

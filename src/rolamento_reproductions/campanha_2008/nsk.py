@@ -7,10 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from rolamento.life.basic import MOST_LOAD
+from rolamento.life.iso281 import MAXIMUM_LOAD
+from rolamento.life.iso281_modified import fatigue_load_limit, life_modification_factor
 from rolamento.life.l_able import l_able, refusals
-from rolamento.life.modified import fatigue_load_limit, life_modification_factor
-from rolamento.lubrication.viscosity_ratio import viscosity_ratio
+from rolamento.lubrication.oil_state import viscosity_ratio
 from rolamento_reproductions.campanha_2008.inputs import (
     GIVEN,
     MICRO,
@@ -129,6 +129,6 @@ def _outside() -> Text:
         " de C_r, e os ensaios têm {:.1f} %. O mais próximo de uma vida calculada é a de referência"
         " da ISO/TS 16281, com as cargas de cada esfera (tabela D); uma vida para esta carga exige"
         " ensaios.",
-        100.0 * MOST_LOAD,
+        100.0 * MAXIMUM_LOAD,
         100.0 * load() / rating,
     )

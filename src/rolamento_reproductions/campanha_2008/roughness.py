@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from rolamento.lubrication.oil_state import reference_viscosity
 from rolamento.lubrication.regime import regime_of
 from rolamento.lubrication.roughness import rms_of_mean_roughness
-from rolamento.lubrication.viscosity_ratio import reference_viscosity
 from rolamento_reproductions.campanha_2008.contact import check_of
 from rolamento_reproductions.campanha_2008.film import REGIMES
 from rolamento_reproductions.campanha_2008.inputs import (

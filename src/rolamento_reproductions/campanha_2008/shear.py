@@ -8,7 +8,7 @@ import numpy as np
 
 from rolamento.contact.hertz import HertzContact
 from rolamento.contact.subsurface import greatest_shear
-from rolamento.life.reference import race_ratings, reference_life
+from rolamento.life.iso16281 import race_ratings, reference_life
 from rolamento.lubrication.regime import crack_origin
 from rolamento.static import RadialSolution, radial_load
 from rolamento.verification.campanha_2008 import LINE_CONTACT_DEPTH

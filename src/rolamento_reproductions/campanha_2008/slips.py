@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from rolamento.life.ioannides_harris import fatigue_limit_of_pressure
-from rolamento.life.modified import FATIGUE_PRESSURE
+from rolamento.life.iso281_modified import FATIGUE_PRESSURE
 from rolamento.verification.campanha_2008_weibull import as_plotted, four_failures
 from rolamento_reproductions.campanha_2008.inputs import GIVEN, contact_at, printed
 from rolamento_reproductions.campanha_2008.weibull import Tested, life_by_all, six_failures

@@ -16,8 +16,12 @@ from rolamento.verification.campanha_2008_weibull import (
     five_failures,
     four_failures,
 )
-from rolamento.weibull import LifeTest, WeibullFit, plotting_positions
-from rolamento.weibull.band import confidence_band
+from rolamento.weibull import (
+    LifeTest,
+    WeibullFit,
+    confidence_band,
+    plotting_positions,
+)
 from rolamento_reproductions.campanha_2008.inputs import GIVEN
 from rolamento_reproductions.campanha_2008.weibull import (
     Tested,

@@ -6,9 +6,9 @@ from functools import cache
 
 import numpy as np
 
-from rolamento.life.basic import hours
+from rolamento.life.iso281 import hours
+from rolamento.life.iso16281 import RaceRatings, race_ratings, reference_life
 from rolamento.life.load_zone import catalogue_stiffness, clearance_function, load_zone, zone_life
-from rolamento.life.reference import RaceRatings, race_ratings, reference_life
 from rolamento.static import radial_load
 from rolamento.verification.campanha_2008 import STRIBECK
 from rolamento_reproductions.campanha_2008.inputs import (

@@ -7,14 +7,13 @@ from functools import cache
 
 import numpy as np
 
-from rolamento.friction import loaded_balls
-from rolamento.friction.control import controlling_race, unit_motion
-from rolamento.friction.ellipse_mesh import ellipse_mesh
 from rolamento.friction.harris_1971 import line_friction
-from rolamento.friction.least_power import start_of
-from rolamento.friction.minimum_power import flat_balls, least_power_motion
+from rolamento.friction.minimum_power import loaded_contacts, minimum_power_motion, start_of
+from rolamento.friction.model import controlling_race, unit_motion
 from rolamento.friction.slip import rolling_lines
-from rolamento.rows.ball import BatchState, solve_batch
+from rolamento.friction.traction import ellipse_mesh
+from rolamento.solved import Solved
+from rolamento.solving import solve
 from rolamento_reproductions.given import MILLI, RPM, grid
 from rolamento_reproductions.record import (
     Claim,
@@ -39,7 +38,7 @@ _POINTS = 400
 class _Bearing:
     """One bearing over speed: ratios, lines of pure rolling in each contact, torque in N·m."""
 
-    state: BatchState
+    state: Solved
     inner: Floats
     outer: Floats
     inner_lines: Floats
@@ -63,13 +62,12 @@ def _solved(conformity: float, load: float | None = None) -> _Bearing:
     speeds = _speeds()
     load = given["axial_load_N"] if load is None else load
     base = case(load, float(speeds[0]), outer_conformity=conformity)
-    state = solve_batch(base, inner_speed=speeds * RPM)
-    balls = loaded_balls(state)
-    inner, outer, chosen = flat_balls(balls)
-    start = start_of(unit_motion(balls, controlling_race(balls, "jones")), chosen)
+    state = solve(base, inner_speed=speeds * RPM)
+    inner, outer, chosen = loaded_contacts(state)
+    start = start_of(unit_motion(state, controlling_race(state, "jones")), chosen)
     free = np.broadcast_to(np.eye(3), (*start.shape, 3))
-    motion = least_power_motion(inner, outer, start, free, ellipse_mesh(_POINTS, 1))
-    count = balls.loaded.shape[1]
+    motion = minimum_power_motion(inner, outer, start, free, ellipse_mesh(_POINTS, 1))
+    count = chosen.shape[1]
     ratios, lines = [], []
     power = np.zeros(inner.load.shape)
     for patch in (inner, outer):
@@ -136,7 +134,7 @@ def _figure() -> Figure:
             "status",
             "",
             said("status", "estado"),
-            tuple(str(code) for one in found for code in one.state.status),
+            tuple(str(code) for one in found for code in one.state.status.code),
         ),
     )
     return Figure(

@@ -8,16 +8,17 @@ from itertools import pairwise
 
 import numpy as np
 
-from rolamento.friction import LoadedBalls, Torque, loaded_balls
-from rolamento.friction.control import controlling_race
+from rolamento.friction import Torque
 from rolamento.friction.harris_1971 import harris_1971
 from rolamento.friction.jones_control import jones_control
 from rolamento.friction.jones_full import jones_full_motion
 from rolamento.friction.jones_simplified import jones_simplified
-from rolamento.friction.minimum_power import flat_balls
+from rolamento.friction.minimum_power import loaded_contacts
+from rolamento.friction.model import controlling_race
 from rolamento.friction.todd import todd
 from rolamento.numerics.elliptic import complete
-from rolamento.rows.ball import BatchState, solve_batch
+from rolamento.solved import Solved
+from rolamento.solving import solve
 from rolamento_reproductions.given import MILLI, grid, status_column
 from rolamento_reproductions.record import (
     Claim,
@@ -55,8 +56,7 @@ class _Solved:
     """Torques of all models at the loads of the figure; N and N·m."""
 
     loads: Floats
-    state: BatchState
-    balls: LoadedBalls
+    balls: Solved
     totals: dict[str, Floats]
     todd: Torque
     spins: tuple[Floats, Floats]
@@ -66,13 +66,13 @@ class _Solved:
 def _solved() -> _Solved:
     given = GIVEN.inputs_of("torque")
     loads = grid(given["lowest_load_N"], given["highest_load_N"], given["step_N"])
-    state = solve_batch(case(float(loads[0]), given["speed_rpm"]), fx=loads)
-    balls, mu = loaded_balls(state), given["friction_coefficient"]
+    balls = solve(case(float(loads[0]), given["speed_rpm"]), fx=loads)
+    mu = given["friction_coefficient"]
     full, motion = jones_full_motion(balls, mu)
     by_todd = todd(balls, mu, hysteresis=given["hysteresis"])
     assert motion is not None  # every ball is loaded under thrust
     inner, outer = (
-        np.abs(motion.relative_motion(patch).spin_to_roll) for patch in flat_balls(balls)[:2]
+        np.abs(motion.relative_motion(patch).spin_to_roll) for patch in loaded_contacts(balls)[:2]
     )
     torques = {
         "jones_full": full,
@@ -83,7 +83,7 @@ def _solved() -> _Solved:
         "todd_bare": todd(balls, mu, hysteresis=0.0),
     }
     totals = {name: torque.total for name, torque in torques.items()}
-    return _Solved(loads, state, balls, totals, by_todd, (inner, outer))
+    return _Solved(loads, balls, totals, by_todd, (inner, outer))
 
 
 def torque_section(title: Text) -> Section:
@@ -102,7 +102,7 @@ def _figure(found: _Solved) -> Figure:
             said("Contact angle α", "Ângulo de contato α"),
             np.degrees(found.balls.inner.contact_angle[:, 0]),
         ),
-        status_column(found.state),
+        status_column(found.balls),
     )
     lines = tuple(Line(name, look, title) for look, (name, title) in enumerate(_MODELS))
     return Figure(
@@ -156,7 +156,7 @@ def _beyond() -> Text:
     """Tell the ratios at loads outside the range drawn, where the expectations end."""
     given = GIVEN.inputs_of("torque")
     loads, mu = [float(load) for load in given["beyond_N"]], given["friction_coefficient"]
-    balls = loaded_balls(solve_batch(case(loads[0], given["speed_rpm"]), fx=np.array(loads)))
+    balls = solve(case(loads[0], given["speed_rpm"]), fx=np.array(loads))
     simplified = jones_simplified(balls, mu).total
     over_control = 100.0 * (simplified / jones_control(balls, mu).total - 1.0)
     over_full = 100.0 * (simplified / jones_full_motion(balls, mu)[0].total - 1.0)

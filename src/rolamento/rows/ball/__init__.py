@@ -8,7 +8,6 @@ control), `fields` and `columns` (what a batch varies), `detail` and `record` (w
 """
 
 from rolamento.rows.ball.batch_state import BatchState
-from rolamento.rows.ball.fields import batch_fields
 from rolamento.rows.ball.solve import solve, solve_batch
 
-__all__ = ["BatchState", "batch_fields", "solve", "solve_batch"]
+__all__ = ["BatchState", "solve", "solve_batch"]

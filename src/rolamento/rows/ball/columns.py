@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from types import SimpleNamespace
-from typing import Any, Final, TypedDict
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -13,19 +13,11 @@ from numpy.typing import ArrayLike
 from rolamento.case import Case
 from rolamento.case.bearing import Bearing, RowPlace
 from rolamento.case.duty import AXES, LOADS
+from rolamento.case.varied import bounded, varied_arrays
 from rolamento.clearance.batch import MOUNTED_FIELDS
-from rolamento.errors import InputError, UnknownKeyError, nearest
-from rolamento.numerics.masked import filled
+from rolamento.errors import InputError
 from rolamento.rows.ball import layout
-from rolamento.rows.ball.fields import (
-    BATCH_FIELDS,
-    GEOMETRY,
-    PRELOADS,
-    SHORT_NAMES,
-    Flags,
-    consistent,
-    within_bounds,
-)
+from rolamento.rows.ball.fields import GEOMETRY, PRELOADS, Flags, consistent
 from rolamento.rows.ball.problem import (
     Floats,
     apply_model,
@@ -33,29 +25,6 @@ from rolamento.rows.ball.problem import (
     bearing_columns,
     ring_arms,
 )
-
-_GEOMETRY_RIVALS: Final = {
-    "contact_angle": "diametral_clearance",
-    "diametral_clearance": "contact_angle",
-}
-
-
-class DutyFields(TypedDict, total=False):
-    """What a batch may vary by keyword: scalars, or arrays of one length, in SI units."""
-
-    inner_speed: ArrayLike
-    outer_speed: ArrayLike
-    first_ball_azimuth: ArrayLike
-    fx: ArrayLike
-    fy: ArrayLike
-    fz: ArrayLike
-    my: ArrayLike
-    mz: ArrayLike
-    x: ArrayLike
-    y: ArrayLike
-    z: ArrayLike
-    ry: ArrayLike
-    rz: ArrayLike
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,10 +75,9 @@ class Columns:
 def spread(case: Case, values: Mapping[str, ArrayLike]) -> Columns:
     """Repeat a case over a batch, and put the fields in.
 
-    values: scalars or arrays of one length, by the dotted names of `fields.BATCH_FIELDS` or the
-    short names of the duty, SI units. A load frees its degree of freedom, a displacement holds
-    it; an angle takes the place of a clearance, and the other way round. Columns whose values
-    the case would refuse hold NaN.
+    values: as `rolamento.case.varied.varied_arrays` takes them, SI units. A load frees its degree
+    of freedom, a displacement holds it; an angle takes the place of a clearance, and the other way
+    round. Columns whose values the case would refuse hold NaN.
 
     Raises
     ------
@@ -123,7 +91,7 @@ def spread(case: Case, values: Mapping[str, ArrayLike]) -> Columns:
             field="mounting",
             example="rolamento.solve_batch(case, ...)",
         )
-    arrays = batch_arrays(values)
+    arrays = bounded(varied_arrays(values))
     for name in MOUNTED_FIELDS:
         if name in arrays:
             raise InputError(
@@ -134,7 +102,6 @@ def spread(case: Case, values: Mapping[str, ArrayLike]) -> Columns:
     cases = max((array.size for array in arrays.values() if array.ndim), default=1)
     if any(array.ndim and array.size == 0 for array in arrays.values()):
         cases = 0
-    arrays = bounded(arrays)
     valid = np.ones(cases, np.bool_)
     for array in arrays.values():
         valid &= ~np.isnan(array)
@@ -160,66 +127,6 @@ def spread(case: Case, values: Mapping[str, ArrayLike]) -> Columns:
     if found.is_plain:
         _put_duty(columns[0].p, free, load, displacement)
     return found
-
-
-def bounded(arrays: Mapping[str, Floats]) -> dict[str, Floats]:
-    """The arrays with NaN for values that their fields would refuse."""
-    return {
-        name: np.where(within_bounds(name, array), array, np.nan) for name, array in arrays.items()
-    }
-
-
-def batch_arrays(values: Mapping[str, ArrayLike]) -> dict[str, Floats]:
-    """The values by full name, checked for names, shapes and rivals.
-
-    Raises
-    ------
-    InputError
-        As `spread`.
-    """
-    arrays: dict[str, Floats] = {}
-    for name, value in values.items():
-        field = SHORT_NAMES.get(name, name)
-        if field not in BATCH_FIELDS:
-            known = (*SHORT_NAMES, *BATCH_FIELDS)
-            raise UnknownKeyError(
-                f"is not known; perhaps {nearest(name, known) or 'one of ' + ', '.join(known)}",
-                field=name,
-                example="fx=[1e3, 2e3]",
-            )
-        if field in arrays:
-            raise InputError("is given twice", field=name, example="fx=[1e3, 2e3]")
-        arrays[field] = filled(value)
-    lengths = {array.shape for array in arrays.values() if array.ndim}
-    if len(lengths) > 1 or any(len(shape) != 1 for shape in lengths):
-        raise InputError(
-            "must be scalars or one-dimensional arrays of one length",
-            field=", ".join(values),
-            value=str(sorted(lengths)),
-            example="fx=[1e3, 2e3], fz=[0.0, 500.0]",
-        )
-    _refuse_rivals(arrays)
-    return arrays
-
-
-def _refuse_rivals(arrays: Mapping[str, Floats]) -> None:
-    pairs = [
-        (f"duty.displacement.{axis}", f"duty.load.{load}", "a degree of freedom takes a load or a "
-         "displacement")
-        for axis, load in zip(AXES, LOADS, strict=True)
-    ]  # fmt: skip
-    angle = "each follows from the other"
-    pairs.append(("bearing.diametral_clearance", "bearing.contact_angle", angle))
-    preload = [f"bearing.preload.{name}" for name in PRELOADS]
-    for index, one in enumerate(preload):
-        pairs += [(one, other, "a set has one preload") for other in preload[:index]]
-    for one, other, reason in pairs:
-        if one in arrays and other in arrays:
-            raise InputError(
-                f"is given beside {other}: {reason}",
-                field=one,
-                example=f"{one.split('.')[-1]} without {other.split('.')[-1]}",
-            )
 
 
 def _duty(case: Case, arrays: Mapping[str, Floats], cases: int) -> tuple[Flags, Floats, Floats]:
@@ -278,8 +185,8 @@ def _varied(bearing: Bearing, row: Bearing, own: set[str], arrays: Mapping[str, 
     given = {name: arrays[f"bearing.{name}"] for name in GEOMETRY if f"bearing.{name}" in arrays}
     given = {name: array for name, array in given.items() if name not in own}
     for name in list(given):
-        if name in _GEOMETRY_RIVALS:
-            given.setdefault(_GEOMETRY_RIVALS[name], None)  # type: ignore[arg-type]
+        for rival in Case.fields()[f"bearing.{name}"].rivals:
+            given.setdefault(rival.removeprefix("bearing."), None)  # type: ignore[arg-type]
     rings = _material(row.ring_material, "ring_material", arrays)
     follows = "ball_material" not in bearing.model_fields_set
     balls = _material(rings if follows else row.ball_material, "ball_material", arrays)
@@ -292,8 +199,7 @@ def _own_fields(bearing: Bearing, place: RowPlace) -> set[str]:
     """What the row does not take from the set; an own angle excludes the set's clearance too."""
     if bearing.rows is None:
         return set()
-    own = set(bearing.rows[bearing.places.index(place)].own)
-    return own | {"diametral_clearance"} if "contact_angle" in own else own
+    return set(bearing.rows[bearing.places.index(place)].own)
 
 
 def _material(material: Any, part: str, arrays: Mapping[str, Floats]) -> Any:

@@ -8,10 +8,11 @@ from typing import Unpack, cast
 from numpy.typing import ArrayLike
 
 from rolamento.case import Case
+from rolamento.case.varied import DutyFields
 from rolamento.errors import InputError
 from rolamento.rows.ball.assemble import solve_columns_of
 from rolamento.rows.ball.batch_state import BatchState
-from rolamento.rows.ball.columns import DutyFields, spread
+from rolamento.rows.ball.columns import spread
 from rolamento.rows.ball.notes import with_preload
 from rolamento.rows.ball.preload import preload_of
 from rolamento.rows.ball.record import state_of

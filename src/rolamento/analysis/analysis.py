@@ -1,0 +1,235 @@
+"""A case, solved, and all that follows from it: film, friction, life, frequencies."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any, Final
+
+import numpy as np
+
+from rolamento.analysis.needs import has_friction, has_life, has_oil
+from rolamento.case import Case
+from rolamento.errors import InputError
+from rolamento.numerics.blocks import in_blocks
+from rolamento.solved import Solved
+
+if TYPE_CHECKING:
+    from rolamento.friction import Friction
+    from rolamento.life import LifeConditions, LifeSummary
+    from rolamento.lubrication import Film
+    from rolamento.vibration.frequencies import FaultFrequencies
+
+DEFAULT_HYSTERESIS: Final = 0.01
+"""Part α_h of the elastic work that the material loses."""
+
+NOTES: Final[Mapping[str, str]] = {
+    "no_temperature": (
+        "No film: the lubricant's temperature is not given (temperature.lubricant)."
+    ),
+    "no_coefficient": (
+        "No friction: the lubricant's coefficient of friction is not given"
+        " (lubricant.friction_coefficient)."
+    ),
+    "life_of_thrust_bearing": (
+        "No life: the theories here are for radial bearings, with a contact angle up to 45°."
+    ),
+    "life_without_rating": (
+        "No life: the geometry lies outside the standard's table (D cos α/d_m from 0.01 to 0.40),"
+        " and no dynamic rating is given (life.dynamic_rating)."
+    ),
+    "l_able_without_viscosity": (
+        "No L_able: the viscosity ratio is not known; it needs a lubricant with its temperature, or"
+        " life.viscosity_ratio."
+    ),
+}
+"""Why a part is missing, by name."""
+
+
+@dataclass(frozen=True, eq=False)
+class Analysis:
+    """Solved cases and what follows from them.
+
+    Attributes
+    ----------
+    solved
+        of `rolamento.solve`
+    film
+        of the lubricant; None without oil or grease, its temperature, or a result
+    friction
+        torque, power and heat; None without a coefficient of friction or a result
+    life
+        by every theory that the case allows; None if the case has neither a designation nor a
+        [life] table, or no result
+    notes
+        names in `NOTES`: why a part is missing that the case seems to ask for
+    """
+
+    solved: Solved
+    film: Film | None = None
+    friction: Friction | None = None
+    life: LifeSummary | None = None
+    notes: tuple[str, ...] = ()
+
+    @property
+    def frequencies(self) -> FaultFrequencies | None:
+        """Fault frequencies of a single case under load; None without a result, or at rest."""
+        duty = self.solved.case.duty
+        if not self.solved.converged[0] or duty.inner_speed == duty.outer_speed:
+            return None
+        from rolamento.vibration.frequencies import frequencies_of
+
+        return frequencies_of(self.solved)
+
+    @property
+    def sentences(self) -> tuple[str, ...]:
+        """The notes in words."""
+        return tuple(NOTES[name] for name in self.notes)
+
+    def to_mapping(self) -> dict[str, Any]:
+        """Give the mapping of a single case with "film", "friction", "life", "frequencies"."""
+        mapping = self.solved.to_mapping()
+        film = None if self.film is None else self.film.to_mapping()
+        friction = None if self.friction is None else self.friction.to_mapping()
+        notes = [*mapping.pop("notes"), *self.sentences]
+        case = mapping.pop("case")
+        life = None if self.life is None else self.life.to_mapping()
+        turns = None if self.frequencies is None else self.frequencies.to_mapping()
+        parts = {"film": film, "friction": friction, "life": life, "frequencies": turns}
+        return {**mapping, **parts, "notes": notes, "case": case}
+
+    def to_json(self, *, indent: int | None = 2) -> str:
+        """Give a single case as one JSON object, in SI units."""
+        return json.dumps(self.to_mapping(), indent=indent, ensure_ascii=False, allow_nan=False)
+
+
+def analyse(
+    case: Case | Solved | str | os.PathLike[str],
+    *,
+    model: str | None = None,
+    hysteresis: float = DEFAULT_HYSTERESIS,
+    compare: bool | None = None,
+    threads: int | None = None,
+) -> Analysis:
+    """Solve a case, and find what follows: film, friction, life; of solved cases likewise.
+
+    The film needs `case.lubricant` (an oil or a grease) and `case.temperature`, and
+    `case.surface` for its film parameter; friction needs the friction coefficient of the
+    lubricant. With a film, the oil's rolling resistance counts as friction, and the film
+    parameter decides which friction models are valid; Palmgren's and SKF's need a designation too.
+    Life needs a designation or `case.life`; of many cases it is without Ioannides and Harris.
+
+    Parameters
+    ----------
+    case
+        What to solve, its file, or what `rolamento.solve` returned.
+    model
+        Of the friction in the contacts; by default "jones_full", and of many cases
+        "jones_simplified", a closed form.
+    hysteresis
+        Part α_h of the elastic work that the material loses, 0 to 1.
+    compare
+        Whether to evaluate all models of the contacts; by default of a single case only.
+    threads
+        As many as there are processors by default.
+
+    Returns
+    -------
+    Analysis
+        Never raises for a duty that has no solution: the status tells.
+
+    Raises
+    ------
+    InputError
+        If the mounting closes the bearing, the oil is dirtier than all classes of ISO 281, or a
+        number is out of range; of many cases also if they ask for a life and have no rating.
+    """
+    if isinstance(case, Solved):
+        solved = case
+    else:
+        from rolamento.solving import solve
+
+        solved = solve(case, threads=threads)
+    if len(solved) == 1 and not solved.converged[0]:
+        return Analysis(solved)
+    life, why_not = _life(solved)
+    film, friction = _film_and_friction(solved, life, (model, hysteresis, compare), threads)
+    return Analysis(solved, film, friction, life, (*_missing(solved), *why_not))
+
+
+def _film_and_friction(
+    solved: Solved,
+    life: LifeSummary | None,
+    choices: tuple[str | None, float, bool | None],
+    threads: int | None,
+) -> tuple[Film | None, Friction | None]:
+    if solved.case.lubricant is None:
+        return None, None
+    from rolamento.friction import friction, machine_of
+    from rolamento.lubrication.films import film, has_film
+
+    model, hysteresis, compare = choices
+    single = len(solved) == 1
+
+    def of_block(some: Solved) -> tuple[Film | None, Friction | None]:
+        found = film(some, threads=1) if has_film(some) else None
+        if not has_friction(some):
+            return found, None
+        machine = None
+        if single and found is not None and life is not None:
+            rating, load = life.ratings.static_of_set, life.loads.static
+            machine = machine_of(some.case, found, rating, load)
+        return found, friction(
+            some,
+            model=model or ("jones_full" if single else "jones_simplified"),
+            hysteresis=hysteresis,
+            film_parameter=np.nan if found is None else found.minimum_film_parameter,
+            machine=machine,
+            compare=single if compare is None else compare,
+            threads=1,
+        )
+
+    return in_blocks(of_block, solved, threads)
+
+
+def _missing(solved: Solved) -> tuple[str, ...]:
+    """Name what the film and the friction of a lubricated case lack."""
+    if solved.case.lubricant is None:
+        return ()
+    from rolamento.lubrication.films import has_film
+
+    lacks = {
+        "no_temperature": has_oil(solved.case) and not has_film(solved),
+        "no_coefficient": not has_friction(solved),
+    }
+    return tuple(name for name, lacking in lacks.items() if lacking)
+
+
+def _life(solved: Solved) -> tuple[LifeSummary | None, tuple[str, ...]]:
+    """Life of the cases, if they ask for one; or why a single one has none."""
+    case = solved.case
+    if not has_life(case):
+        return None, ()
+    from rolamento.life import conditions_of, life
+
+    conditions = conditions_of(solved)
+    if len(solved) > 1:
+        return life(solved, conditions), ()
+    why_not: tuple[str, ...] = ()
+    if conditions.nsk_cleanliness is not None and not _viscosity_known(conditions):
+        conditions = replace(conditions, nsk_cleanliness=None)
+        why_not = ("l_able_without_viscosity",)
+    try:
+        return life(solved, conditions), why_not
+    except InputError as error:
+        if error.field == "bearing.contact_angle":
+            return None, ("life_of_thrust_bearing",)
+        if error.field == "dynamic_rating":
+            return None, ("life_without_rating",)
+        raise
+
+
+def _viscosity_known(conditions: LifeConditions) -> bool:
+    return conditions.viscosity is not None or conditions.viscosity_ratio is not None

@@ -1,0 +1,415 @@
+"""The fields of a case, made from its records: names, quantities, bounds, rivals, labels.
+
+Whoever reads, sets, varies, lists or draws a field asks here. What a record does not tell by the
+type of a field stands at the field: `Quantity` says whether it may vary in a batch, `Replaces`
+what it takes the place of, and pydantic's ``title`` its label.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from functools import cache, cached_property
+from typing import Any, Final, Literal, get_args, get_origin
+
+from pydantic import BaseModel, create_model
+from pydantic.fields import FieldInfo
+
+from rolamento.case.quantity import Quantity, Ratio
+from rolamento.case.record import Record, example_of, meanings, record_of, replaced
+from rolamento.errors import InputError, UnknownKeyError, nearest
+from rolamento.units import SI_UNIT, Dimension, from_si
+
+__all__ = ["OVERRIDE_SOURCE", "Field", "Value", "changed", "fields_of", "overridden"]
+
+OVERRIDE_SOURCE: Final = "--set"
+
+Value = float | int | bool | str
+"""What a field takes: SI floats of quantities, and what files hold of the others."""
+
+Kind = Literal["number", "count", "switch", "text", "list"]
+
+_EXAMPLE: Final = 'duty.load.fz="10 kN"'
+_LONGEST_SETTING: Final = 300
+
+
+@dataclass(frozen=True, eq=False)
+class Field:
+    """A field of a case.
+
+    Attributes
+    ----------
+    name
+        Dotted, such as ``"duty.load.fx"``.
+    kind
+        ``"number"`` of quantities and ratios, ``"count"``, ``"switch"``, ``"text"`` of choices
+        and names, ``"list"``.
+    bounds
+        The `Quantity` or `Ratio` of a number.
+    replaces
+        Names of the fields that a value of this one takes the place of.
+    rivals
+        Those of them that replace this one too: a case takes one of them.
+    """
+
+    name: str
+    kind: Kind
+    bounds: Quantity | Ratio | None
+    replaces: tuple[str, ...]
+    rivals: tuple[str, ...]
+    _record: type[BaseModel]
+    _info: FieldInfo
+
+    @property
+    def leaf(self) -> str:
+        """The last part of the name."""
+        return self.name.rpartition(".")[2]
+
+    @property
+    def dimension(self) -> Dimension | None:
+        """Of a quantity; None of anything else."""
+        return self.bounds.dimension if isinstance(self.bounds, Quantity) else None
+
+    @property
+    def continuous(self) -> bool:
+        """Whether its values are real numbers: a quantity or a ratio."""
+        return self.bounds is not None
+
+    @property
+    def varies(self) -> bool:
+        """Whether many cases that are solved together may differ in it."""
+        return self.bounds is not None and self.bounds.varies
+
+    @property
+    def unit(self) -> str:
+        """The SI unit; ``"1"`` of a number without one, empty of what is no number."""
+        if self.dimension is not None:
+            return SI_UNIT[self.dimension].replace(" ", "*")
+        return "1" if self.continuous else ""
+
+    @property
+    def shown_unit(self) -> str:
+        """The unit in which a person gives it, such as ``"mm"``; empty without one."""
+        example = str(self._info.examples[0]) if self._info.examples else ""
+        return example.partition(" ")[2] if self.dimension is not None else ""
+
+    @property
+    def listed(self) -> type[Record] | None:
+        """The record that a list holds."""
+        found = record_of(self._info.annotation) if self.kind == "list" else None
+        return found if found is not None and issubclass(found, Record) else None
+
+    @property
+    def limits(self) -> str:
+        """The bounds in words; empty if there are none."""
+        return self.bounds.limits if self.bounds is not None else ""
+
+    @property
+    def example(self) -> str:
+        """A value as it is written in a file."""
+        return example_of(self._record, (self.leaf,)).partition(" = ")[2]
+
+    @property
+    def meaning(self) -> str:
+        """What the record's documentation says of it, with the SI unit."""
+        return meanings(self._record).get(self.leaf, "")
+
+    @property
+    def label(self) -> str:
+        """What it is called on an axis, such as ``"radial load Fz"``."""
+        return self._info.title or self.long_name
+
+    @property
+    def is_labelled(self) -> bool:
+        """Whether the record gives it a label of its own."""
+        return self._info.title is not None
+
+    @property
+    def long_name(self) -> str:
+        """The name in words: the field, and the table it stands in."""
+        *tables, leaf = self.name.split(".")
+        words = [leaf, *(["of", tables[-1]] if len(tables) > 1 else [])]
+        return " ".join(words).replace("_", " ")
+
+    def checked(self, value: object, *, in_file: bool) -> Value:
+        """Return a value as the case takes it: a quantity in SI units, a material's name.
+
+        Raises
+        ------
+        InputError
+            If the field does not take it; `in_file` demands quantities with their units.
+        """
+        if value is None or isinstance(value, Mapping | list | tuple):
+            raise InputError(
+                "must be one value, not a table or a list of values",
+                field=self.name,
+                value=value,
+                example=self.example,
+            )
+        given = {self.leaf: value}
+        try:
+            record = self._checker.from_mapping(given) if in_file else self._checker(**given)
+        except InputError as error:
+            raise error.with_details(field=self.name, example=self.example) from None
+        checked = getattr(record, self.leaf)
+        return str(value) if isinstance(checked, BaseModel) else checked
+
+    def written(self, value: Value) -> Value:
+        """Return a checked value as a file holds it; inverse of `checked`."""
+        if self.dimension is not None and not isinstance(value, str):
+            return from_si(float(value), self.dimension)
+        return value
+
+    @cached_property
+    def _checker(self) -> type[Record]:
+        annotation: Any = (self._info.annotation, self._info)
+        return create_model("Value", __base__=Record, **{self.leaf: annotation})
+
+
+@cache
+def fields_of(record: type[Record]) -> Mapping[str, Field]:
+    """Return the fields of a record and of the records in it, by their dotted names.
+
+    A record that may also be given as text is a field itself, beside its own. What stands in a
+    list of tables is not told apart.
+    """
+    found = tuple(_fields_in(record, ""))
+    replaces = {name: others for name, others, *_ in found}
+    return {
+        name: Field(
+            name=name,
+            kind="number" if (bounds := _bounds_in(info)) is not None else _kind_of(info),
+            bounds=bounds,
+            replaces=others,
+            rivals=tuple(other for other in others if name in replaces.get(other, ())),
+            _record=holder,
+            _info=info,
+        )
+        for name, others, holder, info in found
+    }
+
+
+_Found = tuple[str, tuple[str, ...], type[BaseModel], FieldInfo]
+
+
+def _fields_in(record: type[BaseModel], table: str) -> Iterator[_Found]:
+    for leaf, info in record.model_fields.items():
+        inner = record_of(info.annotation)
+        is_list = _kind_of(info) == "list"
+        if inner is None or is_list or getattr(inner, "has_short_form", False):
+            others = replaced(record, leaf)
+            dotted = (other if "." in other else f"{table}{other}" for other in others)
+            yield f"{table}{leaf}", tuple(dotted), record, info
+        if inner is not None and not is_list:
+            yield from _fields_in(inner, f"{table}{leaf}.")
+
+
+def _kind_of(info: FieldInfo) -> Kind:
+    """The kind of a field that is no number."""
+    types = set(_types_in(info.annotation))
+    if tuple in types:
+        return "list"
+    return "switch" if bool in types else "count" if int in types else "text"
+
+
+def _types_in(annotation: object) -> Iterator[object]:
+    if get_origin(annotation) is not Literal:
+        yield get_origin(annotation) or annotation
+        for part in get_args(annotation):
+            yield from _types_in(part)
+
+
+def _bounds_in(info: FieldInfo) -> Quantity | Ratio | None:
+    """The annotation that bounds a number."""
+    return next(_numbers_in((*info.metadata, info.annotation)), None)
+
+
+def _numbers_in(parts: tuple[Any, ...]) -> Iterator[Quantity | Ratio]:
+    for part in parts:
+        if isinstance(part, Quantity | Ratio):
+            yield part
+        yield from _numbers_in((*getattr(part, "__metadata__", ()), *get_args(part)))
+
+
+# --- changes to a case file -----------------------------------------------------------------------
+
+
+def overridden(
+    mapping: Mapping[str, Any], settings: Iterable[str], record: type[Record]
+) -> tuple[dict[str, Any], frozenset[str]]:
+    """Return a copy of tables with settings applied, and the fields that they set.
+
+    Parameters
+    ----------
+    mapping, record
+        As in `changed`.
+    settings
+        Each ``KEY=VALUE``, with a dotted key and the value as in a case file; the quotes around
+        text may be left out.
+
+    Raises
+    ------
+    InputError
+        If a setting is not of that form, or its key names no field.
+    """
+    values: dict[str, object] = {}
+    try:
+        for setting in settings:
+            key, equals, text = setting.partition("=")
+            if not equals or not key.strip() or len(setting) > _LONGEST_SETTING:
+                raise InputError("must be KEY=VALUE", value=setting, example=_EXAMPLE)
+            name = ".".join(part.strip() for part in key.split("."))
+            values.pop(name, None)  # the last one counts
+            values[name] = _value(text.strip(), _field(name, record))
+        return changed(mapping, values, record, in_file=True), frozenset(values)
+    except InputError as error:
+        raise error.with_details(source=OVERRIDE_SOURCE) from None
+
+
+def changed(
+    mapping: Mapping[str, Any],
+    values: Mapping[str, Any],
+    record: type[Record],
+    *,
+    in_file: bool = False,
+) -> dict[str, Any]:
+    """Return a copy of the tables of a case file with some values changed.
+
+    It is not validated: a value can put right what would be refused. What replaces a rival (a
+    clearance a contact angle, a displacement a load) takes its place.
+
+    Parameters
+    ----------
+    mapping
+        The tables.
+    values
+        By dotted name, as a file holds them; None takes a value away.
+    record
+        That the mapping describes.
+    in_file
+        Whether the values are from a file too; else quantities may be numbers in SI units, and
+        tables records.
+
+    Raises
+    ------
+    InputError
+        If there is no such field, or it takes no such number.
+    """
+    result = dict(mapping)
+    for name, value in values.items():
+        _put(result, name, value if in_file else _as_in_a_file(name, value, record), record)
+        field = fields_of(record).get(name)
+        for rival in field.replaces if field is not None and value is not None else ():
+            if rival not in values:
+                _put(result, rival, None, record)
+    return result
+
+
+def _as_in_a_file(name: str, value: Any, record: type[Record]) -> object:
+    table, field = _table(name, record), fields_of(record).get(name)
+    if table is not None and (value is None or isinstance(value, Mapping | Record)):
+        return value if value is None else _mapping_of(value, table)
+    if field is not None and field.kind == "list" and isinstance(value, list | tuple):
+        return [_mapping_of(entry, field.listed) for entry in value]
+    field = _field(name, record)
+    if getattr(value, "ndim", None) == 0:  # of NumPy
+        value = value.item()
+    if value is None or isinstance(value, str) or field.dimension is None:
+        return value
+    return field.written(field.checked(value, in_file=False))
+
+
+def _mapping_of(value: object, record: type[Record] | None) -> object:
+    if isinstance(value, Mapping) and record is not None:
+        value = record(**value)
+    return value.to_mapping() if isinstance(value, Record) else value
+
+
+def _table(name: str, record: type[BaseModel]) -> type[Record] | None:
+    """Return the record of a table of that name."""
+    found: type[BaseModel] | None = record
+    for part in name.split("."):
+        info = found.model_fields.get(part) if found is not None else None
+        found = record_of(info.annotation) if info and _kind_of(info) != "list" else None
+    return found if found is not None and issubclass(found, Record) else None
+
+
+def _field(name: str, record: type[Record]) -> Field:
+    """Return the field of a name; it must be neither a whole table nor a list."""
+    known = fields_of(record)
+    if name in known and known[name].kind != "list":
+        return known[name]
+    parts = name.split(".")
+    for depth, part in enumerate(parts):
+        table = "".join(f"{above}." for above in parts[:depth])
+        inside = [other[len(table) :] for other in known if other.startswith(table)]
+        here = tuple(dict.fromkeys(other.split(".")[0] for other in inside))
+        if part not in here:
+            near = nearest(part, here)
+            all_known = f"known here: {', '.join(here)}" if here else f"{table[:-1]} is not a table"
+            raise UnknownKeyError(
+                f"is not a known key; {f'did you mean {near}?' if near else all_known}",
+                field=name,
+                example=_EXAMPLE,
+            )
+        if (leaf := known.get(f"{table}{part}")) is not None and leaf.kind == "list":
+            raise InputError("is a list; give it in the file", field=leaf.name, example=_EXAMPLE)
+    inside = [other[len(name) + 1 :] for other in known if other.startswith(f"{name}.")]
+    here = tuple(dict.fromkeys(other.split(".")[0] for other in inside))
+    raise InputError(
+        f"is a table; set one of its fields: {', '.join(here)}", field=name, example=_EXAMPLE
+    )
+
+
+def _value(text: str, field: Field) -> object:
+    """Return the value that a setting's text stands for, as a file would have held it."""
+    if len(text) >= 2 and text[0] == text[-1] and text[0] in "\"'":
+        return text[1:-1]
+    if field.kind == "text":
+        return text
+    if text in ("true", "false"):
+        return text == "true"
+    for number in (int, float):
+        try:
+            return number(text)
+        except ValueError:
+            continue
+    return text
+
+
+def _put(mapping: dict[str, Any], name: str, value: object, record: type[Record]) -> None:
+    """Set a value or take it away, copying the tables on its path: the caller's stay as they are.
+
+    A table that is given as text is spelt out, so that a field can be set in it.
+    """
+    *path, leaf = name.split(".")
+    table = mapping
+    for depth, part in enumerate(path, start=1):
+        inner = table.get(part, {})
+        here = ".".join(path[:depth])
+        if isinstance(inner, str) and value is not None:
+            above = _table(here, record)
+            if above is not None and above.has_short_form:
+                inner = _spelt_out(inner, above, here)
+        if not isinstance(inner, dict):
+            if value is None:
+                return
+            raise InputError(
+                "is not a table in this case; set it as a whole, or give a table in the file",
+                field=here,
+                value=inner,
+            )
+        if value is None and part not in table:
+            return
+        table[part] = table = dict(inner)
+    if value is None:
+        table.pop(leaf, None)
+    else:
+        table[leaf] = value
+
+
+def _spelt_out(text: str, record: type[Record], name: str) -> dict[str, Any]:
+    try:
+        return record.table_of_text(text)
+    except InputError as error:
+        raise error.with_details(field=name) from None

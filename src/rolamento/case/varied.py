@@ -1,0 +1,208 @@
+"""Values of fields over many cases, checked: what a batch varies beside the case it begins from."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cache
+from typing import Any, Final, TypedDict
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rolamento.case.case import Case
+from rolamento.case.duty import AXES, LOADS
+from rolamento.case.fields import Field
+from rolamento.errors import InputError, UnknownKeyError, nearest
+from rolamento.units import to_si
+
+__all__ = [
+    "SHORT_NAMES",
+    "DutyFields",
+    "batch_fields",
+    "bounded",
+    "refuse_rivals",
+    "varied_arrays",
+]
+
+Floats = NDArray[np.float64]
+
+SHORT_NAMES: Final = {
+    **{name: f"duty.{name}" for name in ("inner_speed", "outer_speed", "first_ball_azimuth")},
+    **{name: f"duty.load.{name}" for name in LOADS},
+    **{name: f"duty.displacement.{name}" for name in AXES},
+}
+"""Of the duty's fields, which need not be told apart from others."""
+
+_EXAMPLE: Final = "fx=[1e3, 2e3]"
+
+
+class DutyFields(TypedDict, total=False):
+    """What a batch may vary by keyword: scalars, or arrays of one length, in SI units or text."""
+
+    inner_speed: ArrayLike
+    outer_speed: ArrayLike
+    first_ball_azimuth: ArrayLike
+    fx: ArrayLike
+    fy: ArrayLike
+    fz: ArrayLike
+    my: ArrayLike
+    mz: ArrayLike
+    x: ArrayLike
+    y: ArrayLike
+    z: ArrayLike
+    ry: ArrayLike
+    rz: ArrayLike
+
+
+@cache
+def batch_fields() -> tuple[str, ...]:
+    """Return the dotted names of the fields that a batch may vary as arrays, in SI units."""
+    return tuple(name for name, field in Case.fields().items() if field.varies)
+
+
+def varied_arrays(values: Any = None, /, **short: Any) -> dict[str, Floats]:
+    """Return values of fields by full name, checked for names, kinds, shapes and rivals.
+
+    Parameters
+    ----------
+    values
+        By the dotted names of `batch_fields`, or the short names of the duty: a mapping, or a
+        table whose columns are such names (a data frame of pandas or its like). Each a number in
+        SI units, a text with a unit, or an array, list or series of one length of either; None is
+        no values at all.
+    short
+        Likewise by the short names of the duty.
+
+    Returns
+    -------
+    dict
+        Of scalars or arrays (cases,), SI; NaN where a value is missing or masked. What a field
+        would refuse is its own case's affair: see `bounded`.
+
+    Raises
+    ------
+    InputError
+        For an unknown field, what is no number, arrays of different lengths, or fields that
+        exclude each other.
+    """
+    fields = Case.fields()
+    arrays: dict[str, Floats] = {}
+    for key, value in (*_columns(values), *short.items()):
+        name = SHORT_NAMES.get(key, key) if isinstance(key, str) else str(key)
+        field = fields.get(name)
+        if field is None or not field.varies:
+            known = (*SHORT_NAMES, *batch_fields())
+            raise UnknownKeyError(
+                f"is not known; perhaps {nearest(name, known) or 'one of ' + ', '.join(known)}",
+                field=name,
+                example=_EXAMPLE,
+            )
+        if name in arrays:
+            raise InputError("is given twice", field=name, example=_EXAMPLE)
+        arrays[name] = _numbers(field, value)
+    shapes = {array.shape for array in arrays.values() if array.ndim}
+    if len(shapes) > 1 or any(len(shape) != 1 for shape in shapes):
+        raise InputError(
+            "must be scalars or one-dimensional arrays of one length",
+            field=", ".join(arrays),
+            value=str(sorted(shapes)),
+            example=f"{_EXAMPLE}, fz=[0.0, 500.0]",
+        )
+    refuse_rivals(tuple(arrays))
+    return arrays
+
+
+def bounded(arrays: Mapping[str, Floats]) -> dict[str, Floats]:
+    """Return the arrays of `varied_arrays` with NaN for values that their fields would refuse."""
+    found: dict[str, Floats] = {}
+    for name, array in arrays.items():
+        bounds = Case.fields()[name].bounds
+        assert bounds is not None  # else it would not vary
+        found[name] = np.where(bounds.allows(array), array, np.nan)
+    return found
+
+
+def refuse_rivals(names: tuple[str, ...]) -> None:
+    """Refuse fields of which a case takes one.
+
+    Raises
+    ------
+    InputError
+        Naming both.
+    """
+    fields = Case.fields()
+    for index, name in enumerate(names):
+        for before in names[:index]:
+            if before in fields[name].rivals:
+                raise InputError(
+                    f"is given beside {before}; a case takes one of them",
+                    field=name,
+                    example=f"{name} without {before}",
+                )
+
+
+def _columns(values: Any) -> list[tuple[Any, Any]]:
+    if values is None:
+        return []
+    if isinstance(values, Mapping):
+        return list(values.items())
+    if hasattr(values, "columns") and hasattr(values, "__getitem__"):
+        return [(name, values[name]) for name in values.columns]
+    raise InputError(
+        "must be values by the names of fields, or a table whose columns are such names",
+        field="values",
+        value=type(values).__name__,
+        example='{"duty.load.fx": [1e3, 2e3]}',
+    )
+
+
+def _numbers(field: Field, value: Any) -> Floats:
+    """Return a column as floats; NaN for what is missing or masked."""
+    if isinstance(value, np.ma.MaskedArray):
+        plain, mask = value.data, np.ma.getmaskarray(value)
+        if plain.dtype.kind in "OUT":
+            plain = plain.astype(object)
+            plain[mask] = None
+    elif hasattr(value, "magnitude") or hasattr(value, "to_value"):  # of pint, of astropy
+        raise _refused(field, type(value).__name__, "must be a plain number or text with its unit")
+    else:
+        plain, mask = _array(field, value), None
+    if plain.dtype.kind in "fiu":
+        numbers = plain.astype(np.float64)
+    elif plain.dtype.kind in "OUT":
+        numbers = np.array([_number(field, one) for one in plain.ravel()], np.float64)
+        numbers = numbers.reshape(plain.shape)
+    else:
+        raise _refused(field, value, "must be numbers")
+    return numbers if mask is None else np.where(mask, np.nan, numbers)
+
+
+def _array(field: Field, value: Any) -> NDArray[Any]:
+    try:
+        if isinstance(value, list | tuple) and any(isinstance(one, str) for one in value):
+            return np.array(value, dtype=object)  # NumPy would make texts of the numbers too
+        return np.asarray(value)
+    except (TypeError, ValueError):  # of lists of different lengths
+        raise _refused(field, value, "must be a number, or a list of numbers") from None
+
+
+def _number(field: Field, value: Any) -> float:
+    """Return one of some values that are not all numbers."""
+    if value is None or type(value).__name__ in ("NAType", "NaTType"):  # missing, for pandas
+        return float("nan")
+    if isinstance(value, str) and field.dimension is not None:
+        try:
+            return to_si(value, field.dimension)
+        except InputError as error:
+            raise error.with_details(field=field.name) from None
+    if isinstance(value, bool | str) or not hasattr(value, "__float__"):
+        raise _refused(field, value, "must be a number")
+    try:
+        return float(value)
+    except (TypeError, ValueError, OverflowError):
+        raise _refused(field, value, "must be a finite number") from None
+
+
+def _refused(field: Field, value: Any, rule: str) -> InputError:
+    example = f"{field.leaf} = {field.example}"
+    return InputError(rule, field=field.name, value=value, example=example)

@@ -1,0 +1,451 @@
+"""What a torque model is: what it needs, where it is valid, what it returns; and what all share.
+
+A model is a `TorqueModel` at the end of its own file, and `rolamento.friction.models` lists them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, fields, replace
+from typing import TYPE_CHECKING, Final, Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rolamento.errors import InputError
+from rolamento.friction.closed_forms import hysteresis_moment, resistance_to_spin
+from rolamento.friction.slip import Patch
+from rolamento.friction.traction import EllipseMesh
+from rolamento.kinematics import BallMotion, ball_motion, friction_demand
+from rolamento.numerics import BoolArray, FloatArray
+from rolamento.numerics.masked import filled
+from rolamento.solved import Solved
+
+if TYPE_CHECKING:
+    from rolamento.friction.machine import MachineBearing
+
+ControlChoice = Literal["jones", "state", "inner", "outer"]
+_CONTROLS: Final = ("jones", "state", "inner", "outer")
+
+INERTIA_SHARE: Final = 0.1
+"""Share of friction, or of the ball's load, that forces of inertia may take at low speed."""
+
+COUNTED_LOAD: Final = 0.05
+"""Of the heaviest ball's load: balls with less have no say in the torque."""
+
+FULL_FILM: Final = 3.0
+"""Film parameter λ above which the surfaces do not touch."""
+
+BOUNDARY: Final = 1.0
+"""Film parameter λ below which the asperities carry the load."""
+
+REASONS: Final[Mapping[str, str]] = {
+    "inertia": "the gyroscopic moment or the centrifugal force on a ball takes more than "
+    f"{INERTIA_SHARE:.0%} of what friction or its load can hold",
+    "full_film": "an oil film keeps the surfaces apart: friction is not Coulomb's",
+    "partial_film": "an oil film carries part of the load: the coefficient of friction is an "
+    "effective one",
+    "no_film": "asperities carry the load, and the model stands for a lubricated bearing",
+    "other_angle": "the maker's constants are for bearings of another contact angle",
+    "at_rest": "nothing turns: the torque is that of the first motion",
+    "no_result": "the state, or the model, has no result",
+}
+"""Why a model is not valid, or not quite, in words."""
+
+REMARKS: Final = ("partial_film", "at_rest")
+"""Those that do not refuse a model."""
+
+
+# --- what a model returns ---------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ContactLoss:
+    """What one source loses in the contacts; (cases, elements), W, or N·m at a unit speed."""
+
+    inner: FloatArray
+    outer: FloatArray
+
+    @property
+    def total(self) -> FloatArray:
+        """Of all contacts; (cases,)."""
+        return np.asarray(np.sum(self.inner + self.outer, axis=-1))
+
+    def scaled(self, factor: FloatArray) -> ContactLoss:
+        """The same times a factor, (cases, 1)."""
+        return ContactLoss(self.inner * factor, self.outer * factor)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Torque:
+    """Friction torque of bearings by one model; arrays over cases, NaN without a result.
+
+    Attributes
+    ----------
+    model
+        its name
+    total
+        torque against the relative rotation of the rings, (cases,), N·m, never negative
+    parts
+        the same by source; they add up to the total
+    power
+        the total times the relative speed of the rings, (cases,), W
+    converged
+        (cases,), whether the model found a result
+    losses
+        heat by source in every contact at the speeds of the case, W; empty where the model
+        does not know contacts, zero at rest
+    """
+
+    model: str
+    total: FloatArray
+    parts: Mapping[str, FloatArray]
+    power: FloatArray
+    converged: BoolArray
+    losses: Mapping[str, ContactLoss] = field(default_factory=dict)
+
+
+def torque_of_losses(
+    model: str, solved: Solved, losses: Mapping[str, ContactLoss], converged: BoolArray
+) -> Torque:
+    """Add the losses of all contacts at a unit relative speed up: T = Σ M |ω_rel|/ω."""
+    fine = np.asarray(converged & has_result(solved))
+    marked = np.where(fine, 1.0, np.nan)[:, np.newaxis]
+    unit = {name: loss.scaled(marked) for name, loss in losses.items()}
+    parts = {name: loss.total for name, loss in unit.items()}
+    total = np.sum(list(parts.values()), axis=0)
+    speed = np.abs(relative_speed(solved))
+    heat = {name: loss.scaled(speed[:, np.newaxis]) for name, loss in unit.items()}
+    return Torque(model, total, parts, total * speed, fine, heat)
+
+
+def torque_of_parts(model: str, parts: Mapping[str, FloatArray], speed: FloatArray) -> Torque:
+    """The torque of a model that knows no contacts; speed: of the rings to each other, rad/s."""
+    total = np.asarray(np.sum(list(parts.values()), axis=0))
+    return Torque(model, total, parts, total * np.abs(speed), np.isfinite(total))
+
+
+# --- what a model reads -----------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Setting:
+    """All that a model may ask for; numbers of the cases are columns, (cases, 1).
+
+    Attributes
+    ----------
+    solved
+        the cases
+    friction_coefficient, static_coefficient
+        μ between elements and races, and at the first motion
+    hysteresis
+        α_h of the material
+    dynamic_viscosity
+        η₀ of the oil at the contacts' inlets, Pa·s; None without an oil
+    film_parameter
+        the minimum λ of each case; NaN where it is not known, None before it is
+    control
+        which race the balls roll on, for models that need to know
+    mesh
+        points on the ellipses; 80 × 5 by default
+    machine
+        size, rating and lubricant of the bearing; None if not known
+    """
+
+    solved: Solved
+    friction_coefficient: FloatArray
+    static_coefficient: FloatArray
+    hysteresis: FloatArray
+    dynamic_viscosity: FloatArray | None = None
+    film_parameter: FloatArray | None = None
+    control: ControlChoice = "jones"
+    mesh: EllipseMesh | None = None
+    machine: MachineBearing | None = None
+
+    def __len__(self) -> int:
+        """Count the cases."""
+        return len(self.solved)
+
+    def __getitem__(self, some: slice) -> Setting:
+        """Return that of some of the cases."""
+        changed = {
+            part.name: getattr(self, part.name)[some]
+            for part in fields(self)
+            if isinstance(getattr(self, part.name), np.ndarray | Solved)
+        }
+        machine = None if self.machine is None else self.machine.part(some)
+        return replace(self, machine=machine, **changed)
+
+    @property
+    def regime(self) -> NDArray[np.str_]:
+        """Of lubrication, (cases,): see `film_regime`."""
+        if self.film_parameter is None:
+            return np.full(len(self), "unknown")
+        return film_regime(self.film_parameter[:, 0])
+
+    def supplies(self, needs: tuple[str, ...]) -> bool:
+        """Whether the needs of a model, attributes of this or of its machine, are known."""
+        return all(
+            getattr(self, need, getattr(self.machine, need, None)) is not None for need in needs
+        )
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class TorqueModel:
+    """One model of the friction torque.
+
+    Attributes
+    ----------
+    name
+        as callers, case files and JSON have it
+    title, short_title, long_title
+        in English: of a row, of a narrow column, within a sentence
+    needs
+        attributes of `Setting`, or of its machine, that must be known
+    evaluate
+        the torque; of models of the contacts without hysteresis and oil, which are added to each
+    limits
+        the cases in which the model is not valid, or only with a remark, by names of `REASONS`
+    of_contacts
+        whether it knows contacts, or else the bearing as a whole
+    closed_form
+        whether a case takes microseconds
+    """
+
+    name: str
+    title: str
+    short_title: str
+    long_title: str
+    needs: tuple[str, ...]
+    evaluate: Callable[[Setting], Torque]
+    limits: Callable[[Setting], Mapping[str, BoolArray]]
+    of_contacts: bool = True
+    closed_form: bool = False
+
+
+# --- where a model is valid -------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ModelValidity:
+    """Whether a model is valid, (cases,); limits: by name of `REASONS` in which cases, (cases,)."""
+
+    model: str
+    valid: BoolArray
+    limits: Mapping[str, BoolArray]
+
+    @property
+    def notes(self) -> dict[str, BoolArray]:
+        """The limits that concern at least one case."""
+        return {name: where for name, where in self.limits.items() if np.any(where)}
+
+
+def validity_of(model: TorqueModel, setting: Setting, converged: BoolArray) -> ModelValidity:
+    """Judge a model for every case; converged: whether it found a result."""
+    limits = {
+        **model.limits(setting),
+        "at_rest": relative_speed(setting.solved) == 0.0,
+        "no_result": ~converged,
+    }
+    refused = [where for name, where in limits.items() if name not in REMARKS]
+    return ModelValidity(model.name, ~np.any(refused, axis=0), limits)
+
+
+def limits_of_dry_friction(setting: Setting) -> dict[str, BoolArray]:
+    """Of models of dry or boundary friction without inertia."""
+    return {
+        "inertia": inertia_counts(setting.solved, setting.friction_coefficient),
+        "full_film": setting.regime == "full_film",
+        "partial_film": setting.regime == "mixed",
+    }
+
+
+def limits_of_lubricated_bearings(setting: Setting) -> dict[str, BoolArray]:
+    """Of models of lubricated machine bearings."""
+    return {"no_film": setting.regime == "boundary"}
+
+
+def film_regime(film_parameter: FloatArray) -> NDArray[np.str_]:
+    """Name the regimes of film parameters λ: "boundary", "mixed", "full_film" or "unknown"."""
+    with np.errstate(invalid="ignore"):
+        choices = [
+            film_parameter < BOUNDARY,
+            film_parameter <= FULL_FILM,
+            film_parameter > FULL_FILM,
+        ]
+    return np.select(choices, ["boundary", "mixed", "full_film"], "unknown")
+
+
+def inertia_counts(solved: Solved, coefficient: FloatArray) -> BoolArray:
+    """(cases,): whether inertia takes a share of a ball's friction or load that cannot be left.
+
+    coefficient : μ, (cases or 1, 1).
+    """
+    elements, inner, outer = solved.elements, solved.inner, solved.outer
+    demand = friction_demand(elements.gyroscopic_moment, inner.ball_diameter, outer.load)
+    with np.errstate(invalid="ignore"):
+        turned = demand > INERTIA_SHARE * coefficient
+        thrown = elements.centrifugal_force > INERTIA_SHARE * inner.load
+        heaviest = np.max(inner.load, axis=-1, keepdims=True)
+        counted = bears_on_both(solved) & (inner.load > COUNTED_LOAD * heaviest)
+    return np.asarray(np.any(counted & (turned | thrown), axis=-1))
+
+
+# --- what models read of solved cases ---------------------------------------------------------
+
+
+def bears_on_both(solved: Solved) -> BoolArray:
+    """(cases, elements): whether an element bears on both races."""
+    with np.errstate(invalid="ignore"):
+        return np.asarray(solved.loaded & (solved.outer.load > 0.0))
+
+
+def has_result(solved: Solved) -> BoolArray:
+    """(cases,): whether a case has a result, with ellipses narrower than the balls."""
+    with np.errstate(invalid="ignore"):
+        narrow = [2.0 * race.semi_major < race.ball_diameter for race in solved.contacts.values()]
+    fine = np.isfinite(solved.outer.load) & (np.all(narrow, axis=0) | ~bears_on_both(solved))
+    return np.asarray(np.all(fine, axis=-1))
+
+
+def relative_speed(solved: Solved) -> FloatArray:
+    """(cases,): of the inner ring to the outer; rad/s."""
+    return np.asarray(solved.field("duty.inner_speed") - solved.field("duty.outer_speed"))
+
+
+# --- how balls move under raceway control, and what that loses ---------------------------------
+
+
+def controlling_race(solved: Solved, control: ControlChoice) -> NDArray[np.int64]:
+    """Tell which race each ball rolls on without spin: 1 outer, -1 inner; (cases, elements).
+
+    control: "inner", "outer"; "state", as the state was solved; "jones", the race with the
+    greater resistance to spin Q a E. Where the state's control is undecided, Jones's is taken.
+
+    Raises
+    ------
+    InputError
+        For any other word.
+    """
+    if control not in _CONTROLS:
+        raise InputError(
+            f"must be one of {', '.join(_CONTROLS)}",
+            field="control",
+            value=control,
+            example='control = "jones"',
+        )
+    inner, outer = (resistance_to_spin(Patch.of(race)) for race in solved.contacts.values())
+    if control in ("inner", "outer"):
+        return np.full(inner.shape, 1 if control == "outer" else -1, dtype=np.int64)
+    jones = np.where(outer > inner, 1, -1)
+    if control == "jones":
+        return jones.astype(np.int64)
+    own = solved.elements.raceway_control
+    return np.where(own != 0, own, jones).astype(np.int64)
+
+
+def unit_motion(solved: Solved, control: NDArray[np.int64]) -> BallMotion:
+    """Motion under raceway control for a unit speed of the inner ring relative to the outer.
+
+    Seen from the outer ring; arrays (cases, elements), rad/s.
+    """
+    inner, outer = solved.inner, solved.outer
+    ratio = inner.ball_diameter / inner.pitch_diameter
+    return ball_motion(inner.contact_angle, outer.contact_angle, ratio, 1.0, 0.0, control)
+
+
+def loss_at_rates(
+    solved: Solved,
+    moment: Callable[[Patch], FloatArray],
+    inner_rate: FloatArray,
+    outer_rate: FloatArray,
+) -> ContactLoss:
+    """What a moment in every contact of the loaded balls takes at the rates (cases, elements)."""
+    loaded = bears_on_both(solved)
+    return ContactLoss(
+        *(
+            np.where(loaded, moment(Patch.of(race)) * np.abs(rate), 0.0)
+            for race, rate in zip(solved.contacts.values(), (inner_rate, outer_rate), strict=True)
+        )
+    )
+
+
+def hysteresis_loss(solved: Solved, motion: BallMotion, loss: FloatArray) -> ContactLoss:
+    """Loss of every contact by elastic hysteresis, α_h (cases or 1, 1)."""
+    return loss_at_rates(
+        solved, lambda patch: hysteresis_moment(patch, loss), motion.inner_roll, motion.outer_roll
+    )
+
+
+# --- checks -----------------------------------------------------------------------------------
+
+
+def checked_coefficient(value: ArrayLike, name: str, maximum: float = 1.0) -> FloatArray:
+    """A coefficient for every case, as a column (cases or 1, 1).
+
+    Raises
+    ------
+    InputError
+        If it is not a number, or an array of them over cases, from 0 to the maximum.
+    """
+    array = checked_numbers(value, name)
+    if array.ndim > 1 or not np.all((array >= 0.0) & (array <= maximum)):
+        raise InputError(
+            f"must be from 0 to {maximum:g}, one number or one for each case",
+            field=name,
+            value=value if array.ndim == 0 else "an array",
+            example=f"{name} = 0.1",
+        )
+    return array.reshape(-1, 1)
+
+
+def checked_positive(value: ArrayLike, name: str, *, zero: bool = False) -> FloatArray:
+    """Numbers above zero (or zero as well) as an array.
+
+    Raises
+    ------
+    InputError
+        If one is not.
+    """
+    array = checked_numbers(value, name)
+    fine = np.isfinite(array) & ((array >= 0.0) if zero else (array > 0.0))
+    if not np.all(fine):
+        raise InputError(
+            "must be a number of at least zero" if zero else "must be a number above zero",
+            field=name,
+            value=value if array.ndim == 0 else "an array",
+        )
+    return array
+
+
+def checked_numbers(value: ArrayLike, name: str) -> FloatArray:
+    """Numbers as an array, NaN where they are masked.
+
+    Raises
+    ------
+    InputError
+        If they are none.
+    """
+    try:
+        return filled(value)
+    except (TypeError, ValueError):
+        raise InputError(
+            "must be a number, or an array of them",
+            field=name,
+            value=value if isinstance(value, str) else type(value).__name__,
+            example=f"{name} = 0.1",
+        ) from None
+
+
+def over_cases(value: ArrayLike, name: str, cases: int) -> FloatArray:
+    """One number, or one for each case, as a column (cases, 1).
+
+    Raises
+    ------
+    InputError
+        If there are neither one nor as many as there are cases.
+    """
+    array = checked_numbers(value, name).reshape(-1, 1)
+    if len(array) not in (1, cases):
+        raise InputError(f"must be one number, or one for each of the {cases} cases", field=name)
+    return np.broadcast_to(array, (cases, 1))

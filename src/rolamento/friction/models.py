@@ -1,0 +1,26 @@
+"""The torque models there are: to add one, write its file and name it here."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Final
+
+from rolamento.friction import (
+    harris_1971,
+    jones_control,
+    jones_full,
+    jones_simplified,
+    palmgren,
+    skf,
+    todd,
+)
+from rolamento.friction.model import TorqueModel
+
+TORQUE_MODELS: Final[Mapping[str, TorqueModel]] = {
+    module.MODEL.name: module.MODEL
+    for module in (jones_full, jones_control, jones_simplified, harris_1971, todd, palmgren, skf)
+}
+"""By name, in the order in which they are shown."""
+
+CONTACT_MODELS: Final = tuple(name for name, model in TORQUE_MODELS.items() if model.of_contacts)
+"""Names of the models of the friction in the contacts."""

@@ -1,0 +1,366 @@
+"""The lubricant film of solved cases: the oil, the films of all contacts, the viscosity ratio."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rolamento._json import plain
+from rolamento.case import Case
+from rolamento.case.film_model import FilmModel
+from rolamento.case.lubricant import Lubricant
+from rolamento.errors import InputError
+from rolamento.geometry import Race
+from rolamento.lubrication.film_thickness import (
+    central_film,
+    film_groups,
+    flooded_distance_central,
+    flooded_distance_minimum,
+    gupta_cheng,
+    inlet_distance_central,
+    inlet_distance_minimum,
+    minimum_film,
+    murch_wilson,
+    replenishment,
+    thermal_loading,
+)
+from rolamento.lubrication.notes import notes_on
+from rolamento.lubrication.oil_state import OilState, oil_state, reference_viscosity
+from rolamento.lubrication.regime import regime_indices, regime_of, regimes
+from rolamento.numerics import FloatArray
+from rolamento.numerics.blocks import in_blocks
+from rolamento.solved import NO_LOAD, RACES, Contacts, Solved, refuse_other
+
+ROOM_TEMPERATURE: Final = 293.15
+"""K"""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ContactFilms:
+    """The films at the contacts of one race; (cases, elements), SI.
+
+    Attributes
+    ----------
+    entrainment_speed
+        u, mean of both surfaces (m/s)
+    speed_parameter, load_parameter, material_parameter, ellipticity
+        U, W, G and k
+    central_thickness, minimum_thickness
+        h_c and h_0 with all reductions (m); 0 where nothing turns, NaN where nothing touches
+    thermal_factor, starvation_factor
+        what the heat of shear and the lack of oil leave of the central film
+    film_parameter
+        λ = h_c over the combined RMS roughness; NaN where no roughness is given
+    """
+
+    entrainment_speed: FloatArray
+    speed_parameter: FloatArray
+    load_parameter: FloatArray
+    material_parameter: FloatArray
+    ellipticity: FloatArray
+    central_thickness: FloatArray
+    minimum_thickness: FloatArray
+    thermal_factor: FloatArray
+    starvation_factor: FloatArray
+    film_parameter: FloatArray
+
+    @property
+    def regime(self) -> NDArray[np.str_]:
+        """Names of `regimes`: "full_film", "partial", "boundary", "adhesive"; empty without λ."""
+        names = np.array([*(regime.name for regime in regimes()), ""])
+        return np.asarray(names[regime_indices(self.film_parameter)])
+
+    def expected_failures(self, case: int, element: int) -> tuple[str, ...]:
+        """Names of `regime.failure_modes` at one contact, the most likely first."""
+        regime = regime_of(self.film_parameter[case, element])
+        return () if regime is None else tuple(mode.name for mode in regime.expects)
+
+    def to_mapping(self, case: int, element: int) -> dict[str, Any]:
+        """Give one contact as a plain mapping, NaN as None."""
+        numbers = {part.name: getattr(self, part.name)[case, element] for part in fields(self)}
+        regime = regime_of(numbers["film_parameter"])
+        failures = self.expected_failures(case, element)
+        name = "" if regime is None else regime.name
+        mapping: dict[str, Any] = plain({**numbers, "regime": name, "expected_failures": failures})
+        return mapping
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Film:
+    """The lubricant film of solved cases, SI; NaN without a result, and of dry lubrication.
+
+    Attributes
+    ----------
+    case
+        what was solved
+    temperature
+        of the lubricant, (cases,) (K)
+    kinematic_viscosity, dynamic_viscosity, density
+        there, at ambient pressure; of a grease, its base oil's; (cases,) (m²/s, Pa·s, kg/m³)
+    pressure_viscosity
+        α there, (cases,) (1/Pa)
+    reference_viscosity
+        ν_1 of the row that needs most, (cases,) (m²/s); infinite at rest
+    viscosity_ratio
+        κ = ν/ν_1, (cases,)
+    row, azimuth
+        of each rolling element, (cases, elements) (rad)
+    inner, outer
+        the films of each race
+    """
+
+    case: Case
+    temperature: FloatArray
+    kinematic_viscosity: FloatArray
+    dynamic_viscosity: FloatArray
+    density: FloatArray
+    pressure_viscosity: FloatArray
+    reference_viscosity: FloatArray
+    viscosity_ratio: FloatArray
+    row: NDArray[np.int64]
+    azimuth: FloatArray
+    inner: ContactFilms
+    outer: ContactFilms
+
+    def __len__(self) -> int:
+        """Count the cases."""
+        return len(self.temperature)
+
+    @property
+    def lubricant(self) -> str:
+        """Its name."""
+        return lubricant_of(self.case).name
+
+    @property
+    def minimum_film_parameter(self) -> FloatArray:
+        """The minimum λ of all contacts; (cases,), NaN where there is none."""
+        parameters = np.concatenate([self.inner.film_parameter, self.outer.film_parameter], axis=1)
+        return np.asarray(np.fmin.reduce(parameters, axis=1))
+
+    @property
+    def notes(self) -> tuple[tuple[str, ...], ...]:
+        """What the user should know about the film of each case; a tuple over cases of tuples."""
+        return tuple(self.notes_of(case) for case in range(len(self)))
+
+    def notes_of(self, case: int = 0) -> tuple[str, ...]:
+        """The notes on one case."""
+        return tuple(notes_on(self, case))
+
+    def of(self, race: Race) -> ContactFilms:
+        """The films of one race."""
+        return self.inner if race == "inner" else self.outer
+
+    def thinnest(self, race: Race, case: int = 0) -> int | None:
+        """The element whose central film at a race is the thinnest; None if there is no film."""
+        thickness = self.of(race).central_thickness[case]
+        return int(np.nanargmin(thickness)) if np.isfinite(thickness).any() else None
+
+    def to_mapping(self, case: int = 0) -> dict[str, Any]:
+        """Give one case as plain mappings and lists in SI units, NaN and infinity as None."""
+        names = [part.name for part in fields(self)]
+        whole = names[names.index("temperature") : names.index("row")]
+        mapping: dict[str, Any] = plain(
+            {
+                "lubricant": self.lubricant,
+                **{name: getattr(self, name)[case] for name in whole},
+                "balls": [
+                    {
+                        "row": self.row[case, element],
+                        "azimuth": self.azimuth[case, element],
+                        "inner": self.inner.to_mapping(case, element),
+                        "outer": self.outer.to_mapping(case, element),
+                    }
+                    for element in range(self.row.shape[1])
+                ],
+                "notes": self.notes_of(case),
+            }
+        )
+        return mapping
+
+
+def film(solved: Solved, *, threads: int | None = None) -> Film:
+    """Find the lubricant film of solved cases: lubricant, surface and film model are the case's.
+
+    Parameters
+    ----------
+    solved
+        From `rolamento.solve`; its case needs a lubricant, and its temperature, which may vary.
+    threads
+        As many as there are processors by default.
+
+    Raises
+    ------
+    InputError
+        If there is no lubricant, or no temperature of it.
+
+    Hamrock and Dowson (1977), with the reductions that `case.film` names.
+    """
+    refuse_other(solved, "film")
+    lubricant_of(solved.case)
+    if "temperature.lubricant" not in solved.varied and solved.case.lubricant_temperature is None:
+        raise InputError(
+            "is missing: the film needs the lubricant's temperature",
+            field="temperature.lubricant",
+            example='[temperature] with lubricant = "70 degC"',
+        )
+    return in_blocks(_film_of_some, solved, threads)
+
+
+def has_film(solved: Solved) -> bool:
+    """Whether the case has an oil or a grease, at a known temperature."""
+    case = solved.case
+    warm = "temperature.lubricant" in solved.varied or case.lubricant_temperature is not None
+    return warm and case.lubricant is not None and case.lubricant.kind != "dry"
+
+
+def lubricant_of(case: Case) -> Lubricant:
+    """Return the lubricant of a case.
+
+    Raises
+    ------
+    InputError
+        If it has none.
+    """
+    if case.lubricant is None:
+        raise InputError(
+            "is missing: without a lubricant or a coefficient of friction there is no film and no"
+            " friction",
+            field="lubricant",
+            example='lubricant = "ISO VG 68"',
+        )
+    return case.lubricant
+
+
+def oil_of(solved: Solved) -> OilState:
+    """The oil of solved cases at its temperature, (cases,); all NaN for dry lubrication."""
+    given = solved.field("temperature.lubricant")
+    temperature = np.where(given > 1.0, given, ROOM_TEMPERATURE)  # 1: of a case that is not valid
+    lubricant = lubricant_of(solved.case)
+    if lubricant.kind != "dry":
+        return oil_state(lubricant, temperature)
+    nothing = np.full_like(temperature, np.nan)
+    return OilState(temperature, nothing, nothing, nothing, nothing, nothing, float("nan"))
+
+
+def _film_of_some(solved: Solved) -> Film:
+    case, elements, oil = solved.case, solved.elements, oil_of(solved)
+    model = case.film or FilmModel()
+    speed = np.abs(solved.field("duty.inner_speed") - solved.field("duty.outer_speed"))
+    needed = reference_viscosity(speed[:, np.newaxis], solved.rows.pitch_diameter).max(axis=1)
+    refill = _refill(case, model, oil, speed)
+    inner, outer = (
+        _films_of_race(solved, race, oil.columns(), model, refill[:, np.newaxis]) for race in RACES
+    )
+    return Film(
+        case=case,
+        temperature=oil.temperature,
+        kinematic_viscosity=oil.kinematic_viscosity,
+        dynamic_viscosity=oil.dynamic_viscosity,
+        density=oil.density,
+        pressure_viscosity=oil.pressure_viscosity,
+        reference_viscosity=np.asarray(needed),
+        viscosity_ratio=np.asarray(oil.kinematic_viscosity / needed),
+        row=np.broadcast_to(elements.row, elements.azimuth.shape),
+        azimuth=elements.azimuth,
+        inner=inner,
+        outer=outer,
+    )
+
+
+def _films_of_race(
+    solved: Solved, race: Race, oil: OilState, model: FilmModel, refill: FloatArray
+) -> ContactFilms:
+    """Hamrock and Dowson with the reductions of the model; oil and refill (cases, 1)."""
+    contacts = solved.contacts[race]
+    other = solved.contacts["outer" if race == "inner" else "inner"]
+    touching = contacts.load > NO_LOAD * other.load
+    load, u, ellipticity = (
+        np.where(touching, values, np.nan)
+        for values in (contacts.load, contacts.entrainment, contacts.ellipticity)
+    )
+    groups = film_groups(
+        u,
+        load,
+        contacts.rolling_curvature,
+        ellipticity,
+        contacts.modulus,
+        oil.dynamic_viscosity,
+        oil.pressure_viscosity,
+    )
+    thermal = _thermal_factor(contacts, u, oil, model)
+    central, minimum = central_film(groups) * thermal, minimum_film(groups) * thermal
+    starved, starved_minimum = _starvation_factors(contacts, central, minimum, model, refill)
+    radius = 1.0 / contacts.rolling_curvature
+    thickness = central * starved * radius
+    surface = solved.case.surface
+    roughness = np.nan if surface is None else getattr(surface, f"{race}_combined")
+    return ContactFilms(
+        *np.broadcast_arrays(
+            u,
+            groups.speed,
+            groups.load,
+            groups.material,
+            groups.ellipticity,
+            thickness,
+            minimum * starved_minimum * radius,
+            thermal,
+            np.where(touching, starved, np.nan),
+            thickness / roughness,
+        )
+    )
+
+
+def _thermal_factor(
+    contacts: Contacts, u: FloatArray, oil: OilState, model: FilmModel
+) -> FloatArray:
+    if model.thermal == "none":
+        return np.where(np.isnan(u), np.nan, 1.0)
+    loading = thermal_loading(
+        oil.dynamic_viscosity, oil.viscosity_temperature, u, oil.thermal_conductivity
+    )
+    if model.thermal == "murch_wilson":
+        return murch_wilson(loading)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        slide_to_roll = np.where(u > 0.0, contacts.surface_speeds.sliding / u, 0.0)
+    return gupta_cheng(loading, contacts.max_pressure, contacts.modulus, slide_to_roll)
+
+
+def _starvation_factors(
+    contacts: Contacts,
+    central: FloatArray,
+    minimum: FloatArray,
+    model: FilmModel,
+    refill: FloatArray,
+) -> tuple[FloatArray, FloatArray]:
+    """Of the central and of the minimum film; the films over R_x without starvation are given."""
+    if model.starvation != "inlet_distance":
+        return refill, refill
+    assert model.inlet_distance is not None
+    radius = 1.0 / contacts.rolling_curvature
+    b = np.where(contacts.semi_minor > 0.0, contacts.semi_minor, np.nan)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        distance = model.inlet_distance / b
+        return (
+            inlet_distance_central(distance, flooded_distance_central(central, radius, b)),
+            inlet_distance_minimum(distance, flooded_distance_minimum(minimum, radius, b)),
+        )
+
+
+def _refill(case: Case, model: FilmModel, oil: OilState, speed: FloatArray) -> FloatArray:
+    """The factor of replenishment, (cases,); 1 where it does not apply."""
+    if model.starvation != "replenishment":
+        return np.ones_like(speed)
+    assert model.supply is not None
+    assert model.bore is not None
+    assert model.outside_diameter is not None
+    return replenishment(
+        oil.kinematic_viscosity,
+        speed,
+        model.bore,
+        model.outside_diameter,
+        model.supply,
+        angular_contact=case.bearing.contact_angle is not None,
+    )

@@ -1,0 +1,74 @@
+"""Many cases in blocks that stay near the processor, side by side in threads."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import fields, is_dataclass
+from typing import Any, Final, Protocol, Self, TypeVar
+
+import numpy as np
+
+from rolamento.numerics.threads import thread_count
+
+__all__ = ["BLOCK", "in_blocks", "joined"]
+
+BLOCK: Final = 4096
+"""Cases at a time."""
+
+
+class Cases(Protocol):
+    """What can be counted and taken apart by cases."""
+
+    def __len__(self) -> int: ...
+
+    def __getitem__(self, some: slice, /) -> Self: ...
+
+
+C = TypeVar("C", bound=Cases)
+R = TypeVar("R")
+
+
+def in_blocks(function: Callable[[C], R], cases: C, threads: int | None = None) -> R:
+    """Apply a function to some cases at a time, and put what it returns together again.
+
+    Parameters
+    ----------
+    function
+        Of some of the cases; returns an array over cases, or a record, mapping or tuple of such.
+    cases
+        All of them.
+    threads
+        As many as there are processors by default: NumPy lets them run side by side.
+    """
+    count = thread_count(threads)
+    if len(cases) <= BLOCK:
+        return function(cases)
+    parts = [slice(first, first + BLOCK) for first in range(0, len(cases), BLOCK)]
+    if count == 1:
+        return joined([function(cases[part]) for part in parts])
+    with ThreadPoolExecutor(min(count, len(parts))) as pool:
+        return joined(list(pool.map(lambda part: function(cases[part]), parts)))
+
+
+def joined(parts: list[R]) -> R:
+    """Put arrays over cases one after another, in records, mappings and tuples alike.
+
+    What is neither is the same in all parts.
+    """
+    whole: R = _joined(parts)
+    return whole
+
+
+def _joined(parts: list[Any]) -> Any:
+    first = parts[0]
+    if isinstance(first, np.ndarray):
+        return np.concatenate(parts)
+    if isinstance(first, Mapping):
+        return {key: _joined([part[key] for part in parts]) for key in first}
+    if isinstance(first, tuple):
+        return tuple(_joined(list(column)) for column in zip(*parts, strict=True))
+    if is_dataclass(first) and not isinstance(first, type):
+        names = [one.name for one in fields(first)]
+        return type(first)(*(_joined([getattr(part, name) for part in parts]) for name in names))
+    return first

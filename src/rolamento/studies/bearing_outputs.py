@@ -1,0 +1,247 @@
+"""Outputs of the state itself: the ring's, each ball's, and what is taken over the balls."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import Any, Final
+
+import numpy as np
+
+from rolamento.case.duty import AXES, LOADS
+from rolamento.contact.hertz import elliptical_contact
+from rolamento.geometry import Race, race_curvature
+from rolamento.solved import RACES, Contacts, Solved
+from rolamento.studies.outputs import Evaluation, Floats, Output
+
+Get = Callable[[Evaluation], Floats]
+
+_CONTACT: Final = (
+    ("load", "N", "load"),
+    ("contact_angle", "rad", "contact angle under load"),
+    ("deflection", "m", "deflection of ball and groove"),
+    ("semi_major", "m", "semi-axis of the contact ellipse across rolling"),
+    ("semi_minor", "m", "semi-axis of the contact ellipse along rolling"),
+    ("max_pressure", "Pa", "maximum Hertz pressure"),
+    ("mean_pressure", "Pa", "mean Hertz pressure"),
+    ("spin_to_roll", "1", "ratio of spin to roll"),
+)
+_BALL: Final = (
+    ("centrifugal_force", "N", "centrifugal force on the ball"),
+    ("gyroscopic_moment", "N*m", "gyroscopic moment on the ball, signed"),
+    ("orbital_speed", "rad/s", "speed of the ball about the bearing's axis"),
+    ("ball_speed", "rad/s", "speed of the ball about its own axis, signed"),
+    ("attitude", "rad", "angle of the ball's axis to the bearing's axis"),
+)
+_ONLY_LOADED: Final = ("contact_angle", "spin_to_roll")
+"""Means nothing at a contact without load, and is left out of what is taken over the balls."""
+_MARGIN: Final = 1e-9
+"""Rounding must not shut out the maximum."""
+
+
+# --- the ring ---------------------------------------------------------------------------------
+
+
+def ring_outputs() -> tuple[Output, ...]:
+    """Return the outputs of the ring: displacements, loads, stiffness, and how it was solved."""
+    return (
+        *(_displacement(axis) for axis in AXES),
+        *(_load(load) for load in LOADS),
+        *(_stiffness(load, axis) for load in LOADS for axis in AXES),
+        Output(
+            "residual",
+            "1",
+            "maximum unbalanced load over the scale of its loads",
+            lambda given: given.solved.status.residual,
+        ),
+        Output(
+            "iterations",
+            "1",
+            "Newton steps",
+            lambda given: given.solved.status.iterations,
+            kind="whole",
+        ),
+        Output("loaded_balls", "1", "balls that touch the inner race", _loaded_balls),
+    )
+
+
+def _displacement(axis: str) -> Output:
+    tilt = len(axis) > 1
+    word = "tilt of the inner ring about" if tilt else "displacement of the inner ring along"
+    return Output(
+        axis,
+        "rad" if tilt else "m",
+        f"{word} {axis[-1]}",
+        lambda given: getattr(given.solved.displacement, axis),
+    )
+
+
+def _load(load: str) -> Output:
+    moment = load[0] == "m"
+    word = "moment on the inner ring about" if moment else "force on the inner ring along"
+    return Output(
+        load,
+        "N*m" if moment else "N",
+        f"{word} {load[-1]}",
+        lambda given: getattr(given.solved.load, load),
+    )
+
+
+def _stiffness(load: str, axis: str) -> Output:
+    unit = ("N*m" if load[0] == "m" else "N") + ("/rad" if len(axis) > 1 else "/m")
+    return Output(
+        f"stiffness_{AXES[LOADS.index(load)]}{axis}",
+        {"N*m/m": "N"}.get(unit, unit),
+        f"derivative of {load} by {axis}",
+        lambda given: given.solved.stiffness[load, axis],
+    )
+
+
+def _loaded_balls(given: Evaluation) -> Floats:
+    load = given.solved.inner.load
+    return np.where(np.isnan(load).any(axis=1), np.nan, (load > 0.0).sum(axis=1))
+
+
+# --- the balls --------------------------------------------------------------------------------
+
+
+def ball_outputs() -> tuple[Output, ...]:
+    """Return the outputs of the balls: each by itself, and its maximum, minimum and mean."""
+    azimuth = Output(
+        "azimuth", "rad", "azimuth of the ball", _of_elements("azimuth"), per_ball=True
+    )
+    return (azimuth, *_of_contacts(), *_of_balls())
+
+
+def _of_contacts() -> Iterator[Output]:
+    for race in RACES:
+        for name, unit, words in _CONTACT:
+            get = _of_race(race, name)
+            yield from family(f"{race}_{name}", unit, f"{words}, {race} race", get, race)
+
+
+def _of_balls() -> Iterator[Output]:
+    for name, unit, words in _BALL:
+        yield from family(name, unit, words, _of_elements(name), None)
+
+
+def family(
+    name: str, unit: str, words: str, get: Get, race: Race | None, needs: tuple[str, ...] = ()
+) -> Iterator[Output]:
+    """Make an output per ball, and what is taken of it over the balls.
+
+    race: whose loads tell which balls count, for outputs that mean nothing without load.
+    """
+    yield Output(name, unit, words, get, per_ball=True, needs=needs)
+    among = race if name.endswith(_ONLY_LOADED) else None
+    over = "loaded balls" if among else "balls"
+    for prefix, word, reduce in _REDUCTIONS:
+        compute = _reduced(get, reduce, among)
+        if prefix == "max" and race is not None and name.endswith("_max_pressure"):
+            compute = _maximum_pressure(race)
+        yield Output(
+            f"{prefix}_{name}", unit, f"{words}: {word} of the {over}", compute, needs=needs
+        )
+
+
+def _of_elements(name: str) -> Get:
+    return lambda given: getattr(given.solved.elements, name)
+
+
+def _of_race(race: Race, name: str) -> Get:
+    return lambda given: getattr(given.solved.contacts[race], name)
+
+
+def _reduced(get: Get, reduce: Callable[[Floats], Floats], race: Race | None) -> Get:
+    """Take something over the balls; over those that a race loads, if one is named."""
+
+    def reduced(given: Evaluation) -> Floats:
+        values = get(given)
+        if race is not None:
+            values = np.where(given.solved.contacts[race].load > 0.0, values, np.nan)
+        return reduce(values)
+
+    return reduced
+
+
+def _maximum(values: Floats) -> Floats:
+    return np.asarray(np.fmax.reduce(values, axis=1))
+
+
+def _minimum(values: Floats) -> Floats:
+    return np.asarray(np.fmin.reduce(values, axis=1))
+
+
+def _mean(values: Floats) -> Floats:
+    """Mean of what is there; NaN where nothing is."""
+    there = ~np.isnan(values)
+    count = there.sum(axis=1)
+    total = np.where(there, values, 0.0).sum(axis=1)
+    mean = np.full(len(values), np.nan)
+    np.divide(total, count, out=mean, where=count > 0)
+    return mean
+
+
+_REDUCTIONS: Final = (
+    ("max", "maximum", _maximum),
+    ("min", "minimum", _minimum),
+    ("mean", "mean", _mean),
+)
+
+
+def _maximum_pressure(race: Race) -> Get:
+    return lambda given: maximum_pressure(given.solved, race)
+
+
+def maximum_pressure(solved: Solved, race: Race) -> Floats:
+    """Return the maximum Hertz pressure at a race, without the pressures of all its contacts.
+
+    Parameters
+    ----------
+    solved
+        The cases.
+    race
+        ``"inner"`` or ``"outer"``.
+
+    Returns
+    -------
+    (cases,), Pa.
+
+    Only contacts that may have the maximum are evaluated. In a row, at a given load, the pressure
+    grows with the curvature ρ_x in the rolling direction, as ρ_x to a power between 1/3 (where
+    ρ_x = ρ_y) and 2/3 (ρ_y = 0), since p_0 goes with the curvatures to the power 2/3 altogether
+    and ρ_x is the larger. With r = ρ_x over the largest of the row,
+
+        Q^(1/3) r^(2/3)  ≤  p_0 / c  ≤  Q^(1/3) r^(1/3),
+
+    and a contact whose upper bound is below another's lower bound has not the maximum.
+    """
+    contacts = solved.contacts[race]
+    found = np.full(len(solved), np.nan)
+    rows = solved.rows
+    for first, count in zip(rows.starts, rows.element_count, strict=True):
+        case, ball = np.nonzero(_candidates(contacts, slice(first, first + count)))
+        place = case, ball + first
+        curvature = race_curvature(
+            contacts.ball_diameter[place],
+            contacts.pitch_diameter[place],
+            contacts.conformity[place],
+            contacts.contact_angle[place],
+            race,
+        )
+        ellipse = elliptical_contact(
+            contacts.load[place], curvature.rolling, curvature.across, contacts.modulus[place]
+        )
+        np.fmax.at(found, case, ellipse.max_pressure)
+    return found
+
+
+def _candidates(contacts: Contacts, row: slice) -> np.ndarray[Any, np.dtype[np.bool_]]:
+    """Which contacts of a row may have the maximum pressure of their case."""
+    sign = -1.0 if contacts.race == "inner" else 1.0
+    gamma = contacts.ball_diameter[:, row] / contacts.pitch_diameter[:, row]
+    curvature = 1.0 / (1.0 + sign * gamma * np.cos(contacts.contact_angle[:, row]))
+    with np.errstate(invalid="ignore"):
+        ratio = np.cbrt(curvature / curvature.max(axis=1, keepdims=True))
+        above = np.cbrt(contacts.load[:, row]) * ratio
+        below = (above * ratio).max(axis=1, keepdims=True)
+        return np.asarray(above >= (1.0 - _MARGIN) * below)

@@ -1,0 +1,269 @@
+"""The life of a bearing, and of several on one shaft: of each, and of all together."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Final
+
+import numpy as np
+
+from rolamento.case import Case, load_case
+from rolamento.errors import InputError
+from rolamento.life import (
+    Change,
+    Headline,
+    Life,
+    LifeConditions,
+    LifeSummary,
+    conditions_of,
+    life,
+    sensitivity,
+)
+from rolamento.life.iso16281 import SLOPE
+from rolamento.life.l_able import NSK_CLEANLINESS, FactorTable, read_factor_table
+from rolamento.life.spectrum import shaft_life
+from rolamento.numerics import FloatArray
+from rolamento.solved import Solved
+from rolamento.solving import solve
+
+__all__ = ["MOST_BEARINGS", "CaseLife", "ShaftLife", "SystemLife", "life_of_case", "life_of_shaft"]
+
+MOST_BEARINGS: Final = 50
+_OF_LIFE: Final = ("dynamic_rating", "viscosity_ratio")
+"""Fields of the [life] table that the engine names by their last part."""
+
+CaseSource = Case | str | os.PathLike[str]
+"""A case, or its file."""
+TableSource = FactorTable | str | os.PathLike[str] | None
+"""a_NSK off the maker's chart, or its file."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class CaseLife:
+    """A solved case, its life by every theory and what would help; None without a result."""
+
+    solved: Solved
+    life: LifeSummary | None
+    changes: tuple[Change, ...]
+
+    @property
+    def converged(self) -> bool:
+        """Whether there is a result."""
+        return self.life is not None
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class SystemLife:
+    """Life of several bearings that all have to survive, for the reliability of each; h.
+
+    Attributes
+    ----------
+    theories
+        of the bearings; empty without a result
+    bearing_hours
+        (bearings,); NaN without a result or rotation
+    hours
+        of all together
+    risk
+        (bearings,): share of each in what ends the life; that of an endless one is zero
+    valid
+        whether all of these lives are valid
+    below
+        whether the life of all together is a bound: that of some bearing is
+    """
+
+    theories: tuple[str, ...]
+    bearing_hours: FloatArray
+    hours: float
+    risk: FloatArray
+    valid: bool
+    below: bool
+
+    @classmethod
+    def of(cls, lives: Sequence[Life | Headline | None]) -> SystemLife:
+        """Put together the lives of bearings, each of one case."""
+        hours = np.array([np.nan if own is None else own.hours[0] for own in lives])
+        valid = all(own is not None and bool(own.valid[0]) for own in lives)
+        leads = all(own is not None and bool(own.valid[0] | own.below[0]) for own in lives)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            risk = (np.min(hours) / hours) ** SLOPE
+        return cls(
+            theories=tuple("" if own is None else str(np.ravel(own.theory)[0]) for own in lives),
+            bearing_hours=hours,
+            hours=float(shaft_life(hours)),
+            risk=np.asarray(risk / risk.sum()),
+            valid=valid,
+            below=leads and any(own is not None and bool(own.below[0]) for own in lives),
+        )
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ShaftLife:
+    """Lives of bearings on one shaft.
+
+    Attributes
+    ----------
+    bearings
+        solved, each a single case
+    lives
+        by every theory; None of a bearing without a result
+    theories
+        by name, of those that all bearings have
+    headline
+        the lives that lead, of each and of all together
+    reliability
+        S, the same for all
+    """
+
+    bearings: tuple[Solved, ...]
+    lives: tuple[LifeSummary | None, ...]
+    theories: Mapping[str, SystemLife]
+    headline: SystemLife
+    reliability: float
+
+    def __len__(self) -> int:
+        """Count the bearings."""
+        return len(self.bearings)
+
+    def __getitem__(self, theory: str) -> SystemLife:
+        """Return the life by one theory."""
+        return self.theories[theory]
+
+    @property
+    def converged(self) -> bool:
+        """Whether every bearing has a result."""
+        return all(bool(solved.converged[0]) for solved in self.bearings)
+
+
+def life_of_case(
+    case: CaseSource, *, nsk_table: TableSource = None, decimal_mark: str | None = None
+) -> CaseLife:
+    """Solve a case, and find its life and what would help.
+
+    Parameters
+    ----------
+    case
+        Or its file.
+    nsk_table, decimal_mark
+        a_NSK of L_able, or its file; and the decimal mark in it, ``"point"`` or ``"comma"``, where
+        nothing there tells.
+
+    Raises
+    ------
+    InputError
+        If the bearing is a thrust bearing, or has no rating and none follows.
+    """
+    base = case_of(case)
+    table = factor_table(nsk_table, [base], decimal_mark)
+    solved = solve(base)
+    given = conditions_with(solved, table)
+    found = _life(solved, given)
+    return CaseLife(solved, found, () if found is None else sensitivity(solved, given))
+
+
+def life_of_shaft(
+    cases: Sequence[CaseSource],
+    *,
+    nsk_table: TableSource = None,
+    decimal_mark: str | None = None,
+) -> ShaftLife:
+    """Find the lives of several bearings, and of all of them together.
+
+    Parameters
+    ----------
+    cases
+        Two or more, or their files, one for each bearing; their lives in hours count, so that they
+        may turn at different speeds.
+    nsk_table, decimal_mark
+        a_NSK of L_able, or its file; and the decimal mark in it, ``"point"`` or ``"comma"``, where
+        nothing there tells.
+
+    Raises
+    ------
+    InputError
+        If there are too many, their reliabilities differ, or one has no life for its geometry.
+    """
+    if not 2 <= len(cases) <= MOST_BEARINGS:
+        raise InputError(
+            f"must be 2 to {MOST_BEARINGS} on one shaft", field="CASE", value=len(cases)
+        )
+    read = [case_of(case) for case in cases]
+    reliabilities = {0.9 if case.life is None else case.life.reliability for case in read}
+    if len(reliabilities) > 1:
+        raise InputError(
+            "must be one for all bearings of a shaft",
+            field="life.reliability",
+            value=", ".join(f"{value:g}" for value in sorted(reliabilities)),
+            example="--reliability 0.9",
+        )
+    table = factor_table(nsk_table, read, decimal_mark)
+    bearings = tuple(solve(case) for case in read)
+    lives = tuple(_life(solved, conditions_with(solved, table)) for solved in bearings)
+    known = [summary for summary in lives if summary is not None]
+    theories = [
+        name
+        for name in (known[0].theories if known else ())
+        if all(name in summary.theories for summary in known)
+    ]
+    return ShaftLife(
+        bearings=bearings,
+        lives=lives,
+        theories={
+            name: SystemLife.of([None if own is None else own[name] for own in lives])
+            for name in theories
+        },
+        headline=_leading(lives),
+        reliability=reliabilities.pop(),
+    )
+
+
+def _leading(lives: Sequence[LifeSummary | None]) -> SystemLife:
+    """Put together the lives that lead; where one is a bound, they do not all hold."""
+    found = SystemLife.of([None if own is None else own.headline for own in lives])
+    return replace(found, valid=found.valid and not found.below)
+
+
+def _life(solved: Solved, given: LifeConditions) -> LifeSummary | None:
+    if not solved.converged[0]:
+        return None
+    try:
+        return life(solved, given)
+    except InputError as error:
+        if error.field in _OF_LIFE:
+            raise error.with_details(field=f"life.{error.field}") from None
+        raise
+
+
+def case_of(source: CaseSource) -> Case:
+    """Return a case; read from its file if that is given."""
+    return source if isinstance(source, Case) else load_case(source)
+
+
+def factor_table(
+    source: TableSource, cases: Sequence[Case], decimal_mark: str | None
+) -> FactorTable | None:
+    """Return a user's a_NSK; read from its file if that is given.
+
+    Raises
+    ------
+    InputError
+        If one of the cases has no a_c, which the columns of the table hold with the load.
+    """
+    if source is None:
+        return None
+    if not all(NSK_CLEANLINESS.met(case) for case in cases):
+        raise InputError(
+            "is missing: the columns of the table of a_NSK hold it",
+            field=NSK_CLEANLINESS.name,
+            example="--set life.nsk_cleanliness=0.8",
+        )
+    if isinstance(source, FactorTable):
+        return source
+    return read_factor_table(source, decimal_mark=decimal_mark)
+
+
+def conditions_with(solved: Solved, nsk_table: FactorTable | None) -> LifeConditions:
+    """Return what solved cases say of their life, with the user's a_NSK if there is one."""
+    return replace(conditions_of(solved), nsk_table=nsk_table)

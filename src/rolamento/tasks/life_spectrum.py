@@ -1,0 +1,503 @@
+"""Life under a duty of several steps: read from a table, every step solved, damage gathered.
+
+Miner: a step uses up its share of the revolutions over the life that it alone would allow. For the
+lives that know the races apart, each race gathers its damage before the races combine, for the
+steps may load different races and rows.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from math import isfinite
+from typing import Final, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rolamento._tables import Table, read_table
+from rolamento.case import Case
+from rolamento.case.life_model import LifeModel
+from rolamento.errors import FileError, InputError
+from rolamento.life import Headline, Life
+from rolamento.life.iso281 import hours
+from rolamento.life.iso16281 import SLOPE
+from rolamento.life.iso16281 import THEORY as REFERENCE
+from rolamento.life.l_able import FactorTable
+from rolamento.life.reliability import reliability_factor, reliability_of
+from rolamento.life.spectrum import miner_life, races_under_spectrum, revolution_shares
+from rolamento.life.theories import THEORIES
+from rolamento.numerics import BoolArray, FloatArray
+from rolamento.solving import solve
+from rolamento.studies.fields import Field, Value, read_field, refuse_rivals
+from rolamento.studies.solving import CONVERGED, INVALID_INPUT, array_fields, base_case
+from rolamento.tasks.life import CaseSource, TableSource, case_of, factor_table
+from rolamento.tasks.life_over import LifeRows, lives_of_rows
+
+__all__ = ["DutyLife", "DutySteps", "SpectrumLife", "life_under", "read_spectrum"]
+
+MOST_WITH_STRESS_VOLUME: Final = 1000
+"""Steps up to which the theory of Ioannides and Harris, which takes milliseconds, is evaluated."""
+_MOST_SINGLE: Final = 2000
+"""Cases of their own that the steps may need."""
+_HOUR: Final = 3600.0
+MOST_STEPS: Final = 10_000
+
+Kind = Literal["share", "revolutions"]
+"""Shares of time, or of revolutions."""
+
+_EXAMPLE: Final = "share,duty.load.fz,duty.inner_speed"
+_ROUNDING: Final = 0.01 + 1e-9
+"""By which the shares may miss 1: 33 % three times."""
+_FIXED: Final = ("life.reliability", "life.edition", "life.wanted_life", "bearing.arrangement")
+"""Of the bearing and its life as a whole, not of a step."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class DutySteps:
+    """The steps of a duty.
+
+    Attributes
+    ----------
+    source
+        the file
+    kind
+        what the shares are of: "share" (time) or "revolutions"
+    shares
+        (steps,), summing to 1
+    given_sum
+        what they summed to as given
+    fields, values
+        what varies, and its checked value in every step, by name
+    cells
+        the same as written in the file
+    lines
+        of the steps in the file
+    """
+
+    source: str
+    kind: Kind
+    shares: FloatArray
+    given_sum: float
+    fields: tuple[Field, ...]
+    values: Mapping[str, tuple[Value, ...]]
+    cells: Mapping[str, tuple[str, ...]]
+    lines: tuple[int, ...]
+
+    def __len__(self) -> int:
+        """Count the steps."""
+        return len(self.shares)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class DutyLife:
+    """A life under all steps together.
+
+    Attributes
+    ----------
+    theory
+        that it is by; of the life that leads that of the step that takes most
+    life, hours
+        millions of revolutions and hours; NaN if a step that takes part has no life
+    steps
+        if a step were all of the duty: life, hours, whether it is valid; arrays (steps,)
+    damage
+        (steps,): share of each step in what ends the life
+    valid
+        whether it is valid in every step that takes part and carries load
+    below
+        whether the life is a bound: that of some step is
+    """
+
+    theory: str
+    life: float
+    hours: float
+    steps: Life | Headline
+    damage: FloatArray
+    valid: bool
+    below: bool
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class SpectrumLife:
+    """Life under all steps together, and what each of them takes of it.
+
+    Attributes
+    ----------
+    case
+        what does not vary
+    steps
+        what does
+    status
+        (steps,), of each solved step
+    time_shares, revolution_shares
+        (steps,); each sums to 1
+    mean_speed
+        of the rings against each other, over the time; rad/s
+    theories
+        lives by name
+    headline
+        the life that leads
+    reliability
+        S that the lives are for
+    required_life
+        the required life in s; None if none is required
+    stress_volume
+        whether the theory of Ioannides and Harris was evaluated
+    """
+
+    case: Case
+    steps: DutySteps
+    status: NDArray[np.str_]
+    time_shares: FloatArray
+    revolution_shares: FloatArray
+    mean_speed: float
+    theories: Mapping[str, DutyLife]
+    headline: DutyLife
+    reliability: float
+    required_life: float | None
+    stress_volume: bool
+
+    def __getitem__(self, theory: str) -> DutyLife:
+        """Return the life by one theory."""
+        return self.theories[theory]
+
+    @property
+    def taking_part(self) -> BoolArray:
+        """(steps,): whether a step turns at all."""
+        return np.asarray(self.revolution_shares > 0.0)
+
+    @property
+    def converged(self) -> bool:
+        """Whether every step that takes part has a result."""
+        return bool(np.all(self.status[self.taking_part] == CONVERGED))
+
+    def reliability_of_required(self, theory: str | None = None) -> float | None:
+        """Reliability with which the required life is reached; None if there is none.
+
+        By a theory, or by the life that leads; where that is a bound, so is the reliability.
+        """
+        own = None if theory is None else THEORIES[theory].edition
+        edition = own or (self.case.life or LifeModel()).edition
+        reached = self.headline if theory is None else self.theories[theory]
+        hours_for_ninety = reached.hours / float(reliability_factor(self.reliability, edition))
+        if self.required_life is None or not hours_for_ninety > 0.0:
+            return None
+        return float(reliability_of(self.required_life / _HOUR / hours_for_ninety, edition))
+
+
+def life_under(
+    case: CaseSource,
+    steps: DutySteps | str | os.PathLike[str],
+    *,
+    nsk_table: TableSource = None,
+    decimal_mark: str | None = None,
+) -> SpectrumLife:
+    """Solve every step of a duty, and find the life under all of them.
+
+    Parameters
+    ----------
+    case
+        Supplies what does not vary; or its file.
+    steps
+        From `read_spectrum`, or their file.
+    nsk_table
+        a_NSK of L_able, or its file.
+    decimal_mark
+        ``"point"`` or ``"comma"``, where nothing in these files tells.
+
+    Raises
+    ------
+    InputError
+        If a step is no valid case, or has no life for its geometry, with its line; or if nothing
+        turns.
+    """
+    base = case_of(case)
+    table = factor_table(nsk_table, [base], decimal_mark)
+    duty = (
+        steps if isinstance(steps, DutySteps) else read_spectrum(steps, decimal_mark=decimal_mark)
+    )
+    rows = _solved_steps(base, duty, table)
+    speed = _speeds(base, duty)
+    time, turns = _both_shares(duty, speed)
+    mean_speed = float(time @ speed)
+    idle = rows.theories[REFERENCE.name].notes["unloaded"]
+    races = np.where(idle[:, np.newaxis], np.inf, rows.races)
+    with np.errstate(invalid="ignore"):
+        leading = np.where(np.isinf(races), races, races * rows.headline.factor[:, np.newaxis])
+    wishes = base.life or LifeModel()
+    return SpectrumLife(
+        case=base,
+        steps=duty,
+        status=rows.status,
+        time_shares=time,
+        revolution_shares=turns,
+        mean_speed=mean_speed,
+        theories={
+            name: _summed(record, _race_lives(record, races), idle, turns, mean_speed)
+            for name, record in rows.theories.items()
+        },
+        headline=_summed(rows.headline, leading, idle, turns, mean_speed),
+        reliability=wishes.reliability,
+        required_life=wishes.wanted_life,
+        stress_volume=len(duty) <= MOST_WITH_STRESS_VOLUME,
+    )
+
+
+def _solved_steps(case: Case, steps: DutySteps, nsk_table: FactorTable | None) -> LifeRows:
+    """Solve all steps; the first that is no valid case is an error with its line."""
+    single = [values for name, values in steps.values.items() if name not in array_fields()]
+    if single and len(set(zip(*single, strict=True))) > _MOST_SINGLE:
+        raise InputError(
+            f"needs more than {_MOST_SINGLE} cases of their own; let fewer steps differ in"
+            f" {', '.join(n for n in steps.values if n not in array_fields())}",
+            source=steps.source,
+        )
+    columns: dict[str, Sequence[Value]] = dict(steps.values)
+    if not columns:
+        columns = {"duty.inner_speed": [case.duty.inner_speed] * len(steps)}
+    detailed = len(steps) <= MOST_WITH_STRESS_VOLUME
+    try:
+        rows = lives_of_rows(case, columns, stress_volume=detailed, nsk_table=nsk_table)
+    except InputError as error:
+        raise error.with_details(source=steps.source, line=steps.lines[0]) from None
+    for index, refusal in rows.refused:
+        raise refusal.with_details(source=steps.source, line=steps.lines[index[0]])
+    for row in np.flatnonzero(rows.status == INVALID_INPUT).tolist():
+        _refuse(case, steps, row)
+    return rows
+
+
+def _refuse(case: Case, steps: DutySteps, row: int) -> None:
+    """Tell why a step is no valid case, by what it says when it is solved alone."""
+    try:
+        solve(base_case(case, {name: values[row] for name, values in steps.values.items()}))
+    except InputError as found:
+        raise found.with_details(source=steps.source, line=steps.lines[row]) from None
+
+
+def _speeds(case: Case, steps: DutySteps) -> FloatArray:
+    """Speed of the rings against each other in every step, unsigned, rad/s."""
+
+    def column(name: str) -> FloatArray:
+        given = steps.values.get(f"duty.{name}")
+        alike = [getattr(case.duty, name)] * len(steps)
+        return np.array(alike if given is None else given, dtype=np.float64)
+
+    return np.asarray(np.abs(column("inner_speed") - column("outer_speed")))
+
+
+def _both_shares(steps: DutySteps, speed: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Shares of time and of revolutions."""
+    if not np.any(speed[steps.shares > 0.0] > 0.0):
+        raise InputError(
+            "turns in no step: there is no life without rotation",
+            field="duty.inner_speed",
+            source=steps.source,
+            example='duty.inner_speed = "2000 rpm"',
+        )
+    if steps.kind == "share":
+        return steps.shares, revolution_shares(steps.shares, speed)
+    standing = np.flatnonzero((speed == 0.0) & (steps.shares > 0.0))
+    if standing.size:
+        raise InputError(
+            "has revolutions, and nothing turns; give shares of the time instead",
+            field="revolutions",
+            source=steps.source,
+            line=steps.lines[int(standing[0])],
+        )
+    time = np.divide(steps.shares, speed, out=np.zeros(len(steps)), where=steps.shares > 0.0)
+    return time / time.sum(), steps.shares
+
+
+def _race_lives(record: Life, races: FloatArray) -> FloatArray | None:
+    """Lives of the races by a theory that knows them apart, (steps, races)."""
+    if not THEORIES[record.theory].by_race:
+        return None
+    factor = record.factors["a_1"] * record.factors.get("a_iso", 1.0)
+    return np.asarray(races * np.asarray(factor)[:, np.newaxis])
+
+
+def _summed(
+    steps: Life | Headline,
+    races: FloatArray | None,
+    idle: BoolArray,
+    turns: FloatArray,
+    mean_speed: float,
+) -> DutyLife:
+    """Sum the damage of steps, race by race where the lives of the races are known."""
+    part = (turns > 0.0) & ~idle
+    # a step in which no ball carries load is endless: no damage there
+    lives = np.where(idle, np.inf, steps.life)
+    own = lives[:, np.newaxis] if races is None else races
+    if races is None:
+        life = float(miner_life(lives, turns))
+    else:
+        half = races.shape[1] // 2
+        life = float(races_under_spectrum(races[:, :half], races[:, half:], turns))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        used = np.where(turns[:, np.newaxis] > 0.0, turns[:, np.newaxis] / own, 0.0)
+        total = used.sum(axis=0)
+        risk = total**SLOPE / np.sum(total**SLOPE)
+        damage = np.asarray(np.where(total > 0.0, used / total, 0.0) @ risk)
+    theory, valid, below = steps.theory, steps.valid[part], steps.below[part]
+    if isinstance(steps, Headline):
+        theory = str(steps.theory[int(np.argmax(np.nan_to_num(damage)))])
+        below = below & np.all(steps.leads[part])
+        valid = steps.leads[part] & ~np.any(below)
+    return DutyLife(
+        theory=str(theory),
+        life=life,
+        hours=float(hours(life, mean_speed)),
+        steps=steps,
+        damage=damage,
+        valid=bool(part.any()) and bool(np.all(valid)),
+        below=bool(np.any(below)),
+    )
+
+
+# --- the table of steps -------------------------------------------------------------------------
+
+
+def read_spectrum(path: str | os.PathLike[str], *, decimal_mark: str | None = None) -> DutySteps:
+    """Read the steps of a duty.
+
+    Parameters
+    ----------
+    path
+        Comma-separated values: a column ``share`` (of the time) or ``revolutions`` (shares of
+        them), as numbers or per cent, and columns by the dotted names of a case's fields, with
+        units in their cells as in a case file.
+    decimal_mark
+        ``"point"`` or ``"comma"``, where nothing in the table tells whether 12.500 is 12.5.
+
+    Raises
+    ------
+    InputError
+        If it is not such a file, a cell is refused, or the shares do not sum to 1; with line,
+        column and an example.
+    """
+    table = read_table(path, most_rows=MOST_STEPS, example=_EXAMPLE).plain(decimal_mark)
+    _check_header(table)
+    kind = _kind(table)
+    column = table.header.index(kind)
+    shares = np.array([_share(table, row, column) for row in range(len(table.rows))])
+    total = float(shares.sum())
+    if not abs(total - 1.0) <= _ROUNDING:
+        raise InputError(
+            "must sum to 1", field=kind, value=f"{total:.4g}", source=table.source, example="0.25"
+        )
+    fields = _fields(table)
+    cells = {
+        field.name: tuple(row[table.header.index(field.name)] for row in table.rows)
+        for field in fields
+    }
+    return DutySteps(
+        source=table.source,
+        kind=kind,
+        shares=shares / total,
+        given_sum=total,
+        fields=fields,
+        values={field.name: _checked(table, field, cells[field.name]) for field in fields},
+        cells=cells,
+        lines=table.lines,
+    )
+
+
+def _check_header(table: Table) -> None:
+    for name in table.header:
+        if name and table.header.count(name) > 1:
+            raise FileError(
+                "names a column twice", field=name, source=table.source, line=table.header_line
+            )
+
+
+def _kind(table: Table) -> Kind:
+    kinds: tuple[Kind, Kind] = ("share", "revolutions")
+    given = [kind for kind in kinds if kind in table.header]
+    if len(given) != 1:
+        raise FileError(
+            "needs a column named share (of the time) or revolutions (shares of them)"
+            if not given
+            else "has both a column share and a column revolutions; give one",
+            source=table.source,
+            line=table.header_line,
+            example=_EXAMPLE,
+        )
+    return given[0]
+
+
+def _share(table: Table, row: int, column: int) -> float:
+    text = table.rows[row][column]
+    try:
+        value = float(text.removesuffix("%")) / (100.0 if text.endswith("%") else 1.0)
+    except ValueError:
+        value = float("nan")
+    if not (isfinite(value) and 0.0 <= value <= 1.0 + _ROUNDING):
+        raise table.placed(
+            InputError(
+                "must be from 0 to 1, or from 0 % to 100 %",
+                field=table.header[column],
+                value=text,
+                example="0.25",
+            ),
+            row,
+        )
+    return value
+
+
+def _fields(table: Table) -> tuple[Field, ...]:
+    """The fields that the columns name."""
+    try:
+        names = [name for name in table.header if name not in ("share", "revolutions")]
+        fields = tuple(read_field(name, at="column") for name in names)
+        for name in names:
+            if name in _FIXED:
+                raise InputError(
+                    "is of the whole duty, not of a step; give it in the case",
+                    field="column",
+                    value=name,
+                )
+        refuse_rivals(tuple(names), at="column")
+    except InputError as error:
+        raise error.with_details(
+            source=table.source, line=table.header_line, example=_EXAMPLE
+        ) from None
+    return fields
+
+
+def _checked(table: Table, field: Field, cells: Sequence[str]) -> tuple[Value, ...]:
+    known: dict[str, Value] = {}
+    for row, text in enumerate(cells):
+        if text not in known:
+            try:
+                known[text] = _value(field, text)
+            except InputError as error:
+                raise table.placed(error, row) from None
+    return tuple(known[text] for text in cells)
+
+
+def _value(field: Field, text: str) -> Value:
+    """Read a cell: as text, as a file has quantities and names, else as a number or a truth."""
+    if not text:
+        raise InputError("is empty", field=field.name, example=field.example)
+    plain = {"true": True, "false": False}.get(text, _number(text))
+    if plain is None or field.dimension is not None:
+        return field.checked(text, in_file=True)
+    try:
+        return field.checked(plain, in_file=True)
+    except InputError as error:
+        try:
+            return field.checked(text, in_file=True)
+        except InputError:
+            raise error from None
+
+
+def _number(text: str) -> int | float | None:
+    for kind in (int, float):
+        try:
+            return kind(text)
+        except ValueError:
+            continue
+    return None

@@ -1,0 +1,170 @@
+"""Studies from end to end: a file of many cases solved, a scatter study taken apart."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Final
+
+from rolamento._reading import format_of_path
+from rolamento.errors import FileError, InputError
+from rolamento.studies.sensitivity import ToleranceStudy, sobol
+from rolamento.studies.study import Study, case_file_of, load_study
+from rolamento.studies.tolerance import (
+    PERCENTILES,
+    checked_percentiles,
+)
+
+if TYPE_CHECKING:
+    from rolamento.studies.runner import Executor, Progress, Summary
+
+__all__ = ["Sweep", "sweep", "tolerance"]
+
+_STANDARD_INPUT: Final = "-"
+
+
+@dataclass(frozen=True, slots=True)
+class Sweep:
+    """A study, and what became of it."""
+
+    study: Study
+    summary: Summary
+
+
+def sweep(
+    study: Study | str | os.PathLike[str],
+    result: str | os.PathLike[str] | None = None,
+    *,
+    settings: Iterable[str] = (),
+    threads: int | None = None,
+    scheduler: str | None = None,
+    restart: bool = False,
+    progress: Progress | None = None,
+) -> Sweep:
+    """Solve all cases of a study, and write them to a file.
+
+    Parameters
+    ----------
+    study
+        A `Study`, or a study file; ``"-"`` is standard input.
+    result
+        A ``.nc``, ``.csv`` or ``.parquet`` file; by default named after the study's file, as
+        NetCDF in the current directory.
+    settings
+        ``KEY=VALUE`` that go over the case of a study file.
+    threads
+        As many as there are processors by default.
+    scheduler
+        Of a Dask cluster that solves the cases instead, such as ``"tcp://127.0.0.1:8786"``.
+    restart
+        Throw away what an earlier run has kept.
+    progress
+        Called with the cases done, all cases, and those without a result.
+
+    Raises
+    ------
+    InputError, FileError
+        If the study cannot be read or the result not written, or it would go over what is read.
+    Interrupted
+        On Ctrl-C; what was solved is kept.
+    """
+    from rolamento.studies.runner import run_to_file
+
+    executor = _executor(threads, scheduler)
+    if isinstance(study, Study):
+        if tuple(settings):
+            raise InputError("go over a study file; change the case of a Study", field="settings")
+        loaded, target = study, Path(result or "study.nc")
+    else:
+        name = "study" if os.fspath(study) == _STANDARD_INPUT else Path(study).stem
+        target = Path(result or f"{name}.nc")
+        _check_target(target, os.fspath(study))
+        loaded = load_study(study, settings)
+    summary = run_to_file(loaded, target, executor=executor, restart=restart, progress=progress)
+    return Sweep(loaded, summary)
+
+
+def _executor(threads: int | None, scheduler: str | None) -> Executor:
+    """Solve in threads of this process, or on a cluster."""
+    from rolamento.studies.runner import local_threads
+
+    if scheduler is None:
+        return local_threads(threads)
+    if threads is not None:
+        raise InputError(
+            "is given beside --scheduler: the cluster has threads of its own",
+            field="--threads",
+            value=threads,
+        )
+    from rolamento.studies.cluster import dask_cluster
+
+    return dask_cluster(scheduler)
+
+
+def _check_target(target: Path, study: str) -> None:
+    """Refuse a result that would go over what is read."""
+    if study == _STANDARD_INPUT:  # which is there to be read once
+        return
+    for path, rule in (
+        (Path(study), "is the study file itself"),
+        (case_file_of(study), "is the study's case file"),
+    ):
+        if path is not None and os.path.realpath(path) == os.path.realpath(target):
+            raise FileError(f"{rule}; choose another name", source=str(target))
+
+
+def tolerance(
+    study: Study | str | os.PathLike[str],
+    *,
+    percentiles: Sequence[float] = PERCENTILES,
+    sobol_samples: int | None = None,
+) -> ToleranceStudy:
+    """Take percentiles of a scatter study, and find which input matters.
+
+    Parameters
+    ----------
+    study
+        A `Study` or a study file, which is run; or the NetCDF file of its result.
+    percentiles
+        In per cent.
+    sobol_samples
+        Sobol's indices too, from so many samples (a power of two), which takes runs of their own;
+        not of a result.
+
+    Raises
+    ------
+    InputError, FileError
+        If there is no scatter, a percentile is out of range, or a file cannot be read.
+    """
+    from rolamento.studies.runner import run
+
+    wanted = checked_percentiles(percentiles)
+    indices, source = None, "" if isinstance(study, Study) else os.fspath(study)
+    if not isinstance(study, Study) and (
+        source == _STANDARD_INPUT or format_of_path(source) is not None
+    ):
+        study = load_study(study)
+    if isinstance(study, Study):
+        if study.scatter is None:
+            raise InputError(
+                "is missing: there is nothing to take percentiles of",
+                field="scatter",
+                source=source,
+            )
+        if sobol_samples is not None:
+            indices = sobol(study, samples=sobol_samples)
+        dataset = run(study)
+    elif sobol_samples is not None:
+        raise InputError(
+            "needs the study file: indices come from runs of their own",
+            field="--sobol",
+            source=source,
+            example="rolamento tolerance study.toml --sobol 1024",
+        )
+    else:
+        from rolamento.studies.dataset import load_result
+
+        dataset = load_result(study)
+    return ToleranceStudy.of(dataset, wanted, indices)

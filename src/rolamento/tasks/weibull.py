@@ -1,0 +1,406 @@
+"""Life tests from end to end: what one says, what a planned one will tell, what grew meanwhile."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Final
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from rolamento.errors import InputError
+from rolamento.weibull import (
+    Band,
+    Demonstration,
+    Estimand,
+    LifeTest,
+    LifeTestPlan,
+    LifeTestSummary,
+    LikelihoodRegion,
+    Trend,
+    Wanted,
+    alternatives,
+    confidence_band,
+    demonstrate,
+    likelihood_region,
+    plan_for_ratio,
+    plan_of,
+    plans_for_ratio,
+    read_life_test,
+    read_trend,
+    summarise,
+    wear_of_each,
+)
+from rolamento.weibull.life_units import life_in, life_with_unit
+
+if TYPE_CHECKING:
+    from rolamento.clearance.wear import WearFit, WearLaw
+
+__all__ = [
+    "DemonstrationStudy",
+    "PrecisionStudy",
+    "TrendStudy",
+    "bands_of",
+    "demonstration_study",
+    "life_test_study",
+    "precision_study",
+    "regions_of",
+    "trend_study",
+]
+
+Progress = Callable[[int, int], None]
+
+RATIOS: Final = (0.5, 1.0, 1.5, 2.0, 3.0, 5.0, 10.0)
+"""True life over the one to be shown, of which the chances are told."""
+SHAPES: Final = (0.8, 1.0, 1.2, 1.5, 2.0, 2.5, 3.0)
+"""Shapes of which it is told what the same test would show."""
+_OTHER_FAILURES: Final = (0, 1, 2)
+"""Failures allowed in the tests that stand beside the one that is planned."""
+_SAMPLES, _FEWEST_SAMPLES = 10_000, 1000
+_MAXIMUM_DRAWN: Final = 5_000_000
+"""Bearings in all drawn tests together, if it is left to the program."""
+
+
+# --- what a life test says -------------------------------------------------------------------
+
+
+def life_test_study(
+    data: LifeTest | ArrayLike | str | os.PathLike[str],
+    *,
+    only: Sequence[str] = (),
+    by_group: bool = True,
+    times: Sequence[float | str] = (),
+    calculated: Mapping[str, float | str] | None = None,
+    samples: int | None = None,
+    columns: Mapping[str, str | None] | None = None,
+    progress: Progress | None = None,
+    **wanted: Any,
+) -> LifeTestSummary:
+    """Find all that a life test says: fits, bounds, comparisons of its groups.
+
+    Parameters
+    ----------
+    data
+        A CSV file, "-" for standard input; a `LifeTest`; or times, of bearings that all failed.
+    only
+        Groups to keep; all if none is named.
+    by_group
+        Whether to take each group by itself and to compare them; all together otherwise.
+    times
+        That reliabilities are wanted for: in the unit of the data, or as text with another.
+    calculated
+        Calculated lives by their names, likewise.
+    samples
+        Tests to draw; by default 10 000, fewer of large tests.
+    columns
+        Of a file, as of `read_life_test`.
+    progress
+        Called with steps done and steps in all.
+    **wanted
+        As of `Wanted`.
+
+    Raises
+    ------
+    FileError, InputError
+        If the data are no life test, or something is asked for that does not exist.
+    """
+    if isinstance(data, str | os.PathLike):
+        test = read_life_test(data, **(columns or {}))
+    else:
+        test = LifeTest.of(data)
+    test = _only_groups(test, only)
+    asked = Wanted(
+        times=tuple(life_in(time, test.unit, "times") for time in times),
+        calculated={
+            name: life_in(life, test.unit, "calculated")
+            for name, life in (calculated or {}).items()
+        },
+        samples=_enough_samples(test.size) if samples is None else samples,
+        **wanted,
+    )
+    return summarise(test, asked, by_group=by_group, progress=progress)
+
+
+def _only_groups(test: LifeTest, names: Sequence[str]) -> LifeTest:
+    if not names:
+        return test
+    known = list(dict.fromkeys(str(name) for name in test.group))
+    for name in names:
+        if name not in known:
+            there = ", ".join(label for label in known[:10] if label) or "none"
+            rule = f"is no group of the data; there are: {there}"
+            raise InputError(rule, field="only", value=name)
+    return test.select(np.isin(test.group, list(names)))
+
+
+def _enough_samples(size: int) -> int:
+    """How many tests to draw: those of many bearings take long, and few of them do."""
+    return max(min(_SAMPLES, _MAXIMUM_DRAWN // size), _FEWEST_SAMPLES)
+
+
+def bands_of(summary: LifeTestSummary) -> dict[str, Band]:
+    """Bounds of the lives over all reliabilities, by the groups that have any, as was asked for."""
+    asked = summary.wanted
+    return {
+        group.name: confidence_band(
+            group.test,
+            method=asked.bounds,
+            confidence=asked.confidence,
+            samples=asked.samples,
+            seed=asked.seed,
+            shape=asked.shape,
+        )
+        for group in summary.groups
+        if group.bounded
+    }
+
+
+def regions_of(summary: LifeTestSummary, quantity: str = "L10") -> dict[str, LikelihoodRegion]:
+    """Regions of equal likelihood of shape and a life, by the groups."""
+    asked = summary.wanted
+    return {
+        group.name: likelihood_region(group.test, quantity, samples=asked.samples, seed=asked.seed)
+        for group in summary.groups
+    }
+
+
+# --- planned tests ---------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class DemonstrationStudy:
+    """A test that is to show a life, and what stands beside it; times in one unit.
+
+    Attributes
+    ----------
+    plan
+        the test
+    alternatives
+        that show as much with other numbers of bearings and failures
+    beside
+        with as many bearings and other numbers of failures; none without a plan
+    unit
+        of the life and all times
+    chances
+        true life over the one to be shown, chance of passing, mean time until the end
+    confidences
+        shape, and the confidence that the same test gives at it
+    """
+
+    plan: Demonstration
+    alternatives: tuple[Demonstration, ...]
+    beside: tuple[Demonstration, ...]
+    unit: str
+    chances: tuple[tuple[float, float, float], ...]
+    confidences: tuple[tuple[float, float], ...]
+
+    def to_mapping(self) -> dict[str, Any]:
+        """Give the plan as plain values."""
+        return {
+            "unit": self.unit,
+            **self.plan.to_mapping(),
+            "chance_of_passing": [
+                {"life_ratio": ratio, "chance": chance, "expected_time": time}
+                for ratio, chance, time in self.chances
+            ],
+            "confidence_at_shape": [
+                {"shape": shape, "confidence": confidence} for shape, confidence in self.confidences
+            ],
+            "alternatives": [other.to_mapping() for other in self.alternatives],
+        }
+
+
+def demonstration_study(
+    life: float | str,
+    *,
+    bearings: int | None = None,
+    time: float | str | None = None,
+    shape: float = 1.5,
+    reliability: float = 0.9,
+    confidence: float = 0.9,
+    failures_allowed: int = 0,
+) -> DemonstrationStudy:
+    """Plan to show a life with few failures or none: bearings against time.
+
+    Parameters
+    ----------
+    life
+        To be shown: a number, or a text with its unit such as "1000 h".
+    time
+        For each bearing, in the unit of the life, or as text with another. Without bearings and
+        time each runs as long as the life, where the shape does not matter.
+    bearings, shape, reliability, confidence, failures_allowed
+        As of `demonstrate`.
+
+    Raises
+    ------
+    InputError
+        For a number or a unit that cannot be.
+    """
+    wanted, unit = _life_and_unit(life)
+    each = None if time is None else life_in(time, unit, "time")
+    plan = demonstrate(
+        wanted,
+        shape=shape,
+        bearings=bearings,
+        time=wanted if bearings is None and each is None else each,
+        reliability=reliability,
+        confidence=confidence,
+        failures_allowed=failures_allowed,
+    )
+    others = [k for k in _OTHER_FAILURES if k != failures_allowed]
+    chances, confidences = plan.chance_of_passing(RATIOS), plan.confidence_at(SHAPES)
+    return DemonstrationStudy(
+        plan,
+        alternatives(plan),
+        alternatives(plan, [plan.bearings], others) if plan.planned else (),
+        unit,
+        tuple(
+            (ratio, chance, plan.expected_time(ratio))
+            for ratio, chance in zip(RATIOS, chances.tolist(), strict=True)
+        ),
+        tuple(zip(SHAPES, confidences.tolist(), strict=True)),
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class PrecisionStudy:
+    """Tests that know a life within bounds.
+
+    Attributes
+    ----------
+    plans
+        all of one life, shape and confidence
+    ratio
+        of the bounds that was wanted; None where the tests were given
+    unit
+        of the life and all times; empty where times are multiples of the life
+    """
+
+    plans: tuple[LifeTestPlan, ...]
+    ratio: float | None
+    unit: str
+
+    @property
+    def time_label(self) -> str:
+        """Unit of the times, or the life that they are multiples of."""
+        return self.unit or Estimand.life(self.plans[0].reliability).name
+
+    @property
+    def planned(self) -> bool:
+        """Whether there is any plan."""
+        return any(plan.planned for plan in self.plans)
+
+    def to_mapping(self) -> dict[str, Any]:
+        """Give the plans as plain values."""
+        return {
+            "unit": self.unit,
+            "wanted_ratio": self.ratio,
+            "plans": [plan.to_mapping() for plan in self.plans],
+        }
+
+
+def precision_study(
+    ratio: float | None = None,
+    *,
+    failures: int | None = None,
+    groups: int | None = None,
+    group_sizes: Sequence[int] = (),
+    life: float | str | None = None,
+    shape: float = 1.5,
+    reliability: float = 0.9,
+    confidence: float = 0.9,
+    samples: int = 10_000,
+    seed: int = 0,
+    progress: Progress | None = None,
+) -> PrecisionStudy:
+    """Plan to know a life within bounds: how many failures, how many bearings, how long.
+
+    Parameters
+    ----------
+    ratio, failures
+        Wanted of upper to lower bound, for tests that bring it; or failures of a test, to be told
+        what may be expected of it. One of the two.
+    groups, group_sizes
+        Of that test, or of the one that is sought; several sizes for several tests.
+    life
+        Expected: a number, or a text with its unit. Without it times are multiples of it.
+    shape, reliability, confidence, samples, seed
+        As of `plan_of`.
+    progress
+        Called with plans made and plans in all.
+
+    Raises
+    ------
+    InputError
+        For neither or both of ratio and failures, or a number that cannot be.
+    """
+    if (ratio is None) == (failures is None):
+        raise InputError("or failures must be given, one of them", field="ratio", example="5.0")
+    if ratio is not None and groups is not None and len(group_sizes) > 1:
+        raise InputError("goes with one size of the groups", field="groups", value=groups)
+    expected, unit = (1.0, "") if life is None else _life_and_unit(life)
+    keywords: dict[str, Any] = {
+        "shape": shape, "life": expected, "reliability": reliability,
+        "confidence": confidence, "samples": samples, "seed": seed,
+    }  # fmt: skip
+    if failures is not None:
+        plans = tuple(plan_of(failures, groups, size, **keywords) for size in group_sizes or [1])
+    elif ratio is not None and groups is not None:
+        size = group_sizes[0] if group_sizes else 1
+        plans = (plan_for_ratio(ratio, groups=groups, group_size=size, **keywords),)
+    elif ratio is not None:
+        if group_sizes:
+            keywords["group_sizes"] = [size for size in group_sizes if size != 1]
+        plans = plans_for_ratio(ratio, progress=progress, **keywords)
+    return PrecisionStudy(plans, ratio, unit)
+
+
+def _life_and_unit(life: float | str) -> tuple[float, str]:
+    return life_with_unit(life, "life") if isinstance(life, str) else (life, "")
+
+
+# --- what grew while bearings ran ------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class TrendStudy:
+    """What was measured while bearings ran, and the laws of wear fitted to it, by the bearings."""
+
+    trend: Trend
+    fits: Mapping[str, WearFit]
+
+
+def trend_study(
+    data: Trend | str | os.PathLike[str],
+    *,
+    law: WearLaw | None = None,
+    columns: Mapping[str, str | None] | None = None,
+) -> TrendStudy:
+    """Read what grew while bearings ran, and fit a law of wear where it is a clearance.
+
+    Parameters
+    ----------
+    data
+        A CSV file, "-" for standard input; or a `Trend`.
+    law
+        Of wear. By default running-in, and none where the first quantity is no length or was
+        measured too seldom.
+    columns
+        Of a file, as of `read_trend`.
+
+    Raises
+    ------
+    FileError, InputError
+        If the data are no such record, or the law that was asked for cannot be fitted.
+    """
+    trend = data if isinstance(data, Trend) else read_trend(data, **(columns or {}))
+    try:
+        fits = wear_of_each(trend, law or "running_in")
+    except InputError:
+        if law is not None:
+            raise
+        fits = {}
+    return TrendStudy(trend, fits)
