@@ -14,43 +14,92 @@ if TYPE_CHECKING:
     from rolamento.tasks.diagnosis import DiagnosisResult, TooShort, diagnose
     from rolamento.tasks.drawing import Drawing, Kind, draw
     from rolamento.tasks.frequencies import FrequencyResult, fault_frequencies
+    from rolamento.tasks.life import CaseLife, ShaftLife, life_of_case, life_of_shaft
+    from rolamento.tasks.life_over import LifeCurve, life_curve
+    from rolamento.tasks.life_spectrum import DutyLife, SpectrumLife, life_under, read_spectrum
     from rolamento.tasks.noise import FullScale, NoiseResult, anderons
     from rolamento.tasks.studies import Sweep, sweep, tolerance
     from rolamento.tasks.synthesis import SynthesisResult, Unsolved, synthesise
+    from rolamento.tasks.weibull import (
+        DemonstrationStudy,
+        PrecisionStudy,
+        TrendStudy,
+        demonstration_study,
+        life_test_study,
+        precision_study,
+        trend_study,
+    )
+
+_NAMES_OF_MODULES: Final = {
+    "demonstration": ("example_case", "write_example"),
+    "diagnosis": ("DiagnosisResult", "TooShort", "diagnose"),
+    "drawing": ("Drawing", "Kind", "draw"),
+    "frequencies": ("FrequencyResult", "fault_frequencies"),
+    "life": ("CaseLife", "ShaftLife", "life_of_case", "life_of_shaft"),
+    "life_over": ("LifeCurve", "life_curve"),
+    "life_spectrum": ("DutyLife", "SpectrumLife", "life_under", "read_spectrum"),
+    "noise": ("FullScale", "NoiseResult", "anderons"),
+    "studies": ("Sweep", "sweep", "tolerance"),
+    "synthesis": ("SynthesisResult", "Unsolved", "synthesise"),
+    "weibull": (
+        "DemonstrationStudy",
+        "PrecisionStudy",
+        "TrendStudy",
+        "demonstration_study",
+        "life_test_study",
+        "precision_study",
+        "trend_study",
+    ),
+}
+_MODULE_OF_NAME: Final = {
+    name: module for module, names in _NAMES_OF_MODULES.items() for name in names
+}
 
 __all__ = [
+    "CaseLife",
+    "DemonstrationStudy",
     "DiagnosisResult",
     "Drawing",
+    "DutyLife",
     "FrequencyResult",
     "FullScale",
     "Kind",
+    "LifeCurve",
     "NoiseResult",
+    "PrecisionStudy",
+    "ShaftLife",
+    "SpectrumLife",
     "Sweep",
     "SynthesisResult",
     "TooShort",
+    "TrendStudy",
     "Unsolved",
     "anderons",
+    "demonstration_study",
     "diagnose",
     "draw",
     "example_case",
     "fault_frequencies",
+    "life_curve",
+    "life_of_case",
+    "life_of_shaft",
+    "life_test_study",
+    "life_under",
+    "precision_study",
+    "read_spectrum",
     "sweep",
     "synthesise",
     "tolerance",
+    "trend_study",
     "write_example",
 ]
 
-_MODULES: Final = (
-    "frequencies", "diagnosis", "synthesis", "noise", "studies", "drawing", "demonstration",
-)  # fmt: skip
-
 
 def __getattr__(name: str) -> Any:
-    for part in _MODULES if name in __all__ else ():
-        module = importlib.import_module(f"{__name__}.{part}")
-        if hasattr(module, name):
-            return getattr(module, name)
-    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    module = _MODULE_OF_NAME.get(name)
+    if module is None:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(importlib.import_module(f"{__name__}.{module}"), name)
 
 
 def __dir__() -> list[str]:
