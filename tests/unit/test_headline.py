@@ -298,7 +298,7 @@ def test_a_bound_of_the_life_bounds_the_reliability() -> None:
 def test_the_report_of_a_state_has_the_same_rule() -> None:
     def report(*settings: str) -> str:
         found = analyse(set_to(*settings))
-        return terminal_report(found.state, analysis=found)
+        return terminal_report(found.solved, analysis=found)
 
     thin = report("life.viscosity_ratio=0.05")
     assert "reaches less than 917 h" in " ".join(thin.split())
