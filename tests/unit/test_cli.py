@@ -281,7 +281,7 @@ def test_ctrl_c_gets_one_line_and_the_code_130(run: Run, monkeypatch: pytest.Mon
     def interrupted(*_: object, **__: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("rolamento.solving.solve", interrupted)
+    monkeypatch.setattr("rolamento.solution.solve", interrupted)
     outcome = run("solve", "case.toml", "--lang", "pt")
     assert (outcome.code, outcome.out, outcome.err) == (130, "", "rolamento: interrompido\n")
 
@@ -290,7 +290,7 @@ def test_a_bug_is_seen(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
     def broken(*_: object, **__: object) -> None:
         raise ZeroDivisionError
 
-    monkeypatch.setattr("rolamento.solving.solve", broken)
+    monkeypatch.setattr("rolamento.solution.solve", broken)
     with pytest.raises(ZeroDivisionError):
         run("solve", "case.toml")
 

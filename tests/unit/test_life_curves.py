@@ -10,7 +10,7 @@ import pytest
 from rolamento import Case, InputError, load_case, override
 from rolamento.life import LifeSummary, life, sensitivity
 from rolamento.life.l_able import FactorTable
-from rolamento.solving import solve
+from rolamento.solution import solve
 from rolamento.studies.ranges import read_range
 from rolamento.tasks.life import life_of_case
 from rolamento.tasks.life_over import LifeCurve, life_curve

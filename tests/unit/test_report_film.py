@@ -12,7 +12,7 @@ from rolamento.report.film_sentences import said_note
 from rolamento.report.language import ENGLISH, PORTUGUESE
 from rolamento.report.medium import Medium
 from rolamento.report.terminal import terminal_report
-from rolamento.solving import solve
+from rolamento.solution import solve
 
 
 @pytest.fixture(scope="module")

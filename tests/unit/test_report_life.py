@@ -34,8 +34,8 @@ from rolamento.report.medium import Medium
 from rolamento.report.page import Page
 from rolamento.report.shaft import shaft_report
 from rolamento.report.terminal import terminal_report
+from rolamento.solution import solve
 from rolamento.solved import Solved
-from rolamento.solving import solve
 from rolamento.studies.ranges import read_range
 from rolamento.tasks.life import life_of_shaft
 from rolamento.tasks.life_over import life_curve

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rolamento.rows.ball.batch_state import STATUS_NAMES
+from rolamento.status import STATUS_NAMES
 from rolamento_reproductions import computed, find
 from rolamento_reproductions.page import REASONS
 from rolamento_reproductions.record import Agreement, Cell, Curves, Figure, Floats, Section, Table

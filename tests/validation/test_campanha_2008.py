@@ -8,7 +8,7 @@ import pytest
 from rolamento import Bearing, Case, Duty, Load
 from rolamento.geometry import Race
 from rolamento.lubrication import film as film_of
-from rolamento.solving import solve
+from rolamento.solution import solve
 from rolamento.verification import Check
 from rolamento.verification.campanha_2008 import (
     STRIBECK,

@@ -24,7 +24,7 @@ from rolamento.ratings import (
     static_factor,
     static_factor_of_grooves,
 )
-from rolamento.solving import solve
+from rolamento.solution import solve
 from rolamento.units import RPM
 from rolamento.verification import Check
 from rolamento.verification.campanha_2008 import life_checks

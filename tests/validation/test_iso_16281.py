@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from rolamento import Case, Duty, Load
-from rolamento.solving import solve
+from rolamento.solution import solve
 from rolamento.static import axial_load
 from rolamento.verification import Check
 from rolamento.verification.check import published

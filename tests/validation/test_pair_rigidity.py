@@ -17,7 +17,7 @@ import numpy as np
 import pytest
 
 from rolamento import Bearing, Case, Duty, Load
-from rolamento.solving import solve
+from rolamento.solution import solve
 from rolamento.static import race_stiffness
 from rolamento.verification.makers import bearing, gmn_row
 

@@ -17,8 +17,8 @@ import pytest
 
 from rolamento.assembly import solve_cases, spread
 from rolamento.rows.ball import layout
+from rolamento.solution import solve
 from rolamento.solved import Solved
-from rolamento.solving import solve
 from rolamento.static import axial_load, radial_load
 from rolamento.verification import Check
 from rolamento.verification.check import half_unit, published

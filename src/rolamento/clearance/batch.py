@@ -63,7 +63,7 @@ def operating_batch(
     Returns
     -------
     tuple
-        The case, and fields for `solve_batch`: without `MOUNTED_FIELDS`, with the clearance or
+        The case, and fields for `solve`: without `MOUNTED_FIELDS`, with the clearance or
         the contact angle as the bearing runs; NaN where no bearing is left.
 
     Raises

@@ -25,8 +25,8 @@ from rolamento.life.iso16281 import SLOPE
 from rolamento.life.l_able import NSK_CLEANLINESS, FactorTable, read_factor_table
 from rolamento.life.spectrum import shaft_life
 from rolamento.numerics import FloatArray
+from rolamento.solution import solve
 from rolamento.solved import Solved
-from rolamento.solving import solve
 
 __all__ = ["MOST_BEARINGS", "CaseLife", "ShaftLife", "SystemLife", "life_of_case", "life_of_shaft"]
 

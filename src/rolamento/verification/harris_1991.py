@@ -22,7 +22,7 @@ from rolamento.case.material import Material
 from rolamento.contact.hertz import hertz_coefficients
 from rolamento.geometry import Race, race_curvature
 from rolamento.numerics.elliptic import complete
-from rolamento.solving import solve
+from rolamento.solution import solve
 from rolamento.static import axial_load, race_stiffness, radial_load, sjovall_radial
 from rolamento.units import MILLIMETRE
 from rolamento.verification.check import (

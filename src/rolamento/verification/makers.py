@@ -19,7 +19,7 @@ from rolamento.case.bearing import Bearing
 from rolamento.case.duty import Duty, Load
 from rolamento.life.equivalent_load import equivalent_load, load_factors, static_equivalent_load
 from rolamento.life.iso281 import basic_rating_life, hours
-from rolamento.solving import solve
+from rolamento.solution import solve
 from rolamento.units import MICROMETRE, RPM
 from rolamento.verification.check import Check, bearing_of, half_unit, published, steel
 

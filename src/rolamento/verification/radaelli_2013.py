@@ -16,8 +16,8 @@ from rolamento.case import Case
 from rolamento.case.duty import Displacement, Duty, Load
 from rolamento.case.model import Model
 from rolamento.kinematics import ball_mass, ball_motion, centrifugal_force, gyroscopic_moment
+from rolamento.solution import solve
 from rolamento.solved import Solved
-from rolamento.solving import solve
 from rolamento.static import radial_load
 from rolamento.units import MILLIMETRE, RPM
 from rolamento.verification.check import Check, cut, last_unit, published, rounded

@@ -25,7 +25,7 @@ from rolamento.life.iso16281 import race_ratings, reference_life
 from rolamento.life.reliability import reliability_factor
 from rolamento.numerics import FloatArray
 from rolamento.ratings import dynamic_factor_of_grooves, static_factor_of_grooves
-from rolamento.solving import solve
+from rolamento.solution import solve
 from rolamento.static import axial_load
 from rolamento.units import MICROMETRE, MILLIMETRE
 from rolamento.verification.check import Check, bearing_of, half_unit, last_unit, published, steel

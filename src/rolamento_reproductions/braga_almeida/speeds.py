@@ -15,8 +15,8 @@ from rolamento.case.lubricant import Lubricant
 from rolamento.case.model import Model
 from rolamento.friction.slip import Patch, RelativeMotion, solved_motion
 from rolamento.geometry import Race
+from rolamento.solution import solve
 from rolamento.solved import Solved
-from rolamento.solving import solve
 from rolamento.units import RPM
 from rolamento_reproductions.braga_almeida.misprints import Orbits
 from rolamento_reproductions.given import KILO, MILLI, Given, grid

@@ -16,7 +16,7 @@ from rolamento.lubrication.film_thickness import central_film, film_groups
 from rolamento.lubrication.regime import regime_of
 from rolamento.lubrication.roughness import rms_of_mean_roughness
 from rolamento.oil import wooster
-from rolamento.solving import solve
+from rolamento.solution import solve
 from rolamento.units import MILLIMETRE
 from rolamento.verification import Check
 from rolamento_reproductions.campanha_2008.contact import (

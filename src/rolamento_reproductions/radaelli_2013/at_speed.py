@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from rolamento.case.duty import Duty, Load
+from rolamento.solution import solve
 from rolamento.solved import Solved
-from rolamento.solving import solve
 from rolamento.units import RPM
 from rolamento_reproductions.given import KILO, MILLI, grid, status_column
 from rolamento_reproductions.radaelli_2013.inputs import case, inputs_of, source_of

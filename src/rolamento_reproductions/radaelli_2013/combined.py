@@ -13,8 +13,8 @@ import numpy as np
 from rolamento.case import Case
 from rolamento.case.duty import Displacement, Duty, Load
 from rolamento.case.model import Model
+from rolamento.solution import solve
 from rolamento.solved import Solved
-from rolamento.solving import solve
 from rolamento.units import RPM
 from rolamento_reproductions.given import KILO, MILLI, status_column
 from rolamento_reproductions.radaelli_2013.inputs import case, inputs_of, source_of

@@ -7,8 +7,8 @@ import numpy as np
 from rolamento.case.duty import Displacement, Duty, Load
 from rolamento.contact.hertz import hertz_coefficients
 from rolamento.geometry import Race, race_curvature
+from rolamento.solution import solve
 from rolamento.solved import Solved
-from rolamento.solving import solve
 from rolamento.static import axial_load, radial_load, sjovall_radial
 from rolamento.units import RPM
 from rolamento_reproductions.given import KILO, MILLI

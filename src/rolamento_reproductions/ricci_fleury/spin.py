@@ -17,8 +17,8 @@ from rolamento.friction.minimum_power import loaded_contacts, minimum_power_moti
 from rolamento.friction.model import controlling_race, unit_motion
 from rolamento.friction.slip import rolling_lines
 from rolamento.friction.traction import ellipse_mesh
+from rolamento.solution import solve
 from rolamento.solved import Solved
-from rolamento.solving import solve
 from rolamento.units import RPM
 from rolamento_reproductions.given import MILLI, Given, grid
 from rolamento_reproductions.record import (

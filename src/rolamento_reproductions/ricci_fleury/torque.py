@@ -17,8 +17,8 @@ from rolamento.friction.minimum_power import loaded_contacts
 from rolamento.friction.model import controlling_race
 from rolamento.friction.todd import todd
 from rolamento.numerics.elliptic import complete
+from rolamento.solution import solve
 from rolamento.solved import Solved
-from rolamento.solving import solve
 from rolamento_reproductions.given import MILLI, grid, status_column
 from rolamento_reproductions.record import (
     Claim,
