@@ -22,8 +22,8 @@ from rolamento.catalogue import Catalogue, ball_sizes, catalogue, inferred_geome
 from rolamento.life import LifeConditions, life
 from rolamento.life.ioannides_harris import FATIGUE_LIMIT, Ellipses, risk_integral
 from rolamento.ratings import dynamic_factor, static_factor
+from rolamento.solution import solve
 from rolamento.solved import Solved
-from rolamento.solving import solve
 
 CASES: Final = 100_000
 STRESS_CASES: Final = 1000

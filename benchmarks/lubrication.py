@@ -14,7 +14,7 @@ import numpy as np
 from benchmarks import duty_sets
 from benchmarks.figures import Figure, Findings, below
 from rolamento import Lubricant, analyse
-from rolamento.solving import solve
+from rolamento.solution import solve
 
 CASES = 100_000
 SECONDS = 10.0

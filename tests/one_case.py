@@ -7,8 +7,8 @@ from types import SimpleNamespace
 from typing import Any
 
 from rolamento.case import Case
+from rolamento.solution import solve
 from rolamento.solved import RingDisplacement, RingLoad, Solved
-from rolamento.solving import solve
 
 
 def one(solved: Solved) -> SimpleNamespace:

@@ -2,7 +2,7 @@
 
 >>> import rolamento
 >>> case = rolamento.load_case("218.toml")  # doctest: +SKIP
->>> state = rolamento.solve(case)  # doctest: +SKIP
+>>> solved = rolamento.solve(case)  # doctest: +SKIP
 
 Names are imported when they are first used: neither the compiler nor the readers are
 loaded until needed.
@@ -43,15 +43,13 @@ if TYPE_CHECKING:
         UnknownKeyError,
     )
     from rolamento.life import LifeConditions, LifeSummary
-    from rolamento.rows.ball import BatchState
-    from rolamento.solution import solve, solve_batch
-    from rolamento.state import State
+    from rolamento.solution import solve
+    from rolamento.solved import Solved
 
 __version__ = "0.1.0"
 
 __all__ = [
     "Analysis",
-    "BatchState",
     "Bearing",
     "Case",
     "Displacement",
@@ -69,7 +67,7 @@ __all__ = [
     "Mounting",
     "RolamentoError",
     "SeatMaterial",
-    "State",
+    "Solved",
     "Surface",
     "Temperature",
     "UnitError",
@@ -84,7 +82,6 @@ __all__ = [
     "parse_case",
     "save_case",
     "solve",
-    "solve_batch",
 ]
 
 _NAMES_OF_MODULES: Final = {
@@ -114,9 +111,8 @@ _NAMES_OF_MODULES: Final = {
     "catalogue": ("geometry_of",),
     "errors": ("FileError", "InputError", "RolamentoError", "UnitError", "UnknownKeyError"),
     "life": ("LifeConditions", "LifeSummary"),
-    "rows.ball": ("BatchState",),
-    "solution": ("solve", "solve_batch"),
-    "state": ("State",),
+    "solution": ("solve",),
+    "solved": ("Solved",),
 }
 _MODULE_OF_NAME: Final = {
     name: module for module, names in _NAMES_OF_MODULES.items() for name in names

@@ -328,7 +328,7 @@ def jones_control(
 def friction_demand(
     gyroscopic_moment: ArrayLike, ball_diameter: ArrayLike, load: ArrayLike, share: ArrayLike = 2.0
 ) -> FloatArray:
-    """Least coefficient of friction λ |M_g| / (D Q) with which a contact holds its share λ.
+    """Minimum coefficient of friction λ |M_g| / (D Q) with which a contact holds its share λ.
 
     Parameters
     ----------

@@ -1,74 +1,49 @@
-"""Solve any case: by the equilibrium alone, or with the lubricant film in it."""
+"""Solve cases: one or many, with or without a mounting, with or without a film in the balance."""
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import Unpack, cast
+from typing import Any, Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento.case import Case
+from rolamento.assembly import solve_cases, spread
+from rolamento.assembly.preload import preload_of
+from rolamento.case import Case, load_case
 from rolamento.case.varied import DutyFields, bounded, varied_arrays
+from rolamento.errors import InputError
+from rolamento.numerics import FloatArray
 from rolamento.numerics.threads import thread_count
-from rolamento.rows import ball as equilibrium
-from rolamento.rows.ball import BatchState
-from rolamento.rows.ball.columns import spread
-from rolamento.rows.ball.record import state_of
-from rolamento.state import State
-from rolamento.status import CONVERGED, NOT_CONVERGED
+from rolamento.solved import Solved
 
-__all__ = ["solve", "solve_batch"]
+__all__ = ["solve"]
 
 
-def solve(case: Case) -> State:
-    """Find the internal state of the bearing: Jones-Harris equilibrium, five degrees of freedom.
-
-    A set of rows shares one rigid inner ring. Never raises for a duty that has no solution: the
-    state's status tells, with advice. A case with a mounting is solved with the clearance in
-    operation: `state.case` is the case that it comes to (see `rolamento.clearance`).
-
-    Harris, Rolling Bearing Analysis, 3rd ed. (1991), chapter 8; Jones (1960); Radaelli (2013),
-    chapter 4. See docs/theory/equilibrium.md.
-
-    Raises
-    ------
-    InputError
-        If the mounting is not one for this bearing, or closes it.
-    """
-    if case.mounting is not None:
-        return _solve_mounted(case)
-    if not case.model.needs_film:
-        return equilibrium.solve(case)
-    return state_of(case, _on_film(case, {}, threads=1))
-
-
-def _solve_mounted(case: Case) -> State:
-    """Solve with the clearance in operation, which the notes tell."""
-    from rolamento.clearance import clearance_notes, clearance_of_case, operating_case
-
-    notes = clearance_notes(clearance_of_case(case))
-    state = solve(operating_case(case))
-    return replace(state, notes=notes + state.notes)
-
-
-def solve_batch(
-    case: Case,
-    values: Mapping[str, ArrayLike] | None = None,
+def solve(
+    case: Case | str | os.PathLike[str],
+    values: Any = None,
     *,
     threads: int | None = None,
     **fields: Unpack[DutyFields],
-) -> BatchState:
-    """Solve a case for many values of its fields at once.
+) -> Solved:
+    """Find the internal state of a bearing: Jones-Harris equilibrium, five degrees of freedom.
+
+    Rows that share a bearing share one rigid inner ring. Never raises for a duty that has no
+    solution: the status of the case tells, with advice, and its numbers are NaN. A case with a
+    mounting is solved with the clearance in operation of each case, that of its temperatures,
+    speeds and whatever else varies: `Solved.case` is the case that it comes to.
 
     Parameters
     ----------
     case
-        Supplies what is not given otherwise.
+        Or the file of one; supplies what does not vary.
     values
-        Arrays of one length, or scalars, in SI units, by the dotted names of the case's fields,
-        such as ``{"bearing.contact_angle": [0.6, 0.7]}``; `batch_fields` lists them.
+        What varies: numbers in SI units, texts with a unit, or arrays or lists of one length of
+        either, by the dotted names of the case's fields, such as
+        ``{"bearing.contact_angle": [0.6, 0.7]}``; or a data frame whose columns are such names.
     threads
         As many as there are processors by default.
     fields
@@ -76,48 +51,66 @@ def solve_batch(
         first_ball_azimuth (rad), loads fx, fy, fz (N), my, mz (N·m) and displacements x, y, z
         (m), ry, rz (rad). A load frees its degree of freedom, a displacement holds it.
 
-    A mounted bearing runs with the clearance in operation of each case: that of its temperatures,
-    speeds and whatever else varies.
+    Returns
+    -------
+    Solved
+        Of one case if nothing varies.
 
     Raises
     ------
     InputError
-        For an unknown field, arrays of different lengths, fields that exclude each other, or
-        fewer threads than one. A value that the case would refuse is that case's affair: its
-        status is "invalid_input"; so is that of a case with a masked value.
+        For an unknown field, arrays of different lengths, fields that exclude each other, fewer
+        threads than one, or a mounting that is not one for this bearing or closes it. A value
+        that the case would refuse is that case's affair: its status is "invalid_input".
+    FileError
+        If the file cannot be read.
+
+    Harris, Rolling Bearing Analysis, 3rd ed. (1991), chapter 8; Jones (1960); Radaelli (2013),
+    chapter 4. See docs/theory/equilibrium.md.
     """
+    if not isinstance(case, Case):
+        if not isinstance(case, str | os.PathLike):
+            raise InputError(
+                "must be a Case, or the path of its file",
+                field="case",
+                value=type(case).__name__,
+                example='rolamento.solve("case.toml")',
+            )
+        case = load_case(case)
     thread_count(threads)
-    given = {**(values or {}), **cast("dict[str, ArrayLike]", fields)}
-    if case.mounting is not None:
-        case, given = _mounted(case, given)
-    if not case.model.needs_film:
-        return equilibrium.solve_batch(case, given, threads=threads)
-    return _on_film(case, given, threads=threads)
-
-
-def _on_film(case: Case, given: Mapping[str, ArrayLike], threads: int | None) -> BatchState:
-    """Solve with the film that `rolamento.solving` finds."""
-    from rolamento import assembly
-    from rolamento.lubrication.film_control import balanced_on_film
-    from rolamento.rows.ball.assemble import solve_columns_of
-
-    _, settled, film = balanced_on_film(assembly.spread(case, given, threads=threads))
-    batch = solve_columns_of(spread(case, given), threads=threads, film=film)
-    batch.code[~settled & (batch.code == CONVERGED)] = NOT_CONVERGED
-    failed = batch.code != CONVERGED
-    arrays = [batch.displacement, batch.load, batch.stiffness]
-    for row in batch.rows:
-        arrays += [row.displacement, row.load, row.position]
-        if row.rolling is not None:
-            row.rolling.forget(failed)
-    for array in arrays:
-        array[failed] = np.nan
-    return batch
-
-
-def _mounted(case: Case, given: Mapping[str, ArrayLike]) -> tuple[Case, dict[str, ArrayLike]]:
-    """The case without its mounting, and the fields with the clearance in operation."""
+    given = varied_arrays(values, **fields)
+    if not given:
+        return _solve_one(case)
+    if case.mounting is None:
+        return _solve_many(case, given, threads)
     from rolamento.clearance import operating_batch
 
-    running, fields = operating_batch(case, bounded(varied_arrays(given)))
-    return running, dict(fields)
+    running, of_running = operating_batch(case, bounded(given))
+    solved = _solve_many(running, dict(of_running), threads)
+    return replace(solved, varied={**_spread_over(len(solved), given), **solved.varied})
+
+
+def _spread_over(cases: int, arrays: Mapping[str, ArrayLike]) -> dict[str, FloatArray]:
+    return {name: np.broadcast_to(np.asarray(v, np.float64), cases) for name, v in arrays.items()}
+
+
+def _solve_many(case: Case, given: Mapping[str, ArrayLike], threads: int | None) -> Solved:
+    cases = spread(case, given, threads=threads)
+    if case.model.needs_film:
+        from rolamento.lubrication.film_control import solved_on_film
+
+        return solved_on_film(cases)
+    return solve_cases(cases)
+
+
+def _solve_one(case: Case) -> Solved:
+    notes: tuple[str, ...] = ()
+    if case.mounting is not None:
+        from rolamento.clearance import clearance_notes, clearance_of_case, operating_case
+
+        notes = clearance_notes(clearance_of_case(case))
+        case = operating_case(case)
+    solved = _solve_many(case, {}, threads=1)
+    if case.bearing.preload is not None and solved.converged[0]:
+        solved = replace(solved, preload=preload_of(case))
+    return replace(solved, first_notes=notes) if notes else solved

@@ -2,25 +2,160 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from io import BytesIO
 from typing import Any, Final
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.axis import Axis
 from matplotlib.figure import Figure as Picture
 from matplotlib.lines import Line2D
 from matplotlib.patches import Circle
-from matplotlib.ticker import MultipleLocator
+from matplotlib.ticker import Formatter, MaxNLocator, MultipleLocator
 from PIL import Image
 
-from rolamento.plots.style import INNER, OUTER, new_figure, series, styled
-from rolamento_reproductions.labels import Numbers, mathematical, titled
-from rolamento_reproductions.maps import draw_maps
-from rolamento_reproductions.record import Curves, Ending, Figure, Line, Maps, Panel, Positions
-from rolamento_reproductions.text import Language, localised
+from rolamento.plots.style import INNER, OUTER, new_figure, new_stacked_figure, series, styled
+from rolamento_reproductions.record import (
+    Curves,
+    Ending,
+    Figure,
+    Floats,
+    Line,
+    Map,
+    Maps,
+    Panel,
+    Positions,
+)
+from rolamento_reproductions.text import Language, localised, with_indices
 
-__all__ = ["drawn", "rendered"]
+_LONE_SYMBOL: Final = re.compile(r"(?<![$\w{}])([α-ωQ])(?![\w$}])")
+
+
+class Numbers(Formatter):
+    """Numbers of an axis: as many decimals as its ticks need, in the manner of a language."""
+
+    def __init__(self, ticked: Axis, language: Language) -> None:
+        self._ticked = ticked
+        self._language: Language = language
+
+    def __call__(self, x: float, pos: int | None = None) -> str:
+        """Return how a number stands at the axis."""
+        places: Floats = np.asarray(self._ticked.get_majorticklocs(), dtype=np.float64)
+        decimals = next(
+            (n for n in range(7) if np.allclose(places, np.round(places, n), rtol=0, atol=1e-9)), 7
+        )
+        value = 0.0 if round(x, decimals) == 0.0 else x
+        grouping = "," if np.abs(places).max(initial=0.0) >= 1e4 else ""
+        return localised(f"{value:{grouping}.{decimals}f}", self._language)
+
+
+def titled(title: str, unit: str) -> str:
+    """Return an axis's title with its unit."""
+    return f"{mathematical(title)} ({unit})" if unit else mathematical(title)
+
+
+def mathematical(text: str) -> str:
+    """Set symbols as mathematics: indices below, letters that stand for quantities slanted."""
+    indexed = with_indices(
+        text,
+        lambda symbol, index: (
+            f"${symbol}_{{{index}}}$" if len(index) == 1 else f"${symbol}_{{\\mathrm{{{index}}}}}$"
+        ),
+    )
+    return _LONE_SYMBOL.sub(r"$\1$", indexed)
+
+
+_MAP_LEVELS: Final = 14
+_SIGNED: Final = "RdBu_r"
+_UNSIGNED: Final = "cividis"
+_ARROWS: Final = (9, 5)
+"""How many, across and along."""
+_MAP_INK: Final = "#202020"
+_MAP_HEIGHT: Final = 53.0
+_ARROW_REACH: Final = (0.6, 2.0 / 3.0)
+"""Part of the grid that arrows cover, likewise."""
+
+
+def draw_maps(figure: Figure, picture: Maps, language: Language) -> Picture:
+    """Draw the maps one below the other over the same ellipse."""
+    drawing, frames = new_stacked_figure(
+        len(picture.maps), height=8.0 + _MAP_HEIGHT * len(picture.maps)
+    )
+    for place, (one, axes) in enumerate(zip(picture.maps, frames, strict=True)):
+        _draw_map(figure, picture, one, axes, language)
+        last = place == len(frames) - 1
+        _label_map(figure, picture, one, axes, language, last=last)
+    return drawing
+
+
+def _gridded(figure: Figure, name: str, count: int) -> Floats:
+    return figure.column(name).numbers.reshape(count, -1)
+
+
+def _draw_map(figure: Figure, picture: Maps, one: Map, axes: Axes, language: Language) -> None:
+    x, y, value = (_gridded(figure, n, picture.count) for n in (picture.x, picture.y, one.value))
+    low, high = float(value.min()), float(value.max())
+    parted = one.signed and low < 0.0 < high
+    if parted:
+        low, high = -max(-low, high), max(-low, high)
+    levels = MaxNLocator(_MAP_LEVELS, symmetric=parted).tick_values(low, high)
+    colours = _SIGNED if parted else _UNSIGNED
+    filled = axes.contourf(x, y, value, levels=levels, cmap=colours)
+    if parted:
+        axes.contour(x, y, value, levels=[0.0], colors=_MAP_INK, linestyles="--", linewidths=1.2)
+    for edge in (y[:, 0], y[:, -1]):
+        axes.plot(x[:, 0], edge, color=_MAP_INK, linewidth=1.0)
+    if one.arrows is not None:
+        _draw_arrows(figure, picture, one.arrows, axes)
+    bar = axes.figure.colorbar(filled, ax=axes, aspect=14.0, pad=0.02)
+    bar.locator = MaxNLocator(6)
+    bar.update_ticks()
+    bar.ax.yaxis.set_major_formatter(Numbers(bar.ax.yaxis, language))
+    bar.set_label(figure.column(one.value).unit)
+
+
+def _draw_arrows(figure: Figure, picture: Maps, names: tuple[str, str], axes: Axes) -> None:
+    """Show the direction at points of the grid, all arrows of one length."""
+    x, y, across, along = (
+        _gridded(figure, n, picture.count) for n in (picture.x, picture.y, *names)
+    )
+    rows, columns = (
+        np.linspace((1.0 - reach) * (n - 1) / 2, (1.0 + reach) * (n - 1) / 2, k).round().astype(int)
+        for n, k, reach in zip(x.shape, _ARROWS, _ARROW_REACH, strict=True)
+    )
+    at: Any = np.ix_(rows, columns)
+    size = np.maximum(np.hypot(across[at], along[at]), np.finfo(np.float64).tiny)
+    axes.quiver(
+        x[at],
+        y[at],
+        across[at] / size,
+        along[at] / size,
+        color="white",
+        edgecolor=_MAP_INK,
+        linewidth=0.4,
+        scale=26.0,
+        width=0.005,
+        pivot="middle",
+        zorder=4.0,
+    )
+
+
+def _label_map(
+    figure: Figure, picture: Maps, one: Map, axes: Axes, language: Language, *, last: bool
+) -> None:
+    x, y = figure.column(picture.x), figure.column(picture.y)
+    axes.set_title(titled(one.title.speak(language), ""), loc="left")
+    axes.set_ylabel(titled(y.title.speak(language), y.unit))
+    if last:
+        axes.set_xlabel(titled(x.title.speak(language), x.unit))
+    axes.set_xlim(1.04 * float(x.numbers.min()), 1.04 * float(x.numbers.max()))
+    axes.set_ylim(1.1 * float(y.numbers.min()), 1.1 * float(y.numbers.max()))
+    axes.grid(False)
+    for axis in (axes.xaxis, axes.yaxis):
+        axis.set_major_formatter(Numbers(axis, language))
+
 
 _METADATA: Final[dict[str, dict[str, Any]]] = {
     "png": {"Software": None},
@@ -29,7 +164,7 @@ _METADATA: Final[dict[str, dict[str, Any]]] = {
 """Nothing that tells when a picture was drawn, or with which release."""
 _COLOURS: Final = 128
 _DOTS: Final = 200.0
-_MOST_COLUMNS: Final = 5
+_MAX_LEGEND_COLUMNS: Final = 5
 """Of a legend over a single panel."""
 _INK: Final = "#303030"
 _TURN: Final = 360.0
@@ -125,7 +260,7 @@ def _draw_panel(
 
 def _draw_line(figure: Figure, panel: Panel, line: Line, axes: Axes) -> None:
     x, y = figure.column(panel.x).numbers, figure.column(line.y).numbers
-    rows = _rows(figure, line)
+    rows = _rows_of_line(figure, line)
     x, y = x[rows], y[rows]
     keywords = _look(line)
     if line.points:
@@ -146,7 +281,7 @@ def _draw_line(figure: Figure, panel: Panel, line: Line, axes: Axes) -> None:
     axes.plot(x[at], y[at], color=keywords["color"], zorder=3.0, **marker)
 
 
-def _rows(figure: Figure, line: Line) -> Any:
+def _rows_of_line(figure: Figure, line: Line) -> Any:
     if line.by is None:
         return slice(None)
     name, value = line.by
@@ -165,11 +300,7 @@ def _look(line: Line) -> dict[str, Any]:
 def _sparse_marker(line: Line) -> dict[str, Any]:
     """Mark a line here and there, each of a family at other places."""
     start = 0.03 + 0.03 * line.look
-    return {
-        "marker": series(line.look).marker,
-        "markevery": (start, _SPARSE),
-        "markersize": 3.5,
-    }
+    return {"marker": series(line.look).marker, "markevery": (start, _SPARSE), "markersize": 3.5}
 
 
 # --- legends ----------------------------------------------------------------
@@ -181,24 +312,24 @@ def _legend_rows(curves: Curves) -> int:
         sum(line.label is not None for line in panel.lines) + 2 * (panel.keys is not None)
         for panel in curves.panels
     )
-    columns = _columns(curves.panels[0], entries) if len(curves.panels) == 1 else 2
+    columns = _legend_columns(curves.panels[0], entries) if len(curves.panels) == 1 else 2
     return -(-entries // max(columns, 1))
 
 
-def _columns(panel: Panel, entries: int) -> int:
+def _legend_columns(panel: Panel, entries: int) -> int:
     """Return in how many columns the legend over a single panel stands."""
     if panel.legend_columns is not None:
         return panel.legend_columns
-    return entries if entries <= _MOST_COLUMNS else _MOST_COLUMNS - 1
+    return entries if entries <= _MAX_LEGEND_COLUMNS else _MAX_LEGEND_COLUMNS - 1
 
 
 def _add_legend(panel: Panel, place: Picture | Axes, language: Language) -> None:
     """Put the legend over the frame, where no data are; a line alone needs none."""
-    handles = _entries(panel, language)
+    handles = _legend_entries(panel, language)
     if not handles:
         return
     if isinstance(place, Picture):
-        columns = _columns(panel, len(handles))
+        columns = _legend_columns(panel, len(handles))
         place.legend(handles=handles, loc="outside upper center", ncols=columns, handlelength=2.6)
     else:
         above = (0.0, 1.0)
@@ -207,9 +338,9 @@ def _add_legend(panel: Panel, place: Picture | Axes, language: Language) -> None
         )
 
 
-def _entries(panel: Panel, language: Language) -> list[Line2D]:
+def _legend_entries(panel: Panel, language: Language) -> list[Line2D]:
     handles = [
-        _entry(key.speak(language), {"color": _INK, "linestyle": style})
+        _legend_entry(key.speak(language), {"color": _INK, "linestyle": style})
         for key, style in zip(panel.keys or (), ("-", "--"), strict=False)
     ]
     for line in panel.lines:
@@ -218,11 +349,11 @@ def _entries(panel: Panel, language: Language) -> list[Line2D]:
         look = _look(line)
         if line.marked is not None or line.dashed is not None:
             look["marker"] = series(line.look).marker
-        handles.append(_entry(line.label.speak(language), look))
+        handles.append(_legend_entry(line.label.speak(language), look))
     return handles
 
 
-def _entry(label: str, look: dict[str, Any]) -> Line2D:
+def _legend_entry(label: str, look: dict[str, Any]) -> Line2D:
     return Line2D([], [], label=mathematical(label), **look)
 
 
@@ -241,16 +372,16 @@ def _positions(figure: Figure, picture: Positions, language: Language) -> Pictur
     for number, azimuth in zip(
         figure.column("ball").numbers, figure.column("azimuth").numbers, strict=True
     ):
-        _ball(axes, int(number), float(azimuth), radius, ball, language)
+        _draw_ball(axes, int(number), float(azimuth), radius, ball, language)
     reach = radius + 2.7 * ball
-    _arrow(axes, (0.0, 0.45 * radius), "$z$, $F_{z}$", (0.06 * radius, -0.02 * radius))
-    _arrow(axes, (0.45 * radius, 0.0), "$y$", (0.0, 0.07 * radius))
+    _draw_axis_arrow(axes, (0.0, 0.45 * radius), "$z$, $F_{z}$", (0.06 * radius, -0.02 * radius))
+    _draw_axis_arrow(axes, (0.45 * radius, 0.0), "$y$", (0.0, 0.07 * radius))
     axes.set_xlim(-reach, reach)
     axes.set_ylim(-reach, reach)
     return drawing
 
 
-def _ball(
+def _draw_ball(
     axes: Axes, number: int, azimuth: float, radius: float, ball: float, language: Language
 ) -> None:
     # seen from +x: zero at the top, growing to the right, toward +y
@@ -263,7 +394,9 @@ def _ball(
     axes.text(far * sine, far * cosine, text, ha="center", va="center", fontsize=7.5)
 
 
-def _arrow(axes: Axes, tip: tuple[float, float], label: str, offset: tuple[float, float]) -> None:
+def _draw_axis_arrow(
+    axes: Axes, tip: tuple[float, float], label: str, offset: tuple[float, float]
+) -> None:
     arrow = {"arrowstyle": "-|>", "color": _INK, "linewidth": 1.2, "shrinkA": 0, "shrinkB": 0}
     axes.annotate("", tip, (0.0, 0.0), arrowprops=arrow)
     axes.text(tip[0] + offset[0], tip[1] + offset[1], label, ha="left", va="bottom")

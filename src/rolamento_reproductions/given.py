@@ -2,20 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any, Final
 
 import numpy as np
 
 from rolamento._data import toml_of
-from rolamento.rows.ball import BatchState
-from rolamento.solved import Solved
-from rolamento_reproductions.record import Column, Floats
+from rolamento_reproductions.record import Floats, Series
 from rolamento_reproductions.text import Text, said
 
-__all__ = ["KILO", "MILLI", "RPM", "Given", "grid", "status_column"]
-
-RPM: Final = np.pi / 30.0
 MILLI: Final = 1e-3
 KILO: Final = 1e3
 
@@ -51,7 +47,6 @@ def grid(lowest: float, highest: float, step: float) -> Floats:
     return np.linspace(lowest, highest, round((highest - lowest) / step) + 1)
 
 
-def status_column(state: BatchState | Solved) -> Column:
-    """Return how each case of a batch ended."""
-    codes = state.status.code if isinstance(state, Solved) else state.status
-    return Column("status", "", said("status", "estado"), tuple(str(code) for code in codes))
+def status_column(codes: Iterable[str]) -> Series:
+    """Return how each case ended, such as `rolamento.solved.Status.code`."""
+    return Series("status", "", said("status", "estado"), tuple(map(str, codes)))

@@ -8,8 +8,6 @@ from dataclasses import dataclass
 from string import Formatter
 from typing import Any, Final, Literal
 
-__all__ = ["Language", "Text", "formula", "localised", "said", "same", "with_indices"]
-
 Language = Literal["en", "pt"]
 
 _MINUS: Final = "−"
@@ -34,15 +32,17 @@ class Text:
 
 def said(en: str, pt: str, *values: object, **named: object) -> Text:
     """Fill numbers into both templates (`str.format`); a `Text` speaks the template's language."""
-    return Text(
-        _Manner("en").vformat(en, values, named),
-        _Manner("pt").vformat(pt, values, named),
-    )
+    return Text(_Manner("en").vformat(en, values, named), _Manner("pt").vformat(pt, values, named))
 
 
-def same(text: str) -> Text:
-    """Return what is the same in both languages."""
-    return Text(text, text)
+def same(text: str, *values: object, **named: object) -> Text:
+    """Return what is the same in both languages; a template if there is something to fill in."""
+    return said(text, text, *values, **named) if values or named else Text(text, text)
+
+
+def in_both(speak: Callable[[Language], str]) -> Text:
+    """Return what is said in each of the languages."""
+    return Text(speak("en"), speak("pt"))
 
 
 def formula(text: str) -> Text:

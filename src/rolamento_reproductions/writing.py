@@ -1,26 +1,125 @@
-"""A reproduction to a folder: only files of known names, and over nothing that is not ours."""
+"""A reproduction to a folder: pages, pictures and data, over nothing that is not ours.
+
+Only files of known names. The data are comma-separated values, the same in every language: RFC
+4180, units in the header, a decimal point, an empty field for a number that does not exist.
+"""
 
 from __future__ import annotations
 
+import csv
 import os
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from io import StringIO
+from math import isfinite
 from pathlib import Path
 from typing import Final, Literal
 
 from rolamento._writing import write_bytes
 from rolamento.errors import FileError
-from rolamento_reproductions.data_files import errata_csv, figure_csv, table_csv
-from rolamento_reproductions.errata import ERRATA_STEM, Errata
-from rolamento_reproductions.errata_page import errata_html, errata_markdown
-from rolamento_reproductions.markdown import markdown_page
-from rolamento_reproductions.page import generator_mark, html_page
-from rolamento_reproductions.record import Ending, Figure, Section, Source, Table
+from rolamento_reproductions.page import (
+    Page,
+    generator_mark,
+    html,
+    index_page,
+    markdown,
+    misprints_page,
+)
+from rolamento_reproductions.record import (
+    ERRATA_STEM,
+    Cell,
+    Ending,
+    Errata,
+    Figure,
+    Section,
+    Source,
+    Table,
+    TableColumn,
+    power_above,
+)
 from rolamento_reproductions.text import Language, Text
 
-__all__ = ["PAGE", "Pictures", "Progress", "computed", "file_names", "open_folder", "write"]
+
+def figure_csv(figure: Figure) -> str:
+    """Return a figure's columns, one row a line."""
+    header = [column.header for column in figure.columns]
+    columns = [[_eight_digits(value) for value in column.values] for column in figure.columns]
+    return _csv_text(header, zip(*columns, strict=True))
+
+
+def table_csv(table: Table) -> str:
+    """Return a table; a column of printed numbers becomes three: printed, computed, agreement."""
+    header: list[str] = []
+    columns: list[list[str]] = []
+    for column in table.columns:
+        names, values = _csv_columns(column)
+        header += names
+        columns += values
+    return _csv_text(header, zip(*columns, strict=True))
+
+
+def errata_csv(errata: Errata) -> str:
+    """Return misprints and valid equations with their residuals.
+
+    What is left by rounding alone is given as the power of ten above it, the same everywhere.
+    """
+    names = ("median", "greatest", "corrected_below")
+    header = ["place", "printed", "corrected", *(f"residual_{name}" for name in names)]
+    rows = [
+        [
+            one.place.en,
+            one.printed.en,
+            one.corrected.en,
+            f"{one.printed_residual.median:.1e}",
+            f"{one.printed_residual.maximum:.1e}",
+            f"{power_above(one.corrected_residual.maximum):.0e}",
+        ]
+        for one in errata.misprints
+    ]
+    rows += [
+        [
+            f"Equation ({one.number})",
+            one.form.en,
+            "",
+            "",
+            "",
+            f"{power_above(one.residual.maximum):.0e}",
+        ]
+        for one in errata.valid
+    ]
+    return _csv_text(header, rows)
+
+
+def _csv_columns(column: TableColumn) -> tuple[list[str], list[list[str]]]:
+    """Return the names and the values of what a table's column becomes."""
+    cells = column.cells
+    if any(isinstance(cell, Cell) for cell in cells):
+        numbers = [cell for cell in cells if isinstance(cell, Cell)]
+        names = [f"{column.name}_{what}" for what in ("printed", "computed", "agreement")]
+        return names, [
+            [cell.printed for cell in numbers],
+            [_eight_digits(cell.computed) for cell in numbers],
+            [cell.agreement for cell in numbers],
+        ]
+    return [column.name], [[c.en if isinstance(c, Text) else str(c) for c in cells]]
+
+
+def _csv_text(header: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
+    text = StringIO(newline="")
+    writer = csv.writer(text)
+    writer.writerow(header)
+    writer.writerows(rows)
+    return text.getvalue()
+
+
+def _eight_digits(value: object) -> str:
+    """Write eight significant digits: finer than any picture, and the same on every machine."""
+    if isinstance(value, str):
+        return value
+    number = float(value)  # type: ignore[arg-type]
+    return f"{number + 0.0:.8g}" if isfinite(number) else ""
+
 
 PAGE: Final = "index.html"
-_MARKDOWN: Final = "index.md"
 _HEAD_OF_PAGE: Final = 10_000
 _ENDINGS: Final[tuple[Ending, ...]] = ("svg", "png")
 
@@ -33,7 +132,7 @@ def computed(source: Source, progress: Progress) -> tuple[Section, ...]:
     """Compute all parts; progress counts a part and a picture alike."""
     sections = []
     for place, part in enumerate(source.parts):
-        progress(place, _steps(source), part.title)
+        progress(place, _step_count(source), part.title)
         sections.append(part.compute(part.title))
     return tuple(sections)
 
@@ -71,26 +170,24 @@ def write(
 
     endings = _endings(pictures)
     # The page first: by it the folder is known again, should the rest not be reached.
-    _put(folder, PAGE, html_page(source, sections, endings, language).encode())
-    _put(folder, _MARKDOWN, markdown_page(source, sections, endings, language).encode())
+    _write_page(folder, "index", index_page(source, sections, endings), language)
     done = len(source.parts)
     for item in _items(sections):
-        _put(folder, f"{item.stem}.csv", _data(item).encode())
+        _write_file(folder, f"{item.stem}.csv", _csv_of(item).encode())
         if isinstance(item, Errata):
-            _put(folder, f"{item.stem}.html", errata_html(source, item, language).encode())
-            _put(folder, f"{item.stem}.md", errata_markdown(source, item, language).encode())
+            _write_page(folder, item.stem, misprints_page(source, item), language)
         if not isinstance(item, Figure):
             continue
-        progress(done, _steps(source), item.caption)
+        progress(done, _step_count(source), item.caption)
         contents = rendered(item, endings, language)
         for ending in _ENDINGS:
             name = f"{item.stem}.{ending}"
             if ending in contents:
-                _put(folder, name, contents[ending])
+                _write_file(folder, name, contents[ending])
             else:
                 _remove(folder, name)
         done += 1
-    progress(done, _steps(source), source.title)
+    progress(done, _step_count(source), source.title)
 
 
 def open_folder(path: str, source: Source) -> Path:
@@ -124,11 +221,11 @@ def open_folder(path: str, source: Source) -> Path:
 
 def file_names(source: Source) -> tuple[str, ...]:
     """Return all names that a reproduction may write."""
-    names = [PAGE, _MARKDOWN]
+    names = [PAGE, "index.md"]
     for part in source.parts:
-        names += [f"{stem}.csv" for stem in part.holds]
+        names += [f"{stem}.csv" for stem in part.stems]
         names += [f"{stem}.{ending}" for stem in part.figures for ending in _ENDINGS]
-        if ERRATA_STEM in part.holds:
+        if ERRATA_STEM in part.stems:
             names += [f"{ERRATA_STEM}.html", f"{ERRATA_STEM}.md"]
     return tuple(names)
 
@@ -137,7 +234,7 @@ def _endings(pictures: Pictures) -> tuple[Ending, ...]:
     return _ENDINGS if pictures == "both" else (pictures,)
 
 
-def _steps(source: Source) -> int:
+def _step_count(source: Source) -> int:
     return len(source.parts) + sum(len(part.figures) for part in source.parts)
 
 
@@ -146,7 +243,7 @@ def _items(sections: Sequence[Section]) -> Iterator[Figure | Table | Errata]:
         yield from section.items
 
 
-def _data(item: Figure | Table | Errata) -> str:
+def _csv_of(item: Figure | Table | Errata) -> str:
     if isinstance(item, Errata):
         return errata_csv(item)
     return figure_csv(item) if isinstance(item, Figure) else table_csv(item)
@@ -161,7 +258,12 @@ def _is_ours(folder: Path, source: Source) -> bool:
         return generator_mark(source.name).encode() in file.read(_HEAD_OF_PAGE)
 
 
-def _put(folder: Path, name: str, content: bytes) -> None:
+def _write_page(folder: Path, stem: str, page: Page, language: Language) -> None:
+    _write_file(folder, f"{stem}.html", html(page, language).encode())
+    _write_file(folder, f"{stem}.md", markdown(page, language).encode())
+
+
+def _write_file(folder: Path, name: str, content: bytes) -> None:
     """Write a file whole or not at all; a link of that name is replaced, not followed."""
     write_bytes(content, folder / name, through_links=False)
 

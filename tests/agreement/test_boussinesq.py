@@ -20,7 +20,7 @@ from scipy.optimize import minimize_scalar
 from rolamento.contact.hertz import elliptical_contact
 from rolamento.contact.subsurface import (
     axis_stresses,
-    greatest_shear,
+    maximum_shear,
     orthogonal_shear,
     point_stresses,
 )
@@ -136,7 +136,7 @@ def test_shear_that_passes_a_point(
 
 def test_greatest_shear_at_45_degrees(contact: tuple[float, PointLoads]) -> None:
     k, loads = contact
-    known = greatest_shear(1.0, k, 1.0, 0.3)
+    known = maximum_shear(1.0, k, 1.0, 0.3)
     depth = float(known.depth)
 
     def shear(z: float) -> float:

@@ -18,7 +18,7 @@ import numpy as np
 import pytest
 
 from rolamento import Bearing, Case, Displacement, Duty, Load, Model
-from rolamento.solving import solve
+from rolamento.solution import solve
 from rolamento.static import axial_load, radial_load
 
 

@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from tests.one_case import solve_one
 
 from rolamento import Bearing, Case, Displacement, Duty, Load, Model
-from rolamento.solving import solve
+from rolamento.solution import solve
 
 Floats = NDArray[np.float64]
 RPM = math.pi / 30.0

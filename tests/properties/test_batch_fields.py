@@ -12,12 +12,13 @@ import numpy as np
 import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
+from rolamento.rows.ball.fields import GEOMETRY, PRELOADS
 
-from rolamento import Bearing, Case, Duty, InputError, Load, Model, solve_batch
+from rolamento import Bearing, Case, Duty, InputError, Load, Model
 from rolamento.case.varied import batch_fields
 from rolamento.clearance import MOUNTED_FIELDS
-from rolamento.rows.ball.batch_state import BatchState
-from rolamento.rows.ball.fields import GEOMETRY, PRELOADS
+from rolamento.solution import solve
+from rolamento.solved import Solved
 
 ANGULAR: dict[str, Any] = {
     "ball_count": 16,
@@ -132,7 +133,7 @@ VALUES: dict[str, tuple[float, float, tuple[float, ...]]] = {
 @pytest.fixture(scope="module", autouse=True)
 def _compiled() -> None:
     """Load the compiled kernels first: few cases alone would run as plain Python, slowly."""
-    solve_batch(CASES["plain"], fx=np.full(100, 1e4))
+    solve(CASES["plain"], fx=np.full(100, 1e4))
 
 
 def changed(case: Case, field: str, value: float) -> Case:
@@ -195,11 +196,11 @@ def applies(case: Case, field: str) -> bool:
     return field != "bearing.spacing" or case.bearing.spacing is not None
 
 
-def same(batch: BatchState, index: int, alone: BatchState) -> None:
-    assert batch.status[index] == alone.status[0]
+def same(batch: Solved, index: int, alone: Solved) -> None:
+    assert batch.status.code[index] == alone.status.code[0]
     found = [(getattr(batch, name)[index], getattr(alone, name)[0])
              for name in ("displacement", "load", "stiffness")]  # fmt: skip
-    found.append((batch.balls().inner.load[index], alone.balls().inner.load[0]))
+    found.append((batch.inner.load[index], alone.inner.load[0]))
     for one, other in found:
         if not alone.converged[0]:
             assert np.isnan(one).all()
@@ -225,16 +226,16 @@ def test_one_field_as_an_array_is_the_cases_one_by_one(field: str, data: st.Data
     names = [name for name, case in CASES.items() if applies(case, field)]
     case = CASES[data.draw(st.sampled_from(names))]
     values = data.draw(values_of(field))
-    batch = solve_batch(case, {field: values})
+    batch = solve(case, {field: values})
     assert len(batch) == len(values)
     for i, value in enumerate(values):
         try:
-            alone = solve_batch(changed(case, field, value))
+            alone = solve(changed(case, field, value))
         except InputError:
-            assert batch.status[i] == "invalid_input"
-            assert np.isnan(batch.displacement[i]).all()
-            assert np.isnan(batch.stiffness[i]).all()
-            assert np.isnan(batch.balls().inner.load[i]).all()
+            assert batch.status.code[i] == "invalid_input"
+            assert np.isnan(batch.displacement.array[i]).all()
+            assert np.isnan(batch.stiffness.array[i]).all()
+            assert np.isnan(batch.inner.load[i]).all()
         else:
             same(batch, i, alone)
 
@@ -266,7 +267,7 @@ def test_several_fields_together(name: str, fields: list[str], data: Any) -> Non
             low, high, edges = VALUES[field]
             one = st.floats(low, high) | st.sampled_from(edges)
             columns[field] = data.draw(st.lists(one, min_size=3, max_size=3))
-    batch = solve_batch(case, columns)
+    batch = solve(case, columns)
     for i in range(3):
         try:
             # all at once, so that only the values themselves are judged, not the way to them
@@ -284,9 +285,9 @@ def test_several_fields_together(name: str, fields: list[str], data: Any) -> Non
                 bearing["contact_angle"] = None
             one_case = one_case.replace(bearing=one_case.bearing.replace(**bearing))
         except InputError:
-            assert batch.status[i] == "invalid_input"
+            assert batch.status.code[i] == "invalid_input"
         else:
-            same(batch, i, solve_batch(one_case))
+            same(batch, i, solve(one_case))
 
 
 def test_coefficient_and_drag_move_friction_controlled_balls() -> None:
@@ -295,7 +296,7 @@ def test_coefficient_and_drag_move_friction_controlled_balls() -> None:
     torque = {}
     for field in FOR_ROLLING[:3]:
         low, high, _ = VALUES[field]
-        rolling = solve_batch(case, {field: [low, high]}).rows[0].rolling
+        rolling = solve(case, {field: [low, high]}).answer.motion
         assert rolling is not None
         torque[field] = rolling.torque("inner")
     assert torque["lubricant.friction_coefficient"][1] > torque["lubricant.friction_coefficient"][0]
@@ -305,23 +306,23 @@ def test_coefficient_and_drag_move_friction_controlled_balls() -> None:
 
 def test_a_coefficient_belongs_to_a_lubricant() -> None:
     with pytest.raises(InputError, match="belongs to a lubricant"):
-        solve_batch(CASES["plain"], {"lubricant.friction_coefficient": [0.1, 0.2]})
+        solve(CASES["plain"], {"lubricant.friction_coefficient": [0.1, 0.2]})
 
 
 def test_what_no_row_takes_from_the_set_has_to_be_sound_all_the_same() -> None:
     """A clearance too great for the set's conformities, though the row that takes it has room."""
     with pytest.raises(InputError, match=r"less than 2\.063 mm"):
         changed(CASES["rows"], "bearing.diametral_clearance", 2.1e-3)
-    batch = solve_batch(CASES["rows"], {"bearing.diametral_clearance": [2.1e-3, 2.0e-3]})
-    assert (batch.status == "invalid_input").tolist() == [True, False]
+    batch = solve(CASES["rows"], {"bearing.diametral_clearance": [2.1e-3, 2.0e-3]})
+    assert (batch.status.code == "invalid_input").tolist() == [True, False]
 
 
 @pytest.mark.parametrize("kind", PRELOADS)
 def test_a_preload_takes_the_place_of_the_cases_own(kind: str) -> None:
     case = CASES["pair"]
     value = 8e-6 if kind == "offset" else 900.0
-    batch = solve_batch(case, {f"bearing.preload.{kind}": [value, value]})
-    alone = solve_batch(changed(case, f"bearing.preload.{kind}", value))
+    batch = solve(case, {f"bearing.preload.{kind}": [value, value]})
+    alone = solve(changed(case, f"bearing.preload.{kind}", value))
     same(batch, 1, alone)
     unloaded = case.replace(bearing=case.bearing.replace(preload=None))
-    same(solve_batch(unloaded, {f"bearing.preload.{kind}": [value]}), 0, alone)
+    same(solve(unloaded, {f"bearing.preload.{kind}": [value]}), 0, alone)

@@ -7,7 +7,7 @@ import pytest
 
 from rolamento import Bearing, Case, Duty, Model
 from rolamento.case.model import CageKind, RacewayControl
-from rolamento.solving import solve
+from rolamento.solution import solve
 
 ANGULAR = Bearing(
     ball_count=16,

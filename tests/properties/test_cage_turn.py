@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 from scipy.optimize import root
 
 from rolamento import Bearing, Case, Duty, Load, Model
-from rolamento.solving import solve
+from rolamento.solution import solve
 from rolamento.static import race_stiffness, radial_load
 from rolamento.studies.cage_turn import DEFAULT_POINTS, CageTurn, cage_turn
 

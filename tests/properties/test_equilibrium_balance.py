@@ -19,8 +19,8 @@ from tests.one_case import solve_one
 from rolamento import Bearing, Case, Duty, Load, Model
 from rolamento.contact.hertz import contact_stiffness, effective_modulus
 from rolamento.geometry import race_curvature, ring_geometry
+from rolamento.solution import solve
 from rolamento.solved import Solved
-from rolamento.solving import solve
 
 Floats = NDArray[np.float64]
 PROMISED = 1e-8

@@ -19,8 +19,8 @@ from numpy.typing import NDArray
 from rolamento import Bearing, Case, Duty, Material, Model
 from rolamento.case.duty import AXES, LOADS
 from rolamento.geometry import ring_geometry
+from rolamento.solution import solve
 from rolamento.solved import Solved
-from rolamento.solving import solve
 
 Floats = NDArray[np.float64]
 EXAMPLES = 60

@@ -15,8 +15,8 @@ from rolamento.friction.minimum_power import loaded_contacts
 from rolamento.friction.slip import BallVelocity, relative_motion
 from rolamento.friction.todd import todd
 from rolamento.friction.traction import contact_friction, ellipse_mesh
+from rolamento.solution import solve
 from rolamento.solved import Solved
-from rolamento.solving import solve
 
 bearings = st.builds(
     lambda count, diameter, ratio, angle, inner, outer: Bearing(

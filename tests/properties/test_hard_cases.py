@@ -15,12 +15,12 @@ from typing import Any
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from tests.one_case import solve_one
 
 from rolamento import Bearing, Case, Duty, Model
 from rolamento.assembly import solve_cases, spread
 from rolamento.geometry import ring_geometry
 from rolamento.solved import Solved
-from rolamento.solving import solve
 
 Floats = NDArray[np.float64]
 RPM = math.pi / 30.0
@@ -48,8 +48,8 @@ class Hard:
     case: Case
     fields: dict[str, Floats]
 
-    def solve(self) -> Solved:
-        return solve(self.case, **self.fields)
+    def solve_one(self) -> Solved:
+        return solve_one(self.case, **self.fields)
 
     @property
     def ordinary(self) -> NDArray[np.bool_]:
@@ -232,7 +232,7 @@ def test_one_bad_case_spoils_no_other(solutions: list[tuple[Hard, Solved]]) -> N
         fields["fz"][5] = np.nan
         fields["inner_speed"][11 % len(clean)] = np.inf
         fields["fy"][7] = -np.inf
-        spoilt = solve(hard.case, **fields)
+        spoilt = solve_one(hard.case, **fields)
         bad = np.zeros(len(clean), bool)
         bad[[5, 7, 11 % len(clean)]] = True
         assert (spoilt.status.code[bad] == "invalid_input").all()
@@ -290,7 +290,7 @@ def test_light_fast_and_tilted_all_converge(control: Any, turning: str, balls: s
         turning: 15e3 * RPM * rng.uniform(0.01, 1.0, n),
     }
     model = Model(raceway_control=control)
-    batch = solve(Case(bearing=bearing, duty=Duty(), model=model), **fields)
+    batch = solve_one(Case(bearing=bearing, duty=Duty(), model=model), **fields)
     assert batch.converged.all()
     assert batch.status.residual.max() < PROMISED
     found = batch

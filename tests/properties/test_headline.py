@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from rolamento import Bearing, Case, Duty, Load
 from rolamento.life import Headline, LifeConditions, life
 from rolamento.life.contamination import class_of_grease
-from rolamento.solving import solve
+from rolamento.solution import solve
 
 MEETING = 2e-3
 """The standard's ranges of κ meet within this."""

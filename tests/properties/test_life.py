@@ -19,7 +19,7 @@ from rolamento.life.reliability import reliability_factor, reliability_of
 from rolamento.life.shear_field import passing_shear
 from rolamento.life.spectrum import miner_life, shaft_life
 from rolamento.ratings import dynamic_factor_of_grooves, dynamic_rating
-from rolamento.solving import solve
+from rolamento.solution import solve
 
 angles = st.floats(0.0, 45.0)
 loads = st.floats(1.0, 1e5)

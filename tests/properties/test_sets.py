@@ -21,8 +21,8 @@ from scipy.optimize import root
 from rolamento import Bearing, Case, Duty, Model
 from rolamento.case.arrangement import ARRANGEMENTS
 from rolamento.case.duty import AXES, LOADS
+from rolamento.solution import solve
 from rolamento.solved import Solved
-from rolamento.solving import solve
 
 Floats = NDArray[np.float64]
 

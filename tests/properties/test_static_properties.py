@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rolamento.contact.hertz import elliptical_contact, ellipticity
-from rolamento.contact.subsurface import axis_stresses, greatest_shear, orthogonal_shear
+from rolamento.contact.subsurface import axis_stresses, maximum_shear, orthogonal_shear
 from rolamento.static import axial_load, radial_load, sjovall_axial, sjovall_radial
 
 
@@ -96,7 +96,7 @@ def test_ellipticity_rises_with_the_difference_of_curvatures(one: float, other: 
 def test_subsurface_stresses_scale_with_pressure_and_size(
     k: float, nu: float, pressure: float, b: float
 ) -> None:
-    unit, real = greatest_shear(1.0, k, 1.0, nu), greatest_shear(pressure, k * b, b, nu)
+    unit, real = maximum_shear(1.0, k, 1.0, nu), maximum_shear(pressure, k * b, b, nu)
     np.testing.assert_allclose(real.shear, unit.shear * pressure, rtol=1e-10)
     np.testing.assert_allclose(real.depth, unit.depth * b, rtol=1e-5, atol=1e-7 * b)
     orthogonal = orthogonal_shear(pressure, k * b, b)

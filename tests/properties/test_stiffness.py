@@ -17,8 +17,8 @@ from rolamento import Bearing, Case, Duty, Model
 from rolamento.case.duty import AXES, LOADS
 from rolamento.contact.hertz import contact_stiffness, effective_modulus, series_stiffness
 from rolamento.geometry import race_curvature, ring_geometry
+from rolamento.solution import solve
 from rolamento.solved import Solved
-from rolamento.solving import solve
 
 Floats = NDArray[np.float64]
 

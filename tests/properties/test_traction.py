@@ -18,8 +18,8 @@ from rolamento.rows.ball import layout
 from rolamento.rows.ball.problem import ring_arms
 from rolamento.rows.ball.rolling import Rolling
 from rolamento.rows.ball.traction import solve as traction
+from rolamento.solution import solve
 from rolamento.solved import Solved
-from rolamento.solving import solve
 
 Floats = NDArray[np.float64]
 RPM = np.pi / 30.0

@@ -23,7 +23,7 @@ from rolamento import (
 from rolamento.analysis import NOTES
 from rolamento.friction.palmgren import palmgren
 from rolamento.lubrication import film as film_of
-from rolamento.solving import solve
+from rolamento.solution import solve
 from rolamento.vibration.frequencies import frequencies_of
 
 SURFACE = {"inner_roughness": 1e-7, "outer_roughness": 1e-7, "ball_roughness": 5e-8}

@@ -93,9 +93,9 @@ def test_random_cases(module: Any) -> None:
 
 def test_a_case_that_does_not_converge_is_a_failure(module: Any) -> None:
     throughput, sets = module("throughput"), module("duty_sets")
-    batch_of = importlib.import_module("rolamento").solve_batch
+    batch_of = importlib.import_module("rolamento").solve
     batch = batch_of(sets.example(), **sets.tilts_held(5))
-    batch.code[2] = 2
+    batch.status.number[2] = 2
     assert "2 (not_converged)" in throughput.complaints("set", batch, False)[0]
 
 
@@ -131,7 +131,7 @@ def test_faults(module: Any, tmp_path: Path) -> None:
     random = Random(1)
     assert len({faults.damaged(bytes(range(256)), random) for _ in range(20)}) > 15
     ended = faults.command(tmp_path, "solve", "nothing.toml")
-    assert (ended.code, ended.wrong(60.0)) == (2, "")
+    assert (ended.status.number, ended.wrong(60.0)) == (2, "")
     assert replace(ended, code=-11).wrong(60.0) == "crash (-11)"
     assert replace(ended, said="Exception ignored in: …\n").wrong(60.0) == "traceback"
     assert replace(ended, said="one\ntwo\n").wrong(60.0) == "not one message"

@@ -11,7 +11,7 @@ import pytest
 from rolamento import Case, Duty, InputError, Load, load_case
 from rolamento.case.arrangement import BallRow
 from rolamento.plots.cage_turn import cage_turn_figure
-from rolamento.solving import solve
+from rolamento.solution import solve
 from rolamento.studies.cage_turn import CageTurn, cage_turn
 
 RPM = np.pi / 30.0

@@ -22,7 +22,7 @@ from rolamento.catalogue import (
     practice_of,
 )
 from rolamento.catalogue.geometry import middle_clearance
-from rolamento.catalogue.tables import records_of_csv, records_of_toml
+from rolamento.catalogue.records import records_of_csv, records_of_toml
 from rolamento.clearance import class_clearance
 from rolamento.errors import FileError, InputError, UnknownKeyError
 

@@ -19,7 +19,6 @@ from rolamento import (
     override,
     parse_case,
     solve,
-    solving,
 )
 from rolamento.case import case_to_json, case_to_toml
 from rolamento.case.case import _with_catalogue_sizes
@@ -178,7 +177,7 @@ def test_a_mounted_designation_starts_from_its_class() -> None:
 
 
 def test_ratings_come_from_the_designation() -> None:
-    found = life(solving.solve(case()))
+    found = life(solve(case()))
     assert found.ratings.dynamic_of_set[0] == 20_600.0
     assert found.ratings.static_of_set[0] == 11_200.0
     assert found.rating_sources["dynamic"].startswith("NSK, Rolling Bearings")
@@ -187,7 +186,7 @@ def test_ratings_come_from_the_designation() -> None:
 
 def test_a_rating_that_is_given_goes_before() -> None:
     own = override(case(), ["life.dynamic_rating=22 kN"])
-    found = life(solving.solve(own))
+    found = life(solve(own))
     assert found.ratings.dynamic_of_set[0] == pytest.approx(22_000.0)
     assert found.rating_sources["dynamic"] == "given"
     assert found.rating_sources["static"].startswith("NSK")

@@ -10,8 +10,9 @@ from typing import Any
 
 import numpy as np
 import pytest
+from tests.one_case import solve_one
 
-from rolamento import Bearing, Case, Duty, Load, solve, solve_batch
+from rolamento import Bearing, Case, Duty, Load
 from rolamento.case import case_to_toml, override, parse_case
 from rolamento.case.temperature import Temperature
 from rolamento.clearance import (
@@ -27,11 +28,12 @@ from rolamento.clearance import (
     operating_clearance,
     sample_clearance,
 )
-from rolamento.clearance.fits import bore_shrinkage, contact_pressure
-from rolamento.clearance.record import bearing_with_clearance
+from rolamento.clearance.effects import bore_shrinkage, contact_pressure
+from rolamento.clearance.operating import bearing_with_clearance
 from rolamento.errors import InputError, UnitError
 from rolamento.geometry import ring_geometry
 from rolamento.report.sentences import portuguese_sentence
+from rolamento.solution import solve
 
 RPM = pi / 30.0
 WARM = PartTemperatures(inner_ring=343.15, outer_ring=335.15)
@@ -223,15 +225,15 @@ def test_the_bearing_in_operation_is_what_solve_takes() -> None:
         lubricant=343.15, inner_ring=own.inner_ring, outer_ring=own.outer_ring
     )
     assert operating_case(running) is running
-    state, plain = solve(case), solve(running)
-    assert state.displacement == plain.displacement
+    state, plain = solve_one(case), solve_one(running)
+    assert state.displacement == plain.displacement.array
     assert state.case == running
     assert state.notes == (*clearance_notes(result), *plain.notes)
 
 
 def test_the_limit_decides_which_clearance_is_solved_with() -> None:
     loads = [
-        solve(mounted_case(mounting=mounting(**FULL, limit=limit))).displacement.z
+        solve_one(mounted_case(mounting=mounting(**FULL, limit=limit))).displacement.z
         for limit in ("mean", "maximum")
     ]
     assert loads[0] < loads[1]
@@ -261,9 +263,9 @@ def test_temperatures_of_seats_need_a_mounting() -> None:
 
 
 def test_a_batch_runs_with_the_clearance_in_operation() -> None:
-    mounted = solve_batch(mounted_case(), fz=[1e3, 2e3])
-    running = solve_batch(operating_case(mounted_case()), fz=[1e3, 2e3])
-    assert mounted.displacement == pytest.approx(running.displacement, rel=1e-12)
+    mounted = solve(mounted_case(), fz=[1e3, 2e3])
+    running = solve(operating_case(mounted_case()), fz=[1e3, 2e3])
+    assert mounted.displacement.array == pytest.approx(running.displacement.array, rel=1e-12)
 
 
 def test_the_notes_speak_portuguese() -> None:

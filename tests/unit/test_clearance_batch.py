@@ -6,11 +6,13 @@ from typing import Any
 
 import numpy as np
 import pytest
+from tests.one_case import solve_one
 
-from rolamento import Case, InputError, parse_case, solve, solve_batch, solving
+from rolamento import Case, InputError, parse_case
 from rolamento.case.varied import batch_fields
 from rolamento.clearance import MOUNTED_FIELDS, clearance_of_case, operating_batch
 from rolamento.life import life
+from rolamento.solution import solve
 from rolamento.studies import Axis, Study, run
 
 DEEP = """
@@ -88,11 +90,13 @@ def test_each_case_is_as_solved_alone(text: str, name: str) -> None:
     values = np.array(VALUES[name])
     if name == "bearing.ball_diameter":
         values = values * case.bearing.ball_diameter
-    batch = solve_batch(case, {name: values})
+    batch = solve(case, {name: values})
     for index, value in enumerate(values):
-        state = solve(changed(case, name, value))
+        state = solve_one(changed(case, name, value))
         assert state.status.converged
-        assert batch.displacement[index] == pytest.approx(state.displacement, rel=1e-9, abs=1e-13)
+        assert batch.displacement.array[index] == pytest.approx(
+            state.displacement, rel=1e-9, abs=1e-13
+        )
 
 
 def test_all_that_a_mounting_takes_is_tried_above() -> None:
@@ -110,11 +114,11 @@ def test_the_limit_that_the_mounting_names(limit: str) -> None:
 
 def test_a_bearing_that_its_fits_close_is_that_cases_affair() -> None:
     case = parse_case(DEEP)
-    batch = solve_batch(case, {"mounting.shaft_interference": [5e-6, 900e-6]})
-    assert list(batch.status) == ["converged", "invalid_input"]
-    assert np.all(np.isnan(batch.displacement[1]))
-    batch = solve_batch(parse_case(ANGULAR), {"mounting.shaft_interference": [5e-6, 900e-6]})
-    assert list(batch.status) == ["converged", "invalid_input"]
+    batch = solve(case, {"mounting.shaft_interference": [5e-6, 900e-6]})
+    assert list(batch.status.code) == ["converged", "invalid_input"]
+    assert np.all(np.isnan(batch.displacement.array[1]))
+    batch = solve(parse_case(ANGULAR), {"mounting.shaft_interference": [5e-6, 900e-6]})
+    assert list(batch.status.code) == ["converged", "invalid_input"]
 
 
 @pytest.mark.parametrize(
@@ -122,8 +126,8 @@ def test_a_bearing_that_its_fits_close_is_that_cases_affair() -> None:
     [("mounting.shaft_bore", 0.03), ("mounting.housing_outside_diameter", 0.05)],
 )
 def test_a_size_that_the_mounting_would_refuse_is_not_solved(name: str, value: float) -> None:
-    batch = solve_batch(parse_case(DEEP), {name: [value]})
-    assert list(batch.status) == ["invalid_input"]
+    batch = solve(parse_case(DEEP), {name: [value]})
+    assert list(batch.status.code) == ["invalid_input"]
 
 
 @pytest.mark.parametrize(
@@ -144,20 +148,20 @@ def test_what_does_not_go_together(text: str, values: dict[str, Any], field: str
     if field.startswith("temperature"):
         case = case.replace(temperature={"lubricant": 340.0})
     with pytest.raises(InputError) as error:
-        solve_batch(case, values)
+        solve(case, values)
     assert error.value.field == field
 
 
 def test_without_a_mounting_there_is_nothing_to_vary() -> None:
     case = parse_case(DEEP).replace(mounting=None, temperature=None)
     with pytest.raises(InputError, match="acts by way of the"):
-        solve_batch(case, {"temperature.inner_ring": [350.0]})
+        solve(case, {"temperature.inner_ring": [350.0]})
 
 
 def test_a_set_is_refused() -> None:
     case = parse_case(ANGULAR, overrides=["bearing.arrangement=DB", "bearing.spacing=30 mm"])
     with pytest.raises(InputError, match="single rows"):
-        solve_batch(case, fx=[1e3])
+        solve(case, fx=[1e3])
 
 
 def test_its_own_clearance_may_vary() -> None:
@@ -179,10 +183,10 @@ def test_a_study_over_the_temperature_of_a_ring_finds_film_and_life() -> None:
     dataset = run(study)
     assert np.all(np.diff(dataset["z"].values) < 0.0)
     assert np.ptp(dataset["viscosity_ratio"].values) == 0.0
-    lives = life(solving.solve(case, {"temperature.inner_ring": warm})).headline.hours
+    lives = life(solve_one(case, {"temperature.inner_ring": warm})).headline.hours
     alone = [
         life(
-            solving.solve(changed(case, "temperature.inner_ring", one)), stress_volume=False
+            solve_one(changed(case, "temperature.inner_ring", one)), stress_volume=False
         ).headline.hours[0]
         for one in warm
     ]

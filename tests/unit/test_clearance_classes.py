@@ -7,6 +7,7 @@ from itertools import pairwise
 import pytest
 
 from rolamento import Bearing
+from rolamento._data import toml_of
 from rolamento.clearance import (
     CLEARANCE_CLASSES,
     class_clearance,
@@ -14,7 +15,6 @@ from rolamento.clearance import (
     measuring_load_correction,
     usual_measuring_load,
 )
-from rolamento.clearance.tables import table
 from rolamento.errors import InputError
 from rolamento.static import race_stiffness
 
@@ -55,7 +55,7 @@ def test_classes_as_printed(bore: float, clearance_class: str, low: float, high:
 
 
 def test_every_class_lies_above_the_one_before_and_grows_with_the_bore() -> None:
-    data = table("iso5753")
+    data = toml_of("iso5753", "rolamento.clearance")
     steps = len(data["bore_mm"]) - 1
     for name in CLEARANCE_CLASSES:
         pairs = data["classes"][name]

@@ -11,21 +11,19 @@ from scipy.integrate import solve_bvp
 
 from rolamento import Bearing
 from rolamento.case.material import Material
-from rolamento.clearance.fits import (
-    bore_shrinkage,
-    contact_pressure,
-    finish_loss,
-    outside_growth,
-    roughness_loss,
-)
-from rolamento.clearance.speed import spin_growth
-from rolamento.clearance.temperature import (
+from rolamento.clearance.effects import (
     EXPANSION_100CR6,
+    bore_shrinkage,
     catalogue_outer_raceway,
     clearance_change,
     clearance_change_of_rings,
+    contact_pressure,
     expansion_of,
+    finish_loss,
     interference_change,
+    outside_growth,
+    roughness_loss,
+    spin_growth,
 )
 from rolamento.errors import InputError
 from rolamento.studies.tolerance import clearance_from_temperature

@@ -26,7 +26,6 @@ from rolamento.cli.grouped_help import GroupedCommand, GroupedCommands, Groups
 from rolamento.cli.optional_value import with_values
 from rolamento.cli.outputs import check_outputs
 from rolamento.cli.waiting import progress_of, waiting
-from rolamento.rows import ball as equilibrium
 
 EXAMPLE = Path(rolamento.__file__).parent / "examples" / "218_combined.toml"
 ENGLISH = {"LC_ALL": "C.UTF-8"}
@@ -279,19 +278,19 @@ def test_a_wrong_command_line_ends_with_2(run: Run, arguments: tuple[str, ...]) 
 
 
 def test_ctrl_c_gets_one_line_and_the_code_130(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
-    def interrupted(_: object) -> None:
+    def interrupted(*_: object, **__: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(equilibrium, "solve", interrupted)
+    monkeypatch.setattr("rolamento.solution.solve", interrupted)
     outcome = run("solve", "case.toml", "--lang", "pt")
     assert (outcome.code, outcome.out, outcome.err) == (130, "", "rolamento: interrompido\n")
 
 
 def test_a_bug_is_seen(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
-    def broken(_: object) -> None:
+    def broken(*_: object, **__: object) -> None:
         raise ZeroDivisionError
 
-    monkeypatch.setattr(equilibrium, "solve", broken)
+    monkeypatch.setattr("rolamento.solution.solve", broken)
     with pytest.raises(ZeroDivisionError):
         run("solve", "case.toml")
 

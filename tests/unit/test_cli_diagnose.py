@@ -22,7 +22,7 @@ from typer.testing import CliRunner
 from rolamento import Bearing, load_case
 from rolamento.case import parse_case
 from rolamento.cli.diagnose import DiagnoseCommand, diagnose
-from rolamento.solving import solve
+from rolamento.solution import solve
 from rolamento.tasks import signals
 from rolamento.tasks.diagnosis import widened
 from rolamento.vibration.diagnosis import DiagnosisSettings

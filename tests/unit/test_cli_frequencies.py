@@ -18,7 +18,7 @@ from rolamento.report.frequencies import CSV_COLUMNS, frequencies_report
 from rolamento.report.frequencies_words import FREQUENCY_WORDS
 from rolamento.report.language import LANGUAGES, words_for
 from rolamento.report.medium import Medium
-from rolamento.solving import solve
+from rolamento.solution import solve
 from rolamento.tasks.frequencies import FrequencyResult
 from rolamento.vibration.frequencies import (
     FAULTS,

@@ -24,7 +24,7 @@ from rolamento.errors import InputError
 from rolamento.plots.vibration_modulation import envelope_depths, modulation_figure
 from rolamento.report import synthesis as page
 from rolamento.report.synthesis import synthesis_report
-from rolamento.solving import solve
+from rolamento.solution import solve
 from rolamento.tasks.bearing import case_of, has_load, is_designation
 from rolamento.tasks.synthesis import SynthesisResult
 from rolamento.tasks.synthesis import synthesise as synthesise_task

@@ -24,7 +24,7 @@ from rolamento import (
 )
 from rolamento.kinematics import friction_demand
 from rolamento.report.sentences import portuguese_sentence
-from rolamento.solving import solve
+from rolamento.solution import solve
 from rolamento.status import STATUS_NAMES
 
 ANGULAR: dict[str, Any] = {

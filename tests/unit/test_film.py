@@ -36,7 +36,7 @@ from rolamento.lubrication.regime import (
     regime_of,
     regimes,
 )
-from rolamento.solving import solve
+from rolamento.solution import solve
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "src" / "rolamento" / "examples"
 TABLES: dict[str, Any] = {

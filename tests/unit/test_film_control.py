@@ -15,8 +15,8 @@ from rolamento.lubrication import film as film_of
 from rolamento.lubrication.film_control import ShearedFilm, balanced_on_film
 from rolamento.oil import roelands
 from rolamento.rows.ball.traction.contact import ellipse_nodes
+from rolamento.solution import solve
 from rolamento.solved import Solved
-from rolamento.solving import solve
 
 BEARING = ro.Bearing(
     ball_count=16,

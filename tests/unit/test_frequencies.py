@@ -14,8 +14,8 @@ from rolamento.case.lubricant import Lubricant
 from rolamento.case.model import Model
 from rolamento.errors import InputError
 from rolamento.kinematics import ball_motion
+from rolamento.solution import solve
 from rolamento.solved import Solved
-from rolamento.solving import solve
 from rolamento.status import NOT_CONVERGED
 from rolamento.vibration.frequencies import (
     FAULTS,

@@ -28,7 +28,7 @@ from rolamento.friction.skf import (
     skf_torque,
 )
 from rolamento.friction.slip import Patch
-from rolamento.solving import solve
+from rolamento.solution import solve
 
 EXAMPLES = Path(__file__).parents[2] / "src" / "rolamento" / "examples"
 RPM = pi / 30.0

@@ -18,8 +18,8 @@ from rolamento.friction.jones_simplified import jones_simplified
 from rolamento.friction.minimum_power import loaded_contacts
 from rolamento.friction.todd import todd
 from rolamento.friction.traction import contact_friction, ellipse_mesh
+from rolamento.solution import solve
 from rolamento.solved import Solved
-from rolamento.solving import solve
 
 MU = 0.17
 LOADS = (20.0, 50.0, 100.0, 200.0)

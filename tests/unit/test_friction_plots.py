@@ -20,8 +20,8 @@ from rolamento.friction.slip import (
 from rolamento.plots.frame import figure_of
 from rolamento.plots.slip import QUANTITIES, slip_map, slip_maps
 from rolamento.plots.words import PORTUGUESE
+from rolamento.solution import solve
 from rolamento.solved import Solved
-from rolamento.solving import solve
 
 
 @pytest.fixture(scope="module")

@@ -13,8 +13,8 @@ from rolamento.errors import InputError
 from rolamento.friction import CONTACT_MODELS, MachineBearing, friction
 from rolamento.friction.model import REASONS
 from rolamento.friction.skf import SkfConstants
+from rolamento.solution import solve
 from rolamento.solved import Solved
-from rolamento.solving import solve
 
 OIL = MachineBearing(
     kind="angular_contact",

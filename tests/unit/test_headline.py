@@ -34,7 +34,7 @@ from rolamento.report.life_curves import curves_report
 from rolamento.report.life_spectrum import spectrum_report
 from rolamento.report.shaft import shaft_report
 from rolamento.report.terminal import terminal_report
-from rolamento.solving import solve
+from rolamento.solution import solve
 from rolamento.studies.ranges import read_range
 from rolamento.tasks.life import life_of_shaft
 from rolamento.tasks.life_over import life_curve

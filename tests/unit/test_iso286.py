@@ -7,6 +7,7 @@ from math import sqrt
 
 import pytest
 
+from rolamento._data import toml_of
 from rolamento.clearance import (
     Band,
     bore_deviations,
@@ -15,10 +16,9 @@ from rolamento.clearance import (
     shaft_deviations,
     standard_tolerance,
 )
-from rolamento.clearance.tables import table
 from rolamento.errors import InputError
 
-SIZES = table("iso286")["sizes_mm"]
+SIZES = toml_of("iso286", "rolamento.clearance")["sizes_mm"]
 STEPS = list(pairwise(SIZES))
 
 

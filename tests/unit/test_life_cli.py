@@ -18,7 +18,7 @@ import rolamento
 from rolamento import load_case
 from rolamento.cli.app import app
 from rolamento.life import life, sensitivity
-from rolamento.solving import solve
+from rolamento.solution import solve
 from rolamento.tasks.life import life_of_shaft
 from rolamento.tasks.life_spectrum import life_under, read_spectrum
 

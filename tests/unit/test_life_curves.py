@@ -8,10 +8,11 @@ import numpy as np
 import pytest
 
 from rolamento import Case, InputError, load_case, override
-from rolamento.life import LifeSummary, life
+from rolamento.life import LifeSummary, life, sensitivity
 from rolamento.life.l_able import FactorTable
-from rolamento.solving import solve
+from rolamento.solution import solve
 from rolamento.studies.ranges import read_range
+from rolamento.tasks.life import life_of_case
 from rolamento.tasks.life_over import LifeCurve, life_curve
 
 ALONE = 1e-6
@@ -157,3 +158,21 @@ def test_the_record_names_what_varies(gearbox: Case) -> None:
     assert (found.field, found.label, len(found)) == ("duty.load.fz", "as it is", 3)
     assert found.values.tolist() == [1000.0, 2000.0, 3000.0]
     assert found.case == gearbox
+
+
+def test_files_and_text_will_do(examples: Path) -> None:
+    path = examples / "6305_life.toml"
+    over = "duty.load.fz=1..2kN"
+    found = life_curve(path, over)
+    own = life_curve(load_case(path), read_range(over))
+    assert np.array_equal(found["iso281"].hours, own["iso281"].hours)
+    assert life_of_case(path).changes
+    with pytest.raises(InputError, match="must be a Case, or the path"):
+        life_of_case(3)  # type: ignore[arg-type]
+    with pytest.raises(InputError, match=r"must be what rolamento\.solve returned"):
+        life(load_case(path))  # type: ignore[arg-type]
+
+
+def test_what_would_help_is_for_a_single_case(gearbox: Case) -> None:
+    with pytest.raises(InputError, match="a single case"):
+        sensitivity(solve(gearbox, fz=[1000.0, 2000.0]))

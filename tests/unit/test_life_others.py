@@ -36,7 +36,7 @@ from rolamento.life.tallian import (
     survival,
     tallian_life,
 )
-from rolamento.solving import solve
+from rolamento.solution import solve
 
 EXAMPLE = Path(rolamento.__file__).parent / "examples" / "6305_life.toml"
 RPM = np.pi / 30.0

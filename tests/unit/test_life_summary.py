@@ -24,7 +24,7 @@ from rolamento.lubrication import film as film_of
 from rolamento.lubrication.oil_state import viscosity_ratio
 from rolamento.plots.life_words import life_words
 from rolamento.report.life_words import LIFE_WORDS
-from rolamento.solving import solve
+from rolamento.solution import solve
 
 RPM = np.pi / 30.0
 SPEED = 2000.0 * RPM

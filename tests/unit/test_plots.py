@@ -32,8 +32,8 @@ from rolamento.plots.ellipses import SCALE_BAR, contact_ellipses, ellipses_of_bo
 from rolamento.plots.frame import PlainNumbers, add_title, figure_of, number
 from rolamento.plots.saving import save_figure
 from rolamento.plots.words import ENGLISH, PORTUGUESE, plot_words
+from rolamento.solution import solve
 from rolamento.solved import Solved
-from rolamento.solving import solve
 
 OF_STATES: tuple[Callable[..., Axes], ...] = (
     ball_loads,

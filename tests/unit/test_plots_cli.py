@@ -14,8 +14,8 @@ from typer.testing import CliRunner
 
 import rolamento as ro
 from rolamento.cli.plot import Kind, plot
+from rolamento.solution import solve
 from rolamento.solved import Solved
-from rolamento.solving import solve
 
 Run = Callable[..., tuple[int, str]]
 PNG = b"\x89PNG"

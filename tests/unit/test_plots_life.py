@@ -39,8 +39,8 @@ from rolamento.plots.life_words import LifeWords, life_words
 from rolamento.plots.over_field import decades, short_label
 from rolamento.plots.style import new_figure
 from rolamento.plots.words import ENGLISH, PORTUGUESE
+from rolamento.solution import solve
 from rolamento.solved import Solved
-from rolamento.solving import solve
 from rolamento.studies.ranges import read_range
 from rolamento.tasks.life_over import (
     LifeCurve,

@@ -16,8 +16,8 @@ from hypothesis import strategies as st
 from tests.one_case import solve_one
 
 from rolamento import Bearing, Case, Displacement, Duty, Load
+from rolamento.solution import solve
 from rolamento.solved import Preloading
-from rolamento.solving import solve
 
 SPINDLE: dict[str, Any] = {
     "ball_count": 22,

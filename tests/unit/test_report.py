@@ -26,9 +26,9 @@ from rolamento.report.medium import Medium
 from rolamento.report.numbers import ABSENT, Digits, aligned, decimals_for
 from rolamento.report.sentences import portuguese_sentence
 from rolamento.report.terminal import terminal_report
+from rolamento.solution import solve
 from rolamento.solved import Solved
 from rolamento.solved.form import control_names
-from rolamento.solving import solve
 from rolamento.status import STATUS_NAMES
 
 EXAMPLES = Path(rolamento.__file__).parent / "examples"

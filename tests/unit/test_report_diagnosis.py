@@ -34,7 +34,7 @@ from rolamento.report.diagnosis_sentences import (
 from rolamento.report.diagnosis_words import DIAGNOSIS_WORDS
 from rolamento.report.language import LANGUAGES, words_for
 from rolamento.report.medium import Medium
-from rolamento.solving import solve
+from rolamento.solution import solve
 from rolamento.status import NOT_CONVERGED
 from rolamento.tasks.diagnosis import DiagnosisResult
 from rolamento.tasks.shaft_speed import ShaftSpeed, Tracking

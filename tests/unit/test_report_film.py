@@ -6,13 +6,13 @@ from pathlib import Path
 
 import pytest
 
-from rolamento import Analysis, analyse, load_case, solve
+from rolamento import Analysis, analyse, load_case
 from rolamento.lubrication import film as film_of
 from rolamento.report.film_sentences import said_note
 from rolamento.report.language import ENGLISH, PORTUGUESE
 from rolamento.report.medium import Medium
 from rolamento.report.terminal import terminal_report
-from rolamento.solving import solve as solved_case
+from rolamento.solution import solve
 
 
 @pytest.fixture(scope="module")
@@ -27,7 +27,7 @@ def dry(examples: Path) -> Analysis:
 
 def report(analysis: Analysis, language: str = "en", encoding: str = "utf-8") -> str:
     words = PORTUGUESE if language == "pt" else ENGLISH
-    return terminal_report(analysis.state, words, Medium(encoding=encoding), analysis)
+    return terminal_report(analysis.solved, words, Medium(encoding=encoding), analysis)
 
 
 def test_a_plain_case_has_the_plain_report(examples: Path) -> None:
@@ -117,7 +117,7 @@ def test_the_report_speaks_portuguese(oiled: Analysis) -> None:
     ],
 )
 def test_every_note_is_said_in_portuguese(examples: Path, settings: list[str]) -> None:
-    film = film_of(solved_case(load_case(examples / "6305_film.toml", settings)))
+    film = film_of(solve(load_case(examples / "6305_film.toml", settings)))
     assert film.notes_of()
     for note in film.notes_of():
         assert said_note(note, "pt") != note

@@ -34,8 +34,8 @@ from rolamento.report.medium import Medium
 from rolamento.report.page import Page
 from rolamento.report.shaft import shaft_report
 from rolamento.report.terminal import terminal_report
+from rolamento.solution import solve
 from rolamento.solved import Solved
-from rolamento.solving import solve
 from rolamento.studies.ranges import read_range
 from rolamento.tasks.life import life_of_shaft
 from rolamento.tasks.life_over import life_curve
@@ -340,7 +340,7 @@ def test_plain_terminals_get_plain_characters() -> None:
 
 def test_solve_shows_the_life_in_short() -> None:
     analysis = analyse(load_case(EXAMPLES / "6305_life.toml"))
-    text = terminal_report(analysis.state, ENGLISH, Medium(), analysis)
+    text = terminal_report(analysis.solved, ENGLISH, Medium(), analysis)
     part = section(text, "Life")
     assert "With 90 % reliability this bearing reaches" in part
     assert "it is the dirt that costs most (e_C = 0.0675)" in part
@@ -349,7 +349,7 @@ def test_solve_shows_the_life_in_short() -> None:
     assert text.index("\nLubricant film") < text.index("\nLife\n") < text.index("\nNotes")
     notes = section(text, "Notes")
     assert NOTES["moment_left_out"][:40] in notes
-    portuguese = terminal_report(analysis.state, PORTUGUESE, Medium(), analysis)
+    portuguese = terminal_report(analysis.solved, PORTUGUESE, Medium(), analysis)
     assert "\nVida\n" in portuguese
     assert LIFE_WORDS["pt"].notes["moment_left_out"][:40] in portuguese
 
@@ -357,7 +357,7 @@ def test_solve_shows_the_life_in_short() -> None:
 def test_a_case_that_asks_for_no_life_shows_none(case_218: Case) -> None:
     analysis = analyse(case_218)
     assert analysis.life is None
-    assert "\nLife\n" not in terminal_report(analysis.state, ENGLISH, Medium(), analysis)
+    assert "\nLife\n" not in terminal_report(analysis.solved, ENGLISH, Medium(), analysis)
 
 
 @pytest.mark.parametrize(
@@ -373,10 +373,10 @@ def test_why_a_case_has_no_life_is_a_note(
 ) -> None:
     case = override(case_218, ["life.reliability=0.9", "duty.inner_speed=100 rpm", *settings])
     analysis = analyse(override(case, ["duty.load.fz=0 N"]))
-    assert analysis.state.status.converged
+    assert analysis.solved.converged[0]
     assert analysis.notes == (name,)
     for words in LANGUAGES:
-        text = terminal_report(analysis.state, words, Medium(width=120), analysis)
+        text = terminal_report(analysis.solved, words, Medium(width=120), analysis)
         assert said_analysis_note(name, words.code)[:60] in text
 
 
@@ -387,7 +387,7 @@ def test_l_able_without_viscosity_is_a_note_and_no_end() -> None:
     assert analysis.life is not None
     assert set(analysis.life.theories) == {"iso281", "iso16281", "ioannides_harris"}
     for words in LANGUAGES:
-        text = terminal_report(analysis.state, words, Medium(width=120), analysis)
+        text = terminal_report(analysis.solved, words, Medium(width=120), analysis)
         assert said_analysis_note("l_able_without_viscosity", words.code)[:60] in text
 
 

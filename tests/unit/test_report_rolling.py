@@ -16,8 +16,8 @@ from rolamento.report.language import ENGLISH, PORTUGUESE, Words
 from rolamento.report.medium import Medium
 from rolamento.report.sentences import portuguese_sentence
 from rolamento.report.terminal import terminal_report
+from rolamento.solution import solve
 from rolamento.solved import Solved
-from rolamento.solving import solve
 
 BOTH = pytest.mark.parametrize("words", [ENGLISH, PORTUGUESE], ids=["en", "pt"])
 HEADINGS = {"en": "Motion under friction", "pt": "Movimento sob atrito"}

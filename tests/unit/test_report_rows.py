@@ -19,8 +19,8 @@ from rolamento.report.balls import ball_csv
 from rolamento.report.language import ENGLISH, LANGUAGES, PORTUGUESE, Words
 from rolamento.report.medium import Medium
 from rolamento.report.terminal import terminal_report
+from rolamento.solution import solve
 from rolamento.solved import Solved
-from rolamento.solving import solve
 
 EXAMPLES = Path(rolamento.__file__).parent / "examples"
 BOTH = pytest.mark.parametrize("words", LANGUAGES.values(), ids=LANGUAGES.keys())

@@ -9,12 +9,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rolamento.rows.ball.batch_state import STATUS_NAMES
+from rolamento.status import STATUS_NAMES
 from rolamento_reproductions import computed, find
-from rolamento_reproductions.data_files import figure_csv, table_csv
-from rolamento_reproductions.printed import Agreement, Cell
-from rolamento_reproductions.record import Curves, Figure, Floats, Section, Table
-from rolamento_reproductions.wording import REASONS
+from rolamento_reproductions.page import REASONS
+from rolamento_reproductions.record import Agreement, Cell, Curves, Figure, Floats, Section, Table
+from rolamento_reproductions.writing import figure_csv, table_csv
 
 GALLERY = Path(__file__).resolve().parents[2] / "docs" / "gallery" / "radaelli-2013"
 COUNT = 16  # balls of the 218
@@ -64,7 +63,7 @@ def test_every_figure_once_and_in_order(sections: tuple[Section, ...]) -> None:
 
 def test_parts_hold_what_they_say(sections: tuple[Section, ...]) -> None:
     for part, section in zip(find("radaelli-2013").parts, sections, strict=True):
-        assert part.holds == tuple(item.stem for item in section.items)
+        assert part.stems == tuple(item.stem for item in section.items)
         assert section.title == part.title
 
 

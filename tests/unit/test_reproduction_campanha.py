@@ -24,25 +24,24 @@ from typer.testing import CliRunner
 
 from rolamento.cli.reproduce import reproduce
 from rolamento_reproductions import computed, find, open_folder, write
-from rolamento_reproductions.campanha_2008.contact import contact_numbers
+from rolamento_reproductions.campanha_2008.contact import contact_numbers, shear_numbers
 from rolamento_reproductions.campanha_2008.film import film_numbers
+from rolamento_reproductions.campanha_2008.inputs import NONE, Number, said_like
 from rolamento_reproductions.campanha_2008.life_tests import comparison_numbers, life_tests
-from rolamento_reproductions.campanha_2008.noise import anderon_speed
-from rolamento_reproductions.campanha_2008.nsk import nsk_numbers
-from rolamento_reproductions.campanha_2008.numbers import NONE, Number, said_like
-from rolamento_reproductions.campanha_2008.rating import rating_numbers
-from rolamento_reproductions.campanha_2008.shear import shear_numbers
+from rolamento_reproductions.campanha_2008.load_zone import load_zone_numbers
+from rolamento_reproductions.campanha_2008.rating import nsk_numbers, rating_numbers
+from rolamento_reproductions.campanha_2008.surfaces import anderon_speed
 from rolamento_reproductions.campanha_2008.weibull import lives_of_tests
-from rolamento_reproductions.campanha_2008.zone_life import load_zone_numbers
-from rolamento_reproductions.data_files import figure_csv, table_csv
 from rolamento_reproductions.drawing import drawn, rendered
-from rolamento_reproductions.markdown import markdown_page
-from rolamento_reproductions.page import html_page
-from rolamento_reproductions.printed import Cell
-from rolamento_reproductions.record import Curves, Figure, Floats, Section, Table
+from rolamento_reproductions.page import (
+    html,
+    index_page,
+    markdown,
+    summary,
+)
+from rolamento_reproductions.record import Cell, Curves, Figure, Floats, Section, Table
 from rolamento_reproductions.text import Language, Text
-from rolamento_reproductions.wording import summary
-from rolamento_reproductions.writing import file_names
+from rolamento_reproductions.writing import figure_csv, file_names, table_csv
 
 NAME = "campanha-2008"
 GALLERY = Path(__file__).resolve().parents[2] / "docs" / "gallery" / NAME
@@ -125,7 +124,7 @@ def column(figure: Figure, name: str) -> Floats:
 
 def test_parts_hold_what_they_say(sections: tuple[Section, ...]) -> None:
     for part, section in zip(find(NAME).parts, sections, strict=True):
-        assert part.holds == tuple(item.stem for item in section.items)
+        assert part.stems == tuple(item.stem for item in section.items)
 
 
 def test_figures_and_tables(figures: dict[str, Figure], tables: dict[str, Table]) -> None:
@@ -419,7 +418,7 @@ def test_load_round_the_ring_carries_the_load(figures: dict[str, Figure]) -> Non
     assert all(a < b for a, b in pairwise(greatest))
 
 
-def test_depth_of_the_greatest_shear(numbers: dict[str, Number]) -> None:
+def test_depth_of_the_maximum_shear(numbers: dict[str, Number]) -> None:
     """0.5 b under 10.8 kN with 0.52 is b under an eighth of it, and the printed number."""
     modulus = 208e9 / (1.0 - 0.3**2)
 
@@ -757,7 +756,7 @@ class Reader(HTMLParser):
 
 @pytest.mark.parametrize("language", ["en", "pt"])
 def test_page(language: Language, sections: tuple[Section, ...]) -> None:
-    page = html_page(find(NAME), sections, ("png",), language)
+    page = html(index_page(find(NAME), sections, ("png",)), language)
     reader = Reader()
     reader.feed(page)
     assert reader.open == []
@@ -765,7 +764,7 @@ def test_page(language: Language, sections: tuple[Section, ...]) -> None:
     assert "td.sentence" in page
     head = "with the author's choices" if language == "en" else "com as escolhas do autor"
     assert page.count(head.replace("'", "&#x27;")) >= 7
-    text = markdown_page(find(NAME), sections, ("png",), language)
+    text = markdown(index_page(find(NAME), sections, ("png",)), language)
     rows = [line for line in text.splitlines() if line.startswith("|")]
     assert any(head in row for row in rows)
     assert "| 0.085 | 0.08507 | 0.106 |".replace(".", "," if language == "pt" else ".") in text

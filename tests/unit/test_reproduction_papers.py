@@ -17,15 +17,31 @@ from typer.testing import CliRunner
 from rolamento.cli.reproduce import reproduce
 from rolamento.friction.slip import rolling_lines
 from rolamento_reproductions import computed, find, open_folder, write
-from rolamento_reproductions.braga_almeida.solved import ball
-from rolamento_reproductions.data_files import errata_csv, figure_csv, table_csv
+from rolamento_reproductions.braga_almeida.speeds import ball
 from rolamento_reproductions.drawing import drawn, rendered
-from rolamento_reproductions.errata import Errata, Misprint, power_above, power_text, residual
-from rolamento_reproductions.errata_page import errata_html, errata_markdown
-from rolamento_reproductions.record import Curves, Figure, Maps, Section, Table
+from rolamento_reproductions.page import (
+    Claims,
+    Frame,
+    html,
+    index_page,
+    markdown,
+    misprints_page,
+    summary,
+)
+from rolamento_reproductions.record import (
+    Curves,
+    Errata,
+    Figure,
+    Maps,
+    Misprint,
+    Section,
+    Table,
+    power_above,
+    power_text,
+    residual,
+)
 from rolamento_reproductions.text import Text, formula
-from rolamento_reproductions.wording import claims_by_kind, summary
-from rolamento_reproductions.writing import file_names
+from rolamento_reproductions.writing import errata_csv, figure_csv, file_names, table_csv
 
 NAMES = ("ricci-fleury", "braga-almeida")
 FIGURES = {
@@ -69,7 +85,7 @@ def column(of: Figure, name: str) -> np.ndarray[Any, np.dtype[np.float64]]:
 @pytest.mark.parametrize("name", NAMES)
 def test_parts_hold_what_they_say(name: str, papers: dict[str, tuple[Section, ...]]) -> None:
     for part, section in zip(find(name).parts, papers[name], strict=True):
-        assert part.holds == tuple(item.stem for item in section.items)
+        assert part.stems == tuple(item.stem for item in section.items)
     shown = [i for s in papers[name] for i in s.items if isinstance(i, Figure)]
     assert [one.number for one in shown] == FIGURES[name]
 
@@ -118,10 +134,13 @@ def test_every_statement_ends_as_told(items: dict[str, Any]) -> None:
 
 
 def test_statements_of_theory_are_apart(items: dict[str, Any]) -> None:
-    kinds = claims_by_kind(items["ricci-fleury/figure-08"])
-    assert [len(claims) for _, claims in kinds] == [2, 6]
-    assert [heading.pt.split()[0] for heading, _ in kinds] == ["O", "O"]
-    assert "theory" in kinds[1][0].en
+    section = Section(Text("t", "t"), (items["ricci-fleury/figure-08"],))
+    page = index_page(find("ricci-fleury"), (section,), ("svg",))
+    (frame,) = (block for block in page.blocks if isinstance(block, Frame))
+    kinds = [block for block in frame.blocks if isinstance(block, Claims)]
+    assert [len(kind.claims) for kind in kinds] == [2, 6]
+    assert [kind.heading.pt.split()[0] for kind in kinds] == ["O", "O"]
+    assert "theory" in kinds[1].heading.en
 
 
 def test_summary_counts_what_there_is(papers: dict[str, tuple[Section, ...]]) -> None:
@@ -294,7 +313,7 @@ def errata(items: dict[str, Any], name: str) -> Errata:
 def test_misprints_are_those(name: str, items: dict[str, Any]) -> None:
     found = errata(items, name)
     assert [one.number for one in found.misprints] == MISPRINTS[name]
-    assert [one.number for one in found.sound] == SOUND[name]
+    assert [one.number for one in found.valid] == SOUND[name]
 
 
 @pytest.mark.parametrize(
@@ -305,22 +324,22 @@ def test_residuals_of_a_misprint(name: str, place: int, items: dict[str, Any]) -
     """As printed it is off at most attitudes; corrected, it is right at all to rounding."""
     one: Misprint = errata(items, name).misprints[place]
     assert one.printed_residual.median > 5e-3, one.place
-    assert one.printed_residual.greatest >= one.printed_residual.median
-    assert one.corrected_residual.greatest < 1e-12, one.place
+    assert one.printed_residual.maximum >= one.printed_residual.median
+    assert one.corrected_residual.maximum < 1e-12, one.place
     assert one.printed != one.corrected
 
 
 @pytest.mark.parametrize("name", NAMES)
 def test_residuals_of_what_is_sound(name: str, items: dict[str, Any]) -> None:
-    for one in errata(items, name).sound:
-        assert one.residual.greatest < 1e-13, one.number
+    for one in errata(items, name).valid:
+        assert one.residual.maximum < 1e-13, one.number
 
 
 def test_a_residual_sees_the_worst_component() -> None:
     truth = np.zeros((3, 2))
     form = np.array([[0.0, 0.0], [0.0, -2.0], [1.0, 0.5]])
     found = residual(form, truth, np.array([1.0, 4.0, 1.0]))
-    assert (found.median, found.greatest) == (0.5, 1.0)
+    assert (found.median, found.maximum) == (0.5, 1.0)
 
 
 @pytest.mark.parametrize(
@@ -358,17 +377,17 @@ class Reader(HTMLParser):
 @pytest.mark.parametrize("language", ["en", "pt"])
 def test_page_of_misprints(name: str, language: str, items: dict[str, Any]) -> None:
     source, found = find(name), errata(items, name)
-    page = errata_html(source, found, language)  # type: ignore[arg-type]
+    page = html(misprints_page(source, found), language)  # type: ignore[arg-type]
     reader = Reader()
     reader.feed(page)
     assert reader.open == []
     assert reader.targets == ["index.html"]
     assert page.count('class="formula"') == 2 * len(found.misprints)
     assert ("sen " in page) == (language == "pt")
-    text = errata_markdown(source, found, language)  # type: ignore[arg-type]
+    text = markdown(misprints_page(source, found), language)  # type: ignore[arg-type]
     assert text.count("\n## ") == len(found.misprints) + 2
     rows = [line for line in text.splitlines() if line.startswith("|")]
-    assert len(rows) == len(found.misprints) + len(found.sound) + 4
+    assert len(rows) == len(found.misprints) + len(found.valid) + 4
     assert len({row.count("|") for row in rows[: len(found.misprints) + 2]}) == 1
 
 
@@ -376,13 +395,13 @@ def test_page_of_misprints(name: str, language: str, items: dict[str, Any]) -> N
 def test_data_of_misprints(name: str, items: dict[str, Any]) -> None:
     found = errata(items, name)
     rows = list(csv.DictReader(io.StringIO(errata_csv(found))))
-    assert len(rows) == len(found.misprints) + len(found.sound)
+    assert len(rows) == len(found.misprints) + len(found.valid)
     for row, one in zip(rows, found.misprints, strict=False):
         assert row["printed"] == one.printed.en
         assert row["corrected"] == one.corrected.en
         value = one.printed_residual.median
         assert float(row["residual_median"]) == pytest.approx(value, rel=0.06)
-        assert one.corrected_residual.greatest < float(row["residual_corrected_below"]) <= 1e-12
+        assert one.corrected_residual.maximum < float(row["residual_corrected_below"]) <= 1e-12
     assert all(row["corrected"] == "" for row in rows[len(found.misprints) :])
 
 

@@ -19,14 +19,11 @@ import rolamento_reproductions as reproduction
 from rolamento.cli.reproduce import reproduce
 from rolamento.errors import FileError, InputError
 from rolamento_reproductions import computed, find, open_folder, radaelli_2013, write
-from rolamento_reproductions.data_files import figure_csv
 from rolamento_reproductions.drawing import drawn, rendered
-from rolamento_reproductions.markdown import markdown_page
-from rolamento_reproductions.page import generator_mark, html_page
-from rolamento_reproductions.printed import Cell
+from rolamento_reproductions.page import generator_mark, html, index_page, markdown
 from rolamento_reproductions.record import (
+    Cell,
     Claim,
-    Column,
     Curves,
     Figure,
     Line,
@@ -34,12 +31,13 @@ from rolamento_reproductions.record import (
     Part,
     Positions,
     Section,
+    Series,
     Source,
     Table,
     TableColumn,
 )
 from rolamento_reproductions.text import Text, localised, said, same, with_indices
-from rolamento_reproductions.writing import file_names
+from rolamento_reproductions.writing import figure_csv, file_names
 
 HOSTILE = same("<script>alert('x')</script> & \"quoted\" |*`[x](y)`")
 X = np.linspace(0.0, 10.0, 11)
@@ -56,9 +54,9 @@ def small_figure(number: str = "1.1", *, gap: bool = False) -> Figure:
         caption=HOSTILE,
         source=same("nowhere"),
         columns=(
-            Column("axial_load", "kN", said("Axial load F_a", "Carga axial F_a"), X),
-            Column("shift", "mm", said("Displacement δ_a", "Deslocamento δ_a"), y / 80.0),
-            Column("status", "", same("status"), tuple(status)),
+            Series("axial_load", "kN", said("Axial load F_a", "Carga axial F_a"), X),
+            Series("shift", "mm", said("Displacement δ_a", "Deslocamento δ_a"), y / 80.0),
+            Series("status", "", same("status"), tuple(status)),
         ),
         picture=Curves((Panel("axial_load", same("δ_a"), "mm", (Line("shift", 0),)),)),
         claims=(Claim(HOSTILE, same("1"), holds=False),),
@@ -158,7 +156,7 @@ class Reader(HTMLParser):
 @pytest.mark.parametrize("language", ["en", "pt"])
 def test_page_is_whole_and_needs_nothing_from_outside(language: str) -> None:
     assert language in ("en", "pt")
-    page = html_page(SMALL, [small_section(HOSTILE)], ("svg", "png"), language)  # type: ignore[arg-type]
+    page = html(index_page(SMALL, [small_section(HOSTILE)], ("svg", "png")), language)  # type: ignore[arg-type]
     reader = Reader()
     reader.feed(page)
     assert reader.open == []
@@ -173,26 +171,26 @@ def test_page_is_whole_and_needs_nothing_from_outside(language: str) -> None:
 
 
 def test_page_escapes_what_it_is_told() -> None:
-    page = html_page(SMALL, [small_section(HOSTILE)], ("svg",), "en")
+    page = html(index_page(SMALL, [small_section(HOSTILE)], ("svg",)), "en")
     assert "<script" not in page
     assert "&lt;script&gt;" in page
     assert 'alt="Figure 1.1. &lt;script&gt;alert(&#x27;x&#x27;)' in page
 
 
 def test_markdown_escapes_what_it_is_told() -> None:
-    page = markdown_page(SMALL, [small_section(HOSTILE)], ("svg",), "en")
+    page = markdown(index_page(SMALL, [small_section(HOSTILE)], ("svg",)), "en")
     assert "<script" not in page
     assert r"\|\*\`\[x\](y)\`" in page
 
 
 def test_pages_show_what_differs_and_what_is_missing() -> None:
     section = Section(same("t"), (small_figure(gap=True), small_table()))
-    page = html_page(SMALL, [section], ("svg",), "en")
+    page = html(index_page(SMALL, [section], ("svg",)), "en")
     assert 'class="computed differs" title="differs">−2.700<' in page
     assert "Of 2 printed numbers 1 are" in page
     assert "Gaps: 1 of 11 points have no result: there is no equilibrium (1)." in page
     assert "Does not hold." in page
-    text = markdown_page(SMALL, [section], ("svg",), "pt")
+    text = markdown(index_page(SMALL, [section], ("svg",)), "pt")
     assert "**−2,700**" in text
     assert "Lacunas: 1 de 11 pontos não têm resultado: não há equilíbrio (1)." in text
     assert "Não se confirma." in text
@@ -202,7 +200,7 @@ def test_page_of_the_real_one_is_whole() -> None:
     source = find("radaelli-2013")
     sections = computed(source, quiet)
     reader = Reader()
-    reader.feed(html_page(source, sections, ("svg", "png"), "pt"))
+    reader.feed(html(index_page(source, sections, ("svg", "png")), "pt"))
     assert reader.open == []
     assert reader.tags.count("img") == 32
     assert reader.tags.count("table") == 4
@@ -219,7 +217,7 @@ def test_what_is_drawn_is_what_is_written(number: str) -> None:
     figure = next(
         item
         for part in find("radaelli-2013").parts
-        if f"figure-5.{int(number[2:]):02d}" in part.holds
+        if f"figure-5.{int(number[2:]):02d}" in part.stems
         for item in part.compute(part.title).items
         if item.number == number
     )
@@ -264,7 +262,7 @@ def test_gaps_are_not_drawn_over() -> None:
 
 def test_a_figure_without_any_result_is_an_empty_frame() -> None:
     figure = small_figure()
-    nothing = Column("shift", "mm", same("δ_a"), np.full(X.size, np.nan))
+    nothing = Series("shift", "mm", same("δ_a"), np.full(X.size, np.nan))
     empty = replace(figure, columns=(figure.columns[0], nothing, figure.columns[2]))
     assert b"<svg" in rendered(empty, ("svg",), "en")["svg"]
 
@@ -292,8 +290,8 @@ def test_balls_in_their_places() -> None:
         caption=same("c"),
         source=same("s"),
         columns=(
-            Column("ball", "", same("Ball"), np.array([1.0, 2.0])),
-            Column("azimuth", "°", same("ψ"), np.array([0.0, 112.5])),
+            Series("ball", "", same("Ball"), np.array([1.0, 2.0])),
+            Series("azimuth", "°", same("ψ"), np.array([0.0, 112.5])),
         ),
         picture=Positions(20.0, 100.0),
     )
@@ -447,7 +445,7 @@ def test_a_file_in_the_way_is_told() -> None:
 
 @pytest.mark.usefixtures("small")
 def test_a_person_at_a_terminal_sees_progress(monkeypatch: pytest.MonkeyPatch) -> None:
-    from rolamento.cli.reproduce import _bar
+    from rolamento.cli.reproduce import _progress_bar
 
     class Terminal(io.StringIO):
         def isatty(self) -> bool:
@@ -455,7 +453,7 @@ def test_a_person_at_a_terminal_sees_progress(monkeypatch: pytest.MonkeyPatch) -
 
     monkeypatch.setenv("TERM", "xterm")
     monkeypatch.setattr(sys, "stderr", Terminal())
-    with _bar("en") as progress:
+    with _progress_bar("en") as progress:
         progress(1, 4, said("Ball loads", "Cargas"))
         progress(4, 4, said("Done", "Pronto"))
     assert "4/4" in sys.stderr.getvalue()  # type: ignore[attr-defined]

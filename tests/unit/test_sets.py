@@ -13,7 +13,7 @@ from tests.one_case import solve_one
 
 from rolamento import Bearing, Case, Displacement, Duty, Load, Model
 from rolamento.case.arrangement import ARRANGEMENTS
-from rolamento.solving import solve
+from rolamento.solution import solve
 
 ANGULAR: dict[str, Any] = {
     "ball_count": 16,

@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 from rolamento import Case, FileError, InputError, Lubricant, UnknownKeyError, load_case, override
+from rolamento.solution import solve
 from rolamento.solved import Solved
-from rolamento.solving import solve
 
 
 @pytest.fixture(scope="module")

@@ -13,7 +13,7 @@ from rolamento import Case, InputError, load_case, override
 from rolamento.errors import FileError
 from rolamento.life import life
 from rolamento.life.l_able import read_factor_table
-from rolamento.solving import solve
+from rolamento.solution import solve
 from rolamento.tasks.life_spectrum import SpectrumLife, life_under, read_spectrum
 
 HEADER = "share,duty.load.fz,duty.inner_speed"

@@ -16,7 +16,7 @@ from rolamento.friction.slip import (
     maximum_pressure_slip,
     solved_motion,
 )
-from rolamento.solving import solve
+from rolamento.solution import solve
 from rolamento.studies import Axis, Distribution, Scatter, Study, parse_study, run, study_to_json
 from rolamento.studies.outputs import catalogue
 

@@ -12,7 +12,7 @@ from rolamento import Bearing, Case, Duty, InputError, Load
 from rolamento.case.life_model import TallianFactors
 from rolamento.catalogue import ambiguity_axis, geometry_of
 from rolamento.life import LifeSummary, life
-from rolamento.solving import solve
+from rolamento.solution import solve
 from rolamento.studies import Axis, Distribution, Scatter, Study, parse_study, run, study_to_json
 from rolamento.studies.fields import known_fields
 from rolamento.studies.outputs import catalogue

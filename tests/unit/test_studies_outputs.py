@@ -9,7 +9,7 @@ from rolamento import Case, Displacement, Duty, Load, Lubricant
 from rolamento.case.duty import AXES, LOADS
 from rolamento.errors import UnknownKeyError
 from rolamento.geometry import Race
-from rolamento.solving import solve
+from rolamento.solution import solve
 from rolamento.studies.bearing_outputs import maximum_pressure
 from rolamento.studies.outputs import DEFAULT_OUTPUTS, Evaluation, catalogue, outputs_of
 

@@ -9,7 +9,7 @@ from scipy import optimize
 from rolamento.contact.subsurface import (
     ShearPlane,
     axis_stresses,
-    greatest_shear,
+    maximum_shear,
     orthogonal_shear,
     point_stresses,
 )
@@ -87,7 +87,7 @@ def test_circle_has_its_closed_form_and_is_no_seam() -> None:
 
 
 def test_greatest_shear_of_circle_and_line() -> None:
-    found = greatest_shear(1.0, [1.0, 1e8], 1.0, 0.3)
+    found = maximum_shear(1.0, [1.0, 1e8], 1.0, 0.3)
     np.testing.assert_allclose(found.shear, [0.310, 0.300], atol=5e-4)
     np.testing.assert_allclose(found.depth, [0.481, 0.786], atol=5e-4)
     # Line contact, closed form: (σ_x - σ_z)/2 = p0 ζ (1 - ζ/√(1 + ζ²)).
@@ -103,7 +103,7 @@ def test_greatest_shear_is_the_greatest_of_a_fine_search() -> None:
     for k, nu in [(1.3, 0.3), (5.0, 0.26), (9.0, 0.1), (40.0, 0.0), (2.0, 0.45)]:
         s = axis_stresses(zeta, 1.0, k, 1.0, nu)
         shears = 0.5 * np.abs([s.minor - s.normal, s.major - s.normal, s.minor - s.major])
-        found = greatest_shear(1.0, k, 1.0, nu)
+        found = maximum_shear(1.0, k, 1.0, nu)
         assert found.shear == pytest.approx(shears.max(), abs=1e-8)
         plane, place = np.unravel_index(np.argmax(shears), shears.shape)
         assert found.depth == pytest.approx(zeta[place], abs=2e-4)
@@ -111,8 +111,8 @@ def test_greatest_shear_is_the_greatest_of_a_fine_search() -> None:
 
 
 def test_plane_of_the_greatest_shear_changes_with_poissons_ratio() -> None:
-    assert greatest_shear(1.0, 8.0, 1.0, 0.3).plane == ShearPlane.ROLLING
-    assert greatest_shear(1.0, 8.0, 1.0, 0.0).plane == ShearPlane.TRANSVERSE
+    assert maximum_shear(1.0, 8.0, 1.0, 0.3).plane == ShearPlane.ROLLING
+    assert maximum_shear(1.0, 8.0, 1.0, 0.0).plane == ShearPlane.TRANSVERSE
 
 
 def test_orthogonal_shear_is_the_peak_of_the_field() -> None:
@@ -165,7 +165,7 @@ def test_field_in_equilibrium() -> None:
 
 
 def test_unloaded_contact_has_no_stress() -> None:
-    assert greatest_shear(0.0, 0.0, 0.0, 0.3).shear == 0.0
+    assert maximum_shear(0.0, 0.0, 0.0, 0.3).shear == 0.0
     assert orthogonal_shear(0.0, 0.0, 0.0).depth == 0.0
     assert axis_stresses(1.0, 0.0, 0.0, 0.0, 0.3).minor == 0.0
     assert np.isnan(point_stresses(0.0, 0.0, -1.0, 1.0, 2.0, 1.0).normal)
@@ -173,7 +173,7 @@ def test_unloaded_contact_has_no_stress() -> None:
 
 def test_vectorised_as_one_by_one() -> None:
     k, nu = np.array([[1.0], [4.0]]), np.array([0.2, 0.3, 0.4])
-    together = greatest_shear(2.0, 1e-3 * k, 1e-3, nu)
+    together = maximum_shear(2.0, 1e-3 * k, 1e-3, nu)
     assert together.shear.shape == (2, 3)
-    alone = greatest_shear(2.0, 4e-3, 1e-3, 0.3)
+    alone = maximum_shear(2.0, 4e-3, 1e-3, 0.3)
     assert together.depth[1, 1] == pytest.approx(float(alone.depth), rel=1e-12)

@@ -19,8 +19,8 @@ from rolamento.case.model import Model
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.plots.vibration_modulation import envelope_depths
+from rolamento.solution import solve
 from rolamento.solved import Solved
-from rolamento.solving import solve
 from rolamento.status import NOT_CONVERGED
 from rolamento.vibration.demodulation import analytic_signal
 from rolamento.vibration.frequencies import FaultFrequencies, frequencies_of, nominal_frequencies

@@ -10,7 +10,7 @@ import pytest
 from typer.testing import CliRunner
 
 from rolamento._tables import Numerals, numerals_of, parse_table
-from rolamento.catalogue.tables import records_of_csv
+from rolamento.catalogue.records import records_of_csv
 from rolamento.cli.app import app
 from rolamento.errors import InputError
 from rolamento.life.l_able import read_factor_table

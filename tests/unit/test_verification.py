@@ -23,8 +23,7 @@ from rolamento.cli.verify import verify
 from rolamento.errors import InputError
 from rolamento.report.language import LANGUAGES, PORTUGUESE, Words
 from rolamento.report.medium import Medium
-from rolamento.report.verification import cells, verification_report
-from rolamento.report.verification_page import COMMAND, verification_page
+from rolamento.report.verification import COMMAND, cells, verification_page, verification_report
 from rolamento.report.verification_words import VERIFICATION_WORDS
 from rolamento.verification import Check, Source, Verification, registry, run, sources
 from rolamento.verification.check import cut, half_unit, rounded

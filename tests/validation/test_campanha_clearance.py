@@ -13,10 +13,10 @@ from rolamento.clearance import (
     usual_measuring_load,
 )
 from rolamento.verification import Check
-from rolamento.verification.campanha_2008_clearance import checks, measured_bearing
-from rolamento.verification.published import published
+from rolamento.verification.campanha_2008 import clearance_checks, measured_bearing
+from rolamento.verification.check import published
 
-CHECKS = tuple(checks())
+CHECKS = tuple(clearance_checks())
 ROWS = published("campanha_2008")["measuring_load"]["row"]
 MICROMETRE, HOUR = 1e-6, 3600.0
 

@@ -15,14 +15,15 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
-from rolamento.verification import Check, campanha_2008_weibull
-from rolamento.verification.campanha_2008_weibull import (
+from rolamento.verification import Check
+from rolamento.verification.campanha_2008 import (
     as_if_failed,
     as_plotted,
     condition,
     five_failures,
     four_failures,
-    least_life,
+    minimum_life,
+    weibull_checks,
 )
 from rolamento.weibull import (
     LifeTest,
@@ -37,7 +38,7 @@ from rolamento.weibull import (
 WHOLE = published_life_test("campanha_2008")
 BY_PROCEDURE = published_life_test("campanha_2008", group="procedure").by_group()
 FIRST, SECOND = WHOLE.by_group().values()
-CHECKS = tuple(campanha_2008_weibull.checks())
+CHECKS = tuple(weibull_checks())
 PRINTED = (246.7, 242.3, 117.4)
 
 
@@ -223,7 +224,7 @@ def test_calculated_lives_of_condition_one(calculated: float, contradicted: bool
 def test_calculated_lives_of_condition_two(
     shape: float, limit: float, contradicted: set[float]
 ) -> None:
-    assert least_life(shape) == pytest.approx(limit, abs=0.05)
+    assert minimum_life(shape) == pytest.approx(limit, abs=0.05)
     found = {
         life
         for life in (17.0, 58.0, 69.0, 117.4)

@@ -10,14 +10,17 @@ import pytest
 from rolamento import Bearing
 from rolamento.units import to_si
 from rolamento.verification import Check
-from rolamento.verification.case_western import checks, multiples
-from rolamento.verification.check import half_unit
-from rolamento.verification.published import published
-from rolamento.verification.rigs import checks as rig_checks
-from rolamento.verification.rigs import frequency, room_of_rounding
+from rolamento.verification.check import half_unit, published
+from rolamento.verification.rigs import (
+    case_western_checks,
+    frequency,
+    multiples,
+    rig_checks,
+    room_of_rounding,
+)
 from rolamento.vibration.frequencies import LINES, nominal_frequencies
 
-CHECKS = tuple(checks())
+CHECKS = tuple(case_western_checks())
 RIG_CHECKS = tuple(rig_checks())
 RIGS = published("rigs")["rig"]
 PRINTED = [(rig, line) for rig in RIGS for line in rig["printed"]]

@@ -6,9 +6,8 @@ import pytest
 
 from rolamento.contact.hertz import hertz_coefficients
 from rolamento.verification import Check
-from rolamento.verification.check import half_unit
+from rolamento.verification.check import half_unit, published
 from rolamento.verification.harris_1991 import SYMBOLS, checks
-from rolamento.verification.published import published
 
 CHECKS = tuple(checks())
 HARRIS, RADAELLI = published("harris_1991"), published("radaelli_2013")

@@ -24,11 +24,14 @@ from rolamento.ratings import (
     static_factor,
     static_factor_of_grooves,
 )
-from rolamento.solving import solve
-from rolamento.verification import Check, campanha_2008_life, iso_76, iso_281
-from rolamento.verification.published import RPM, published
+from rolamento.solution import solve
+from rolamento.units import RPM
+from rolamento.verification import Check
+from rolamento.verification.campanha_2008 import life_checks
+from rolamento.verification.check import published
+from rolamento.verification.standards import iso_76_checks, iso_281_checks
 
-CHECKS = (*iso_281.checks(), *iso_76.checks(), *campanha_2008_life.checks())
+CHECKS = (*iso_281_checks(), *iso_76_checks(), *life_checks())
 LOAD, SPEED, BALL, PITCH, BALLS = 10_800.0, 2000.0 * RPM, 0.010319, 0.0445, 8
 RATING, MEASURED_RATING, STATIC_RATING = 20_600.0, 30_756.0, 11_200.0
 OILS = (12.89e-6, 7.03e-6)  # conditions I and II

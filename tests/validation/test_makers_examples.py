@@ -19,13 +19,13 @@ from rolamento.life.iso281 import basic_rating_life, hours
 from rolamento.life.iso281_modified import life_modification_factor
 from rolamento.life.spectrum import shaft_life
 from rolamento.lubrication.oil_state import reference_viscosity
-from rolamento.solving import solve
+from rolamento.solution import solve
+from rolamento.units import RPM
 from rolamento.verification import Check
-from rolamento.verification.check import half_unit
-from rolamento.verification.makers_life import checks
-from rolamento.verification.published import RPM, published
+from rolamento.verification.check import half_unit, published
+from rolamento.verification.makers import life_checks
 
-CHECKS = tuple(checks())
+CHECKS = tuple(life_checks())
 DATA = published("makers_life")
 PUMP: Any = DATA["pump"]
 

@@ -17,8 +17,7 @@ import numpy as np
 import pytest
 
 from rolamento import Bearing, Case, Duty, Load
-from rolamento.assembly.preload import preload_of
-from rolamento.solving import solve
+from rolamento.solution import solve
 from rolamento.static import race_stiffness
 from rolamento.verification.makers import bearing, gmn_row
 
@@ -37,9 +36,9 @@ BEYOND = {("S 6014 E", 400): 0.071}
 def rigidities(geometry: Bearing, forces: Any) -> Any:
     """Axial rigidities of the pair under preloads; N/µm."""
     pair = geometry.replace(arrangement="DB", spacing="20 mm", preload={"force": 1.0})
-    batch = solve(Case(bearing=pair, duty=Duty()), {"bearing.preload.force": forces})
-    assert batch.converged.all()
-    return 1e-6 * batch.stiffness.array[:, 0, 0]
+    solved = solve(Case(bearing=pair, duty=Duty()), {"bearing.preload.force": forces})
+    assert solved.converged.all()
+    return 1e-6 * solved.stiffness["fx", "x"]
 
 
 # --- GMN --------------------------------------------------------------------------------------
@@ -160,8 +159,8 @@ def test_the_law_with_the_loaded_angle_comes_nearer(designation: str) -> None:
     angle = geometry.contact_angle
     assert angle is not None
     for force in gmn_row(designation)["preload_N"]:
-        batch = solve(Case(bearing=geometry, duty=Duty(load=Load(fx=force))))
-        loaded = float(batch.inner.contact_angle[0, 0])
+        solved = solve(Case(bearing=geometry, duty=Duty(load=Load(fx=force))))
+        loaded = float(solved.inner.contact_angle[0, 0])
         assert loaded > angle
         exact = rigidities(geometry, [force])[0]
         free, better = (_constant_angle(geometry, force, at) for at in (angle, loaded))
@@ -174,7 +173,7 @@ def test_the_law_with_the_loaded_angle_comes_nearer(designation: str) -> None:
 
 def _ratio(designation: str, force: float) -> float:
     pair = bearing(designation, arrangement="DB", spacing="20 mm", preload={"force": force})
-    found = preload_of(Case(bearing=pair, duty=Duty(load=Load(fx=force))))
+    found = solve(Case(bearing=pair, duty=Duty(load=Load(fx=force)))).preload
     assert found is not None
     return found.loss_factor
 

@@ -149,7 +149,7 @@ def analyse(
     if isinstance(case, Solved):
         solved = case
     else:
-        from rolamento.solving import solve
+        from rolamento.solution import solve
 
         solved = solve(case, threads=threads)
     if len(solved) == 1 and not solved.converged[0]:

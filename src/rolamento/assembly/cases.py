@@ -11,17 +11,26 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento.case import Case
-from rolamento.case.bearing import Bearing, RowPlace
+from rolamento.case.bearing import Bearing, RowPlace, balls_fit, clearance_fits
 from rolamento.case.duty import AXES, LOADS
 from rolamento.case.varied import bounded, varied_arrays
 from rolamento.clearance.batch import MOUNTED_FIELDS
 from rolamento.errors import InputError
 from rolamento.numerics import BoolArray, FloatArray
-from rolamento.rows.ball.fields import GEOMETRY, PRELOADS, consistent
 from rolamento.rows.ball.row import BallRow, Traction, ball_row
 from rolamento.rows.row import Row
 
 __all__ = ["Cases", "PlacedRow", "spread"]
+
+_GEOMETRY: Final = (
+    "ball_diameter",
+    "pitch_diameter",
+    "contact_angle",
+    "diametral_clearance",
+    "inner_conformity",
+    "outer_conformity",
+)
+_PRELOADS: Final = ("force", "offset", "spring")
 
 ROWS: Final = {"ball": ball_row}
 """How a row is made, by its kind of element."""
@@ -131,11 +140,11 @@ def spread(
     held = {axis: displacement[:, i] for i, axis in enumerate(AXES)}
     # what the rows have in common has to be sound by itself, as the case has it
     common = _varied(case.bearing, case.bearing, set(), arrays)
-    valid &= consistent(common, held, case.bearing.ball_count)
+    valid &= _consistent(common, held, case.bearing.ball_count)
     placed = []
     for place in case.bearing.places:
         bearing = _varied(case.bearing, place.bearing, _own_fields(case.bearing, place), arrays)
-        valid &= consistent(bearing, {}, place.bearing.ball_count)
+        valid &= _consistent(bearing, {}, place.bearing.ball_count)
         row = ROWS[place.bearing.element](
             case, place, bearing, arrays, cases, threads=threads, fast=fast
         )
@@ -195,7 +204,7 @@ def _preload(
 ) -> tuple[str, FloatArray]:
     """How the rows press on each other, and how much; (cases,)."""
     signs = {place.sign for place in bearing.places}
-    for name in PRELOADS:
+    for name in _PRELOADS:
         given = arrays.get(f"bearing.preload.{name}")
         if given is None:
             continue
@@ -211,13 +220,13 @@ def _preload(
     pair_force = bearing.preload.pair_force(bearing.contact_angle)
     if pair_force is not None:
         return "pair", np.full(cases, pair_force)
-    kind = next(name for name in PRELOADS if getattr(bearing.preload, name) is not None)
+    kind = next(name for name in _PRELOADS if getattr(bearing.preload, name) is not None)
     return kind, np.full(cases, getattr(bearing.preload, kind))
 
 
 def _varied(bearing: Bearing, row: Bearing, own: set[str], arrays: Mapping[str, FloatArray]) -> Any:
     """A row's bearing with the arrays for its attributes; what the row has of its own stays."""
-    given = {name: arrays[f"bearing.{name}"] for name in GEOMETRY if f"bearing.{name}" in arrays}
+    given = {name: arrays[f"bearing.{name}"] for name in _GEOMETRY if f"bearing.{name}" in arrays}
     given = {name: array for name, array in given.items() if name not in own}
     for name in list(given):
         for rival in Case.fields()[f"bearing.{name}"].rivals:
@@ -225,7 +234,7 @@ def _varied(bearing: Bearing, row: Bearing, own: set[str], arrays: Mapping[str, 
     rings = _material(row.ring_material, "ring_material", arrays)
     follows = "ball_material" not in bearing.model_fields_set
     balls = _material(rings if follows else row.ball_material, "ball_material", arrays)
-    names = (*GEOMETRY, "inner_shoulder_height", "outer_shoulder_height")
+    names = (*_GEOMETRY, "inner_shoulder_height", "outer_shoulder_height")
     attributes = {name: getattr(row, name) for name in names}
     return SimpleNamespace(**{**attributes, **given}, ring_material=rings, ball_material=balls)
 
@@ -258,3 +267,22 @@ def _position(
             example='arrangement = "DB"',
         )
     return place.position / bearing.spacing * arrays["bearing.spacing"] + 0.0 * position
+
+
+def _consistent(bearing: Any, displacement: dict[str, FloatArray], ball_count: int) -> BoolArray:
+    """Tell in which cases the fields do not contradict each other, as `Bearing` and `Case` have it.
+
+    bearing: attributes as arrays; displacement: what is imposed, by axis.
+    """
+    diameter, pitch = bearing.ball_diameter, bearing.pitch_diameter
+    sound = (pitch > diameter) & balls_fit(ball_count, diameter, pitch)
+    if bearing.diametral_clearance is not None:
+        reach = diameter * (bearing.inner_conformity + bearing.outer_conformity - 1.0)
+        sound = sound & clearance_fits(bearing.diametral_clearance, reach)
+    for height in (bearing.inner_shoulder_height, bearing.outer_shoulder_height):
+        if height is not None:
+            sound = sound & (height < diameter / 2)
+    for axis in ("x", "y", "z"):
+        if axis in displacement:
+            sound = sound & (np.abs(displacement[axis]) <= diameter)
+    return np.asarray(sound)

@@ -7,7 +7,6 @@
 
 from __future__ import annotations
 
-from rolamento.catalogue.balls import ball_name, ball_sizes
 from rolamento.catalogue.designation import ClearanceClass, Designation, parse_designation
 from rolamento.catalogue.geometry import (
     ASSUMED_CONFORMITY,
@@ -17,8 +16,15 @@ from rolamento.catalogue.geometry import (
     built_in_geometry,
     geometry_of,
 )
-from rolamento.catalogue.inference import Candidate, Practice, inferred_geometry, practice_of
-from rolamento.catalogue.record import CatalogueBearing
+from rolamento.catalogue.inference import (
+    Candidate,
+    Practice,
+    ball_name,
+    ball_sizes,
+    inferred_geometry,
+    practice_of,
+)
+from rolamento.catalogue.records import CatalogueBearing
 from rolamento.catalogue.search import Catalogue, Found, catalogue
 
 __all__ = [

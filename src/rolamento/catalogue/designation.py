@@ -1,4 +1,8 @@
-"""What a designation says by itself: series, bore, contact angle, clearance class, the rest."""
+"""What a designation says by itself: series, bore, contact angle, clearance class, the rest.
+
+Insert bearings and their units have the inside of a deep-groove bearing; of other types only what
+they are is known.
+"""
 
 from __future__ import annotations
 
@@ -6,15 +10,123 @@ import re
 from dataclasses import dataclass
 from functools import lru_cache, partial
 from math import radians
-from typing import Final, Literal, NamedTuple, cast
+from typing import Any, Final, Literal, NamedTuple, cast
 
 from rolamento._data import toml_of
-from rolamento.catalogue.other_types import insert_of
 from rolamento.errors import InputError
+from rolamento.units import MILLIMETRE
 
-__all__ = ["ClearanceClass", "Designation", "folded", "parse_designation", "suffix_groups"]
+designation_data = partial(toml_of, "designations")
+"""What the parts of designations mean."""
 
-_data = partial(toml_of, "designations")
+_INSERT: Final = re.compile(
+    r"(?P<letters>[A-Z]{2,7})-?(?P<series>[23X])(?P<bore>\d\d)(?:-(?P<sixteenths>\d{1,2})(?![A-Z\d]))?"
+    r"(?P<rest>(?:[-/]?[A-Z]|[-/]\d).*)?"
+)
+_UNIT: Final = re.compile(r"(?P<letters>[A-Z]{2,5})-?(?P<bore>\d{2,3})(?P<rest>(?:-|[A-Z]).*)?")
+_MIN_BORE_CODE: Final = 4
+"""Of the bore: below 20 mm makers differ in the outside diameter."""
+_MAX_BORE_CODE: Final = 22
+
+
+class Insert(NamedTuple):
+    """An insert bearing, alone or in its housing.
+
+    Attributes
+    ----------
+    number
+        of the deep-groove bearing with the same inside
+    clearance_class
+        with which it is supplied, unless its suffixes say another
+    meanings
+        of its letters
+    rest
+        suffixes that follow
+    """
+
+    number: str
+    clearance_class: str
+    meanings: tuple[tuple[str, str], ...]
+    rest: str
+
+
+def insert_of(text: str) -> Insert | None:
+    """Return the insert bearing that a designation names, such as ``"UCP 205-16"``; else None.
+
+    Raises
+    ------
+    InputError
+        If it is one whose inside depends on the maker.
+    """
+    plain = re.sub(r"[\s.]", "", text.upper())
+    found = _INSERT.fullmatch(plain)
+    parts = None if found is None else _letters_of_unit(found["letters"])
+    if found is not None and parts is not None:
+        series, code = found["series"], int(found["bore"])
+        _check_bore_code(text, series, code)
+        number = f"62{code + 1:02d}" if series == "X" else f"6{series}{code:02d}"
+        meanings = [(parts.insert, parts.meaning)]
+        if parts.housing:
+            meanings.append((parts.housing, designation_data()["insert_housings"][parts.housing]))
+        if found["sixteenths"]:
+            meanings.append((f"-{found['sixteenths']}", designation_data()["phrases"]["inches"]))
+        tapered = "tapered" in parts.meaning
+        return Insert(number, "C4" if tapered else "C3", tuple(meanings), found["rest"] or "")
+    found = _UNIT.fullmatch(plain)
+    if found is None or found["letters"] not in designation_data()["insert_units"]["names"]:
+        return None
+    code, off = divmod(int(found["bore"]), 5)
+    plain_bearing = found["letters"] == "GE" and not re.match(r"-?(?:K|NPP)", found["rest"] or "")
+    if off or plain_bearing or code > _MAX_BORE_CODE:
+        return None
+    _check_bore_code(text, "2", code)
+    meanings = [(found["letters"], designation_data()["phrases"]["unit"])]
+    return Insert(f"62{code:02d}", "C3", tuple(meanings), found["rest"] or "")
+
+
+class _UnitLetters(NamedTuple):
+    insert: str
+    meaning: str
+    housing: str
+
+
+def _letters_of_unit(letters: str) -> _UnitLetters | None:
+    """Part the letters of a unit into those of its insert and of its housing."""
+    data = designation_data()
+    for insert in sorted(data["inserts"], key=len, reverse=True):
+        housing = letters.removeprefix(insert)
+        if letters.startswith(insert) and (not housing or housing in data["insert_housings"]):
+            return _UnitLetters(insert, data["inserts"][insert], housing)
+    return None
+
+
+def _check_bore_code(text: str, series: str, code: int) -> None:
+    if _MIN_BORE_CODE <= code <= _MAX_BORE_CODE:
+        return
+    if code > _MAX_BORE_CODE:
+        rule = f"is no insert bearing: bore codes end at {_MAX_BORE_CODE}"
+    else:
+        of_code = "6304" if series == "3" else "6203 or of 6204, by its maker"
+        rule = f"is an insert bearing with the inside of {of_code}: give that"
+    raise InputError(rule, field="designation", value=text, example='designation = "6204"')
+
+
+def other_type(text: str) -> str:
+    """Return what a designation is, as the end of a sentence, if its type is not known here."""
+    plain = re.sub(r"[\s\-/.]", "", text.upper())
+    for kind in designation_data()["type"]:
+        kept_out = kind.get("unless")
+        if re.match(kind["begins"], plain) and not (kept_out and re.match(kept_out, plain)):
+            return _other_type_sentence(kind)
+    return ""
+
+
+def _other_type_sentence(kind: dict[str, Any]) -> str:
+    known = "known are single-row deep-groove and angular-contact ball bearings"
+    if "advice" in kind:
+        return f"is {kind['name']}; {kind['advice']}"
+    return f"is {kind['name']}, a type that is not known here; {known}"
+
 
 ClearanceClass = Literal["C2", "CN", "C3", "C4", "C5"]
 
@@ -28,7 +140,6 @@ _NUMBER: Final = re.compile(
 """Of a text whose blanks, hyphens, strokes and points are one stroke each."""
 _ANGLE: Final = re.compile(r"(?<=[\s/-])(?P<angle>\d{1,2}(?:\.\d+)?)\s*(?:DEG|°)(?![A-Z])")
 _CLASS: Final = re.compile(r"C[0-9N]")
-_MILLIMETRE: Final = 1e-3
 _MOST_LETTERS: Final = 2
 """Suffixes of one letter in a row; more of them are a word that nobody meant so."""
 
@@ -89,7 +200,11 @@ class Designation:
         angle = self.contact_angle
         keys = [folded(self.text), folded(self.name)]
         if self.number:
-            letters = [key for key, value in _data()["angles"].items() if angle == radians(value)]
+            letters = [
+                key
+                for key, value in designation_data()["angles"].items()
+                if angle == radians(value)
+            ]
             keys += [folded(self.number + letter) for letter in letters] if angle else []
             keys += [folded(self.number)] if angle is None else []
         return tuple(dict.fromkeys(key for key in keys if key))
@@ -121,14 +236,14 @@ def parse_designation(text: str) -> Designation:
             example='designation = "6205"',
         )
     name, maker = _without_maker(text.strip())
-    meanings = [(maker, _data()["phrases"]["maker"])] if maker else []
+    meanings = [(maker, designation_data()["phrases"]["maker"])] if maker else []
     given = name.upper()
     written = _ANGLE.search(given)
     plain = given if written is None else given[: written.start()] + given[written.end() :]
     angle = None if written is None else radians(float(written["angle"]))
     parts = _NUMBER.fullmatch("|".join(suffix_groups(plain)))
     prefix = "" if parts is None else parts["prefix"] or ""
-    if parts is None or (prefix and prefix not in _data()["prefixes"]):
+    if parts is None or (prefix and prefix not in designation_data()["prefixes"]):
         insert = insert_of(plain)
         if insert is None:
             return _of_another_system(text, name, maker, plain, angle)
@@ -147,7 +262,7 @@ def parse_designation(text: str) -> Designation:
             unknown=suffixes.unknown,
         )
     if prefix:
-        meanings.append((prefix, _data()["prefixes"][prefix]))
+        meanings.append((prefix, designation_data()["prefixes"][prefix]))
     groups = suffix_groups(parts["rest"] or "")
     if angle is None and parts["series"].startswith("7") and groups:
         angle, groups[0] = _angle(groups[0])
@@ -160,7 +275,7 @@ def parse_designation(text: str) -> Designation:
         number=series + parts["bore"],
         series=series,
         bore=_bore(parts["bore"]),
-        dimension_series=_data()["dimension_series"].get(series, series),
+        dimension_series=designation_data()["dimension_series"].get(series, series),
         contact_angle=angle,
         clearance_class=suffixes.clearance,
         meanings=(*meanings, *suffixes.meanings),
@@ -175,7 +290,9 @@ def suffix_groups(text: str) -> list[str]:
 
 def _without_maker(text: str) -> tuple[str, str]:
     """Part a designation from the name of a maker before or behind it."""
-    names = "|".join(sorted(map(re.escape, _data()["makers"]["names"]), key=len, reverse=True))
+    names = "|".join(
+        sorted(map(re.escape, designation_data()["makers"]["names"]), key=len, reverse=True)
+    )
     before = re.match(rf"\(?({names})\)?[\s\-/:]*(?=[^\s\-/:)]*\d)(?![A-Z])", text, re.IGNORECASE)
     spaced = re.match(rf"\(?({names})\)?[\s\-/:]+(?=\S)", text, re.IGNORECASE)
     first = spaced or before
@@ -192,20 +309,22 @@ def _of_another_system(
 ) -> Designation:
     """Makers' own numbers: only an angle and a class at the end are understood."""
     given = re.search(r"[/\s-](C[2-5N])\s*$", plain)
-    clearance: ClearanceClass | None = None if given is None else _data()["clearance"][given[1]]
+    clearance: ClearanceClass | None = (
+        None if given is None else designation_data()["clearance"][given[1]]
+    )
     return Designation(
         text=text.strip(), name=name, maker=maker, contact_angle=angle, clearance_class=clearance
     )
 
 
 def _bore(code: str) -> float:
-    millimetres = _data()["bore_codes"].get(code, 5 * int(code))
-    return float(millimetres) * _MILLIMETRE
+    millimetres = designation_data()["bore_codes"].get(code, 5 * int(code))
+    return float(millimetres) * MILLIMETRE
 
 
 def _angle(rest: str) -> tuple[float | None, str]:
     """Return the contact angle that the letters behind the number tell, and what is left."""
-    for letters, angle in _data()["angles"].items():
+    for letters, angle in designation_data()["angles"].items():
         if rest.startswith(letters) and not _CLASS.match(rest):
             return radians(angle), rest[len(letters) :]
     return None, rest
@@ -221,14 +340,14 @@ class _Suffixes(NamedTuple):
 
 def _suffixes(groups: list[str], text: str) -> _Suffixes:
     """Take suffixes apart, group by group."""
-    classes, known = _data()["clearance"], _data()["suffixes"]
+    classes, known = designation_data()["clearance"], designation_data()["suffixes"]
     clearance: ClearanceClass | None = None
     meanings: list[tuple[str, str]] = []
     unknown: list[str] = []
     for group in groups:
-        parts = _parts(group)
+        parts = _known_suffixes(group)
         if parts is None:  # what is not understood is one word, not some of its letters
-            parts = tuple(re.findall(_longer(), group))
+            parts = tuple(re.findall(_known_suffix_pattern(), group))
         for part in parts:
             if _CLASS.fullmatch(part):
                 if part not in classes:
@@ -248,7 +367,7 @@ def _suffixes(groups: list[str], text: str) -> _Suffixes:
 
 
 @lru_cache(maxsize=1024)
-def _parts(group: str, letters: int = 0) -> tuple[str, ...] | None:
+def _known_suffixes(group: str, letters: int = 0) -> tuple[str, ...] | None:
     """Known suffixes that make up a group, the longest first; None if none do.
 
     letters: how many suffixes of one letter stand before it.
@@ -256,20 +375,22 @@ def _parts(group: str, letters: int = 0) -> tuple[str, ...] | None:
     if not group:
         return ()
     if _CLASS.match(group):
-        rest = _parts(group[2:])
+        rest = _known_suffixes(group[2:])
         return None if rest is None else (group[:2], *rest)
-    known = _data()["suffixes"]
+    known = designation_data()["suffixes"]
     for length in range(len(group), 0, -1):
         if group[:length] in known and (length > 1 or letters < _MOST_LETTERS):
-            rest = _parts(group[length:], letters + 1 if length == 1 else 0)
+            rest = _known_suffixes(group[length:], letters + 1 if length == 1 else 0)
             if rest is not None:
                 return (group[:length], *rest)
     return None
 
 
 @lru_cache(maxsize=1)
-def _longer() -> re.Pattern[str]:
+def _known_suffix_pattern() -> re.Pattern[str]:
     """Classes and suffixes of more than one sign, and what is between them."""
-    known = sorted((re.escape(s) for s in _data()["suffixes"] if len(s) > 1), key=len, reverse=True)
+    known = sorted(
+        (re.escape(s) for s in designation_data()["suffixes"] if len(s) > 1), key=len, reverse=True
+    )
     named = "|".join(("C[0-9N]", *known))
     return re.compile(rf"{named}|(?:(?!{named}).)+")

@@ -12,20 +12,10 @@ from typing import Any, Final, Literal
 from rolamento._data import toml_of
 from rolamento.catalogue.designation import ClearanceClass, Designation
 from rolamento.catalogue.inference import Candidate, inferred_geometry
-from rolamento.catalogue.record import CatalogueBearing
+from rolamento.catalogue.records import CatalogueBearing
 from rolamento.catalogue.search import Catalogue, catalogue
 from rolamento.errors import InputError
-from rolamento.units import from_si
-
-__all__ = [
-    "ASSUMED_CONFORMITY",
-    "InternalGeometry",
-    "Origin",
-    "ambiguity_axis",
-    "built_in_geometry",
-    "geometry_of",
-    "middle_clearance",
-]
+from rolamento.units import MILLIMETRE, from_si
 
 Origin = Literal["published", "inferred", "assumed"]
 
@@ -36,7 +26,6 @@ _BALLS: Final = ("ball_count", "ball_diameter")
 _LEAST_ANGLE: Final = radians(1.0)
 _HALF_MICROMETRES: Final = 2e6
 """In a metre."""
-_MILLIMETRE: Final = 1e-3
 _ROUNDING: Final = 1e-9
 
 
@@ -185,7 +174,7 @@ def middle_clearance(bore: float, clearance_class: str) -> float | None:
         Of ISO 5753-1.
     """
     data = toml_of("iso5753", "rolamento.clearance")
-    limits = [_MILLIMETRE * limit for limit in data["bore_mm"]]
+    limits = [MILLIMETRE * limit for limit in data["bore_mm"]]
     for step, (over, to) in enumerate(pairwise(limits)):
         if over * (1.0 + _ROUNDING) < bore <= to * (1.0 + _ROUNDING):
             pair = data["classes"][clearance_class][step]

@@ -1,4 +1,4 @@
-"""The hidden inside of a bearing, inferred from its ratings.
+"""The hidden inside of a bearing, inferred from its ratings, and the sizes of standard balls.
 
 Makers seldom publish the balls of a bearing, but its ratings follow from them by ISO 281 and
 ISO 76. All standard balls, counts and pitch diameters that could be inside are rated, and those
@@ -9,6 +9,7 @@ with alternatives, and is marked as such.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import lru_cache
 from math import exp, pi, sqrt
 from typing import Final, NamedTuple
@@ -17,8 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rolamento._data import toml_of
-from rolamento.catalogue.balls import ball_sizes
-from rolamento.catalogue.record import CatalogueBearing
+from rolamento.catalogue.records import CatalogueBearing
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.ratings import (
@@ -31,9 +31,46 @@ from rolamento.ratings import (
     static_rating,
 )
 
-__all__ = ["Candidate", "Practice", "inferred_geometry", "practice_of"]
+_INCH: Final = 25.4e-3
+_SAME: Final = 2e-3
+"""Relative difference within which a printed ball size is a rounded standard one."""
 
-MOST_CANDIDATES: Final = 12
+
+def ball_sizes() -> FloatArray:
+    """Return the diameters of the standard balls in m, rising."""
+    return np.array(sorted({round(size, 9) for size, _ in _named_sizes()}))
+
+
+def ball_name(diameter: float) -> str:
+    """Return how a standard ball is called, ``"5/16 in"`` or ``"8 mm"``; else an empty text.
+
+    Parameters
+    ----------
+    diameter
+        In m.
+    """
+    size, name = min(_named_sizes(), key=lambda known: abs(known[0] - diameter))
+    return name if abs(size - diameter) <= _SAME * diameter else ""
+
+
+@lru_cache(maxsize=1)
+def _named_sizes() -> tuple[tuple[float, str], ...]:
+    data = toml_of("ball_sizes")
+    inches = [
+        Fraction(number, parts)
+        for key, parts in (("inch_64ths", 64), ("inch_32nds", 32), ("inch_16ths", 16))
+        for number in data[key]
+    ]
+    metric = [(1e-3 * size, f"{size:g} mm") for size in data["metric_mm"]]
+    return (*((float(size) * _INCH, _inch_name(size)) for size in inches), *metric)
+
+
+def _inch_name(size: Fraction) -> str:
+    whole, rest = divmod(size, 1)
+    return " ".join(str(part) for part in (whole, rest) if part) + " in"
+
+
+MAX_CANDIDATES: Final = 12
 _CREDIBLE: Final = 3.0
 """Tolerances within which a candidate reproduces a figure."""
 _FARTHEST: Final = 25.0
@@ -58,7 +95,7 @@ class Candidate:
     ball_count, ball_diameter, pitch_diameter
         Z, D and d_m, in m.
     pitch_diameter_range
-        Least and greatest d_m that fits about as well, in m.
+        Minimum and maximum d_m that fits about as well, in m.
     inner_conformity, outer_conformity
         The most open grooves that the ratings allow; closer ones give the same C.
     misfit
@@ -124,10 +161,7 @@ def practice_of(maker: str) -> Practice:
 
 
 def inferred_geometry(
-    bearing: CatalogueBearing,
-    *,
-    practice: Practice | None = None,
-    most: int = MOST_CANDIDATES,
+    bearing: CatalogueBearing, *, practice: Practice | None = None, most: int = MAX_CANDIDATES
 ) -> tuple[Candidate, ...]:
     """Return what could be inside a bearing, the best first.
 
@@ -139,7 +173,7 @@ def inferred_geometry(
     practice
         How the maker rates; by default as `practice_of` its name.
     most
-        Greatest number of candidates.
+        Maximum number of candidates.
 
     Raises
     ------
@@ -293,8 +327,8 @@ def _implausible(bearing: CatalogueBearing, grid: _Grid) -> FloatArray:
     outside = (shift / tolerance["pitch_diameter"]) ** 2
     share = grid.ball / bearing.section_height
     for name, value in (("filling", grid.filling), ("share", share)):
-        least, most = windows[name]
-        beyond = np.maximum(least - value, 0.0) + np.maximum(value - most, 0.0)
+        low, high = windows[name]
+        beyond = np.maximum(low - value, 0.0) + np.maximum(value - high, 0.0)
         outside = outside + (beyond / tolerance[name]) ** 2
     return np.asarray(outside)
 
@@ -391,11 +425,13 @@ def _grooves() -> tuple[_Groove, ...]:
         static = static_factor(_GAMMAS)
         if (inner, outer) != (0.52, 0.53):
             static = static_factor_of_grooves(_GAMMAS, inner, outer)
-        found.append(_Groove(inner, outer, groove["penalty"], _extended() * open_part, static))
+        found.append(
+            _Groove(inner, outer, groove["penalty"], _dynamic_factor_extended() * open_part, static)
+        )
     return tuple(found)
 
 
-def _extended() -> FloatArray:
+def _dynamic_factor_extended() -> FloatArray:
     """Return f_c of the table, below its first value by the closed form."""
     table = dynamic_factor(_GAMMAS)
     return np.where(np.isnan(table), dynamic_factor_of_grooves(_GAMMAS), table)

@@ -17,15 +17,12 @@ from rolamento._tables import table_text
 from rolamento.catalogue.designation import (
     Designation,
     folded,
+    other_type,
     parse_designation,
     suffix_groups,
 )
-from rolamento.catalogue.other_types import other_type
-from rolamento.catalogue.record import CatalogueBearing
-from rolamento.catalogue.tables import records_of_csv, records_of_toml
+from rolamento.catalogue.records import CatalogueBearing, records_of_csv, records_of_toml
 from rolamento.errors import FileError, InputError
-
-__all__ = ["Catalogue", "Found", "catalogue"]
 
 _MOST_RESULTS: Final = 1000
 _NEAREST: Final = 3
@@ -98,7 +95,7 @@ class Catalogue:
             Part of a designation, or of "maker designation"; or boundary dimensions in mm such
             as ``"25x52"`` or ``"25x52x15"``. Case, spaces, hyphens and slashes do not matter.
         most
-            Greatest number of results.
+            Maximum number of results.
         """
         wanted = folded(text)
         if not wanted:

@@ -7,30 +7,38 @@ fits, temperature, speed, wear; `operating` puts them in a chain. See docs/theor
 from __future__ import annotations
 
 from rolamento.case.mounting import Mounting, SeatMaterial
-from rolamento.clearance.assembly import PartTemperatures
-from rolamento.clearance.band import Band, Limit
 from rolamento.clearance.batch import MOUNTED_FIELDS, operating_batch
-from rolamento.clearance.classes import CLEARANCE_CLASSES, ClearanceClass, class_clearance
-from rolamento.clearance.iso286 import hole_deviations, shaft_deviations, standard_tolerance
-from rolamento.clearance.iso492 import ToleranceClass, bore_deviations, outside_deviations
+from rolamento.clearance.chain import PartTemperatures
 from rolamento.clearance.measuring_load import (
     clearance_from_reading,
     measuring_load_correction,
     usual_measuring_load,
 )
-from rolamento.clearance.notes import clearance_notes
 from rolamento.clearance.operating import (
-    clearance_of_case,
-    operating_case,
-    operating_clearance,
-)
-from rolamento.clearance.record import (
     WARNINGS,
+    ClearanceSamples,
     OperatingClearance,
     Step,
     bearing_with_clearance,
+    clearance_notes,
+    clearance_of_case,
+    operating_case,
+    operating_clearance,
+    sample_clearance,
 )
-from rolamento.clearance.sampling import ClearanceSamples, sample_clearance
+from rolamento.clearance.standards import (
+    CLEARANCE_CLASSES,
+    Band,
+    ClearanceClass,
+    Limit,
+    ToleranceClass,
+    bore_deviations,
+    class_clearance,
+    hole_deviations,
+    outside_deviations,
+    shaft_deviations,
+    standard_tolerance,
+)
 from rolamento.clearance.wear import WearFit, WearLaw, fit_wear
 
 __all__ = [

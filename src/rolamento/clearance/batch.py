@@ -15,14 +15,18 @@ import numpy as np
 from rolamento.case import Case
 from rolamento.case.bearing import Bearing, clearance_fits
 from rolamento.case.mounting import Mounting
-from rolamento.clearance.assembly import PartTemperatures, gathered
-from rolamento.clearance.band import Band
-from rolamento.clearance.chain import Chain, housing_bands, initial_band, shaft_bands
+from rolamento.clearance.chain import (
+    Chain,
+    PartTemperatures,
+    gathered,
+    housing_bands,
+    initial_band,
+    shaft_bands,
+)
+from rolamento.clearance.standards import Band
 from rolamento.errors import InputError
 from rolamento.geometry import free_contact_angle
 from rolamento.numerics import FloatArray
-
-__all__ = ["MOUNTED_FIELDS", "operating_batch"]
 
 _PARTS: Final = ("inner_ring", "outer_ring", "balls", "shaft", "housing")
 MOUNTED_FIELDS: Final = tuple(
@@ -59,7 +63,7 @@ def operating_batch(
     Returns
     -------
     tuple
-        The case, and fields for `solve_batch`: without `MOUNTED_FIELDS`, with the clearance or
+        The case, and fields for `solve`: without `MOUNTED_FIELDS`, with the clearance or
         the contact angle as the bearing runs; NaN where no bearing is left.
 
     Raises
@@ -140,15 +144,15 @@ def _initial(
 def _as_given(bearing: Any, clearance: FloatArray) -> tuple[str, FloatArray]:
     """The field that the bearing is given by, and its values as it runs."""
     reach = bearing.ball_diameter * (bearing.inner_conformity + bearing.outer_conformity - 1.0)
-    sound = clearance_fits(clearance, reach)
+    fits = clearance_fits(clearance, reach)
     if bearing.contact_angle is None:
-        return "bearing.diametral_clearance", np.where(sound, clearance, np.nan)
+        return "bearing.diametral_clearance", np.where(fits, clearance, np.nan)
     one_sided = np.asarray(bearing.contact_angle) > 0.0
-    sound &= (clearance >= 0.0) | ~one_sided
+    fits &= (clearance >= 0.0) | ~one_sided
     if not np.any(one_sided):  # an angle of nought: two-sided, as a clearance
-        return "bearing.diametral_clearance", np.where(sound, clearance, np.nan)
+        return "bearing.diametral_clearance", np.where(fits, clearance, np.nan)
     angle = free_contact_angle(clearance, reach)
-    return "bearing.contact_angle", np.where(sound, angle, np.nan)
+    return "bearing.contact_angle", np.where(fits, angle, np.nan)
 
 
 def _bearing(case: Case, arrays: Mapping[str, FloatArray]) -> Any:

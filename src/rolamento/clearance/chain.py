@@ -1,28 +1,416 @@
-"""The chain of clearances for many bearings at once: what scatters, and what it leads to."""
+"""A bearing between its shaft and its housing, and the chain of what happens to its clearance.
+
+All parts are linear and elastic, so that press fit, expansion and rotation superpose. What couples
+them is the interference that is left in operation:
+
+    δ_eff = max(δ - smoothing + expansion - rotation, 0).
+
+The chain is reckoned for many bearings at once: what scatters comes as arrays.
+"""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import NamedTuple
+from math import inf
+from typing import Any, Final, NamedTuple, Protocol
+
+import numpy as np
+from numpy.typing import ArrayLike
 
 from rolamento.case.bearing import Bearing
-from rolamento.case.mounting import Mounting
-from rolamento.clearance.assembly import (
-    Assembly,
-    FitState,
-    PartTemperatures,
-    Temperatures,
-    assembly_of,
+from rolamento.case.material import Material
+from rolamento.case.mounting import Mounting, SeatMaterial
+from rolamento.clearance.effects import (
+    Finish,
+    bore_shrinkage,
+    clearance_change,
+    contact_pressure,
+    expansion_of,
+    finish_loss,
+    interference_change,
+    outside_growth,
+    roughness_loss,
+    spin_growth,
 )
-from rolamento.clearance.band import Band, Limit
-from rolamento.clearance.classes import class_clearance
-from rolamento.clearance.iso286 import hole_deviations, shaft_deviations
-from rolamento.clearance.iso492 import bore_deviations, outside_deviations
 from rolamento.clearance.measuring_load import clearance_from_reading, usual_measuring_load
+from rolamento.clearance.standards import (
+    Band,
+    Limit,
+    bore_deviations,
+    class_clearance,
+    hole_deviations,
+    outside_deviations,
+    shaft_deviations,
+)
 from rolamento.errors import InputError
+from rolamento.geometry import clearance_of_angle, groove_places
 from rolamento.numerics import FloatArray
+from rolamento.units import from_si
 
-__all__ = ["Chain", "ChainResult"]
+_WARMEST: Final = 1000.0
+
+
+class Temperatures(Protocol):
+    """What the clearance reads of temperatures; K, or None."""
+
+    @property
+    def inner_ring(self) -> float | None:
+        """Of the inner ring."""
+        ...
+
+    @property
+    def outer_ring(self) -> float | None:
+        """Of the outer ring."""
+        ...
+
+    @property
+    def balls(self) -> float | None:
+        """Of the balls; those of the inner ring if None."""
+        ...
+
+    @property
+    def shaft(self) -> float | None:
+        """Of the shaft at its seat; that of the inner ring if None."""
+        ...
+
+    @property
+    def housing(self) -> float | None:
+        """Of the housing at its seat; that of the outer ring if None."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class PartTemperatures:
+    """Temperatures in operation, in K; see `Temperatures`. Without those of the rings: none."""
+
+    inner_ring: float | None = None
+    outer_ring: float | None = None
+    balls: float | None = None
+    shaft: float | None = None
+    housing: float | None = None
+
+
+class FitState(NamedTuple):
+    """A press fit in operation; arrays, m and Pa."""
+
+    interference: FloatArray
+    """δ as mounted, on nominal diameters."""
+    smoothing: FloatArray
+    expansion: float
+    rotation: float
+    effective: FloatArray
+    pressure: FloatArray
+    change: FloatArray
+    """Of the clearance; never above 0."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Seat:
+    """One fit: where, of what, how smooth, and what operation adds to its interference."""
+
+    diameter: float
+    finish: Finish | None
+    roughness: float | None
+    expansion: float
+    rotation: float
+
+    def state(self, interference: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Loss by smoothing, and the interference that is left."""
+        if self.finish is not None:
+            lost = finish_loss(interference, self.diameter, self.finish)
+        else:
+            lost = roughness_loss(interference, 0.0 if self.roughness is None else self.roughness)
+        left = interference - lost + self.expansion - self.rotation
+        return lost, np.maximum(left, 0.0)
+
+
+@dataclass(frozen=True, slots=True)
+class Assembly:
+    """Bearing, seats, temperatures and speeds, ready to be reckoned with; SI.
+
+    Of a batch all numbers may be arrays (cases,).
+    """
+
+    bearing: Bearing
+    mounting: Mounting
+    inner_raceway: float
+    """Diameter at the bottom of the groove."""
+    outer_raceway: float
+    initial_clearance: float
+    """The bearing's own, or the one that goes with its contact angle."""
+    expansion_change: float
+    """Of the clearance, by free expansion of rings and balls."""
+    spin_change: float
+    """Of the clearance, by free growth of the rings as they turn."""
+    _shaft: _Seat
+    _housing: _Seat
+
+    def shaft_fit(self, interference: FloatArray) -> FitState:
+        """Fit of the inner ring on the shaft for the interferences as mounted (m)."""
+        lost, effective = self._shaft.state(interference)
+        ring, mounting = self.bearing.ring_material, self.mounting
+        pressure = contact_pressure(
+            effective,
+            mounting.bore,
+            bore=mounting.shaft_bore,
+            outside=self.inner_raceway,
+            inner=mounting.shaft_material or ring,
+            outer=ring,
+        )
+        growth = outside_growth(pressure, mounting.bore, self.inner_raceway, ring)
+        seat = self._shaft
+        return FitState(
+            interference, lost, seat.expansion, seat.rotation, effective, pressure, 0.0 - growth
+        )
+
+    def housing_fit(self, interference: FloatArray) -> FitState:
+        """Fit of the outer ring in the housing for the interferences as mounted (m)."""
+        lost, effective = self._housing.state(interference)
+        ring, mounting = self.bearing.ring_material, self.mounting
+        outside = mounting.housing_outside_diameter
+        pressure = contact_pressure(
+            effective,
+            mounting.outside_diameter,
+            bore=self.outer_raceway,
+            outside=inf if outside is None else outside,
+            inner=ring,
+            outer=mounting.housing_material or ring,
+        )
+        shrinkage = bore_shrinkage(pressure, mounting.outside_diameter, self.outer_raceway, ring)
+        seat = self._housing
+        return FitState(
+            interference, lost, seat.expansion, seat.rotation, effective, pressure, 0.0 - shrinkage
+        )
+
+
+def assembly_of(
+    bearing: Bearing,
+    mounting: Mounting,
+    temperatures: Temperatures,
+    inner_speed: float,
+    outer_speed: float,
+) -> Assembly:
+    """Gather what the clearance in operation rests on.
+
+    Raises
+    ------
+    InputError
+        If the bearing is a set, does not lie between bore and outside diameter, or a temperature
+        or an expansion that is needed is missing.
+    """
+    if bearing.is_set:
+        raise InputError(
+            "is available for single rows: what the fits of a set do to its preload is not",
+            field="mounting",
+        )
+    assembly = gathered(bearing, mounting, temperatures, inner_speed, outer_speed)
+    _check_rings_between_seats(mounting, assembly.inner_raceway, assembly.outer_raceway)
+    return assembly
+
+
+def gathered(
+    bearing: Any, mounting: Any, temperatures: Any, inner_speed: ArrayLike, outer_speed: ArrayLike
+) -> Assembly:
+    """Gather it from records, or from objects with their attributes as arrays (cases,).
+
+    Raises
+    ------
+    InputError
+        If a temperature or an expansion that is needed is missing.
+    """
+    inner, outer, clearance = raceways(bearing)
+    warm = _Rises.of(mounting, temperatures)
+    ring_expansion = _expansion_if_warm(
+        mounting.ring_expansion, bearing.ring_material, "ring_expansion", warm
+    )
+    ball_expansion = _expansion_if_warm(
+        mounting.ball_expansion, bearing.ball_material, "ball_expansion", warm
+    )
+    shaft, housing = mounting.shaft_material, mounting.housing_material
+    inner_spin = _ring_growth(bearing.ring_material, mounting.bore, inner, inner_speed)
+    outer_spin = _ring_growth(bearing.ring_material, outer, mounting.outside_diameter, outer_speed)
+    return Assembly(
+        bearing=bearing,
+        mounting=mounting,
+        inner_raceway=inner,
+        outer_raceway=outer,
+        initial_clearance=clearance,
+        expansion_change=_number_or_array(
+            clearance_change(
+                inner_raceway=inner,
+                outer_raceway=outer,
+                ball_diameter=bearing.ball_diameter,
+                inner_rise=warm.inner,
+                outer_rise=warm.outer,
+                ball_rise=warm.balls,
+                ring_expansion=ring_expansion,
+                ball_expansion=ball_expansion,
+            )
+        ),
+        spin_change=outer_spin[0] - inner_spin[1],
+        _shaft=_Seat(
+            diameter=mounting.bore,
+            finish=mounting.shaft_finish,
+            roughness=mounting.shaft_roughness,
+            expansion=interference_change(
+                mounting.bore,
+                inner_expansion=shaft.thermal_expansion if shaft else ring_expansion,
+                inner_rise=warm.shaft,
+                outer_expansion=ring_expansion,
+                outer_rise=warm.inner,
+            ),
+            rotation=inner_spin[0] - _shaft_growth(bearing, mounting, inner_speed),
+        ),
+        _housing=_Seat(
+            diameter=mounting.outside_diameter,
+            finish=mounting.housing_finish,
+            roughness=mounting.housing_roughness,
+            expansion=interference_change(
+                mounting.outside_diameter,
+                inner_expansion=ring_expansion,
+                inner_rise=warm.outer,
+                outer_expansion=housing.thermal_expansion if housing else ring_expansion,
+                outer_rise=warm.housing,
+            ),
+            rotation=_housing_growth(bearing, mounting, outer_speed) - outer_spin[1],
+        ),
+    )
+
+
+def raceways(bearing: Any) -> tuple[Any, Any, Any]:
+    """Diameters at the bottom of the grooves, and the clearance; m, numbers or arrays."""
+    angle, clearance = bearing.contact_angle, bearing.diametral_clearance
+    places = groove_places(
+        bearing.ball_diameter,
+        bearing.pitch_diameter,
+        bearing.inner_conformity,
+        bearing.outer_conformity,
+        contact_angle=angle,
+        diametral_clearance=clearance,
+    )
+    if angle is not None:
+        clearance = _number_or_array(
+            clearance_of_angle(angle, places.inner_length + places.outer_length)
+        )
+    groove = bearing.inner_conformity * bearing.ball_diameter
+    inner = _number_or_array(2.0 * (places.inner_groove_radius - groove))
+    return inner, inner + 2.0 * bearing.ball_diameter + clearance, clearance
+
+
+def _number_or_array(value: FloatArray) -> Any:
+    """A plain number of an array without dimensions."""
+    return value if value.ndim else float(value)
+
+
+class _Rises(NamedTuple):
+    """Temperatures above that of assembly; K."""
+
+    inner: float
+    outer: float
+    balls: float
+    shaft: float
+    housing: float
+
+    @classmethod
+    def of(cls, mounting: Mounting, given: Temperatures) -> _Rises:
+        start = mounting.assembly_temperature
+        if given.inner_ring is None and given.outer_ring is None:
+            for field in ("balls", "shaft", "housing"):
+                if getattr(given, field) is not None:
+                    raise _missing_temperature("inner_ring", field)
+            return cls(0.0, 0.0, 0.0, 0.0, 0.0)
+        if given.inner_ring is None:
+            raise _missing_temperature("inner_ring", "outer_ring")
+        if given.outer_ring is None:
+            raise _missing_temperature("outer_ring", "inner_ring")
+        inner, outer = given.inner_ring, given.outer_ring
+        balls = inner if given.balls is None else given.balls
+        shaft = inner if given.shaft is None else given.shaft
+        housing = outer if given.housing is None else given.housing
+        values = (inner, outer, balls, shaft, housing)
+        for name, value in zip(PartTemperatures.__dataclass_fields__, values, strict=True):
+            if not np.all((value > 0.0) & (value <= _WARMEST) | np.isnan(value)):
+                raise InputError(
+                    f"must be above 0 K and at most {_WARMEST:g} K",
+                    field=f"temperature.{name}",
+                    value=value,
+                    example=f'{name} = "60 degC"',
+                )
+        return cls(*(value - start for value in values))
+
+
+def _missing_temperature(field: str, beside: str) -> InputError:
+    return InputError(
+        f"is missing beside {beside}: the clearance needs both rings",
+        field=f"temperature.{field}",
+        example=f'{field} = "60 degC"',
+    )
+
+
+def _expansion_if_warm(given: Any, material: Any, field: str, warm: _Rises) -> Any:
+    """Coefficient of expansion; without temperatures none is needed."""
+    if given is not None:
+        return given
+    return expansion_of(material, f"mounting.{field}") if any(map(np.any, warm)) else 0.0
+
+
+def _ring_growth(material: Any, bore: Any, outside: Any, speed: ArrayLike) -> tuple[Any, Any]:
+    """Growth of bore and outside diameter of a ring."""
+    first, second = (
+        _number_or_array(spin_growth(speed, at, bore=bore, outside=outside, material=material))
+        for at in (bore, outside)
+    )
+    return first, second
+
+
+def _shaft_growth(bearing: Any, mounting: Any, speed: ArrayLike) -> Any:
+    material: Material | SeatMaterial = mounting.shaft_material or bearing.ring_material
+    return _number_or_array(
+        spin_growth(
+            speed, mounting.bore, bore=mounting.shaft_bore, outside=mounting.bore, material=material
+        )
+    )
+
+
+def _housing_growth(bearing: Any, mounting: Any, speed: ArrayLike) -> Any:
+    if not np.any(speed) or not (
+        mounting.housing_tolerance or mounting.housing_interference is not None
+    ):
+        return 0.0
+    if mounting.housing_outside_diameter is None:
+        raise InputError(
+            "is missing: how much a turning housing grows depends on it",
+            field="mounting.housing_outside_diameter",
+            example='housing_outside_diameter = "100 mm"',
+        )
+    material: Material | SeatMaterial = mounting.housing_material or bearing.ring_material
+    return _number_or_array(
+        spin_growth(
+            speed,
+            mounting.outside_diameter,
+            bore=mounting.outside_diameter,
+            outside=mounting.housing_outside_diameter,
+            material=material,
+        )
+    )
+
+
+def _check_rings_between_seats(mounting: Mounting, inner: float, outer: float) -> None:
+    for field, value, rule, limit in (
+        ("bore", inner - mounting.bore, "less than the inner raceway's diameter", inner),
+        (
+            "outside_diameter",
+            mounting.outside_diameter - outer,
+            "greater than the outer raceway's diameter",
+            outer,
+        ),
+    ):
+        if value <= 0.0:
+            raise InputError(
+                f"must be {rule}, {from_si(float(f'{limit:.5g}'), 'length')}",
+                field=f"mounting.{field}",
+                value=from_si(getattr(mounting, field), "length"),
+            )
 
 
 class ChainResult(NamedTuple):
@@ -67,7 +455,7 @@ class Chain:
             raise error.with_details(field=f"mounting.{error.field}") from None
 
     def at(self, limit: Limit) -> FloatArray:
-        """Clearance in operation at one of the limits: the least goes with the tightest fits."""
+        """Clearance in operation at one of the limits: the minimum goes with the tightest fits."""
         shaft, housing = self.shaft, self.housing
         on_shaft = None if shaft is None else shaft.mirrored.at(limit)
         in_housing = None if housing is None else housing.mirrored.at(limit)
@@ -76,12 +464,12 @@ class Chain:
     @property
     def shaft(self) -> Band | None:
         """Interference on the shaft."""
-        return _sum(self.shaft_parts)
+        return _total_band(self.shaft_parts)
 
     @property
     def housing(self) -> Band | None:
         """Interference in the housing."""
-        return _sum(self.housing_parts)
+        return _total_band(self.housing_parts)
 
     def run(
         self, initial: FloatArray, shaft: FloatArray | None, housing: FloatArray | None
@@ -139,7 +527,7 @@ def housing_bands(mounting: Mounting) -> tuple[Band, ...]:
     return outside_deviations(diameter, mounting.tolerance_class), Band(-hole.high, -hole.low)
 
 
-def _sum(bands: tuple[Band, ...]) -> Band | None:
+def _total_band(bands: tuple[Band, ...]) -> Band | None:
     if not bands:
         return None
     return Band(sum(band.low for band in bands), sum(band.high for band in bands))

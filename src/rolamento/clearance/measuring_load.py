@@ -18,18 +18,11 @@ from __future__ import annotations
 from typing import Final
 
 from rolamento.case.bearing import Bearing
-from rolamento.clearance.tables import MILLIMETRE, step_of
+from rolamento.clearance.standards import step_of
 from rolamento.errors import InputError
 from rolamento.static import radial_load
 from rolamento.static.radial import Distribution
-from rolamento.units import from_si
-
-__all__ = [
-    "MEASURING_LOAD_SOURCE",
-    "clearance_from_reading",
-    "measuring_load_correction",
-    "usual_measuring_load",
-]
+from rolamento.units import MILLIMETRE, from_si
 
 MEASURING_LOAD_SOURCE: Final = "Campanha 2008, table 3.2"
 

@@ -1,39 +1,166 @@
-"""The clearance in operation, step by step, at its limits.
+"""The clearance in operation, step by step, at its limits and in its scatter.
 
 The chain: clearance before mounting, less what the measuring load shows too much, press fit on the
 shaft, press fit in the housing, expansion, rotation, wear. Each step is a record that tells what it
 adds to the clearance and from what.
 
-The limits are those of all tolerances at their worst together: the least clearance goes with the
-tightest fits. `rolamento.clearance.sampling` draws them independently instead.
+The limits are those of all tolerances at their worst together: the minimum clearance goes with the
+tightest fits. `sample_clearance` draws the tolerances independently instead.
 """
 
 from __future__ import annotations
 
-from typing import Any, Final
+from collections.abc import Mapping
+from dataclasses import dataclass
+from math import acos
+from typing import Any, Final, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rolamento.case import Case
-from rolamento.case.bearing import Bearing
+from rolamento.case.bearing import Bearing, clearance_fits
 from rolamento.case.mounting import Mounting
-from rolamento.clearance.assembly import Assembly, Temperatures
-from rolamento.clearance.chain import Chain, ChainResult
-from rolamento.clearance.classes import CLEARANCE_SOURCE
-from rolamento.clearance.fits import FIT_SOURCE
-from rolamento.clearance.iso286 import TOLERANCE_SOURCE
-from rolamento.clearance.iso492 import BEARING_TOLERANCE_SOURCE
+from rolamento.clearance.chain import Assembly, Chain, ChainResult, Temperatures
+from rolamento.clearance.effects import FIT_SOURCE, SPEED_SOURCE, TEMPERATURE_SOURCE
 from rolamento.clearance.measuring_load import usual_measuring_load
-from rolamento.clearance.record import OperatingClearance, Step
-from rolamento.clearance.speed import SPEED_SOURCE
-from rolamento.clearance.temperature import TEMPERATURE_SOURCE
+from rolamento.clearance.standards import (
+    BEARING_TOLERANCE_SOURCE,
+    CLEARANCE_SOURCE,
+    TOLERANCE_SOURCE,
+    Band,
+    Limit,
+)
 from rolamento.errors import InputError
+from rolamento.geometry import ring_geometry
+from rolamento.numerics import FloatArray
+from rolamento.units import MICROMETRE, from_si
 
-__all__ = ["clearance_of_case", "operating_case", "operating_clearance"]
+WARNINGS: Final[Mapping[str, str]] = {
+    "interference": "The clearance in operation is negative at its mean: the balls are preloaded.",
+    "interference_at_minimum": (
+        "The clearance in operation is negative at its minimum: some bearings are preloaded."
+    ),
+    "inner_ring_loose": (
+        "In operation nothing may be left of the inner ring's interference: it may creep."
+    ),
+    "outer_ring_loose": (
+        "In operation nothing may be left of the outer ring's interference: it may creep."
+    ),
+    "tight_shaft": (
+        "The inner ring's interference may be more than a thousandth of the bore: the ring may"
+        " crack (NTN, Ball and Roller Bearings, chapter 7.3)."
+    ),
+}
+"""What the user should know, by name."""
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """One step of the chain; lengths in m.
+
+    Attributes
+    ----------
+    name
+        initial, measuring_load, shaft_fit, housing_fit, temperature, speed, wear
+    change
+        of the clearance, at its minimum, mean and maximum; of the first step the clearance itself
+    clearance
+        after the step
+    formula, source
+        in words
+    details
+        what went into it, SI, at the three limits
+    """
+
+    name: str
+    change: tuple[float, float, float]
+    clearance: tuple[float, float, float]
+    formula: str
+    source: str
+    details: Mapping[str, tuple[float, float, float]]
+
+
+@dataclass(frozen=True, slots=True)
+class OperatingClearance:
+    """The clearance in operation, with the steps that lead to it; m.
+
+    Attributes
+    ----------
+    bearing
+        before mounting
+    steps
+        in their order
+    minimum, mean, maximum
+        of the diametral clearance; the mean is that of mean dimensions
+    warnings
+        names in `WARNINGS`
+    """
+
+    bearing: Bearing
+    steps: tuple[Step, ...]
+    minimum: float
+    mean: float
+    maximum: float
+    warnings: tuple[str, ...]
+
+    def operating_bearing(self, limit: Limit = "mean") -> Bearing:
+        """The bearing as it runs: with this clearance, or the contact angle that goes with it.
+
+        Raises
+        ------
+        InputError
+            If no bearing is left: the fits close it, or open it too far.
+        """
+        return bearing_with_clearance(self.bearing, getattr(self, limit))
+
+    def to_mapping(self) -> dict[str, Any]:
+        """Give everything as plain mappings and lists, SI."""
+        return {
+            "minimum": self.minimum,
+            "mean": self.mean,
+            "maximum": self.maximum,
+            "warnings": list(self.warnings),
+            "steps": [
+                {
+                    "name": step.name,
+                    "change": list(step.change),
+                    "clearance": list(step.clearance),
+                    "formula": step.formula,
+                    "source": step.source,
+                    "details": {name: list(values) for name, values in step.details.items()},
+                }
+                for step in self.steps
+            ],
+        }
+
+
+def bearing_with_clearance(bearing: Bearing, clearance: float) -> Bearing:
+    """A bearing of another clearance (m), or of the contact angle that goes with it.
+
+    Raises
+    ------
+    InputError
+        If the clearance closes the bearing, or opens it too far.
+    """
+    distance = ring_geometry(bearing).groove_centre_distance
+    shown = from_si(float(f"{clearance:.4g}"), "length")
+    angular = bearing.contact_angle is not None and bearing.contact_angle > 0.0
+    if not clearance_fits(clearance, distance) or (angular and clearance < 0.0):
+        way = "closes" if clearance < 0.0 else "opens too far"
+        raise InputError(
+            f"{way} the bearing: a clearance of {shown} in operation"
+            + (" leaves no contact angle" if angular and clearance < 0.0 else " is out of reach"),
+            field="mounting",
+            example='a looser shaft_tolerance, or clearance_class = "C3"',
+        )
+    if angular:
+        return bearing.replace(contact_angle=acos(1.0 - clearance / (2.0 * distance)))
+    return bearing.replace(contact_angle=None, diametral_clearance=clearance)
+
 
 _TIGHTEST: Final = 1e-3
-"""Greatest interference over the bore. NTN, Ball and Roller Bearings, chapter 7.3.3."""
+"""Maximum interference over the bore. NTN, Ball and Roller Bearings, chapter 7.3.3."""
 
 
 def operating_clearance(
@@ -65,8 +192,8 @@ def operating_clearance(
     chain = Chain.of(bearing, mounting, temperatures, inner_speed, outer_speed)
     tight = chain.shaft and chain.shaft.mirrored
     held = chain.housing and chain.housing.mirrored
-    result = chain.run(_three(chain.initial), _three(tight), _three(held))
-    steps = _steps(chain, result)
+    result = chain.run(_at_limits(chain.initial), _at_limits(tight), _at_limits(held))
+    steps = _chain_steps(chain, result)
     low, mean, high = steps[-1].clearance
     return OperatingClearance(bearing, steps, low, mean, high, _warnings(chain, result, low, mean))
 
@@ -112,28 +239,28 @@ def operating_case(case: Case) -> Case:
     return case.replace(bearing=running, mounting=None, temperature=of_bearing)
 
 
-def _three(band: Any) -> Any:
+def _at_limits(band: Any) -> Any:
     """Minimum, mean and maximum as an array; None of None."""
     return None if band is None else np.array([band.low, band.middle, band.high])
 
 
-def _triple(values: NDArray[np.float64] | float) -> tuple[float, float, float]:
+def _numbers_at_limits(values: NDArray[np.float64] | float) -> tuple[float, float, float]:
     low, mean, high = np.broadcast_to(values, (3,))
     return float(low), float(mean), float(high)
 
 
-def _steps(chain: Chain, result: ChainResult) -> tuple[Step, ...]:
+def _chain_steps(chain: Chain, result: ChainResult) -> tuple[Step, ...]:
     assembly, mounting = chain.assembly, chain.assembly.mounting
     steps: list[Step] = []
 
     def add(name: str, change: Any, formula: str, source: str, **details: Any) -> None:
         before = np.array(steps[-1].clearance) if steps else np.zeros(3)
-        shown = {key: _triple(value) for key, value in details.items()}
-        after = _triple(before + change)
-        steps.append(Step(name, _triple(change), after, formula, source, shown))
+        shown = {key: _numbers_at_limits(value) for key, value in details.items()}
+        after = _numbers_at_limits(before + change)
+        steps.append(Step(name, _numbers_at_limits(change), after, formula, source, shown))
 
     if chain.reading is None:
-        add("initial", result.initial, "P_d before mounting", _origin(assembly))
+        add("initial", result.initial, "P_d before mounting", _origin_of_clearance(assembly))
     else:
         add("initial", chain.reading, "reading under the measuring load", "measured")
         add(
@@ -178,7 +305,7 @@ def _steps(chain: Chain, result: ChainResult) -> tuple[Step, ...]:
     return tuple(steps)
 
 
-def _origin(assembly: Assembly) -> str:
+def _origin_of_clearance(assembly: Assembly) -> str:
     named = assembly.mounting.clearance_class or assembly.bearing.clearance_class
     if named is not None:
         return f"{CLEARANCE_SOURCE}, class {named}"
@@ -198,3 +325,130 @@ def _warnings(chain: Chain, result: ChainResult, low: float, mean: float) -> tup
     if shaft is not None and shaft.high > _TIGHTEST * chain.assembly.mounting.bore:
         found.append("tight_shaft")
     return tuple(found)
+
+
+def clearance_notes(found: OperatingClearance) -> tuple[str, ...]:
+    """The clearance in operation and its warnings, in sentences."""
+    low, mean, high = (
+        f"{value / MICROMETRE:.1f}" for value in (found.minimum, found.mean, found.maximum)
+    )
+    told = (
+        f"Mounted, at its temperatures and speeds, the bearing has a diametral clearance of {mean}"
+        f" µm, between {low} and {high} µm with all tolerances at their worst."
+    )
+    return (told, *(WARNINGS[name] for name in found.warnings))
+
+
+_MAX_SAMPLES: Final = 1_000_000
+_SIGMAS: Final = 3.0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ClearanceSamples:
+    """Clearances in operation of many bearings, drawn from their tolerances; m.
+
+    Attributes
+    ----------
+    clearance
+        (samples,)
+    shaft_interference, housing_interference
+        (samples,) as mounted, negative for a gap; NaN where the ring has no seat
+    shaft_effective, housing_effective
+        (samples,) of it left in operation
+    preloaded
+        share of the samples with a negative clearance, 0 to 1
+    """
+
+    clearance: FloatArray
+    shaft_interference: FloatArray
+    housing_interference: FloatArray
+    shaft_effective: FloatArray
+    housing_effective: FloatArray
+    preloaded: float
+
+    @property
+    def mean(self) -> float:
+        """Of the clearance."""
+        return float(self.clearance.mean())
+
+    @property
+    def standard_deviation(self) -> float:
+        """Of the clearance, with n - 1; NaN of one sample."""
+        return float(self.clearance.std(ddof=1)) if len(self.clearance) > 1 else np.nan
+
+    def percentile(self, percent: float) -> float:
+        """Clearance below which so many per cent of the samples lie."""
+        return float(np.percentile(self.clearance, percent))
+
+
+def sample_clearance(
+    bearing: Bearing,
+    mounting: Mounting,
+    temperatures: Temperatures | None = None,
+    *,
+    inner_speed: float = 0.0,
+    outer_speed: float = 0.0,
+    samples: int = 10_000,
+    seed: int = 0,
+    distribution: Literal["normal", "uniform"] = "normal",
+) -> ClearanceSamples:
+    """Clearances in operation of many bearings whose dimensions scatter within their tolerances.
+
+    Parameters
+    ----------
+    samples
+        1 to a million.
+    seed
+        Of the random numbers: the same seed draws the same bearings.
+    distribution
+        Of each dimension over its band, independent of the others: ``"normal"`` about the middle,
+        the limits three standard deviations away and never passed, or ``"uniform"``.
+
+    The others, and what is raised, are as of `operating_clearance`.
+    """
+    if isinstance(samples, bool) or not 1 <= samples <= _MAX_SAMPLES:
+        raise InputError(
+            f"must be a whole number from 1 to {_MAX_SAMPLES}", field="samples", value=samples
+        )
+    if isinstance(seed, bool) or not 0 <= seed < 2**128:
+        raise InputError("must be a whole number, not negative", field="seed", value=seed)
+    if distribution not in ("normal", "uniform"):
+        raise InputError(
+            "must be normal or uniform", field="distribution", value=distribution, example="normal"
+        )
+    chain = Chain.of(bearing, mounting, temperatures, inner_speed, outer_speed)
+    draws = _Draws(np.random.default_rng(seed), samples, distribution)
+    initial = draws.over(chain.initial)
+    on_shaft = None if chain.shaft is None else draws.total(chain.shaft_parts)
+    in_housing = None if chain.housing is None else draws.total(chain.housing_parts)
+    result = chain.run(initial, on_shaft, in_housing)
+    nothing = np.full(samples, np.nan)
+    shaft, housing = result.shaft, result.housing
+    return ClearanceSamples(
+        clearance=result.clearance,
+        shaft_interference=nothing if shaft is None else shaft.interference,
+        housing_interference=nothing if housing is None else housing.interference,
+        shaft_effective=nothing if shaft is None else shaft.effective,
+        housing_effective=nothing if housing is None else housing.effective,
+        preloaded=float(np.mean(result.clearance < 0.0)),
+    )
+
+
+class _Draws(NamedTuple):
+    """Independent draws from bands."""
+
+    random: np.random.Generator
+    size: int
+    distribution: str
+
+    def over(self, band: Band) -> FloatArray:
+        share = self.random.random(self.size)
+        if self.distribution == "normal":
+            from scipy.special import ndtr, ndtri
+
+            tail = float(ndtr(-_SIGMAS))
+            share = 0.5 + ndtri(tail + share * (1.0 - 2.0 * tail)) / (2.0 * _SIGMAS)
+        return np.asarray(band.low + share * (band.high - band.low))
+
+    def total(self, bands: tuple[Band, ...]) -> FloatArray:
+        return np.asarray(sum(self.over(band) for band in bands))

@@ -24,8 +24,6 @@ from numpy.typing import ArrayLike
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 
-__all__ = ["WearFit", "WearLaw", "fit_wear"]
-
 WearLaw = Literal["running_in", "running_in_and_steady", "power"]
 _LAWS: Final[tuple[WearLaw, ...]] = get_args(WearLaw)
 _NAMES: Final[dict[WearLaw, tuple[str, ...]]] = {
@@ -175,12 +173,12 @@ def _bounds(law: WearLaw) -> tuple[list[float], list[float]]:
     return low + [0.0] * extra, high + [np.inf] * extra
 
 
-def _starts(law: WearLaw, least: float, spread: float) -> list[list[float]]:
+def _starts(law: WearLaw, minimum: float, spread: float) -> list[list[float]]:
     """Several: the sum of squares may have more than one hollow."""
     if law == "power":
-        return [[least, max(spread, 1e-3), n] for n in (0.2, 0.5, 0.9)]
+        return [[minimum, max(spread, 1e-3), n] for n in (0.2, 0.5, 0.9)]
     tail = [0.1] if law == "running_in_and_steady" else []
-    return [[least, max(spread, 1e-3), tau, *tail] for tau in (0.02, 0.1, 0.3, 1.0)]
+    return [[minimum, max(spread, 1e-3), tau, *tail] for tau in (0.02, 0.1, 0.3, 1.0)]
 
 
 def _scales(law: WearLaw, size: float, last: float) -> FloatArray:
@@ -213,9 +211,9 @@ def _checked(time: ArrayLike, clearance: ArrayLike, law: WearLaw) -> tuple[Float
     for field, values, allowed in (("time", t, t >= 0.0), ("clearance", c, np.isfinite(c))):
         bad = ~(np.isfinite(values) & allowed)
         if np.any(bad):
-            least = " not less than 0" if field == "time" else ""
+            minimum = " not less than 0" if field == "time" else ""
             raise InputError(
-                f"must be finite numbers{least}", field=field, value=float(values[bad][0])
+                f"must be finite numbers{minimum}", field=field, value=float(values[bad][0])
             )
     needed = len(_NAMES[law])
     if len(np.unique(t)) < needed:

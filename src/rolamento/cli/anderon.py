@@ -9,12 +9,7 @@ from typing import TYPE_CHECKING, Annotated, ClassVar, Final
 
 import typer
 
-from rolamento.cli.common import (
-    NO_RESULT,
-    SOLVED,
-    plain_endings,
-    words_of,
-)
+from rolamento.cli.common import NO_RESULT, SOLVED, plain_endings, words_of
 from rolamento.cli.grouped_help import GroupedCommand, Groups
 from rolamento.cli.option_names import in_options
 from rolamento.cli.options import (

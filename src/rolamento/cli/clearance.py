@@ -16,8 +16,6 @@ from rolamento.cli.streams import STANDARD_STREAM, print_text, put
 if TYPE_CHECKING:
     from rolamento.clearance import ClearanceSamples
 
-__all__ = ["clearance"]
-
 
 def clearance(
     case: Annotated[

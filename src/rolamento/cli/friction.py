@@ -146,14 +146,14 @@ def _one(case: rolamento.Case, hysteresis: float, json: str | None, lang: Langua
     from rolamento.report.friction_curves import friction_json, friction_report
     from rolamento.report.medium import Medium
 
-    words, status = words_of(lang), analysis.state.status
+    converged = bool(analysis.solved.converged[0])
     if json is not None:
         put(friction_json(analysis) + "\n", json)
     if json != STANDARD_STREAM:
-        print_text(friction_report(analysis, words, Medium.of(sys.stdout)))
-    elif not status.converged:
-        complain_of(status, lang)
-    return status.converged
+        print_text(friction_report(analysis, words_of(lang), Medium.of(sys.stdout)))
+    elif not converged:
+        complain_of(analysis.solved, lang)
+    return converged
 
 
 def _curves(

@@ -11,7 +11,7 @@ from typing import Any, Final, Literal
 
 from rolamento.errors import InputError, nearest
 
-__all__ = ["Kind", "fields_of", "number_given", "number_of", "speed_given"]
+__all__ = ["Kind", "fields_of", "number_given", "number_of"]
 
 Kind = Literal["number", "whole", "text", "angle", "length", "frequency", "time", "acceleration"]
 
@@ -23,25 +23,6 @@ _UNITS: Final[dict[str, dict[str, float]]] = {
 """Units of what is no dimension of a case file; a bare number is in the first."""
 _LONGEST: Final = 1000
 _MOST: Final = 1e12
-_SPEED_EXAMPLE: Final = "--speed '1797 rpm'"
-
-
-def speed_given(text: str | None, option: str) -> float | None:
-    """Return a speed that an option gives (rad/s); None if it is not given.
-
-    Raises
-    ------
-    InputError
-        If it is none.
-    """
-    if text is None:
-        return None
-    from rolamento.units import to_si
-
-    try:
-        return to_si(text, "angular_speed")
-    except InputError as error:
-        raise error.with_details(source=option, example=_SPEED_EXAMPLE) from None
 
 
 def number_given(text: str | None, option: str, kind: Kind, example: str) -> float | None:

@@ -15,11 +15,9 @@ from rolamento.cli.options import LanguageOption
 from rolamento.cli.streams import print_text
 
 if TYPE_CHECKING:
-    from rolamento_reproductions.record import Section, Source
+    from rolamento_reproductions.record import Section
     from rolamento_reproductions.text import Language as Code
     from rolamento_reproductions.text import Text
-
-__all__ = ["Pictures", "reproduce"]
 
 
 class Pictures(StrEnum):
@@ -56,19 +54,19 @@ def reproduce(
     with plain_endings(lang):
         code: Code = "pt" if words_of(lang).code == "pt" else "en"
         if name is None:
-            print_text(_listed(code))
+            print_text(_list_of_sources(code))
             return
-        _reproduced(name, output, pictures, code)
+        _write_reproduction(name, output, pictures, code)
 
 
-def _reproduced(name: str, output: str | None, pictures: Pictures, code: Code) -> None:
+def _write_reproduction(name: str, output: str | None, pictures: Pictures, code: Code) -> None:
     """Compute and write what a name stands for, and say where it lies."""
     from rolamento_reproductions import computed, find, open_folder, write
     from rolamento_reproductions.writing import PAGE
 
     source = find(name)
     folder = open_folder(source.name if output is None else output, source)
-    with _bar(code) as progress:
+    with _progress_bar(code) as progress:
         sections = computed(source, progress)
         write(
             source,
@@ -78,29 +76,25 @@ def _reproduced(name: str, output: str | None, pictures: Pictures, code: Code) -
             pictures=pictures.value,
             progress=progress,
         )
-    print_text(_told(sections, str(folder / PAGE), code))
+    print_text(_summary_and_page(sections, str(folder / PAGE), code))
 
 
-def _listed(code: Code) -> str:
+def _list_of_sources(code: Code) -> str:
     """List what can be reproduced, with the source and what is in it."""
     from rolamento_reproductions import NAMES, find
 
-    return "".join(_entry(find(name), code) for name in NAMES)
+    return "".join(f"{name}\n    {find(name).reference.speak(code)}\n" for name in NAMES)
 
 
-def _entry(source: Source, code: Code) -> str:
-    return f"{source.name}\n    {source.reference.speak(code)}\n"
-
-
-def _told(sections: tuple[Section, ...], page: str, code: Code) -> str:
-    from rolamento_reproductions.wording import summary
+def _summary_and_page(sections: tuple[Section, ...], page: str, code: Code) -> str:
+    from rolamento_reproductions.page import summary
 
     lines = [text.speak(code) for text in summary(sections)]
     return "\n".join([*lines, page]) + "\n"
 
 
 @contextmanager
-def _bar(code: Code) -> Iterator[Callable[[int, int, Text], None]]:
+def _progress_bar(code: Code) -> Iterator[Callable[[int, int, Text], None]]:
     """Show on standard error how far it is, if a person is there to see it."""
     if sys.stderr is None or not sys.stderr.isatty():
         yield lambda done, total, what: None

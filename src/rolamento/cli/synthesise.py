@@ -9,12 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Final
 
 import typer
 
-from rolamento.cli.common import (
-    NO_RESULT,
-    SOLVED,
-    plain_endings,
-    words_of,
-)
+from rolamento.cli.common import NO_RESULT, SOLVED, complain_of, plain_endings, words_of
 from rolamento.cli.grouped_help import GroupedCommand, Groups
 from rolamento.cli.option_names import in_options
 from rolamento.cli.options import (
@@ -27,7 +22,7 @@ from rolamento.cli.options import (
 )
 from rolamento.cli.outputs import check_outputs
 from rolamento.cli.quantities import fields_of
-from rolamento.cli.streams import STANDARD_STREAM, complain, print_text
+from rolamento.cli.streams import STANDARD_STREAM, print_text
 from rolamento.errors import InputError
 
 if TYPE_CHECKING:
@@ -304,9 +299,7 @@ def synthesise(
                 settings=settings or (),
             )
             if isinstance(found, tasks.Unsolved):
-                from rolamento.report.frequencies import said_failure
-
-                complain(said_failure(found.solved, words))
+                complain_of(found.solved, lang)
                 raise typer.Exit(NO_RESULT)
         _show(found, truth, words)
     raise typer.Exit(SOLVED)

@@ -24,8 +24,6 @@ if TYPE_CHECKING:
     from rolamento.report.language import Words
     from rolamento.verification import Progress, Source, Verification
 
-__all__ = ["verify"]
-
 
 def verify(
     source: Annotated[
@@ -50,7 +48,7 @@ def verify(
     with plain_endings(lang):
         check_outputs({"--json": json, "--markdown": markdown})
         found = _run(source or (), lang)
-        _show(found, json, markdown, lang)
+        _write_outputs(found, json, markdown, lang)
     raise typer.Exit(SOLVED if found.passed else NO_RESULT)
 
 
@@ -59,12 +57,12 @@ def _run(names: Sequence[str], lang: Language | None) -> Verification:
 
     if sys.stderr is None or not sys.stderr.isatty():
         return run(names)
-    with _told(words_of(lang)) as progress:
+    with _progress_on_terminal(words_of(lang)) as progress:
         return run(names, progress=progress)
 
 
 @contextmanager
-def _told(words: Words) -> Iterator[Progress]:
+def _progress_on_terminal(words: Words) -> Iterator[Progress]:
     """Show on a terminal's standard error which source is at work."""
     from rich.console import Console
 
@@ -83,14 +81,14 @@ def _told(words: Words) -> Iterator[Progress]:
         yield progress
 
 
-def _show(
+def _write_outputs(
     found: Verification, json: str | None, markdown: str | None, lang: Language | None
 ) -> None:
     """Write what was asked for; standard output takes data or the report, not both."""
     if json is not None:
         put(found.to_json() + "\n", json)
     if markdown is not None:
-        from rolamento.report.verification_page import verification_page
+        from rolamento.report.verification import verification_page
 
         put(verification_page(found), markdown)
     words = words_of(lang)

@@ -176,7 +176,7 @@ def elliptical_contact(
     curvature_across: ArrayLike,
     modulus: ArrayLike,
 ) -> HertzContact:
-    """Ellipse, approach and pressure of a contact under load.
+    """Ellipse, deflection and pressure of a contact under load.
 
     Parameters
     ----------

@@ -32,7 +32,7 @@ from rolamento.numerics import FloatArray
 from rolamento.numerics.elliptic import carlson_rd, carlson_rf
 
 _DEEPEST_PEAK = 1.5
-"""In z/b; the greatest shear lies between 0 and about 0.8 b for any ellipse and material."""
+"""In z/b; the maximum shear lies between 0 and about 0.8 b for any ellipse and material."""
 _SEARCH_POINTS = 17
 _SEARCH_ROUNDS = 9
 _NEWTON_STEPS = 60
@@ -40,7 +40,7 @@ _TOLERANCE = 1e-14
 
 
 class ShearPlane(IntEnum):
-    """Which two principal stresses make the greatest 45° shear: a plane halfway between them."""
+    """Which two principal stresses make the maximum 45° shear: a plane halfway between them."""
 
     ROLLING = 0
     """Between z and the minor semi-axis x: the usual one."""
@@ -63,8 +63,8 @@ class PrincipalStresses:
 
 
 @dataclass(frozen=True, slots=True)
-class GreatestShear:
-    """The greatest 45° shear under the centre: its size (Pa), depth (m) and `ShearPlane` code."""
+class MaximumShear:
+    """The maximum 45° shear under the centre: its size (Pa), depth (m) and `ShearPlane` code."""
 
     shear: FloatArray
     depth: FloatArray
@@ -117,13 +117,13 @@ def axis_stresses(
     return PrincipalStresses(*np.broadcast_arrays(p0 * x, p0 * y, p0 * z))
 
 
-def greatest_shear(
+def maximum_shear(
     max_pressure: ArrayLike,
     semi_major: ArrayLike,
     semi_minor: ArrayLike,
     poisson_ratio: ArrayLike,
-) -> GreatestShear:
-    """The greatest 45° shear (σ_max - σ_min)/2 under the centre, over all depths.
+) -> MaximumShear:
+    """The maximum 45° shear (σ_max - σ_min)/2 under the centre, over all depths.
 
     Parameters
     ----------
@@ -134,7 +134,7 @@ def greatest_shear(
 
     Returns
     -------
-    GreatestShear of the broadcast shape. The shear is exact to rounding, the depth to about
+    MaximumShear of the broadcast shape. The shear is exact to rounding, the depth to about
     1e-8 of b. With a Poisson's ratio below about 0.2 it may lie in the surface (depth 0).
     An unloaded contact gives zeros.
 
@@ -155,7 +155,7 @@ def greatest_shear(
     peak = np.take_along_axis(zeta, best, axis=-1)
     shears = _shears(peak, k, nu)[..., 0]
     plane = np.argmax(shears, axis=0).astype(np.int64)
-    return GreatestShear(p0 * shears.max(axis=0), b * peak[..., 0], plane)
+    return MaximumShear(p0 * shears.max(axis=0), b * peak[..., 0], plane)
 
 
 def orthogonal_shear(

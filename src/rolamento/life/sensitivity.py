@@ -12,8 +12,8 @@ from rolamento.case import Case
 from rolamento.errors import InputError
 from rolamento.life.conditions import LifeConditions, conditions_of
 from rolamento.life.summary import LifeSummary, life
+from rolamento.solution import solve
 from rolamento.solved import Solved
-from rolamento.solving import solve
 
 CHANGES: Final[Mapping[str, str]] = {
     "less_load": "all forces and moments a tenth smaller",

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Sequence
 from math import degrees
 from typing import Any, Final
 
 from rich.text import Text
 
+from rolamento._json import dumps
 from rolamento.catalogue import (
     Candidate,
     CatalogueBearing,
@@ -21,14 +21,9 @@ from rolamento.report.catalogue_words import CATALOGUE_WORDS, CatalogueWords
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium
 from rolamento.report.page import Lines, Page, rendered
-from rolamento.units import from_si
-
-__all__ = ["axis_toml", "bearing_json", "bearing_report", "search_json", "search_report"]
+from rolamento.units import MILLIMETRE, from_si
 
 SCHEMA: Final = 1
-_MM: Final = 1e3
-
-
 _SHORT_NAMES: Final = {"dynamic_rating": "C", "static_rating": "C0", "f0": "f0"}
 
 
@@ -58,22 +53,22 @@ def search_report(
     heads = ("", "", "d", "D", "B", "α", "C", "C0", said.balls)
     units = ("", "", "mm", "mm", "mm", "°", "N", "N", "")
     rows = [[page.text(cell, "dim") for cell in line] for line in (heads, units)]
-    rows += [_line(page, bearing) for bearing in found]
+    rows += [_line_of_bearing(page, bearing) for bearing in found]
     lines = page.columns(rows, "llrrrrrrr", gap=2)
     if not is_all:
         lines += page.hanging(Text("  "), said.more, "dim")
     return rendered(page.medium, [lines])
 
 
-def _line(page: Page, bearing: CatalogueBearing) -> list[Text]:
+def _line_of_bearing(page: Page, bearing: CatalogueBearing) -> list[Text]:
     lengths = (bearing.bore, bearing.outside_diameter, bearing.width)
     angle = bearing.contact_angle
     balls = ""
     if bearing.ball_count is not None and bearing.ball_diameter is not None:
-        size = page.digits.short(_MM * bearing.ball_diameter)
+        size = page.digits.short(bearing.ball_diameter / MILLIMETRE)
         balls = f"{bearing.ball_count} × {size} mm"
     numbers = [
-        *(None if length is None else _MM * length for length in lengths),
+        *(None if length is None else length / MILLIMETRE for length in lengths),
         None if angle is None else degrees(angle),
         bearing.dynamic_rating,
         bearing.static_rating,
@@ -105,7 +100,10 @@ def bearing_report(
         As in `search_report`.
     """
     page, said = Page(words, medium or Medium()), _words(words)
-    parts = [_head(page, said, bearing, geometry), _figures(page, said, bearing)]
+    parts = [
+        _heading_and_meanings(page, said, bearing, geometry),
+        _published_figures(page, said, bearing),
+    ]
     if geometry is None:
         parts.append(page.hanging(Text(), said.no_inside, "bold"))
         return rendered(page.medium, parts)
@@ -115,7 +113,7 @@ def bearing_report(
     return rendered(page.medium, parts)
 
 
-def _head(
+def _heading_and_meanings(
     page: Page, said: CatalogueWords, bearing: CatalogueBearing, geometry: InternalGeometry | None
 ) -> Lines:
     named = " ".join(part for part in (bearing.maker, bearing.designation) if part)
@@ -140,9 +138,9 @@ def _head(
     return lines
 
 
-def _figures(page: Page, said: CatalogueWords, bearing: CatalogueBearing) -> Lines:
+def _published_figures(page: Page, said: CatalogueWords, bearing: CatalogueBearing) -> Lines:
     rows = [
-        [page.text(said.names[name]), page.text(_shown(page, name, value))]
+        [page.text(said.names[name]), page.text(_with_unit(page, name, value))]
         for name, value in bearing.figures.items()
     ]
     lines = [page.heading(said.figures), *page.columns(rows, "lr", gap=2)]
@@ -161,7 +159,7 @@ def _inside(page: Page, said: CatalogueWords, geometry: InternalGeometry) -> Lin
         rows.append(
             [
                 page.text(said.names[name]),
-                page.text(_shown(page, name, value)),
+                page.text(_with_unit(page, name, value)),
                 page.text(said.origins[origin], style),
                 page.text(size, "dim"),
             ]
@@ -184,11 +182,11 @@ def _candidates(page: Page, said: CatalogueWords, candidates: Sequence[Candidate
         cells = [
             str(one.rank),
             str(one.ball_count),
-            digits.fixed(_MM * one.ball_diameter, 3),
+            digits.fixed(one.ball_diameter / MILLIMETRE, 3),
             name if name.endswith("in") else "",
-            digits.fixed(_MM * one.pitch_diameter, 1),
-            digits.fixed(_MM * low, 1),
-            digits.fixed(_MM * high, 1),
+            digits.fixed(one.pitch_diameter / MILLIMETRE, 1),
+            digits.fixed(low / MILLIMETRE, 1),
+            digits.fixed(high / MILLIMETRE, 1),
             digits.short(one.inner_conformity, 4),
             digits.short(one.outer_conformity, 4),
             _signed(page, one.dynamic_error, 100.0, 1),
@@ -209,7 +207,7 @@ def _signed(page: Page, value: float | None, factor: float, decimals: int) -> st
     return text if value < 0.0 else f"+{text}"
 
 
-def _shown(page: Page, name: str, value: float) -> str:
+def _with_unit(page: Page, name: str, value: float) -> str:
     if name == "ball_count":
         return str(value)
     if name == "contact_angle":
@@ -219,7 +217,7 @@ def _shown(page: Page, name: str, value: float) -> str:
     if name in ("f0", "inner_conformity", "outer_conformity"):
         return page.digits.short(value, 4)
     digits = 6 if name == "pitch_diameter" else 5
-    return f"{page.digits.short(_MM * value, digits)} mm"
+    return f"{page.digits.short(value / MILLIMETRE, digits)} mm"
 
 
 def _words(words: Words) -> CatalogueWords:
@@ -259,8 +257,12 @@ def axis_toml(geometry: InternalGeometry) -> str:
 
 def search_json(found: Sequence[CatalogueBearing]) -> str:
     """Return a list of bearings as one JSON object in SI."""
-    mapping = {"schema": SCHEMA, "kind": "catalogue", "bearings": [_record(b) for b in found]}
-    return json.dumps(mapping, ensure_ascii=False, allow_nan=False)
+    mapping = {
+        "schema": SCHEMA,
+        "kind": "catalogue",
+        "bearings": [_bearing_mapping(b) for b in found],
+    }
+    return dumps(mapping)
 
 
 def bearing_json(geometry: InternalGeometry | None, bearing: CatalogueBearing) -> str:
@@ -268,7 +270,7 @@ def bearing_json(geometry: InternalGeometry | None, bearing: CatalogueBearing) -
     mapping: dict[str, Any] = {
         "schema": SCHEMA,
         "kind": "bearing",
-        "bearing": _record(bearing),
+        "bearing": _bearing_mapping(bearing),
         "clearance_class": None,
         "meanings": {},
         "unknown": [],
@@ -284,12 +286,12 @@ def bearing_json(geometry: InternalGeometry | None, bearing: CatalogueBearing) -
                 name: {"value": value, "origin": geometry.origins[name]}
                 for name, value in geometry.fields.items()
             },
-            "candidates": [_candidate(one) for one in geometry.candidates],
+            "candidates": [_candidate_mapping(one) for one in geometry.candidates],
         }
-    return json.dumps(mapping, ensure_ascii=False, allow_nan=False)
+    return dumps(mapping)
 
 
-def _record(bearing: CatalogueBearing) -> dict[str, Any]:
+def _bearing_mapping(bearing: CatalogueBearing) -> dict[str, Any]:
     return {
         "designation": bearing.designation,
         "maker": bearing.maker,
@@ -301,7 +303,7 @@ def _record(bearing: CatalogueBearing) -> dict[str, Any]:
     }
 
 
-def _candidate(one: Candidate) -> dict[str, Any]:
+def _candidate_mapping(one: Candidate) -> dict[str, Any]:
     names = one.__dataclass_fields__
     return {
         name: list(value) if isinstance(value := getattr(one, name), tuple) else value

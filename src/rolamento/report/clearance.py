@@ -2,31 +2,28 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from math import isfinite
 from typing import Final
 
 from rich.text import Text
 
+from rolamento._json import dumps
 from rolamento.clearance import WARNINGS, ClearanceSamples, OperatingClearance, Step
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.medium import Medium
 from rolamento.report.page import Lines, Page, rendered
 from rolamento.report.sentences import portuguese_sentence
-
-__all__ = ["clearance_json", "clearance_report"]
+from rolamento.units import MICROMETRE
 
 SCHEMA: Final = 1
 PERCENTILES: Final = (0.135, 5.0, 50.0, 95.0, 99.865)
 
-_MICROMETRES: Final = 1e6
-_MEGAPASCALS: Final = 1e-6
+_MEGAPASCAL: Final = 1e6
 
 
 @dataclass(frozen=True, slots=True)
-class _Words:
+class _ClearanceWords:
     heading: str
     columns: tuple[str, str, str]
     steps: Mapping[str, str]
@@ -43,8 +40,8 @@ class _Words:
     """Of the sources."""
 
 
-_WORDS: Final[Mapping[str, _Words]] = {
-    "en": _Words(
+_WORDS: Final[Mapping[str, _ClearanceWords]] = {
+    "en": _ClearanceWords(
         heading="Diametral clearance (µm)",
         columns=("minimum", "mean", "maximum"),
         steps={
@@ -71,7 +68,7 @@ _WORDS: Final[Mapping[str, _Words]] = {
         preloaded="{share} % have a negative clearance",
         notes="Notes",
     ),
-    "pt": _Words(
+    "pt": _ClearanceWords(
         heading="Folga diametral (µm)",
         columns=("mínima", "média", "máxima"),
         steps={
@@ -139,11 +136,11 @@ def clearance_report(
     """
     page = Page(words, medium or Medium())
     said = _WORDS[words.code]
-    parts = [_chain(page, said, found), _sources(page, said, found)]
+    parts = [_chain_of_steps(page, said, found), _sources(page, said, found)]
     if samples is not None:
         parts.append(_scatter(page, said, samples))
     if found.warnings:
-        parts.append(_notes(page, said, found))
+        parts.append(_warnings(page, said, found))
     return rendered(page.medium, parts)
 
 
@@ -153,50 +150,49 @@ def clearance_json(
     """Return everything as one JSON object, in SI units."""
     whole = {"schema": SCHEMA, **found.to_mapping()}
     if samples is not None:
-        deviation = samples.standard_deviation
         whole["samples"] = {
             "count": len(samples.clearance),
             "mean": samples.mean,
-            "standard_deviation": deviation if isfinite(deviation) else None,
+            "standard_deviation": samples.standard_deviation,
             "percentiles": {f"{p:g}": samples.percentile(p) for p in PERCENTILES},
             "preloaded": samples.preloaded,
         }
-    return json.dumps(whole, indent=indent, ensure_ascii=False, allow_nan=False)
+    return dumps(whole, indent)
 
 
-def _chain(page: Page, said: _Words, found: OperatingClearance) -> Lines:
+def _chain_of_steps(page: Page, said: _ClearanceWords, found: OperatingClearance) -> Lines:
     """The steps one below the other, what went into the fits beneath them, and their sum."""
-    rows = [_cells(page, "", said.columns, "dim")]
+    rows = [_styled_cells(page, "", said.columns, "dim")]
     for step in found.steps:
-        rows.append(_row(page, said.steps[step.name], step.change, _MICROMETRES))
-        rows += _details(page, said, step)
+        rows.append(_row_of_limits(page, said.steps[step.name], step.change, MICROMETRE))
+        rows += _fit_details(page, said, step)
     limits = (found.minimum, found.mean, found.maximum)
-    rows.append(_row(page, said.result, limits, _MICROMETRES, "bold"))
+    rows.append(_row_of_limits(page, said.result, limits, MICROMETRE, "bold"))
     return [page.heading(said.heading), *page.columns(rows, "lrrr", gap=3)]
 
 
-def _details(page: Page, said: _Words, step: Step) -> list[list[Text]]:
+def _fit_details(page: Page, said: _ClearanceWords, step: Step) -> list[list[Text]]:
     rows = []
     for name, values in step.details.items():
         if name in said.details and (any(values) or name == "interference"):
-            scale = _MEGAPASCALS if name == "pressure" else _MICROMETRES
-            rows.append(_row(page, f"  {said.details[name]}", values, scale, "dim"))
+            unit = _MEGAPASCAL if name == "pressure" else MICROMETRE
+            rows.append(_row_of_limits(page, f"  {said.details[name]}", values, unit, "dim"))
     return rows
 
 
-def _row(
-    page: Page, label: str, values: Sequence[float], scale: float, style: str = ""
+def _row_of_limits(
+    page: Page, label: str, values: Sequence[float], unit: float, style: str = ""
 ) -> list[Text]:
-    decimals = 2 if max(map(abs, values)) * scale < 1.0 else 1
-    cells = [page.digits.fixed(scale * value, decimals) for value in values]
-    return _cells(page, label, cells, style)
+    decimals = 2 if max(map(abs, values)) / unit < 1.0 else 1
+    cells = [page.digits.fixed(value / unit, decimals) for value in values]
+    return _styled_cells(page, label, cells, style)
 
 
-def _cells(page: Page, label: str, cells: Sequence[str], style: str) -> list[Text]:
+def _styled_cells(page: Page, label: str, cells: Sequence[str], style: str) -> list[Text]:
     return [page.text(cell, style) for cell in (label, *cells)]
 
 
-def _sources(page: Page, said: _Words, found: OperatingClearance) -> Lines:
+def _sources(page: Page, said: _ClearanceWords, found: OperatingClearance) -> Lines:
     lines = [page.heading(said.sources)]
     for step in found.steps:
         label = page.text(f"  {said.steps[step.name]}: ")
@@ -207,9 +203,9 @@ def _sources(page: Page, said: _Words, found: OperatingClearance) -> Lines:
     return lines
 
 
-def _scatter(page: Page, said: _Words, samples: ClearanceSamples) -> Lines:
+def _scatter(page: Page, said: _ClearanceWords, samples: ClearanceSamples) -> Lines:
     def micrometres(value: float) -> str:
-        return page.digits.fixed(_MICROMETRES * value, 1)
+        return page.digits.fixed(value / MICROMETRE, 1)
 
     count = page.digits.fixed(len(samples.clearance), 0)
     percentiles = ", ".join(
@@ -229,7 +225,7 @@ def _scatter(page: Page, said: _Words, samples: ClearanceSamples) -> Lines:
     return lines
 
 
-def _notes(page: Page, said: _Words, found: OperatingClearance) -> Lines:
+def _warnings(page: Page, said: _ClearanceWords, found: OperatingClearance) -> Lines:
     lines = [page.heading(said.notes)]
     for name in found.warnings:
         sentence = WARNINGS[name]

@@ -203,9 +203,7 @@ def _notes(page: Page, said: FrequencyWords, words: Words, found: FrequencyResul
 
 def said_failure(solved: Solved, words: Words) -> str:
     """Say why a case has no result, and what to do."""
-    code, advice = str(solved.status.code[0]), solved.advice[0]
-    told = (words.reasons.get(code, code), words.sentence(advice) if advice else "")
-    return ": ".join(part for part in told if part)
+    return ": ".join(part for part in (words.reason(solved), words.advice(solved)) if part)
 
 
 # --- data ------------------------------------------------------------------------------------

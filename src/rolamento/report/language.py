@@ -201,7 +201,7 @@ ENGLISH: Final = Words(
     loaded="loaded",
     rows_legend=(
         "faces + carries thrust toward +x, − toward −x{both}; moments about x = 0; loaded: balls "
-        "that the inner ring presses on; Q_i, p_i greatest"
+        "that the inner ring presses on; Q_i, p_i maximum"
     ),
     both_ways=", ± both ways",
     preload="Preload",
@@ -231,15 +231,15 @@ ENGLISH: Final = Words(
     contact_load="load",
     contact_angle="contact angle",
     approach="approach",
-    max_pressure="greatest pressure",
+    max_pressure="maximum pressure",
     semi_major="ellipse, semi-major",
     semi_minor="ellipse, semi-minor",
-    max_shear="greatest shear",
+    max_shear="maximum shear",
     orthogonal_shear="orthogonal shear",
     at_depth="  at a depth of",
     balls="Balls",
     motion="Motion of the balls",
-    load_legend="Q load, α contact angle, p greatest pressure; i inner, o outer; ◂ greatest",
+    load_legend="Q load, α contact angle, p maximum pressure; i inner, o outer; ◂ maximum",
     motion_legend="F_c centrifugal force, M_g gyroscopic moment, n_m orbit, n_R ball, s spin/roll",
     waiting="Solving; if it compiles its kernels for this machine, once, that takes about 20 s …",
     interrupted="interrupted",

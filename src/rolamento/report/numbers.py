@@ -16,11 +16,11 @@ _SMALLEST_GROUPED: Final = 10_000
 
 
 def decimals_for(values: Iterable[float], digits: int, most: int = 4) -> int:
-    """Return how many decimals give the greatest of the values so many significant digits."""
-    greatest = max((abs(value) for value in values if isfinite(value)), default=0.0)
-    if greatest == 0.0:
+    """Return how many decimals give the maximum of the values so many significant digits."""
+    maximum = max((abs(value) for value in values if isfinite(value)), default=0.0)
+    if maximum == 0.0:
         return 0
-    return min(max(digits - 1 - floor(log10(greatest)), 0), most)
+    return min(max(digits - 1 - floor(log10(maximum)), 0), most)
 
 
 class Digits:

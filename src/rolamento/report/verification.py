@@ -1,4 +1,4 @@
-"""The published numbers beside the computed ones, for a terminal or as plain text."""
+"""The published numbers beside the computed ones: for a terminal, as plain text, as Markdown."""
 
 from __future__ import annotations
 
@@ -14,9 +14,7 @@ from rolamento.report.medium import Medium
 from rolamento.report.numbers import ABSENT
 from rolamento.report.page import Lines, Page, rendered
 from rolamento.report.verification_words import VERIFICATION_WORDS, VerificationWords
-from rolamento.verification import VERDICTS, Check, Verdict, Verification
-
-__all__ = ["Cells", "Notes", "cells", "summary", "tables", "verification_report"]
+from rolamento.verification import VERDICTS, Check, CheckVerdict, SourceResult, Verification
 
 _STYLES: Final = {"agrees": "green", "explained": "yellow", "fails": "bold red"}
 _MINUS: Final = "−"
@@ -64,7 +62,7 @@ def verification_report(
     for result in verification.results:
         head = [*page.hanging(Text(), result.title, "bold"), page.rule(page.medium.width)]
         for number, (source, checks) in enumerate(tables(result.checks)):
-            part = [page.heading(said.term(source)), *_table(page, said, checks)]
+            part = [page.heading(said.term(source)), *_terminal_table(page, said, checks)]
             parts.append(part if number else [*head, *part])
     style = _STYLES["agrees" if verification.passed else "fails"]
     mark = _MARKS["agrees" if verification.passed else "fails"]
@@ -127,7 +125,7 @@ def _tolerance(value: float) -> str:
     return text.rstrip("0").rstrip(".") if "." in text else text
 
 
-def _table(page: Page, words: VerificationWords, checks: list[Check]) -> Lines:
+def _terminal_table(page: Page, words: VerificationWords, checks: list[Check]) -> Lines:
     """Set one table with its notes; the column of proofs only where there is one."""
     notes, mark = Notes(checks), words.decimal_mark
     heads = [words.printed, words.computed, words.difference, words.tolerance, words.proof]
@@ -137,29 +135,32 @@ def _table(page: Page, words: VerificationWords, checks: list[Check]) -> Lines:
     lines = [[page.text(head, "dim") for head in (words.quantity, *heads, words.verdict)]]
     lines += [
         [
-            page.text(_name(check, words)),
-            *(page.text(cell, _style(column, check.verdict)) for column, cell in enumerate(row)),
-            page.text(_verdict(check, words, notes), _STYLES[check.verdict]),
+            page.text(_quantity_with_unit(check, words)),
+            *(
+                page.text(cell, _cell_style(column, check.verdict))
+                for column, cell in enumerate(row)
+            ),
+            page.text(_marked_verdict(check, words, notes), _STYLES[check.verdict]),
         ]
         for check, row in zip(checks, rows, strict=True)
     ]
-    body = _set(page, lines, "l" + "r" * len(heads) + "l")
+    body = _columns_that_fit(page, lines, "l" + "r" * len(heads) + "l")
     for number, text in enumerate(notes.texts, start=1):
         body += page.hanging(page.text(f"  [{number}] ", "dim"), words.sentence(text), "dim")
     return body
 
 
-def _name(check: Check, words: VerificationWords) -> str:
+def _quantity_with_unit(check: Check, words: VerificationWords) -> str:
     """Return the quantity with its unit."""
     unit = f" [{words.term(check.unit)}]" if check.unit else ""
     return (words.term(check.quantity) + unit).replace(".", words.decimal_mark)
 
 
-def _verdict(check: Check, words: VerificationWords, notes: Notes) -> str:
+def _marked_verdict(check: Check, words: VerificationWords, notes: Notes) -> str:
     return f"{words.verdicts[check.verdict]} {notes.mark(check)}".rstrip()
 
 
-def _set(page: Page, lines: list[list[Text]], justify: str) -> Lines:
+def _columns_that_fit(page: Page, lines: list[list[Text]], justify: str) -> Lines:
     """Set the columns; closer to each other, and to the margin, where there is no room."""
     for gap in (2, 1):
         body = page.columns(lines, justify, gap)
@@ -168,8 +169,81 @@ def _set(page: Page, lines: list[list[Text]], justify: str) -> Lines:
     return [line[2:] for line in body]
 
 
-def _style(column: int, verdict: Verdict) -> str:
+def _cell_style(column: int, verdict: CheckVerdict) -> str:
     """Return the style of a cell: computed numbers stand out, wrong ones more so."""
     if column != Cells._fields.index("computed"):
         return ""
     return _STYLES[verdict] if verdict == "fails" else "bold"
+
+
+COMMAND: Final = "rolamento verify --markdown docs/verification.md"
+"""What writes the page."""
+
+_INTRODUCTION: Final = """\
+# Verification
+
+Published numbers beside those that this program gives. This page is written by
+
+    {command}
+
+and `rolamento verify` prints the same in a terminal, with exit code 1 if a number fails.
+
+*Printed* is the published number with its digits; *computed* is what the program gives by its own
+models, with one digit more; the *tolerance* is half a unit of the last printed digit, unless a
+note says otherwise. A number **agrees** if the difference is within the tolerance, is **explained**
+if it is not and the explanation has been put to the proof, and **fails** otherwise.
+
+{proof}
+
+**{summary}.**
+"""
+
+
+def verification_page(verification: Verification) -> str:
+    """Return the page as Markdown text; numbers in so few digits that any machine writes the same.
+
+    Parameters
+    ----------
+    verification
+        From `rolamento.verification.run`.
+    """
+    head = _INTRODUCTION.format(
+        command=COMMAND,
+        proof=VERIFICATION_WORDS["en"].proof_note,
+        summary=summary(verification, VERIFICATION_WORDS["en"]),
+    )
+    sections = ("\n".join(_markdown_section(result)) for result in verification.results)
+    return "\n".join([head, *sections])
+
+
+def _markdown_section(result: SourceResult) -> Iterator[str]:
+    yield f"## {_escaped_markdown(result.title)}\n"
+    for source, checks in tables(result.checks):
+        yield f"### {_escaped_markdown(source)}\n"
+        yield from _markdown_table(checks)
+        yield ""
+
+
+def _markdown_table(checks: list[Check]) -> Iterator[str]:
+    words, notes = VERIFICATION_WORDS["en"], Notes(checks)
+    heads = (words.quantity, "unit", *cells(checks[0])._fields, words.verdict)
+    yield _markdown_row(heads)
+    yield _markdown_row(("---", "---", *("---:" for _ in cells(checks[0])), "---"))
+    for check in checks:
+        verdict = words.verdicts[check.verdict]
+        bold = verdict if check.verdict == "agrees" else f"**{verdict}**"
+        texts = map(_escaped_markdown, (check.quantity, check.unit, *cells(check)))
+        yield _markdown_row((*texts, f"{bold} {_escaped_markdown(notes.mark(check))}".rstrip()))
+    for number, text in enumerate(notes.texts, start=1):
+        yield f"\n\\[{number}\\] {_escaped_markdown(text)}"
+
+
+def _markdown_row(texts: tuple[str, ...]) -> str:
+    return f"| {' | '.join(texts)} |"
+
+
+def _escaped_markdown(text: str) -> str:
+    """Keep what Markdown would read as its own."""
+    for character in "\\*_|[]<":
+        text = text.replace(character, "\\" + character)
+    return text

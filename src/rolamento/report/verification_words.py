@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Final
 
-from rolamento.verification import Verdict
+from rolamento.verification import CheckVerdict
 
 __all__ = ["VERIFICATION_WORDS", "VerificationWords"]
 
@@ -28,7 +28,7 @@ class VerificationWords:
     tolerance: str
     proof: str
     verdict: str
-    verdicts: Mapping[Verdict, str]
+    verdicts: Mapping[CheckVerdict, str]
     summary: str
     proof_note: str
     progress: str
@@ -205,7 +205,7 @@ PORTUGUESE: Final = VerificationWords(
             "A norma mantém a rigidez de contato do ângulo livre, 0°, enquanto o ângulo sobe a"
             " 13,1°, o que faz menos de 1e-4 do número. Margem como na carga radial."
         ),
-        "The author puts the whole load on one ball, and the greatest shear at half the minor"
+        "The author puts the whole load on one ball, and the maximum shear at half the minor"
         " semi-axis. The heaviest of 8 balls carries 5/8 of the load, and the exact depth for this"
         " ellipse is nearly a third greater. Both with the conformity 0.52 of the catalogue, at the"
         " inner race.": (

@@ -452,5 +452,5 @@ def refuse_other(given: object, function: str) -> None:
             "must be what rolamento.solve returns",
             field="solved",
             value=type(given).__name__,
-            example=f"rolamento.{function}(rolamento.solve(case))",
+            example=f"{function}(rolamento.solve(case))",
         )

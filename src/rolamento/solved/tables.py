@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 from rolamento.case.duty import AXES, LOADS
 from rolamento.contact.hertz import HertzContact, elliptical_contact
 from rolamento.contact.subsurface import (
-    GreatestShear,
+    MaximumShear,
     OrthogonalShear,
-    greatest_shear,
+    maximum_shear,
     orthogonal_shear,
 )
 from rolamento.errors import UnknownKeyError
@@ -393,9 +393,9 @@ class Contacts:
         return self._hertz.mean_pressure
 
     @cached_property
-    def _maximum_shear(self) -> GreatestShear:
+    def _maximum_shear(self) -> MaximumShear:
         axes = self.semi_major, self.semi_minor
-        return greatest_shear(self.max_pressure, *axes, self.ring_poisson_ratio)
+        return maximum_shear(self.max_pressure, *axes, self.ring_poisson_ratio)
 
     @cached_property
     def _orthogonal_shear(self) -> OrthogonalShear:

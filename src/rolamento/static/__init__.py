@@ -7,8 +7,7 @@ points; the general equilibrium lives in `rolamento.rows.ball`.
 from __future__ import annotations
 
 from rolamento.static._common import BallBearing, RaceStiffness, StaticStatus, race_stiffness
-from rolamento.static.axial import AxialSolution, axial_load
-from rolamento.static.combined import CombinedSolution, combined_load
+from rolamento.static.one_sided import AxialSolution, CombinedSolution, axial_load, combined_load
 from rolamento.static.radial import RadialSolution, radial_load
 from rolamento.static.sjovall import load_zone_half_angle, sjovall_axial, sjovall_radial
 

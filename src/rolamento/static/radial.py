@@ -67,6 +67,14 @@ class RadialSolution:
     status: StatusArray
     """`StaticStatus` code of each load."""
 
+    def load_at(self, azimuth: ArrayLike) -> FloatArray:
+        """Q(ψ) of one load, on a ball at an azimuth from the load line (rad, array); N.
+
+        Q_max [1 - (1 - cos ψ)/(2ε)]^1.5 where positive. Sjövall (1933); Radaelli (2013) eq. 13.
+        """
+        share = 1.0 - (1.0 - np.cos(azimuth)) / (2.0 * float(self.load_zone_parameter))
+        return np.asarray(float(self.max_ball_load) * np.maximum(share, 0.0) ** 1.5)
+
 
 def radial_load(
     bearing: BallBearing,

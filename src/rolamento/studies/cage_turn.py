@@ -20,8 +20,8 @@ from numpy.typing import NDArray
 
 from rolamento.case import Case, load_case
 from rolamento.errors import InputError
+from rolamento.solution import solve
 from rolamento.solved import Contacts, Solved
-from rolamento.solving import solve
 
 Floats = NDArray[np.float64]
 Compared = Literal["displacement", "load", "stiffness"]

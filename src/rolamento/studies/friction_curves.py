@@ -18,8 +18,8 @@ from rolamento.errors import InputError
 from rolamento.friction import Friction, friction
 from rolamento.friction.model import relative_speed
 from rolamento.numerics.blocks import joined
+from rolamento.solution import solve
 from rolamento.solved import Solved
-from rolamento.solving import solve
 from rolamento.studies.fields import Field
 from rolamento.studies.ranges import MOST_POINTS, Range, read_range, refuse_many_singles
 from rolamento.studies.solving import array_fields, base_case

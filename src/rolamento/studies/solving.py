@@ -48,7 +48,7 @@ def solve(
     InputError
         If fields that vary do not go with the case, whatever their values.
     """
-    from rolamento.solving import solve as solve_cases
+    from rolamento.solution import solve as solve_cases
 
     if not values:  # every case the same: the length has to come from somewhere
         values = {"duty.inner_speed": np.full(cases, case.duty.inner_speed)}

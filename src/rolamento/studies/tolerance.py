@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rolamento.case.bearing import Bearing
-from rolamento.clearance.temperature import EXPANSION_100CR6, clearance_change_of_rings
+from rolamento.clearance.effects import EXPANSION_100CR6, clearance_change_of_rings
 from rolamento.errors import InputError
 from rolamento.studies.study import SAMPLE
 

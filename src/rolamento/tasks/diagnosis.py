@@ -12,8 +12,8 @@ from typing import Final, Literal, Unpack
 from rolamento.case import Case
 from rolamento.case.bearing import Bearing
 from rolamento.errors import InputError
+from rolamento.solution import solve
 from rolamento.solved import Solved
-from rolamento.solving import solve
 from rolamento.tasks.bearing import BearingLike, angle_of, at_speeds, case_of, has_load, name_of
 from rolamento.tasks.parameters import Stages, quietly, speed_of
 from rolamento.tasks.shaft_speed import AskedSpeed, KnownSpeed, ShaftSpeed, known_speed

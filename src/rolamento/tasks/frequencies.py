@@ -9,8 +9,8 @@ from typing import Final
 
 from rolamento.case.bearing import Bearing
 from rolamento.errors import InputError
+from rolamento.solution import solve
 from rolamento.solved import Solved
-from rolamento.solving import solve
 from rolamento.tasks.bearing import (
     BearingLike,
     angle_of,

@@ -25,8 +25,8 @@ from rolamento.life.iso16281 import SLOPE
 from rolamento.life.l_able import NSK_CLEANLINESS, FactorTable, read_factor_table
 from rolamento.life.spectrum import shaft_life
 from rolamento.numerics import FloatArray
+from rolamento.solution import solve
 from rolamento.solved import Solved
-from rolamento.solving import solve
 
 __all__ = ["MOST_BEARINGS", "CaseLife", "ShaftLife", "SystemLife", "life_of_case", "life_of_shaft"]
 
@@ -237,8 +237,23 @@ def _life(solved: Solved, given: LifeConditions) -> LifeSummary | None:
 
 
 def case_of(source: CaseSource) -> Case:
-    """Return a case; read from its file if that is given."""
-    return source if isinstance(source, Case) else load_case(source)
+    """Return a case; read from its file if that is given.
+
+    Raises
+    ------
+    InputError
+        If it is neither, or as `load_case`.
+    """
+    if isinstance(source, Case):
+        return source
+    if not isinstance(source, str | os.PathLike):
+        raise InputError(
+            "must be a Case, or the path of its file",
+            field="case",
+            value=type(source).__name__,
+            example='life_of_case("case.toml")',
+        )
+    return load_case(source)
 
 
 def factor_table(

@@ -21,8 +21,8 @@ from rolamento.life.l_able import FactorTable
 from rolamento.life.load_zone import clearance_function, load_zone, zone_life
 from rolamento.life.theories import THEORIES
 from rolamento.numerics import FloatArray
+from rolamento.solution import solve
 from rolamento.solved import Solved
-from rolamento.solving import solve
 from rolamento.static._common import race_stiffness
 from rolamento.studies.fields import Value
 from rolamento.studies.ranges import Range, read_range, refuse_many_singles

@@ -29,7 +29,7 @@ from rolamento.life.reliability import reliability_factor, reliability_of
 from rolamento.life.spectrum import miner_life, races_under_spectrum, revolution_shares
 from rolamento.life.theories import THEORIES
 from rolamento.numerics import BoolArray, FloatArray
-from rolamento.solving import solve
+from rolamento.solution import solve
 from rolamento.studies.fields import Field, Value, read_field, refuse_rivals
 from rolamento.studies.solving import CONVERGED, INVALID_INPUT, array_fields, base_case
 from rolamento.tasks.life import CaseSource, TableSource, case_of, factor_table

@@ -16,8 +16,8 @@ from rolamento._writing import write_text
 from rolamento.case.bearing import Bearing
 from rolamento.errors import InputError
 from rolamento.report.synthesis import truth_json
+from rolamento.solution import solve
 from rolamento.solved import Solved
-from rolamento.solving import solve
 from rolamento.tasks.bearing import BearingLike, case_of, has_load, name_of
 from rolamento.tasks.parameters import speed_of
 from rolamento.units import rpm_of

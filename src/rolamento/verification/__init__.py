@@ -4,7 +4,7 @@
 data; what the program gives for it is computed here, every time; `check` judges.
 """
 
-from rolamento.verification.check import VERDICTS, Check, Verdict
+from rolamento.verification.check import VERDICTS, Check, CheckVerdict
 from rolamento.verification.registry import (
     Progress,
     Source,
@@ -17,10 +17,10 @@ from rolamento.verification.registry import (
 __all__ = [
     "VERDICTS",
     "Check",
+    "CheckVerdict",
     "Progress",
     "Source",
     "SourceResult",
-    "Verdict",
     "Verification",
     "run",
     "sources",

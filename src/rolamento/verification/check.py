@@ -4,19 +4,26 @@ A number that disagrees is not excused by words. Its explanation is put to the t
 the program must give the printed number once it makes the author's choice, or the number that
 should have been printed must follow from the publication itself (or be printed by another) and the
 program must give that one. In both cases the explanation bounds by how much the print may be off.
+
+Reads what was published: data files with the package, and the bearings that they describe.
 """
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from decimal import ROUND_DOWN, ROUND_HALF_UP, Decimal
-from math import isfinite, isnan, nan
+from math import isfinite, isnan, nan, radians, sqrt
 from typing import Any, Final, Literal
 
-__all__ = ["VERDICTS", "Check", "Verdict", "cut", "half_unit", "last_unit", "rounded"]
+from rolamento._data import toml_of
+from rolamento._json import plain
+from rolamento.case.bearing import Bearing
+from rolamento.case.material import Material
+from rolamento.units import MILLIMETRE
 
-Verdict = Literal["agrees", "explained", "fails"]
-VERDICTS: Final[tuple[Verdict, ...]] = ("agrees", "explained", "fails")
+CheckVerdict = Literal["agrees", "explained", "fails"]
+VERDICTS: Final[tuple[CheckVerdict, ...]] = ("agrees", "explained", "fails")
 
 _ROUNDING: Final = 1e-9
 """Of a tolerance: so that a number that ends in a five is not lost to binary arithmetic."""
@@ -74,7 +81,7 @@ class Check:
         return self.computed - float(self.printed)
 
     @property
-    def verdict(self) -> Verdict:
+    def verdict(self) -> CheckVerdict:
         """Whether the number agrees, or its deviation is explained and the explanation holds."""
         if not self._proved():
             return "fails"
@@ -84,19 +91,20 @@ class Check:
 
     def to_mapping(self) -> dict[str, Any]:
         """Give the check as a plain mapping; NaN as None."""
-        return {
+        mapping = {
             "source": self.source,
             "quantity": self.quantity,
             "unit": self.unit,
             "printed": self.printed,
-            "computed": _finite(self.computed),
-            "difference": _finite(self.difference),
+            "computed": self.computed,
+            "difference": self.difference,
             "tolerance": self.tolerance,
             "verdict": self.verdict,
             "explanation": self.explanation,
-            "evidence": None if self.evidence is None else _finite(self.evidence),
+            "evidence": self.evidence,
             "corrected": self.corrected or None,
         }
+        return {key: plain(value) for key, value in mapping.items()}
 
     def _proved(self) -> bool:
         """Tell whether the evidence, if there is any, gives the number that it must give."""
@@ -163,5 +171,53 @@ def _near(value: float, printed: str, tolerance: float) -> bool:
     return abs(value - float(printed)) <= tolerance * (1.0 + _ROUNDING)
 
 
-def _finite(value: float) -> float | None:
-    return value if isfinite(value) else None
+MODULUS_SCALE: Final = 3.0 / sqrt(8.0)
+"""K = √8/3 · E/(1 - ν²) · Σρ^-½ δ*^-3/2 for two bodies of one material."""
+_UNKNOWN_DENSITY: Final = 7810.0
+
+
+def published(name: str) -> Mapping[str, Any]:
+    """Return what a source prints, from its data file; not to be changed."""
+    return toml_of(name, "rolamento.verification")
+
+
+def modulus_of_constant(constant: float, poisson_ratio: float) -> float:
+    """Return Young's modulus (Pa) that stands behind a printed constant of K in N and mm."""
+    return constant * 1e6 * MODULUS_SCALE * (1.0 - poisson_ratio**2)
+
+
+def steel(
+    youngs_modulus: float, poisson_ratio: float, density: float = _UNKNOWN_DENSITY
+) -> Material:
+    """Return a source's steel; at rest its density does not matter."""
+    return Material(
+        name="steel", youngs_modulus=youngs_modulus, poisson_ratio=poisson_ratio, density=density
+    )
+
+
+def bearing_of(table: Mapping[str, Any], material: Material, **changes: float | None) -> Bearing:
+    """Return the bearing of a data file's table, all of one material.
+
+    Parameters
+    ----------
+    table
+        In mm and degrees, as the sources print.
+    material
+        Of rings and balls.
+    changes
+        Fields of `Bearing` to be given instead (SI), None to leave one out.
+    """
+    fields: dict[str, Any] = {
+        "ball_count": table["ball_count"],
+        "ball_diameter": table["ball_diameter_mm"] * MILLIMETRE,
+        "pitch_diameter": table["pitch_diameter_mm"] * MILLIMETRE,
+        "inner_conformity": table["inner_conformity"],
+        "outer_conformity": table["outer_conformity"],
+        "ring_material": material,
+    }
+    if "contact_angle_deg" in table:
+        fields["contact_angle"] = radians(table["contact_angle_deg"])
+    if "diametral_clearance_mm" in table:
+        fields["diametral_clearance"] = table["diametral_clearance_mm"] * MILLIMETRE
+    fields |= changes
+    return Bearing(**{name: value for name, value in fields.items() if value is not None})

@@ -10,34 +10,34 @@ from collections.abc import Iterator, Mapping
 from math import degrees, nan, radians
 from typing import Any, Final
 
+import numpy as np
+
 from rolamento.case import Case
 from rolamento.case.duty import Displacement, Duty, Load
 from rolamento.case.model import Model
 from rolamento.kinematics import ball_mass, ball_motion, centrifugal_force, gyroscopic_moment
-from rolamento.rows.ball import solve
-from rolamento.state import State
+from rolamento.solution import solve
+from rolamento.solved import Solved
 from rolamento.static import radial_load
-from rolamento.verification.check import Check, cut, last_unit, rounded
-from rolamento.verification.published import MM, RPM, published
-from rolamento.verification.static_examples import (
+from rolamento.units import MILLIMETRE, RPM
+from rolamento.verification.check import Check, cut, last_unit, published, rounded
+from rolamento.verification.harris_1991 import (
     AXIAL,
     BY_INTEGRAL,
     RADIAL,
+    Label,
     Number,
-    Quantity,
     axial_example,
     bearing_209,
     bearing_218,
     radial_example,
 )
 
-__all__ = ["case_5_3", "case_5_4", "checks", "numbers_of_balls"]
-
-BALL_QUANTITIES: Final[Mapping[str, Quantity]] = {
-    "outer_angle_deg": Quantity("α_o", "°"),
-    "inner_angle_deg": Quantity("α_i", "°"),
-    "outer_load_N": Quantity("Q_o", "N"),
-    "inner_load_N": Quantity("Q_i", "N"),
+BALL_QUANTITIES: Final[Mapping[str, Label]] = {
+    "outer_angle_deg": Label("α_o", "°"),
+    "inner_angle_deg": Label("α_i", "°"),
+    "outer_load_N": Label("Q_o", "N"),
+    "inner_load_N": Label("Q_i", "N"),
 }
 
 _INTEGRAL: Final = (
@@ -93,7 +93,7 @@ def checks() -> Iterator[Check]:
 
 
 def _example(
-    table: str, quantities: Mapping[str, Quantity], found: Mapping[str, Number], reason: Any
+    table: str, quantities: Mapping[str, Label], found: Mapping[str, Number], reason: Any
 ) -> Iterator[Check]:
     data = published("radaelli_2013")[table]
     for key, printed in data["printed"].items():
@@ -153,9 +153,9 @@ def _static_text() -> Iterator[Check]:
         quantity="δ_r at rest",
         unit="mm",
         printed=text["static_radial_displacement_mm"],
-        computed=solve(case_5_3(speed_rpm=0.0)).displacement.z / MM,
+        computed=float(solve(case_5_3(speed_rpm=0.0)).displacement.z[0]) / MILLIMETRE,
         explanation=_AS_RADIAL,
-        evidence=float(as_radial.radial_displacement) / MM,
+        evidence=float(as_radial.radial_displacement) / MILLIMETRE,
         deviation=HALF_AGAIN * float(text["static_radial_displacement_mm"]),
     )
 
@@ -195,30 +195,34 @@ def case_5_4(tilt_deg: float) -> Case:
     return Case(bearing=bearing_218(), duty=duty, model=AS_PUBLISHED)
 
 
-def numbers_of_balls(state: State) -> dict[tuple[float, str], float]:
+def numbers_of_balls(solved: Solved) -> dict[tuple[float, str], float]:
     """Return the columns of table 5.3 by azimuth in degrees, all round, and key."""
-    found = {}
-    for ball in state.balls:
-        azimuth = round(degrees(ball.azimuth), 6)
-        found[azimuth, "outer_angle_deg"] = degrees(ball.outer.contact_angle)
-        found[azimuth, "inner_angle_deg"] = degrees(ball.inner.contact_angle)
-        found[azimuth, "outer_load_N"] = ball.outer.load
-        found[azimuth, "inner_load_N"] = ball.inner.load
-    return found
+    columns = {
+        "outer_angle_deg": np.degrees(solved.outer.contact_angle[0]),
+        "inner_angle_deg": np.degrees(solved.inner.contact_angle[0]),
+        "outer_load_N": solved.outer.load[0],
+        "inner_load_N": solved.inner.load[0],
+    }
+    azimuths = np.degrees(solved.elements.azimuth[0]).round(6).tolist()
+    return {
+        (azimuth, key): float(value)
+        for key, values in columns.items()
+        for azimuth, value in zip(azimuths, values, strict=True)
+    }
 
 
 def _table_5_3() -> Iterator[Check]:
     table = published("radaelli_2013")["table_5_3"]
-    state = solve(case_5_3())
+    solved = solve(case_5_3())
     yield Check(
         source=table["source"],
         quantity="δ_z",
         unit="mm",
         printed=table["radial_displacement_mm"],
-        computed=state.displacement.z / MM,
+        computed=float(solved.displacement.z[0]) / MILLIMETRE,
         explanation=_HELD,
     )
-    found = numbers_of_balls(state)
+    found = numbers_of_balls(solved)
     for azimuth, *row in table["rows"]:
         for key, printed in zip(table["columns"][1:], row, strict=True):
             computed = found.get((float(azimuth), key), nan)
@@ -238,8 +242,9 @@ def _table_5_3() -> Iterator[Check]:
 def _table_5_4() -> Iterator[Check]:
     table = published("radaelli_2013")["table_5_4"]
     for tilt, *row in table["rows"]:
-        state = solve(case_5_4(float(tilt)))
-        computed = (state.displacement.x / MM, state.displacement.z / MM, state.load.my)
+        solved = solve(case_5_4(float(tilt)))
+        shift = solved.displacement
+        computed = (shift.x / MILLIMETRE, shift.z / MILLIMETRE, solved.load.my)
         names = (("δ_a", "mm"), ("δ_z", "mm"), ("M_y", "N·m"))
         for (name, unit), printed, value in zip(names, row, computed, strict=True):
             yield Check(
@@ -247,7 +252,7 @@ def _table_5_4() -> Iterator[Check]:
                 quantity=f"{name}, θ_y = {float(tilt):g}°".replace("-", "−"),
                 unit=unit,
                 printed=printed,
-                computed=value,
+                computed=float(value[0]),
                 explanation=_REACTION,
             )
 
@@ -256,7 +261,8 @@ def _figure_5_25() -> Check:
     """Compare the reduction of the radial displacement that an axial load brings."""
     text = published("radaelli_2013")["text"]
     light, heavy = (
-        solve(_case_5_25(text, axial)).displacement.z for axial in text["figure_5_25_axial_loads_N"]
+        float(solve(_case_5_25(text, axial)).displacement.z[0])
+        for axial in text["figure_5_25_axial_loads_N"]
     )
     return Check(
         source=text["figure_5_25_source"],

@@ -2,28 +2,20 @@
 
 from __future__ import annotations
 
-import json
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any, Final
 
+from rolamento._json import dumps
 from rolamento.errors import InputError, nearest
-from rolamento.verification import (
-    campanha_2008,
-    case_western,
-    harris_1991,
-    iso_76,
-    iso_281,
-    iso_16281,
-    makers,
-    makers_life,
-    radaelli_2013,
-    rigs,
-)
-from rolamento.verification.check import VERDICTS, Check, Verdict
-from rolamento.verification.published import published
-
-__all__ = ["Progress", "Source", "SourceResult", "Verification", "run", "sources"]
+from rolamento.verification.campanha_2008 import checks as campanha_2008_checks
+from rolamento.verification.check import VERDICTS, Check, CheckVerdict, published
+from rolamento.verification.harris_1991 import checks as harris_1991_checks
+from rolamento.verification.makers import checks as makers_checks
+from rolamento.verification.makers import life_checks as makers_life_checks
+from rolamento.verification.radaelli_2013 import checks as radaelli_2013_checks
+from rolamento.verification.rigs import case_western_checks, rig_checks
+from rolamento.verification.standards import iso_76_checks, iso_281_checks, iso_16281_checks
 
 SCHEMA: Final = 1
 
@@ -66,7 +58,7 @@ class Verification:
         """Whether no number fails, and there is at least one."""
         return bool(self.checks) and not self.count("fails")
 
-    def count(self, verdict: Verdict) -> int:
+    def count(self, verdict: CheckVerdict) -> int:
         """Return how many numbers have a verdict."""
         return sum(check.verdict == verdict for check in self.checks)
 
@@ -89,28 +81,24 @@ class Verification:
 
     def to_json(self, *, indent: int | None = 2) -> str:
         """Give everything as one JSON object."""
-        return json.dumps(self.to_mapping(), indent=indent, ensure_ascii=False, allow_nan=False)
+        return dumps(self.to_mapping(), indent)
 
 
 def sources() -> tuple[Source, ...]:
     """Return all sources, the older first, those without a year last."""
-    modules = (
-        harris_1991,
-        iso_281,
-        iso_16281,
-        iso_76,
-        campanha_2008,
-        radaelli_2013,
-        case_western,
-        rigs,
-        makers,
-        makers_life,
-    )
-    names = (module.__name__.rpartition(".")[2] for module in modules)
-    return tuple(
-        Source(name, published(name)["title"], module.checks)
-        for name, module in zip(names, modules, strict=True)
-    )
+    checks: Mapping[str, Callable[[], Iterable[Check]]] = {
+        "harris_1991": harris_1991_checks,
+        "iso_281": iso_281_checks,
+        "iso_16281": iso_16281_checks,
+        "iso_76": iso_76_checks,
+        "campanha_2008": campanha_2008_checks,
+        "radaelli_2013": radaelli_2013_checks,
+        "case_western": case_western_checks,
+        "rigs": rig_checks,
+        "makers": makers_checks,
+        "makers_life": makers_life_checks,
+    }
+    return tuple(Source(name, published(name)["title"], found) for name, found in checks.items())
 
 
 def run(names: Iterable[str] = (), *, progress: Progress | None = None) -> Verification:

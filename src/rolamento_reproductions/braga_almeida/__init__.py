@@ -6,14 +6,9 @@ from typing import Final
 
 from rolamento_reproductions.braga_almeida.misprints import misprints_section
 from rolamento_reproductions.braga_almeida.slip import inner_section, outer_section
-from rolamento_reproductions.braga_almeida.solved import GIVEN
-from rolamento_reproductions.braga_almeida.speeds import speeds_section
-from rolamento_reproductions.braga_almeida.turning import orbit_section
-from rolamento_reproductions.errata import ERRATA_STEM
-from rolamento_reproductions.record import Part, Source
+from rolamento_reproductions.braga_almeida.speeds import GIVEN, orbit_section, speeds_section
+from rolamento_reproductions.record import ERRATA_STEM, Part, Source
 from rolamento_reproductions.text import said
-
-__all__ = ["SOURCE"]
 
 SOURCE: Final = Source(
     name="braga-almeida",
@@ -57,9 +52,7 @@ SOURCE: Final = Source(
             speeds_section,
         ),
         Part(
-            said("Outer contact", "Contato externo"),
-            ("figure-3.01", "figure-3.02"),
-            outer_section,
+            said("Outer contact", "Contato externo"), ("figure-3.01", "figure-3.02"), outer_section
         ),
         Part(
             said("Inner contact", "Contato interno"),

@@ -6,11 +6,10 @@ import numpy as np
 
 from rolamento.friction.slip import rolling_lines, slip_velocity
 from rolamento.geometry import Race
-from rolamento_reproductions.braga_almeida.solved import GIVEN, Ball, ball
+from rolamento_reproductions.braga_almeida.speeds import GIVEN, Ball, ball
 from rolamento_reproductions.given import MILLI
 from rolamento_reproductions.record import (
     Claim,
-    Column,
     Curves,
     Figure,
     Floats,
@@ -19,12 +18,11 @@ from rolamento_reproductions.record import (
     Maps,
     Panel,
     Section,
+    Series,
     Table,
     TableColumn,
 )
 from rolamento_reproductions.text import Text, said, same
-
-__all__ = ["inner_section", "outer_section"]
 
 _RACES: dict[Race, Text] = {
     "outer": said("outer contact", "contato externo"),
@@ -36,7 +34,7 @@ _EQUATIONS: dict[Race, tuple[str, str, str]] = {
 }
 _ROUNDING = 1e-9
 _STILL = 0.01
-"""Of the greatest slip in the contact: less counts as pure rolling."""
+"""Of the maximum slip in the contact: less counts as pure rolling."""
 _LITTLE_LEFT = 0.1
 """A part of a motion that counts as practically gone."""
 
@@ -69,21 +67,21 @@ def _map(race: Race) -> Figure:
     rolling, transverse = _slip(one, race, across, along)
     first, second, chapter = _EQUATIONS[race]
     columns = (
-        Column(
+        Series(
             "across",
             "mm",
             said("Across rolling x_0", "Transversal ao rolamento x_0"),
             across * patch.semi_major[0] / MILLI,
         ),
-        Column(
+        Series(
             "along",
             "mm",
             said("Along rolling y_0", "No rolamento y_0"),
             along * patch.semi_minor[0] / MILLI,
         ),
-        Column("rolling_slip", "m/s", said("rolling slip", "no rolamento"), rolling),
-        Column("transverse_slip", "m/s", said("transverse slip", "transversal"), transverse),
-        Column("slip", "m/s", said("slip", "deslizamento"), np.hypot(rolling, transverse)),
+        Series("rolling_slip", "m/s", said("rolling slip", "no rolamento"), rolling),
+        Series("transverse_slip", "m/s", said("transverse slip", "transversal"), transverse),
+        Series("slip", "m/s", said("slip", "deslizamento"), np.hypot(rolling, transverse)),
     )
     maps = (
         Map(
@@ -151,7 +149,7 @@ def _between_the_lines(one: Ball) -> Claim:
         ),
         said(
             "Only on the two lines, at {:+.2f} a and {:+.2f} a, is there no slip along rolling"
-            " (below {:.0e} m/s); between them it reaches {:.3f} m/s, {:.0f} % of the greatest.",
+            " (below {:.0e} m/s); between them it reaches {:.3f} m/s, {:.0f} % of the maximum.",
             "Só sobre as duas linhas, em {:+.2f} a e {:+.2f} a, não há deslizamento no sentido do"
             " rolamento (menos de {:.0e} m/s); entre elas chega a {:.3f} m/s, {:.0f} % do maior.",
             *(float(line) for line in lines),
@@ -173,14 +171,14 @@ def _profile(race: Race) -> Figure:
     printed = motion.drift[0] + motion.side * patch.rolling_radius(across) * motion.roll[0]
     first, _, chapter = _EQUATIONS[race]
     columns = (
-        Column(
+        Series(
             "across",
             "mm",
             said("Across rolling x_0", "Transversal ao rolamento x_0"),
             across * patch.semi_major[0] / MILLI,
         ),
-        Column("as_printed", "m/s", said("as printed", "como impressa"), printed),
-        Column("with_spin", "m/s", said("with spin", "com rotação"), whole),
+        Series("as_printed", "m/s", said("as printed", "como impressa"), printed),
+        Series("with_spin", "m/s", said("with spin", "com rotação"), whole),
     )
     lines = (
         Line("with_spin", 0, said("with the spin term", "com o termo da rotação")),
@@ -221,7 +219,7 @@ def _spin_part(race: Race, printed: Floats, whole: Floats, speed_rpm: float) -> 
             "Fora do centro da elipse, a rotação é grande parte do deslizamento no rolamento.",
         ),
         said(
-            "At {:,.0f} rpm what is left out reaches {:.2f} m/s, {:.0f} % of the greatest slip.",
+            "At {:,.0f} rpm what is left out reaches {:.2f} m/s, {:.0f} % of the maximum slip.",
             "A {:,.0f} rpm o que se omite chega a {:.2f} m/s, {:.0f} % do maior deslizamento.",
             speed_rpm,
             left_out,

@@ -1,28 +1,145 @@
-"""Speeds of cage and balls, equations 19 to 24, beside those of the solved bearing."""
+"""Speeds of cage and balls, equations 19 to 24 and 48 to 50, beside those of the 218 solved."""
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from functools import cache
+from typing import Final, Literal
 
 import numpy as np
 
-from rolamento_reproductions.braga_almeida.solved import GIVEN, Ball, ball, bearing
-from rolamento_reproductions.given import grid
+from rolamento.case import Case
+from rolamento.case.bearing import Bearing
+from rolamento.case.duty import Duty, Load
+from rolamento.case.lubricant import Lubricant
+from rolamento.case.model import Model
+from rolamento.friction.slip import Patch, RelativeMotion, solved_motion
+from rolamento.geometry import Race
+from rolamento.solution import solve
+from rolamento.solved import Solved
+from rolamento.units import RPM
+from rolamento_reproductions.braga_almeida.misprints import Orbits
+from rolamento_reproductions.given import KILO, MILLI, Given, grid
 from rolamento_reproductions.record import (
     Claim,
-    Column,
     Curves,
     Figure,
     Floats,
     Line,
     Panel,
     Section,
+    Series,
     Table,
     TableColumn,
 )
 from rolamento_reproductions.text import Text, said, same
 
-__all__ = ["speeds_section"]
+GIVEN: Final = Given("braga_almeida")
+Control = Literal["outer", "friction"]
+
+
+def bearing() -> Bearing:
+    """Return the 218."""
+    given = GIVEN.inputs_of("bearing")
+    return Bearing(
+        ball_count=given["ball_count"],
+        ball_diameter=given["ball_diameter_mm"] * MILLI,
+        pitch_diameter=given["pitch_diameter_mm"] * MILLI,
+        contact_angle=np.radians(given["contact_angle_deg"]),
+        inner_conformity=given["conformity"],
+        outer_conformity=given["conformity"],
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class Ball:
+    """One ball of the solved bearing; under thrust all are alike."""
+
+    solved: Solved
+
+    @property
+    def speed(self) -> float:
+        """Of the inner ring; rad/s."""
+        return self.solved.case.duty.inner_speed
+
+    @property
+    def orbit(self) -> float:
+        """Of the cage; rad/s."""
+        return float(self.solved.elements.orbital_speed[0, 0])
+
+    @property
+    def ball_speed(self) -> float:
+        """ω_R, negative: against the orbit; rad/s."""
+        return float(self.solved.elements.ball_speed[0, 0])
+
+    @property
+    def attitude(self) -> float:
+        """β; rad."""
+        return float(self.solved.elements.attitude[0, 0])
+
+    @property
+    def yaw(self) -> float:
+        """β′; rad."""
+        return float(self.solved.elements.yaw[0, 0])
+
+    @property
+    def velocity(self) -> tuple[float, float, float]:
+        """Seen from the cage, along x, the orbit and outward; rad/s."""
+        across = self.ball_speed * np.cos(self.attitude)
+        outward = -self.ball_speed * np.sin(self.attitude)
+        return float(across * np.cos(self.yaw)), float(across * np.sin(self.yaw)), float(outward)
+
+    def patch(self, race: Race) -> Patch:
+        """The contact with a race, arrays of one."""
+        return Patch.of(self.solved.contacts[race]).mapped(lambda array: array[0, :1])
+
+    def motion(self, race: Race) -> RelativeMotion:
+        """How the race moves relative to the ball, arrays of one."""
+        found = solved_motion(self.solved, race)
+        parts = ("drift", "roll", "twist", "tumble")
+        return replace(found, **{name: getattr(found, name)[0, :1] for name in parts})
+
+    def rolling_radius(self, race: Race) -> float:
+        """r′ of (37), where ball and race would move alike on the normal; m."""
+        motion = self.motion(race)
+        return float(-motion.drift[0] / (motion.side * motion.roll[0]))
+
+    def orbits(self, *, idle: bool = False, beta: Floats | None = None, yaw: float = 0.0) -> Orbits:
+        """Equations 48 to 50 for this ball.
+
+        idle: with rolling radii of D/2 and β′ = 0; beta: at other attitudes, with that yaw.
+        """
+        half = 0.5 * self.solved.case.bearing.ball_diameter
+        one = np.ones(1) if beta is None else np.ones_like(beta)
+        inner, outer = self.patch("inner"), self.patch("outer")
+        return Orbits(
+            pitch_radius=0.5 * self.solved.case.bearing.pitch_diameter * one,
+            r_e=(half if idle else self.rolling_radius("outer")) * one,
+            r_i=(half if idle else self.rolling_radius("inner")) * one,
+            theta_e=outer.contact_angle * one,
+            theta_i=inner.contact_angle * one,
+            beta=self.attitude * one if beta is None else beta,
+            yaw=(0.0 if idle else self.yaw) * one if beta is None else yaw * one,
+            speed=self.speed * one,
+        )
+
+
+@cache
+def ball(
+    control: Control, speed_rpm: float | None = None, friction_coefficient: float | None = None
+) -> Ball:
+    """Solve the bearing and return a ball; speed and friction of figure 3.1 by default."""
+    given = GIVEN.inputs_of("contacts")
+    speed = RPM * (given["inner_speed_rpm"] if speed_rpm is None else speed_rpm)
+    mu = given["friction_coefficient"] if friction_coefficient is None else friction_coefficient
+    case = Case(
+        bearing=bearing(),
+        duty=Duty(inner_speed=speed, load=Load(fx=given["axial_load_kN"] * KILO)),
+        model=Model(raceway_control=control),
+        lubricant=Lubricant(kind="dry", friction_coefficient=mu),
+    )
+    return Ball(solve(case))
+
 
 _NOTICED = 0.005
 """A change of a frequency that a spectrum shows."""
@@ -41,7 +158,9 @@ def speeds_section(title: Text) -> Section:
         "outer_control": [ball("outer", float(n)) for n in speeds],
         "friction": [ball("friction", float(n)) for n in speeds],
     }
-    return Section(title, (_cage(speeds, solved), _balls(speeds, solved), _frequencies()))
+    return Section(
+        title, (_cage_figure(speeds, solved), _ball_figure(speeds, solved), _table_of_frequencies())
+    )
 
 
 def _gamma() -> float:
@@ -57,18 +176,18 @@ def _by_equations() -> tuple[float, float]:
     return cage, -0.5 * rings.pitch_diameter / rings.ball_diameter * (1.0 - gamma**2)
 
 
-def _figure(
+def _speed_figure(
     number: str, caption: Text, title: Text, speeds: Floats, values: dict[str, Floats]
 ) -> Figure:
     columns = (
-        Column(
+        Series(
             "inner_speed",
             "rpm",
             said("Inner ring speed n_i", "Rotação do anel interno n_i"),
             speeds,
         ),
-        *(Column(name, "", label, values[name]) for name, label in _WAYS),
-        Column(
+        *(Series(name, "", label, values[name]) for name, label in _WAYS),
+        Series(
             "status",
             "",
             said("status", "estado"),
@@ -88,12 +207,12 @@ def _figure(
     )
 
 
-def _cage(speeds: Floats, solved: dict[str, list[Ball]]) -> Figure:
+def _cage_figure(speeds: Floats, solved: dict[str, list[Ball]]) -> Figure:
     values = {
         name: np.array([one.orbit / one.speed for one in balls]) for name, balls in solved.items()
     }
     values["equations"] = np.full(speeds.size, _by_equations()[0])
-    figure = _figure(
+    figure = _speed_figure(
         "2.1",
         said(
             "The 218 under {:.0f} kN of thrust: cage speed over ring speed, by equation 23 at the"
@@ -133,13 +252,13 @@ def _other_motions(speeds: Floats, values: dict[str, Floats]) -> Claim:
     )
 
 
-def _balls(speeds: Floats, solved: dict[str, list[Ball]]) -> Figure:
+def _ball_figure(speeds: Floats, solved: dict[str, list[Ball]]) -> Figure:
     values = {
         name: np.array([-one.ball_speed / one.speed for one in balls])
         for name, balls in solved.items()
     }
     values["equations"] = np.full(speeds.size, -_by_equations()[1])
-    return _figure(
+    return _speed_figure(
         "2.2",
         said(
             "The same: ball speed over ring speed, by equation 24 and of the solved bearing. The"
@@ -153,7 +272,7 @@ def _balls(speeds: Floats, solved: dict[str, list[Ball]]) -> Figure:
     )
 
 
-def _frequencies() -> Table:
+def _table_of_frequencies() -> Table:
     """Frequencies of the parts, in Hz, in the three ways."""
     speed_rpm = GIVEN.inputs_of("contacts")["inner_speed_rpm"]
     count = bearing().ball_count
@@ -185,13 +304,150 @@ def _frequencies() -> Table:
         columns=(
             TableColumn("part", said("Part", "Componente"), parts),
             *(
-                TableColumn(
-                    f"{name}_Hz",
-                    title,
-                    tuple(f"{value:.2f}" for value in column),
-                )
+                TableColumn(f"{name}_Hz", title, tuple(f"{value:.2f}" for value in column))
                 for (name, title), column in zip(_WAYS, values, strict=True)
             ),
         ),
         notes=(same("BPFO = Z n_m/60, BPFI = Z (n_i − n_m)/60."),),
+    )
+
+
+_ROUNDING = 1e-12
+_ORBIT_FIGURES = (
+    (
+        "5.1",
+        "orbital_speed",
+        said("Cage speed ω_m/ω", "Rotação da gaiola ω_m/ω"),
+        said("cage speed by equation 49", "rotação da gaiola pela equação 49"),
+    ),
+    (
+        "5.2",
+        "ball_speed",
+        said("Ball speed |ω_R|/ω", "Rotação da esfera |ω_R|/ω"),
+        said("ball speed by equation 50", "rotação da esfera pela equação 50"),
+    ),
+)
+
+
+def orbit_section(title: Text) -> Section:
+    """Compute figures 5.1 and 5.2 and table 5.1."""
+    return Section(title, (*(_orbit_figure(*what) for what in _ORBIT_FIGURES), _orbit_table()))
+
+
+def _orbit_figure(number: str, name: str, title: Text, words: Text) -> Figure:
+    given = GIVEN.inputs_of("orbit")
+    one = ball("friction")
+    degrees = grid(0.0, given["highest_attitude_deg"], given["step_deg"])
+    yaws = [float(yaw) for yaw in given["yaws_deg"]]
+    found = [one.orbits(beta=np.radians(degrees), yaw=float(np.radians(yaw))) for yaw in yaws]
+    printed = np.concatenate([1.0 - o.inner_speed_printed() / o.speed for o in found])
+    value = (
+        np.concatenate([-o.outer_speed() / o.speed for o in found])
+        if name == "orbital_speed"
+        else np.concatenate([-o.ball_speed() / o.speed for o in found])
+    )
+    columns = [
+        Series("yaw", "°", same("β′"), np.repeat(yaws, degrees.size)),
+        Series(
+            "attitude",
+            "°",
+            said("Attitude of the ball's axis β", "Inclinação do eixo da esfera β"),
+            np.tile(degrees, len(yaws)),
+        ),
+        Series(name, "", title, value),
+    ]
+    lines = [
+        Line(name, look, same("β′ = {:.0f}°", yaw), ("yaw", yaw)) for look, yaw in enumerate(yaws)
+    ]
+    if name == "orbital_speed":
+        columns.append(
+            Series("as_printed", "", said("(48) as printed", "(48) como impressa"), printed)
+        )
+        label = said("from (48) as printed, β′ = 0°", "de (48) como impressa, β′ = 0°")
+        lines.append(Line("as_printed", len(yaws), label, ("yaw", yaws[0])))
+    return Figure(
+        number=number,
+        caption=said(
+            "The 218 as in figures 3.1 and 4.1: {}, over the attitude of the ball's axis. Friction"
+            " puts it at β = {:.1f}°, outer raceway control at {:.1f}°.",
+            "218 como nas figuras 3.1 e 4.1: {}, em função da inclinação do eixo da esfera. O"
+            " atrito o leva a β = {:.1f}°, o controle pela pista externa a {:.1f}°.",
+            words,
+            float(np.degrees(one.attitude)),
+            float(np.degrees(ball("outer").attitude)),
+        ),
+        source=GIVEN.source_of("orbit"),
+        columns=tuple(columns),
+        picture=Curves((Panel("attitude", title, "", tuple(lines), tick=10.0, from_zero=False),)),
+    )
+
+
+def _orbit_table() -> Table:
+    one = ball("friction")
+    exact, idle = one.orbits(), one.orbits(idle=True)
+    cage = one.orbit / one.speed
+    turning = one.ball_speed / one.speed
+
+    def ratio(value: np.ndarray[tuple[int, ...], np.dtype[np.float64]]) -> float:
+        return float(value[0]) / one.speed
+
+    columns = (
+        ("solved", said("solved", "resolvido"), cage, turning),
+        (
+            "equations",
+            said("(49), (50) with its r′", "(49), (50) com seus r′"),
+            -ratio(exact.outer_speed()),
+            ratio(exact.ball_speed()),
+        ),
+        (
+            "equations_idle",
+            said("(49), (50) with r′ = D/2, β′ = 0", "(49), (50) com r′ = D/2, β′ = 0"),
+            -ratio(idle.outer_speed()),
+            ratio(idle.ball_speed()),
+        ),
+        (
+            "as_printed",
+            said("(48) as printed", "(48) como impressa"),
+            1.0 - ratio(exact.inner_speed_printed()),
+            float("nan"),
+        ),
+    )
+    gap = max(abs(columns[1][2] / cage - 1.0), abs(columns[1][3] / turning - 1.0))
+    off = columns[3][2] / cage - 1.0
+    return Table(
+        number="5.1",
+        caption=said(
+            "The 218 as in figures 3.1 and 4.1, under friction alone: cage and ball speed over that"
+            " of the inner ring.",
+            "218 como nas figuras 3.1 e 4.1, só com o atrito: rotação da gaiola e da esfera sobre a"
+            " do anel interno.",
+        ),
+        source=GIVEN.source_of("orbit"),
+        columns=(
+            TableColumn("quantity", said("Quantity", "Grandeza"), (same("ω_m/ω"), same("ω_R/ω"))),
+            *(
+                TableColumn(
+                    name, title, tuple("" if np.isnan(v) else f"{v:.6f}" for v in (first, second))
+                )
+                for name, title, first, second in columns
+            ),
+        ),
+        claims=(
+            Claim(
+                said(
+                    "Under pure rolling (48), (49) and (50) give the motion of the balls.",
+                    "Em puro rolamento (48), (49) e (50) representam o movimento das esferas.",
+                ),
+                said(
+                    "With the rolling radii of the solved ball, (49) and (50) return its motion"
+                    " (to 10⁻¹²). (48) as printed is off by {:+.1f} %; corrected, it agrees.",
+                    "Com os raios de rolamento da esfera resolvida, (49) e (50) devolvem seu"
+                    " movimento (até 10⁻¹²). (48) como impressa erra em {:+.1f} %; corrigida,"
+                    " concorda.",
+                    100.0 * off,
+                ),
+                holds=gap < _ROUNDING and abs(off) < _ROUNDING,
+                partly=gap < _ROUNDING,
+            ),
+        ),
     )

@@ -5,20 +5,16 @@ from __future__ import annotations
 from typing import Final
 
 from rolamento_reproductions.campanha_2008.clearance import clearance_section
+from rolamento_reproductions.campanha_2008.contact import shear_section
 from rolamento_reproductions.campanha_2008.film import film_section
 from rolamento_reproductions.campanha_2008.inputs import GIVEN
 from rolamento_reproductions.campanha_2008.life_tests import life_tests_section
-from rolamento_reproductions.campanha_2008.noise import noise_section
-from rolamento_reproductions.campanha_2008.overview import overview_section
+from rolamento_reproductions.campanha_2008.load_zone import load_zone_section
+from rolamento_reproductions.campanha_2008.overview import overview_section, slips_section
 from rolamento_reproductions.campanha_2008.rating import rating_section
-from rolamento_reproductions.campanha_2008.roughness import roughness_section
-from rolamento_reproductions.campanha_2008.shear import shear_section
-from rolamento_reproductions.campanha_2008.slips import slips_section
-from rolamento_reproductions.campanha_2008.zone_life import load_zone_section
+from rolamento_reproductions.campanha_2008.surfaces import noise_section, roughness_section
 from rolamento_reproductions.record import Part, Source
 from rolamento_reproductions.text import said
-
-__all__ = ["SOURCE"]
 
 SOURCE: Final = Source(
     name="campanha-2008",
@@ -67,14 +63,7 @@ SOURCE: Final = Source(
         ),
         Part(
             said("Life tests", "Ensaios de vida"),
-            (
-                "table-4.1.1",
-                "figure-4.1.01",
-                "figure-4.1.02",
-                "table-E",
-                "table-E.1",
-                "table-E.2",
-            ),
+            ("table-4.1.1", "figure-4.1.01", "figure-4.1.02", "table-E", "table-E.1", "table-E.2"),
             life_tests_section,
         ),
         Part(said("Noise", "Ruído"), ("table-4.1.3", "table-4.1.4"), noise_section),

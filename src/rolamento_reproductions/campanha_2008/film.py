@@ -16,9 +16,9 @@ from rolamento.lubrication.film_thickness import central_film, film_groups
 from rolamento.lubrication.regime import regime_of
 from rolamento.lubrication.roughness import rms_of_mean_roughness
 from rolamento.oil import wooster
-from rolamento.solving import solve
+from rolamento.solution import solve
+from rolamento.units import MILLIMETRE
 from rolamento.verification import Check
-from rolamento.verification.published import MM
 from rolamento_reproductions.campanha_2008.contact import (
     check_of,
     contact_table,
@@ -30,10 +30,12 @@ from rolamento_reproductions.campanha_2008.inputs import (
     GIVEN,
     MICRO,
     ZERO_CELSIUS,
+    Number,
     bearing,
     clearances_of_class,
     film_checks,
     load,
+    numbers_table,
     oil,
     oil_at,
     printed,
@@ -41,11 +43,8 @@ from rolamento_reproductions.campanha_2008.inputs import (
     steel_of_film,
     temperature,
 )
-from rolamento_reproductions.campanha_2008.numbers import Number, numbers_table
 from rolamento_reproductions.record import Claim, Section, Table, TableColumn
 from rolamento_reproductions.text import Text, said
-
-__all__ = ["REGIMES", "film_numbers", "film_section"]
 
 REGIMES = {
     "full_film": said("full film", "filme completo"),
@@ -233,7 +232,7 @@ def _film(
     exact = float(elliptical_contact(force, rolling, across, modulus).ellipticity)
     scale = rolling if curvature is None else curvature
     groups = film_groups(
-        speeds * check_of("U").computed * MM,
+        speeds * check_of("U").computed * MILLIMETRE,
         force,
         scale,
         exact if ellipticity is None else ellipticity,
@@ -247,7 +246,7 @@ def _film(
 def _steps() -> list[tuple[Text, list[float]]]:
     """Return what is put together, and the films of both conditions; m."""
     convex = {
-        "curvature": 1.0 / (check_of("R, convex").computed * MM),
+        "curvature": 1.0 / (check_of("R, convex").computed * MILLIMETRE),
         "ellipticity": check_of("k, convex").computed,
     }
     ways: list[tuple[Text, dict[str, Any]]] = [
@@ -332,8 +331,7 @@ def _choices() -> Table:
     return Table(
         number="J",
         caption=said(
-            "What each choice does to the central film.",
-            "O que cada escolha faz ao filme central.",
+            "What each choice does to the central film.", "O que cada escolha faz ao filme central."
         ),
         source=GIVEN.source_of("contact"),
         columns=(

@@ -1,8 +1,13 @@
-"""The bearing, duty and oil of Campanha, and what several of his numbers rest on."""
+"""The bearing, duty and oil of Campanha; a printed number as one row of a table.
+
+A row: as printed, with the author's choices, as it should be, and why.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
+from decimal import Decimal
 from functools import cache
 from typing import Any, Final
 
@@ -16,33 +21,13 @@ from rolamento.contact.hertz import HertzContact, effective_modulus, elliptical_
 from rolamento.geometry import Race, race_curvature
 from rolamento.life.iso281 import basic_rating_life, hours
 from rolamento.lubrication.oil_state import OilState, oil_state
-from rolamento.verification import Check, campanha_2008_clearance, campanha_2008_film
-from rolamento.verification.published import MM, bearing_of, published, steel
-from rolamento_reproductions.given import RPM, Given
-
-__all__ = [
-    "GIVEN",
-    "HOUR",
-    "MICRO",
-    "ZERO_CELSIUS",
-    "ball_count",
-    "ball_diameter",
-    "basic_life_hours",
-    "bearing",
-    "clearance_checks",
-    "clearances_of_class",
-    "contact_at",
-    "film_checks",
-    "load",
-    "oil",
-    "oil_at",
-    "outer_conformity",
-    "pitch_diameter",
-    "printed",
-    "speed",
-    "steel_of_film",
-    "temperature",
-]
+from rolamento.units import MILLIMETRE, RPM
+from rolamento.verification import Check, campanha_2008
+from rolamento.verification.check import bearing_of, published, steel
+from rolamento_reproductions.given import Given
+from rolamento_reproductions.page import PRINTED
+from rolamento_reproductions.record import Cell, Claim, Table, TableColumn
+from rolamento_reproductions.text import Text, said, same
 
 GIVEN: Final = Given("campanha_2008")
 MICRO: Final = 1e-6
@@ -72,7 +57,7 @@ def ball_count() -> int:
 
 def pitch_diameter() -> float:
     """Return d_m; m."""
-    return float(printed("bearing_6305")["pitch_diameter_mm"]) * MM
+    return float(printed("bearing_6305")["pitch_diameter_mm"]) * MILLIMETRE
 
 
 def basic_life_hours(rating: float) -> float:
@@ -82,7 +67,7 @@ def basic_life_hours(rating: float) -> float:
 
 def ball_diameter() -> float:
     """Return D; m."""
-    return float(printed("bearing_6305")["ball_diameter_mm"]) * MM
+    return float(printed("bearing_6305")["ball_diameter_mm"]) * MILLIMETRE
 
 
 def outer_conformity() -> float:
@@ -109,7 +94,7 @@ def contact_at(ball_load: float, conformity: float, race: Race) -> HertzContact:
 
 
 def clearances_of_class() -> tuple[float, float]:
-    """Return the least and the greatest clearance of the new 6305, class C3; m."""
+    """Return the minimum and the maximum clearance of the new 6305, class C3; m."""
     low, high = (
         check.computed * MICRO for check in clearance_checks() if check.quantity.endswith("6305 C3")
     )
@@ -135,16 +120,106 @@ def oil_at(celsius: ArrayLike) -> OilState:
 @cache
 def film_checks() -> tuple[Check, ...]:
     """Return the verified numbers of oil, contact and film, in the order of the dissertation."""
-    return tuple(campanha_2008_film.checks())
+    return tuple(campanha_2008.film_checks())
 
 
 @cache
 def clearance_checks() -> tuple[Check, ...]:
     """Return the verified numbers of table 3.2 and of the clearance classes."""
-    return tuple(campanha_2008_clearance.checks())
+    return tuple(campanha_2008.clearance_checks())
 
 
 def steel_of_film() -> Material:
     """Return the steel of chapter 4.4.3."""
     film = printed("film")
     return steel(film["youngs_modulus_GPa"] * 1e9, printed("bearing_6305")["poisson_ratio"])
+
+
+NUMBER_HEADS: Final = (PRINTED, said("with the author's choices", "com as escolhas do autor"))
+NONE: Final = said("none", "nenhum")
+"""Where there is no right number, because the method does not hold for the case."""
+
+
+@dataclass(frozen=True, slots=True)
+class Number:
+    """One printed number.
+
+    quantity: with its unit; choices: computed with the author's choices; right: as it should be, a
+    number in the same unit, or words; reason: why the two differ, or what the number rests on; cut:
+    printed with its digits cut.
+    """
+
+    key: str
+    quantity: Text
+    printed: str
+    choices: float
+    right: float | Text
+    reason: Text
+    cut: bool = False
+
+    @property
+    def cell(self) -> Cell:
+        """The printed number beside that of the author's choices."""
+        return Cell(self.printed, self.choices, cut=self.cut)
+
+    @property
+    def right_text(self) -> Text:
+        """The right number, with as many decimals as printed."""
+        return self.right if isinstance(self.right, Text) else said_like(self.printed, self.right)
+
+
+def said_like(printed: str, value: float) -> Text:
+    """Say a number with as many decimals as a printed one."""
+    exponent = Decimal(printed).as_tuple().exponent
+    assert isinstance(exponent, int)
+    template = f"{{:.{max(-exponent, 0)}f}}"
+    return said(template, template, value)
+
+
+def by_key(numbers: tuple[Number, ...]) -> dict[str, Number]:
+    """Return the numbers by their keys."""
+    return {number.key: number for number in numbers}
+
+
+def numbers_table(
+    number: str,
+    caption: Text,
+    source: Text,
+    rows: tuple[Number, ...],
+    *,
+    claims: tuple[Claim, ...] = (),
+    notes: tuple[Text, ...] = (),
+    heads: tuple[Text, Text] = NUMBER_HEADS,
+) -> Table:
+    """Put numbers together as a table.
+
+    Parameters
+    ----------
+    number
+        Of the table.
+    caption, source
+        Of the table.
+    rows
+        The numbers, in the order of the dissertation.
+    claims, notes
+        Below it.
+    heads
+        Over the printed number and the one beside it, where that is not by the author's choices.
+    """
+    return Table(
+        number=number,
+        caption=caption,
+        source=source,
+        columns=(
+            TableColumn(
+                "quantity", said("Quantity", "Grandeza"), tuple(row.quantity for row in rows)
+            ),
+            TableColumn("number", same(""), tuple(row.cell for row in rows), heads=heads),
+            TableColumn("right", said("right", "correto"), tuple(row.right_text for row in rows)),
+            TableColumn(
+                "reason", said("why", "por quê"), tuple(row.reason for row in rows), sentences=True
+            ),
+        ),
+        claims=claims,
+        notes=notes,
+    )

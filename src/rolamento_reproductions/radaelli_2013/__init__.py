@@ -4,27 +4,24 @@ from __future__ import annotations
 
 from typing import Final
 
-from rolamento_reproductions.radaelli_2013.axial import axial_section
-from rolamento_reproductions.radaelli_2013.combined import combined_section, three_loads_section
-from rolamento_reproductions.radaelli_2013.inputs import data, modulus
-from rolamento_reproductions.radaelli_2013.motion import motion_section
-from rolamento_reproductions.radaelli_2013.shift import shift_section
-from rolamento_reproductions.radaelli_2013.static import static_section
+from rolamento_reproductions.radaelli_2013.at_rest import motion_section, static_section
+from rolamento_reproductions.radaelli_2013.at_speed import axial_section, shift_section
+from rolamento_reproductions.radaelli_2013.combined import (
+    combined_section,
+    three_loads_section,
+    tilt_section,
+)
+from rolamento_reproductions.radaelli_2013.inputs import GIVEN, modulus
 from rolamento_reproductions.radaelli_2013.tables import examples_section, radial_section
-from rolamento_reproductions.radaelli_2013.tilt import tilt_section
 from rolamento_reproductions.record import Part, Source
-from rolamento_reproductions.text import Text, said
+from rolamento_reproductions.text import said
 
-__all__ = ["SOURCE"]
-
-
-def _figures(first: int, last: int) -> tuple[str, ...]:
-    return tuple(f"figure-5.{number:02d}" for number in range(first, last + 1))
+_FIGURES: Final = tuple(f"figure-5.{number:02d}" for number in range(33))
 
 
 SOURCE: Final = Source(
     name="radaelli-2013",
-    title=Text(**data()["title"]),
+    title=GIVEN.title,
     reference=said(
         "Radaelli (2013), master's dissertation: figures 5.1 to 5.32, tables 5.3, 5.4, C.1, C.2",
         "Radaelli (2013), dissertação de mestrado: figuras 5.1 a 5.32, tabelas 5.3, 5.4, C.1, C.2",
@@ -59,10 +56,10 @@ SOURCE: Final = Source(
         ),
     ),
     parts=(
-        Part(said("At rest", "Em repouso"), _figures(1, 5), static_section),
+        Part(said("At rest", "Em repouso"), _FIGURES[1:6], static_section),
         Part(
             said("Speeds, and forces from them", "Velocidades e forças delas decorrentes"),
-            _figures(6, 9),
+            _FIGURES[6:10],
             motion_section,
         ),
         Part(
@@ -72,29 +69,25 @@ SOURCE: Final = Source(
         ),
         Part(
             said("Axial load at several speeds", "Carga axial em várias rotações"),
-            _figures(11, 14),
+            _FIGURES[11:15],
             axial_section,
         ),
         Part(
             said(
                 "Combined load, and which effects matter", "Carga combinada e quais efeitos pesam"
             ),
-            _figures(15, 20),
+            _FIGURES[15:21],
             combined_section,
         ),
         Part(
             said("Loads along three axes", "Cargas nos três eixos"),
-            _figures(21, 24),
+            _FIGURES[21:25],
             three_loads_section,
         ),
-        Part(
-            said("Radial displacement", "Deslocamento radial"),
-            _figures(25, 26),
-            shift_section,
-        ),
+        Part(said("Radial displacement", "Deslocamento radial"), _FIGURES[25:27], shift_section),
         Part(
             said("Tilted inner ring", "Anel interno desalinhado"),
-            (*_figures(27, 32), "table-5.4"),
+            (*_FIGURES[27:33], "table-5.4"),
             tilt_section,
         ),
         Part(

@@ -1,25 +1,188 @@
-"""Figures 5.15 to 5.24: the 218 under combined load, effects left out, and the balls turned."""
+"""Figures 5.15 to 5.24 and 5.27 to 5.32, table 5.4: the 218 under combined load, level and tilted.
+
+Effects are left out, and the balls turned: figures of the loads and angles round the ring.
+"""
 
 from __future__ import annotations
 
-from dataclasses import replace
-from typing import Any
+from dataclasses import dataclass, replace
+from typing import Any, Final
 
 import numpy as np
 
-from rolamento.case.duty import Duty, Load
+from rolamento.case import Case
+from rolamento.case.duty import Displacement, Duty, Load
 from rolamento.case.model import Model
-from rolamento_reproductions.radaelli_2013.balls import Round, figure_pair, solved_round
-from rolamento_reproductions.radaelli_2013.inputs import KILO, RPM, case, inputs_of, source_of
-from rolamento_reproductions.record import Claim, Figure, Section
-from rolamento_reproductions.text import Text, said
+from rolamento.solution import solve
+from rolamento.solved import Solved
+from rolamento.units import RPM
+from rolamento_reproductions.given import KILO, MILLI, status_column
+from rolamento_reproductions.radaelli_2013.inputs import case, inputs_of, source_of
+from rolamento_reproductions.record import (
+    Cell,
+    Claim,
+    Curves,
+    Figure,
+    Floats,
+    Line,
+    Panel,
+    Section,
+    Series,
+    Table,
+    TableColumn,
+)
+from rolamento_reproductions.text import Text, said, same
 
-__all__ = ["combined_section", "three_loads_section"]
+_STEPS: Final = 15
+"""Turns of the cage within the spacing of two balls: every 1.5° with sixteen balls."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Round:
+    """A case with the cage turned: arrays over all balls of all turns, by azimuth; SI and degrees.
+
+    ball: 1 to Z where the source has a ball, NaN between. Displacement and moment are those with
+    the balls where the source puts them.
+    """
+
+    case: Case
+    solved: Solved
+    turn: Floats
+    azimuth: Floats
+    ball: Floats
+    inner_load: Floats
+    outer_load: Floats
+    inner_angle: Floats
+    outer_angle: Floats
+    order: np.ndarray[tuple[int, ...], np.dtype[np.int64]]
+
+    @property
+    def placed(self) -> np.ndarray[tuple[int, ...], np.dtype[np.bool_]]:
+        """Where the source has a ball."""
+        return np.isfinite(self.ball)
+
+    @property
+    def shift(self) -> Floats:
+        """Displacement (x, y, z) of the inner ring; mm."""
+        shift: Floats = self.solved.displacement.array[0, :3] / MILLI
+        return shift
+
+    @property
+    def moment(self) -> float:
+        """Reaction my; N·m."""
+        return float(self.solved.load.my[0])
+
+
+def solved_round(case: Case) -> Round:
+    """Solve a case, and again with the cage turned."""
+    count = case.bearing.ball_count
+    turns = np.arange(_STEPS) * 2.0 * np.pi / (count * _STEPS)
+    solved = solve(case, first_ball_azimuth=case.duty.first_ball_azimuth + turns)
+    number = np.full((_STEPS, count), np.nan)
+    number[0] = np.arange(1.0, count + 1.0)
+    # From above -180° to 180°; rounded, lest noise move a ball from one end to the other.
+    azimuth = 180.0 - np.mod(np.round(180.0 - np.degrees(solved.elements.azimuth), 9), 360.0)
+    order = np.argsort(azimuth.ravel(), kind="stable")
+    turned = np.broadcast_to(np.degrees(turns)[:, np.newaxis], azimuth.shape)
+
+    def sorted_by_azimuth(values: Floats) -> Floats:
+        by_azimuth: Floats = values.ravel()[order]
+        return by_azimuth
+
+    return Round(
+        case=case,
+        solved=solved,
+        turn=sorted_by_azimuth(turned),
+        azimuth=sorted_by_azimuth(azimuth),
+        ball=sorted_by_azimuth(number),
+        inner_load=sorted_by_azimuth(solved.inner.load),
+        outer_load=sorted_by_azimuth(solved.outer.load),
+        inner_angle=sorted_by_azimuth(np.degrees(solved.inner.contact_angle)),
+        outer_angle=sorted_by_azimuth(np.degrees(solved.outer.contact_angle)),
+        order=order,
+    )
+
+
+def figure_pair(
+    numbers: tuple[str, str], case: Text, source: Text, found: Round
+) -> tuple[Figure, Figure]:
+    """Return the figure of ball loads and that of contact angles, without statements."""
+    load = said("Ball load Q", "Carga na esfera Q")
+    angle = said("Contact angle α", "Ângulo de contato α")
+    loads = _figure_round_the_ring(
+        numbers[0],
+        said(
+            "{} Ball loads at both races. Markers: the balls; lines: the cage turned between them.",
+            "{} Cargas nas esferas nas duas pistas. Marcadores: as esferas; linhas: com a gaiola"
+            " girada entre elas.",
+            case,
+        ),
+        source,
+        found,
+        (
+            Series("inner_load", "N", load, found.inner_load),
+            Series("outer_load", "N", load, found.outer_load),
+        ),
+        ("Q_i", "Q_o"),
+    )
+    angles = _figure_round_the_ring(
+        numbers[1],
+        said(
+            "{} Contact angles at both races. Markers: the balls; lines: the cage turned between"
+            " them.",
+            "{} Ângulos de contato nas duas pistas. Marcadores: as esferas; linhas: com a gaiola"
+            " girada entre elas.",
+            case,
+        ),
+        source,
+        found,
+        (
+            Series("inner_contact_angle", "°", angle, found.inner_angle),
+            Series("outer_contact_angle", "°", angle, found.outer_angle),
+        ),
+        ("α_i", "α_o"),
+    )
+    return loads, angles
+
+
+def _figure_round_the_ring(
+    number: str,
+    caption: Text,
+    source: Text,
+    found: Round,
+    pair: tuple[Series, Series],
+    symbols: tuple[str, str],
+) -> Figure:
+    places = (
+        Series("azimuth", "°", said("Azimuth ψ", "Azimute ψ"), found.azimuth),
+        Series("ball", "", said("Ball", "Esfera"), found.ball),
+        Series("cage_turned", "°", said("Cage turned by", "Giro da gaiola"), found.turn),
+    )
+    status = status_column(found.solved.status.code)
+    states = np.asarray(status.values).repeat(found.case.bearing.ball_count)[found.order]
+    races = (
+        said("inner race, {}", "pista interna, {}", symbols[0]),
+        said("outer race, {}", "pista externa, {}", symbols[1]),
+    )
+    lines = tuple(
+        Line(column.name, look, race, dashed=bool(look), marked="ball")
+        for look, (column, race) in enumerate(zip(pair, races, strict=True))
+    )
+    return Figure(
+        number=number,
+        caption=caption,
+        source=source,
+        columns=(*places, *pair, Series("status", "", status.title, tuple(map(str, states)))),
+        picture=Curves(
+            (Panel("azimuth", pair[0].title, pair[0].unit, lines, tick=45.0, around=True),)
+        ),
+    )
+
 
 _ALIKE_LOAD, _ALIKE_ANGLE = 0.10, 5.0
-"""Differences that still read as alike: a part of the greatest load, and degrees."""
+"""Differences that still read as alike: a part of the maximum load, and degrees."""
 _NEAR_ZERO = 5.0  # degrees
-_NEARLY_EQUAL = 0.05  # of the greatest load
+_NEARLY_EQUAL = 0.05  # of the maximum load
 _NEAR_DIRECTION = 3.0  # degrees
 
 
@@ -29,21 +192,21 @@ _NEAR_DIRECTION = 3.0  # degrees
 def combined_section(title: Text) -> Section:
     """Compute figures 5.15 to 5.20."""
     given = inputs_of("combined")
-    whole = _solved(given)
-    still = _solved(given, model=Model(gyroscopic_moment=False))
-    light = _solved(given, model=Model(centrifugal_force=False))
+    whole = _solved_combined(given)
+    still = _solved_combined(given, model=Model(gyroscopic_moment=False))
+    light = _solved_combined(given, model=Model(centrifugal_force=False))
     source = source_of("combined")
     figures = (
-        *figure_pair(("5.15", "5.16"), _named(given), source, whole),
+        *figure_pair(("5.15", "5.16"), _caption_of_loads(given), source, whole),
         *figure_pair(
             ("5.17", "5.18"),
-            _named(given, said("; no gyroscopic moment", "; sem momento giroscópico")),
+            _caption_of_loads(given, said("; no gyroscopic moment", "; sem momento giroscópico")),
             source,
             still,
         ),
         *figure_pair(
             ("5.19", "5.20"),
-            _named(given, said("; no centrifugal force", "; sem força centrífuga")),
+            _caption_of_loads(given, said("; no centrifugal force", "; sem força centrífuga")),
             source,
             light,
         ),
@@ -60,7 +223,9 @@ def combined_section(title: Text) -> Section:
     return Section(title, _completed(figures, claims, notes))
 
 
-def _solved(given: dict[str, Any], *, model: Model | None = None, first_ball: float = 0.0) -> Round:
+def _solved_combined(
+    given: dict[str, Any], *, model: Model | None = None, first_ball: float = 0.0
+) -> Round:
     load = Load(
         fx=given["axial_load_kN"] * KILO,
         fz=given["radial_load_kN"] * KILO,
@@ -74,28 +239,24 @@ def _solved(given: dict[str, Any], *, model: Model | None = None, first_ball: fl
     return solved_round(case(duty, model))
 
 
-def _named(given: dict[str, Any], extra: Text | None = None) -> Text:
+def _caption_of_loads(given: dict[str, Any], extra: Text | None = None) -> Text:
     return said(
         "The 218 at {:,.0f} rpm: F_a = {:.0f} kN, F_z = {:.0f} kN{}.",
         "218 a {:,.0f} rpm: F_a = {:.0f} kN, F_z = {:.0f} kN{}.",
         given["inner_speed_rpm"],
         given["axial_load_kN"],
         given["radial_load_kN"],
-        extra or said("", ""),
+        extra or same(""),
     )
 
 
 def _completed(
-    figures: tuple[Figure, ...],
-    claims: tuple[tuple[Claim, ...], ...],
-    notes: dict[str, Text],
+    figures: tuple[Figure, ...], claims: tuple[tuple[Claim, ...], ...], notes: dict[str, Text]
 ) -> tuple[Figure, ...]:
     """Put the statements beside their figures."""
     return tuple(
         replace(
-            figure,
-            claims=stated,
-            notes=(notes[figure.number],) if figure.number in notes else (),
+            figure, claims=stated, notes=(notes[figure.number],) if figure.number in notes else ()
         )
         for figure, stated in zip(figures, claims, strict=True)
     )
@@ -149,19 +310,19 @@ def _opposite_angles(whole: Round) -> Claim:
 
 
 def _alike_loads(whole: Round, still: Round) -> Claim:
-    difference, greatest = _load_difference(whole, still), float(whole.outer_load.max())
+    difference, maximum = _load_difference(whole, still), float(whole.outer_load.max())
     return Claim(
         said(
             "Without the gyroscopic moment the loads are much as with it.",
             "Sem o momento giroscópico as cargas são muito parecidas.",
         ),
         said(
-            "They differ from figure 5.15 by at most {:,.0f} N, {:.1f} % of the greatest load.",
+            "They differ from figure 5.15 by at most {:,.0f} N, {:.1f} % of the maximum load.",
             "Diferem da figura 5.15 em no máximo {:,.0f} N, {:.1f} % da maior carga.",
             difference,
-            100.0 * difference / greatest,
+            100.0 * difference / maximum,
         ),
-        difference < _ALIKE_LOAD * greatest,
+        difference < _ALIKE_LOAD * maximum,
     )
 
 
@@ -185,7 +346,7 @@ def _equal_inside_and_outside(whole: Round, light: Round) -> Claim:
     def apart(found: Round) -> float:
         return float(np.abs(found.outer_load - found.inner_load)[found.placed].max())
 
-    greatest = float(light.outer_load.max())
+    maximum = float(light.outer_load.max())
     return Claim(
         said(
             "Without the centrifugal force the loads at the inner and outer race are nearly equal.",
@@ -193,15 +354,15 @@ def _equal_inside_and_outside(whole: Round, light: Round) -> Claim:
             " iguais.",
         ),
         said(
-            "They are at most {:,.0f} N apart, {:.1f} % of the greatest load; with it, up to"
+            "They are at most {:,.0f} N apart, {:.1f} % of the maximum load; with it, up to"
             " {:,.0f} N.",
             "A diferença é de no máximo {:,.0f} N, {:.1f} % da maior carga; com ela, até"
             " {:,.0f} N.",
             apart(light),
-            100.0 * apart(light) / greatest,
+            100.0 * apart(light) / maximum,
             apart(whole),
         ),
-        apart(light) < _NEARLY_EQUAL * greatest < apart(whole),
+        apart(light) < _NEARLY_EQUAL * maximum < apart(whole),
     )
 
 
@@ -273,7 +434,7 @@ def _angle_difference(one: Round, other: Round) -> float:
 def three_loads_section(title: Text) -> Section:
     """Compute figures 5.21 to 5.24."""
     given = inputs_of("three_loads")
-    found = [_solved(given, first_ball=value) for value in given["first_ball_deg"]]
+    found = [_solved_combined(given, first_ball=value) for value in given["first_ball_deg"]]
     figures: list[Figure] = []
     for numbers, one, first in zip(
         (("5.21", "5.22"), ("5.23", "5.24")), found, given["first_ball_deg"], strict=True
@@ -284,7 +445,9 @@ def three_loads_section(title: Text) -> Section:
             given["lateral_load_kN"],
             first,
         )
-        figures.extend(figure_pair(numbers, _named(given, extra), source_of("three_loads"), one))
+        figures.extend(
+            figure_pair(numbers, _caption_of_loads(given, extra), source_of("three_loads"), one)
+        )
     direction = float(np.degrees(np.arctan2(given["lateral_load_kN"], given["radial_load_kN"])))
     claims = (
         (_turned_loads(found[0], direction),),
@@ -304,7 +467,7 @@ def _turned_loads(found: Round, direction: float) -> Claim:
             "As tendências são as da figura 5.15, giradas para a direção da carga radial, {:.1f}°.",
             direction,
         ),
-        said("Q_i is greatest at {:.1f}°.", "Q_i é máxima em {:.1f}°.", peak),
+        said("Q_i is maximum at {:.1f}°.", "Q_i é máxima em {:.1f}°.", peak),
         abs(peak - direction) < _NEAR_DIRECTION,
     )
 
@@ -318,7 +481,7 @@ def _turned_angles(found: Round, direction: float) -> Claim:
             "As tendências são as da figura 5.16, giradas do mesmo modo.",
         ),
         said(
-            "α_i is greatest at {:.1f}°, opposite the load at {:.1f}°.",
+            "α_i is maximum at {:.1f}°, opposite the load at {:.1f}°.",
             "α_i é máximo em {:.1f}°, oposto à carga em {:.1f}°.",
             peak,
             opposite,
@@ -382,7 +545,184 @@ def _moved_ring(still: Round, moved: Round) -> Text:
 
 
 def _by_ball(one: Round, other: Round, values: np.ndarray, others: np.ndarray) -> float:
-    """Greatest difference between balls of one number."""
+    """Maximum difference between balls of one number."""
     first = values[one.placed][np.argsort(one.ball[one.placed])]
     second = others[other.placed][np.argsort(other.ball[other.placed])]
     return float(np.abs(first - second).max())
+
+
+_TILTED_FIGURES = (("5.27", "5.28"), ("5.29", "5.30"), ("5.31", "5.32"))
+_STRONG_CHANGE = 0.10
+"""A change of a displacement that counts as strong."""
+_WEAK_LOAD, _WEAK_ANGLE = 0.10, 5.0
+"""Changes that count as weak: a part of the maximum load, and degrees."""
+_LOADED_PART = 0.10
+"""Part of the maximum load from which a ball counts as loaded."""
+
+
+def tilt_section(title: Text) -> Section:
+    """Compute figures 5.27 to 5.32 and table 5.4."""
+    tilts = [float(value) for value in inputs_of("tilted")["tilts_deg"]]
+    found = {tilt: _solved_tilted(tilt) for tilt in tilts}
+    figures = tuple(
+        figure
+        for numbers, tilt in zip(_TILTED_FIGURES, tilts, strict=True)
+        for figure in _tilted_pair(numbers, tilt, found)
+    )
+    return Section(title, (*figures, _table_5_4(found)))
+
+
+def _solved_tilted(tilt: float) -> Round:
+    given = inputs_of("tilted")
+    duty = Duty(
+        inner_speed=given["inner_speed_rpm"] * RPM,
+        load=Load(fx=given["axial_load_kN"] * KILO, fz=given["radial_load_kN"] * KILO),
+        displacement=Displacement(ry=np.radians(tilt)),
+    )
+    return solved_round(case(duty))
+
+
+def _tilted_pair(
+    numbers: tuple[str, str], tilt: float, found: dict[float, Round]
+) -> tuple[Figure, Figure]:
+    given = inputs_of("tilted")
+    named = said(
+        "The 218 at {:,.0f} rpm: F_a = {:.0f} kN, F_z = {:.0f} kN, tilted by θ_y = {:.2f}°.",
+        "218 a {:,.0f} rpm: F_a = {:.0f} kN, F_z = {:.0f} kN, desalinhado de θ_y = {:.2f}°.",
+        given["inner_speed_rpm"],
+        given["axial_load_kN"],
+        given["radial_load_kN"],
+        tilt,
+    )
+    loads, angles = figure_pair(numbers, named, source_of("tilted"), found[tilt])
+    if tilt == 0.0:
+        return replace(loads, claims=(_moment_without_tilt(found[tilt]),)), angles
+    level = found[0.0]
+    return (
+        replace(loads, claims=(_weak_on_loads(level, found[tilt]),)),
+        replace(angles, claims=(_weak_on_angles(level, found[tilt]),)),
+    )
+
+
+def _weak_on_loads(level: Round, tilted: Round) -> Claim:
+    inner = np.abs(level.inner_load - tilted.inner_load)
+    outer = np.abs(level.outer_load - tilted.outer_load)
+    change = float(np.maximum(inner, outer)[level.placed].max())
+    share = change / float(level.outer_load.max())
+    return Claim(
+        said(
+            "The tilt has a weak influence on the ball loads.",
+            "O desalinhamento influi fracamente nas cargas das esferas.",
+        ),
+        said(
+            "They differ from figure 5.29 by at most {:,.0f} N, {:.1f} % of the maximum.",
+            "Diferem da figura 5.29 em no máximo {:,.0f} N, {:.1f} % da maior.",
+            change,
+            100.0 * share,
+        ),
+        share < _WEAK_LOAD,
+    )
+
+
+def _weak_on_angles(level: Round, tilted: Round) -> Claim:
+    inner = np.abs(level.inner_angle - tilted.inner_angle)
+    outer = np.abs(level.outer_angle - tilted.outer_angle)
+    change = np.maximum(inner, outer)[level.placed]
+    loaded = level.inner_load[level.placed] > _LOADED_PART * level.inner_load.max()
+    of_loaded, maximum = float(change[loaded].max()), float(change.max())
+    return Claim(
+        said(
+            "The tilt has a weak influence on the contact angles.",
+            "O desalinhamento influi fracamente nos ângulos de contato.",
+        ),
+        said(
+            "They differ from figure 5.30 by at most {:.1f}° on the {} balls that carry more than"
+            " {:.0f} % of the maximum load, and by up to {:.1f}° on the others.",
+            "Diferem da figura 5.30 em no máximo {:.1f}° nas {} esferas com mais de {:.0f} % da"
+            " maior carga, e em até {:.1f}° nas outras.",
+            of_loaded,
+            int(loaded.sum()),
+            100.0 * _LOADED_PART,
+            maximum,
+        ),
+        holds=maximum < _WEAK_ANGLE,
+        partly=of_loaded < _WEAK_ANGLE,
+    )
+
+
+def _moment_without_tilt(level: Round) -> Claim:
+    return Claim(
+        said(
+            "Even without tilt the shaft has to hold a moment, because the balls load the ring"
+            " unevenly.",
+            "Mesmo sem desalinhamento o eixo precisa sustentar um momento, pois as esferas carregam"
+            " o anel de forma desigual.",
+        ),
+        same("M_y = {:.2f} N·m.", level.moment),
+        level.moment > 1.0,
+    )
+
+
+def _table_5_4(found: dict[float, Round]) -> Table:
+    given = inputs_of("table_5_4")
+    rows = given["rows"]
+    states = [found[float(row[0])] for row in rows]
+    columns = (
+        TableColumn("tilt_deg", same("θ_y (°)"), tuple(str(row[0]) for row in rows)),
+        _printed_beside(rows, 1, "axial_displacement_mm", "δ_a (mm)", [s.shift[0] for s in states]),
+        _printed_beside(
+            rows, 2, "radial_displacement_mm", "δ_z (mm)", [s.shift[2] for s in states]
+        ),
+        _printed_beside(rows, 3, "moment_Nm", "M_y (N·m)", [s.moment for s in states]),
+    )
+    return Table(
+        number="5.4",
+        caption=said(
+            "The 218 tilted: displacements and moment, printed beside computed.",
+            "218 desalinhado: deslocamentos e momento, impressos ao lado dos calculados.",
+        ),
+        source=source_of("table_5_4"),
+        columns=columns,
+        claims=(_strong_on_ring(found),),
+        notes=(
+            said(
+                "The moment is measured with the radius of the circle of inner groove centres as"
+                " its arm. The digits need the gyroscopic moment's sign: with its size alone the"
+                " displacements are others (docs/adr/0001).",
+                "O momento é medido com o raio do círculo dos centros de curvatura da pista interna"
+                " como braço. Os dígitos exigem o sinal do momento giroscópico: só com o módulo os"
+                " deslocamentos são outros (docs/adr/0001).",
+            ),
+        ),
+    )
+
+
+def _printed_beside(
+    rows: list[list[str]], place: int, name: str, title: str, computed: list[float]
+) -> TableColumn:
+    cells = tuple(Cell(row[place], float(v)) for row, v in zip(rows, computed, strict=True))
+    return TableColumn(name, same("{}", title), cells)
+
+
+def _strong_on_ring(found: dict[float, Round]) -> Claim:
+    level = found[0.0]
+    others = [state for tilt, state in found.items() if tilt != 0.0]
+    axial, radial = (
+        [float(state.shift[axis] / level.shift[axis] - 1.0) for state in others] for axis in (0, 2)
+    )
+    return Claim(
+        said(
+            "The tilt has a strong influence on the displacements and changes the moment.",
+            "O desalinhamento influi fortemente nos deslocamentos e altera o momento.",
+        ),
+        said(
+            "By ±{:.2f}°: δ_a {:+.0f} % and {:+.0f} %, δ_z {:+.0f} % and {:+.0f} %, M_y {:+.0f} %"
+            " and {:+.0f} %.",
+            "Com ±{:.2f}°: δ_a {:+.0f} % e {:+.0f} %, δ_z {:+.0f} % e {:+.0f} %, M_y {:+.0f} % e"
+            " {:+.0f} %.",
+            max(found),
+            *(100.0 * value for value in (*axial, *radial)),
+            *(100.0 * (state.moment / level.moment - 1.0) for state in others),
+        ),
+        min(abs(value) for value in (*axial, *radial)) > _STRONG_CHANGE,
+    )

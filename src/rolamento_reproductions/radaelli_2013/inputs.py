@@ -11,40 +11,11 @@ from rolamento.case.bearing import Bearing
 from rolamento.case.duty import Duty
 from rolamento.case.material import Material
 from rolamento.case.model import Model
-from rolamento_reproductions.given import KILO, MILLI, RPM, Given, grid, status_column
-from rolamento_reproductions.text import Text
+from rolamento_reproductions.given import MILLI, Given
 
-__all__ = [
-    "KILO",
-    "MILLI",
-    "RPM",
-    "bearing",
-    "case",
-    "data",
-    "grid",
-    "inputs_of",
-    "modulus",
-    "source_of",
-    "status_column",
-    "steel",
-]
-
-_GIVEN: Final = Given("radaelli_2013")
-
-
-def data() -> dict[str, Any]:
-    """Return the data file: inputs and printed numbers, each with its place in the source."""
-    return _GIVEN.data
-
-
-def inputs_of(name: str) -> dict[str, Any]:
-    """Return one table of the data file."""
-    return _GIVEN.inputs_of(name)
-
-
-def source_of(name: str) -> Text:
-    """Return where a table's inputs stand, or how they were chosen."""
-    return _GIVEN.source_of(name)
+GIVEN: Final = Given("radaelli_2013")
+inputs_of = GIVEN.inputs_of
+source_of = GIVEN.source_of
 
 
 def modulus() -> float:
@@ -53,7 +24,7 @@ def modulus() -> float:
     K = √8/3 · E/(1 - ν²) · Σρ^-½ δ*^-3/2 is Radaelli's eq. 11 with 2.15e5 N, mm for the first two
     factors.
     """
-    constant, poisson = data()["stiffness_constant"], data()["poisson_ratio"]
+    constant, poisson = GIVEN.data["stiffness_constant"], GIVEN.data["poisson_ratio"]
     return float(constant * 1e6 * 3.0 / np.sqrt(8.0) * (1.0 - poisson**2))
 
 
@@ -62,14 +33,14 @@ def steel() -> Material:
     return Material(
         name="Radaelli's steel",
         youngs_modulus=modulus(),
-        poisson_ratio=data()["poisson_ratio"],
-        density=data()["density"],
+        poisson_ratio=GIVEN.data["poisson_ratio"],
+        density=GIVEN.data["density"],
     )
 
 
 def bearing(name: str) -> Bearing:
     """Return the 209 or the 218, tables 5.1 and 5.2."""
-    given: dict[str, Any] = data()["bearings"][name]
+    given: dict[str, Any] = GIVEN.data["bearings"][name]
     angle, clearance = given.get("contact_angle_deg"), given.get("diametral_clearance_mm")
     return Bearing(
         ball_count=given["ball_count"],

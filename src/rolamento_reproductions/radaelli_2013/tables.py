@@ -7,31 +7,23 @@ import numpy as np
 from rolamento.case.duty import Displacement, Duty, Load
 from rolamento.contact.hertz import hertz_coefficients
 from rolamento.geometry import Race, race_curvature
-from rolamento.rows.ball import solve
-from rolamento.state import State
+from rolamento.solution import solve
+from rolamento.solved import Solved
 from rolamento.static import axial_load, radial_load, sjovall_radial
-from rolamento_reproductions.printed import Cell
-from rolamento_reproductions.radaelli_2013.inputs import (
-    KILO,
-    MILLI,
-    RPM,
-    bearing,
-    case,
-    inputs_of,
-    source_of,
-)
+from rolamento.units import RPM
+from rolamento_reproductions.given import KILO, MILLI
+from rolamento_reproductions.radaelli_2013.inputs import bearing, case, inputs_of, source_of
 from rolamento_reproductions.record import (
+    Cell,
     Claim,
-    Column,
     Figure,
     Positions,
     Section,
+    Series,
     Table,
     TableColumn,
 )
 from rolamento_reproductions.text import Text, said, same
-
-__all__ = ["examples_section", "radial_section"]
 
 _PER_MM = 10.0**4.5  # N/m^1.5 in a N/mm^1.5
 _DIGITS = 9  # what is looked at of two numbers that should be equal
@@ -50,8 +42,8 @@ def _positions() -> Figure:
     ball = np.arange(1.0, rings.ball_count + 1.0)
     azimuth = 180.0 - np.mod(180.0 - (ball - 1.0) * 360.0 / rings.ball_count, 360.0)
     columns = (
-        Column("ball", "", said("Ball", "Esfera"), ball),
-        Column("azimuth", "°", said("Azimuth ψ", "Azimute ψ"), azimuth),
+        Series("ball", "", said("Ball", "Esfera"), ball),
+        Series("azimuth", "°", said("Azimuth ψ", "Azimute ψ"), azimuth),
     )
     return Figure(
         number="5.10",
@@ -68,7 +60,7 @@ def _positions() -> Figure:
     )
 
 
-def _radial_case(speed_rpm: float) -> State:
+def _radial_case(speed_rpm: float) -> Solved:
     given = inputs_of("table_5_3")
     duty = Duty(
         inner_speed=speed_rpm * RPM,
@@ -80,15 +72,14 @@ def _radial_case(speed_rpm: float) -> State:
 
 def _radial_table() -> Table:
     given = inputs_of("table_5_3")
-    state = _radial_case(given["inner_speed_rpm"])
+    solved = _radial_case(given["inner_speed_rpm"])
     rows: list[list[str]] = given["rows"]
-    balls = state.balls[: len(rows)]
-    count = len(state.balls)
+    count = solved.elements.azimuth.shape[1]
     computed = (
-        [np.degrees(ball.outer.contact_angle) for ball in balls],
-        [np.degrees(ball.inner.contact_angle) for ball in balls],
-        [ball.outer.load for ball in balls],
-        [ball.inner.load for ball in balls],
+        np.degrees(solved.outer.contact_angle[0, : len(rows)]),
+        np.degrees(solved.inner.contact_angle[0, : len(rows)]),
+        solved.outer.load[0, : len(rows)],
+        solved.inner.load[0, : len(rows)],
     )
     titles = (same("α_o (°)"), same("α_i (°)"), same("Q_o (N)"), same("Q_i (N)"))
     numbered = tuple(
@@ -106,17 +97,13 @@ def _radial_table() -> Table:
             " δ_z: impresso {} mm, calculado {:.5f} mm.",
             given["inner_speed_rpm"],
             given["radial_load_kN"],
-            said("{:.4f}", "{:.4f}", float(given["radial_displacement_mm"])),
-            state.displacement.z / MILLI,
+            same("{:.4f}", float(given["radial_displacement_mm"])),
+            float(solved.displacement.z[0]) / MILLI,
         ),
         source=source_of("table_5_3"),
         columns=(
             TableColumn("balls", said("Balls", "Esferas"), numbered),
-            TableColumn(
-                "azimuth_deg",
-                said("± ψ (°)", "± ψ (°)"),
-                tuple(str(row[0]) for row in rows),
-            ),
+            TableColumn("azimuth_deg", same("± ψ (°)"), tuple(str(row[0]) for row in rows)),
             *(
                 TableColumn(
                     name,
@@ -128,29 +115,29 @@ def _radial_table() -> Table:
                 )
             ),
         ),
-        claims=(_displacement(state), _mirrored(state), *_static_estimate(state)),
+        claims=(_displacement(solved), _mirrored(solved), *_static_estimate(solved)),
         notes=(
             said(
                 "Holding the ring at x = 0 takes an axial force of {:,.0f} N.",
                 "Manter o anel em x = 0 exige uma força axial de {:,.0f} N.",
-                state.load.fx,
+                float(solved.load.fx[0]),
             ),
         ),
     )
 
 
-def _displacement(state: State) -> Claim:
+def _displacement(solved: Solved) -> Claim:
     printed = inputs_of("table_5_3")["radial_displacement_mm"]
-    cell = Cell(printed, state.displacement.z / MILLI)
+    cell = Cell(printed, float(solved.displacement.z[0]) / MILLI)
     return Claim(
         said("δ_z is {:.4f} mm.", "δ_z é {:.4f} mm.", float(printed)),
-        said("{:.5f} mm.", "{:.5f} mm.", cell.computed),
+        same("{:.5f} mm.", cell.computed),
         cell.agreement == "printed",
     )
 
 
-def _mirrored(state: State) -> Claim:
-    loads = np.array([ball.inner.load for ball in state.balls])
+def _mirrored(solved: Solved) -> Claim:
+    loads = solved.inner.load[0]
     apart = float(np.abs(loads[1:] - loads[:0:-1]).max() / loads.max())
     digits = min(_DIGITS, int(-np.log10(max(apart, 1e-99))))
     return Claim(
@@ -164,14 +151,14 @@ def _mirrored(state: State) -> Claim:
     )
 
 
-def _static_estimate(state: State) -> tuple[Claim, Claim]:
+def _static_estimate(solved: Solved) -> tuple[Claim, Claim]:
     """Look into the static estimate, and why the result at speed is so much greater."""
     given = inputs_of("table_5_3")
     printed = given["static_estimate_mm"]
     without = bearing("218").replace(contact_angle=None, diametral_clearance=0.0)
     estimate = radial_load(without, given["radial_load_kN"] * KILO)
     cell = Cell(printed, float(estimate.radial_displacement) / MILLI)
-    at_rest, turning = _radial_case(0.0).displacement.z / MILLI, state.displacement.z / MILLI
+    at_rest, turning = (float(one.displacement.z[0]) / MILLI for one in (_radial_case(0.0), solved))
     gap = turning - cell.computed
     by_speed = (turning - at_rest) / gap
     return (
@@ -350,7 +337,7 @@ def _greatest_difference(given: dict[str, object]) -> Claim:
     ]
     return Claim(
         said(
-            "The greatest difference from Harris is {:g} %.",
+            "The maximum difference from Harris is {:g} %.",
             "A maior diferença em relação a Harris é de {:g} %.",
             stated,
         ),

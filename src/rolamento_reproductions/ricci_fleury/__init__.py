@@ -4,15 +4,11 @@ from __future__ import annotations
 
 from typing import Final
 
-from rolamento_reproductions.errata import ERRATA_STEM
-from rolamento_reproductions.record import Part, Source
-from rolamento_reproductions.ricci_fleury.inputs import GIVEN
+from rolamento_reproductions.record import ERRATA_STEM, Part, Source
 from rolamento_reproductions.ricci_fleury.misprints import misprints_section
-from rolamento_reproductions.ricci_fleury.spin import spin_section
+from rolamento_reproductions.ricci_fleury.spin import GIVEN, spin_section
 from rolamento_reproductions.ricci_fleury.torque import torque_section
 from rolamento_reproductions.text import said
-
-__all__ = ["SOURCE"]
 
 SOURCE: Final = Source(
     name="ricci-fleury",

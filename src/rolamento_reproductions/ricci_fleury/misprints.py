@@ -10,18 +10,17 @@ import numpy as np
 
 from rolamento.contact.hertz import elliptical_contact
 from rolamento.numerics.elliptic import complete
-from rolamento_reproductions.errata import (
+from rolamento_reproductions.record import (
     Errata,
+    Floats,
     Misprint,
     Proof,
-    Sound,
+    Section,
+    ValidEquation,
     proven,
     residual,
 )
-from rolamento_reproductions.record import Floats, Section
 from rolamento_reproductions.text import Text, formula, said
-
-__all__ = ["misprints_section"]
 
 _COUNT: Final = 2000
 _SEED: Final = 1993
@@ -87,7 +86,7 @@ def misprints_section(title: Text) -> Section:
         source=said("equations 5 to 19 of the paper", "equações 5 a 19 do artigo"),
         remarks=_REMARKS,
         misprints=(_curvature(), _modulus(), _arc_centre(), _inner_line()),
-        sound=(*_clearances(), _outer_line()),
+        valid=(*_clearances(), _outer_line()),
         attitudes=_COUNT,
     )
     return Section(title, (errata,))
@@ -131,11 +130,8 @@ def _curvature() -> Misprint:
     truth = np.stack([contact.semi_major, contact.semi_minor, contact.deflection], axis=-1)
     modulus = 2.0 / (first + second)
     return proven(
-        (
-            "10",
-            said("Equations (10) to (12)", "Equações (10) a (12)"),
-        ),
-        said("contact ellipse and approach", "elipse de contato e aproximação"),
+        ("10", said("Equations (10) to (12)", "Equações (10) a (12)")),
+        said("contact ellipse and deflection", "elipse de contato e aproximação"),
         (
             said("R_c: the sum of curvatures", "R_c: a soma das curvaturas"),
             said(
@@ -273,11 +269,11 @@ def _inner_line() -> Misprint:
     )
 
 
-def _outer_line() -> Sound:
+def _outer_line() -> ValidEquation:
     c = _contacts()
     x, z, slip, size = _line_terms(1.0)
     form = c.ring * (c.pitch_radius + z) + c.ball[:, 2] * x - c.ball[:, 0] * z
-    return Sound(
+    return ValidEquation(
         "18",
         said("line without slip, outer contact", "linha sem deslizamento, contato externo"),
         formula("ω_0 (e + z′) − ω_z x′ − ω_x z′ = 0"),
@@ -285,7 +281,7 @@ def _outer_line() -> Sound:
     )
 
 
-def _clearances() -> tuple[Sound, ...]:
+def _clearances() -> tuple[ValidEquation, ...]:
     """Angle and play of a bearing from where its grooves touch the balls."""
     c = _contacts()
     distance = c.diameter * 0.05
@@ -293,13 +289,13 @@ def _clearances() -> tuple[Sound, ...]:
     radial = distance - 0.5 * clearance
     axial = np.sqrt(distance**2 - radial**2)  # shift until the groove centres are D apart
     return (
-        Sound(
+        ValidEquation(
             "5",
             said("free contact angle", "ângulo de contato livre"),
             formula("cos β_f = (D − P_d/2)/D"),
             residual(radial / distance, np.cos(np.arctan2(axial, radial)), np.ones_like(axial)),
         ),
-        Sound(
+        ValidEquation(
             "8",
             said("axial play", "folga axial"),
             formula("P_a = 2 D sin β_f"),

@@ -1,34 +1,63 @@
-"""Figure 9: spin over roll at both contacts over the speed of the shaft, by Harris's model."""
+"""Spin over roll at both contacts over the speed: the bearing of Ricci and Fleury under thrust."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cache
+from typing import Final
 
 import numpy as np
 
+from rolamento.case import Case
+from rolamento.case.bearing import Bearing
+from rolamento.case.duty import Duty, Load
+from rolamento.case.model import Model
 from rolamento.friction.harris_1971 import line_friction
 from rolamento.friction.minimum_power import loaded_contacts, minimum_power_motion, start_of
 from rolamento.friction.model import controlling_race, unit_motion
 from rolamento.friction.slip import rolling_lines
 from rolamento.friction.traction import ellipse_mesh
+from rolamento.solution import solve
 from rolamento.solved import Solved
-from rolamento.solving import solve
-from rolamento_reproductions.given import MILLI, RPM, grid
+from rolamento.units import RPM
+from rolamento_reproductions.given import MILLI, Given, grid
 from rolamento_reproductions.record import (
     Claim,
-    Column,
     Curves,
     Figure,
     Floats,
     Line,
     Panel,
     Section,
+    Series,
 )
-from rolamento_reproductions.ricci_fleury.inputs import GIVEN, case
-from rolamento_reproductions.text import Text, said
+from rolamento_reproductions.text import Text, said, same
 
-__all__ = ["spin_section"]
+GIVEN: Final = Given("ricci_fleury")
+
+
+def case(axial_load: float, speed_rpm: float, *, outer_conformity: float | None = None) -> Case:
+    """Return a case of the bearing under thrust.
+
+    Without the gyroscopic moment: Harris's model of 1971 has no force that could carry it, and
+    the models of figure 8 are for speeds at which it is nothing.
+    """
+    given = GIVEN.inputs_of("bearing")
+    conformity = given["conformity"]
+    bearing = Bearing(
+        ball_count=given["ball_count"],
+        ball_diameter=given["ball_diameter_mm"] * MILLI,
+        pitch_diameter=0.5 * (given["bore_mm"] + given["outside_mm"]) * MILLI,
+        contact_angle=np.radians(given["contact_angle_deg"]),
+        inner_conformity=conformity,
+        outer_conformity=conformity if outer_conformity is None else outer_conformity,
+    )
+    return Case(
+        bearing=bearing,
+        duty=Duty(inner_speed=speed_rpm * RPM, load=Load(fx=axial_load)),
+        model=Model(gyroscopic_moment=False),
+    )
+
 
 _POINTS = 400
 """Along the ellipse: Harris's model has slip along rolling only, one point across is exact."""
@@ -38,7 +67,7 @@ _POINTS = 400
 class _Bearing:
     """One bearing over speed: ratios, lines of pure rolling in each contact, torque in N·m."""
 
-    state: Solved
+    solved: Solved
     inner: Floats
     outer: Floats
     inner_lines: Floats
@@ -48,7 +77,7 @@ class _Bearing:
 
 def spin_section(title: Text) -> Section:
     """Compute figure 9."""
-    return Section(title, (_figure(),))
+    return Section(title, (_spin_figure(),))
 
 
 def _speeds() -> Floats:
@@ -57,14 +86,14 @@ def _speeds() -> Floats:
 
 
 @cache
-def _solved(conformity: float, load: float | None = None) -> _Bearing:
+def _solved_over_speed(conformity: float, load: float | None = None) -> _Bearing:
     given = GIVEN.inputs_of("spin")
     speeds = _speeds()
     load = given["axial_load_N"] if load is None else load
     base = case(load, float(speeds[0]), outer_conformity=conformity)
-    state = solve(base, inner_speed=speeds * RPM)
-    inner, outer, chosen = loaded_contacts(state)
-    start = start_of(unit_motion(state, controlling_race(state, "jones")), chosen)
+    solved = solve(base, inner_speed=speeds * RPM)
+    inner, outer, chosen = loaded_contacts(solved)
+    start = start_of(unit_motion(solved, controlling_race(solved, "jones")), chosen)
     free = np.broadcast_to(np.eye(3), (*start.shape, 3))
     motion = minimum_power_motion(inner, outer, start, free, ellipse_mesh(_POINTS, 1))
     count = chosen.shape[1]
@@ -79,62 +108,62 @@ def _solved(conformity: float, load: float | None = None) -> _Bearing:
     torque = GIVEN.inputs_of("torque")["friction_coefficient"] * power.reshape(-1, count).sum(
         axis=1
     )
-    return _Bearing(state, ratios[0], ratios[1], lines[0], lines[1], torque)
+    return _Bearing(solved, ratios[0], ratios[1], lines[0], lines[1], torque)
 
 
-def _figure() -> Figure:
+def _spin_figure() -> Figure:
     given = GIVEN.inputs_of("spin")
     values = [float(f) for f in given["outer_conformities"]]
-    found = [_solved(value) for value in values]
+    found = [_solved_over_speed(value) for value in values]
     speeds = _speeds()
     columns = (
-        Column(
+        Series(
             "outer_conformity",
             "",
             said("Outer conformity f_o", "Conformidade externa f_o"),
             np.repeat(values, speeds.size),
         ),
-        Column(
+        Series(
             "inner_speed",
             "rpm",
             said("Shaft speed n", "Rotação do eixo n"),
             np.tile(speeds, len(values)),
         ),
-        Column(
+        Series(
             "inner_spin_to_roll",
             "",
             said("inner", "interno"),
             np.concatenate([one.inner for one in found]),
         ),
-        Column(
+        Series(
             "outer_spin_to_roll",
             "",
             said("outer", "externo"),
             np.concatenate([one.outer for one in found]),
         ),
-        Column(
+        Series(
             "inner_rolling_lines",
             "",
             said("lines of pure rolling, inner", "linhas de rolamento puro, interno"),
             np.concatenate([one.inner_lines for one in found]),
         ),
-        Column(
+        Series(
             "outer_rolling_lines",
             "",
             said("lines of pure rolling, outer", "linhas de rolamento puro, externo"),
             np.concatenate([one.outer_lines for one in found]),
         ),
-        Column(
+        Series(
             "friction_torque",
             "N·mm",
             said("Friction torque T", "Torque de atrito T"),
             np.concatenate([one.torque for one in found]) / MILLI,
         ),
-        Column(
+        Series(
             "status",
             "",
             said("status", "estado"),
-            tuple(str(code) for one in found for code in one.state.status.code),
+            tuple(str(code) for one in found for code in one.solved.status.code),
         ),
     )
     return Figure(
@@ -150,7 +179,7 @@ def _figure() -> Figure:
         ),
         source=GIVEN.source_of("spin"),
         columns=columns,
-        picture=Curves((_panel(values),)),
+        picture=Curves((_spin_panel(values),)),
         claims=(
             _improvement(values, found),
             _lines_of(found[0], values[0]),
@@ -168,23 +197,19 @@ def _figure() -> Figure:
     )
 
 
-def _panel(values: list[float]) -> Panel:
+def _spin_panel(values: list[float]) -> Panel:
     contacts = (
         ("inner_spin_to_roll", said("inner contact", "contato interno")),
         ("outer_spin_to_roll", said("outer contact", "contato externo")),
     )
     lines = tuple(
         Line(
-            name,
-            look,
-            None if place else contact,
-            ("outer_conformity", value),
-            dashed=bool(place),
+            name, look, None if place else contact, ("outer_conformity", value), dashed=bool(place)
         )
         for place, value in enumerate(values)
         for look, (name, contact) in enumerate(contacts)
     )
-    solid, dashed = (said("f_o = {:.3f}", "f_o = {:.3f}", value) for value in values)
+    solid, dashed = (same("f_o = {:.3f}", value) for value in values)
     return Panel(
         "inner_speed",
         said("Spin over roll", "Pivotamento sobre rolamento"),
@@ -230,14 +255,14 @@ def _improvement(values: list[float], found: list[_Bearing]) -> Claim:
 
 
 def _change(one: _Bearing) -> float:
-    """Return the least speed at which the inner contact spins more; rpm."""
+    """Return the minimum speed at which the inner contact spins more; rpm."""
     return float(_speeds()[np.argmax(one.inner > one.outer)])
 
 
 def _lines_of(one: _Bearing, conformity: float) -> Claim:
     """Count the lines of pure rolling over speed."""
     heavier = float(GIVEN.inputs_of("spin")["heavier_load_N"])
-    seen, under_more = _pairs(one), _pairs(_solved(conformity, heavier))
+    seen, under_more = _pairs(one), _pairs(_solved_over_speed(conformity, heavier))
     stated = [(2, 1), (1, 1), (1, 2)]
     return Claim(
         said(
@@ -252,8 +277,8 @@ def _lines_of(one: _Bearing, conformity: float) -> Claim:
             " under {:.0f} N. It depends on the load.",
             "Linhas interno/externo com rotação crescente, f_o = f_i: {} com a carga da figura; {}"
             " sob {:.0f} N. Depende da carga.",
-            _told(seen),
-            _told(under_more),
+            _pairs_in_words(seen),
+            _pairs_in_words(under_more),
             heavier,
         ),
         holds=seen == stated and under_more == stated,
@@ -267,13 +292,13 @@ def _pairs(one: _Bearing) -> list[tuple[int, int]]:
     return list(dict.fromkeys((int(inner), int(outer)) for inner, outer in pairs))
 
 
-def _told(pairs: list[tuple[int, int]]) -> str:
+def _pairs_in_words(pairs: list[tuple[int, int]]) -> str:
     return ", ".join(f"{inner}/{outer}" for inner, outer in pairs)
 
 
 def _no_free_lunch(found: list[_Bearing]) -> tuple[Claim, ...]:
     """The contacts' angles leave a sum to be shared: no bearing here rolls purely on both."""
-    least = min(float((one.inner + one.outer).min()) for one in found)
+    minimum = min(float((one.inner + one.outer).min()) for one in found)
     return (
         Claim(
             said(
@@ -285,9 +310,9 @@ def _no_free_lunch(found: list[_Bearing]) -> tuple[Claim, ...]:
             said(
                 "Their sum is nowhere below {:.3f}.",
                 "Sua soma não é menor que {:.3f} em parte alguma.",
-                least,
+                minimum,
             ),
-            least > 0.05,
+            minimum > 0.05,
             of_theory=True,
         ),
     )

@@ -17,25 +17,23 @@ from rolamento.friction.minimum_power import loaded_contacts
 from rolamento.friction.model import controlling_race
 from rolamento.friction.todd import todd
 from rolamento.numerics.elliptic import complete
+from rolamento.solution import solve
 from rolamento.solved import Solved
-from rolamento.solving import solve
 from rolamento_reproductions.given import MILLI, grid, status_column
 from rolamento_reproductions.record import (
     Claim,
-    Column,
     Curves,
     Figure,
     Floats,
     Line,
     Panel,
     Section,
+    Series,
     Table,
     TableColumn,
 )
-from rolamento_reproductions.ricci_fleury.inputs import GIVEN, case
+from rolamento_reproductions.ricci_fleury.spin import GIVEN, case
 from rolamento_reproductions.text import Text, said, same
-
-__all__ = ["torque_section"]
 
 _MODELS = (
     ("jones_simplified", said("Jones, simplified", "Jones simplificado")),
@@ -43,7 +41,7 @@ _MODELS = (
     ("todd_bare", said("Todd, without", "Todd, sem histerese")),
     ("jones_control", said("Jones, with control", "Jones com controle")),
     ("jones_full", said("Jones, full", "Jones completo")),
-    ("harris", said("Harris (1971)", "Harris (1971)")),
+    ("harris", same("Harris (1971)")),
 )
 _MOST_OF_FRICTION = 0.80
 _NEAR_TODD = 3e-3
@@ -52,57 +50,57 @@ _BY_E = 0.01
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class _Solved:
+class _TorqueSweep:
     """Torques of all models at the loads of the figure; N and N·m."""
 
     loads: Floats
-    balls: Solved
+    solved: Solved
     totals: dict[str, Floats]
     todd: Torque
     spins: tuple[Floats, Floats]
 
 
 @cache
-def _solved() -> _Solved:
+def _solved_over_load() -> _TorqueSweep:
     given = GIVEN.inputs_of("torque")
     loads = grid(given["lowest_load_N"], given["highest_load_N"], given["step_N"])
-    balls = solve(case(float(loads[0]), given["speed_rpm"]), fx=loads)
+    solved = solve(case(float(loads[0]), given["speed_rpm"]), fx=loads)
     mu = given["friction_coefficient"]
-    full, motion = jones_full_motion(balls, mu)
-    by_todd = todd(balls, mu, hysteresis=given["hysteresis"])
+    full, motion = jones_full_motion(solved, mu)
+    by_todd = todd(solved, mu, hysteresis=given["hysteresis"])
     assert motion is not None  # every ball is loaded under thrust
     inner, outer = (
-        np.abs(motion.relative_motion(patch).spin_to_roll) for patch in loaded_contacts(balls)[:2]
+        np.abs(motion.relative_motion(patch).spin_to_roll) for patch in loaded_contacts(solved)[:2]
     )
     torques = {
         "jones_full": full,
-        "jones_control": jones_control(balls, mu),
-        "jones_simplified": jones_simplified(balls, mu),
-        "harris": harris_1971(balls, mu),
+        "jones_control": jones_control(solved, mu),
+        "jones_simplified": jones_simplified(solved, mu),
+        "harris": harris_1971(solved, mu),
         "todd": by_todd,
-        "todd_bare": todd(balls, mu, hysteresis=0.0),
+        "todd_bare": todd(solved, mu, hysteresis=0.0),
     }
     totals = {name: torque.total for name, torque in torques.items()}
-    return _Solved(loads, balls, totals, by_todd, (inner, outer))
+    return _TorqueSweep(loads, solved, totals, by_todd, (inner, outer))
 
 
 def torque_section(title: Text) -> Section:
     """Compute figure 8 and its table."""
-    found = _solved()
-    return Section(title, (_figure(found), _table(found)))
+    found = _solved_over_load()
+    return Section(title, (_torque_figure(found), _torque_table(found)))
 
 
-def _figure(found: _Solved) -> Figure:
+def _torque_figure(found: _TorqueSweep) -> Figure:
     columns = (
-        Column("axial_load", "N", said("Axial load F_a", "Carga axial F_a"), found.loads),
-        *(Column(name, "N·mm", title, found.totals[name] / MILLI) for name, title in _MODELS),
-        Column(
+        Series("axial_load", "N", said("Axial load F_a", "Carga axial F_a"), found.loads),
+        *(Series(name, "N·mm", title, found.totals[name] / MILLI) for name, title in _MODELS),
+        Series(
             "contact_angle",
             "°",
             said("Contact angle α", "Ângulo de contato α"),
-            np.degrees(found.balls.inner.contact_angle[:, 0]),
+            np.degrees(found.solved.inner.contact_angle[:, 0]),
         ),
-        status_column(found.balls),
+        status_column(found.solved.status.code),
     )
     lines = tuple(Line(name, look, title) for look, (name, title) in enumerate(_MODELS))
     return Figure(
@@ -127,13 +125,13 @@ def _figure(found: _Solved) -> Figure:
                 "The text finds that Jones's simplified model fits Todd's measurements perfectly."
                 " Neither the measured points nor the printed curves are in the text, so this is"
                 " not checked here. Over the load the contact angle rises from {:.1f}° to {:.1f}°,"
-                " the greatest pressure from {:.2f} to {:.2f} GPa.",
+                " the maximum pressure from {:.2f} to {:.2f} GPa.",
                 "O texto conclui que o modelo simplificado de Jones se ajusta perfeitamente às"
                 " medições de Todd. Nem os pontos medidos nem as curvas impressas estão no texto,"
                 " de modo que isso não é verificado aqui. Com a carga o ângulo de contato sobe de"
                 " {:.1f}° a {:.1f}°, e a maior pressão, de {:.2f} a {:.2f} GPa.",
-                *np.degrees(found.balls.inner.contact_angle[[0, -1], 0]),
-                *(found.balls.inner.max_pressure[[0, -1], 0] / 1e9),
+                *np.degrees(found.solved.inner.contact_angle[[0, -1], 0]),
+                *(found.solved.inner.max_pressure[[0, -1], 0] / 1e9),
             ),
             _beyond(),
         ),
@@ -156,10 +154,10 @@ def _beyond() -> Text:
     """Tell the ratios at loads outside the range drawn, where the expectations end."""
     given = GIVEN.inputs_of("torque")
     loads, mu = [float(load) for load in given["beyond_N"]], given["friction_coefficient"]
-    balls = solve(case(loads[0], given["speed_rpm"]), fx=np.array(loads))
-    simplified = jones_simplified(balls, mu).total
-    over_control = 100.0 * (simplified / jones_control(balls, mu).total - 1.0)
-    over_full = 100.0 * (simplified / jones_full_motion(balls, mu)[0].total - 1.0)
+    solved = solve(case(loads[0], given["speed_rpm"]), fx=np.array(loads))
+    simplified = jones_simplified(solved, mu).total
+    over_control = 100.0 * (simplified / jones_control(solved, mu).total - 1.0)
+    over_full = 100.0 * (simplified / jones_full_motion(solved, mu)[0].total - 1.0)
     pairs = np.column_stack([loads, over_control, over_full]).ravel()
     return said(
         "The range of load was chosen so that these expectations cover it; beyond it they do not:"
@@ -175,15 +173,15 @@ def _beyond() -> Text:
 # --- statements of the text -------------------------------------------------
 
 
-def _of_the_text(found: _Solved) -> tuple[Claim, ...]:
+def _of_the_text(found: _TorqueSweep) -> tuple[Claim, ...]:
     parts = found.todd.parts
     slip = (parts["spin"] + parts["rolling_slip"]) / found.todd.total
-    inner, outer = found.balls.inner, found.balls.outer
+    inner, outer = found.solved.inner, found.solved.outer
     eccentric = [
         float(np.sqrt(1.0 - (patch.semi_minor / patch.semi_major)[0, 0] ** 2))
         for patch in (inner, outer)
     ]
-    held = controlling_race(found.balls, "jones")
+    held = controlling_race(found.solved, "jones")
     return (
         Claim(
             said(
@@ -225,11 +223,11 @@ def _expected(statement: Text, finding: Text, holds: object) -> Claim:
     return Claim(statement, finding, bool(holds), of_theory=True)
 
 
-def _range(values: Floats) -> tuple[float, float]:
+def _extremes(values: Floats) -> tuple[float, float]:
     return float(values.min()), float(values.max())
 
 
-def _of_theory(found: _Solved) -> tuple[Claim, ...]:
+def _of_theory(found: _TorqueSweep) -> tuple[Claim, ...]:
     t = found.totals
     return (
         _harris(found),
@@ -241,12 +239,11 @@ def _of_theory(found: _Solved) -> tuple[Claim, ...]:
     )
 
 
-def _harris(found: _Solved) -> Claim:
+def _harris(found: _TorqueSweep) -> Claim:
     ratio = found.totals["jones_full"] / found.totals["harris"]
-    patches = (found.balls.inner, found.balls.outer)
+    patches = (found.solved.inner, found.solved.outer)
     second = np.mean(
-        [complete((patch.semi_minor / patch.semi_major)[:, 0] ** 2)[1] for patch in patches],
-        axis=0,
+        [complete((patch.semi_minor / patch.semi_major)[:, 0] ** 2)[1] for patch in patches], axis=0
     )
     return _expected(
         said(
@@ -258,7 +255,7 @@ def _harris(found: _Solved) -> Claim:
         said(
             "Jones full over Harris: {:.3f} to {:.3f}; E = {:.3f}.",
             "Jones completo sobre Harris: {:.3f} a {:.3f}; E = {:.3f}.",
-            *_range(ratio),
+            *_extremes(ratio),
             float(second.mean()),
         ),
         np.all(np.abs(ratio - second) < _BY_E) and ratio.min() > 1.015 and ratio.max() < 1.035,
@@ -285,7 +282,7 @@ def _above(values: Floats) -> Text:
     return said(
         "{:.0f} to {:.0f} % above, more with more load.",
         "{:.0f} a {:.0f} % acima, mais com mais carga.",
-        *(100.0 * (value - 1.0) for value in _range(values)),
+        *(100.0 * (value - 1.0) for value in _extremes(values)),
     )
 
 
@@ -315,7 +312,7 @@ def _simplified_over_full(t: dict[str, Floats]) -> Claim:
     )
 
 
-def _both_spin(found: _Solved) -> Claim:
+def _both_spin(found: _TorqueSweep) -> Claim:
     inner, outer = found.spins
     return _expected(
         said(
@@ -326,8 +323,8 @@ def _both_spin(found: _Solved) -> Claim:
             "Spin over roll {:.3f} to {:.3f} at the inner contact, {:.3f} to {:.3f} at the outer.",
             "Pivotamento sobre rolamento {:.3f} a {:.3f} no contato interno, {:.3f} a {:.3f} no"
             " externo.",
-            *_range(inner),
-            *_range(outer),
+            *_extremes(inner),
+            *_extremes(outer),
         ),
         min(inner.min(), outer.min()) > 0.01,
     )
@@ -336,7 +333,7 @@ def _both_spin(found: _Solved) -> Claim:
 def _order(t: dict[str, Floats]) -> Claim:
     names = ("harris", "jones_full", "todd_bare", "todd", "jones_simplified")
     rising = all(np.all(t[a] < t[b]) for a, b in pairwise(names))
-    least = np.all(t["jones_full"] <= t["jones_control"])
+    smaller = np.all(t["jones_full"] <= t["jones_control"])
     return _expected(
         said(
             "From below: Harris, Jones full, Todd without hysteresis (Jones with control), Todd"
@@ -347,18 +344,18 @@ def _order(t: dict[str, Floats]) -> Claim:
             " controle prescreve.",
         ),
         said(
-            "So at all {} loads." if rising and least else "Not at all {} loads.",
-            "Assim em todas as {} cargas." if rising and least else "Não em todas as {} cargas.",
+            "So at all {} loads." if rising and smaller else "Not at all {} loads.",
+            "Assim em todas as {} cargas." if rising and smaller else "Não em todas as {} cargas.",
             t["jones_full"].size,
         ),
-        rising and least,
+        rising and smaller,
     )
 
 
 # --- table ------------------------------------------------------------------
 
 
-def _table(found: _Solved) -> Table:
+def _torque_table(found: _TorqueSweep) -> Table:
     loads = GIVEN.inputs_of("table")["loads_N"]
     rows = [int(np.argmin(np.abs(found.loads - load))) for load in loads]
     full = found.totals["jones_full"]
@@ -377,8 +374,7 @@ def _table(found: _Solved) -> Table:
                     f"{name}_Nmm",
                     title,
                     tuple(
-                        said(
-                            "{:.3f} ({:.3f})",
+                        same(
                             "{:.3f} ({:.3f})",
                             float(found.totals[name][row] / MILLI),
                             float(found.totals[name][row] / full[row]),

@@ -139,7 +139,7 @@ class LoadDistribution:
 
 def _solved_between(solved: Solved, row: int, positions: int) -> Solved:
     """Solve for cage positions from that of a case to where the next ball takes its place."""
-    from rolamento.solving import solve
+    from rolamento.solution import solve
 
     first = solved.field("duty.first_ball_azimuth")[0]
     shifts = np.arange(positions) * (_TURN / int(solved.rows.element_count[row]) / positions)

@@ -1,4 +1,4 @@
-"""Clearance and life: figure 4.1.4, and the life that the load zone takes off."""
+"""The load zone: figures 4.1.3 and 4.1.4, and the life that clearance takes off."""
 
 from __future__ import annotations
 
@@ -9,54 +9,187 @@ import numpy as np
 from rolamento.life.iso281 import hours
 from rolamento.life.iso16281 import RaceRatings, race_ratings, reference_life
 from rolamento.life.load_zone import catalogue_stiffness, clearance_function, load_zone, zone_life
-from rolamento.static import radial_load
+from rolamento.static import RadialSolution, radial_load
 from rolamento.verification.campanha_2008 import STRIBECK
 from rolamento_reproductions.campanha_2008.inputs import (
     GIVEN,
     MICRO,
+    NONE,
+    Number,
     ball_count,
     ball_diameter,
     basic_life_hours,
     bearing,
     clearances_of_class,
     load,
+    numbers_table,
     outer_conformity,
     pitch_diameter,
     printed,
     speed,
 )
-from rolamento_reproductions.campanha_2008.numbers import NONE, Number, numbers_table
-from rolamento_reproductions.campanha_2008.zone_load import (
-    NO_CLEARANCE,
-    distribution_figure,
-    elastic_approach,
-    loaded,
-)
-from rolamento_reproductions.given import grid
+from rolamento_reproductions.given import KILO, grid
 from rolamento_reproductions.record import (
     Claim,
-    Column,
     Curves,
     Figure,
     Floats,
     Line,
     Panel,
     Section,
+    Series,
     Table,
 )
-from rolamento_reproductions.text import Text, said
+from rolamento_reproductions.text import Text, said, same
 
-__all__ = ["load_zone_numbers", "load_zone_section", "relative_life"]
+NO_CLEARANCE = 0.5
+"""ε without clearance."""
+
+
+def elastic_deflection() -> float:
+    """Return what a ball approaches the rings by under 5 F_r/Z, with the maker's stiffness; m."""
+    ball = STRIBECK * load() / ball_count()
+    return float((ball / catalogue_stiffness(ball_diameter())) ** (2.0 / 3.0))
+
+
+def _clearances() -> list[float]:
+    """Preload, none, the new bearing's, a worn one's, and what was taken for a clearance; m."""
+    given = GIVEN.inputs_of("load_zone")
+    return [
+        given["preload_um"] * MICRO,
+        *(value * MICRO for value in given["clearances_um"]),
+        elastic_deflection(),
+    ]
+
+
+@cache
+def loaded(clearance: float) -> RadialSolution:
+    """Return the bearing with a clearance (m) under the load, its balls smeared round the ring."""
+    return radial_load(bearing(clearance), load())
+
+
+def distribution_figure() -> Figure:
+    """Compute figure 4.1.3."""
+    clearances = _clearances()
+    azimuth = grid(-180.0, 180.0, 1.0)
+    place = np.mod(azimuth, 360.0) * ball_count() / 360.0
+    ball = np.where(np.isclose(place, np.round(place)), np.round(place) + 1.0, np.nan)
+    microns = [clearance / MICRO for clearance in clearances]
+    columns = (
+        Series(
+            "clearance",
+            "µm",
+            said("Radial clearance Δ", "Folga radial Δ"),
+            np.repeat(microns, azimuth.size),
+        ),
+        Series("azimuth", "°", said("Azimuth ψ", "Azimute ψ"), np.tile(azimuth, len(clearances))),
+        Series("ball", "", said("Ball", "Esfera"), np.tile(ball, len(clearances))),
+        Series(
+            "ball_load",
+            "kN",
+            said("Ball load Q", "Carga na esfera Q"),
+            np.concatenate([loaded(c).load_at(np.radians(azimuth)) / KILO for c in clearances]),
+        ),
+    )
+    lines = tuple(
+        Line(
+            "ball_load",
+            look,
+            same("Δ = {:.0f} µm, ε = {:.2f}", micron, float(loaded(clearance).load_zone_parameter)),
+            by=("clearance", micron),
+            marked="ball",
+        )
+        for look, (micron, clearance) in enumerate(zip(microns, clearances, strict=True))
+    )
+    return Figure(
+        number="4.1.3",
+        caption=said(
+            "What the load factor ε means for the 6305 under {:,.0f} N: ball load round the ring"
+            " with preload, without clearance, with the clearance of a new bearing of class C3, of"
+            " one worn for 628 h, and with the elastic deflection taken for a clearance. Markers:"
+            " the eight balls.",
+            "O que o fator de carga ε significa para o 6305 sob {:,.0f} N: carga nas esferas ao"
+            " redor do anel com pré-carga, sem folga, com a folga de um rolamento novo da classe"
+            " C3, com a de um gasto por 628 h e com a aproximação elástica tomada por folga."
+            " Marcadores: as oito esferas.",
+            load(),
+        ),
+        source=GIVEN.source_of("load_zone"),
+        columns=columns,
+        picture=Curves(
+            (
+                Panel(
+                    "azimuth",
+                    columns[3].title,
+                    "kN",
+                    lines,
+                    tick=45.0,
+                    around=True,
+                    legend_columns=3,
+                ),
+            )
+        ),
+        claims=(_half(), _heaviest()),
+        notes=(
+            said(
+                "The printed figure is a sketch. Here the inner groove is as measured ({:.3f}), and"
+                " the contacts are exact; balls are smeared round the ring (Sjövall).",
+                "A figura impressa é um esquema. Aqui o canal interno é o medido ({:.3f}) e os"
+                " contatos são exatos; as esferas são distribuídas ao redor do anel (Sjövall).",
+                printed("life")["measured_conformity"],
+            ),
+        ),
+    )
+
+
+def _half() -> Claim:
+    none = loaded(0.0)
+    return Claim(
+        said(
+            "The calculation of life takes ε = 0.5, a bearing without clearance in operation.",
+            "O cálculo de vida prevê ε = 0,5, um rolamento sem folga em operação.",
+        ),
+        said(
+            "ε = {:.4f} without clearance, loaded over {:.1f}° on either side.",
+            "ε = {:.4f} sem folga, com carga até {:.1f}° para cada lado.",
+            float(none.load_zone_parameter),
+            float(np.degrees(none.load_zone_half_angle)),
+        ),
+        abs(float(none.load_zone_parameter) - NO_CLEARANCE) < 1e-12,
+    )
+
+
+def _heaviest() -> Claim:
+    new = [loaded(clearance) for clearance in clearances_of_class()]
+    stribeck = STRIBECK * load() / ball_count()
+    loads = [float(state.max_ball_load) for state in new]
+    return Claim(
+        said(
+            "The heaviest ball carries 5 F_r/Z = {:,.0f} N (chapter 4.4.3).",
+            "A esfera mais carregada leva 5 F_r/Z = {:,.0f} N (capítulo 4.4.3).",
+            stribeck,
+        ),
+        said(
+            "{:,.0f} to {:,.0f} N with the clearance of a new bearing: Stribeck's 5 leaves room for"
+            " more clearance than these have.",
+            "{:,.0f} a {:,.0f} N com a folga de um rolamento novo: o 5 de Stribeck deixa margem"
+            " para folga maior que a destes.",
+            *loads,
+        ),
+        holds=False,
+        partly=all(0.85 * stribeck < value < stribeck for value in loads),
+    )
+
 
 _OTHER_LOADS = (0.1, 0.01)
 """Of the test load: where the mistaken clearance is shown to cost as much as there."""
 _BEST = (0.7, 0.8)
-"""ε between which life is greatest, by the maker's own table."""
+"""ε between which life is longest, by the maker's own table."""
 
 
 def load_zone_section(title: Text) -> Section:
     """Compute figures 4.1.3 and 4.1.4 and the reduced life."""
-    return Section(title, (distribution_figure(), _life_figure(), _table()))
+    return Section(title, (distribution_figure(), _life_figure(), _load_zone_table()))
 
 
 # --- figure 4.1.4 -----------------------------------------------------------
@@ -109,7 +242,7 @@ def relative_life(clearance: float) -> float:
 
 def _life_figure() -> Figure:
     given = GIVEN.inputs_of("load_zone")
-    taken_at = elastic_approach() / MICRO
+    taken_at = elastic_deflection() / MICRO
     shown = grid(given["lowest_um"], given["highest_um"], given["step_um"])
     microns = np.unique([*shown, *given["clearances_um"], taken_at])
     zone, by_maker = _by_the_maker(microns * MICRO)
@@ -118,12 +251,12 @@ def _life_figure() -> Figure:
     taken = np.where(microns == taken_at, by_maker, np.nan)
     life = said("Life over that without clearance", "Vida sobre a vida sem folga")
     columns = (
-        Column("clearance", "µm", said("Radial clearance Δ", "Folga radial Δ"), microns),
-        Column("load_zone", "", said("Load factor ε", "Fator de carga ε"), zone),
-        Column("life_by_maker", "", life, by_maker),
-        Column("life_ball_by_ball", "", life, balls),
-        Column("life_of_tested", "", life, marked),
-        Column("life_as_taken", "", life, taken),
+        Series("clearance", "µm", said("Radial clearance Δ", "Folga radial Δ"), microns),
+        Series("load_zone", "", said("Load factor ε", "Fator de carga ε"), zone),
+        Series("life_by_maker", "", life, by_maker),
+        Series("life_ball_by_ball", "", life, balls),
+        Series("life_of_tested", "", life, marked),
+        Series("life_as_taken", "", life, taken),
     )
     lines = (
         Line("life_by_maker", 0, said("maker's formula", "fórmula do fabricante")),
@@ -136,12 +269,7 @@ def _life_figure() -> Figure:
             said("clearance 13, 28, 50 µm", "folga de 13, 28, 50 µm"),
             points=True,
         ),
-        Line(
-            "life_as_taken",
-            3,
-            said("72 µm, as taken", "72 µm, como tomado"),
-            points=True,
-        ),
+        Line("life_as_taken", 3, said("72 µm, as taken", "72 µm, como tomado"), points=True),
     )
     return Figure(
         number="4.1.4",
@@ -164,7 +292,7 @@ def _life_figure() -> Figure:
 def _fifth() -> Claim:
     new = [relative_life(clearance) for clearance in clearances_of_class()]
     worn = relative_life(GIVEN.inputs_of("load_zone")["clearances_um"][-1] * MICRO)
-    zone, life = _by_the_maker(np.array([elastic_approach()]))
+    zone, life = _by_the_maker(np.array([elastic_deflection()]))
     return Claim(
         said(
             "In condition I the clearance takes 20 % off the life.",
@@ -172,13 +300,13 @@ def _fifth() -> Claim:
         ),
         said(
             "{:.0f} to {:.0f} % with the 13 to 28 µm of a new bearing, {:.0f} % with the 50 µm of"
-            " one worn for 628 h. The dissertation puts the elastic approach of the heaviest ball,"
-            " {:.0f} µm, in the place of the clearance: that gives ε = {:.3f} and {:.0f} %.",
+            " one worn for 628 h. The dissertation puts the elastic deflection of the heaviest"
+            " ball, {:.0f} µm, in the place of the clearance: that gives ε = {:.3f} and {:.0f} %.",
             "{:.0f} a {:.0f} % com os 13 a 28 µm de um rolamento novo, {:.0f} % com os 50 µm de um"
             " gasto por 628 h. A dissertação põe a aproximação elástica da esfera mais carregada,"
             " {:.0f} µm, no lugar da folga: disso resultam ε = {:.3f} e {:.0f} %.",
             *(100.0 * (1.0 - value) for value in (*new, worn)),
-            elastic_approach() / MICRO,
+            elastic_deflection() / MICRO,
             float(zone[0]),
             100.0 * (1.0 - float(life[0])),
         ),
@@ -211,7 +339,7 @@ def _best_zone() -> Claim:
     best = int(np.argmax(life))
     return Claim(
         said(
-            "Life is greatest with a little preload, ε between 0.7 and 0.8.",
+            "Life is longest with a little preload, ε between 0.7 and 0.8.",
             "A vida é máxima com pequena pré-carga, ε entre 0,7 e 0,8.",
         ),
         said(
@@ -236,7 +364,7 @@ def _same_everywhere() -> Text:
         zone = load_zone(taken, force, ball_count(), stiffness)
         lives.append(100.0 * (1.0 - float(zone_life(zone, _ratings()))))
     return said(
-        "The mistake shows by itself: with Q = 5 F_r/Z the approach taken for a clearance makes"
+        "The mistake shows by itself: with Q = 5 F_r/Z the deflection taken for a clearance makes"
         " f(ε) = 5^(2/3) = {:.3f}, whatever the load, the bearing or the clearance. Under"
         " {:,.0f}, {:,.0f} and {:,.0f} N the loss would be {:.1f}, {:.1f} and {:.1f} %.",
         "O engano se revela por si: com Q = 5 F_r/Z a aproximação tomada por folga dá f(ε) ="
@@ -276,14 +404,14 @@ def load_zone_numbers() -> tuple[Number, ...]:
             100.0 * (1.0 - kept),
             said("{:.0f} to {:.0f}", "{:.0f} a {:.0f}", *(100.0 * (1.0 - value) for value in new)),
             said(
-                "The elastic approach, {:.1f} µm, taken for the clearance, and the life read off a"
-                " table in steps of ε of 0.1, as makers print it; without the table {:.1f} %. The"
+                "The elastic deflection, {:.1f} µm, taken for the clearance, and the life read off"
+                " a table in steps of ε of 0.1, as makers print it; without the table {:.1f} %. The"
                 " real clearance is 13 to 28 µm.",
                 "A aproximação elástica, {:.1f} µm, tomada por folga, e a vida lida em uma tabela"
                 " com passos de ε de 0,1, como a dos fabricantes; sem a tabela, {:.1f} %. A folga"
                 " real é de 13 a 28 µm.",
-                elastic_approach() / MICRO,
-                100.0 * (1.0 - float(_by_the_maker(np.array([elastic_approach()]))[1][0])),
+                elastic_deflection() / MICRO,
+                100.0 * (1.0 - float(_by_the_maker(np.array([elastic_deflection()]))[1][0])),
             ),
         ),
         Number(
@@ -312,9 +440,9 @@ def _read_off_a_table() -> float:
     return float(np.interp(-wanted, -clearance_function(zones), lives))
 
 
-def _table() -> Table:
+def _load_zone_table() -> Table:
     lives = [_ball_by_ball(clearance) for clearance in (0.0, *clearances_of_class())]
-    none, least, most = (float(hours(life, speed())) for life in lives)
+    none, low, high = (float(hours(life, speed())) for life in lives)
     return numbers_table(
         "D",
         said(
@@ -332,8 +460,8 @@ def _table() -> Table:
                 " reais das oito esferas, é {:.1f} h sem folga e {:.1f} a {:.1f} h com a da classe"
                 " C3; (C/P)³ dá {:.1f} h.",
                 none,
-                most,
-                least,
+                high,
+                low,
                 basic_life_hours(printed("life")["dynamic_rating_N"]),
             ),
         ),

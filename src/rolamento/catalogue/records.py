@@ -1,4 +1,4 @@
-"""From the text of a catalogue to its records: CSV or TOML, the built-in ones and a user's.
+"""What a catalogue holds of one bearing, with the source of each figure; read from CSV or TOML.
 
 A CSV file has one bearing in a line, as `rolamento._tables` reads it; the units are in the names of
 the columns. ``# maker: NSK``, ``# kind:`` and ``# source:`` before the header hold for all lines. A
@@ -9,17 +9,93 @@ from __future__ import annotations
 
 import tomllib
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, fields
 from math import isfinite, pi, radians
-from typing import Any, Final, get_args
+from typing import Any, Final, Literal, get_args
 
 from rolamento._tables import Numerals, parse_table
-from rolamento.catalogue.record import FIGURES, CatalogueBearing, Kind
 from rolamento.errors import FileError, InputError, UnknownKeyError, nearest
 from rolamento.units import Dimension, to_si
 
-__all__ = ["MOST_BEARINGS", "records_of_csv", "records_of_toml"]
+Kind = Literal["deep_groove", "angular_contact"]
 
-MOST_BEARINGS: Final = 20_000
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CatalogueBearing:
+    """One bearing of a catalogue; what its maker does not publish is None.
+
+    Attributes
+    ----------
+    designation
+        As the maker writes it.
+    maker
+        Its name; may be empty.
+    kind
+        ``"deep_groove"`` or ``"angular_contact"``.
+    bore, outside_diameter, width
+        d, D and B, in m.
+    contact_angle
+        α, nominal, in rad.
+    dynamic_rating, static_rating
+        C and C_0, radial, in N.
+    f0
+        Factor of the static rating and of the axial load factors, in N/mm².
+    ball_count, ball_diameter, pitch_diameter
+        Z, D and d_m (m), where published.
+    inner_conformity, outer_conformity
+        f_i and f_o, where published.
+    sources
+        Where each figure comes from, by its name.
+    """
+
+    designation: str
+    maker: str = ""
+    kind: Kind = "deep_groove"
+    bore: float
+    outside_diameter: float
+    width: float | None = None
+    contact_angle: float | None = None
+    dynamic_rating: float | None = None
+    static_rating: float | None = None
+    f0: float | None = None
+    ball_count: int | None = None
+    ball_diameter: float | None = None
+    pitch_diameter: float | None = None
+    inner_conformity: float | None = None
+    outer_conformity: float | None = None
+    sources: Mapping[str, str] = field(default_factory=dict, hash=False)
+
+    @property
+    def mean_diameter(self) -> float:
+        """(d + D)/2, in m: near the pitch diameter."""
+        return 0.5 * (self.bore + self.outside_diameter)
+
+    @property
+    def section_height(self) -> float:
+        """(D − d)/2, in m."""
+        return 0.5 * (self.outside_diameter - self.bore)
+
+    @property
+    def figures(self) -> dict[str, float]:
+        """The figures that are published, by their name, in SI."""
+        found = {name: getattr(self, name) for name in FIGURES}
+        return {name: value for name, value in found.items() if value is not None}
+
+    @property
+    def source(self) -> str:
+        """The source of the boundary dimensions."""
+        return self.sources.get("bore", "")
+
+
+FIGURES: Final = tuple(
+    part.name
+    for part in fields(CatalogueBearing)
+    if part.name not in ("designation", "maker", "kind", "sources")
+)
+"""Names of the figures of a `CatalogueBearing`."""
+
+
+MAX_BEARINGS: Final = 20_000
 _LONGEST_TEXT: Final = 200
 _TEXTS: Final = ("designation", "maker", "kind", "source")
 _EXAMPLE: Final = "designation,bore_mm,outside_diameter_mm,dynamic_rating_N"
@@ -65,7 +141,7 @@ def records_of_csv(text: str, source: str) -> tuple[CatalogueBearing, ...]:
     InputError
         With the line, if a column is not known, a figure is missing or out of range.
     """
-    table = parse_table(text, source, most_rows=MOST_BEARINGS, example=_EXAMPLE, least_rows=0)
+    table = parse_table(text, source, most_rows=MAX_BEARINGS, example=_EXAMPLE, least_rows=0)
     defaults = {name: table.said[name] for name in _TEXTS[1:] if name in table.said}
     try:
         _check_header(table.header)
@@ -79,11 +155,11 @@ def records_of_csv(text: str, source: str) -> tuple[CatalogueBearing, ...]:
         try:
             texts = defaults | {name: given[name] for name in _TEXTS if given.get(name)}
             figures = {
-                _COLUMNS[name][0]: _number(cell, name, numerals) * _COLUMNS[name][1]
+                _COLUMNS[name][0]: _number_of_cell(cell, name, numerals) * _COLUMNS[name][1]
                 for name, cell in given.items()
                 if name in _COLUMNS and cell
             }
-            found.append(_record(texts, figures, source))
+            found.append(_bearing_within_reason(texts, figures, source))
         except InputError as error:
             raise table.placed(error, number) from None
     return tuple(found)
@@ -112,22 +188,24 @@ def records_of_toml(text: str, source: str) -> tuple[CatalogueBearing, ...]:
     if not isinstance(tables, list) or not all(isinstance(table, dict) for table in tables):
         raise FileError("holds no [[bearing]]", source=source, example="[[bearing]]")
     _check_keys(data, _TEXTS[1:], source)
-    _check_number(len(tables) - 1, source)
+    _check_count(len(tables) - 1, source)
     found = []
     for number, table in enumerate(tables, start=1):
         where = f"{source}, bearing {number}"
         _check_keys(table, (*_TEXTS, *FIGURES), where)
         merged = {**data, **table}
         try:
-            texts = {name: _text(merged[name], name) for name in _TEXTS if name in merged}
-            figures = {name: _figure(table[name], name) for name in FIGURES if name in table}
-            found.append(_record(texts, figures, source))
+            texts = {name: _line_of_text(merged[name], name) for name in _TEXTS if name in merged}
+            figures = {
+                name: _figure_of_toml(table[name], name) for name in FIGURES if name in table
+            }
+            found.append(_bearing_within_reason(texts, figures, source))
         except InputError as error:
             raise error.with_details(source=where) from None
     return tuple(found)
 
 
-def _record(
+def _bearing_within_reason(
     texts: Mapping[str, str], figures: Mapping[str, float], source: str
 ) -> CatalogueBearing:
     """Return a record whose figures are within reason."""
@@ -135,9 +213,9 @@ def _record(
         if not (texts.get(name) or figures.get(name)):
             raise InputError("is missing", field=name)
     for name, value in figures.items():
-        least, most = _LIMITS[name]
-        if not (isfinite(value) and least <= value <= most):
-            raise InputError(f"must be between {least:g} and {most:g} in SI", field=name)
+        low, high = _LIMITS[name]
+        if not (isfinite(value) and low <= value <= high):
+            raise InputError(f"must be between {low:g} and {high:g} in SI", field=name)
     balls = figures.get("ball_count")
     if balls is not None and balls != int(balls):
         raise InputError("must be a whole number", field="ball_count", value=balls)
@@ -176,31 +254,34 @@ def _check_keys(table: Mapping[str, Any], known: tuple[str, ...], source: str) -
             raise UnknownKeyError(f"is not a known key; {advice}", field=name, source=source)
 
 
-def _check_number(number: int, source: str) -> None:
-    if number >= MOST_BEARINGS:
-        raise FileError(f"holds more than {MOST_BEARINGS} bearings", source=source)
+def _check_count(number: int, source: str) -> None:
+    if number >= MAX_BEARINGS:
+        raise FileError(f"holds more than {MAX_BEARINGS} bearings", source=source)
 
 
-def _number(cell: str, name: str, numerals: Numerals) -> float:
+def _number_of_cell(cell: str, name: str, numerals: Numerals) -> float:
     value = numerals.number(cell)
     if value is None:
         raise InputError("must be a number", field=name, value=cell)
     return value
 
 
-def _text(value: object, name: str) -> str:
+def _line_of_text(value: object, name: str) -> str:
     if not isinstance(value, str) or len(value) > _LONGEST_TEXT or not value.isprintable():
         raise InputError("must be one line of text", field=name, value=value)
     return value.strip()
 
 
-def _figure(value: object, name: str) -> float:
+def _figure_of_toml(value: object, name: str) -> float:
     dimension = _DIMENSIONS.get(name)
     if dimension is None:
         return _plain_number(value, name)
     if not isinstance(value, str):
         raise InputError(
-            "needs its unit", field=name, value=value, example=f'{name} = "{_example(dimension)}"'
+            "needs its unit",
+            field=name,
+            value=value,
+            example=f'{name} = "{_example_quantity(dimension)}"',
         )
     try:
         return to_si(value, dimension)
@@ -214,6 +295,6 @@ def _plain_number(value: object, name: str) -> float:
     return float(value)
 
 
-def _example(dimension: Dimension) -> str:
+def _example_quantity(dimension: Dimension) -> str:
     examples: dict[str, str] = {"length": "25 mm", "force": "14 kN", "angle": "40 deg"}
     return examples[dimension]
