@@ -47,7 +47,7 @@ class ReadableUnit(NamedTuple):
 DEGREE: Final = ReadableUnit("°", units.DEGREES)
 MILLIMETRE: Final = ReadableUnit("mm", 1e3)
 MEGAPASCAL: Final = ReadableUnit("MPa", 1e-6)
-RPM: Final = ReadableUnit("rpm", units.RPM)
+RPM: Final = ReadableUnit("rpm", units.rpm_of(1.0))
 PERCENT: Final = ReadableUnit("%", 1e2)
 NONE: Final = ReadableUnit("–", 1.0)
 
