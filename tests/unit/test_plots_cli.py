@@ -127,7 +127,7 @@ def test_a_failed_state_has_no_life_to_draw(kind: str, run: Run) -> None:
         ("steep.json", "sn", "is a thrust bearing's"),
         ("angular.json", "zone", "needs a single bearing of radial contact"),
         ("oilless.json", "aiso", '--kind = "aiso": needs a viscosity ratio'),
-        ("bare.json", "helps", "case: is missing: figures of life need the case"),
+        ("bare.json", "helps", "case = None: must be a table"),
         ("sweep.nc", "aiso", "does not go with a study"),
     ],
 )
@@ -238,7 +238,7 @@ def test_a_study_of_failures_is_drawn_and_told(run: Run) -> None:
         (("photograph.nc",), "is not a readable NetCDF file"),
         (("nowhere.nc",), "no such file"),
         (("other.json",), "is not the JSON of a state"),
-        (("bare.json", "--kind", "ellipses"), "case: is missing: contact ellipses need"),
+        (("bare.json", "--kind", "ellipses"), "case = None: must be a table"),
     ],
 )
 def test_wrong_input(arguments: tuple[str, ...], message: str, run: Run, state: Solved) -> None:
