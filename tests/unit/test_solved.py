@@ -276,3 +276,23 @@ def test_what_is_no_result_at_all(tmp_path: Path) -> None:
     toml.write_text("title = 1", encoding="utf-8")
     with pytest.raises(FileError, match="has to be solved first"):
         Solved.read(toml)
+
+
+def test_a_result_of_an_earlier_release(examples: Path) -> None:
+    """It has neither approaches nor spin and roll, nor the geometry of its rows."""
+    solved = solve(load_case(examples / "6012_pair.toml"))
+    mapping = json.loads(solved.to_json())
+    for ball in mapping["balls"]:
+        for race in ("inner", "outer"):
+            for name in ("approach", "spin", "roll"):
+                del ball[race][name]
+    for row in mapping["rows"]:
+        for name in ("ball_count", "ball_diameter", "pitch_diameter", "inner_conformity",
+                     "outer_conformity", "free_contact_angle", "modulus"):  # fmt: skip
+            del row[name]
+    back = Solved.from_mapping(mapping)
+    np.testing.assert_array_equal(back.inner.max_pressure, solved.inner.max_pressure)
+    np.testing.assert_array_equal(back.rows.ball_diameter, solved.rows.ball_diameter)
+    np.testing.assert_array_equal(back.rows.modulus, solved.rows.modulus)
+    np.testing.assert_array_equal(back.inner.entrainment, solved.inner.entrainment)
+    assert np.isnan(back.inner.approach).all()

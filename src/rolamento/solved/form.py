@@ -8,13 +8,15 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass, fields, replace
-from math import isfinite
+from math import isfinite, nan
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
 from rolamento.case import Case
+from rolamento.case.bearing import RowPlace
 from rolamento.case.duty import AXES, LOADS
+from rolamento.contact.hertz import effective_modulus
 from rolamento.errors import ABSENT, FileError, InputError
 from rolamento.geometry import Race
 from rolamento.kinematics import RacewayControl
@@ -201,7 +203,7 @@ def pieces_of(mapping: Mapping[str, Any]) -> tuple[Case, dict[str, FloatArray], 
     case = _case(_value(mapping, "case"))
     one = "balls" in mapping
     states = [mapping] if one else _list(mapping, "states")
-    parts = [_state(item, "" if one else f"states.{i}.") for i, item in enumerate(states)]
+    parts = [_state(item, case, "" if one else f"states.{i}.") for i, item in enumerate(states)]
     if len({part.answer.read.elements.azimuth.shape for part in parts}) != 1:
         raise InputError("must all be of one bearing", field="states")
     varied = {}
@@ -213,7 +215,7 @@ def pieces_of(mapping: Mapping[str, Any]) -> tuple[Case, dict[str, FloatArray], 
     return case, varied, parts[0] if len(parts) == 1 else _after_one_another(parts)
 
 
-def _state(item: Any, at: str) -> Pieces:
+def _state(item: Any, case: Case, at: str) -> Pieces:
     """One case from its mapping; at: where it stands, for messages."""
     if not isinstance(item, dict):
         raise InputError("must be a table", field=at.rstrip("."), value=item)
@@ -261,7 +263,7 @@ def _state(item: Any, at: str) -> Pieces:
         displacement=RingDisplacement(*_five(item, f"{at}displacement", AXES)),
         load=RingLoad(*_five(item, f"{at}load", LOADS)),
         stiffness=Stiffness(_matrix(item, f"{at}stiffness")),
-        rows=_rows_of(item, at, row),
+        rows=_rows_of(item, at, row, case),
         answer=ReadAnswer(tables, contacts),
         preload=_preloading_of(item, at),
         written_notes=(tuple(notes),),
@@ -272,7 +274,10 @@ def _state(item: Any, at: str) -> Pieces:
 def _contact_columns(items: list[Mapping[str, Any]], where: list[str]) -> dict[str, FloatArray]:
     columns = {}
     for name in (*CONTACT_COLUMNS, *MORE_COLUMNS):
-        numbers = [_number(item, f"{at}.{name}") for item, at in zip(items, where, strict=True)]
+        numbers = [
+            _number(item, f"{at}.{name}") if name in item or name in CONTACT_COLUMNS else nan
+            for item, at in zip(items, where, strict=True)
+        ]  # an earlier release wrote no more than CONTACT_COLUMNS
         if name in ("load", "deflection", "semi_major", "semi_minor", "max_pressure"):
             for number, at in zip(numbers, where, strict=True):
                 if number < 0.0:
@@ -330,8 +335,14 @@ def _rolling_of(item: Mapping[str, Any], count: int, at: str) -> tuple[Rolling |
     return rolling, np.array([yaw])
 
 
-def _rows_of(item: Mapping[str, Any], at: str, row: IntArray) -> Rows:
-    rows = [_entry(r, f"{at}rows.{i}") for i, r in enumerate(_list(item, f"{at}rows"))]
+def _rows_of(item: Mapping[str, Any], at: str, row: IntArray, case: Case) -> Rows:
+    given, places = _list(item, f"{at}rows"), case.bearing.places
+    if len(given) != len(places):
+        raise InputError(f"must have the {len(places)} rows of the case", field=f"{at}rows")
+    rows = [
+        _row_entry(r, f"{at}rows.{i}", place)
+        for i, (r, place) in enumerate(zip(given, places, strict=True))
+    ]
     count = np.bincount(row, minlength=len(rows))
     if len(count) != len(rows) or np.any(count == 0) or np.any(np.diff(row) < 0):
         raise InputError("do not go with the rows of the balls", field=f"{at}rows")
@@ -346,6 +357,15 @@ def _rows_of(item: Mapping[str, Any], at: str, row: IntArray) -> Rows:
             for name in ("position", *GEOMETRY_COLUMNS)
         },
     )
+
+
+def _row_entry(item: object, field: str, place: RowPlace) -> Mapping[str, Any]:
+    """A row as it was written; what an earlier release left out is the case's."""
+    bearing = place.bearing
+    geometry = {name: getattr(bearing, name, None) for name in GEOMETRY_COLUMNS}
+    geometry["free_contact_angle"] = bearing.contact_angle or 0.0
+    geometry["modulus"] = effective_modulus(bearing.ring_material, bearing.ball_material)
+    return {**geometry, **_entry(item, field)}
 
 
 def _preloading_of(item: Mapping[str, Any], at: str) -> Preloading | None:
