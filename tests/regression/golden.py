@@ -243,6 +243,7 @@ _FLOORS: Final = (  # the least scale, in SI units, of what is nothing but round
 )
 _LOOSE: Final = (  # where a maximum lies is known to the square root of the last digit
     (re.compile(r"value_shear_depth"), 3e-7),
+    (re.compile(r"wear\."), 1e-7),  # so is where a sum of squares is least
 )
 _KIN: Final = (  # what is of one kind and size, so that rounding near zero is not told
     (re.compile(r"stiffness\[([0-2])\]\[([0-2])\]"), "stiffness_tt"),

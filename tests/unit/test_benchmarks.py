@@ -131,7 +131,7 @@ def test_faults(module: Any, tmp_path: Path) -> None:
     random = Random(1)
     assert len({faults.damaged(bytes(range(256)), random) for _ in range(20)}) > 15
     ended = faults.command(tmp_path, "solve", "nothing.toml")
-    assert (ended.status.number, ended.wrong(60.0)) == (2, "")
+    assert (ended.code, ended.wrong(60.0)) == (2, "")
     assert replace(ended, code=-11).wrong(60.0) == "crash (-11)"
     assert replace(ended, said="Exception ignored in: …\n").wrong(60.0) == "traceback"
     assert replace(ended, said="one\ntwo\n").wrong(60.0) == "not one message"

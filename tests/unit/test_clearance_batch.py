@@ -183,10 +183,10 @@ def test_a_study_over_the_temperature_of_a_ring_finds_film_and_life() -> None:
     dataset = run(study)
     assert np.all(np.diff(dataset["z"].values) < 0.0)
     assert np.ptp(dataset["viscosity_ratio"].values) == 0.0
-    lives = life(solve_one(case, {"temperature.inner_ring": warm})).headline.hours
+    lives = life(solve(case, {"temperature.inner_ring": warm})).headline.hours
     alone = [
         life(
-            solve_one(changed(case, "temperature.inner_ring", one)), stress_volume=False
+            solve(changed(case, "temperature.inner_ring", one)), stress_volume=False
         ).headline.hours[0]
         for one in warm
     ]

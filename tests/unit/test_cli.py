@@ -682,7 +682,7 @@ def test_the_examples_of_the_front_page_work(run: Run, page: str) -> None:
     names: dict[str, Any] = {}
     (python,) = re.findall(r"```python\n(.*?)```", text, re.DOTALL)
     exec(python, names)
-    assert names["batch"].converged.all()
+    assert names["many"].converged.all()
 
 
 @pytest.mark.parametrize("page", ["README.md", "README.pt-BR.md", "docs/command-line.md"])

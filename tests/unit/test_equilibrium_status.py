@@ -497,8 +497,8 @@ def test_scalars_and_the_case_s_own_values_fill_up() -> None:
         ({"load": [1.0]}, UnknownKeyError, "not known"),
         ({"fx": [1.0, 2.0], "fz": [1.0]}, InputError, "one length"),
         ({"fx": [[1.0, 2.0]]}, InputError, "one-dimensional"),
-        ({"fx": [1.0], "x": [0.0]}, InputError, "a load or a displacement"),
-        ({"my": 0.0, "ry": [0.0]}, InputError, "a load or a displacement"),
+        ({"fx": [1.0], "x": [0.0]}, InputError, "beside"),
+        ({"my": 0.0, "ry": [0.0]}, InputError, "beside"),
     ],
 )
 def test_input_errors_of_a_batch(

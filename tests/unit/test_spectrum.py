@@ -191,7 +191,7 @@ def test_shares_that_nearly_sum_to_one_are_scaled(gearbox: Case, table: Path) ->
         ("share,life.contamination\n1,2\n", "line 2: life.contamination = 2: must be"),
         ("share,life.reliability\n1,0.9\n", "is of the whole duty"),
         ("share,bearing.arrangement\n1,DB\n", "is of the whole duty"),
-        ("share,life.contamination,life.grease_cleanliness\n1,0.5,high\n", "is varied beside"),
+        ("share,life.contamination,life.grease_cleanliness\n1,0.5,high\n", "beside"),
         ('share,"duty.load.fz\n1,2', "is not a line of a CSV table"),
         (f"share,{'x' * 300}\n1,2\n", "a cell of more than 200 characters"),
         ("share" + ",a" * 2000 + "\n", "has more than 1000 columns"),
