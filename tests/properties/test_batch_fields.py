@@ -12,7 +12,6 @@ import numpy as np
 import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
-from rolamento.rows.ball.fields import GEOMETRY, PRELOADS
 
 from rolamento import Bearing, Case, Duty, InputError, Load, Model
 from rolamento.case.varied import batch_fields
@@ -20,6 +19,15 @@ from rolamento.clearance import MOUNTED_FIELDS
 from rolamento.solution import solve
 from rolamento.solved import Solved
 
+GEOMETRY = (
+    "ball_diameter",
+    "pitch_diameter",
+    "contact_angle",
+    "diametral_clearance",
+    "inner_conformity",
+    "outer_conformity",
+)
+PRELOADS = ("force", "offset", "spring")
 ANGULAR: dict[str, Any] = {
     "ball_count": 16,
     "ball_diameter": "22.23 mm",

@@ -20,6 +20,7 @@ from tests.one_case import solve_one
 from rolamento import Bearing, Case, Duty, Model
 from rolamento.assembly import solve_cases, spread
 from rolamento.geometry import ring_geometry
+from rolamento.solution import solve
 from rolamento.solved import Solved
 
 Floats = NDArray[np.float64]
@@ -42,14 +43,14 @@ balls more than one place."""
 
 @dataclass(frozen=True)
 class Hard:
-    """Duties for one bearing and model: fields as for `solve_batch`, arrays of one length."""
+    """Duties for one bearing and model: fields as for `solve`, arrays of one length."""
 
     number: int
     case: Case
     fields: dict[str, Floats]
 
-    def solve_one(self) -> Solved:
-        return solve_one(self.case, **self.fields)
+    def solve(self) -> Solved:
+        return solve(self.case, **self.fields)
 
     @property
     def ordinary(self) -> NDArray[np.bool_]:
@@ -290,7 +291,7 @@ def test_light_fast_and_tilted_all_converge(control: Any, turning: str, balls: s
         turning: 15e3 * RPM * rng.uniform(0.01, 1.0, n),
     }
     model = Model(raceway_control=control)
-    batch = solve_one(Case(bearing=bearing, duty=Duty(), model=model), **fields)
+    batch = solve(Case(bearing=bearing, duty=Duty(), model=model), **fields)
     assert batch.converged.all()
     assert batch.status.residual.max() < PROMISED
     found = batch

@@ -111,7 +111,7 @@ def load_of_row(
     if sign < 0:
         shift, turn = mirrored(shift, turn)
     held = by_axis(np.array([shift[0] + press, *shift[1:], *turn[1:]]))
-    load = solved(alone, control=control, **held, **speeds).load[0]
+    load = solved(alone, control=control, **held, **speeds).load.array[0]
     force, moment = load[:3], np.array([0.0, *load[3:]])
     if sign < 0:
         force, moment = mirrored(force, moment)
@@ -276,7 +276,7 @@ def test_stiffness_is_the_derivative_both_ways(name: str) -> None:
 
     steps = 2e-8 / scale
     held, of = _derivative(bearing, by_axis(batch.displacement.array[0]) | speeds, AXES, steps)
-    error = (of(held.load) - stiffness) / np.outer(scale, scale)
+    error = (of(held.load.array) - stiffness) / np.outer(scale, scale)
     assert np.abs(error).max() <= 2e-5 * size
 
     steps = np.abs(0.01 * size * 1e-6 * scale)
@@ -339,7 +339,7 @@ def test_two_in_tandem_are_twice_one_under_half_the_load() -> None:
     one = solved(alone, fx=10e3, fy=2e3, fz=4e3, **duty)
     two = solved(tandem, fx=20e3, fy=4e3, fz=8e3, **duty)
     assert two.displacement.array == pytest.approx(one.displacement.array, rel=1e-7, abs=1e-14)
-    assert two.load == pytest.approx(2.0 * one.load, rel=1e-7, abs=1e-5)
+    assert two.load.array == pytest.approx(2.0 * one.load.array, rel=1e-7, abs=1e-5)
     block = np.ix_([0, 1], range(3), range(3))
     assert two.stiffness.array[block] == pytest.approx(2.0 * one.stiffness.array[block], rel=1e-5)
     free = solved(tandem, fx=20e3, fy=4e3, fz=8e3, my=0.0, mz=0.0)
@@ -482,7 +482,7 @@ def test_unequal_rows_by_hand() -> None:
         )
     assert total / arms(bearing) == pytest.approx(batch.load.array[0] / arms(bearing), abs=1e-4)
     assert batch.inner.load.shape == (1, 21 + 12 + 21)
-    assert batch.row.tolist() == [0] * 21 + [1] * 12 + [2] * 21
+    assert batch.elements.row.tolist() == [0] * 21 + [1] * 12 + [2] * 21
 
 
 def test_jones_names_the_race_in_each_row_as_in_a_single_bearing() -> None:
@@ -491,10 +491,10 @@ def test_jones_names_the_race_in_each_row_as_in_a_single_bearing() -> None:
     both = solved(pair, control="jones", fx=fx, inner_speed=300.0)
     front = solved(Bearing(**ANGULAR), control="jones", fx=np.array(fx) + 4e3, inner_speed=300.0)
     back = solved(Bearing(**ANGULAR), control="jones", fx=4e3, inner_speed=300.0)
-    control = both.raceway_control
+    control = both.elements.raceway_control
     assert control.shape == (3, 32)
-    assert np.array_equal(control[:, :16], front.raceway_control)
-    assert (control[:, 16:] == back.raceway_control).all()
+    assert np.array_equal(control[:, :16], front.elements.raceway_control)
+    assert (control[:, 16:] == back.elements.raceway_control).all()
     assert len(set(control.ravel().tolist())) > 1  # both races are in control somewhere
 
 

@@ -157,7 +157,7 @@ def test_attitude_and_yaw_are_harriss(solved: tuple[Case, Solved, Rolling]) -> N
     """They give back the ball's velocity seen from the cage, along x, the azimuth and outward."""
     _, batch, rolling = solved
     table = batch
-    motion, yaw = table.motion, table.elements.yaw[0]
+    motion, yaw = table.elements, table.elements.yaw[0]
     beta, speed = motion.attitude[0], motion.ball_speed[0]
     seen = rolling.angular_velocity[0] - [rolling.cage_speed[0], 0.0, 0.0]
     axis = np.stack([np.cos(beta) * np.cos(yaw), np.cos(beta) * np.sin(yaw), -np.sin(beta)], axis=1)
@@ -480,8 +480,9 @@ def test_batch_equals_single_and_threads_change_no_bit() -> None:
     assert list(one.status.code) == [
         "converged", "converged", "no_equilibrium", "converged", "invalid_input", "converged",
     ]  # fmt: skip
-    for name in ("displacement", "load", "stiffness", "residual"):
-        np.testing.assert_array_equal(getattr(one, name), getattr(two, name))
+    for name in ("displacement", "load", "stiffness"):
+        np.testing.assert_array_equal(getattr(one, name).array, getattr(two, name).array)
+    np.testing.assert_array_equal(one.status.residual, two.status.residual)
     first, second = one.answer.motion, two.answer.motion
     assert first is not None
     assert second is not None
@@ -516,7 +517,7 @@ def test_rings_that_turn_alike_are_a_case_for_raceway_control(speed: float) -> N
     assert state.status.converged
     assert state.rolling is None
     assert any("friction has nothing to decide" in note for note in state.notes)
-    assert state.displacement == plain.displacement.array
+    assert state.displacement == plain.displacement
     for ball, other in zip(state.balls, plain.balls, strict=True):
         assert ball.orbital_speed == other.orbital_speed
         assert ball.centrifugal_force == other.centrifugal_force
