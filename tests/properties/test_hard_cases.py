@@ -15,7 +15,6 @@ from typing import Any
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from tests.one_case import solve_one
 
 from rolamento import Bearing, Case, Duty, Model
 from rolamento.assembly import solve_cases, spread
@@ -233,7 +232,7 @@ def test_one_bad_case_spoils_no_other(solutions: list[tuple[Hard, Solved]]) -> N
         fields["fz"][5] = np.nan
         fields["inner_speed"][11 % len(clean)] = np.inf
         fields["fy"][7] = -np.inf
-        spoilt = solve_one(hard.case, **fields)
+        spoilt = solve(hard.case, **fields)
         bad = np.zeros(len(clean), bool)
         bad[[5, 7, 11 % len(clean)]] = True
         assert (spoilt.status.code[bad] == "invalid_input").all()
@@ -299,4 +298,4 @@ def test_light_fast_and_tilted_all_converge(control: Any, turning: str, balls: s
     assert loose.any()
     if turning == "inner_speed":  # only centrifugal force is left, and it acts radially
         assert np.abs(found.outer.contact_angle[loose]).max() < 1e-6
-        assert np.abs(found.gyroscopic_moment[loose]).max() < 1e-6
+        assert np.abs(found.elements.gyroscopic_moment[loose]).max() < 1e-6
