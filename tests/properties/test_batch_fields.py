@@ -206,7 +206,7 @@ def applies(case: Case, field: str) -> bool:
 
 def same(batch: Solved, index: int, alone: Solved) -> None:
     assert batch.status.code[index] == alone.status.code[0]
-    found = [(getattr(batch, name)[index], getattr(alone, name)[0])
+    found = [(getattr(batch, name).array[index], getattr(alone, name).array[0])
              for name in ("displacement", "load", "stiffness")]  # fmt: skip
     found.append((batch.inner.load[index], alone.inner.load[0]))
     for one, other in found:
