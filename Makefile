@@ -6,11 +6,12 @@ PYTHON ?=
 export PYTHON
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test golden bench runtime dev clean
+.PHONY: help demo test verify golden bench runtime dev clean
 
 help:
 	@echo "make demo    solve the shipped example: a 218 bearing at 10 000 rpm, combined load"
 	@echo "make test    check everything: style, types, layers, tests"
+	@echo "make verify  the longer sweeps, the golden runs, the published numbers"
 	@echo "make golden  compare what all commands answer with what they answered before"
 	@echo "make bench   measure the speed"
 	@echo "make clean   remove the virtual environment and all caches"
@@ -23,7 +24,12 @@ test: dev
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
 	$(BIN)/lint-imports --no-cache
-	$(BIN)/pytest -n auto
+	$(BIN)/pytest -n auto -m "not sweep"
+
+verify: dev
+	$(BIN)/pytest -n auto -m sweep
+	@$(BIN)/python -m tests.regression.golden --check
+	@$(BIN)/rolamento verify
 
 golden: dev
 	@$(BIN)/python -m tests.regression.golden --check

@@ -23,7 +23,7 @@ from rolamento.solution import solve
 from rolamento.solved import Solved
 
 Floats = NDArray[np.float64]
-EXAMPLES = 60
+EXAMPLES = 25
 TOLERANCE = 1e-8
 RPM = np.pi / 30.0
 

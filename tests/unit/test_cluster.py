@@ -282,7 +282,9 @@ def dask_processes() -> Iterator[tuple[str, subprocess.Popen[bytes]]]:
 @pytest.mark.slow
 @pytest.mark.skipif(os.name != "posix", reason="needs POSIX signals")
 @pytest.mark.filterwarnings("ignore::DeprecationWarning", "ignore::ResourceWarning")
-@pytest.mark.parametrize("how", [signal.SIGKILL, signal.SIGSTOP])
+@pytest.mark.parametrize(
+    "how", [signal.SIGKILL, pytest.param(signal.SIGSTOP, marks=pytest.mark.sweep)]
+)
 def test_a_scheduler_that_is_lost(
     tmp_path: Path, dask_processes: tuple[str, subprocess.Popen[bytes]], how: signal.Signals
 ) -> None:

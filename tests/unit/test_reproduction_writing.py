@@ -459,7 +459,7 @@ def test_a_person_at_a_terminal_sees_progress(monkeypatch: pytest.MonkeyPatch) -
     assert "4/4" in sys.stderr.getvalue()  # type: ignore[attr-defined]
 
 
-@pytest.mark.slow
+@pytest.mark.sweep
 def test_the_whole_thing(tmp_path: Path) -> None:
     told: list[tuple[int, int]] = []
     source = find("radaelli-2013")

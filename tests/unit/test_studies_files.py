@@ -220,7 +220,10 @@ except FileError as error:
 
 @pytest.mark.slow
 @pytest.mark.skipif(os.name != "posix", reason="needs limits of POSIX")
-@pytest.mark.parametrize("ending", [".nc", ".csv", ".parquet"])
+@pytest.mark.parametrize(
+    "ending",
+    [".nc", *(pytest.param(other, marks=pytest.mark.sweep) for other in (".csv", ".parquet"))],
+)
 def test_a_disk_that_fills_up(study: Study, tmp_path: Path, ending: str) -> None:
     """A limit on the size of files stands for a full disk: one sentence, and nothing is lost.
 
