@@ -22,7 +22,9 @@ demo: runtime
 test: dev
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
-	$(BIN)/mypy
+	@# the kernels are compiled once, while mypy has the other core
+	$(BIN)/python -c "from tests.regression.golden import compile_first; compile_first()" & \
+	kernels=$$!; $(BIN)/mypy || exit 1; wait $$kernels
 	$(BIN)/lint-imports --no-cache
 	$(BIN)/pytest -n auto -m "not sweep"
 
