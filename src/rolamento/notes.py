@@ -7,7 +7,7 @@ passed, contacts lost, assumptions strained.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import acos, degrees, pi, radians
+from math import acos, degrees, radians
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
@@ -33,6 +33,7 @@ from rolamento.status import (
     TOLERANCE,
     UNHELD_BALL,
 )
+from rolamento.units import rpm_of
 
 if TYPE_CHECKING:
     from rolamento.solved import Solved
@@ -199,7 +200,7 @@ def _speeds(solved: Solved) -> Iterator[str]:
 def _speed_factor(solved: Solved) -> float:
     """The faster ring's n times d_m of the largest row; mm/min."""
     speed = max(abs(float(solved.field(f"duty.{race}_speed")[0])) for race in ("inner", "outer"))
-    return speed * 30.0 / pi * float(solved.rows.pitch_diameter[0].max()) * 1e3
+    return float(rpm_of(speed)) * float(solved.rows.pitch_diameter[0].max()) * 1e3
 
 
 def _tilts(solved: Solved) -> Iterator[str]:
@@ -300,8 +301,8 @@ def _rolling(solved: Solved) -> Iterator[str]:
     skid = float(rolling.skid[0])
     if abs(skid) > SKID_LIMIT:
         sense = "behind" if skid > 0.0 else "ahead of"
-        speed = 30.0 / pi * float(rolling.cage_speed[0])
-        usual = 30.0 / pi * float(rolling.control_cage_speed[0])
+        speed = rpm_of(float(rolling.cage_speed[0]))
+        usual = rpm_of(float(rolling.control_cage_speed[0]))
         yield (
             f"The cage runs {100.0 * abs(skid):.1f} % {sense} that of outer raceway "
             f"control ({speed:.1f} instead of {usual:.1f} rpm): the balls skid, and the fault "

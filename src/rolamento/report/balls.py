@@ -23,15 +23,13 @@ from rolamento.numerics import BoolArray, FloatArray
 from rolamento.report.numbers import ABSENT, aligned
 from rolamento.report.page import Lines, Page, beside
 from rolamento.report.plain_data import csv_number
-from rolamento.solved import RACES, Rolling, Solved
+from rolamento.solved import NO_LOAD, RACES, Rolling, Solved
 from rolamento.solved.form import control_names
 
 _RPM: Final = 30.0 / pi
 _DEGREE: Final = 180.0 / pi
 _NO_MOTION: Final = 1e-9
 """Angles (rad) and ratios that are rounding."""
-_NO_LOAD: Final = 1e-9
-"""Of the load at the other race: what is less is rounding, and no contact."""
 _ROSETTE_HEIGHT: Final = 11
 _ROSETTE_GAP: Final = 2
 _SIDE: Final = " +y"
@@ -433,7 +431,7 @@ def _spin(race: Race) -> Values:
 
     def values(solved: Solved) -> FloatArray:
         own, other = solved.contacts[race], solved.contacts["outer" if race == "inner" else "inner"]
-        touched: BoolArray = own.load[0] > _NO_LOAD * other.load[0]
+        touched: BoolArray = own.load[0] > NO_LOAD * other.load[0]
         return np.where(touched, own.spin_to_roll[0], np.nan)
 
     return _without_rounding(values)

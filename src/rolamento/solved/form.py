@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
+from rolamento._json import plain
 from rolamento.case import Case
 from rolamento.case.bearing import RowPlace
 from rolamento.case.duty import AXES, LOADS
@@ -142,15 +143,6 @@ def _rolling_mapping(solved: Solved) -> dict[str, Any] | None:
         for j in range(len(yaw))
     ]
     return mapping
-
-
-def plain(value: Any) -> Any:
-    """Replace what is not finite by None, at any depth."""
-    if isinstance(value, dict):
-        return {key: plain(item) for key, item in value.items()}
-    if isinstance(value, list | tuple):
-        return [plain(item) for item in value]
-    return None if isinstance(value, float) and not isfinite(value) else value
 
 
 @dataclass(frozen=True, slots=True)

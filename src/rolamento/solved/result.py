@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, fields, replace
@@ -14,6 +13,7 @@ from typing import TYPE_CHECKING, Any, Final, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from rolamento._json import dumps, plain
 from rolamento._reading import format_of_path, format_of_text, parse_mapping, read_text
 from rolamento.case import Case
 from rolamento.case.duty import AXES, LOADS
@@ -21,7 +21,7 @@ from rolamento.errors import FileError, InputError, UnknownKeyError, nearest
 from rolamento.geometry import Race
 from rolamento.notes import advice_on, notes_on
 from rolamento.numerics import BoolArray, FloatArray
-from rolamento.solved.form import EXAMPLE, SCHEMA, ReadAnswer, mapping_of, pieces_of, plain
+from rolamento.solved.form import EXAMPLE, SCHEMA, ReadAnswer, mapping_of, pieces_of
 from rolamento.solved.tables import (
     CONTACT_COLUMNS,
     ELEMENT_COLUMNS,
@@ -271,7 +271,7 @@ class Solved:
             mapping["states"] = [{k: v for k, v in s.items() if k != "case"} for s in states]
         if self.varied:
             mapping["varied"] = {name: plain(v.tolist()) for name, v in self.varied.items()}
-        return json.dumps(mapping, indent=indent, ensure_ascii=False, allow_nan=False)
+        return dumps(mapping, indent)
 
     @classmethod
     def from_mapping(cls, mapping: Mapping[str, Any]) -> Solved:

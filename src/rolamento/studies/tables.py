@@ -12,7 +12,6 @@ import numpy as np
 import pyarrow as pa
 import pyarrow.csv
 import pyarrow.parquet
-from numpy.typing import NDArray
 
 from rolamento.status import STATUS_NAMES
 from rolamento.studies.plan import BALL, Layout, Part, Plan, Variable
@@ -122,10 +121,3 @@ def _unit_and_type(variable: Variable) -> tuple[str, Any]:
     unit = variable.attrs.get("units", "")
     kind = pa.string() if variable.dtype.kind == "U" else pa.from_numpy_dtype(variable.dtype)
     return "" if unit == "1" else unit, kind
-
-
-def read_parquet_columns(path: Path) -> tuple[dict[str, NDArray[Any]], dict[bytes, bytes]]:
-    """Return the columns of a Parquet file as arrays, and its schema's metadata."""
-    table = pa.parquet.read_table(str(path))
-    columns = {name: table.column(name).to_numpy() for name in table.column_names}
-    return columns, dict(table.schema.metadata or {})

@@ -37,16 +37,6 @@ class AnderonRecord:
 
 
 @dataclass(frozen=True, slots=True)
-class AfterTest:
-    """Bands in which a bearing was rejected after its test; hours of the test."""
-
-    bearing: int
-    test: int
-    hours: float
-    rejected: tuple[BandName, ...]
-
-
-@dataclass(frozen=True, slots=True)
 class BandTrend:
     """How the noise in one band changes.
 
@@ -139,19 +129,6 @@ def campanha_records() -> tuple[AnderonRecord, ...]:
             },
         )
         for row in _campanha_rows("trend")
-    )
-
-
-def campanha_after_test() -> tuple[AfterTest, ...]:
-    """Return in which bands the bearings of Campanha (2008), table 4.1.3, were rejected."""
-    return tuple(
-        AfterTest(
-            bearing=row["bearing"],
-            test=row["test"],
-            hours=float(row["hours"]),
-            rejected=tuple(_LETTERS[letter] for letter in row["rejected"]),
-        )
-        for row in _campanha_rows("after_test")
     )
 
 

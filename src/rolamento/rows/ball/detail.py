@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -38,7 +38,7 @@ class ContactTable:
     load: Floats
     contact_angle: Floats
     deflection: Floats
-    approach: Any = None
+    approach: Floats
 
 
 @dataclass(frozen=True, slots=True)
