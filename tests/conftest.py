@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -16,6 +18,15 @@ settings.register_profile(
 )
 settings.register_profile("search", deadline=None, max_examples=2000)
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "ci"))
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Compile the catalogues of words, once, if they have changed since the installation."""
+    if hasattr(config, "workerinput"):
+        return
+    subprocess.run(
+        [sys.executable, "scripts/words.py", "--compile"], cwd=config.rootpath, check=True
+    )
 
 
 @pytest.fixture(scope="session")

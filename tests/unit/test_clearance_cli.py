@@ -15,9 +15,9 @@ from rolamento import load_case
 from rolamento.clearance import WARNINGS, clearance_of_case, sample_clearance
 from rolamento.cli.clearance import clearance
 from rolamento.cli.optional_value import JsonCommand
+from rolamento.document.medium import Medium
 from rolamento.report.clearance import clearance_json, clearance_report
 from rolamento.report.language import LANGUAGES, words_for
-from rolamento.report.medium import Medium
 
 GUIDE = (Path(__file__).resolve().parents[2] / "docs" / "clearance.md").read_text("utf-8")
 CASE = re.findall(r"```toml\n(.*?)```", GUIDE, re.DOTALL)[0]

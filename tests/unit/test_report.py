@@ -20,9 +20,9 @@ import pytest
 import rolamento
 from rolamento import Case, notes
 from rolamento.case.model import CageKind, RacewayControl
+from rolamento.document.medium import Medium
 from rolamento.report.balls import CSV_COLUMNS, ball_csv, rosette
 from rolamento.report.language import ENGLISH, LANGUAGES, PORTUGUESE, Words, words_for
-from rolamento.report.medium import Medium
 from rolamento.report.numbers import ABSENT, Digits, aligned, decimals_for
 from rolamento.report.sentences import portuguese_sentence
 from rolamento.report.terminal import terminal_report

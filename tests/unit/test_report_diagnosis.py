@@ -18,6 +18,7 @@ import numpy as np
 import pytest
 
 from rolamento import Bearing, Case, Duty, Load
+from rolamento.document.medium import Medium
 from rolamento.report.diagnosis import (
     CSV_COLUMNS,
     diagnosis_csv,
@@ -33,7 +34,6 @@ from rolamento.report.diagnosis_sentences import (
 )
 from rolamento.report.diagnosis_words import DIAGNOSIS_WORDS
 from rolamento.report.language import LANGUAGES, words_for
-from rolamento.report.medium import Medium
 from rolamento.solution import solve
 from rolamento.status import NOT_CONVERGED
 from rolamento.tasks.diagnosis import DiagnosisResult

@@ -14,6 +14,7 @@ import pytest
 
 from rolamento import Case, analyse, load_case, override
 from rolamento.analysis import NOTES as ANALYSIS_NOTES
+from rolamento.document.medium import Medium
 from rolamento.life import LifeSummary, conditions_of, life, sensitivity
 from rolamento.life.record import NOTES, OUTSIDE
 from rolamento.life.sensitivity import CHANGES
@@ -30,7 +31,6 @@ from rolamento.report.life_statement import (
     percent,
 )
 from rolamento.report.life_words import LIFE_WORDS
-from rolamento.report.medium import Medium
 from rolamento.report.page import Page
 from rolamento.report.shaft import shaft_report
 from rolamento.report.terminal import terminal_report

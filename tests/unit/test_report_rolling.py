@@ -11,9 +11,9 @@ import numpy as np
 import pytest
 
 from rolamento import Bearing, Case, Duty, Load, Lubricant, Model
+from rolamento.document.medium import Medium
 from rolamento.notes import SKID_LIMIT, _friction_alone
 from rolamento.report.language import ENGLISH, PORTUGUESE, Words
-from rolamento.report.medium import Medium
 from rolamento.report.sentences import portuguese_sentence
 from rolamento.report.terminal import terminal_report
 from rolamento.solution import solve

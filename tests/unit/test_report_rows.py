@@ -15,9 +15,9 @@ import pytest
 import rolamento
 from rolamento import Case, notes
 from rolamento.case.bearing import Bearing
+from rolamento.document.medium import Medium
 from rolamento.report.balls import ball_csv
 from rolamento.report.language import ENGLISH, LANGUAGES, PORTUGUESE, Words
-from rolamento.report.medium import Medium
 from rolamento.report.terminal import terminal_report
 from rolamento.solution import solve
 from rolamento.solved import Solved

@@ -9,8 +9,8 @@ from typing import Any, get_args
 import numpy as np
 import pytest
 
+from rolamento.document.medium import Medium
 from rolamento.report.language import LANGUAGES, Words
-from rolamento.report.medium import Medium
 from rolamento.report.weibull import weibull_json, weibull_report
 from rolamento.report.weibull_plan import (
     demonstration_json,

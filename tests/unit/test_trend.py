@@ -12,10 +12,10 @@ from typer.testing import CliRunner
 
 from rolamento.clearance import fit_wear
 from rolamento.cli.app import app
+from rolamento.document.medium import Medium
 from rolamento.errors import InputError
 from rolamento.plots.trend import trend_figure, trend_lines
 from rolamento.report.language import LANGUAGES
-from rolamento.report.medium import Medium
 from rolamento.report.trend import trend_report
 from rolamento.tasks.weibull import TrendStudy, trend_study
 from rolamento.weibull import (

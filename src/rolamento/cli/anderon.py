@@ -256,8 +256,8 @@ def _show(
     if record is not None:
         put(noise_record(found, words.code), record)
     if STANDARD_STREAM not in (json, csv, record):
+        from rolamento.document.medium import Medium
         from rolamento.report.anderon import noise_report
-        from rolamento.report.medium import Medium
 
         print_text(noise_report(found, words, Medium.of(sys.stdout)))
     elif "rejected" in found.verdicts:

@@ -175,7 +175,7 @@ def _show(
 
         put(ball_csv(analysis.solved), csv)
     if STANDARD_STREAM not in (json, csv):
-        from rolamento.report.medium import Medium
+        from rolamento.document.medium import Medium
         from rolamento.report.terminal import terminal_report
 
         print_text(

@@ -156,8 +156,8 @@ def _geometry(
 def _show_list(
     found: tuple[CatalogueBearing, ...], is_all: bool, json: str | None, lang: Language | None
 ) -> None:
+    from rolamento.document.medium import Medium
     from rolamento.report.catalogue import search_json, search_report
-    from rolamento.report.medium import Medium
 
     if json is not None:
         put(search_json(found) + "\n", json)
@@ -171,8 +171,8 @@ def _show_one(
     json: str | None,
     lang: Language | None,
 ) -> None:
+    from rolamento.document.medium import Medium
     from rolamento.report.catalogue import bearing_json, bearing_report
-    from rolamento.report.medium import Medium
 
     if json is not None:
         put(bearing_json(geometry, bearing) + "\n", json)

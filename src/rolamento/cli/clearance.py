@@ -43,8 +43,8 @@ def clearance(
         check_outputs({"--json": json}, case)
         loaded = rolamento.load_case(case, settings or ())
         from rolamento.clearance import clearance_of_case
+        from rolamento.document.medium import Medium
         from rolamento.report.clearance import clearance_json, clearance_report
-        from rolamento.report.medium import Medium
 
         found = clearance_of_case(loaded)
         drawn = None if samples is None else _drawn(loaded, samples, seed)

@@ -12,6 +12,7 @@ import typer
 
 from rolamento.cli.streams import STANDARD_STREAM, complain
 from rolamento.errors import InputError
+from rolamento.words import language_of, said, speaking
 
 if TYPE_CHECKING:
     from rolamento.report.language import Words
@@ -33,14 +34,15 @@ class Language(StrEnum):
 @contextmanager
 def plain_endings(lang: Language | None) -> Iterator[None]:
     """Turn wrong input and Ctrl-C into one line and an exit code; a bug stays a traceback."""
-    try:
-        yield
-    except InputError as error:
-        complain(str(error))
-        raise typer.Exit(WRONG_INPUT) from None
-    except KeyboardInterrupt:
-        complain(words_of(lang).interrupted)
-        raise typer.Exit(INTERRUPTED) from None
+    with speaking(lang.value if lang else language_of()):
+        try:
+            yield
+        except InputError as error:
+            complain(str(error))
+            raise typer.Exit(WRONG_INPUT) from None
+        except KeyboardInterrupt:
+            complain(said("interrupted"))
+            raise typer.Exit(INTERRUPTED) from None
 
 
 def complain_of(solved: Solved, lang: Language | None, case: int = 0) -> None:

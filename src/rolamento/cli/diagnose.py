@@ -316,7 +316,7 @@ def _show(found: DiagnosisResult, json: str | None, csv: str | None, words: Word
     if csv is not None:
         put(diagnosis_csv(found), csv)
     if STANDARD_STREAM not in (json, csv):
-        from rolamento.report.medium import Medium
+        from rolamento.document.medium import Medium
 
         print_text(diagnosis_report(found, words, Medium.of(sys.stdout)))
     elif found.verdict in _NO_VERDICT:

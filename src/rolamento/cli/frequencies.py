@@ -125,12 +125,12 @@ def _part_of_one(key: str, text: str) -> float:
 
 
 def _show(found: FrequencyResult, json: str | None, csv: str | None, lang: Any) -> None:
+    from rolamento.document.medium import Medium
     from rolamento.report.frequencies import (
         frequencies_csv,
         frequencies_json,
         frequencies_report,
     )
-    from rolamento.report.medium import Medium
 
     if json is not None:
         put(frequencies_json(found) + "\n", json)

@@ -143,8 +143,8 @@ def _one(case: rolamento.Case, hysteresis: float, json: str | None, lang: Langua
             example="--coefficient 0.1",
         )
     analysis = analyse(case, hysteresis=hysteresis)
+    from rolamento.document.medium import Medium
     from rolamento.report.friction_curves import friction_json, friction_report
-    from rolamento.report.medium import Medium
 
     converged = bool(analysis.solved.converged[0])
     if json is not None:

@@ -38,7 +38,7 @@ if TYPE_CHECKING:
 
     from matplotlib.figure import Figure
 
-    from rolamento.report.medium import Medium
+    from rolamento.document.medium import Medium
     from rolamento.tasks.life_over import LifeCurve
 
 __all__ = ["life"]
@@ -275,6 +275,6 @@ def _figure(curves: Sequence[LifeCurve], language: str) -> Figure:
 
 
 def _medium() -> Medium:
-    from rolamento.report.medium import Medium
+    from rolamento.document.medium import Medium
 
     return Medium.of(sys.stdout)

@@ -18,8 +18,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
+    from rolamento.document.medium import Medium
     from rolamento.report.language import Words
-    from rolamento.report.medium import Medium
 
 __all__ = [
     "POINTS",
@@ -140,7 +140,7 @@ def show_curves(
         save_figure(figure(curves, words.code), plot)
     converged = all(curve.converged for curve in curves)
     if STANDARD_STREAM not in (json, csv):
-        from rolamento.report.medium import Medium
+        from rolamento.document.medium import Medium
 
         print_text(texts.curves_report(curves, words, Medium.of(sys.stdout)))
     elif not converged:

@@ -10,8 +10,8 @@ from contextlib import suppress
 from typing import Final, TextIO
 
 from rolamento._writing import write_text
+from rolamento.document.medium import Medium
 from rolamento.errors import FileError, printable
-from rolamento.report.medium import Medium
 
 __all__ = ["STANDARD_STREAM", "complain", "end_of_output", "print_data", "print_text", "put"]
 

@@ -77,7 +77,7 @@ def sweep(
         if study is None:
             raise InputError("is missing", field="STUDY", example="rolamento sweep study.toml")
         from rolamento.cli.sweep_progress import told
-        from rolamento.report.medium import Medium
+        from rolamento.document.medium import Medium
         from rolamento.report.study import study_report
         from rolamento.tasks import studies
 

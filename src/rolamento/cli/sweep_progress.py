@@ -9,8 +9,8 @@ from contextlib import contextmanager
 from typing import Any, Final, TextIO
 
 from rolamento.cli.streams import complain
+from rolamento.document.medium import Medium
 from rolamento.report.language import Words
-from rolamento.report.medium import Medium
 from rolamento.report.numbers import Digits
 from rolamento.report.study_words import STUDY_WORDS
 

@@ -307,7 +307,7 @@ def synthesise(
 
 def _show(found: SynthesisResult, truth: str | None, words: Words) -> None:
     """Print the report, or the truth if that goes to standard output."""
-    from rolamento.report.medium import Medium
+    from rolamento.document.medium import Medium
     from rolamento.report.synthesis import synthesis_report, truth_json
 
     if truth == STANDARD_STREAM:

@@ -96,6 +96,6 @@ def _show(found: ToleranceStudy, json: str | None, plot: str | None, lang: Langu
         save_figure(tolerance_figure(found, words.code), plot)
     if json == STANDARD_STREAM:
         return
-    from rolamento.report.medium import Medium
+    from rolamento.document.medium import Medium
 
     print_text(tolerance_report(found, words, Medium.of(sys.stdout)))

@@ -73,7 +73,7 @@ def trend(
             rule = f"must be one of {', '.join(LAWS)}"
             raise InputError(rule, source="--law", value=law, example="running-in")
         columns = {"time": time_column, "bearing": bearing_column, "decimal_mark": decimal_mark}
-        from rolamento.report.medium import Medium
+        from rolamento.document.medium import Medium
         from rolamento.report.trend import trend_json, trend_report
         from rolamento.tasks.weibull import trend_study
         from rolamento.weibull import published_trend

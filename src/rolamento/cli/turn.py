@@ -84,7 +84,7 @@ def _show(
 
         save_figure(cage_turn_figure(turned, words.code), plot)
     if STANDARD_STREAM not in (json, csv):
-        from rolamento.report.medium import Medium
+        from rolamento.document.medium import Medium
 
         print_text(turn_report(turned, words, Medium.of(sys.stdout)))
     elif not turned.converged:

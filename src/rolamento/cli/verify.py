@@ -66,7 +66,7 @@ def _progress_on_terminal(words: Words) -> Iterator[Progress]:
     """Show on a terminal's standard error which source is at work."""
     from rich.console import Console
 
-    from rolamento.report.medium import Medium
+    from rolamento.document.medium import Medium
     from rolamento.report.verification_words import VERIFICATION_WORDS
 
     medium, template = Medium.of(sys.stderr), VERIFICATION_WORDS[words.code].progress
@@ -102,7 +102,7 @@ def _write_outputs(
 
 
 def _print_report(found: Verification, words: Words) -> None:
-    from rolamento.report.medium import Medium
+    from rolamento.document.medium import Medium
     from rolamento.report.verification import verification_report
 
     print_text(verification_report(found, words, Medium.of(sys.stdout)))

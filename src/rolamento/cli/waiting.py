@@ -13,7 +13,7 @@ from threading import Timer
 from typing import TYPE_CHECKING, Final
 
 from rolamento.cli.common import Language, words_of
-from rolamento.report.medium import Medium
+from rolamento.document.medium import Medium
 
 if TYPE_CHECKING:
     from rich.status import Status

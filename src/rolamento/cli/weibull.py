@@ -279,7 +279,7 @@ def _show(found: LifeTestSummary, json: str | None, words: Words) -> None:
     if json is not None:
         put(weibull_json(found) + "\n", json)
     if json != STANDARD_STREAM:
-        from rolamento.report.medium import Medium
+        from rolamento.document.medium import Medium
 
         print_text(weibull_report(found, words, Medium.of(sys.stdout)))
     elif not found.has_result:

@@ -82,7 +82,7 @@ def demonstration(
     """
     with plain_endings(lang):
         check_outputs({"--json": json, "--plot": plot})
-        from rolamento.report.medium import Medium
+        from rolamento.document.medium import Medium
         from rolamento.report.weibull_plan import demonstration_json, demonstration_report
         from rolamento.tasks.weibull import demonstration_study
 
@@ -163,7 +163,7 @@ def precision(
             raise InputError(rule, source="--group-size")
         words = words_of(lang)
         from rolamento.cli.waiting import progress_of
-        from rolamento.report.medium import Medium
+        from rolamento.document.medium import Medium
         from rolamento.report.weibull_plan import precision_json, precision_report
         from rolamento.report.weibull_plan_words import PLAN_WORDS
         from rolamento.tasks.weibull import precision_study

@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING, Any, Final
 
 from rich.text import Text
 
+from rolamento.document.medium import Medium
 from rolamento.report.anderon_words import NOISE_WORDS, NoiseWords
 from rolamento.report.language import ENGLISH, Words
-from rolamento.report.medium import Medium
 from rolamento.report.numbers import ABSENT, Digits
 from rolamento.report.page import Lines, Page, one_line, rendered, shortened, table
 from rolamento.report.plain_data import csv_number, json_text

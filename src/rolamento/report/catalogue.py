@@ -16,10 +16,10 @@ from rolamento.catalogue import (
     ambiguity_axis,
     ball_name,
 )
+from rolamento.document.medium import Medium
 from rolamento.errors import InputError
 from rolamento.report.catalogue_words import CATALOGUE_WORDS, CatalogueWords
 from rolamento.report.language import ENGLISH, Words
-from rolamento.report.medium import Medium
 from rolamento.report.page import Lines, Page, rendered
 from rolamento.units import MILLIMETRE, from_si
 

@@ -10,8 +10,8 @@ from rich.text import Text
 
 from rolamento._json import dumps
 from rolamento.clearance import WARNINGS, ClearanceSamples, OperatingClearance, Step
+from rolamento.document.medium import Medium
 from rolamento.report.language import ENGLISH, Words
-from rolamento.report.medium import Medium
 from rolamento.report.page import Lines, Page, rendered
 from rolamento.report.sentences import portuguese_sentence
 from rolamento.units import MICROMETRE

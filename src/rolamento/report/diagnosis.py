@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 from rich.text import Text
 
+from rolamento.document.medium import Medium
 from rolamento.report.diagnosis_sentences import (
     said_advice,
     said_note,
@@ -22,7 +23,6 @@ from rolamento.report.diagnosis_sentences import (
 from rolamento.report.diagnosis_words import DIAGNOSIS_WORDS, DiagnosisWords
 from rolamento.report.frequencies_words import FREQUENCY_WORDS
 from rolamento.report.language import ENGLISH, Words
-from rolamento.report.medium import Medium
 from rolamento.report.numbers import ABSENT
 from rolamento.report.page import Lines, Page, rendered
 from rolamento.report.plain_data import csv_number, json_text

@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING, Any, Final
 
 from rich.text import Text
 
+from rolamento.document.medium import Medium
 from rolamento.report.frequencies_words import FREQUENCY_WORDS, FrequencyWords
 from rolamento.report.language import ENGLISH, Words
-from rolamento.report.medium import Medium
 from rolamento.report.page import Lines, Page, rendered
 from rolamento.report.plain_data import json_text
 from rolamento.units import rpm_of

@@ -12,12 +12,12 @@ import numpy as np
 from numpy.typing import NDArray
 from rich.text import Text
 
+from rolamento.document.medium import Medium
 from rolamento.plots.axes_units import read_values, readable_unit
 from rolamento.plots.variable_names import torque_model_name
 from rolamento.report.across import place_text, written_values
 from rolamento.report.friction import friction_parts, unit_of_torque
 from rolamento.report.language import ENGLISH, Words
-from rolamento.report.medium import Medium
 from rolamento.report.numbers import decimals_for
 from rolamento.report.page import Lines, Page, rendered
 from rolamento.report.plain_data import csv_number, json_text

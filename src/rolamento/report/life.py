@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Final
 
 from rich.text import Text
 
+from rolamento.document.medium import Medium
 from rolamento.life.theories import THEORIES
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.life_statement import (
@@ -24,7 +25,6 @@ from rolamento.report.life_statement import (
     unit_of_force,
     verdict,
 )
-from rolamento.report.medium import Medium
 from rolamento.report.numbers import aligned
 from rolamento.report.page import Lines, Page, notes_part, rendered
 from rolamento.report.plain_data import json_text

@@ -12,12 +12,12 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 from rich.text import Text
 
+from rolamento.document.medium import Medium
 from rolamento.life.theories import FIRST_LEFT_OUT
 from rolamento.plots.axes_units import read_values
 from rolamento.report.across import place_text, written_values
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.life_statement import given_percent, life_text, lives_column, remarks, said_of
-from rolamento.report.medium import Medium
 from rolamento.report.page import Lines, Page, rendered
 from rolamento.report.plain_data import csv_number, json_text
 

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 from rich.text import Text
 
+from rolamento.document.medium import Medium
 from rolamento.life import Life
 from rolamento.life.iso16281 import THEORY as REFERENCE
 from rolamento.report.language import ENGLISH, Words
@@ -25,7 +26,6 @@ from rolamento.report.life_statement import (
     said_of,
     verdict,
 )
-from rolamento.report.medium import Medium
 from rolamento.report.page import Lines, Page, rendered
 from rolamento.report.plain_data import csv_number, json_text
 

@@ -17,8 +17,8 @@ from typing import Final, TypeAlias
 from rich.console import Console
 from rich.text import Text
 
+from rolamento.document.medium import Medium
 from rolamento.report.language import Words
-from rolamento.report.medium import Medium
 from rolamento.report.numbers import Digits, decimals_for
 from rolamento.units import Dimension, from_si
 

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 from rich.text import Text
 
+from rolamento.document.medium import Medium
 from rolamento.life.theories import FIRST_LEFT_OUT, THEORIES
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.life_statement import (
@@ -20,7 +21,6 @@ from rolamento.report.life_statement import (
     remarks,
     said_of,
 )
-from rolamento.report.medium import Medium
 from rolamento.report.page import Lines, Page, rendered
 from rolamento.report.plain_data import json_text
 

@@ -7,8 +7,8 @@ from typing import Final, NamedTuple
 
 from rich.text import Text
 
+from rolamento.document.medium import Medium
 from rolamento.report.language import ENGLISH, Words
-from rolamento.report.medium import Medium
 from rolamento.report.page import Lines, Page, rendered
 from rolamento.report.study_words import STUDY_WORDS, StudyWords
 from rolamento.studies import OutputRange, Summary

@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 from rich.text import Text
 
+from rolamento.document.medium import Medium
 from rolamento.errors import InputError
 from rolamento.report.frequencies_words import FREQUENCY_WORDS
 from rolamento.report.language import ENGLISH, Words
-from rolamento.report.medium import Medium
 from rolamento.report.numbers import ABSENT
 from rolamento.report.page import Lines, Page, one_line, rendered, short_number, table
 from rolamento.report.plain_data import json_text

@@ -9,6 +9,7 @@ from rich.text import Text
 from rolamento.case import Case
 from rolamento.case.bearing import Bearing
 from rolamento.case.duty import AXES, LOADS, Duty
+from rolamento.document.medium import Medium
 from rolamento.report.balls import (
     ball_parts,
     heaviest_part,
@@ -17,7 +18,6 @@ from rolamento.report.balls import (
     rosettes_width,
 )
 from rolamento.report.language import ENGLISH, Words
-from rolamento.report.medium import Medium
 from rolamento.report.page import Lines, Page, beside, notes_part, rendered
 from rolamento.report.ring import (
     arrangement_lines,

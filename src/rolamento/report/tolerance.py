@@ -10,10 +10,10 @@ import numpy as np
 from rich.text import Text
 
 from rolamento._json import dumps
+from rolamento.document.medium import Medium
 from rolamento.errors import InputError
 from rolamento.plots.axes_units import ReadableUnit, readable_unit
 from rolamento.report.language import ENGLISH, Words
-from rolamento.report.medium import Medium
 from rolamento.report.page import Lines, Page, rendered
 from rolamento.studies.sensitivity import RankCorrelations, SobolIndices, ToleranceStudy
 from rolamento.studies.tolerance import Samples, ToleranceBand

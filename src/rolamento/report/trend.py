@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Final
 from rich.text import Text
 
 from rolamento.clearance.wear import WearFit
+from rolamento.document.medium import Medium
 from rolamento.report.language import ENGLISH, Words
-from rolamento.report.medium import Medium
 from rolamento.report.page import Lines, Page, one_line, rendered, shortened, table
 from rolamento.report.plain_data import json_text
 from rolamento.units import to_si

@@ -15,8 +15,8 @@ from rich.text import Text
 
 from rolamento._json import dumps
 from rolamento.case.duty import AXES, LOADS
+from rolamento.document.medium import Medium
 from rolamento.report.language import ENGLISH, Words
-from rolamento.report.medium import Medium
 from rolamento.report.page import Lines, Page, rendered
 from rolamento.report.plain_data import csv_number
 from rolamento.studies.cage_turn import BallHistory, CageTurn, Compared, ContactHistory, Variation

@@ -9,8 +9,8 @@ from typing import Final
 import numpy as np
 from rich.text import Text
 
+from rolamento.document.medium import Medium
 from rolamento.report.language import ENGLISH, Words
-from rolamento.report.medium import Medium
 from rolamento.report.numbers import ABSENT
 from rolamento.report.page import (
     FIGURES,

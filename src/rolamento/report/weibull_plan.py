@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Final
 
 from rich.text import Text
 
+from rolamento.document.medium import Medium
 from rolamento.report.language import ENGLISH, Words
-from rolamento.report.medium import Medium
 from rolamento.report.numbers import ABSENT
 from rolamento.report.page import FIGURES, Lines, Page, one_line, percent, rendered, table
 from rolamento.report.plain_data import json_text

@@ -1,0 +1,392 @@
+"""What a page is made of, whatever it is shown on: terminal, HTML, PDF, Markdown, notebook, tables.
+
+A page is a `Document` of sections; a section is a heading and blocks; blocks hold texts that are
+said already (`rolamento.words.said`) and numbers in SI, which the medium writes in the unit that
+the block names. What a medium does with them is its own affair.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Literal
+
+from rolamento.words import language
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure as Picture
+
+__all__ = [
+    "Bar",
+    "Bars",
+    "Beside",
+    "Block",
+    "Break",
+    "CellContent",
+    "Column",
+    "Document",
+    "Entry",
+    "Equation",
+    "Figure",
+    "KeyValues",
+    "Notes",
+    "Number",
+    "Remark",
+    "Section",
+    "Statement",
+    "Symbol",
+    "Table",
+    "Title",
+    "Tone",
+]
+
+Tone = Literal["", "strong", "faint", "mark", "good", "good-strong", "warning", "warning-strong",
+               "bad", "bad-strong", "peak"]  # fmt: skip
+"""How a text is meant: what a medium colours, and prints so that it is seen without colours too."""
+
+
+@dataclass(frozen=True, slots=True)
+class Number:
+    """A number with a form of its own.
+
+    Parameters
+    ----------
+    value
+        In SI.
+    form
+        As `rolamento.words.manner` says: ``".4 rpm"``; ``".4 [rpm]"`` where the unit stands
+        elsewhere.
+    before, behind
+        What stands at it, such as ``"×"`` or ``"<"``.
+    """
+
+    value: float
+    form: str = ""
+    before: str = ""
+    behind: str = ""
+
+
+CellContent = float | int | str | Number | None
+"""A number in the manner of its column, a text, a number of its own form; None for what is not."""
+
+
+@dataclass(frozen=True, slots=True)
+class Title:
+    """The title of a page, or of a part of it that could be a page."""
+
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Statement:
+    """A sentence or several: what a page says first. A line break begins a new line.
+
+    Parameters
+    ----------
+    text
+        What is said.
+    tone
+        How it is meant.
+    indent
+        How far it stands in, in characters.
+    mark
+        What stands before it, such as ``"✓"``; the lines of the text hang beside it.
+    """
+
+    text: str
+    tone: Tone = ""
+    indent: int = 0
+    mark: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """A label and what is said to it: a text, or numbers of their own form."""
+
+    label: str
+    content: str | Number
+    tone: Tone = ""
+
+
+@dataclass(frozen=True, slots=True)
+class KeyValues:
+    """Texts beside a column of labels. label_tone: of the labels."""
+
+    entries: tuple[Entry, ...]
+    indent: int = 0
+    label_tone: Tone = "faint"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Column:
+    """A column of a table.
+
+    Parameters
+    ----------
+    head
+        A symbol or words.
+    values
+        One a row; numbers in SI.
+    unit
+        One of `rolamento.words.UNITS`; stands below the head, or behind it.
+    key
+        Its name in files, such as ``"inner_load"``; by default the head.
+    figures, most
+        The greatest number has so many significant figures, all have its decimals, at most so
+        many.
+    form
+        Instead: how each number is written by itself (`Number`).
+    align
+        Left or right; by default numbers right, texts left.
+    tone, tones
+        Of the whole column, or of each cell.
+    peak
+        Mark the greatest or the least number.
+    bar
+        Draw each number as a bar, the greatest as long as there is room; a medium may leave a
+        column of bars out, and files have none.
+    only_in_files
+        Whether the column stands only in what is written to files (CSV, workbook).
+    """
+
+    head: str
+    values: Sequence[CellContent]
+    unit: str = ""
+    key: str = ""
+    figures: int = 4
+    most: int = 2
+    form: str = ""
+    align: Literal["", "left", "right"] = ""
+    tone: Tone = ""
+    tones: Sequence[Tone] = ()
+    peak: Literal["", "maximum", "minimum"] = ""
+    bar: bool = False
+    only_in_files: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Break:
+    """Where a narrow medium may go on with a table of its own: before a column.
+
+    The first columns, up to `Table.fixed`, are shown again.
+    """
+
+    column: int
+    heading: str
+    legend: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Table:
+    """Columns beside each other.
+
+    Parameters
+    ----------
+    columns
+        As many values in each.
+    key
+        Its name in files, such as ``"balls"``; a table without one is not written to files.
+    caption
+        What a medium that numbers tables says of it; by default the section's heading.
+    legends
+        What its symbols mean, below it.
+    groups
+        Rows before which a line with a name stands: ``((0, "row 0"), (16, "row 1"))``.
+    rule
+        Whether a line parts head and rows.
+    fixed, breaks
+        Where it may be broken; see `Break`.
+    headless
+        Whether no heads are shown.
+    units
+        Whether units stand in a line of their own below the heads, or behind each head.
+    """
+
+    columns: tuple[Column, ...]
+    key: str = ""
+    caption: str = ""
+    legends: tuple[str, ...] = ()
+    groups: tuple[tuple[int, str], ...] = ()
+    rule: bool = False
+    fixed: int = 1
+    breaks: tuple[Break, ...] = ()
+    headless: bool = False
+    units: Literal["below", "behind"] = "below"
+    indent: int = 2
+    gap: int = 2
+
+
+@dataclass(frozen=True, slots=True)
+class Bar:
+    """A bar, and what stands before it. length: over that of the greatest bar, or in any unit."""
+
+    label: str
+    number: CellContent
+    length: float
+    tone: Tone = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Bars:
+    """Bars below each other: label, number, bar.
+
+    heads: of label and number, where they have any; longest: characters of the greatest bar.
+    """
+
+    bars: tuple[Bar, ...]
+    key: str = ""
+    unit: str = ""
+    heads: tuple[str, str] = ("", "")
+    legends: tuple[str, ...] = ()
+    tone: Tone = "mark"
+    longest: int = 24
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Figure:
+    """A picture, and a sketch of it for media that show only characters.
+
+    Parameters
+    ----------
+    caption
+        What it shows.
+    draw
+        Returns it as a figure of Matplotlib; it is drawn only where a medium shows it.
+    alternative
+        What it shows, for those who cannot see it; by default the caption.
+    key
+        Its name, such as ``"rosette"``.
+    sketch
+        Called with the characters that there is room for, and whether braille and blocks can be
+        shown; returns lines of (text, tone) pairs.
+    width
+        Characters that the sketch needs to stand beside something.
+    """
+
+    caption: str
+    draw: Callable[[], Picture] | None = None
+    alternative: str = ""
+    key: str = ""
+    sketch: Callable[[int, bool], Sequence[Sequence[tuple[str, Tone]]]] | None = None
+    width: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class Remark:
+    """One thing that the reader should know; key: the note's, for programs and tests."""
+
+    text: str
+    key: str = ""
+    tone: Tone = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Notes:
+    """Things that the reader should know, one below the other."""
+
+    remarks: tuple[Remark, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Symbol:
+    """A symbol of an equation: what it means, and its unit."""
+
+    symbol: str
+    meaning: str
+    unit: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Equation:
+    """An equation, with its symbols and its source.
+
+    Parameters
+    ----------
+    name
+        What it gives.
+    latex
+        For media that set mathematics: what Matplotlib, KaTeX and MathJax understand alike.
+    plain
+        In plain characters, for a terminal and for those who cannot see it.
+    symbols
+        That it brings in.
+    source
+        Author, year, number of the equation there.
+    valid
+        Where it holds.
+    number
+        In the document.
+    """
+
+    name: str
+    latex: str
+    plain: str
+    symbols: tuple[Symbol, ...] = ()
+    source: str = ""
+    valid: str = ""
+    number: int = 0
+
+
+Block = Title | Statement | KeyValues | Table | Bars | Figure | Notes | Equation
+
+
+@dataclass(frozen=True, slots=True)
+class Section:
+    """A heading, which may be empty, and what stands below it.
+
+    level: 1 for a part of the document, 2 for what is usual, 3 below that.
+    """
+
+    heading: str = ""
+    blocks: tuple[Block, ...] = ()
+    key: str = ""
+    level: int = 2
+
+
+@dataclass(frozen=True, slots=True)
+class Beside:
+    """Sections that stand beside others where there is room, else below them."""
+
+    left: tuple[Section, ...]
+    right: tuple[Section, ...]
+    gap: int = 3
+    key: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Document:
+    """A page: its title and its sections, said in one language.
+
+    Parameters
+    ----------
+    title
+        Also of the window, the file, the PDF. The medium shows it only as a `Title` block.
+    sections
+        From top to bottom.
+    kind
+        Of which command, such as ``"solve"``.
+    language
+        The code of the language that its texts are in.
+    """
+
+    title: str
+    sections: tuple[Section | Beside, ...]
+    kind: str = ""
+    language: str = field(default_factory=language)
+
+    def parts(self) -> Iterator[Section]:
+        """Return its sections one by one, those that stand beside each other too."""
+        for one in self.sections:
+            if isinstance(one, Beside):
+                yield from (*one.left, *one.right)
+            else:
+                yield one
+
+    def blocks(self) -> Iterator[Block]:
+        """Return its blocks from top to bottom."""
+        for section in self.parts():
+            yield from section.blocks
+
+    def tables(self) -> tuple[Table, ...]:
+        """Return the tables that are written to files."""
+        return tuple(b for b in self.blocks() if isinstance(b, Table) and b.key)

@@ -1,0 +1,34 @@
+"""Words: languages, numbers as people write them, notes and their sentences."""
+
+from rolamento.words.manner import ABSENT, UNITS, Manner, aligned, decimals_for, in_unit
+from rolamento.words.note import Note
+from rolamento.words.speaking import (
+    counted,
+    language,
+    language_of,
+    languages,
+    manner,
+    marked,
+    said,
+    said_in,
+    speaking,
+)
+
+__all__ = [
+    "ABSENT",
+    "UNITS",
+    "Manner",
+    "Note",
+    "aligned",
+    "counted",
+    "decimals_for",
+    "in_unit",
+    "language",
+    "language_of",
+    "languages",
+    "manner",
+    "marked",
+    "said",
+    "said_in",
+    "speaking",
+]

@@ -1,0 +1,202 @@
+"""How numbers are written for a reader: few digits, the decimal mark of the language, a unit.
+
+A number in SI is written in a unit by a specification, in templates and in tables alike::
+
+    ""            a text as it is; an integer grouped in threes; a float with four figures
+    ".5"          five significant figures, without trailing zeros
+    ".2f"         two decimals
+    ".1e"         by its order of magnitude
+    "+.2f"        with its sign
+    ".4 rpm"      in a unit, which is written behind the number
+    ".4 [rpm]"    in a unit, which is not written
+
+A sequence is written item by item, with commas; beyond `MOST_ITEMS` items comes "…".
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+from math import floor, isfinite, log10, pi
+from string import Formatter
+from typing import Any, Final
+
+__all__ = ["ABSENT", "UNITS", "Manner", "aligned", "decimals_for", "in_unit"]
+
+ABSENT: Final = "–"
+"""What stands for a number that does not exist."""
+
+MOST_ITEMS: Final = 8
+"""Of a sequence in a text."""
+
+UNITS: Final[dict[str, tuple[float, float]]] = {
+    # written in SI × factor + offset
+    "": (1.0, 0.0),
+    "%": (100.0, 0.0),
+    "m": (1.0, 0.0),
+    "mm": (1e3, 0.0),
+    "µm": (1e6, 0.0),
+    "nm": (1e9, 0.0),
+    "mm²": (1e6, 0.0),
+    "mm³": (1e9, 0.0),
+    "rad": (1.0, 0.0),
+    "mrad": (1e3, 0.0),
+    "°": (180.0 / pi, 0.0),
+    "rad/s": (1.0, 0.0),
+    "rpm": (30.0 / pi, 0.0),
+    "Hz": (1.0, 0.0),
+    "kHz": (1e-3, 0.0),
+    "N": (1.0, 0.0),
+    "kN": (1e-3, 0.0),
+    "N·m": (1.0, 0.0),
+    "N·mm": (1e3, 0.0),
+    "N/µm": (1e-6, 0.0),
+    "N/mrad": (1e-3, 0.0),
+    "N·m/mm": (1e-3, 0.0),
+    "N·m/mrad": (1e-3, 0.0),
+    "Pa": (1.0, 0.0),
+    "MPa": (1e-6, 0.0),
+    "GPa": (1e-9, 0.0),
+    "1/GPa": (1e9, 0.0),
+    "W": (1.0, 0.0),
+    "mW": (1e3, 0.0),
+    "°C": (1.0, -273.15),
+    "K": (1.0, 0.0),
+    "mm²/s": (1e6, 0.0),
+    "mPa·s": (1e3, 0.0),
+    "Pa·s": (1.0, 0.0),
+    "m/s": (1.0, 0.0),
+    "mm/s": (1e3, 0.0),
+    "µm/s": (1e6, 0.0),
+    "m/s²": (1.0, 0.0),
+    "kg/m³": (1.0, 0.0),
+    "s": (1.0, 0.0),
+    "ms": (1e3, 0.0),
+    "min": (1.0 / 60.0, 0.0),
+    "h": (1.0 / 3600.0, 0.0),
+    "rev": (1.0, 0.0),
+    "10⁶ rev": (1e-6, 0.0),
+    "dB": (1.0, 0.0),
+}
+"""Factor and offset from SI to every unit that a page writes."""
+
+_MINUS: Final = "−"
+_SMALLEST_GROUPED: Final = 10_000
+_FIGURES: Final = 4
+_SPECIFICATION: Final = re.compile(r"(\+?)(?:\.(\d+)([fe]?))?(?: ?(\[)?([^\[\]]*)\]?)?")
+_CLOSE: Final = ("°",)
+"""Units that stand at the number without a space."""
+
+
+def decimals_for(values: Iterable[float], digits: int, most: int = 4) -> int:
+    """Return how many decimals give the maximum of the values so many significant digits."""
+    maximum = max((abs(value) for value in values if isfinite(value)), default=0.0)
+    if maximum == 0.0:
+        return 0
+    return min(max(digits - 1 - floor(log10(maximum)), 0), most)
+
+
+def in_unit(value: Any, unit: str) -> Any:
+    """Return an SI value, or an array of them, in one of `UNITS`.
+
+    Raises
+    ------
+    KeyError
+        For a unit that is not known.
+    """
+    factor, offset = UNITS[unit]
+    return value * factor + offset
+
+
+class Manner(Formatter):
+    """Writes numbers with one decimal mark, and fills templates with them.
+
+    Parameters
+    ----------
+    mark
+        ``"."`` or ``","``.
+    """
+
+    def __init__(self, mark: str) -> None:
+        self.mark = mark
+
+    def fixed(self, value: float, decimals: int) -> str:
+        """Write a number with so many decimals, groups of three from ten thousand on."""
+        if not isfinite(value):
+            return ABSENT
+        text = f"{abs(value):,.{decimals}f}"
+        grouped = text.replace(",", " " if abs(value) >= _SMALLEST_GROUPED else "")
+        negative = value < 0.0 and any(digit in "123456789" for digit in text)
+        return (_MINUS if negative else "") + grouped.replace(".", self.mark)
+
+    def column(self, values: Sequence[float], digits: int = 5, most: int = 4) -> list[str]:
+        """Write numbers that stand below each other, with the same decimals."""
+        decimals = decimals_for(values, digits, most)
+        return [self.fixed(value, decimals) for value in values]
+
+    def short(self, value: float, digits: int = 5) -> str:
+        """Write one number without trailing zeros."""
+        if not isfinite(value):
+            return ABSENT
+        text = self.fixed(value, decimals_for([value], digits, most=9))
+        return text.rstrip("0").rstrip(self.mark) if self.mark in text else text
+
+    def exponent(self, value: float, decimals: int = 1) -> str:
+        """Write one number by its order of magnitude."""
+        if not isfinite(value):
+            return ABSENT
+        return f"{value:.{decimals}e}".replace(".", self.mark)
+
+    def localised(self, quantity: str) -> str:
+        """Write a quantity of a case file, such as ``"22.23 mm"``, with the decimal mark."""
+        number, space, unit = quantity.partition(" ")
+        try:
+            value = float(number)
+        except ValueError:
+            return quantity
+        if abs(value) >= _SMALLEST_GROUPED and value.is_integer():
+            number = self.fixed(value, 0)
+        return number.replace("-", _MINUS).replace(".", self.mark) + space + unit
+
+    def number(self, value: float, specification: str = "") -> str:
+        """Write an SI value by a specification (see the module)."""
+        found = _SPECIFICATION.fullmatch(specification)
+        if found is None or found[5] not in UNITS:
+            raise ValueError(f"{specification!r} is no specification of a number")
+        sign, digits, form, bracket, unit = found.groups()
+        scaled = float(in_unit(value, unit))
+        if form == "f":
+            text = self.fixed(scaled, int(digits))
+        elif form == "e":
+            text = self.exponent(scaled, int(digits))
+        else:
+            text = self.short(scaled, int(digits) if digits else _FIGURES)
+        text = f"+{text}" if sign and scaled > 0.0 else text
+        if bracket or not unit:
+            return text
+        return text + ("" if unit in _CLOSE else " ") + unit
+
+    def format_field(self, value: Any, format_spec: str) -> str:
+        """Write what a template holds in one of its places."""
+        if isinstance(value, str):
+            return value
+        if isinstance(value, bool) or value is None:
+            return str(value)
+        if isinstance(value, int) and not format_spec:
+            return self.fixed(value, 0)
+        if isinstance(value, int | float):
+            return self.number(float(value), format_spec)
+        if hasattr(value, "tolist"):
+            value = value.tolist()
+            if not isinstance(value, list):
+                return self.format_field(value, format_spec)
+        if isinstance(value, list | tuple):
+            items = [self.format_field(one, format_spec) for one in value[:MOST_ITEMS]]
+            return ", ".join(items) + (" …" if len(value) > MOST_ITEMS else "")
+        return str(value)
+
+
+def aligned(cells: Sequence[str], mark: str) -> list[str]:
+    """Pad numbers on the right so that their decimal marks fall below each other."""
+    tails = [len(cell) - cell.index(mark) if mark in cell else 0 for cell in cells]
+    return [cell + " " * (max(tails) - tail) for cell, tail in zip(cells, tails, strict=True)]

@@ -1,0 +1,133 @@
+"""What is said to people: English where it is used, other languages from gettext catalogues.
+
+`said` translates a text into the language that is spoken and fills it in; which one that is,
+`speaking` sets for a block of code. The catalogues are `locale/<language>/LC_MESSAGES`.
+"""
+
+from __future__ import annotations
+
+import gettext
+import os
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from contextvars import ContextVar
+from functools import cache
+from pathlib import Path
+from typing import Any, Final
+
+from rolamento.words.manner import Manner
+
+__all__ = [
+    "CATALOGUES",
+    "DOMAIN",
+    "counted",
+    "language",
+    "language_of",
+    "languages",
+    "manner",
+    "marked",
+    "said",
+    "said_in",
+    "speaking",
+]
+
+DOMAIN: Final = "rolamento"
+CATALOGUES: Final = Path(__file__).parents[1] / "locale"
+ENGLISH: Final = "en"
+
+_VARIABLES: Final = ("LC_ALL", "LC_MESSAGES", "LANG")
+_MARK: Final = "decimal mark"
+"""The context of the entry by which a catalogue gives its decimal mark."""
+
+_spoken: ContextVar[str] = ContextVar("language", default=ENGLISH)
+
+
+@cache
+def languages() -> Mapping[str, str]:
+    """Return the languages by their codes: ``{"en": "en", "pt": "pt_BR"}``."""
+    folders = sorted(path.parent.parent.name for path in CATALOGUES.glob("*/LC_MESSAGES/*.po"))
+    return {ENGLISH: ENGLISH} | {name.partition("_")[0]: name for name in folders}
+
+
+def language() -> str:
+    """Return the code of the language that is spoken, such as ``"en"`` or ``"pt"``."""
+    return _spoken.get()
+
+
+def language_of(code: str | None = None, environment: Mapping[str, str] | None = None) -> str:
+    """Return the language of a code, or else of the locale; English where there is no catalogue."""
+    if code is None:
+        variables = os.environ if environment is None else environment
+        code = next((variables[name] for name in _VARIABLES if variables.get(name)), "")
+    code = code[:2].lower()
+    return code if code in languages() else ENGLISH
+
+
+@contextmanager
+def speaking(code: str | None) -> Iterator[None]:
+    """Speak a language within a block; None leaves it as it is.
+
+    Parameters
+    ----------
+    code
+        Such as ``"pt"``; a language without a catalogue is English.
+    """
+    if code is None:
+        yield
+        return
+    token = _spoken.set(language_of(code))
+    try:
+        yield
+    finally:
+        _spoken.reset(token)
+
+
+def said(message: str, /, **values: Any) -> str:
+    """Say a text in the language that is spoken, its places filled in.
+
+    Parameters
+    ----------
+    message
+        In English; what stands in braces is filled in as `rolamento.words.manner` says.
+    values
+        What is filled in; numbers in SI.
+    """
+    return _filled(_catalogue(_spoken.get()).gettext(message), values)
+
+
+def said_in(context: str, message: str, /, **values: Any) -> str:
+    """Say a text that has another translation in another context: the inner race, ring."""
+    return _filled(_catalogue(_spoken.get()).pgettext(context, message), values)
+
+
+def counted(one: str, many: str, number: int, /, **values: Any) -> str:
+    """Say a text of one or of many; ``{n}`` is how many."""
+    text = _catalogue(_spoken.get()).ngettext(one, many, number)
+    return _filled(text, {"n": number, **values})
+
+
+def marked(message: str) -> str:
+    """Return a text as it is: the catalogues take it up, and `said` says it later."""
+    return message
+
+
+def manner() -> Manner:
+    """Return how the language that is spoken writes numbers."""
+    return _manner(_spoken.get())
+
+
+def _filled(text: str, values: Mapping[str, Any]) -> str:
+    return manner().vformat(text, (), values) if values else text
+
+
+@cache
+def _manner(code: str) -> Manner:
+    mark = _catalogue(code).pgettext(_MARK, ".")
+    return Manner(mark)
+
+
+@cache
+def _catalogue(code: str) -> gettext.NullTranslations:
+    if code == ENGLISH:
+        return gettext.NullTranslations()
+    return gettext.translation(DOMAIN, CATALOGUES, languages=[languages()[code]], fallback=True)
