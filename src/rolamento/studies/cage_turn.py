@@ -22,6 +22,7 @@ from rolamento.case import Case, load_case
 from rolamento.errors import InputError
 from rolamento.solution import solve
 from rolamento.solved import Contacts, Solved
+from rolamento.words import Note
 
 Floats = NDArray[np.float64]
 Compared = Literal["displacement", "load", "stiffness"]
@@ -140,7 +141,7 @@ class CageTurn:
     solved: Solved
     angle: Floats
     period: float
-    advice: str | None
+    advice: Note | None
     cage_speed: CageSpeed
     histories: tuple[BallHistory, ...]
 
