@@ -46,6 +46,8 @@ _LEFT_OUT: Final = frozenset(  # what was given, how it was solved, and `compute
     {"case", "title", "schema", "version", "residual", "imbalance", "iterations", "notes",
      "difference"}
 )  # fmt: skip
+_KEYED: Final = frozenset({"reason", "reasons", "warnings"})
+"""Whose notes are kept, by their keys."""
 _LONGEST_SERIES: Final = 48
 _LONGEST_TABLE: Final = 24
 _NAMES: Final = frozenset({"name", "quantity", "unit", "method", "change"})
@@ -142,10 +144,13 @@ def _cell(text: str) -> float | str | None:
 def kept(value: Any) -> Any:
     """Return numbers, truths and words; long lists thinned, with mean and root mean square."""
     if isinstance(value, dict):
+        if _is_note(value):
+            return value["key"]
         return {
             name: kept(part)
             for name, part in _with_parts(value).items()
             if name not in _LEFT_OUT and not _is_prose(part)
+            if name in _KEYED or not _is_note(part)
         }
     if isinstance(value, list):
         parts = [kept(part) for part in value if not _is_prose(part)]
@@ -162,6 +167,10 @@ def _with_parts(value: dict[str, Any]) -> dict[str, Any]:
     amplitude, phase = (np.array(value[name], float) for name in ("amplitude", "phase"))
     waves = {"cosine": amplitude * np.cos(phase), "sine": amplitude * np.sin(phase)}
     return others | {name: part.tolist() for name, part in waves.items()}
+
+
+def _is_note(value: Any) -> bool:
+    return isinstance(value, dict) and value.keys() == {"key", "text", "values"}
 
 
 def _is_prose(value: Any) -> bool:
