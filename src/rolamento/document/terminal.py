@@ -28,6 +28,7 @@ from rolamento.document.model import (
     Equation,
     Figure,
     KeyValues,
+    Links,
     Notes,
     Number,
     Section,
@@ -115,6 +116,7 @@ class _Setter:
             Figure: self._figure,
             Notes: self._notes,
             Equation: self._equation,
+            Links: self._links,
         }
 
     def part(self, one: Section | Beside, width: int) -> Lines:
@@ -193,6 +195,13 @@ class _Setter:
         behind = "; ".join(part for part in (block.name, block.source, block.valid) if part)
         return lines + self._hanging(Text(" " * 7), behind, width, "dim")
 
+    def _links(self, block: Links, width: int) -> Lines:
+        return [
+            line
+            for link in block.links
+            for line in self._hanging(self._text(f"  {link.text}: "), link.target, width)
+        ]
+
     def _figure(self, block: Figure, width: int) -> Lines:
         if block.sketch is None:
             return []
@@ -205,6 +214,8 @@ class _Setter:
     # --- tables -----------------------------------------------------------------------------
 
     def _table(self, block: Table, width: int) -> Lines:
+        if block.only_in_files:
+            return []
         shown = tuple(column for column in block.columns if not column.only_in_files)
         breaks = [_shown_place(block, each.column) for each in block.breaks]
         plain = [column for column in shown if not column.bar]
