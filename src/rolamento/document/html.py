@@ -305,8 +305,9 @@ def _table(block: Table) -> str:
         return ""
     parts: list[str] = []
     for heading, part in broken(block, lambda table: characters(table) <= _WIDEST):
-        caption = heading or (block.caption if not parts else "")
-        parts.append(_one_table(part, caption))
+        caption = block.caption if not parts else ""
+        title = _element("caption", _text(heading or caption), classes="part" * bool(heading))
+        parts.append(_one_table(part, title if heading or caption else ""))
     return "\n".join(parts)
 
 
@@ -314,7 +315,7 @@ def _one_table(block: Table, caption: str) -> str:
     columns = [_Cells(column) for column in block.columns]
     rows = max((len(one.texts) for one in columns), default=0)
     names = dict(block.groups)
-    lines = [_element("caption", _text(caption))] if caption else []
+    lines = [caption] if caption else []
     if not block.headless:
         heads = "".join(_head(column, block) for column in block.columns)
         lines.append(f"<thead><tr>{heads}</tr></thead>")

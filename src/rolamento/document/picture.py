@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import re
 import warnings
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Final
@@ -80,10 +81,10 @@ def formula(latex: str) -> Formula | None:
     from matplotlib.font_manager import FontProperties
     from matplotlib.textpath import TextToPath
 
-    setter = TextToPath()  # type: ignore[no-untyped-call]
-    text = f"${latex}$"
-    with rc_context({"mathtext.fontset": "stix", "mathtext.default": "it"}):
-        font = FontProperties(family="STIXGeneral", size=setter.FONT_SCALE)
+    setter = TextToPath()
+    text = f"${_displayed(latex)}$"
+    with rc_context({"mathtext.fontset": "stix"}):
+        font = FontProperties(size=setter.FONT_SCALE)
         try:
             vertices, codes = setter.get_text_path(font, text, ismath=True)
         except ValueError:
@@ -108,3 +109,12 @@ def formula(latex: str) -> Formula | None:
     right, highest = vertices.max(axis=0) / setter.FONT_SCALE
     lowest = vertices[:, 1].min() / setter.FONT_SCALE
     return Formula("".join(pieces), float(right), float(highest), float(-lowest))
+
+
+def _displayed(latex: str) -> str:
+    """Return a formula with its outermost fractions at full size, as in a line of their own."""
+    depth, pieces = 0, []
+    for piece in re.split(r"(\\frac\b|\\.|[{}])", latex):
+        depth += (piece == "{") - (piece == "}")
+        pieces.append("\\dfrac" if piece == "\\frac" and depth == 0 else piece)
+    return "".join(pieces)
