@@ -35,7 +35,16 @@ import xarray as xr
 import rolamento
 from rolamento.cli import main
 
-__all__ = ["RUNS", "answer", "compile_first", "differences", "kept", "main_golden", "page", "spread"]
+__all__ = [
+    "RUNS",
+    "answer",
+    "compile_first",
+    "differences",
+    "kept",
+    "main_golden",
+    "page",
+    "spread",
+]
 
 HERE: Final = Path(__file__).parent
 GOLDEN: Final = HERE / "golden"
@@ -84,7 +93,7 @@ def answer(name: str) -> dict[str, Any]:
 def page(name: str, language: str) -> str:
     """Run one of `RUNS` for a person and return what it shows."""
     with _folder():
-        return "".join(_run(_for_a_person(line) + ["--lang", language])[1] for line in RUNS[name])
+        return "".join(_run([*_for_a_person(line), "--lang", language])[1] for line in RUNS[name])
 
 
 def _for_a_person(line: str) -> list[str]:

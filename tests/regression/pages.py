@@ -17,8 +17,9 @@ from collections import Counter
 from pathlib import Path
 from typing import Final
 
-from rolamento.words import languages
 from tests.regression.golden import RUNS, page
+
+from rolamento.words import languages
 
 KEPT: Final = Path(__file__).parent / "pages.json"
 PAGES: Final = (

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import pytest
-
-from rolamento.words import languages
 from tests.regression.golden import compile_first
 from tests.regression.pages import PAGES, missing
+
+from rolamento.words import languages
 
 
 @pytest.fixture(scope="module", autouse=True)
