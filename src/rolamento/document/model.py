@@ -93,12 +93,15 @@ class Statement:
         How far it stands in, in characters.
     mark
         What stands before it, such as ``"✓"``; the lines of the text hang beside it.
+    mark_tone
+        How the mark is meant, if not as the text.
     """
 
     text: str
     tone: Tone = ""
     indent: int = 0
     mark: str = ""
+    mark_tone: Tone = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -177,7 +177,7 @@ class _Setter:
 
     def _statement(self, block: Statement, width: int) -> Lines:
         mark = f"{block.mark} " if block.mark else ""
-        label = self._text(" " * block.indent + mark, STYLES[block.tone])
+        label = self._text(" " * block.indent + mark, STYLES[block.mark_tone or block.tone])
         return self._hanging(label, block.text, width, STYLES[block.tone])
 
     def _key_values(self, block: KeyValues, width: int) -> Lines:
