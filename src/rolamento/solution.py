@@ -72,7 +72,7 @@ def solve(
     if not isinstance(case, Case):
         if not isinstance(case, str | os.PathLike):
             raise InputError(
-                said("must be a Case, or the path of its file"),
+                said("must be a Case or the path of a case file"),
                 field="case",
                 value=type(case).__name__,
                 example='rolamento.solve("case.toml")',

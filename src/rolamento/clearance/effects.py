@@ -229,7 +229,7 @@ def expansion_of(material: Material, field: str) -> float:
     if material.name not in known:
         raise InputError(
             said(
-                "is missing: no expansion is on file for {name}, only for {known}",
+                "is missing: the thermal expansion of {name} is not on file, only that of {known}",
                 name=material.name,
                 known=", ".join(known),
             ),

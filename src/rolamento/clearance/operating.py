@@ -218,7 +218,7 @@ def clearance_of_case(case: Case) -> OperatingClearance:
     """
     if case.mounting is None:
         raise InputError(
-            said("is missing: without it the bearing runs with its own clearance"),
+            said("is missing: without it the bearing runs at its own clearance"),
             field="mounting",
             example='[mounting] with bore = "25 mm" and outside_diameter = "62 mm"',
         )
@@ -418,12 +418,12 @@ def sample_clearance(
     """
     if isinstance(samples, bool) or not 1 <= samples <= _MAX_SAMPLES:
         raise InputError(
-            said("must be a whole number from 1 to {most}", most=_MAX_SAMPLES),
+            said("must be an integer from 1 to {most}", most=_MAX_SAMPLES),
             field="samples",
             value=samples,
         )
     if isinstance(seed, bool) or not 0 <= seed < 2**128:
-        raise InputError(said("must be a whole number, not negative"), field="seed", value=seed)
+        raise InputError(said("must be a non-negative integer"), field="seed", value=seed)
     if distribution not in ("normal", "uniform"):
         raise InputError(
             said("must be normal or uniform"),

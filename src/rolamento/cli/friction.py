@@ -144,7 +144,7 @@ def _one(case: rolamento.Case, hysteresis: float, json: str | None, lang: Langua
 
     if case.lubricant is None or case.lubricant.friction_coefficient is None:
         raise InputError(
-            said("is missing: friction rests on it"),
+            said("is missing; the friction calculation needs it"),
             field="lubricant.friction_coefficient",
             example="--coefficient 0.1",
         )

@@ -71,7 +71,7 @@ def trend(
         check_outputs(
             {"--json": json, "--plot": plot},
             data,
-            rule=marked("is the file of the data itself; choose another name"),
+            rule=marked("is the data file itself; choose another name"),
         )
         check_one_given(data, example, "trend", EXAMPLES)
         if law is not None and law not in LAWS:

@@ -199,9 +199,7 @@ def weibull(
     with plain_endings(lang):
         data, json = data_and_json(data, example, json)
         outputs = {"--json": json, "--plot": plot, "--contour": contour}
-        check_outputs(
-            outputs, data, rule=marked("is the file of the data itself; choose another name")
-        )
+        check_outputs(outputs, data, rule=marked("is the data file itself; choose another name"))
         words = words_of(lang)
         if write is not None:
             print_text(_write_example(data, example, write, words))
@@ -222,7 +220,7 @@ def weibull(
         for option, many in (("--reliability", reliability), ("--time", time)):
             if len(many or ()) > _MAXIMUM_NUMBERS:
                 raise InputError(
-                    said("may be given {most} times at most", most=_MAXIMUM_NUMBERS),
+                    said("may be given at most {most} times", most=_MAXIMUM_NUMBERS),
                     source=option,
                 )
         from rolamento.cli.waiting import progress_of
@@ -326,7 +324,7 @@ def _bounds_method(name: str | None, shape: float | None) -> Method | None:
             example=known[0],
         )
     if shape is not None:
-        rule = said("does not go with --shape, which has bounds of its own")
+        rule = said("cannot be combined with --shape, which has its own bounds")
         raise InputError(rule, source="--bounds", value=name)
     return cast("Method", word.replace("-", "_"))
 
@@ -341,7 +339,7 @@ def _prior_of(text: str) -> ShapePrior:
         match = None
     if match is None:
         raise InputError(
-            said("must be LOW..HIGH, what the shape lies between with 90 %; or uniform:LOW..HIGH"),
+            said("must be LOW..HIGH, the 90 % range of the shape, or uniform:LOW..HIGH"),
             source="--bayes",
             value=text,
             example="1..2.5",
@@ -355,7 +353,7 @@ def _prior_of(text: str) -> ShapePrior:
 def _named_lives(texts: Sequence[str]) -> dict[str, str]:
     """Calculated lives by their names; those without one are called by what was written."""
     if len(texts) > _MAXIMUM_CALCULATED:
-        rule = said("may be given {most} times at most", most=_MAXIMUM_CALCULATED)
+        rule = said("may be given at most {most} times", most=_MAXIMUM_CALCULATED)
         raise InputError(rule, source="--calculated-life")
     lives: dict[str, str] = {}
     for text in texts:
@@ -363,7 +361,7 @@ def _named_lives(texts: Sequence[str]) -> dict[str, str]:
         name = name.strip() or text.strip()
         if name in lives:
             raise InputError(
-                said("has two lives of one name"), source="--calculated-life", value=text
+                said("gives two lives of the same name"), source="--calculated-life", value=text
             )
         lives[name] = life
     return lives

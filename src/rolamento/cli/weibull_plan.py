@@ -160,9 +160,11 @@ def precision(
                 said("give --ratio or --failures"), source="precision", example="--ratio 5"
             )
         if ratio is not None and groups is not None and len(sizes) > 1:
-            raise InputError(said("goes with one --group-size"), source="--groups", value=groups)
+            raise InputError(
+                said("goes with a single --group-size"), source="--groups", value=groups
+            )
         if len(sizes) > _MAXIMUM_SIZES:
-            rule = said("may be given {most} times at most", most=_MAXIMUM_SIZES)
+            rule = said("may be given at most {most} times", most=_MAXIMUM_SIZES)
             raise InputError(rule, source="--group-size")
         words = words_of(lang)
         from rolamento.cli.waiting import progress_of

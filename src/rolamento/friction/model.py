@@ -412,11 +412,7 @@ def checked_positive(value: ArrayLike, name: str, *, zero: bool = False) -> Floa
     fine = np.isfinite(array) & ((array >= 0.0) if zero else (array > 0.0))
     if not np.all(fine):
         raise InputError(
-            (
-                said("must be a number of at least zero")
-                if zero
-                else said("must be a number above zero")
-            ),
+            (said("must be a non-negative number") if zero else said("must be a positive number")),
             field=name,
             value=value if array.ndim == 0 else "an array",
         )
@@ -435,7 +431,7 @@ def checked_numbers(value: ArrayLike, name: str) -> FloatArray:
         return filled(value)
     except (TypeError, ValueError):
         raise InputError(
-            said("must be a number, or an array of them"),
+            said("must be a number or an array of numbers"),
             field=name,
             value=value if isinstance(value, str) else type(value).__name__,
             example=f"{name} = 0.1",

@@ -183,7 +183,7 @@ def friction(
         mu = solved.field("lubricant.friction_coefficient")
         if np.all(np.isnan(mu)) and len(solved):
             raise InputError(
-                said("is missing: friction rests on it"),
+                said("is missing; the friction calculation needs it"),
                 field="lubricant.friction_coefficient",
                 example="friction_coefficient=0.1",
             )

@@ -69,7 +69,7 @@ def sensitivity(solved: Solved, conditions: LifeConditions | None = None) -> tup
     """
     if len(solved) != 1 or solved.varied:
         raise InputError(
-            said("must be a single case, from which nothing varied"),
+            said("must be a single case in which nothing varies"),
             field="solved",
             value=f"{len(solved)} cases",
             example="sensitivity(rolamento.solve(case))",

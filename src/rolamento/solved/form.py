@@ -190,9 +190,11 @@ def pieces_of(mapping: Mapping[str, Any]) -> tuple[Case, dict[str, FloatArray], 
     """
     schema = mapping.get("schema")
     if schema is None or not ("balls" in mapping or "states" in mapping):
-        raise FileError(said("is not the JSON of a state"), example=EXAMPLE)
+        raise FileError(said("is not the JSON of a solved state"), example=EXAMPLE)
     if schema is True or schema != SCHEMA:
-        raise FileError(said("is of another release: known is 1"), field="schema", value=schema)
+        raise FileError(
+            said("is of another release; 1 and 2 are known"), field="schema", value=schema
+        )
     case = _case(_value(mapping, "case"))
     one = "balls" in mapping
     states = [mapping] if one else _list(mapping, "states")
@@ -346,7 +348,7 @@ def _rows_of(item: Mapping[str, Any], at: str, row: IntArray, case: Case) -> Row
     ]
     count = np.bincount(row, minlength=len(rows))
     if len(count) != len(rows) or np.any(count == 0) or np.any(np.diff(row) < 0):
-        raise InputError(said("do not go with the rows of the balls"), field=f"{at}rows")
+        raise InputError(said("do not match the rows of the balls"), field=f"{at}rows")
     where = [f"{at}rows.{i}" for i in range(len(rows))]
     load = [[_five(r, f"{w}.load", LOADS) for r, w in zip(rows, where, strict=True)]]
     return Rows(
@@ -427,7 +429,7 @@ def _five(item: Mapping[str, Any], at: str, names: tuple[str, ...]) -> list[Floa
 def _matrix(item: Mapping[str, Any], at: str) -> FloatArray:
     lines = _list(item, at)
     if len(lines) != 5 or any(not isinstance(line, list) or len(line) != 5 for line in lines):
-        raise InputError(said("must be a matrix of 5 by 5"), field=at)
+        raise InputError(said("must be a 5 × 5 matrix"), field=at)
     return np.array([[[_number_of(value, at) for value in line] for line in lines]])
 
 

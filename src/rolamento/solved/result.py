@@ -156,7 +156,7 @@ class Solved:
             if value is not None and not hasattr(value, part):
                 near = nearest(name, self.varied) or "duty.inner_speed"
                 raise UnknownKeyError(
-                    said("is not a number of the case"),
+                    said("is not a quantity of the case"),
                     field=name,
                     example=f'solved.field("{near}")',
                 )
@@ -314,7 +314,7 @@ class Solved:
         text, source = read_text(path)
         if (format_of_path(path) or format_of_text(text)) != "json":
             raise FileError(
-                said("is not the JSON of a state; a case has to be solved first"),
+                said("is not the JSON of a solved state; solve a case first"),
                 source=source,
                 example=EXAMPLE,
             )
@@ -452,7 +452,7 @@ def refuse_other(given: object, function: str) -> None:
     """
     if not isinstance(given, Solved):
         raise InputError(
-            said("must be what rolamento.solve returns"),
+            said("must be the result of rolamento.solve"),
             field="solved",
             value=type(given).__name__,
             example=f"{function}(rolamento.solve(case))",

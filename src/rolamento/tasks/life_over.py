@@ -407,7 +407,7 @@ def lives_over_zone(solved: Solved) -> ZoneLife:
     case, bearing = solved.case, solved.case.bearing
     if bearing.is_set or bearing.contact_angle:
         raise InputError(
-            said("needs a single bearing of radial contact, given by its clearance"),
+            said("needs a single radial-contact bearing given by its clearance"),
             field="case.bearing",
             example="diametral_clearance in the place of contact_angle",
         )

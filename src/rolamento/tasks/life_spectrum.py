@@ -296,7 +296,7 @@ def _both_shares(steps: DutySteps, speed: FloatArray) -> tuple[FloatArray, Float
     """Shares of time and of revolutions."""
     if not np.any(speed[steps.shares > 0.0] > 0.0):
         raise InputError(
-            said("turns in no step: there is no life without rotation"),
+            said("is zero in every step: there is no life without rotation"),
             field="duty.inner_speed",
             source=steps.source,
             example='duty.inner_speed = "2000 rpm"',
@@ -306,7 +306,7 @@ def _both_shares(steps: DutySteps, speed: FloatArray) -> tuple[FloatArray, Float
     standing = np.flatnonzero((speed == 0.0) & (steps.shares > 0.0))
     if standing.size:
         raise InputError(
-            said("has revolutions, and nothing turns; give shares of the time instead"),
+            said("has revolutions, but nothing rotates; give shares of time instead"),
             field="revolutions",
             source=steps.source,
             line=steps.lines[int(standing[0])],
@@ -417,7 +417,7 @@ def _check_header(table: Table) -> None:
     for name in table.header:
         if name and table.header.count(name) > 1:
             raise FileError(
-                said("names a column twice"),
+                said("repeats a column name"),
                 field=name,
                 source=table.source,
                 line=table.header_line,
@@ -430,7 +430,7 @@ def _kind(table: Table) -> Kind:
     if len(given) != 1:
         raise FileError(
             (
-                said("needs a column named share (of the time) or revolutions (shares of them)")
+                said("needs a column named share (of time) or revolutions (shares of them)")
                 if not given
                 else said("has both a column share and a column revolutions; give one")
             ),
@@ -468,7 +468,7 @@ def _fields(table: Table) -> tuple[Field, ...]:
         for name in names:
             if name in _FIXED:
                 raise InputError(
-                    said("is of the whole duty, not of a step; give it in the case"),
+                    said("applies to the whole duty, not to a step; set it in the case"),
                     field="column",
                     value=name,
                 )

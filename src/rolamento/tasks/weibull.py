@@ -132,9 +132,9 @@ def _only_groups(test: LifeTest, names: Sequence[str]) -> LifeTest:
         if name not in known:
             there = ", ".join(label for label in known[:10] if label)
             rule = (
-                said("is no group of the data; there are: {there}", there=there)
+                said("is not a group of the data; the groups are {there}", there=there)
                 if there
-                else said("is no group of the data, which has none")
+                else said("is not a group of the data, which have none")
             )
             raise InputError(rule, field="only", value=name)
     return test.select(np.isin(test.group, list(names)))
@@ -343,11 +343,9 @@ def precision_study(
         For neither or both of ratio and failures, or a number that cannot be.
     """
     if (ratio is None) == (failures is None):
-        raise InputError(
-            said("or failures must be given, one of them"), field="ratio", example="5.0"
-        )
+        raise InputError(said("or failures must be given"), field="ratio", example="5.0")
     if ratio is not None and groups is not None and len(group_sizes) > 1:
-        raise InputError(said("goes with one size of the groups"), field="groups", value=groups)
+        raise InputError(said("goes with a single group size"), field="groups", value=groups)
     expected, unit = (1.0, "") if life is None else _life_and_unit(life)
     keywords: dict[str, Any] = {
         "shape": shape, "life": expected, "reliability": reliability,

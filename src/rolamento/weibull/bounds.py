@@ -193,7 +193,9 @@ def all_bounds(
         raise InputError(said("must be a list"), field="quantities", example='["shape", "L10"]')
     wanted = [Estimand.of(quantity) for quantity in quantities]
     if not 0 < len(wanted) <= _MAXIMUM_QUANTITIES:
-        raise InputError(said("must be 1 to {most}", most=_MAXIMUM_QUANTITIES), field="quantities")
+        raise InputError(
+            said("must be from 1 to {most}", most=_MAXIMUM_QUANTITIES), field="quantities"
+        )
     chosen = _chosen_method(test, method, shape)
     one_of(sides, "sides", get_args(Sides))
     tail = 1.0 - share(confidence, "confidence")
@@ -227,7 +229,7 @@ def _chosen_method(test: LifeTest, method: str | None, shape: float | None) -> s
     one_of(method, "method", METHODS)
     if (method == "fixed_shape") != (shape is not None):
         raise InputError(
-            said("goes with the method fixed_shape, and that one needs it"),
+            said("goes with the method fixed_shape, which needs it"),
             field="shape",
             value=shape,
             example="1.5",

@@ -241,7 +241,7 @@ def groups_of(groups: Groups, most: int = _MAXIMUM_GROUPS) -> dict[str, LifeTest
         tests = {str(name): LifeTest.of(test) for name, test in groups.items()}
     else:
         raise InputError(
-            said("must be tests by their labels, or one test that has groups"),
+            said("must be tests by label, or one test that has groups"),
             field="groups",
             example='{"A": [120.5, 88.0], "B": [300.0, 410.0]}',
         )
@@ -251,14 +251,16 @@ def groups_of(groups: Groups, most: int = _MAXIMUM_GROUPS) -> dict[str, LifeTest
     if any(test.inspected for test in tests.values()):
         raise InputError(
             said(
-                "must have times of failure, and inspections give none; fit each by "
+                "must have failure times, which inspections do not give; fit each by "
                 "maximum likelihood"
             ),
             field="groups",
         )
     units = {test.unit for test in tests.values()}
     if len(units) > 1:
-        raise InputError(said("must have one unit"), field="groups", value=", ".join(sorted(units)))
+        raise InputError(
+            said("must have the same unit"), field="groups", value=", ".join(sorted(units))
+        )
     return tests
 
 

@@ -287,8 +287,8 @@ class Estimand:
             return cls.reliability(number)
         raise InputError(
             said(
-                "must be shape, scale, a life such as L10 (of the 10 % that fail "
-                "first), or a reliability at a time such as R100"
+                "must be shape, scale, a life such as L10 (10 % failed), or a "
+                "reliability at a time such as R100"
             ),
             field="quantity",
             value=written,

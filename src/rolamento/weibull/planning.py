@@ -139,7 +139,7 @@ class Demonstration:
         """Confidence that the same test gives if the shape is another: array."""
         beta = numbers(shape, "shape", "[1.0, 1.5]")
         if not np.all((beta > 0.0) & np.isfinite(beta)):
-            raise InputError(said("must be above zero"), field="shape", example="1.5")
+            raise InputError(said("must be positive"), field="shape", example="1.5")
         with np.errstate(over="ignore"):
             risk = (self.time / self.life) ** beta * -np.log(self.reliability)
         return 1.0 - _chance_of_at_most(self.failures_allowed, self.bearings, -np.expm1(-risk))

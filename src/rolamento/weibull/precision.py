@@ -264,7 +264,7 @@ def plan_for_ratio(
         raise InputError(said("must be above 1"), field="ratio", value=ratio, example="5.0")
     part = positive(failed_share, "failed_share", "0.5")
     if part > 1.0:
-        raise InputError(said("must be 1 or less"), field="failed_share", value=part, example="0.5")
+        raise InputError(said("must be at most 1"), field="failed_share", value=part, example="0.5")
     most = MAXIMUM_FAILURES
     if groups is not None:
         most = min(whole_number(groups, "groups", 1, MAXIMUM_RIGS), most)

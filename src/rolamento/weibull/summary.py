@@ -101,9 +101,11 @@ class Wanted:
         for method in self.methods:
             one_of(method, "method", FIT_METHODS)
         if not self.reliabilities:
-            raise InputError(said("must be one at least"), field="reliability", example="0.9")
+            raise InputError(said("must be at least one"), field="reliability", example="0.9")
         if self.shape is not None and self.bounds not in (None, "fixed_shape"):
-            raise InputError(said("goes with no other bounds"), field="shape", value=self.shape)
+            raise InputError(
+                said("cannot be combined with other bounds"), field="shape", value=self.shape
+            )
 
     @property
     def lives(self) -> tuple[Estimand, ...]:
@@ -338,8 +340,8 @@ def summarise(
     if len(tests) > MAXIMUM_GROUPS:
         raise InputError(
             said(
-                "must be {most} at most to be told by themselves; take another "
-                "column, or all together",
+                "must be at most {most} to be shown one by one; choose another column, "
+                "or all together",
                 most=MAXIMUM_GROUPS,
             ),
             field="groups",
