@@ -16,6 +16,7 @@ from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter, ScalarFo
 
 from rolamento.errors import InputError
 from rolamento.plots.words import PlotWords
+from rolamento.words import said
 
 GREY: Final = "#707070"
 _THIN_SPACE: Final = "\u2009"
@@ -182,7 +183,9 @@ def require(given: object, kind: type, field: str, example: str) -> None:
     """
     if not isinstance(given, kind):
         name = type(given).__name__
-        raise InputError(f"must be a {kind.__name__}", field=field, value=name, example=example)
+        raise InputError(
+            said("must be a {name}", name=kind.__name__), field=field, value=name, example=example
+        )
 
 
 def require_axes(given: Axes) -> Axes:
