@@ -25,6 +25,7 @@ from rolamento.document import (
     Statement,
     Table,
     Title,
+    Tone,
 )
 from rolamento.pages.lives import alike, brief, life_name, percent, written
 from rolamento.pages.texts import one_line, shortened
@@ -189,7 +190,7 @@ def _table_of_fits(group: GroupSummary) -> _Headed:
     fits = [fit for fit in group.fits if fit.converged]
     if not fits:
         return ()
-    tones = ["strong" if fit is group.main else "" for fit in fits]
+    tones: list[Tone] = ["strong" if fit is group.main else "" for fit in fits]
     heads = {
         "shape": said("shape β"),
         "scale": said("scale η"),

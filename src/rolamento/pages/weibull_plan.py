@@ -7,6 +7,7 @@ from math import isclose, isfinite, nan
 from typing import TYPE_CHECKING, Final
 
 from rolamento.document import (
+    Block,
     Break,
     CellContent,
     Column,
@@ -110,8 +111,8 @@ def _what_is_tested(plan: Demonstration, quantity: str, unit: str) -> tuple[Stat
             chance=_probability(float(plan.chance_of_passing(1.0))),
         ),
         said(
-            "For a 90 % probability of passing, their {quantity} must be {life:.4} {unit}, {ratio:.3}"
-            " times the required one.",
+            "For a 90 % probability of passing, their {quantity} must be {life:.4} {unit},"
+            " {ratio:.3} times the required one.",
             quantity=quantity,
             life=ratio * plan.life,
             unit=unit,
@@ -236,10 +237,10 @@ def precision_page(found: PrecisionStudy) -> Document:
             )
         )
     title = said("Precision of {quantity} from a life test", quantity=quantity)
-    head = (Title(title), *(Statement(text, "faint", indent=2) for text in given))
+    head: list[Block] = [Title(title), *(Statement(text, "faint", indent=2) for text in given)]
     unit = unit or quantity  # without a unit times are multiples of the life
     sections = [
-        Section(blocks=head, key="head"),
+        Section(blocks=tuple(head), key="head"),
         Section(blocks=_what_it_takes(plans, quantity, unit), key="test"),
     ]
     if found.planned:
@@ -340,8 +341,7 @@ def _table_of_plans(plans: Sequence[LifeTestPlan], unit: str) -> Table:
     return Table(
         columns=(*columns, *_time_columns(plans, unit)),
         key="plans",
-        breaks=(Break(len(columns), ""),),
-        legends=(legend,),
+        breaks=(Break(len(columns), "", legend),),
     )
 
 
