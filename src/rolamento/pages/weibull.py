@@ -52,7 +52,7 @@ __all__ = ["weibull_page"]
 _LEAST_P: Final = 0.001
 _LONGEST_SHOWN_UNIT: Final = 12
 _LONGEST_UNIT: Final = 6
-_LONGEST_NAME: Final = 36
+_LONGEST_NAME: Final = 18
 
 SCHEMES: Final[Mapping[str, str]] = {
     "complete": marked("all failed"),

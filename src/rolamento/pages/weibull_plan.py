@@ -188,11 +188,7 @@ def _trade(others: Sequence[Demonstration], unit: str) -> Section:
     bearings = sorted({other.bearings for other in others})
     columns = [Column(head=said("bearings"), key="bearings", values=bearings)]
     for count in allowed:
-        head = (
-            counted("{n} failure allowed", "{n} failures allowed", count)
-            if count
-            else said("no failures")
-        )
+        head = counted("{n} failure", "{n} failures", count) if count else said("no failures")
         times = [by_place.get((one, count), nan) for one in bearings]
         columns.append(
             Column(head=head, key=f"time_{count}_failures", values=[_time(time) for time in times])
@@ -203,7 +199,9 @@ def _trade(others: Sequence[Demonstration], unit: str) -> Section:
             head=said("total, no failures"), key="total_time", values=[_time(one) for one in totals]
         )
     )
-    heading = said("Equivalent tests: bearings and time of each ({unit})", unit=unit)
+    heading = said(
+        "Equivalent tests: time of each bearing ({unit}), by failures allowed", unit=unit
+    )
     return Section(heading, (Table(columns=tuple(columns), key="alternatives"),), "alternatives")
 
 
@@ -313,7 +311,7 @@ def _table_of_plans(plans: Sequence[LifeTestPlan], unit: str) -> Table:
     ratios = {
         "ratio": said("factor"),
         "ratio_rarely_exceeded": said("1 in 10"),
-        "shape_ratio": said("shape factor"),
+        "shape_ratio": said("shape"),
     }
     columns = [Column(head="", key="test", values=[_kind(plan) for plan in plans])]
     columns += [
@@ -332,7 +330,7 @@ def _table_of_plans(plans: Sequence[LifeTestPlan], unit: str) -> Table:
     first = next(plan for plan in plans if plan.planned)
     legend = said(
         "Factor: between the bounds, in half of the tests; 1 in 10: exceeded in 10 % of the tests;"
-        " shape factor: between the bounds of the shape. Duration: mean, and the range in which"
+        " shape: factor between the bounds of the shape. Duration: mean, and the range in which"
         " 90 % of the tests end, with all rigs running at the same time. {samples} simulated tests,"
         " seed {seed}.",
         samples=first.samples,
