@@ -187,7 +187,7 @@ def _draw(axes: Axes, contact: _Contact, quantity: Quantity, words: PlotWords) -
     drawn = axes.contourf(a * u, b * v, values, levels=_LEVELS)
     axes.add_patch(edge)
     drawn.set_clip_path(edge)
-    bar = figure_of(axes).colorbar(drawn, ax=axes, format=PlainNumbers(words.decimal_mark))
+    bar = figure_of(axes).colorbar(drawn, ax=axes, format=PlainNumbers())
     bar.set_label(f"{_said(words, quantity)} ({unit})")
     if quantity != "pressure":
         _draw_lines(axes, contact, a, b, words)

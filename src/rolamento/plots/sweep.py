@@ -345,7 +345,7 @@ def _colour(
     for column, limit in ((x, axes.set_xlim), (y, axes.set_ylim)):
         if not column.texts and column.values.min() < column.values.max():
             limit(column.values.min(), column.values.max())
-    bar: Any = figure_of(axes).colorbar(mesh, ax=axes, format=PlainNumbers(words.decimal_mark))
+    bar: Any = figure_of(axes).colorbar(mesh, ax=axes, format=PlainNumbers())
     bar.set_label(in_lines(table.output.label), parse_math=False)
     bar.ax.tick_params(labelsize=8.0)
 
