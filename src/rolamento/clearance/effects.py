@@ -57,6 +57,7 @@ from rolamento.contact.hertz import ElasticMaterial
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.units import MILLIMETRE
+from rolamento.words import said
 
 Finish = Literal["ground", "turned"]
 _FINISH_LENGTHS: Final[dict[Finish, float]] = {"ground": 2.0, "turned": 3.0}
@@ -223,7 +224,11 @@ def expansion_of(material: Material, field: str) -> float:
     known = toml_of("expansion", "rolamento.clearance")
     if material.name not in known:
         raise InputError(
-            f"is missing: no expansion is on file for {material.name}, only for {', '.join(known)}",
+            said(
+                "is missing: the thermal expansion of {name} is not on file, only that of {known}",
+                name=material.name,
+                known=", ".join(known),
+            ),
             field=field,
             example=f'{field.rpartition(".")[2]} = "12.5e-6 1/K"',
         )

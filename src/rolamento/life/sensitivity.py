@@ -14,7 +14,7 @@ from rolamento.life.conditions import LifeConditions, conditions_of
 from rolamento.life.summary import LifeSummary, life
 from rolamento.solution import solve
 from rolamento.solved import Solved
-from rolamento.words import Note
+from rolamento.words import Note, said
 
 _LOAD: Final = 0.9
 _CLEARANCE: Final = 5e-6
@@ -69,7 +69,7 @@ def sensitivity(solved: Solved, conditions: LifeConditions | None = None) -> tup
     """
     if len(solved) != 1 or solved.varied:
         raise InputError(
-            "must be a single case, from which nothing varied",
+            said("must be a single case in which nothing varies"),
             field="solved",
             value=f"{len(solved)} cases",
             example="sensitivity(rolamento.solve(case))",

@@ -225,7 +225,7 @@ def _ball_load(
             axes.plot(azimuth, load, label=f"{race} {row}".strip(), **look)
     axes.set_ylim(bottom=0.0)
     axes.set_rlabel_position(112.5)
-    axes.yaxis.set_major_formatter(PlainNumbers(shared.decimal_mark))
+    axes.yaxis.set_major_formatter(PlainNumbers())
     axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.1), ncols=2)
     axes.set_title(words.one_ball, pad=10.0)
 
