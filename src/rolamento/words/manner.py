@@ -5,7 +5,7 @@ A number in SI is written in a unit by a specification, in templates and in tabl
     ""            a text as it is; an integer grouped in threes; a float with four figures
     ".5"          five significant figures, without trailing zeros
     ".2f"         two decimals
-    ".3g"         three significant figures with their zeros, the rest rounded away: 5.00, 12 300;
+    ".3r"         three significant figures with their zeros, the rest rounded away: 5.00, 12 300;
                   by its order of magnitude where that is far from one
     ".1e"         by its order of magnitude
     "+.2f"        with its sign
@@ -89,7 +89,7 @@ _MINUS: Final = "−"
 _SMALLEST_GROUPED: Final = 10_000
 _FIGURES: Final = 4
 _SMALLEST, _GREATEST = 1e-4, 1e8
-_SPECIFICATION: Final = re.compile(r"(\+?)(?:\.(\d+)([feg]?))?(?: ?(\[)?([^\[\]]*)\]?)?")
+_SPECIFICATION: Final = re.compile(r"(\+?)(?:\.(\d+)([fer]?))?(?: ?(\[)?([^\[\]]*)\]?)?")
 _CLOSE: Final = ("°",)
 """Units that stand at the number without a space."""
 
@@ -185,7 +185,7 @@ class Manner(Formatter):
         scaled = float(in_unit(value, unit))
         if form == "f":
             text = self.fixed(scaled, int(digits))
-        elif form == "g":
+        elif form == "r":
             text = self.significant(scaled, int(digits))
         elif form == "e":
             text = self.exponent(scaled, int(digits))
