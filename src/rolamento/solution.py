@@ -18,6 +18,7 @@ from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.numerics.threads import thread_count
 from rolamento.solved import Solved
+from rolamento.words import said
 
 __all__ = ["solve"]
 
@@ -71,7 +72,7 @@ def solve(
     if not isinstance(case, Case):
         if not isinstance(case, str | os.PathLike):
             raise InputError(
-                "must be a Case, or the path of its file",
+                said("must be a Case, or the path of its file"),
                 field="case",
                 value=type(case).__name__,
                 example='rolamento.solve("case.toml")',

@@ -57,6 +57,7 @@ from rolamento.contact.hertz import ElasticMaterial
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.units import MILLIMETRE
+from rolamento.words import said
 
 FIT_SOURCE: Final = "Lamé; Harris 1991, chapter 3"
 
@@ -227,7 +228,11 @@ def expansion_of(material: Material, field: str) -> float:
     known = toml_of("expansion", "rolamento.clearance")
     if material.name not in known:
         raise InputError(
-            f"is missing: no expansion is on file for {material.name}, only for {', '.join(known)}",
+            said(
+                "is missing: no expansion is on file for {name}, only for {known}",
+                name=material.name,
+                known=", ".join(known),
+            ),
             field=field,
             example=f'{field.rpartition(".")[2]} = "12.5e-6 1/K"',
         )

@@ -35,6 +35,7 @@ from rolamento.errors import InputError
 from rolamento.geometry import ring_geometry
 from rolamento.numerics import FloatArray
 from rolamento.units import MICROMETRE, from_si
+from rolamento.words import said
 
 WARNINGS: Final[Mapping[str, str]] = {
     "interference": "The clearance in operation is negative at its mean: the balls are preloaded.",
@@ -147,10 +148,19 @@ def bearing_with_clearance(bearing: Bearing, clearance: float) -> Bearing:
     shown = from_si(float(f"{clearance:.4g}"), "length")
     angular = bearing.contact_angle is not None and bearing.contact_angle > 0.0
     if not clearance_fits(clearance, distance) or (angular and clearance < 0.0):
-        way = "closes" if clearance < 0.0 else "opens too far"
+        if clearance >= 0.0:
+            rule = said("opens the bearing too far: its operating clearance would be {clearance}",
+                        clearance=shown)  # fmt: skip
+        elif angular:
+            rule = said(
+                "closes the bearing: an operating clearance of {clearance} leaves no contact angle",
+                clearance=shown,
+            )
+        else:
+            rule = said("closes the bearing: its operating clearance would be {clearance}",
+                        clearance=shown)  # fmt: skip
         raise InputError(
-            f"{way} the bearing: a clearance of {shown} in operation"
-            + (" leaves no contact angle" if angular and clearance < 0.0 else " is out of reach"),
+            rule,
             field="mounting",
             example='a looser shaft_tolerance, or clearance_class = "C3"',
         )
@@ -208,7 +218,7 @@ def clearance_of_case(case: Case) -> OperatingClearance:
     """
     if case.mounting is None:
         raise InputError(
-            "is missing: without it the bearing runs with its own clearance",
+            said("is missing: without it the bearing runs with its own clearance"),
             field="mounting",
             example='[mounting] with bore = "25 mm" and outside_diameter = "62 mm"',
         )
@@ -408,13 +418,18 @@ def sample_clearance(
     """
     if isinstance(samples, bool) or not 1 <= samples <= _MAX_SAMPLES:
         raise InputError(
-            f"must be a whole number from 1 to {_MAX_SAMPLES}", field="samples", value=samples
+            said("must be a whole number from 1 to {most}", most=_MAX_SAMPLES),
+            field="samples",
+            value=samples,
         )
     if isinstance(seed, bool) or not 0 <= seed < 2**128:
-        raise InputError("must be a whole number, not negative", field="seed", value=seed)
+        raise InputError(said("must be a whole number, not negative"), field="seed", value=seed)
     if distribution not in ("normal", "uniform"):
         raise InputError(
-            "must be normal or uniform", field="distribution", value=distribution, example="normal"
+            said("must be normal or uniform"),
+            field="distribution",
+            value=distribution,
+            example="normal",
         )
     chain = Chain.of(bearing, mounting, temperatures, inner_speed, outer_speed)
     draws = _Draws(np.random.default_rng(seed), samples, distribution)

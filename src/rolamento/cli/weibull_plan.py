@@ -20,6 +20,7 @@ from rolamento.cli.outputs import check_outputs
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
 from rolamento.cli.table_options import told_in_options
 from rolamento.errors import InputError
+from rolamento.words import said
 
 __all__ = ["app"]
 
@@ -155,11 +156,13 @@ def precision(
         check_outputs({"--json": json, "--plot": plot})
         sizes = group_size or []
         if (ratio is None) == (failures is None):
-            raise InputError("give --ratio or --failures", source="precision", example="--ratio 5")
+            raise InputError(
+                said("give --ratio or --failures"), source="precision", example="--ratio 5"
+            )
         if ratio is not None and groups is not None and len(sizes) > 1:
-            raise InputError("goes with one --group-size", source="--groups", value=groups)
+            raise InputError(said("goes with one --group-size"), source="--groups", value=groups)
         if len(sizes) > _MAXIMUM_SIZES:
-            rule = f"may be given {_MAXIMUM_SIZES} times at most"
+            rule = said("may be given {most} times at most", most=_MAXIMUM_SIZES)
             raise InputError(rule, source="--group-size")
         words = words_of(lang)
         from rolamento.cli.waiting import progress_of

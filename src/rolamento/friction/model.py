@@ -20,6 +20,7 @@ from rolamento.kinematics import BallMotion, ball_motion, friction_demand
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.numerics.masked import filled
 from rolamento.solved import Solved
+from rolamento.words import said
 
 if TYPE_CHECKING:
     from rolamento.friction.machine import MachineBearing
@@ -328,7 +329,7 @@ def controlling_race(solved: Solved, control: ControlChoice) -> NDArray[np.int64
     """
     if control not in _CONTROLS:
         raise InputError(
-            f"must be one of {', '.join(_CONTROLS)}",
+            said("must be one of {known}", known=", ".join(_CONTROLS)),
             field="control",
             value=control,
             example='control = "jones"',
@@ -390,7 +391,7 @@ def checked_coefficient(value: ArrayLike, name: str, maximum: float = 1.0) -> Fl
     array = checked_numbers(value, name)
     if array.ndim > 1 or not np.all((array >= 0.0) & (array <= maximum)):
         raise InputError(
-            f"must be from 0 to {maximum:g}, one number or one for each case",
+            said("must be from 0 to {most:.6g}, one number or one for each case", most=maximum),
             field=name,
             value=value if array.ndim == 0 else "an array",
             example=f"{name} = 0.1",
@@ -410,7 +411,11 @@ def checked_positive(value: ArrayLike, name: str, *, zero: bool = False) -> Floa
     fine = np.isfinite(array) & ((array >= 0.0) if zero else (array > 0.0))
     if not np.all(fine):
         raise InputError(
-            "must be a number of at least zero" if zero else "must be a number above zero",
+            (
+                said("must be a number of at least zero")
+                if zero
+                else said("must be a number above zero")
+            ),
             field=name,
             value=value if array.ndim == 0 else "an array",
         )
@@ -429,7 +434,7 @@ def checked_numbers(value: ArrayLike, name: str) -> FloatArray:
         return filled(value)
     except (TypeError, ValueError):
         raise InputError(
-            "must be a number, or an array of them",
+            said("must be a number, or an array of them"),
             field=name,
             value=value if isinstance(value, str) else type(value).__name__,
             example=f"{name} = 0.1",
@@ -446,5 +451,8 @@ def over_cases(value: ArrayLike, name: str, cases: int) -> FloatArray:
     """
     array = checked_numbers(value, name).reshape(-1, 1)
     if len(array) not in (1, cases):
-        raise InputError(f"must be one number, or one for each of the {cases} cases", field=name)
+        raise InputError(
+            said("must be one number, or one for each of the {cases} cases", cases=cases),
+            field=name,
+        )
     return np.broadcast_to(array, (cases, 1))

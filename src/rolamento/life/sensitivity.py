@@ -14,6 +14,7 @@ from rolamento.life.conditions import LifeConditions, conditions_of
 from rolamento.life.summary import LifeSummary, life
 from rolamento.solution import solve
 from rolamento.solved import Solved
+from rolamento.words import said
 
 CHANGES: Final[Mapping[str, str]] = {
     "less_load": "all forces and moments a tenth smaller",
@@ -68,7 +69,7 @@ def sensitivity(solved: Solved, conditions: LifeConditions | None = None) -> tup
     """
     if len(solved) != 1 or solved.varied:
         raise InputError(
-            "must be a single case, from which nothing varied",
+            said("must be a single case, from which nothing varied"),
             field="solved",
             value=f"{len(solved)} cases",
             example="sensitivity(rolamento.solve(case))",

@@ -33,6 +33,7 @@ from rolamento.lubrication.regime import regime_indices, regime_of, regimes
 from rolamento.numerics import FloatArray
 from rolamento.numerics.blocks import in_blocks
 from rolamento.solved import NO_LOAD, RACES, Contacts, Solved, refuse_other
+from rolamento.words import said
 
 ROOM_TEMPERATURE: Final = 293.15
 """K"""
@@ -202,7 +203,7 @@ def film(solved: Solved, *, threads: int | None = None) -> Film:
     lubricant_of(solved.case)
     if "temperature.lubricant" not in solved.varied and solved.case.lubricant_temperature is None:
         raise InputError(
-            "is missing: the film needs the lubricant's temperature",
+            said("is missing: the film needs the lubricant's temperature"),
             field="temperature.lubricant",
             example='[temperature] with lubricant = "70 degC"',
         )
@@ -226,8 +227,10 @@ def lubricant_of(case: Case) -> Lubricant:
     """
     if case.lubricant is None:
         raise InputError(
-            "is missing: without a lubricant or a coefficient of friction there is no film and no"
-            " friction",
+            said(
+                "is missing: without a lubricant or a coefficient of friction there is "
+                "no film and no friction"
+            ),
             field="lubricant",
             example='lubricant = "ISO VG 68"',
         )

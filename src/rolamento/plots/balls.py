@@ -106,7 +106,7 @@ def check_one_case(solved: Solved, figure: str) -> None:
     refuse_other(solved, f"plots.{figure}")
     if len(solved) != 1:
         raise InputError(
-            "must be of one case", field="solved", value=len(solved), example="solved[0]"
+            said("must be of one case"), field="solved", value=len(solved), example="solved[0]"
         )
 
 
@@ -245,7 +245,7 @@ def _number_circles(axes: PolarAxes, azimuth: Floats, load: Floats) -> None:
 def _turned(axes: Axes) -> PolarAxes:
     if not isinstance(axes, PolarAxes):
         raise InputError(
-            "must be polar", field="axes", example='figure.add_subplot(projection="polar")'
+            said("must be polar"), field="axes", example='figure.add_subplot(projection="polar")'
         )
     axes.set_theta_zero_location("N")
     axes.set_theta_direction(-1)

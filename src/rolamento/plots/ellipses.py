@@ -190,9 +190,11 @@ def _picked(count: int, chosen: Sequence[int] | None) -> Sequence[int]:
         return range(count)
     for index in chosen:
         if not 0 <= index < count:
-            raise InputError(f"must be from 0 to {count - 1}", field="balls", value=index)
+            raise InputError(
+                said("must be from 0 to {count}", count=count - 1), field="balls", value=index
+            )
     if not chosen:
-        raise InputError("must name at least one ball", field="balls", example="[0, 1]")
+        raise InputError(said("must name at least one ball"), field="balls", example="[0, 1]")
     return chosen
 
 

@@ -106,7 +106,9 @@ def slip_map(
     axes = new_figure(height=62.0)[1] if axes is None else axes
     if quantity not in QUANTITIES:
         raise InputError(
-            f"must be one of {', '.join(QUANTITIES)}", field="quantity", value=quantity
+            said("must be one of {known}", known=", ".join(QUANTITIES)),
+            field="quantity",
+            value=quantity,
         )
     if not solved.converged[0]:
         return empty_frame(axes, no_result(str(solved.status.code[0])))
@@ -135,7 +137,12 @@ def _contact(solved: Solved, race: Race, ball: int) -> _Contact:
     if ball == _HEAVIEST:
         ball = int(np.argmax(patch.load[0]))
     if not 0 <= ball < count:
-        raise InputError(f"must be from 0 to {count - 1}", field="ball", value=ball, example="0")
+        raise InputError(
+            said("must be from 0 to {count}", count=count - 1),
+            field="ball",
+            value=ball,
+            example="0",
+        )
 
     def one(array: Floats) -> Floats:
         return np.asarray(array[0, ball : ball + 1])

@@ -43,6 +43,7 @@ from rolamento.solved.tables import (
     taken,
 )
 from rolamento.status import INVALID_INPUT
+from rolamento.words import said
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -155,7 +156,9 @@ class Solved:
             if value is not None and not hasattr(value, part):
                 near = nearest(name, self.varied) or "duty.inner_speed"
                 raise UnknownKeyError(
-                    "is not a number of the case", field=name, example=f'solved.field("{near}")'
+                    said("is not a number of the case"),
+                    field=name,
+                    example=f'solved.field("{near}")',
                 )
             value = None if value is None else getattr(value, part)
         return float("nan") if value is None else float(value)
@@ -311,7 +314,7 @@ class Solved:
         text, source = read_text(path)
         if (format_of_path(path) or format_of_text(text)) != "json":
             raise FileError(
-                "is not the JSON of a state; a case has to be solved first",
+                said("is not the JSON of a state; a case has to be solved first"),
                 source=source,
                 example=EXAMPLE,
             )
@@ -364,7 +367,7 @@ class Solved:
             ).rename_axis("case")
         if table not in ("elements", "contacts"):
             raise InputError(
-                "must be cases, elements or contacts",
+                said("must be cases, elements or contacts"),
                 field="table",
                 value=table,
                 example='solved.to_pandas("contacts")',
@@ -449,7 +452,7 @@ def refuse_other(given: object, function: str) -> None:
     """
     if not isinstance(given, Solved):
         raise InputError(
-            "must be what rolamento.solve returns",
+            said("must be what rolamento.solve returns"),
             field="solved",
             value=type(given).__name__,
             example=f"{function}(rolamento.solve(case))",

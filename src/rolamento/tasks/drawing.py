@@ -8,6 +8,7 @@ from enum import StrEnum
 from typing import TYPE_CHECKING, Final
 
 from rolamento.errors import InputError
+from rolamento.words import said
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -92,14 +93,16 @@ def draw(
     from rolamento.plots.frame import add_title, figure_of
 
     if kind is not None and kind not in list(Kind):
-        raise InputError(f"must be one of {', '.join(Kind)}", field="--kind", value=kind)
+        raise InputError(
+            said("must be one of {known}", known=", ".join(Kind)), field="--kind", value=kind
+        )
     wanted, path = None if kind is None else Kind(kind), str(result)
     if _is_study(path):
         axes, title, failure = _of_study(path, wanted, variable or "", over or "")
     else:
         for name, given in (("--variable", variable), ("--over", over)):
             if given is not None:
-                raise InputError("is for studies; this is a state", field=name, value=given)
+                raise InputError(said("is for studies; this is a state"), field=name, value=given)
         axes, title, failure = _of_state(path, wanted or Kind.rosette)
     if title.strip():
         add_title(figure_of(axes), title)
@@ -154,7 +157,7 @@ def _of_life(kind: Kind, solved: Solved) -> Axes:
 
     if not has_life(solved.case):
         raise InputError(
-            "is missing: figures of life need it, or a bearing with a designation",
+            said("is missing: figures of life need it, or a bearing with a designation"),
             field="case.life",
             example='[life] with cleanliness = "-/17/14" and oil_supply = "circulating"',
         )
@@ -167,8 +170,10 @@ def _of_life(kind: Kind, solved: Solved) -> Axes:
     summary = life(solved, stress_volume=False)
     if summary.contamination_factor is None:
         raise InputError(
-            "needs a viscosity ratio, or a lubricant and its temperature, and the cleanliness of "
-            "the oil",
+            said(
+                "needs a viscosity ratio, or a lubricant and its temperature, and the "
+                "cleanliness of the oil"
+            ),
             field="--kind",
             value=kind.value,
             example="[life] with viscosity_ratio = 1.5 and contamination = 0.5",
@@ -190,7 +195,7 @@ def _of_study(
         chosen = Kind.scatter
     if chosen is Kind.histogram:
         if over:
-            raise InputError("does not go with a histogram", field="--over", value=over)
+            raise InputError(said("does not go with a histogram"), field="--over", value=over)
         axes = sweep.study_histogram(data, variable)
     else:
         drawers = {
@@ -210,7 +215,11 @@ def _of_study(
 def _check(kind: Kind, possible: tuple[Kind, ...], what: str) -> None:
     if kind not in possible:
         raise InputError(
-            f"does not go with {what}; possible are {', '.join(possible)}",
+            said(
+                "does not go with {what}; possible are {possible}",
+                what=what,
+                possible=", ".join(possible),
+            ),
             field="--kind",
             value=kind.value,
         )

@@ -29,6 +29,7 @@ from rolamento.weibull.likelihood_ratio import (
     likelihood_ratio_limits,
 )
 from rolamento.weibull.sampled import sampled_limits
+from rolamento.words import said
 
 Method = Literal[
     "pivotal",
@@ -189,10 +190,10 @@ def all_bounds(
     """Bounds on many quantities, from the same drawn tests; parameters as of `bounds`."""
     test = LifeTest.of(test)
     if isinstance(quantities, str) or not isinstance(quantities, Iterable):
-        raise InputError("must be a list", field="quantities", example='["shape", "L10"]')
+        raise InputError(said("must be a list"), field="quantities", example='["shape", "L10"]')
     wanted = [Estimand.of(quantity) for quantity in quantities]
     if not 0 < len(wanted) <= _MAXIMUM_QUANTITIES:
-        raise InputError(f"must be 1 to {_MAXIMUM_QUANTITIES}", field="quantities")
+        raise InputError(said("must be 1 to {most}", most=_MAXIMUM_QUANTITIES), field="quantities")
     chosen = _chosen_method(test, method, shape)
     one_of(sides, "sides", get_args(Sides))
     tail = 1.0 - share(confidence, "confidence")
@@ -226,7 +227,7 @@ def _chosen_method(test: LifeTest, method: str | None, shape: float | None) -> s
     one_of(method, "method", METHODS)
     if (method == "fixed_shape") != (shape is not None):
         raise InputError(
-            "goes with the method fixed_shape, and that one needs it",
+            said("goes with the method fixed_shape, and that one needs it"),
             field="shape",
             value=shape,
             example="1.5",
@@ -254,7 +255,7 @@ def _bounds_at_fixed_shape(
     tails: FloatArray,
 ) -> tuple[Bounds, ...]:
     if any(quantity.kind == "shape" for quantity in quantities):
-        raise InputError("has no bounds where it is given", field="shape", value=shape)
+        raise InputError(said("has no bounds where it is given"), field="shape", value=shape)
     fit = fixed_shape(test, shape)
     limits = np.array([fixed_shape_limits(test, shape, q, tails) for q in quantities])
     notes = ("inspections_shared",) if test.inspected else ()

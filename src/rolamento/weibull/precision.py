@@ -49,6 +49,7 @@ from rolamento.weibull._checks import (
 from rolamento.weibull.drawing import FirstFailures, draw_fits
 from rolamento.weibull.likelihood import CONVERGED
 from rolamento.weibull.planning import MAXIMUM_BEARINGS, PLAN_ADVICE, planned_shape
+from rolamento.words import said
 
 MAXIMUM_FAILURES: Final = 1000
 MAXIMUM_RIGS: Final = 20_000
@@ -260,10 +261,10 @@ def plan_for_ratio(
     """
     wanted = positive(ratio, "ratio", "5.0")
     if wanted <= 1.0:
-        raise InputError("must be above 1", field="ratio", value=ratio, example="5.0")
+        raise InputError(said("must be above 1"), field="ratio", value=ratio, example="5.0")
     part = positive(failed_share, "failed_share", "0.5")
     if part > 1.0:
-        raise InputError("must be 1 or less", field="failed_share", value=part, example="0.5")
+        raise InputError(said("must be 1 or less"), field="failed_share", value=part, example="0.5")
     most = MAXIMUM_FAILURES
     if groups is not None:
         most = min(whole_number(groups, "groups", 1, MAXIMUM_RIGS), most)

@@ -8,6 +8,7 @@ A number in SI is written in a unit by a specification, in templates and in tabl
     ".3r"         three significant figures with their zeros, the rest rounded away: 5.00, 12 300;
                   by its order of magnitude where that is far from one
     ".1e"         by its order of magnitude
+    ".6g"         six significant figures, by its order of magnitude where that is shorter
     "+.2f"        with its sign
     ".4 rpm"      in a unit, which is written behind the number
     ".4 [rpm]"    in a unit, which is not written
@@ -89,7 +90,7 @@ _MINUS: Final = "−"
 _SMALLEST_GROUPED: Final = 10_000
 _FIGURES: Final = 4
 _SMALLEST, _GREATEST = 1e-4, 1e8
-_SPECIFICATION: Final = re.compile(r"(\+?)(?:\.(\d+)([fer]?))?(?: ?(\[)?([^\[\]]*)\]?)?")
+_SPECIFICATION: Final = re.compile(r"(\+?)(?:\.(\d+)([fegr]?))?(?: ?(\[)?([^\[\]]*)\]?)?")
 _CLOSE: Final = ("°",)
 """Units that stand at the number without a space."""
 
@@ -189,6 +190,8 @@ class Manner(Formatter):
             text = self.significant(scaled, int(digits))
         elif form == "e":
             text = self.exponent(scaled, int(digits))
+        elif form == "g" and isfinite(scaled):
+            text = f"{scaled:.{digits}g}".replace("-", _MINUS).replace(".", self.mark)
         else:
             text = self.short(scaled, int(digits) if digits else _FIGURES)
         text = f"+{text}" if sign and scaled > 0.0 else text
