@@ -14,6 +14,7 @@ from rolamento._foreign.bounds import guarded, size_of_file
 from rolamento.errors import FileError
 from rolamento.numerics import FloatArray
 from rolamento.vibration.reading.channels import MOST_CHANNELS, Channel, Source, checked_channels
+from rolamento.words import Note
 
 __all__ = ["WavSource"]
 
@@ -51,7 +52,7 @@ class WavSource(Source):
             if self._file.channels > MOST_CHANNELS:
                 raise FileError(f"holds more than {MOST_CHANNELS} channels", source=self._source)
             if bits:
-                self.notes = (f"samples of {bits} bits are scaled to a full scale of 1",)
+                self.notes = (Note("bits_to_full_scale", {"bits": bits}),)
             rate = float(self._file.samplerate)
             each = Channel("", self._file.frames, rate, "1" if bits else "")
             self.channels = checked_channels([each] * self._file.channels, self._source, "WAV file")

@@ -16,7 +16,7 @@ __all__ = ["Sentence", "sentence", "sentences"]
 
 Sentence = str | Callable[[Mapping[str, Any]], str]
 
-_CHAPTERS: Final[tuple[str, ...]] = ()
+_CHAPTERS: Final[tuple[str, ...]] = ("diagnosis", "frequencies", "noise", "reading")
 
 
 @cache
