@@ -62,6 +62,10 @@ def cells(column: Column) -> list[str]:
             next(lined) if numeric and text else text
             for text, numeric in zip(texts, own, strict=True)
         ]
+    if column.once:
+        texts = [
+            "" if row and text == texts[row - 1] else text for row, text in enumerate(texts)
+        ]
     return [_centred_dash(text, texts) for text in texts]
 
 
