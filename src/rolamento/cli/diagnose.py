@@ -25,9 +25,10 @@ from rolamento.cli.options import (
     plot_option,
 )
 from rolamento.cli.outputs import check_outputs
-from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
+from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put, put_json, show
 from rolamento.cli.table_options import DecimalMarkOption
 from rolamento.errors import InputError
+from rolamento.words import said
 
 if TYPE_CHECKING:
     from rolamento.cli.waiting import Progress
@@ -265,8 +266,9 @@ def _stages_shown(lang: Language | None) -> Stages:
             with waiting(lang):
                 yield lambda done, total: None
         else:
-            tracking = stage == "tracking"
-            text = said("blocks of the signal, for the speed" if tracking else "blocks of the signal")
+            text = said("blocks of the signal")
+            if stage == "tracking":
+                text = said("blocks of the signal, for the speed")
             with progress_of(text) as progress:
                 yield progress
 

@@ -176,12 +176,8 @@ def _bands(found: NoiseResult) -> Section:
             )
             for place, (head, key) in enumerate(((said("from"), "low"), (said("to"), "high")))
         ),
-        Column(
-            head="RMS", values=[band.velocity for band in bands], unit="µm/s", key="velocity"
-        ),
-        Column(
-            head="anderon", values=[band.anderons for band in bands], figures=3, key="anderons"
-        ),
+        Column(head="RMS", values=[band.velocity for band in bands], unit="µm/s", key="velocity"),
+        Column(head="anderon", values=[band.anderons for band in bands], figures=3, key="anderons"),
         *(_verdicts(found) if scales else ()),
     ]
     factors = ", ".join(

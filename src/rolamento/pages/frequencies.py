@@ -80,9 +80,7 @@ def _head(found: FrequencyResult) -> Section:
         lines.append(said("no speed given: orders of the inner ring, which turns"))
     if nominal.slip:
         lines.append(said("the cage lags behind the outer ring by {slip:.3 %}", slip=nominal.slip))
-    return Section(
-        "", (Title(found.title), Statement("\n".join(lines), indent=2)), key="given"
-    )
+    return Section("", (Title(found.title), Statement("\n".join(lines), indent=2)), key="given")
 
 
 def _speeds(nominal: FaultFrequencies) -> Iterable[str]:
@@ -223,7 +221,7 @@ def _harmonics(found: FrequencyResult) -> Section:
 
 
 def _alternatives(alternatives: Sequence[Alternative]) -> Section:
-    orders = (
+    orders: tuple[tuple[LineName, str], ...] = (
         ("cage", said("cage")),
         ("ball_pass_outer", said("outer")),
         ("ball_pass_inner", said("inner")),

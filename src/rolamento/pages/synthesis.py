@@ -24,7 +24,7 @@ from rolamento.document import (
 )
 from rolamento.pages.frequencies import balls_of, contact_angle
 from rolamento.vibration.synthesis import Fault, SwingingSpeed, WanderingSpeed
-from rolamento.words import manner, marked, said
+from rolamento.words import counted, manner, marked, said
 from rolamento.words.naming import PARTS, listed, one_line, part_name, the_part
 
 if TYPE_CHECKING:
@@ -264,10 +264,18 @@ def _lines(found: SynthesisResult) -> Section:
 
 def _left_out(found: SynthesisResult, held: int) -> Iterable[str]:
     if held > _MOST_LINES:
-        yield said("{count} weaker peaks are left out here.", count=held - _MOST_LINES)
+        yield counted(
+            "{n} weaker peak is left out here.",
+            "{n} weaker peaks are left out here.",
+            held - _MOST_LINES,
+        )
     beyond = len(found.lines) - held
     if beyond > 0:
-        yield said("{count} peaks beyond half the sampling rate are not in the signal.", count=beyond)
+        yield counted(
+            "{n} peak beyond half the sampling rate is not in the signal.",
+            "{n} peaks beyond half the sampling rate are not in the signal.",
+            beyond,
+        )
 
 
 def _line_table(lines: list[PlantedLine]) -> Table:
@@ -275,9 +283,7 @@ def _line_table(lines: list[PlantedLine]) -> Table:
     columns = (
         Column(head="", values=[said(_SURFACES[line.source]) for line in lines], key="source"),
         Column(head=said("waves"), values=waves, key="waves"),
-        Column(
-            head=said("order"), values=[line.order for line in lines], form=".4f", key="order"
-        ),
+        Column(head=said("order"), values=[line.order for line in lines], form=".4f", key="order"),
         Column(
             head=said("frequency"),
             values=[line.frequency for line in lines],

@@ -184,9 +184,7 @@ class SynthesisResult:
             "unit": self.made.signal.unit,
             "rms": self.rms,
             **truth.to_mapping(),
-            "faults": [
-                {**one.truth.to_mapping(), "to_noise": one.to_noise} for one in self.faults
-            ],
+            "faults": [{**one.truth.to_mapping(), "to_noise": one.to_noise} for one in self.faults],
             "recipe": {
                 "faults": [asdict(fault) for fault in recipe.faults],
                 "load": {"kind": self.load, "extent": self.extent},

@@ -268,7 +268,7 @@ class Diagnosis:
         return tuple(self.cause(part) for part in self.faults)
 
     def cause(self, component: Component) -> Cause:
-        """Return what the peaks of a part mean: those of a cage may be of a ball that it carries."""
+        """Return whose peaks those of a part may be: of a cage, perhaps a ball that it carries."""
         ball = self.of("ball")
         unknown = component == "cage" and ball.verdict != "fault" and ball.nominal_order > 0.0
         return "ball_or_cage" if unknown else component

@@ -30,9 +30,7 @@ SENTENCES: Final[dict[str, Sentence]] = {
         "The sampling rate is {rate:.9 Hz}; {name} = {value:.9} of the file is taken for something"
         " else."
     ),
-    "speed_over_file": marked(
-        "The speed is {speed:.6 rpm} as given; the file says {file:.6 rpm}."
-    ),
+    "speed_over_file": marked("The speed is {speed:.6 rpm} as given; the file says {file:.6 rpm}."),
     "samples_multiplied": _multiplied,
     "samples_not_calibrated": marked(
         "Samples in {unit} are not calibrated: no sensitivity was given."
