@@ -31,6 +31,7 @@ __all__ = [
     "ZERO_CELSIUS",
     "Dimension",
     "from_si",
+    "readable",
     "rpm_of",
     "to_si",
 ]
@@ -158,6 +159,8 @@ _ONE_OVER: Final = re.compile(r"^\s*1\s*/\s*([A-Za-z]+)(?![A-Za-z^*0-9])")
 _PLAINER: Final = str.maketrans(
     {"·": "*", "⋅": "*", "×": "*", ".": "*", "²": "2", "³": "3", "⁴": "4", "¹": "1", "⁻": "-"}
 )
+_SMALL_LENGTH: Final = 1e-4
+"""Below it (m) people write a computed length in micrometres."""
 _FIFTEEN_DIGITS: Final = Context(prec=15)
 
 
@@ -217,6 +220,22 @@ def from_si(value: float, dimension: Dimension) -> str:
     decimal = _FIFTEEN_DIGITS.divide(Decimal(number.numerator), Decimal(number.denominator))
     text = f"{_plain(decimal)} {unit_text}"
     return text if _reads_as(text, dimension, value) else f"{value!r} {SI_UNIT[dimension]}"
+
+
+def readable(value: float, dimension: Dimension, digits: int = 6) -> str:
+    """Write an SI value in the unit that people use, with as many digits as they read.
+
+    A value that a person gave comes out as it was given; a computed one is rounded.
+    """
+    unit_text = _familiar_unit(value, dimension)
+    unit = _COMMON[dimension][unit_text]
+    number = float((Fraction(value) - unit.offset) / unit.scale) if math.isfinite(value) else value
+    text = f"{number:.12g}"
+    if len(text) <= 2 * digits:
+        return f"{text} {unit_text}"
+    if dimension == "length" and abs(value) < _SMALL_LENGTH:
+        return f"{value / MICROMETRE:.{digits}g} µm"
+    return f"{number:.{digits}g} {unit_text}"
 
 
 def _reads_as(text: str, dimension: Dimension, value: float) -> bool:

@@ -32,6 +32,7 @@ MOST_ITEMS: Final = 8
 UNITS: Final[dict[str, tuple[float, float]]] = {
     # written in SI × factor + offset
     "": (1.0, 0.0),
+    "–": (1.0, 0.0),  # a number without a unit, said so
     "%": (100.0, 0.0),
     "m": (1.0, 0.0),
     "mm": (1e3, 0.0),

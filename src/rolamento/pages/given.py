@@ -1,0 +1,243 @@
+"""The head of the pages of a case: title, what was given, how the solution ended."""
+
+from __future__ import annotations
+
+from math import nan
+from typing import Final
+
+from rolamento.case import Case
+from rolamento.case.arrangement import Preload
+from rolamento.case.bearing import Bearing, RowPlace
+from rolamento.case.duty import AXES, LOADS, Duty
+from rolamento.document import Entry, KeyValues, Section, Title
+from rolamento.solved import Solved
+from rolamento.units import Dimension, readable
+from rolamento.words import manner, marked, said
+
+__all__ = ["BOTH", "facing", "head", "quantity", "reason", "untitled"]
+
+BOTH: Final = "±"
+_PLUS, _MINUS = "+", "−"
+
+
+def head(solved: Solved) -> Section:
+    """Return the title, what was given, and how the solution ended."""
+    case = solved.case
+    entries = (
+        Entry(said("bearing"), _bearing(case.bearing)),
+        Entry(said("duty"), _duty(case.duty)),
+        Entry(said("model"), _model(case)),
+        *_status(solved),
+    )
+    given = tuple(entry for entry in entries if entry.content)  # at rest no model matters
+    return Section("", (Title(solved.title or untitled()), KeyValues(given)), key="given")
+
+
+def untitled() -> str:
+    """Return what a case without a title is called."""
+    return said("Ball bearing")
+
+
+def quantity(value: float, dimension: Dimension) -> str:
+    """Write a value of a case with its unit, as in a case file; a computed one shorter."""
+    return manner().localised(readable(value, dimension)).replace(" deg", "°")
+
+
+def reason(code: str) -> str:
+    """Say why a case has no result."""
+    return said(_REASONS.get(code, code))
+
+
+_REASONS: Final = {
+    "no_equilibrium": marked("there is no equilibrium"),
+    "not_converged": marked("not converged"),
+    "overloaded": marked("overloaded"),
+    "unheld_ball": marked("a ball is not held"),
+    "over_shoulder": marked("a contact lies beyond the shoulder of its groove"),
+    "invalid_input": marked("invalid input"),
+}
+
+
+# --- bearing -----------------------------------------------------------------------------------
+
+
+def _bearing(bearing: Bearing) -> str:
+    geometry = said(
+        "{count} balls of {ball}, pitch diameter {pitch}",
+        count=bearing.ball_count,
+        ball=quantity(bearing.ball_diameter, "length"),
+        pitch=quantity(bearing.pitch_diameter, "length"),
+    )
+    conformities = said(
+        "{play}, conformity {inner:.5} inner, {outer:.5} outer",
+        play=_play(bearing),
+        inner=bearing.inner_conformity,
+        outer=bearing.outer_conformity,
+    )
+    rings, balls = bearing.ring_material, bearing.ball_material
+    materials = (
+        said("rings and balls of {rings}", rings=rings.name)
+        if rings == balls
+        else said("rings of {rings}, balls of {balls}", rings=rings.name, balls=balls.name)
+    )
+    return "\n".join((geometry, conformities, materials, *_arrangement_lines(bearing)))
+
+
+def _play(bearing: Bearing) -> str:
+    """Return the contact angle or the clearance, whichever was given."""
+    if bearing.contact_angle is not None:
+        return said("contact angle {angle}", angle=quantity(bearing.contact_angle, "angle"))
+    clearance = quantity(bearing.diametral_clearance or 0.0, "length")
+    return said("diametral clearance {clearance}", clearance=clearance)
+
+
+def facing(bearing: Bearing, place: RowPlace) -> str:
+    """Return toward which side a row carries axial load: with clearance and no preload, both."""
+    if place.bearing.contact_angle is None and bearing.preload is None:
+        return BOTH
+    return _PLUS if place.sign > 0.0 else _MINUS
+
+
+def _arrangement_lines(bearing: Bearing) -> list[str]:
+    """Say how the rows of a set are arranged and preloaded; nothing of a plain bearing."""
+    if not bearing.is_set:
+        return []
+    return [_arrangement(bearing), *_preload(bearing.preload, bearing.contact_angle)]
+
+
+def _arrangement(bearing: Bearing) -> str:
+    places = bearing.places
+    if bearing.arrangement is not None:
+        return said(
+            "{name}, {kind} ({faces}), {spacing} between rows",
+            name=bearing.arrangement,
+            kind=_kind(bearing.arrangement),
+            faces=" ".join(facing(bearing, place) for place in places),
+            spacing=quantity(bearing.spacing or 0.0, "length"),
+        )
+    rows = ", ".join(_place(bearing, place) for place in places)
+    if len(places) == 1:
+        return said("1 row: {rows}", rows=rows)
+    return said("{count} rows: {rows}", count=len(places), rows=rows)
+
+
+def _kind(arrangement: str) -> str:
+    if "B" in arrangement:
+        return said("back to back")
+    return said("face to face") if "F" in arrangement else said("in tandem")
+
+
+def _place(bearing: Bearing, place: RowPlace) -> str:
+    """One row of a list: its side, its place, and what it has of its own."""
+    row, own = place.bearing, []
+    if row.ball_count != bearing.ball_count:
+        own.append(said("{count} balls", count=row.ball_count))
+    for name, symbol in (("ball_diameter", "D"), ("pitch_diameter", "d_m")):
+        if getattr(row, name) != getattr(bearing, name):
+            own.append(f"{symbol} {quantity(getattr(row, name), 'length')}")
+    if row.contact_angle is not None and row.contact_angle != bearing.contact_angle:
+        own.append(f"α {quantity(row.contact_angle, 'angle')}")
+    for name, symbol in (("inner_conformity", "f_i"), ("outer_conformity", "f_o")):
+        if getattr(row, name) != getattr(bearing, name):
+            own.append(f"{symbol} {manner().short(getattr(row, name))}")
+    if place.phase != 0.0:
+        own.append(said("phase {angle}", angle=quantity(place.phase, "angle")))
+    where = said(
+        "{face} at {position}",
+        face=facing(bearing, place),
+        position=quantity(place.position, "length"),
+    )
+    return where + (f" ({'; '.join(own)})" if own else "")
+
+
+def _preload(preload: Preload | None, contact_angle: float | None) -> list[str]:
+    if preload is None:
+        return []
+    if preload.level is not None:
+        level = {"light": said("light"), "medium": said("medium"), "heavy": said("heavy")}
+        text = said(
+            "preload class {level} of {name} ({force} in a pair), clamped",
+            level=level[preload.level],
+            name=preload.designation or "",
+            force=quantity(preload.pair_force(contact_angle) or nan, "force"),
+        )
+    elif preload.offset is not None:
+        text = said("clamped, each row pressed in by {offset:.5 µm}", offset=preload.offset)
+    elif preload.spring is not None:
+        text = said("preload by springs of {force}", force=quantity(preload.spring, "force"))
+    else:
+        text = said("preload {force}, clamped", force=quantity(preload.force or 0.0, "force"))
+    return [text]
+
+
+# --- duty, model, status -----------------------------------------------------------------------
+
+
+def _duty(duty: Duty) -> str:
+    speeds = []
+    if duty.inner_speed != 0.0:
+        speed = quantity(duty.inner_speed, "angular_speed")
+        speeds.append(said("inner ring {speed}", speed=speed))
+    if duty.outer_speed != 0.0:
+        speed = quantity(duty.outer_speed, "angular_speed")
+        speeds.append(said("outer ring {speed}", speed=speed))
+    return ", ".join([*(speeds or [said("at rest")]), *_imposed(duty)])
+
+
+def _imposed(duty: Duty) -> list[str]:
+    """Return loads and displacements that were given, as they were given."""
+    given = []
+    for axis, load in zip(AXES, LOADS, strict=True):
+        shift = len(axis) == 1
+        kinds: tuple[tuple[str, float | None, Dimension], ...] = (
+            (load, getattr(duty.load, load), "force" if shift else "moment"),
+            (axis, getattr(duty.displacement, axis), "length" if shift else "angle"),
+        )
+        given += [
+            f"{name} {quantity(value, dimension)}"
+            for name, value, dimension in kinds
+            if value is not None
+        ]
+    return given
+
+
+def _model(case: Case) -> str:
+    """Return the choices that matter: at rest, none does."""
+    duty, model = case.duty, case.model
+    if duty.inner_speed == 0.0 == duty.outer_speed:
+        return ""
+    control = {
+        "outer": said("outer raceway control"),
+        "inner": said("inner raceway control"),
+        "jones": said("raceway control by Jones's criterion"),
+        "none": said("no raceway control: the races share the gyroscopic moment"),
+        "friction": said("ball motion governed by friction alone"),
+    }
+    cage = {
+        "loose": said("loose cage: it drives only balls that no race controls"),
+        "rigid": said("rigid cage: all balls orbit with it"),
+        "none": said("no cage: raceway control alone drives the balls"),
+    }
+    # the default is not said, nor anything under friction control, where the cage is always rigid
+    usual = model.cage == "loose" or model.raceway_control == "friction"
+    texts = [control[model.raceway_control], *([] if usual else [cage[model.cage]])]
+    if not model.centrifugal_force:
+        texts.append(said("no centrifugal force"))
+    if not model.gyroscopic_moment:
+        texts.append(said("no gyroscopic moment"))
+    return ", ".join(texts)
+
+
+def _status(solved: Solved) -> list[Entry]:
+    """Return the status, and the advice if there is any."""
+    status = solved.status
+    if solved.converged[0]:
+        text = said(
+            "✓ converged in {iterations} iterations, residual {residual:.1e}",
+            iterations=int(status.iterations[0]),
+            residual=float(status.residual[0]),
+        )
+        return [Entry(said("status"), text, "good")]
+    advice = solved.advice[0]
+    failed = Entry(said("status"), f"✗ {reason(str(status.code[0]))}", "bad-strong")
+    return [failed, *([Entry(said("advice"), str(advice))] if advice else [])]

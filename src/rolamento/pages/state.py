@@ -1,0 +1,740 @@
+"""The page of `solve`: the inner ring, the rows of a set, stiffness, the balls and their contacts.
+
+The bearing is seen from the +x end, so that x points at the reader: +z is up, +y is to the right,
+and azimuths run clockwise like the hours.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from math import cos, isfinite, nan, pi, sin
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+
+from rolamento.case.duty import AXES, LOADS, Duty
+from rolamento.document import (
+    Beside,
+    Break,
+    CellContent,
+    Column,
+    Document,
+    Entry,
+    Figure,
+    KeyValues,
+    Notes,
+    Number,
+    Remark,
+    Section,
+    Table,
+    Tone,
+)
+from rolamento.geometry import Race
+from rolamento.numerics import BoolArray, FloatArray
+from rolamento.pages.given import BOTH, facing, head, untitled
+from rolamento.solved import NO_LOAD, RACES, Preloading, Rolling, Solved
+from rolamento.solved.form import control_names
+from rolamento.words import ABSENT, Note, decimals_for, in_unit, manner, said, said_in
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure as Picture
+
+    from rolamento.analysis import Analysis
+
+__all__ = ["balls_table", "notes_section", "state_page", "stiffness_section"]
+
+_SHIFTS: Final = 3
+"""x, y, z come before the tilts, forces before moments."""
+_NEGLIGIBLE: Final = 1e-9
+"""Of the stiffnesses on the diagonal: what is less is rounding, and written 0."""
+_NO_MOTION: Final = 1e-9
+"""Angles (rad) and ratios that are rounding."""
+
+
+def state_page(solved: Solved, analysis: Analysis | None = None) -> Document:
+    """Return the page of one case: without a result it says why and what to do.
+
+    Parameters
+    ----------
+    solved
+        One case, converged or not.
+    analysis
+        What follows from it; film, friction and life are shown if it has them.
+    """
+    sections: list[Section | Beside] = [head(solved)]
+    notes = list(solved.notes[0])
+    if solved.converged[0]:
+        sections += [*_set(solved), _middle(solved), stiffness_section(solved)]
+        sections += [balls_section(solved), *_rolling(solved)]
+    if analysis is not None:
+        sections += _what_follows(solved, analysis, notes)
+    sections += notes_section(notes)
+    return Document(solved.title or untitled(), tuple(sections), kind="solve")
+
+
+def notes_section(notes: Sequence[Note]) -> list[Section]:
+    """Return what the reader should know, each said once; nothing without notes."""
+    remarks = {note.text: Remark(note.text, note.key) for note in notes}
+    return [Section(said("Notes"), (Notes(tuple(remarks.values())),), key="notes")] * bool(remarks)
+
+
+# --- the inner ring ----------------------------------------------------------------------------
+
+
+def _middle(solved: Solved) -> Beside:
+    """Show the ring above the heaviest ball, and the rosettes beside them."""
+    left = (_ring(solved), _heaviest(solved))
+    return Beside(left, (_rosettes(solved),), key="ring")
+
+
+def _ring(solved: Solved) -> Section:
+    """Show displacement and load of the five degrees of freedom, the results in bold."""
+    moved, loads = solved.displacement.array[0].tolist(), solved.load.array[0].tolist()
+    units = [("µm", "N")] * _SHIFTS + [("mrad", "N·m")] * (len(AXES) - _SHIFTS)
+    known = [_known(solved.case.duty, *names) for names in zip(AXES, LOADS, strict=True)]
+    columns = (
+        Column(head="", values=AXES, key="direction"),
+        Column(
+            head=said("displacement"),
+            values=_alike(moved, [unit for unit, _ in units], (3, 4)),
+            key="displacement",
+            tones=["strong" if by_load else "" for _, by_load in known],
+        ),
+        Column(head="", values=[unit for unit, _ in units], key="displacement_unit"),
+        Column(head="", values=[f" {load}" for load in LOADS], key="load_name"),
+        Column(
+            head=said("load"),
+            values=_alike(loads, [unit for _, unit in units], (3, 4)),
+            key="load",
+            tones=["" if by_load else "strong" for _, by_load in known],
+        ),
+        Column(head="", values=[unit for _, unit in units], key="load_unit"),
+        Column(head="", values=[f" {text}" for text, _ in known], key="known", tone="faint"),
+    )
+    table = Table(columns=columns, key="ring", headless=True, gap=1)
+    return Section(said("Inner ring"), (table,), key="ring")
+
+
+def _alike(
+    values: Sequence[float], units: Sequence[str], most: tuple[int, int], figures: int = 5
+) -> list[CellContent]:
+    """Write displacements, and tilts, each with the decimals of the greatest."""
+    cells: list[CellContent] = []
+    for part, limit in ((slice(None, _SHIFTS), most[0]), (slice(_SHIFTS, None), most[1])):
+        scaled = [float(in_unit(v, u)) for v, u in zip(values[part], units[part], strict=True)]
+        decimals = decimals_for(scaled, figures, limit)
+        cells += [
+            Number(value, f".{decimals}f [{unit}]")
+            for value, unit in zip(values[part], units[part], strict=True)
+        ]
+    return cells
+
+
+def _known(duty: Duty, axis: str, load: str) -> tuple[str, bool]:
+    """Say what was known of a degree of freedom, and whether that was its load."""
+    if getattr(duty.load, load) is not None:
+        return said("{name} given", name=load), True
+    if getattr(duty.displacement, axis) is not None:
+        return said("{name} given", name=axis), False
+    held = axis in ("ry", "rz")
+    return (said("held") if held else said("free")), not held
+
+
+def stiffness_section(solved: Solved) -> Section:
+    """Show the 5 x 5 matrix in four blocks of one unit each."""
+    matrix = solved.stiffness.array[0].tolist()
+    forces = ["N/µm"] * _SHIFTS + ["N/mrad"] * (len(AXES) - _SHIFTS)
+    moments = ["N·m/mm"] * _SHIFTS + ["N·m/mrad"] * (len(AXES) - _SHIFTS)
+    columns = [Column(head="", values=["", *LOADS[:_SHIFTS], "", *LOADS[_SHIFTS:]], key="load")]
+    for j, axis in enumerate(AXES):
+        units = [forces[j]] * _SHIFTS + [moments[j]] * (len(AXES) - _SHIFTS)
+        values = [_without_noise(matrix, i, j) for i in range(len(AXES))]
+        cells = _alike(values, units, (3, 3))
+        tones: list[Tone] = ["strong" if i == j else "" for i in range(len(AXES))]
+        columns.append(
+            Column(
+                head=axis,
+                values=[forces[j], *cells[:_SHIFTS], moments[j], *cells[_SHIFTS:]],
+                key=axis,
+                align="right",
+                tones=["faint", *tones[:_SHIFTS], "faint", *tones[_SHIFTS:]],
+            )
+        )
+    table = Table(columns=tuple(columns), key="stiffness", gap=3)
+    return Section(said("Stiffness"), (table,), key="stiffness")
+
+
+def _without_noise(matrix: list[list[float]], row: int, column: int) -> float:
+    """Return a stiffness, and rounding errors as zero."""
+    value = matrix[row][column]
+    diagonal = abs(matrix[row][row] * matrix[column][column])
+    return 0.0 if value * value <= _NEGLIGIBLE**2 * diagonal else float(value)
+
+
+# --- the ball with the maximum load ------------------------------------------------------------
+
+
+def _heaviest(solved: Solved) -> Section:
+    """Show the contacts of the ball with the maximum load and the stresses under them."""
+    ball = int(np.argmax(np.maximum(solved.inner.load[0], solved.outer.load[0])))
+    shown = (
+        (said("load"), "N", "load"),
+        (said("contact angle"), "°", "contact_angle"),
+        (said("approach"), "µm", "deflection"),
+        (said("maximum pressure"), "MPa", "max_pressure"),
+        (said("ellipse, semi-major"), "mm", "semi_major"),
+        (said("ellipse, semi-minor"), "mm", "semi_minor"),
+        (said("maximum shear"), "MPa", "max_shear"),
+        ("  " + said("at a depth of"), "mm", "max_shear_depth"),
+        (said("orthogonal shear"), "MPa", "orthogonal_shear"),
+        ("  " + said("at a depth of"), "mm", "orthogonal_shear_depth"),
+    )
+    races = {"inner": said_in("race", "inner"), "outer": said_in("race", "outer")}
+    columns = [
+        Column(head="", values=[label for label, _, _ in shown], key="quantity"),
+        Column(head="", values=[unit for _, unit, _ in shown], key="unit"),
+    ]
+    for race in RACES:
+        contacts = solved.contacts[race]
+        touched = contacts.load[0, ball] > 0.0
+        values = [
+            _five_figures(float(getattr(contacts, name)[0, ball]), unit) if touched else nan
+            for _, unit, name in shown
+        ]
+        columns.append(Column(head=races[race], values=values, key=race, align="right"))
+    names = {"number": ball, "azimuth": float(solved.elements.azimuth[0, ball])}
+    if len(solved.rows) < 2:
+        heading = said("Heaviest ball: #{number} at {azimuth:.5 °}", **names)
+    else:
+        row = int(solved.elements.row[ball])
+        heading = said("Heaviest ball: #{number} of row {row} at {azimuth:.5 °}", **names, row=row)
+    return Section(heading, (Table(columns=tuple(columns), key="heaviest"),), key="heaviest")
+
+
+def _five_figures(value: float, unit: str) -> Number:
+    return Number(value, f".{decimals_for([float(in_unit(value, unit))], 5)}f [{unit}]")
+
+
+# --- the balls ---------------------------------------------------------------------------------
+
+Values = Callable[[Solved], FloatArray]
+"""A number of every ball of a single case in SI; (balls,)."""
+
+
+def _of_ball(name: str) -> Values:
+    return lambda solved: getattr(solved.elements, name)[0]
+
+
+def _of_contact(race: Race, name: str) -> Values:
+    """Numbers of the contacts with a race; NaN where ball and race do not touch."""
+
+    def values(solved: Solved) -> FloatArray:
+        touched = solved.loaded[0] if race == "inner" else solved.outer.load[0] > 0.0
+        return np.where(touched, getattr(solved.contacts[race], name)[0], np.nan)
+
+    return values
+
+
+def _without_rounding(of: Values) -> Values:
+    """Give rounding errors, such as the spin at a race in control, as zero."""
+
+    def values(solved: Solved) -> FloatArray:
+        numbers = of(solved)
+        return np.where(np.abs(numbers) < _NO_MOTION, 0.0, numbers)
+
+    return values
+
+
+def _column(
+    solved: Solved,
+    head: str,
+    unit: str,
+    of: Values,
+    key: str,
+    *,
+    figures: int = 4,
+    most: int = 2,
+    peak: bool = False,
+) -> Column:
+    return Column(
+        head=head,
+        values=of(solved).tolist(),
+        unit=unit,
+        key=key,
+        figures=figures,
+        most=most,
+        peak="maximum" if peak else "",
+    )
+
+
+_ONLY_IN_FILES: Final = (
+    ("deflection", "µm"),
+    ("semi_major", "mm"),
+    ("semi_minor", "mm"),
+    ("mean_pressure", "MPa"),
+    ("max_shear", "MPa"),
+    ("max_shear_depth", "mm"),
+    ("orthogonal_shear", "MPa"),
+    ("orthogonal_shear_depth", "mm"),
+)
+
+
+def balls_section(solved: Solved) -> Section:
+    """Show the balls, a line each: their contacts, and their motion where the rings turn."""
+    return Section(said("Balls"), (balls_table(solved),), key="balls")
+
+
+def balls_table(solved: Solved) -> Table:
+    """Return a line for every ball: loads, angles, pressures; then its motion."""
+    turning = solved.case.duty.inner_speed != 0.0 or solved.case.duty.outer_speed != 0.0
+    count = len(solved.elements.row)
+    columns = [
+        Column(head="#", values=list(range(count)), key="ball", tone="faint"),
+        _column(solved, "ψ", "°", _of_ball("azimuth"), "azimuth", figures=5),
+    ]
+    for name, symbol, unit, figures, peak in (
+        ("load", "Q", "N", 5, True),
+        ("contact_angle", "α", "°", 4, False),
+        ("max_pressure", "p", "MPa", 4, True),
+    ):
+        columns += [
+            _column(
+                solved,
+                f"{symbol}_{race[0]}",
+                unit,
+                _of_contact(race, name),
+                f"{race}_{name}",
+                figures=figures,
+                peak=peak,
+            )
+            for race in RACES
+        ]
+    columns.append(Column(head="Q_i", values=solved.inner.load[0].tolist(), bar=True))
+    breaks: tuple[Break, ...] = ()
+    if turning:
+        heading = said("Motion of the balls")
+        legend = said(
+            "F_c centrifugal force, M_g gyroscopic moment, n_m orbital speed, n_R ball speed, "
+            "s spin-to-roll ratio"
+        )
+        breaks = (Break(len(columns), heading, legend),)
+        columns += _motion(solved)
+    legend = said("Q load, α contact angle, p maximum pressure; i inner, o outer; ◂ maximum")
+    return Table(
+        columns=(*columns, *_files_only(solved)),
+        key="balls",
+        legends=(legend,),
+        groups=_row_names(solved),
+        rule=True,
+        fixed=2,
+        breaks=breaks,
+    )
+
+
+def _motion(solved: Solved) -> list[Column]:
+    spins = [
+        _column(
+            solved,
+            f"s_{race[0]}",
+            "–",
+            _without_rounding(_of_contact(race, "spin_to_roll")),
+            f"{race}_spin_to_roll",
+            most=4,
+        )
+        for race in RACES
+    ]
+    return [
+        _column(solved, "F_c", "N", _of_ball("centrifugal_force"), "centrifugal_force", figures=5),
+        _column(solved, "M_g", "N·mm", _of_ball("gyroscopic_moment"), "gyroscopic_moment"),
+        _column(solved, "n_m", "rpm", _of_ball("orbital_speed"), "orbital_speed", figures=5),
+        _column(solved, "n_R", "rpm", _of_ball("ball_speed"), "ball_speed", figures=5),
+        *spins,
+    ]
+
+
+def _files_only(solved: Solved) -> list[Column]:
+    """Columns for which a page has no room."""
+    columns = [
+        Column(head=name, values=values, unit=unit, key=f"{race}_{name}", only_in_files=True)
+        for race in RACES
+        for name, unit in _ONLY_IN_FILES
+        for values in [getattr(solved.contacts[race], name)[0].tolist()]
+    ]
+    rest: tuple[tuple[str, list[CellContent], str], ...] = (
+        ("row", solved.elements.row.tolist(), ""),
+        ("attitude", solved.elements.attitude[0].tolist(), "°"),
+        ("raceway_control", list(control_names(solved)), ""),
+    )
+    columns += [
+        Column(head=name, values=values, unit=unit, key=name, only_in_files=True)
+        for name, values, unit in rest
+    ]
+    return columns
+
+
+def _row_names(solved: Solved) -> tuple[tuple[int, str], ...]:
+    """Where the balls of each row of a set begin, and what it is called."""
+    if len(solved.rows) < 2:
+        return ()
+    return tuple(
+        (int(first), said("row {number}", number=row))
+        for row, first in enumerate(solved.rows.starts)
+    )
+
+
+# --- the rosette: a small polar drawing of the ball loads ---------------------------------------
+
+_HEIGHT: Final = 11
+_GAP: Final = 2
+_SIDE: Final = " +y"
+_BRAILLE: Final = 0x2800
+_BITS: Final = ((0x01, 0x08), (0x02, 0x10), (0x04, 0x20), (0x40, 0x80))
+"""Bit of the dot in a row and column of a braille character."""
+
+Sketch = list[list[tuple[str, Tone]]]
+
+
+def _rosettes(solved: Solved) -> Section:
+    """Draw the inner loads round the bearing, with the axes and the scale: one rosette a row."""
+    count = len(solved.rows)
+    heading = said("Load rosette") if count == 1 else said("Load rosettes")
+    figure = Figure(
+        caption=said("Ball loads round the bearing, seen from +x"),
+        draw=lambda: _picture(solved),
+        key="rosette",
+        sketch=lambda width, draws: _sketch(solved, width, draws),
+        width=count * (2 * _HEIGHT + len(_SIDE)) + (count - 1) * _GAP,
+    )
+    return Section(heading, (figure,), key="rosette")
+
+
+def _picture(solved: Solved) -> Picture:
+    from rolamento.plots.balls import load_rosette
+    from rolamento.plots.frame import figure_of
+
+    return figure_of(load_rosette(solved))
+
+
+def _sketch(solved: Solved, width: int, draws: bool) -> Sketch:
+    """Set as many rosettes side by side as there is room for; all have the same scale."""
+    count = len(solved.rows)
+    rim = float(solved.inner.load[0].max())
+    drawn = [_rosette(solved, row, rim, draws) for row in range(count)]
+    one = 2 * _HEIGHT + len(_SIDE)
+    most = max(min((width + _GAP) // (one + _GAP), count), 1)
+    abreast = -(-count // -(-count // most))  # four as two and two, not three and one
+    lines: Sketch = []
+    for first in range(0, count, abreast):
+        for parts in zip(*drawn[first : first + abreast], strict=True):
+            line: list[tuple[str, Tone]] = []
+            for number, part in enumerate(parts):
+                line += [(" " * _GAP, "")] * bool(number) + part
+            lines.append(line)
+    scale = manner().column([rim])[0] if rim > 0.0 else ABSENT
+    captions = [said("rim: Q_i = {load} N", load=scale), said("seen from +x")]
+    if count > 1:
+        return [*lines, [(f"  {', '.join(captions)}", "faint")]]
+    return [*lines, *([(caption.center(2 * _HEIGHT), "faint")] for caption in captions)]  # type: ignore[list-item]
+
+
+def _rosette(solved: Solved, row: int, rim: float, draws: bool) -> Sketch:
+    """Draw one row, as wide as every other."""
+    own = solved.elements.row == row
+    loads, azimuths = solved.inner.load[0, own], solved.elements.azimuth[0, own]
+    canvas = _Canvas(_HEIGHT, braille=draws)
+    for step in range(16 * _HEIGHT):
+        canvas.dot(1.0, 2.0 * pi * step / (16 * _HEIGHT), loaded=False)
+    for load, azimuth in zip(loads.tolist(), azimuths.tolist(), strict=True):
+        if load > 0.0:
+            canvas.spoke(load / rim, azimuth)
+    width = 2 * _HEIGHT
+    lines: Sketch = [[("+z".center(width) + " " * len(_SIDE), "")]]
+    if len(solved.rows) > 1:
+        lines.insert(0, [(said("row {number}", number=row).center(width) + " " * len(_SIDE), "")])
+    for number, cells in enumerate(canvas.lines()):
+        side = _SIDE if number == _HEIGHT // 2 else " " * len(_SIDE)
+        lines.append([*cells, (side, "")])
+    return lines
+
+
+class _Canvas:
+    """Dots on a grid of characters, addressed by radius (1 at the rim) and azimuth."""
+
+    def __init__(self, height: int, *, braille: bool) -> None:
+        self._height, self._width = height, 2 * height
+        self._braille = braille
+        self._across, self._down = (2, 4) if braille else (1, 1)
+        self._rim: set[tuple[int, int]] = set()
+        self._loads: set[tuple[int, int]] = set()
+
+    def dot(self, radius: float, azimuth: float, *, loaded: bool) -> None:
+        columns, rows = self._width * self._across, self._height * self._down
+        column = round((columns - 1) / 2 * (1.0 + radius * sin(azimuth)))
+        row = round((rows - 1) / 2 * (1.0 - radius * cos(azimuth)))
+        (self._loads if loaded else self._rim).add((row, column))
+
+    def spoke(self, length: float, azimuth: float) -> None:
+        steps = self._width * self._across
+        for step in range(round(length * steps) + 1):
+            self.dot(step / steps, azimuth, loaded=True)
+
+    def lines(self) -> Sketch:
+        return [
+            [self._cell(row, column) for column in range(self._width)]
+            for row in range(self._height)
+        ]
+
+    def _cell(self, row: int, column: int) -> tuple[str, Tone]:
+        if not self._braille:
+            loaded = (row, column) in self._loads
+            character = "o" if loaded else "." if (row, column) in self._rim else " "
+            return character, "mark" if loaded else "faint"
+        bits, loaded = 0, False
+        for down in range(self._down):
+            for across in range(self._across):
+                place = (self._down * row + down, self._across * column + across)
+                loaded = loaded or place in self._loads
+                if place in self._loads or place in self._rim:
+                    bits |= _BITS[down][across]
+        return chr(_BRAILLE + bits) if bits else " ", "mark" if loaded else "faint"
+
+
+# --- the rows of a set and their preload -------------------------------------------------------
+
+
+def _set(solved: Solved) -> list[Section]:
+    """Show the rows of a set and their preload; nothing of a plain bearing."""
+    if not solved.case.bearing.is_set:
+        return []
+    preload = [] if solved.preload is None else [_preload(solved, solved.preload)]
+    return [_rows(solved), *preload]
+
+
+def _rows(solved: Solved) -> Section:
+    """Show a line for each row: its place, what it takes, its loaded balls, its peaks."""
+    rows, bearing = solved.rows, solved.case.bearing
+    faces = [facing(bearing, place) for place in bearing.places]
+    loaded = zip(solved.loaded_elements[0], rows.element_count, strict=True)
+    legend = said(
+        "faces + carries axial load toward +x, − toward −x{both}; moments about x = 0; loaded: "
+        "balls that the inner ring presses on; Q_i, p_i maximum",
+        both=said(", ± both ways") if BOTH in faces else "",
+    )
+    columns = [
+        Column(head=said("row"), values=list(range(len(rows))), key="row"),
+        Column(head=said("faces"), values=faces, key="faces"),
+        Column(head="x", values=rows.position[0].tolist(), unit="mm", key="position", figures=5),
+        Column(
+            head=said("loaded"),
+            values=[f"{some}/{count}" for some, count in loaded],
+            key="loaded",
+            align="right",
+        ),
+        Column(
+            head="Q_i",
+            values=_maximum_by_row(solved, solved.inner.load[0]),
+            unit="N",
+            key="inner_load",
+            most=1,
+        ),
+        Column(
+            head="p_i",
+            values=_maximum_by_row(solved, solved.inner.max_pressure[0]),
+            unit="MPa",
+            key="inner_max_pressure",
+            most=1,
+        ),
+        *_taken(rows.load[0]),
+    ]
+    breaks = (Break(6, ""),)
+    table = Table(
+        columns=tuple(columns), key="rows", legends=(legend,), rule=True, fixed=1, breaks=breaks
+    )
+    return Section(said("Rows"), (table,), key="rows")
+
+
+def _taken(loads: FloatArray) -> list[Column]:
+    """The forces and moments of each row, all forces and all moments with the same decimals."""
+    columns = []
+    for first, end, unit in ((0, _SHIFTS, "N"), (_SHIFTS, len(LOADS), "N·m")):
+        decimals = decimals_for(loads[:, first:end].ravel().tolist(), 4, 2)
+        columns += [
+            Column(
+                head=LOADS[index],
+                values=loads[:, index].tolist(),
+                unit=unit,
+                key=LOADS[index],
+                figures=99,
+                most=decimals,
+            )
+            for index in range(first, end)
+        ]
+    return columns
+
+
+def _maximum_by_row(solved: Solved, values: FloatArray) -> list[float]:
+    """At the inner contacts that are loaded; NaN without any."""
+    loaded = np.where(solved.inner.load[0] > 0.0, values, np.nan)
+    return [float(value) for value in np.fmax.reduceat(loaded, solved.rows.starts)]
+
+
+def _preload(solved: Solved, preload: Preloading) -> Section:
+    """Show the preload at rest and at speed, and where it is lost."""
+    duty = solved.case.duty
+    entries = [Entry(said("at rest"), Number(preload.at_rest, ".4 N"))]
+    if duty.inner_speed or duty.outer_speed:
+        entries.append(Entry(said("at speed"), Number(preload.at_speed, ".4 N")))
+    entries += [*_lift(duty, preload), *_loss(solved, preload)]
+    block = KeyValues(tuple(entries), indent=2, label_tone="")
+    return Section(said("Preload"), (block,), key="preload")
+
+
+def _lift(duty: Duty, preload: Preloading) -> list[Entry]:
+    """Where the first ball lifts off, unless it takes its row along."""
+    if preload.lift_row is None or preload.lift_factor == preload.loss_factor:
+        return []
+    values = {
+        "row": preload.lift_row,
+        "factor": preload.lift_factor,
+        "load": _resulting_load(duty, preload.lift_factor),
+    }
+    if preload.lift_factor < 1.0:
+        text = said("has lifted off in row {row}, at {factor:.3} × the load: {load}", **values)
+        return [Entry(said("first ball"), text, "warning")]
+    text = said("lifts off in row {row} at {factor:.3} × the load: {load}", **values)
+    return [Entry(said("first ball"), text)]
+
+
+def _loss(solved: Solved, preload: Preloading) -> list[Entry]:
+    """Where a row lifts off, as a multiple of the load and as that load."""
+    row, duty, label = preload.lost_row, solved.case.duty, said("loss")
+    lost = [int(other) for other in np.flatnonzero(solved.loaded_elements[0] == 0)]
+    if row is None or not isfinite(preload.loss_factor):
+        if lost:
+            text = said("no ball of row {rows} presses on the inner ring", rows=lost)
+            return [Entry(label, text, "warning-strong")]
+        loaded = any(getattr(duty.load, name) for name in LOADS)
+        text = said("no row loses all contact as this load increases")
+        return [Entry(label, text)] if loaded else []
+    values = {
+        "row": row,
+        "factor": preload.loss_factor,
+        "load": _resulting_load(duty, preload.loss_factor),
+    }
+    if preload.loss_factor < 1.0 or row in lost:
+        text = said("row {row} has lifted off, at {factor:.3} × the load: {load}", **values)
+        return [Entry(label, text, "warning-strong")]
+    return [Entry(label, said("row {row} lifts off at {factor:.3} × the load: {load}", **values))]
+
+
+def _resulting_load(duty: Duty, factor: float) -> str:
+    """The external load, times a factor."""
+    parts = []
+    for name in LOADS:
+        value = getattr(duty.load, name)
+        if value:
+            form = ".4 N" if name.startswith("f") else ".4 N·m"
+            parts.append(f"{name} {manner().number(factor * value, form)}")
+    return ", ".join(parts)
+
+
+# --- balls that friction alone moves -----------------------------------------------------------
+
+
+def _rolling(solved: Solved) -> list[Section]:
+    """Show how friction moves cage and balls, and what it costs; nothing under raceway control."""
+    rolling = solved.rolling
+    if rolling is None:
+        return []
+    entries = (
+        Entry(said("cage"), _cage(rolling)),
+        Entry(
+            said("torque"),
+            said(
+                "{inner:.4 N·mm} on the shaft, {outer:.4 N·mm} on the housing",
+                inner=float(rolling.inner_torque[0]),
+                outer=float(rolling.outer_torque[0]),
+            ),
+        ),
+        Entry(said("losses"), _powers(rolling, solved.case.model.cage_drag)),
+    )
+    legend = said(
+        "β, β′ angles of the ball's axis to the shaft, in its axial plane and out of it; s "
+        "spin-to-roll ratio, P power lost, v slip at the contact's centre along the orbit"
+    )
+    columns = (
+        Column(head="#", values=list(range(len(solved.elements.row))), key="ball"),
+        _column(solved, "ψ", "°", _of_ball("azimuth"), "azimuth", figures=5),
+        _column(solved, "β", "°", _without_rounding(_of_ball("attitude")), "attitude"),
+        _column(solved, "β′", "°", _without_rounding(_of_ball("yaw")), "yaw", figures=3, most=3),
+        *(
+            _column(solved, f"s_{race[0]}", "–", _spin(race), f"{race}_spin", figures=3, most=3)
+            for race in RACES
+        ),
+        *(
+            _column(
+                solved, f"P_{race[0]}", "W", _of_rolling(race, "power"), f"{race}_power", most=3
+            )
+            for race in RACES
+        ),
+        *(
+            _column(solved, f"v_{race[0]}", "mm/s", _of_rolling(race, "slip"), f"{race}_slip")
+            for race in RACES
+        ),
+    )
+    table = Table(columns=columns, key="rolling", legends=(legend,), rule=True)
+    facts = Section(said("Motion under friction"), (KeyValues(entries, indent=2),), key="rolling")
+    return [facts, Section("", (table,))]
+
+
+def _spin(race: Race) -> Values:
+    """Spin to roll, if the race touches the ball."""
+
+    def values(solved: Solved) -> FloatArray:
+        own, other = solved.contacts[race], solved.contacts["outer" if race == "inner" else "inner"]
+        touched: BoolArray = own.load[0] > NO_LOAD * other.load[0]
+        return np.where(touched, own.spin_to_roll[0], np.nan)
+
+    return _without_rounding(values)
+
+
+def _of_rolling(race: Race, name: str) -> Values:
+    return lambda solved: getattr(getattr(solved.rolling, race), name)[0]
+
+
+def _cage(rolling: Rolling) -> str:
+    skid = float(rolling.skid[0])
+    values = {
+        "speed": float(rolling.cage_speed[0]),
+        "skid": abs(skid),
+        "usual": float(rolling.control_cage_speed[0]),
+    }
+    if skid >= 0.0:
+        return said(
+            "{speed:.5 rpm}, {skid:.3 %} behind the {usual:.5 rpm} of outer raceway control",
+            **values,
+        )
+    return said(
+        "{speed:.5 rpm}, {skid:.3 %} ahead of the {usual:.5 rpm} of outer raceway control", **values
+    )
+
+
+def _powers(rolling: Rolling, drag: float) -> str:
+    text = said(
+        "{total:.4 W} in the contacts: {inner:.4 W} inner, {outer:.4 W} outer",
+        total=float(rolling.power[0]),
+        inner=float(rolling.inner.power[0].sum()),
+        outer=float(rolling.outer.power[0].sum()),
+    )
+    if drag:
+        own = drag * abs(float(rolling.cage_speed[0]))
+        text += "; " + said("{drag:.4 W} against the cage's drag", drag=own)
+    return text
+
+
+# --- what follows from the state ---------------------------------------------------------------
+
+
+def _what_follows(solved: Solved, analysis: Analysis, notes: list[Note]) -> list[Section | Beside]:
+    """Show film, friction and life; what is to be known of them goes to the notes."""
+    return []
