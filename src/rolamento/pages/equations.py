@@ -918,8 +918,8 @@ REFERENCES: Final[Mapping[str, str]] = {
     "biboulet_houpert_2010": "Biboulet, N.; Houpert, L., Hydrodynamic force and moment in pure "
     "rolling lubricated contacts, part 2: point contacts, Proc. IMechE, Part J 224 (2010).",
     "braga_almeida": "Braga; Almeida, Movimentos relativos, internos ao rolamento de esferas.",
-    "campanha_2008": "Campanha, M. V., Estudo sobre a vida útil de rolamentos fixos de uma carreira "
-    "de esferas, master's dissertation, Universidade de São Paulo, 2008.",
+    "campanha_2008": "Campanha, M. V., Estudo sobre a vida útil de rolamentos fixos de uma "
+    "carreira de esferas, master's dissertation, Universidade de São Paulo, 2008.",
     "greenwood_1961": "Greenwood, J. A.; Minshall, H.; Tabor, D., Hysteresis losses in rolling and "
     "sliding friction, Proc. Royal Society A 259 (1961).",
     "gupta_1992": "Gupta, P. K.; Cheng, H. S.; Zhu, D.; Forster, N. H.; Schrand, J. B., "

@@ -5,12 +5,12 @@ from __future__ import annotations
 import hashlib
 import json
 import os
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence, Set
 from dataclasses import asdict, dataclass
 from datetime import date
 from functools import cached_property
 from math import isfinite
-from typing import Any, Final, Literal
+from typing import Any, Final, Literal, NamedTuple
 
 import numpy as np
 
@@ -232,8 +232,13 @@ class Report:
 
         None where either has no such number; no share of zero, nor of temperatures.
         """
-        first, own = self.cases[0].number(path), self.cases[case].number(path)
-        return difference_of(first, own)
+        return _difference(self.cases[0].number(path), self.cases[case].number(path))
+
+    def input_difference(self, field: str, case: int) -> tuple[float | None, float | None]:
+        """As `difference`, of an input by the name of its field."""
+        return _difference(
+            *(_number_of(own.input(field)) for own in (self.cases[0], self.cases[case]))
+        )
 
     def to_mapping(self) -> dict[str, Any]:
         """Give everything as plain mappings and lists in SI units, NaN as None."""
@@ -260,14 +265,6 @@ class Report:
             if absolute is not None:
                 found[path] = {"absolute": absolute, "relative": relative}
         return found
-
-
-def difference_of(first: float | None, own: float | None) -> tuple[float | None, float | None]:
-    """Return own − first, and that over the first; None where there is no such number."""
-    if first is None or own is None or not (isfinite(first) and isfinite(own)):
-        return None, None
-    absolute = own - first
-    return absolute, absolute / abs(first) if first != 0.0 else None
 
 
 def report_on(
@@ -302,29 +299,41 @@ def report_on(
             f"must be 1 to {MOST_CASES} in one report", field="CASE", value=len(bearings)
         )
     read = [_read(one, settings) for one in bearings]
+    given_over = _named(settings)
+    shown = frozenset(
+        own.field for one in read for own in inputs_of(one.case, one.given, given_over)
+    )
     cases = []
-    for done, (name, (case, source, inputs)) in enumerate(
-        zip(_names(len(read)), read, strict=True)
-    ):
+    for done, one in enumerate(read):
         if progress is not None:
             progress(done, len(read))
+        inputs = inputs_of(one.case, one.given, given_over, shown)
         try:
-            cases.append(_case_report(name, source, case, inputs))
+            cases.append(_case_report(chr(ord("A") + done), one, inputs))
         except InputError as error:
-            raise error if error.source else error.with_details(source=source) from None
+            raise error if error.source else error.with_details(source=one.source) from None
     if progress is not None:
         progress(len(read), len(read))
     return Report(_head(head, [one.case for one in cases]), tuple(cases), __version__)
 
 
-def _case_report(name: str, source: str, case: Case, inputs: tuple[Input, ...]) -> CaseReport:
+def _difference(first: float | None, own: float | None) -> tuple[float | None, float | None]:
+    """By how much a number differs from the first, and that over the first."""
+    if first is None or own is None or not (isfinite(first) and isfinite(own)):
+        return None, None
+    absolute = own - first
+    return absolute, absolute / abs(first) if first != 0.0 else None
+
+
+def _number_of(found: Input | None) -> float | None:
+    value = None if found is None else found.value
+    return float(value) if isinstance(value, int | float) and not isinstance(value, bool) else None
+
+
+def _case_report(name: str, read: _Read, inputs: tuple[Input, ...]) -> CaseReport:
     # a report shows ratings, static safety and lives whether the case asks for them or not
-    asked = case if has_life(case) else case.replace(life=LifeModel())
-    return CaseReport(name, source, case, inputs, analyse(asked))
-
-
-def _names(count: int) -> Iterator[str]:
-    return (chr(ord("A") + index) for index in range(count))
+    case = read.case if has_life(read.case) else read.case.replace(life=LifeModel())
+    return CaseReport(name, read.source, read.case, inputs, analyse(case))
 
 
 def _head(given: ReportHead | Mapping[str, str] | None, cases: Sequence[Case]) -> ReportHead:
@@ -350,22 +359,31 @@ def checksum_of(case: Case) -> str:
 # --- inputs and their origins --------------------------------------------------------------------
 
 
-def _read(bearing: BearingLike, settings: Sequence[str]) -> tuple[Case, str, tuple[Input, ...]]:
-    """Return a case, what it was read from, and its inputs."""
-    if not isinstance(bearing, str | os.PathLike) or is_designation(bearing):
+class _Read(NamedTuple):
+    """A case, what it was read from, and the dotted names of what it gives."""
+
+    case: Case
+    source: str
+    given: frozenset[str]
+
+
+def _read(bearing: BearingLike, settings: Sequence[str]) -> _Read:
+    if not isinstance(bearing, str | os.PathLike):
         case = case_of(bearing, settings)
-        source = str(bearing) if isinstance(bearing, str) else ""
-        given = {"bearing.designation"} if source else set(_fields_set(case, ""))
-        return case, source, inputs_of(case, given, _named(settings))
+        return _Read(case, "", frozenset(_fields_set(case, "")))
+    if is_designation(bearing):
+        case = case_of(bearing, settings)
+        return _Read(case, str(bearing), frozenset({"bearing.designation"}))
     text, source = read_text(bearing)
     form = format_of_path(bearing) or format_of_text(text)
     case = parse_case(text, format=form, source=source, overrides=settings)
-    given = set(_keys(parse_mapping(text, form, source), ""))
-    return case, source, inputs_of(case, given, _named(settings))
+    return _Read(case, source, frozenset(_keys(parse_mapping(text, form, source), "")))
 
 
-def _named(settings: Sequence[str]) -> set[str]:
-    return {".".join(p.strip() for p in one.partition("=")[0].split(".")) for one in settings}
+def _named(settings: Sequence[str]) -> frozenset[str]:
+    """Dotted names of what settings set."""
+    keys = (one.partition("=")[0].split(".") for one in settings)
+    return frozenset(".".join(part.strip() for part in key) for key in keys)
 
 
 def _keys(mapping: Mapping[str, Any], table: str) -> Iterator[str]:
@@ -391,7 +409,12 @@ def _fields_set(record: Any, table: str) -> Iterator[str]:
         yield f"{table}{name}"
 
 
-def inputs_of(case: Case, given: set[str], settings: set[str]) -> tuple[Input, ...]:
+def inputs_of(
+    case: Case,
+    given: Set[str],
+    settings: Set[str] = frozenset(),
+    shown: Set[str] = frozenset(),
+) -> tuple[Input, ...]:
     """Return every field of a case that has a value and matters, with its origin.
 
     Parameters
@@ -400,11 +423,13 @@ def inputs_of(case: Case, given: set[str], settings: set[str]) -> tuple[Input, .
         Of which.
     given, settings
         Dotted names of what its file gives, and of what goes over it.
+    shown
+        Of what is to be shown in any case, beside other cases.
     """
-    return tuple(_inputs(case, given, settings))
+    return tuple(_inputs(case, given, settings, shown))
 
 
-def _inputs(case: Case, given: set[str], settings: set[str]) -> Iterator[Input]:
+def _inputs(case: Case, given: Set[str], settings: Set[str], shown: Set[str]) -> Iterator[Input]:
     for name, field in Case.fields().items():
         top = name.partition(".")[0]
         if top in ("title", "report") or name.endswith((".name", ".source")):
@@ -413,13 +438,13 @@ def _inputs(case: Case, given: set[str], settings: set[str]) -> Iterator[Input]:
             yield from _inputs_of_list(case, field, given)
             continue
         value = _value(case, name)
-        if value is None or not _matters(case, name, given | settings):
+        if value is None or not _matters(case, name, given | settings | shown):
             continue
         origin, source = _origin(case, name, given, settings)
         yield Input(name, value, _unit(field), origin, source)
 
 
-def _inputs_of_list(case: Case, field: Field, given: set[str]) -> Iterator[Input]:
+def _inputs_of_list(case: Case, field: Field, given: Set[str]) -> Iterator[Input]:
     """The entries of a list of tables: rows one by one, points of a viscosity."""
     assert field.listed is not None
     for index, entry in enumerate(_walk(case, field.name) or ()):
@@ -456,7 +481,7 @@ def _value(case: Case, name: str) -> float | int | bool | str | None:
     return str(named) if named is not None else None
 
 
-def _matters(case: Case, name: str, told: set[str]) -> bool:
+def _matters(case: Case, name: str, told: Set[str]) -> bool:
     """Whether a value counts; what is told is shown in any case."""
     if name in told:
         return True
@@ -482,11 +507,11 @@ def _unit(field: Field) -> str:
     return _UNITS.get(field.shown_unit, "") or _OF_DIMENSION.get(field.dimension, "")
 
 
-def _origin(case: Case, name: str, given: set[str], settings: set[str]) -> tuple[Origin, str]:
+def _origin(case: Case, name: str, given: Set[str], settings: Set[str]) -> tuple[Origin, str]:
     parents = [name[:place] for place, sign in enumerate(name) if sign == "."]
     if name in settings:
         return "set", ""
-    if name in given:
+    if name in given or any(one.startswith(f"{name}.") for one in given):
         return "given", ""
     table, _, leaf = name.rpartition(".")
     bearing = case.bearing
@@ -574,6 +599,9 @@ def _extremes(analysis: Analysis) -> dict[str, Any]:
                 own = film.of(race)
                 for name in _OF_FILM:
                     found[f"{race}_{name}"] = float(getattr(own, name)[0, element])
+    if analysis.friction is not None:
+        for source, loss in analysis.friction.heat.items():
+            found[f"heat_{source}"] = float(loss.total[0])
     life = analysis.life
     if life is not None:
         found["reference_load"] = float(life.reference_load[0])
