@@ -51,9 +51,9 @@ GOLDEN: Final = HERE / "golden"
 TOLERANCE: Final = 1e-12
 """Of the scale of a number: the greatest of its family (`_family`)."""
 
-_LEFT_OUT: Final = frozenset(  # what was given, how it was solved, and `computed - printed`
-    {"case", "title", "schema", "version", "residual", "imbalance", "iterations", "notes",
-     "difference"}
+_LEFT_OUT: Final = frozenset(  # what was given and said, how it was solved, `computed - printed`
+    {"case", "title", "schema", "version", "residual", "imbalance", "iterations", "difference",
+     "notes", "reading_notes", "advice", "statement", "reasons", "doubts"}
 )  # fmt: skip
 _KEYED: Final = frozenset({"reason", "reasons", "warnings"})
 """Whose notes are kept, by their keys."""
@@ -363,7 +363,7 @@ def _path(name: str) -> Path:
 
 
 def _load(name: str) -> Any:
-    return json.loads(_path(name).read_text(encoding="utf-8"))
+    return kept(json.loads(_path(name).read_text(encoding="utf-8")))
 
 
 def _save(name: str, value: Any) -> None:
