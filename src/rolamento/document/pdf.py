@@ -55,7 +55,7 @@ __all__ = ["pdf"]
 _PAGE: Final = Path(__file__).with_name("page.typ")
 _WIDEST: Final = 112
 """Characters beside each other across a page, in letters of the size of tables."""
-_WIDEST_HALF: Final = 54
+_WIDEST_HALF: Final = 58
 _TABLE_SIZE: Final = 9.0
 _LEAST_SIZE: Final = 5.5
 _SKETCH_WIDTH: Final = 80
