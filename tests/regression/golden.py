@@ -51,9 +51,9 @@ GOLDEN: Final = HERE / "golden"
 TOLERANCE: Final = 1e-12
 """Of the scale of a number: the greatest of its family (`_family`)."""
 
-_LEFT_OUT: Final = frozenset(  # what was given, how it was solved, and `computed - printed`
-    {"case", "title", "schema", "version", "residual", "imbalance", "iterations", "notes",
-     "difference"}
+_LEFT_OUT: Final = frozenset(  # what was given and said, how it was solved, `computed - printed`
+    {"case", "title", "schema", "version", "residual", "imbalance", "iterations", "difference",
+     "notes", "reading_notes", "advice", "statement", "reasons", "doubts"}
 )  # fmt: skip
 _LONGEST_SERIES: Final = 48
 _LONGEST_TABLE: Final = 24
@@ -201,6 +201,8 @@ def _with_parts(value: dict[str, Any]) -> dict[str, Any]:
 
 
 def _is_prose(value: Any) -> bool:
+    if isinstance(value, dict):  # a note, which was a sentence
+        return value.keys() == {"key", "text", "values"}
     return isinstance(value, str) and bool(_PROSE.search(value))
 
 
@@ -352,7 +354,7 @@ def _path(name: str) -> Path:
 
 
 def _load(name: str) -> Any:
-    return json.loads(_path(name).read_text(encoding="utf-8"))
+    return kept(json.loads(_path(name).read_text(encoding="utf-8")))
 
 
 def _save(name: str, value: Any) -> None:

@@ -71,7 +71,9 @@ def cells(column: Column) -> list[str]:
             next(lined) if numeric and text else text
             for text, numeric in zip(texts, own, strict=True)
         ]
-    return [_centred_dash(text, texts) for text in texts]
+    if column.once:
+        texts = ["" if row and text == texts[row - 1] else text for row, text in enumerate(texts)]
+    return [_centred_dash(text, texts) for text in texts] if is_numeric(column) else texts
 
 
 def cell(value: CellContent, unit: str = "", decimals: int = 0) -> str:

@@ -13,6 +13,7 @@ from rolamento.document.picture import picture_bytes
 from rolamento.errors import FileError
 from rolamento.plots.frame import figure_of
 from rolamento.plots.style import in_style
+from rolamento.words import said
 
 __all__ = ["FORMATS", "check_name", "save_figure"]
 
@@ -51,6 +52,6 @@ def check_name(path: str | os.PathLike[str]) -> str:
     kind = os.path.splitext(os.fspath(path))[1].lower().removeprefix(".")
     if kind not in FORMATS:
         raise FileError(
-            "must end in .png, .svg or .pdf", source=os.fspath(path), example="rosette.pdf"
+            said("must end in .png, .svg or .pdf"), source=os.fspath(path), example="rosette.pdf"
         )
     return kind
