@@ -12,6 +12,7 @@ from typing import Any, Final, TypeVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rolamento._json import dumps
 from rolamento.case import Case
 from rolamento.case.duty import LOADS
 from rolamento.errors import InputError
@@ -27,7 +28,14 @@ from rolamento.static._common import race_stiffness
 from rolamento.studies.fields import Value
 from rolamento.studies.ranges import Range, read_range, refuse_many_singles
 from rolamento.studies.solving import CONVERGED, INVALID_INPUT, array_fields, base_case
-from rolamento.tasks.life import CaseSource, TableSource, case_of, conditions_with, factor_table
+from rolamento.tasks.life import (
+    SCHEMA,
+    CaseSource,
+    TableSource,
+    case_of,
+    conditions_with,
+    factor_table,
+)
 from rolamento.words import said
 
 __all__ = [
@@ -35,6 +43,7 @@ __all__ = [
     "LifeRows",
     "LoadLives",
     "ZoneLife",
+    "curves_json",
     "life_curve",
     "lives_of_rows",
     "lives_over_load",
@@ -130,6 +139,53 @@ class LifeCurve(LifeRows):
     def values(self) -> FloatArray:
         """What it takes, (points,), SI."""
         return self.over.values
+
+    def to_mapping(self) -> dict[str, Any]:
+        """Give all of it as plain values: SI units, hours, millions of revolutions."""
+        leading = self.headline
+        return {
+            "label": self.label,
+            "status": self.status,
+            "headline": {
+                "theory": leading.theory,
+                "hours": leading.hours,
+                "life": leading.life,
+                "holds": leading.valid,
+                "below": leading.below,
+                "reason": leading.reason,
+            },
+            "theories": {
+                name: {
+                    "hours": own.hours,
+                    "life": own.life,
+                    "endless": np.isinf(own.life),
+                    "holds": own.valid,
+                    "below": own.below,
+                    "notes": {key: where for key, where in own.notes.items() if np.any(where)},
+                }
+                for name, own in self.theories.items()
+            },
+            "viscosity_ratio": self.viscosity_ratio,
+            "contamination_factor": self.contamination_factor,
+            "case": self.case.to_mapping(),
+        }
+
+
+def curves_json(curves: Sequence[LifeCurve]) -> str:
+    """Return curves over one field as one JSON object."""
+    first = curves[0]
+    return dumps(
+        {
+            "schema": SCHEMA,
+            "kind": "life_curve",
+            "title": first.case.title,
+            "field": first.field,
+            "unit": first.over.field.unit,
+            "values": first.values,
+            "curves": [curve.to_mapping() for curve in curves],
+        },
+        indent=2,
+    )
 
 
 def life_curve(
