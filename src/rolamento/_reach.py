@@ -24,7 +24,7 @@ def numbers(value: ArrayLike, field: str) -> FloatArray:
         return np.asarray(value, dtype=np.float64)
     except (TypeError, ValueError):
         raise InputError(
-            said("must be a number, or an array of them"),
+            said("must be a number or an array of numbers"),
             field=field,
             value=value,
             example=f"{field} = 1.0",

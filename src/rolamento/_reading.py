@@ -112,19 +112,19 @@ def parse_mapping(text: str, text_format: TextFormat, source: str) -> dict[str, 
         key, or does not hold a table.
     """
     if not text.strip():
-        raise FileError(said("is empty; it should hold a case"), source=source)
+        raise FileError(said("is empty; a case is expected"), source=source)
     parse = _parsed_json if text_format == "json" else _parsed_toml
     try:
         mapping = parse(text)
     except FileError as error:
         raise error.with_details(source=source) from None
     except RecursionError:
-        raise FileError(said("is nested too deep to be a case"), source=source) from None
+        raise FileError(said("is nested too deeply for a case"), source=source) from None
     except ValueError as error:
         raise _syntax_error(error, text, source) from None
     if not isinstance(mapping, dict):
         raise FileError(
-            said("must hold a table (an object, in JSON)"),
+            said("must contain a table (an object in JSON)"),
             source=source,
             example='{"bearing": {…}, "duty": {…}}',
         )
@@ -140,7 +140,7 @@ def _attempt(action: Callable[[], Result], source: str) -> Result:
         reason = (error.strerror or str(error)).lower()
         raise FileError(said("cannot be opened: {reason}", reason=reason), source=source) from None
     except (TypeError, ValueError):
-        raise FileError(said("is not a possible file name"), source=source) from None
+        raise FileError(said("is not a valid file name"), source=source) from None
 
 
 def _regular_file(source: str, most: int, what: str) -> bytes:
@@ -161,7 +161,7 @@ def _standard_input(most: int) -> bytes:
 
 def _decoded(content: bytes, source: str) -> str:
     if len(content) > _LARGEST_FILE:
-        raise FileError(said("is larger than 1 MB; a case is a page of text"), source=source)
+        raise FileError(said("is larger than 1 MB, too large for a case"), source=source)
     wrong = _ENCODING_MARKS.get(content[:2])
     if wrong:
         raise FileError(said("is {encoding} text; save it as UTF-8", encoding=wrong), source=source)
@@ -199,7 +199,7 @@ def _without_repetition(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
 
 
 def _refused(constant: str) -> NoReturn:
-    raise FileError(said("holds {constant}, which is not a number", constant=constant))
+    raise FileError(said("contains {constant}, which is not a number", constant=constant))
 
 
 def _syntax_error(error: ValueError, text: str, source: str) -> FileError:
@@ -208,7 +208,7 @@ def _syntax_error(error: ValueError, text: str, source: str) -> FileError:
         rule = said("is not valid JSON: {reason}", reason=error.msg.lower())
         return FileError(rule, source=source, line=error.lineno)
     if not isinstance(error, tomllib.TOMLDecodeError):  # the interpreter's limit on digits
-        return FileError(said("holds a number with too many digits"), source=source)
+        return FileError(said("contains a number with too many digits"), source=source)
     reason, _, place = str(error).partition(" (at ")
     number = re.match(r"line (\d+)", place)
     line = int(number[1]) if number else text.rstrip().count("\n") + 1

@@ -113,8 +113,8 @@ class Numerals:
             )
         raise InputError(
             said(
-                "is {point} if the point is a decimal one, and {comma} if it parts "
-                "thousands, and the table does not tell",
+                "is {point} if the point is the decimal mark and {comma} if it "
+                "separates thousands; the table does not tell which",
                 point=point,
                 comma=comma,
             ),
@@ -344,14 +344,14 @@ def parse_table(
         if not found:
             separator = next((mark for mark in ";\t" if mark in line), ",")
         if len(found) > most_rows:
-            raise FileError(said("holds more than {most} rows", most=most_rows), source=source)
+            raise FileError(said("has more than {most} rows", most=most_rows), source=source)
         found.append((number, _cells(line, separator, source, number)))
         _check_row(found, separator, source)
     if not found:
-        raise FileError(said("holds no table"), source=source, example=example)
+        raise FileError(said("contains no table"), source=source, example=example)
     (header_line, header), *rows = found
     if len(rows) < least_rows:
-        raise FileError(said("has a header and no rows below it"), source=source, example=example)
+        raise FileError(said("has a header but no rows"), source=source, example=example)
     return Table(
         source,
         told,
@@ -367,7 +367,7 @@ def _cells(line: str, separator: str, source: str, number: int) -> tuple[str, ..
     try:
         cells = next(csv.reader([line], delimiter=separator, strict=True))
     except (csv.Error, StopIteration):
-        rule = said("is not a line of a CSV table; look for a lone quotation mark")
+        rule = said("is not a line of a CSV table; check for an unmatched quotation mark")
         raise FileError(rule, source=source, line=number) from None
     return tuple(cell.strip() for cell in cells)
 

@@ -63,7 +63,7 @@ def written_whole(
         yield unfinished
         _put_in_place(unfinished, target, new)
     except FileExistsError:
-        raise FileError(said("exists already; choose another name"), source=source) from None
+        raise FileError(said("already exists; choose another name"), source=source) from None
     except FileError as error:
         raise error if error.source else error.with_details(source=source) from None
     except OSError as error:
@@ -72,7 +72,7 @@ def written_whole(
     except ValueError as error:
         if "null" not in str(error):
             raise
-        raise FileError(said("is not a possible file name"), source=source) from None
+        raise FileError(said("is not a valid file name"), source=source) from None
     finally:
         if unfinished is not None:
             with suppress(OSError):
@@ -126,7 +126,7 @@ def check_space(needed: int, path: Path) -> None:
     if needed > free:
         raise FileError(
             said(
-                "cannot be written: it takes {needed}, and {free} are free",
+                "cannot be written: it needs {needed}, and {free} are free",
                 needed=_megabytes(needed),
                 free=_megabytes(free),
             ),

@@ -170,7 +170,7 @@ def shown(value: object) -> str:
     if isinstance(value, bool):
         return str(value).lower()
     if isinstance(value, int) and value.bit_length() > 200:
-        return said("a very long whole number")
+        return said("a very long integer")
     return _shortened(_escaped(str(value)), _LONGEST_VALUE)
 
 

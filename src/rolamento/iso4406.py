@@ -33,7 +33,7 @@ def cleanliness_numbers(code: str) -> tuple[int | None, int, int]:
         raise InputError(
             said(
                 "is not an ISO 4406 code: three numbers for particles from 4, 6 and 14 "
-                "µm, of which the first may be -"
+                "µm; the first may be -"
             ),
             field="cleanliness",
             value=code,
@@ -44,14 +44,14 @@ def cleanliness_numbers(code: str) -> tuple[int | None, int, int]:
     given = [number for number in numbers if number is not None]
     if max(given) > _GREATEST_NUMBER:
         raise InputError(
-            said("has a number beyond {most}, the last of the scale", most=_GREATEST_NUMBER),
+            said("has a number above {most}, the end of the scale", most=_GREATEST_NUMBER),
             field="cleanliness",
             value=code,
             example=_EXAMPLE,
         )
     if given != sorted(given, reverse=True):
         raise InputError(
-            said("has numbers that rise: there cannot be more large particles than small ones too"),
+            said("has increasing numbers: there cannot be more large particles than small ones"),
             field="cleanliness",
             value=code,
             example=_EXAMPLE,

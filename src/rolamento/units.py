@@ -212,7 +212,7 @@ def to_si(text: str, dimension: Dimension) -> float:
     try:
         return float(_exact(number) * unit.scale + unit.offset)
     except OverflowError:
-        raise UnitError(said("is beyond the numbers of this machine"), value=text) from None
+        raise UnitError(said("is beyond the range of floating-point numbers"), value=text) from None
 
 
 def from_si(value: float, dimension: Dimension) -> str:
@@ -306,7 +306,7 @@ def _split(text: str, dimension: Dimension) -> tuple[str, str]:
         )
     if unit.startswith(","):
         raise UnitError(
-            said("takes a decimal point, not a comma"), value=text, example=_example(dimension)
+            said("needs a decimal point, not a comma"), value=text, example=_example(dimension)
         )
     return number, unit
 

@@ -201,6 +201,8 @@ def _with_parts(value: dict[str, Any]) -> dict[str, Any]:
 
 
 def _is_prose(value: Any) -> bool:
+    if isinstance(value, dict):  # a note, which was a sentence
+        return value.keys() == {"key", "text", "values"}
     return isinstance(value, str) and bool(_PROSE.search(value))
 
 

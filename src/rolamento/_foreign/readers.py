@@ -74,7 +74,7 @@ class MatlabArrays:
         top = {name: value for name, value in found.items() if not name.startswith("__")}
         self._arrays = dict(_real_arrays(top, "", 0))
         if len(self._arrays) > MOST_VARIABLES:
-            raise FileError(said("holds more than {most} arrays", most=MOST_VARIABLES))
+            raise FileError(said("has more than {most} arrays", most=MOST_VARIABLES))
         inflated = sum(array.nbytes for array in self._arrays.values())
         check_inflated(inflated, size, path)
 

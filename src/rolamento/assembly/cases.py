@@ -117,7 +117,7 @@ def spread(
     """
     if case.mounting is not None:
         raise InputError(
-            said("is for rolamento.solve, which finds the clearance first"),
+            said("is only used by rolamento.solve, which finds the operating clearance first"),
             field="mounting",
             example="rolamento.solve(case)",
         )
@@ -125,7 +125,7 @@ def spread(
     for name in MOUNTED_FIELDS:
         if name in given:
             raise InputError(
-                said("acts by way of the [mounting], and this case has none"),
+                said("takes effect through [mounting], which this case lacks"),
                 field=name,
                 example='[mounting] with bore = "25 mm" and outside_diameter = "62 mm"',
             )
@@ -191,7 +191,7 @@ def _friction(case: Case, arrays: Mapping[str, FloatArray]) -> tuple[FloatArray,
     name = "lubricant.friction_coefficient"
     if name in arrays and case.lubricant is None:
         raise InputError(
-            said("belongs to a lubricant, and this case has none"),
+            said("is a property of a lubricant, and this case has none"),
             field=name,
             example='lubricant = "ISO VG 68"',
         )
@@ -211,7 +211,7 @@ def _preload(
             continue
         if len(signs) < 2:
             raise InputError(
-                said("needs rows that face each other"),
+                said("needs opposed rows"),
                 field=f"bearing.preload.{name}",
                 example='arrangement = "DB"',
             )
@@ -263,7 +263,7 @@ def _position(
         return position
     if bearing.spacing is None:
         raise InputError(
-            said("belongs to an arrangement, and this bearing has none"),
+            said("applies to an arrangement, and this bearing has none"),
             field="bearing.spacing",
             example='arrangement = "DB"',
         )

@@ -184,7 +184,7 @@ class Preload(Record):
             )
         if (self.level is None) != (self.designation is None):
             raise InputError(
-                said("a level and the designation that it is listed for go together"),
+                said("level and designation must be given together"),
                 example='preload = { level = "light", designation = "S 6012 C" }',
             )
         return self

@@ -315,7 +315,7 @@ class Bearing(Record):
             )
         if self.contact_angle is not None and self.diametral_clearance is not None:
             raise InputError(
-                said("is given beside the contact angle; each follows from the other, give one"),
+                said("cannot be combined with the contact angle: each follows from the other"),
                 field="diametral_clearance",
                 value=from_si(self.diametral_clearance, "length"),
                 example='diametral_clearance = "0.015 mm" without contact_angle',
@@ -357,7 +357,7 @@ class Bearing(Record):
     def _check_set(self) -> None:
         if self.arrangement is not None and self.rows is not None:
             raise InputError(
-                said("is given beside the rows one by one; give one"),
+                said("cannot be combined with rows listed one by one"),
                 field="arrangement",
                 value=self.arrangement,
                 example='arrangement = "DB" without rows',
@@ -367,14 +367,14 @@ class Bearing(Record):
                 ("spacing", "arrangement") if self.spacing is None else ("arrangement", "spacing")
             )
             raise InputError(
-                said("is missing beside {beside}", beside=beside),
+                said("is missing; {beside} needs it", beside=beside),
                 field=missing,
                 example='arrangement = "DB" with spacing = "24 mm"',
             )
         signs = {place.sign for place in self.places}
         if self.preload is not None and len(signs) < 2:
             raise InputError(
-                said("needs rows that face each other: these all carry load toward one side"),
+                said("needs opposed rows: these all carry load in the same direction"),
                 field="preload",
                 example='arrangement = "DB"',
             )

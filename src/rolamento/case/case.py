@@ -181,7 +181,7 @@ class Case(Record):
                 warm = getattr(self.temperature, part)
                 if warm is not None:
                     raise InputError(
-                        said("is given without [mounting], and has no effect"),
+                        said("has no effect without [mounting]"),
                         field=f"temperature.{part}",
                         value=from_si(warm, "temperature"),
                         example='[mounting] with bore = "25 mm" and outside_diameter = "62 mm"',
@@ -195,14 +195,16 @@ class Case(Record):
             return self._without_film()
         if self.bearing.is_set:
             raise InputError(
-                said("is available for single bearings; a set takes outer, inner, jones or none"),
+                said(
+                    "is available for single bearings only; a set takes outer, inner, jones or none"
+                ),
                 field="model.raceway_control",
                 value="friction",
                 example='raceway_control = "jones"',
             )
         if self.lubricant is None or not self.lubricant.friction_coefficient:
             raise InputError(
-                said('is missing, and raceway_control = "friction" rests on it'),
+                said('is missing; raceway_control = "friction" needs it'),
                 field="lubricant.friction_coefficient",
                 example='[lubricant] with kind = "dry" and friction_coefficient = 0.1',
             )
@@ -211,7 +213,7 @@ class Case(Record):
         ):
             raise InputError(
                 said(
-                    "needs an oil or a grease in [lubricant], and its temperature in [temperature]"
+                    "needs an oil or a grease in [lubricant] and its temperature in [temperature]"
                 ),
                 field="model.traction"
                 if self.model.traction == "film"
@@ -382,7 +384,7 @@ def _check_catalogue_sizes(bearing: Bearing, mounting: Mounting) -> None:
         if not isclose(told, own, rel_tol=_ROUNDING):
             raise InputError(
                 said(
-                    "must be {told}, that of {designation}",
+                    "must be {told}, the value of {designation}",
                     told=from_si(told, "length"),
                     designation=bearing.designation,
                 ),

@@ -122,8 +122,8 @@ class Duty(Record):
             if shift is not None and load is not None:
                 raise InputError(
                     said(
-                        "is given beside load.{name}; a degree of freedom takes a load or a "
-                        "displacement, not both",
+                        "cannot be combined with load.{name}: a degree of freedom takes a load "
+                        "or a displacement",
                         name=name,
                     ),
                     field=f"displacement.{axis}",

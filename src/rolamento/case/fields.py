@@ -137,7 +137,7 @@ class Field:
         """
         if value is None or isinstance(value, Mapping | list | tuple):
             raise InputError(
-                said("must be one value, not a table or a list of values"),
+                said("must be a single value, not a table or a list"),
                 field=self.name,
                 value=value,
                 example=self.example,
@@ -342,14 +342,14 @@ def _field(name: str, record: type[Record]) -> Field:
         here = tuple(dict.fromkeys(other.split(".")[0] for other in inside))
         if part not in here:
             rule = (
-                said("is not a known key; {guess}", guess=guess(part, here))
+                said("is an unknown key; {guess}", guess=guess(part, here))
                 if here
-                else said("is not a known key; {table} is not a table", table=table[:-1])
+                else said("is an unknown key; {table} is not a table", table=table[:-1])
             )
             raise UnknownKeyError(rule, field=name, example=_EXAMPLE)
         if (leaf := known.get(f"{table}{part}")) is not None and leaf.kind == "list":
             raise InputError(
-                said("is a list; give it in the file"), field=leaf.name, example=_EXAMPLE
+                said("is a list; set it in the file"), field=leaf.name, example=_EXAMPLE
             )
     inside = [other[len(name) + 1 :] for other in known if other.startswith(f"{name}.")]
     here = tuple(dict.fromkeys(other.split(".")[0] for other in inside))
@@ -394,7 +394,9 @@ def _put(mapping: dict[str, Any], name: str, value: object, record: type[Record]
             if value is None:
                 return
             raise InputError(
-                said("is not a table in this case; set it as a whole, or give a table in the file"),
+                said(
+                    "is not a table in this case; set it as a whole, or write a table in the file"
+                ),
                 field=here,
                 value=inner,
             )

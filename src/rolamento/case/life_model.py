@@ -66,10 +66,12 @@ class TallianFactors(Record):
         given = self.failure_rate is not None
         if given != (self.pressure_distribution is not None):
             missing = "pressure_distribution" if given else "failure_rate"
-            raise InputError(said("is missing beside its fellow"), field=missing, example="1.0")
+            raise InputError(
+                said("is missing; surface failures need both factors"), field=missing, example="1.0"
+            )
         if given and self.strength is None:
             raise InputError(
-                said("is missing beside failure_rate"), field="strength", example="1e-97"
+                said("is missing; failure_rate needs it"), field="strength", example="1e-97"
             )
         return self
 
@@ -181,9 +183,9 @@ class LifeModel(Record):
             missing = surface.failure_rate is None
             raise InputError(
                 (
-                    said("is missing: failures from the surface have no factors but the user's")
+                    said("is missing; surface failures have no factors but those given")
                     if missing
-                    else said("is 1 for failures from the surface")
+                    else said("is 1 for surface failures")
                 ),
                 field="tallian_surface." + ("failure_rate" if missing else "defect_shape"),
                 example="1.0",
@@ -198,10 +200,12 @@ class LifeModel(Record):
             return
         if getattr(self, second) is None:
             raise InputError(
-                said("is missing beside {first}", first=first), field=second, example=second_example
+                said("is missing; {first} needs it", first=first),
+                field=second,
+                example=second_example,
             )
         raise InputError(
-            said("is given without {first}", first=first),
+            said("needs {first}", first=first),
             field=second,
             example=f"{first} = {value}",
         )

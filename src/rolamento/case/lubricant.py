@@ -235,14 +235,14 @@ class Lubricant(NamedRecord):
     def _check_dry(self) -> None:
         if self.friction_coefficient is None:
             raise InputError(
-                said("is missing: dry lubrication has nothing else"),
+                said("is missing; dry lubrication is defined by nothing else"),
                 field="friction_coefficient",
                 example="friction_coefficient = 0.17",
             )
         given = [name for name in _WAYS if getattr(self, name) is not None]
         if given:
             raise InputError(
-                said('does not go with kind = "dry": there is no oil'),
+                said('cannot be combined with kind = "dry": there is no oil'),
                 field=given[0],
                 example=f"{given[0]} left out",
             )
@@ -262,9 +262,9 @@ class Lubricant(NamedRecord):
         wanted = 1 if given == ["viscosity_40"] else 0
         if len(hot) != wanted:
             rule = (
-                said("is needed beside viscosity_40, or the viscosity index, and not both")
+                said("is needed with viscosity_40, or else the viscosity index; not both")
                 if wanted
-                else said("does not go with {given}", given=given[0])
+                else said("cannot be combined with {given}", given=given[0])
             )
             raise InputError(
                 rule,
@@ -281,7 +281,7 @@ class Lubricant(NamedRecord):
             raise error.with_details(field="base_oil") from None
         if base.kind != "oil":
             raise InputError(
-                said("must be an oil, and is of the kind {kind}", kind=base.kind),
+                said("must be an oil, and is of kind {kind}", kind=base.kind),
                 field="base_oil",
                 value=name,
                 example=f'base_oil = "{_EXAMPLE}"',
@@ -291,7 +291,7 @@ class Lubricant(NamedRecord):
         cool, hot = self.points
         if cool.temperature == hot.temperature:
             raise InputError(
-                said("are both for the same temperature; two are needed"),
+                said("are both at the same temperature; two are needed"),
                 field="viscosities",
                 value=from_si(cool.temperature, "temperature"),
             )
@@ -326,7 +326,7 @@ class Lubricant(NamedRecord):
     def _check_pressure_viscosity(self) -> None:
         if self.pressure_viscosity is not None and self.pressure_viscosity_method is not None:
             raise InputError(
-                said("is given beside its estimate; give one"),
+                said("cannot be combined with its estimate"),
                 field="pressure_viscosity",
                 value=from_si(self.pressure_viscosity, "pressure_viscosity_coefficient"),
                 example="pressure_viscosity without pressure_viscosity_method",

@@ -181,7 +181,7 @@ class Mounting(Record):
         refuse_rivals(self)
         if self.measuring_load is not None and self.measured_clearance is None:
             raise InputError(
-                said("is given without the clearance that it shows"),
+                said("needs the clearance that was measured"),
                 field="measuring_load",
                 value=from_si(self.measuring_load, "force"),
                 example='measured_clearance = "0.026 mm"',

@@ -57,7 +57,7 @@ class NamedRecord(Record):
             else said("known: {known}", known=", ".join(cls.names())),
         }
         raise InputError(
-            said("is not a known name ({kind}); {guess}", **known),
+            said("is an unknown name ({kind}); {guess}", **known),
             value=name,
             example=f'"{cls.usual}"',
         )

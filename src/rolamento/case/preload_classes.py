@@ -56,7 +56,7 @@ def listed_preload(designation: str, level: Level, contact_angle: float | None) 
             return float(record[level])
     angles = ", ".join(f"{record['angle']:g} deg" for record in records)
     raise InputError(
-        said("is listed for a contact angle of {angles} only", angles=angles),
+        said("is listed for contact angles of {angles} only", angles=angles),
         field="designation",
         value=designation,
         example='contact_angle = "15 deg", or preload = "500 N"',

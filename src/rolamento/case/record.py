@@ -39,7 +39,7 @@ __all__ = [
 _RULES: Final = {
     "missing": marked("is missing"),
     "bool_type": marked("must be true or false"),
-    "int_type": marked("must be a whole number"),
+    "int_type": marked("must be an integer"),
     "string_type": marked("must be text"),
     "string_unicode": marked("must be text"),
     "string_too_long": marked("must be at most {max_length} characters long"),
@@ -185,7 +185,7 @@ def refuse_rivals(record: BaseModel) -> None:
         for before in given[:index]:
             if before in replaced(type(record), name) and name in replaced(type(record), before):
                 raise InputError(
-                    said("is given beside {before}; give one", before=before), field=name
+                    said("cannot be combined with {before}", before=before), field=name
                 )
 
 
@@ -262,7 +262,7 @@ def _completed(
 
 def _unknown_key(path: tuple[str, ...], parent: type[BaseModel] | None) -> UnknownKeyError:
     known = list(parent.model_fields) if parent is not None else []
-    rule = said("is not a known key; {guess}", guess=guess(path[-1], known))
+    rule = said("is an unknown key; {guess}", guess=guess(path[-1], known))
     return UnknownKeyError(rule, field=".".join(path))
 
 

@@ -94,7 +94,7 @@ def varied_arrays(values: Any = None, /, **short: Any) -> dict[str, Floats]:
         if field is None or not field.varies:
             known = (*SHORT_NAMES, *batch_fields())
             raise UnknownKeyError(
-                said("is not a field that varies; {guess}", guess=guess(name, known)),
+                said("is not a field that can vary; {guess}", guess=guess(name, known)),
                 field=name,
                 example=_EXAMPLE,
             )
@@ -136,7 +136,7 @@ def refuse_rivals(names: tuple[str, ...]) -> None:
         for before in names[:index]:
             if before in fields[name].rivals:
                 raise InputError(
-                    said("is given beside {before}; a case takes one of them", before=before),
+                    said("cannot be combined with {before}", before=before),
                     field=name,
                     example=f"{name} without {before}",
                 )
@@ -150,7 +150,7 @@ def _columns(values: Any) -> list[tuple[Any, Any]]:
     if hasattr(values, "columns") and hasattr(values, "__getitem__"):
         return [(name, values[name]) for name in values.columns]
     raise InputError(
-        said("must be values by the names of fields, or a table whose columns are such names"),
+        said("must be values by field names, or a table whose columns are field names"),
         field="values",
         value=type(values).__name__,
         example='{"duty.load.fx": [1e3, 2e3]}',
@@ -184,7 +184,7 @@ def _array(field: Field, value: Any) -> NDArray[Any]:
             return np.array(value, dtype=object)  # NumPy would make texts of the numbers too
         return np.asarray(value)
     except (TypeError, ValueError):  # of lists of different lengths
-        raise _refused(field, value, said("must be a number, or a list of numbers")) from None
+        raise _refused(field, value, said("must be a number or a list of numbers")) from None
 
 
 def _number(field: Field, value: Any) -> float:

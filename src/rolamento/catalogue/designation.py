@@ -105,14 +105,14 @@ def _check_bore_code(text: str, series: str, code: int) -> None:
     if _MIN_BORE_CODE <= code <= _MAX_BORE_CODE:
         return
     if code > _MAX_BORE_CODE:
-        rule = said("is no insert bearing: bore codes end at {most}", most=_MAX_BORE_CODE)
+        rule = said("is not an insert bearing: bore codes end at {most}", most=_MAX_BORE_CODE)
     else:
         rule = (
-            said("is an insert bearing with the internal geometry of 6304: give that")
+            said("is an insert bearing with the internal geometry of 6304; use that")
             if series == "3"
             else said(
-                "is an insert bearing with the internal geometry of 6203 or 6204, depending on the"
-                " maker: give that"
+                "is an insert bearing with the internal geometry of 6203 or 6204, "
+                "depending on the maker; use that"
             )
         )
     raise InputError(rule, field="designation", value=text, example='designation = "6204"')
@@ -237,7 +237,7 @@ def parse_designation(text: str) -> Designation:
     """
     if not text.strip() or len(text) > _LONGEST:
         raise InputError(
-            said("must be a text of 1 to {most} characters", most=_LONGEST),
+            said("must be text of 1 to {most} characters", most=_LONGEST),
             field="designation",
             value=text,
             example='designation = "6205"',
@@ -360,8 +360,8 @@ def _suffixes(groups: list[str], text: str) -> _Suffixes:
                 if part not in classes:
                     raise InputError(
                         said(
-                            "names no clearance class of ISO 5753-1 with {part}; they are C2, CN, "
-                            "C3, C4 and C5",
+                            "names no clearance class of ISO 5753-1 with {part}; the classes are "
+                            "C2, CN, C3, C4 and C5",
                             part=part,
                         ),
                         field="designation",

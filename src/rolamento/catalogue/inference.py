@@ -184,7 +184,7 @@ def inferred_geometry(
     if bearing.dynamic_rating is None and bearing.static_rating is None:
         raise InputError(
             said(
-                "has no load rating to infer the balls from: give ball_count, "
+                "has no load rating to estimate the balls from: give ball_count, "
                 "ball_diameter and pitch_diameter"
             ),
             field="designation",

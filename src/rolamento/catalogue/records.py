@@ -189,7 +189,7 @@ def records_of_toml(text: str, source: str) -> tuple[CatalogueBearing, ...]:
         ) from None
     tables = data.pop("bearing", None)
     if not isinstance(tables, list) or not all(isinstance(table, dict) for table in tables):
-        raise FileError(said("holds no [[bearing]]"), source=source, example="[[bearing]]")
+        raise FileError(said("contains no [[bearing]]"), source=source, example="[[bearing]]")
     _check_keys(data, _TEXTS[1:], source)
     _check_count(len(tables) - 1, source)
     found = []
@@ -219,12 +219,12 @@ def _bearing_within_reason(
         low, high = _LIMITS[name]
         if not (isfinite(value) and low <= value <= high):
             raise InputError(
-                said("must be between {low:.6g} and {high:.6g} in SI", low=low, high=high),
+                said("must be between {low:.6g} and {high:.6g} in SI units", low=low, high=high),
                 field=name,
             )
     balls = figures.get("ball_count")
     if balls is not None and balls != int(balls):
-        raise InputError(said("must be a whole number"), field="ball_count", value=balls)
+        raise InputError(said("must be an integer"), field="ball_count", value=balls)
     if figures["outside_diameter"] <= figures["bore"]:
         raise InputError(said("must be greater than the bore"), field="outside_diameter")
     kind = texts.get("kind") or ("angular_contact" if "contact_angle" in figures else "deep_groove")
@@ -251,9 +251,9 @@ def _check_header(header: Sequence[str]) -> None:
     for name in header:
         if name not in known or header.count(name) > 1:
             rule = (
-                said("is there twice")
+                said("occurs twice")
                 if name in known
-                else said("is not a known column; {guess}", guess=guess(name, known))
+                else said("is an unknown column; {guess}", guess=guess(name, known))
             )
             raise UnknownKeyError(rule, field=name)
 
@@ -261,14 +261,14 @@ def _check_header(header: Sequence[str]) -> None:
 def _check_keys(table: Mapping[str, Any], known: tuple[str, ...], source: str) -> None:
     for name in table:
         if name not in known:
-            rule = said("is not a known key; {guess}", guess=guess(name, known))
+            rule = said("is an unknown key; {guess}", guess=guess(name, known))
             raise UnknownKeyError(rule, field=name, source=source)
 
 
 def _check_count(number: int, source: str) -> None:
     if number >= MAX_BEARINGS:
         raise FileError(
-            said("holds more than {most} bearings", most=MAX_BEARINGS),
+            said("has more than {most} bearings", most=MAX_BEARINGS),
             source=source,
         )
 
@@ -292,7 +292,7 @@ def _figure_of_toml(value: object, name: str) -> float:
         return _plain_number(value, name)
     if not isinstance(value, str):
         raise InputError(
-            said("needs its unit"),
+            said("needs a unit"),
             field=name,
             value=value,
             example=f'{name} = "{_example_quantity(dimension)}"',

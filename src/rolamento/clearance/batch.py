@@ -75,7 +75,10 @@ def operating_batch(
     assert case.mounting is not None
     if case.bearing.is_set:
         raise InputError(
-            said("is available for single rows: what the fits of a set do to its preload is not"),
+            said(
+                "is available for single rows only: the effect of the fits on the "
+                "preload of a set is not modelled"
+            ),
             field="mounting",
         )
     arrays = {name: np.asarray(array, np.float64) for name, array in values.items()}
@@ -127,14 +130,14 @@ def _initial(
     given = mounting.clearance_class or mounting.measured_clearance
     if given and own:
         raise InputError(
-            said("is given, and {field} varies: give one of them", field=min(own)),
+            said("is given, and {field} varies: give only one of them", field=min(own)),
             field="clearance_class" if mounting.clearance_class else "measured_clearance",
             value=given,
         )
     if mounting.measured_clearance is not None and varied:
         raise InputError(
             said(
-                "cannot be read back while {varied} varies; give the clearance itself",
+                "cannot be traced back while {varied} varies; give the clearance itself",
                 varied=varied[0],
             ),
             field="measured_clearance",

@@ -201,7 +201,10 @@ def assembly_of(
     """
     if bearing.is_set:
         raise InputError(
-            said("is available for single rows: what the fits of a set do to its preload is not"),
+            said(
+                "is available for single rows only: the effect of the fits on the "
+                "preload of a set is not modelled"
+            ),
             field="mounting",
         )
     assembly = gathered(bearing, mounting, temperatures, inner_speed, outer_speed)
@@ -342,7 +345,7 @@ class _Rises(NamedTuple):
 
 def _missing_temperature(field: str, beside: str) -> InputError:
     return InputError(
-        said("is missing beside {beside}: the clearance needs both rings", beside=beside),
+        said("is missing; with {beside}, the clearance needs both rings", beside=beside),
         field=f"temperature.{field}",
         example=f'{field} = "60 degC"',
     )
@@ -380,7 +383,7 @@ def _housing_growth(bearing: Any, mounting: Any, speed: ArrayLike) -> Any:
         return 0.0
     if mounting.housing_outside_diameter is None:
         raise InputError(
-            said("is missing: how much a turning housing grows depends on it"),
+            said("is missing; the expansion of a rotating housing depends on it"),
             field="mounting.housing_outside_diameter",
             example='housing_outside_diameter = "100 mm"',
         )
@@ -498,7 +501,9 @@ def initial_band(assembly: Assembly, bearing: Bearing) -> tuple[Band, float | No
     given = [n for n in ("clearance_class", "measured_clearance") if getattr(mounting, n)]
     if given and bearing.contact_angle:
         raise InputError(
-            said("is for bearings given by their clearance; this one has a contact angle"),
+            said(
+                "is for bearings given by their clearance; this one is given by its contact angle"
+            ),
             field=given[0],
             value=getattr(mounting, given[0]),
         )

@@ -123,8 +123,8 @@ def clearance_from_reading(
     if reading < elastic:
         raise InputError(
             said(
-                "is less than the load alone moves this bearing without clearance, "
-                "{deflection}: it has an interference, which a reading does not tell",
+                "is less than the elastic approach under the load alone, {deflection}: "
+                "the bearing has an interference, which this reading cannot show",
                 deflection=from_si(float(f"{elastic:.3g}"), "length"),
             ),
             field="measured_clearance",

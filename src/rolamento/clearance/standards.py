@@ -67,7 +67,7 @@ def step_of(diameter: float, limits: Sequence[float], *, field: str, standard: s
     if not isfinite(size) or not 0 <= found < len(limits) - 1:
         raise InputError(
             said(
-                "is outside {standard}, which covers over {above:.6g} mm to {most:.6g} mm",
+                "is outside {standard}, which covers sizes over {above:.6g} mm up to {most:.6g} mm",
                 standard=standard,
                 above=limits[0],
                 most=limits[-1],
@@ -302,13 +302,13 @@ def _parsed(tolerance: str, letters: tuple[str, ...], field: str, example: str) 
         or found[2] not in toml_of("iso286", "rolamento.clearance")["grades"]
     ):
         _refuse(
-            said("must be one of {known} and a grade from 1 to 12", known=", ".join(letters)),
+            said("must be one of {known} with a grade from 1 to 12", known=", ".join(letters)),
             field,
             tolerance,
             example,
         )
     if found[1] not in {"h", "js", "H", "JS"} and int(found[2]) < _FINEST_SHIFTED:
-        rule = said("has grades 1 and 2 with h, js, H and JS only")
+        rule = said("has grades 1 and 2 for h, js, H and JS only")
         _refuse(rule, field, tolerance, example)
     return found[1], int(found[2])
 
@@ -317,7 +317,7 @@ def _of_j(
     by_grade: dict[str, Any], grade: int, step: int, tolerance: str, field: str, example: str
 ) -> float:
     if str(grade) not in by_grade:
-        rule = said("has j with the grades {grades} only", grades=", ".join(by_grade))
+        rule = said("has j for the grades {grades} only", grades=", ".join(by_grade))
         _refuse(rule, field, tolerance, example)
     return float(by_grade[str(grade)][step])
 

@@ -218,7 +218,7 @@ def _checked(time: ArrayLike, clearance: ArrayLike, law: WearLaw) -> tuple[Float
         bad = ~(np.isfinite(values) & allowed)
         if np.any(bad):
             raise InputError(
-                said("must be finite numbers not less than 0")
+                said("must be finite and not negative")
                 if field == "time"
                 else said("must be finite numbers"),
                 field=field,

@@ -157,9 +157,7 @@ def anderon(
 
 def _check_outputs(signals: list[str], outputs: dict[str, str | None], hours: str | None) -> None:
     """Refuse outputs that would run into each other or over a signal, or lack the hours."""
-    check_outputs(
-        outputs, *signals, rule=marked("is the file of a signal itself; choose another name")
-    )
+    check_outputs(outputs, *signals, rule=marked("is one of the signal files; choose another name"))
     for option in ("--record", "--plot"):
         several = option == "--record" or len(signals) > 1
         if outputs[option] is not None and several and hours is None:
@@ -184,7 +182,7 @@ def _full_scales_of(given: Sequence[str]) -> dict[BandName, FullScale]:
         name = next((band for band in BANDS if band == key.strip().casefold()), None)
         if name is None or not equals:
             raise InputError(
-                said("must be BAND=VALUE, with a BAND of {bands}", bands=", ".join(BANDS)),
+                said("must be BAND=VALUE; BAND is one of {bands}", bands=", ".join(BANDS)),
                 source="--full-scale",
                 value=setting,
                 example=_SCALE_EXAMPLE,
@@ -212,7 +210,7 @@ def _full_scale(text: str, name: BandName) -> FullScale:
         value = nan
     if not (isfinite(value) and 0.0 < value / scale <= _MOST_SCALE):
         raise InputError(
-            said("must be a number of anderons over 0, or a velocity in um/s, mm/s, m/s or in/s"),
+            said("must be a positive number of anderons, or a velocity in um/s, mm/s, m/s or in/s"),
             source="--full-scale",
             field=name,
             value=text,

@@ -203,7 +203,7 @@ def diagnose(
     with plain_endings(lang), in_options(diagnose, tolerance="--slip"):
         outputs = {"--json": json, "--csv": csv, "--plot": plot, "--kurtogram": kurtogram}
         check_outputs(
-            outputs, signal, bearing, rule=marked("is a file that is read; choose another name")
+            outputs, signal, bearing, rule=marked("is one of the input files; choose another name")
         )
         from rolamento import tasks
         from rolamento.cli.quantities import number_given
@@ -253,7 +253,7 @@ def _part_of_one(text: str) -> float:
         value = float(number.removesuffix("%"))
     except ValueError:
         raise InputError(
-            said("must be a part such as 0.03, or in percent"),
+            said("must be a fraction such as 0.03, or a percentage"),
             field="speed_tolerance",
             value=text,
             example=f'speed_tolerance="{_SPEED_TOLERANCE}"',

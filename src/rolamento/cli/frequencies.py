@@ -108,7 +108,7 @@ def _tolerances(given: list[str]) -> Tolerances:
             if not equals or key not in _TOLERANCES:
                 raise InputError(
                     said(
-                        "must be KEY=VALUE, with a KEY of {tolerances}",
+                        "must be KEY=VALUE; KEY is one of {tolerances}",
                         tolerances=", ".join(_TOLERANCES),
                     ),
                     value=setting,
@@ -126,7 +126,7 @@ def _part_of_one(key: str, text: str) -> float:
         return float(text)
     except ValueError:
         raise InputError(
-            said("must be a part"), field=key, value=text, example=f"{key}=0.01"
+            said("must be a fraction"), field=key, value=text, example=f"{key}=0.01"
         ) from None
 
 

@@ -113,7 +113,7 @@ def _split(text: str) -> tuple[str, str]:
 def _rule(kind: Kind, *, least: bool = False) -> str:
     """Return what a value of a kind has to be, from 0 on or whatever its size."""
     if kind == "whole":
-        return said("must be a whole number")
+        return said("must be an integer")
     units = ", ".join(unit for unit in _UNITS.get(kind, {}) if "²" not in unit)
     if least:
         return said("must be a number of at least 0, alone or in {units}", units=units)
@@ -147,7 +147,7 @@ def fields_of(
     """
     if len(text) > _LONGEST:
         raise InputError(
-            said("must be at most {most} characters", most=_LONGEST),
+            said("must be at most {most} characters long", most=_LONGEST),
             source=option,
             example=example,
         )

@@ -340,7 +340,7 @@ def _noise(
     if snr is None and level is None:
         return None
     if snr is not None and level is not None:
-        raise InputError(said("give one of --snr and --noise, not both"), source="--snr")
+        raise InputError(said("give --snr or --noise, not both"), source="--snr")
     fields: dict[str, Any] = {"colour": colour, "of": "faults" if has_faults else "signal"}
     if level is not None:
         fields["level"] = number_of(level, "--noise", "acceleration", EXAMPLES["--noise"])
@@ -349,8 +349,8 @@ def _noise(
     else:
         raise InputError(
             said(
-                "is a ratio to faults, waviness or harmonics of the shaft, and there "
-                "are none; for noise alone give --noise"
+                "is a ratio to faults, waviness or shaft harmonics, and there are "
+                "none; for noise alone give --noise"
             ),
             source="--snr",
             example=EXAMPLES["--noise"],
@@ -367,7 +367,7 @@ def _speed_profile(
     from rolamento.vibration.synthesis import SwingingSpeed, WanderingSpeed
 
     if swing is not None and wander is not None:
-        raise InputError(said("give one of --swing and --wander, not both"), source="--swing")
+        raise InputError(said("give --swing or --wander, not both"), source="--swing")
     if swing is not None:
         return partial(SwingingSpeed, **{"frequency": 0.3, **_fields_given("--swing", swing)})
     if wander is not None:
@@ -383,7 +383,7 @@ def _load(text: str | None) -> dict[str, Any]:
     kind = fields.pop("kind")
     if kind not in _LOADS or (fields and kind != "radial"):
         rule = said(
-            "must be one of {known}; of radial with extent and azimuth", known=", ".join(_LOADS)
+            "must be one of {known}; radial takes extent and azimuth", known=", ".join(_LOADS)
         )
         raise InputError(rule, source="--load", value=text, example=EXAMPLES["--load"])
     azimuth = {"load_azimuth": fields.pop("azimuth")} if "azimuth" in fields else {}

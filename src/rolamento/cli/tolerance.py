@@ -79,7 +79,7 @@ def _percentiles(text: str | None) -> tuple[float, ...]:
         values = [float(part) for part in text[:2000].split(",")]
     except ValueError:
         raise InputError(
-            said("must be numbers with commas between them"),
+            said("must be numbers separated by commas"),
             field="--percentiles",
             value=text,
             example="5,50,95",

@@ -293,14 +293,15 @@ class _Setter:
         if block.headless:
             return []
         words = column.head.split("\n")
-        above = [Text()] * (_head_lines(block) - len(words))
+        count = _head_lines(block)
+        above = [Text()] * (count - len(words))
         if not has_unit_line(block):
             unit = f" {column.unit}" if column.unit and block.units == "behind" else ""
             words[-1] = f"{words[-1]}{unit}".strip()
             return [*above, *(self._text(word + room, "dim") for word in words)]
         lines = [self._text(word + room) for word in words]
         if not column.unit:
-            return [Text(), *above, *lines]
+            return [Text()] * (count + 1 - len(lines)) + lines
         return [*above, *lines, self._text(column.unit + room, "dim")]
 
     def _with_bars(self, table: list[Lines], block: Table, width: int) -> list[Lines]:
@@ -365,8 +366,15 @@ def _padded(cell: Text, width: int, left: bool) -> Text:
 
 
 def _head_lines(block: Table) -> int:
-    """Count the lines of the longest head, without that of the units."""
-    return max((column.head.count("\n") + 1 for column in block.columns), default=1)
+    """Count the lines of the longest head, without that of the units; others may end there."""
+    units = has_unit_line(block)
+    return (
+        max(
+            (c.head.count("\n") + (0 if units and not c.unit else 1) for c in block.columns),
+            default=1,
+        )
+        or 1
+    )
 
 
 def _style_of(cell: Text) -> str:

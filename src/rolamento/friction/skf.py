@@ -228,7 +228,7 @@ def skf_moment(
     bore = 1e3 * checked_positive(bore_diameter, "bore_diameter")
     outside = 1e3 * checked_positive(outside_diameter, "outside_diameter")
     if not np.all(outside > bore):
-        raise InputError(said("must exceed the bore diameter"), field="outside_diameter")
+        raise InputError(said("must be greater than the bore diameter"), field="outside_diameter")
     nu = 1e6 * checked_positive(kinematic_viscosity, "kinematic_viscosity")
     fr = np.abs(checked_numbers(radial_load, "radial_load"))
     fa = np.abs(checked_numbers(axial_load, "axial_load"))

@@ -31,7 +31,7 @@ def positive(value: ArrayLike, field: str, *, zero: bool = False) -> FloatArray:
     low = array < 0.0 if zero else array <= 0.0
     if np.any(low):
         raise InputError(
-            (said("must be zero or more") if zero else said("must be greater than zero")),
+            (said("must not be negative") if zero else said("must be positive")),
             field=field,
             value=float(array[low].flat[0]),
         )

@@ -146,7 +146,7 @@ class Basis:
             viscosity_ratio=_viscosity_ratio(rows, speed, given),
             common_notes={
                 **_notes_on_bearing(solved, given),
-                "at_rest": np.asarray(speed == 0.0),
+                "hours_at_rest": np.asarray(speed == 0.0),
                 "thrust_bearing": np.asarray(steep),
                 "no_dynamic_rating": np.isnan(ratings.dynamic_of_set) & ~steep,
                 "reliability_continued": np.full(len(solved), outside),
@@ -276,7 +276,7 @@ def _angle_of_radial(rows: Rows) -> FloatArray:
     if steep.size and np.all(steep.any(axis=1)):
         raise InputError(
             said(
-                "is a thrust bearing's: the theories of life here are for radial "
+                "is that of a thrust bearing: these life theories are for radial "
                 "bearings, up to 45°"
             ),
             field="bearing.contact_angle",
@@ -305,7 +305,7 @@ def _ratings(solved: Solved, angle: FloatArray, given: LifeConditions) -> Rating
     if dynamic.size and np.all(np.isnan(dynamic)):
         raise InputError(
             said(
-                "is missing: the geometry lies outside the standard's table (D cos "
+                "is missing: the geometry is outside the table of the standard (D cos "
                 "α/d_m from 0.01 to 0.40)"
             ),
             field="dynamic_rating",

@@ -127,7 +127,7 @@ class LifeConditions:
         positive(self.fatigue_limit, "fatigue_limit", zero=True)
         if self.viscosity is not None and self.viscosity_ratio is not None:
             raise InputError(
-                said("is given beside the viscosity, from which it follows; give one"),
+                said("cannot be combined with the viscosity, from which it follows"),
                 field="viscosity_ratio",
                 example="viscosity_ratio = 1.5",
             )

@@ -96,7 +96,7 @@ def class_of_filter(size: float, ratio: float) -> ContaminationClass:
         if micrometres <= row["filter_size"] * (1.0 + 1e-9) and beta >= row["filter_ratio"]:
             return _class(row, "circulating")
     raise InputError(
-        said("is coarser than the standard's last filter, β of 75 at 40 µm"),
+        said("is coarser than the last filter of the standard, β of 75 at 40 µm"),
         field="filter",
         value=f"β = {beta:g} at {micrometres:g} µm",
         example="β = 200 at 12 µm",
@@ -114,7 +114,7 @@ def class_of_grease(level: str) -> ContaminationClass:
     rows = {row["name"]: row for row in figures()["contamination"]["grease"]}
     if level not in rows:
         raise InputError(
-            said("is not a known class; {guess}", guess=guess(str(level), rows)),
+            said("is an unknown class; {guess}", guess=guess(str(level), rows)),
             field="grease_cleanliness",
             value=level,
             example='grease_cleanliness = "normal"',

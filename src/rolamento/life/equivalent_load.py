@@ -149,9 +149,7 @@ def _angle(contact_angle: ArrayLike) -> FloatArray:
     angle = numbers(contact_angle, "contact_angle")
     if np.any((angle < 0.0) | (angle > MAXIMUM_ANGLE * (1.0 + _ROUNDING))):
         raise InputError(
-            said(
-                "must be from 0 to 45°: beyond it a thrust bearing, with tables of its own, begins"
-            ),
+            said("must be from 0 to 45°: above that, the tables for thrust bearings apply"),
             field="contact_angle",
             value=f"{float(np.degrees(np.nanmax(np.abs(angle)))):.4g} deg",
             example='contact_angle = "25 deg"',

@@ -102,7 +102,7 @@ class FactorTable:
         for name in ("viscosity_ratio", "load_parameter"):
             axis = getattr(self, name)
             if axis.ndim != 1 or axis.size < 2 or not np.all(np.diff(axis) > 0.0):
-                raise InputError(said("must be at least two numbers that rise"), field=name)
+                raise InputError(said("must be at least two increasing numbers"), field=name)
         if self.factor.shape != (self.viscosity_ratio.size, self.load_parameter.size):
             raise InputError(
                 said(

@@ -53,7 +53,7 @@ def miner_life(lives: ArrayLike, shares: ArrayLike, *, axis: int = 0) -> FloatAr
     share = positive(shares, "shares", zero=True)
     if share.ndim != 1 or share.size != life.shape[-1]:
         raise InputError(
-            said("must be as many as there are steps, {shape}", shape=life.shape[-1]),
+            said("must be one for each step, {shape}", shape=life.shape[-1]),
             field="shares",
             value=f"{share.size} numbers",
         )
@@ -77,7 +77,7 @@ def revolution_shares(time_shares: ArrayLike, speeds: ArrayLike) -> FloatArray:
     turned = positive(time_shares, "time_shares", zero=True) * np.abs(numbers(speeds, "speeds"))
     total = turned.sum()
     if not total > 0.0:
-        raise InputError(said("must not all be zero: nothing turns"), field="speeds")
+        raise InputError(said("must not all be zero: nothing rotates"), field="speeds")
     return np.asarray(turned / total)
 
 

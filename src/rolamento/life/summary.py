@@ -199,7 +199,7 @@ def life(
     """
     if not isinstance(solved, Solved):
         raise InputError(
-            said("must be what rolamento.solve returned"),
+            said("must be the result of rolamento.solve"),
             field="solved",
             value=type(solved).__name__,
             example="life(rolamento.solve(case))",

@@ -52,7 +52,7 @@ def product(factors: TallianFactors) -> float:
     for name in _FACTORS:
         if getattr(factors, name) is None:
             raise InputError(
-                said("is missing: no constants of Tallian's form are public"),
+                said("is missing: the constants of Tallian's model are not public"),
                 field=name,
                 example="1.0",
             )

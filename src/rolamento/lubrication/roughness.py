@@ -98,7 +98,7 @@ def roughness_of_profile(
         raise InputError(
             said(
                 "is too short: {sampling_lengths} sampling lengths and half a cut-off "
-                "at either end take {needed} points",
+                "at either end need {needed} points",
                 sampling_lengths=sampling_lengths,
                 needed=needed,
             ),
@@ -179,11 +179,11 @@ def _check_lengths(
 ) -> None:
     for name, value in (("spacing", spacing), ("cutoff", cutoff)):
         if not _is_positive(value):
-            raise InputError(said("must be greater than zero"), field=name, value=value)
+            raise InputError(said("must be positive"), field=name, value=value)
     if cutoff < _MINIMUM_POINTS * spacing:
         raise InputError(
             said(
-                "must be at least {least} times the spacing of the points",
+                "must be at least {least} times the point spacing",
                 least=_MINIMUM_POINTS,
             ),
             field="cutoff",
@@ -197,7 +197,7 @@ def _check_lengths(
         )
     if not _is_positive(sampling_lengths) or sampling_lengths != int(sampling_lengths):
         raise InputError(
-            said("must be a whole number from 1 on"),
+            said("must be a positive integer"),
             field="sampling_lengths",
             value=sampling_lengths,
         )

@@ -533,13 +533,13 @@ def theories_section(summary: LifeSummary) -> Section:
     table = Table(
         columns=tuple(columns),
         key="theories",
-        legends=_legends(lives, chosen is not None),
         fixed=2,
         breaks=breaks if _known_conditions(lives) else (),
         units="behind",
         indent=0,
     )
-    return Section(said("Life by theory"), (table,), key="theories")
+    legend = Statement(_legend(lives, chosen is not None), "faint", indent=2)
+    return Section(said("Life by theory"), (table, legend), key="theories")
 
 
 def life_columns(
@@ -580,14 +580,14 @@ def _factor_columns(lives: Sequence[Life], tones: Sequence[Tone]) -> Iterator[Co
             yield Column(head=symbol, values=values, form=FACTOR, key=name, tones=tones)
 
 
-def _legends(lives: Sequence[Life], leads: bool) -> tuple[str, ...]:
+def _legend(lives: Sequence[Life], leads: bool) -> str:
     reliability = said("for {reliability:.7 %} reliability", reliability=lives[0].reliability)
     parts = [reliability, said("κ viscosity ratio"), said("e_C contamination factor")]
     if any(life.below[0] for life in lives):
         parts.append(said("bound: the life is below the number"))
     if leads:
         parts.append(said("▸ most complete valid theory"))
-    return ("; ".join(parts),)
+    return "; ".join(parts)
 
 
 def validity_section(summary: LifeSummary) -> Section:
@@ -645,7 +645,7 @@ def ratings_section(summary: LifeSummary) -> Section:
             align="right",
         ),
         Column(head="", values=[unit for _ in rows], key="unit"),
-        Column(head="", values=[f" {text}" for _, _, text in rows], key="source", tone="faint"),
+        Column(head="", values=[text for _, _, text in rows], key="source", tone="faint"),
     )
     table = Table(columns=columns, key="ratings", headless=True)
     return Section(said("Ratings and loads"), (table,), key="ratings")

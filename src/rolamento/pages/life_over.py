@@ -135,7 +135,7 @@ def _legends(curve: LifeCurve) -> tuple[str, ...]:
         own = curve.case.life
         reliability = _RELIABILITY if own is None else own.reliability
         legends.append(said("for {reliability:.7 %} reliability", reliability=reliability))
-    lives = [*curve.theories.values(), curve.headline]
+    lives: list[Life | Headline] = [*curve.theories.values(), curve.headline]
     if any(not np.all(life.valid | life.below) for life in curve.theories.values()):
         legends.append(said("* the theory is not valid there"))
     if any(np.any(life.below) for life in lives):

@@ -122,7 +122,8 @@ def _table(found: ShaftLife, names: Sequence[str]) -> Table:
     """Set bearings below each other, theories side by side, all together at the foot."""
     shown = [name for name in found.theories if not THEORIES[name].bound]  # of parts say little
     order = sorted(shown, key=lambda name: not THEORIES[name].standard)
-    tones: list[Tone] = [*("" for _ in names), "strong"]
+    tones: list[Tone] = [""] * len(names)
+    tones.append("strong")
     columns = [
         Column(
             head="", values=[*range(1, len(found) + 1), ""], key="number", tone="faint",
@@ -139,7 +140,7 @@ def _table(found: ShaftLife, names: Sequence[str]) -> Table:
     risk = [_share(float(share)) for share in found.headline.risk]
     columns.insert(
         2 + sum(THEORIES[name].standard for name in order),
-        Column(head=said("share") + "\n" + said("of failures"), values=[*risk, ""], unit="%",
+        Column(head=said("failure\nshare"), values=[*risk, ""], unit="%",
                key="failure_share", align="right"),
     )  # fmt: skip
     first = 3 + sum(THEORIES[name].standard for name in order)

@@ -143,7 +143,7 @@ def noise_trend_figure(
 
     words = _WORDS["pt" if language == "pt" else "en"]
     translated = replace(trend, quantities=tuple(words.bands.values()))
-    figure = trend_figure(translated, language=language)
+    figure = trend_figure(translated)
     with styled():
         named = False
         for axes, name in zip(figure.axes, words.bands, strict=True):

@@ -106,7 +106,7 @@ def check_one_case(solved: Solved, figure: str) -> None:
     refuse_other(solved, f"plots.{figure}")
     if len(solved) != 1:
         raise InputError(
-            said("must be of one case"), field="solved", value=len(solved), example="solved[0]"
+            said("must be a single case"), field="solved", value=len(solved), example="solved[0]"
         )
 
 

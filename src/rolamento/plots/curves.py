@@ -133,7 +133,7 @@ def stiffness_over_speed(
     tilts = {position > 2 for position in positions}
     if len(tilts) != 1:
         raise InputError(
-            said("must be shifts, or tilts: they have different units"),
+            said("must be displacements or tilts: they have different units"),
             field="directions",
             value=", ".join(directions),
             example='("x", "z")',
@@ -257,5 +257,5 @@ def _together(**arrays: ArrayLike) -> list[Floats]:
         return [np.array(column) for column in np.broadcast_arrays(*columns)]
     except ValueError:
         raise InputError(
-            said("must be of one length: {arrays}", arrays=", ".join(arrays))
+            said("must have the same length: {arrays}", arrays=", ".join(arrays))
         ) from None

@@ -132,7 +132,7 @@ def most_telling(study: StudyData) -> str:
     """
     known = outputs(study)
     if not known:
-        raise InputError(said("holds no output that could be drawn"), field="data")
+        raise InputError(said("has no output that can be drawn"), field="data")
     return next((name for name in _TELLING if name in known), known[0])
 
 
@@ -150,7 +150,7 @@ def output_of(study: StudyData, name: str) -> PlottedVariable:
     if (size := prod(variable.shape)) > _MOST_VALUES:
         raise InputError(said("is too large for a figure: {size} values", size=size), field=name)
     if not size:
-        raise InputError(said("holds no values"), field=name)
+        raise InputError(said("has no values"), field=name)
     values = np.array(variable.values, dtype=np.float64)
     values = np.where(_failed(study, variable) | ~np.isfinite(values), np.nan, values)
     kept = [size != 1 for size in values.shape]
@@ -170,7 +170,7 @@ def axis_of(study: StudyData, name: str, size: int) -> PlottedVariable:
         return PlottedVariable(name, (name,), np.arange(float(size)), label, NONE)
     column = _input(name if name in along else along[0], coordinate)
     if not np.isfinite(column.values).all():
-        raise InputError(said("holds what is not a number"), field=name)
+        raise InputError(said("contains something that is not a number"), field=name)
     return column
 
 

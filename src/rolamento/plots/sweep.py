@@ -113,7 +113,7 @@ def study_lines(
     table = _table(study, variable, over)
     if table.along == SAMPLE and table.other is None:
         raise InputError(
-            said("does not go with a study of samples alone"), field="kind", value="lines",
+            said("cannot show a study of samples alone"), field="kind", value="lines",
             example="histogram or scatter",
         )  # fmt: skip
     axes = new_figure()[1] if axes is None else axes
@@ -457,7 +457,7 @@ def _along_samples(study: StudyData, variable: str, kind: str) -> PlottedVariabl
     if output.dims != (SAMPLE,):
         raise InputError(
             said(
-                "needs an output that varies along samples alone; {name} varies along {dims}",
+                "needs an output that varies along the samples alone; {name} varies along {dims}",
                 name=output.name,
                 dims=", ".join(output.dims) or "–",
             ),

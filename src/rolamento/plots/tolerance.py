@@ -93,7 +93,7 @@ def tolerance_figure(study: ToleranceStudy, language: str = "en") -> Figure:
         raise InputError(said("has no scattered input to draw"), field="scatter.fields")
     if bands.without_result.ndim or any(band.axes for band in bands.bands):
         raise InputError(
-            said("has axes beside its samples; a figure of tolerance bands is of one point"),
+            said("has axes besides its samples; a figure of tolerance bands shows one point"),
             field="axes",
             example="rolamento plot RESULT",
         )

@@ -43,7 +43,8 @@ def _checked_name(name: str) -> str:
     if name and not (plain.isalnum() and plain.isascii() and name[0].isalpha() and name[-1] != " "):
         raise InputError(
             said(
-                "must be letters, digits, spaces, points, hyphens and underscores, a letter first"
+                "must be letters, digits, spaces, points, hyphens and underscores, "
+                "beginning with a letter"
             ),
             value=name,
         )
@@ -127,7 +128,7 @@ class Axis(Record):
         in_file = at_the_border(info.context)
         if (self.field is None) == (self.zipped is None):
             raise InputError(
-                said("must be given, or zipped with several fields; one of them"),
+                said("must be given; alternatively, zip several fields"),
                 field="field",
                 value=ABSENT if self.field is None else self.field,
                 example='field = "duty.load.fx"',
@@ -189,7 +190,7 @@ class Axis(Record):
             raise InputError(said("must be at least 2 for a range"), field="count", value=count)
         if self.spacing == "log" and not first * last > 0.0:
             raise InputError(
-                said("must not reach zero in a range with logarithmic spacing"),
+                said("must not be zero or change sign in a range with logarithmic spacing"),
                 field="first",
                 value=self.first,
             )
@@ -200,7 +201,7 @@ class Axis(Record):
         whole = np.rint(values)
         if not (np.abs(values - whole) < 1e-9 * np.maximum(np.abs(whole), 1.0)).all():
             raise InputError(
-                said("does not lead to whole numbers; give values"), field="count", value=count
+                said("does not give integers; give values"), field="count", value=count
             )
         return tuple(int(value) for value in whole)
 

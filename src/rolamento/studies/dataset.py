@@ -91,9 +91,7 @@ def _read(process: Isolated, source: str) -> xr.Dataset:
     check_declared(needed, os.path.getsize(source), source)
     if needed > _MOST_BYTES:
         raise FileError(
-            said(
-                "holds {needed:.1f} GB; xarray.open_dataset reads parts of it", needed=needed / 1e9
-            ),
+            said("has {needed:.1f} GB; xarray.open_dataset reads it in parts", needed=needed / 1e9),
             source=source,
         )
     variables = {

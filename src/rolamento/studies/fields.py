@@ -62,7 +62,7 @@ def _advice(name: str, known: Mapping[str, Field]) -> str:
     near = same_leaf[0] if same_leaf else nearest(name, known)
     if near:
         return said("did you mean {near}?", near=near)
-    return said("rolamento sweep --list fields shows all")
+    return said("rolamento sweep --list fields lists them all")
 
 
 def refuse_rivals(names: tuple[str, ...], *, at: str) -> None:

@@ -130,7 +130,7 @@ def friction_curve(
     mu = None if case.lubricant is None else case.lubricant.friction_coefficient
     if mu is None and over.field.name != _COEFFICIENT:
         raise InputError(
-            said("is missing: friction rests on it"),
+            said("is missing; the friction calculation needs it"),
             field=_COEFFICIENT,
             example="--coefficient 0.1",
         )

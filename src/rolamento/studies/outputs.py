@@ -145,10 +145,10 @@ def outputs_of(names: Iterable[str]) -> tuple[Output, ...]:
             advice = (
                 said("did you mean {near}?", near=near)
                 if near
-                else said("rolamento sweep --list outputs shows all")
+                else said("rolamento sweep --list outputs lists them all")
             )
             raise UnknownKeyError(
-                said("is not a known output; {advice}", advice=advice), field="outputs", value=name
+                said("is an unknown output; {advice}", advice=advice), field="outputs", value=name
             )
         found.append(known[name])
     return tuple(found)
@@ -196,7 +196,7 @@ def refuse_missing(outputs: Iterable[Output], case: Case, varied: Iterable[str])
                     _MISSING[need] if of_life is None else (of_life.what, of_life.example)
                 )
                 raise InputError(
-                    said("needs {what}, which the case does not have", what=said(what)),
+                    said("needs {what}, which the case lacks", what=said(what)),
                     field="outputs",
                     value=output.name,
                     example=example,

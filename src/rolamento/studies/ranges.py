@@ -68,7 +68,10 @@ def read_range(text: str, points: int = 40, *, log: bool = False) -> Range:
     begin, end = _value(field, _with_unit(first, last)), _value(field, last)
     if log and not begin * end > 0.0:
         raise InputError(
-            said("must not reach zero with --log"), field="--over", value=text, example=_EXAMPLE
+            said("must not be zero or change sign with --log"),
+            field="--over",
+            value=text,
+            example=_EXAMPLE,
         )
     space = np.geomspace if log else np.linspace
     return Range(field, space(begin, end, points).astype(np.float64))
@@ -85,7 +88,8 @@ def refuse_many_singles(points: int) -> None:
     if points > MOST_SINGLE:
         raise InputError(
             said(
-                "must be at most {most} for a field whose values need a case each", most=MOST_SINGLE
+                "must be at most {most} for a field of which each value needs a case of its own",
+                most=MOST_SINGLE,
             ),
             field="--points",
             value=points,

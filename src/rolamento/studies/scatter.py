@@ -202,7 +202,7 @@ class Distribution(Record):
         if not normal:
             for name in ("mean", "standard_deviation"):
                 if getattr(self, name) is not None:
-                    raise InputError(said("has no place in a uniform distribution"), field=name)
+                    raise InputError(said("does not apply to a uniform distribution"), field=name)
         return self
 
     def law(self, field: fields.Field, *, in_file: bool) -> Law:
@@ -230,7 +230,8 @@ class Distribution(Record):
         if not (low - mean) / spread < FARTHEST or not (high - mean) / spread > -FARTHEST:
             raise InputError(
                 said(
-                    "lies more than {most:.6g} standard deviations from the mean: nothing is left",
+                    "lies more than {most:.6g} standard deviations from the mean: nothing "
+                    "would be left",
                     most=FARTHEST,
                 ),
                 field="least" if low > mean else "greatest",
@@ -268,7 +269,7 @@ def _spread(field: fields.Field, value: object, in_file: bool) -> float:
     if field.dimension is not None and (in_file or isinstance(value, str)):
         if not isinstance(value, str):
             raise InputError(
-                said("needs its unit"),
+                said("needs a unit"),
                 field="standard_deviation",
                 value=value,
                 example=field.example,
@@ -280,7 +281,7 @@ def _spread(field: fields.Field, value: object, in_file: bool) -> float:
     else:
         spread = _number(value)
     if not (spread > 0.0 and math.isfinite(spread)):
-        raise InputError(said("must be greater than zero"), field="standard_deviation", value=value)
+        raise InputError(said("must be positive"), field="standard_deviation", value=value)
     return spread
 
 
@@ -380,7 +381,7 @@ class Scatter(Record):
                     )
             i, j = (order[name] for name in correlation.fields)
             if i == j or matrix[i, j] != 0.0:
-                raise InputError(said("must be two fields, and each pair once"), field=at)
+                raise InputError(said("must be two fields, each pair once"), field=at)
             matrix[i, j] = matrix[j, i] = correlation.coefficient
         return matrix
 

@@ -374,12 +374,10 @@ def _check_study(study: Study) -> None:
     from rolamento.studies.outputs import outputs_of
 
     if study.scatter is None:
-        raise InputError(
-            said("is missing: Sobol's indices are of scattered fields"), field="scatter"
-        )
+        raise InputError(said("is missing: Sobol's indices need scattered fields"), field="scatter")
     if study.axes:
         raise InputError(
-            said("must be left out for Sobol's indices: one point at a time"), field="axes"
+            said("must be left out for Sobol's indices, which are of one point"), field="axes"
         )
     correlated = next((one for one in study.scatter.correlations if one.coefficient != 0.0), None)
     if correlated is not None:
@@ -394,7 +392,10 @@ def _check_study(study: Study) -> None:
     for output in outputs_of(study.outputs):
         if output.per_ball:
             raise InputError(
-                said("is one for each ball; Sobol's indices take outputs of the whole bearing"),
+                said(
+                    "is one value for each ball; Sobol's indices are for outputs of the "
+                    "whole bearing"
+                ),
                 field="outputs",
                 value=output.name,
                 example=f"max_{output.name}",
@@ -485,7 +486,7 @@ def _check_numbers(samples: int, inputs: int, confidence: float, resamples: int)
     if inputs < 1 or samples * (inputs + 2) > _MOST_RUNS:
         raise InputError(
             said(
-                "make {samples} runs with {inputs} inputs; 1 to {most} are run",
+                "would need {samples} runs with {inputs} inputs; at most {most} are allowed",
                 samples=samples * (inputs + 2),
                 inputs=inputs,
                 most=_MOST_RUNS,
@@ -497,7 +498,7 @@ def _check_numbers(samples: int, inputs: int, confidence: float, resamples: int)
     if not 0.0 < confidence < 1.0:
         raise InputError(said("must be between 0 and 1"), field="confidence", value=confidence)
     if not 10 <= resamples <= 10_000:
-        raise InputError(said("must be 10 to 10000"), field="resamples", value=resamples)
+        raise InputError(said("must be from 10 to 10000"), field="resamples", value=resamples)
 
 
 def _design(dimensions: int, samples: int, seed: int) -> Floats:
@@ -530,9 +531,9 @@ def _run(model: Model, names: Sequence[str], draws: Floats) -> tuple[tuple[str, 
     if failed.any():
         raise InputError(
             said(
-                "{failed} of {count} draws have no result, and Sobol's indices need all; "
-                "narrow the distributions, or use rank correlation, which leaves them "
-                "out",
+                "{failed} of {count} draws have no result, and Sobol's indices need "
+                "them all; narrow the distributions, or use rank correlation, which "
+                "leaves them out",
                 failed=int(failed.sum()),
                 count=len(failed),
             ),

@@ -72,8 +72,8 @@ class Store:
         if self.folder.exists() and not self.folder.is_dir():
             raise FileError(
                 said(
-                    "is where parts of the result would be kept, and no folder; move it "
-                    "away, or give another name to the result"
+                    "is where parts of the result are kept, and is not a folder; move it "
+                    "away, or give the result another name"
                 ),
                 source=str(self.folder),
             )
@@ -106,8 +106,8 @@ class Store:
         if self._found_manifest() != self._manifest():
             raise FileError(
                 said(
-                    "holds parts of another study, or of another version of Rolamento; "
-                    "--restart throws them away"
+                    "contains parts of another study, or of another version of Rolamento; "
+                    "--restart discards them"
                 ),
                 source=str(self.folder),
             )
@@ -195,8 +195,8 @@ class Store:
         if foreign:
             raise FileError(
                 said(
-                    "holds {foreign}, which Rolamento did not write and does not remove; "
-                    "move it away, or give another name to the result",
+                    "contains {foreign}, which Rolamento did not write and does not "
+                    "remove; move it away, or give the result another name",
                     foreign=shown(foreign[0]),
                 ),
                 source=str(self.folder),

@@ -121,7 +121,7 @@ class Study(Record):
         refuse_missing(outputs_of(self.outputs), self.case, self.varied)
         for name in self.outputs:
             if self.outputs.count(name) > 1:
-                raise InputError(said("stands there twice"), field="outputs", value=name)
+                raise InputError(said("occurs twice"), field="outputs", value=name)
         if not self.axes and self.scatter is None:
             raise InputError(
                 said("is missing: give axes, a scatter, or both"),
@@ -150,7 +150,7 @@ class Study(Record):
         for number, name in enumerate(names):
             if name in _RESERVED or name in self.outputs or names.count(name) > 1:
                 raise InputError(
-                    said("is the name of something else in the result"),
+                    said("is already a name in the result"),
                     field=f"axes.{number}.name",
                     value=name,
                     example='name = "load case"',
@@ -160,7 +160,7 @@ class Study(Record):
         if self.cases > MOST_CASES:
             raise InputError(
                 said(
-                    "make {cases:.3g} cases; a study has at most {most:.0e}",
+                    "give {cases:.3g} cases; a study has at most {most:.0e}",
                     cases=self.cases,
                     most=MOST_CASES,
                 ),
@@ -170,8 +170,8 @@ class Study(Record):
         if groups > MOST_GROUPS:
             raise InputError(
                 said(
-                    "make {groups} combinations of values that each need a case of their "
-                    "own; at most {most}",
+                    "give {groups} combinations of values that each need a case of their "
+                    "own; at most {most} are allowed",
                     groups=groups,
                     most=MOST_GROUPS,
                 ),
@@ -333,7 +333,7 @@ def _case_of(mapping: Mapping[str, Any], folder: Path, settings: tuple[str, ...]
             raise error.with_details(source=error.source or given) from None
     if not isinstance(given, dict):
         raise InputError(
-            said("must be the name of a case file, or a table"),
+            said("must be the name of a case file or a table"),
             field="case",
             value=given,
             example='case = "case.toml"',

@@ -414,7 +414,7 @@ def clearance_from_temperature(
     if not np.all(np.abs(difference) <= _LARGEST_DIFFERENCE):
         raise InputError(
             said(
-                "must be a number of at most {most:.6g} K either way",
+                "must be between −{most:.6g} K and {most:.6g} K",
                 most=_LARGEST_DIFFERENCE,
             ),
             field="temperature_difference",

@@ -172,7 +172,7 @@ def _of_life(kind: Kind, solved: Solved) -> Axes:
         raise InputError(
             said(
                 "needs a viscosity ratio, or a lubricant and its temperature, and the "
-                "cleanliness of the oil"
+                "oil cleanliness"
             ),
             field="--kind",
             value=kind.value,
@@ -195,7 +195,9 @@ def _of_study(
         chosen = Kind.scatter
     if chosen is Kind.histogram:
         if over:
-            raise InputError(said("does not go with a histogram"), field="--over", value=over)
+            raise InputError(
+                said("cannot be combined with a histogram"), field="--over", value=over
+            )
         axes = sweep.study_histogram(data, variable)
     else:
         drawers = {
@@ -216,7 +218,7 @@ def _check(kind: Kind, possible: tuple[Kind, ...], what: str) -> None:
     if kind not in possible:
         raise InputError(
             said(
-                "does not go with {what}; possible are {possible}",
+                "does not suit {what}; possible: {possible}",
                 what=what,
                 possible=", ".join(possible),
             ),

@@ -252,7 +252,7 @@ def life_of_shaft(
     """
     if not 2 <= len(cases) <= MOST_BEARINGS:
         raise InputError(
-            said("must be 2 to {most} on one shaft", most=MOST_BEARINGS),
+            said("must be from 2 to {most} on one shaft", most=MOST_BEARINGS),
             field="CASE",
             value=len(cases),
         )
@@ -260,7 +260,7 @@ def life_of_shaft(
     reliabilities = {0.9 if case.life is None else case.life.reliability for case in read}
     if len(reliabilities) > 1:
         raise InputError(
-            said("must be one for all bearings of a shaft"),
+            said("must be the same for all bearings of a shaft"),
             field="life.reliability",
             value=", ".join(f"{value:g}" for value in sorted(reliabilities)),
             example="--reliability 0.9",
@@ -315,7 +315,7 @@ def case_of(source: CaseSource) -> Case:
         return source
     if not isinstance(source, str | os.PathLike):
         raise InputError(
-            said("must be a Case, or the path of its file"),
+            said("must be a Case or the path of a case file"),
             field="case",
             value=type(source).__name__,
             example='life_of_case("case.toml")',
@@ -337,7 +337,7 @@ def factor_table(
         return None
     if not all(NSK_CLEANLINESS.met(case) for case in cases):
         raise InputError(
-            said("is missing: the columns of the table of a_NSK hold it"),
+            said("is missing: the columns of the a_NSK table depend on it"),
             field=NSK_CLEANLINESS.name,
             example="--set life.nsk_cleanliness=0.8",
         )

@@ -7,9 +7,11 @@ steps may load different races and rows.
 
 from __future__ import annotations
 
+import csv
 import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from io import StringIO
 from math import isfinite
 from typing import Any, Final, Literal
 
@@ -245,6 +247,41 @@ def _of_theory(own: DutyLife) -> dict[str, Any]:
     }
 
 
+def spectrum_csv(found: SpectrumLife) -> str:
+    """Return the steps, one a line below a header that names the units (RFC 4180)."""
+    text = StringIO(newline="")
+    writer = csv.writer(text)
+    theories = list(found.theories)
+    writer.writerow(
+        [
+            "step",
+            "status",
+            "time_share",
+            "revolution_share",
+            *found.steps.cells,
+            *(f"{name}_h" for name in theories),
+            *(f"{name}_damage" for name in theories),
+        ]
+    )
+    for step in range(len(found.steps)):
+        writer.writerow(
+            [
+                step + 1,
+                str(found.status[step]),
+                _cell(found.time_shares[step]),
+                _cell(found.revolution_shares[step]),
+                *(cells[step] for cells in found.steps.cells.values()),
+                *(_cell(own.steps.hours[step]) for own in found.theories.values()),
+                *(_cell(own.damage[step]) for own in found.theories.values()),
+            ]
+        )
+    return text.getvalue()
+
+
+def _cell(value: float) -> str:
+    return f"{value:.10g}" if isfinite(value) else ""
+
+
 def life_under(
     case: CaseSource,
     steps: DutySteps | str | os.PathLike[str],
@@ -353,7 +390,7 @@ def _both_shares(steps: DutySteps, speed: FloatArray) -> tuple[FloatArray, Float
     """Shares of time and of revolutions."""
     if not np.any(speed[steps.shares > 0.0] > 0.0):
         raise InputError(
-            said("turns in no step: there is no life without rotation"),
+            said("is zero in every step: there is no life without rotation"),
             field="duty.inner_speed",
             source=steps.source,
             example='duty.inner_speed = "2000 rpm"',
@@ -363,7 +400,7 @@ def _both_shares(steps: DutySteps, speed: FloatArray) -> tuple[FloatArray, Float
     standing = np.flatnonzero((speed == 0.0) & (steps.shares > 0.0))
     if standing.size:
         raise InputError(
-            said("has revolutions, and nothing turns; give shares of the time instead"),
+            said("has revolutions, but nothing rotates; give shares of time instead"),
             field="revolutions",
             source=steps.source,
             line=steps.lines[int(standing[0])],
@@ -474,7 +511,7 @@ def _check_header(table: Table) -> None:
     for name in table.header:
         if name and table.header.count(name) > 1:
             raise FileError(
-                said("names a column twice"),
+                said("repeats a column name"),
                 field=name,
                 source=table.source,
                 line=table.header_line,
@@ -487,7 +524,7 @@ def _kind(table: Table) -> Kind:
     if len(given) != 1:
         raise FileError(
             (
-                said("needs a column named share (of the time) or revolutions (shares of them)")
+                said("needs a column named share (of time) or revolutions (shares of them)")
                 if not given
                 else said("has both a column share and a column revolutions; give one")
             ),
@@ -525,7 +562,7 @@ def _fields(table: Table) -> tuple[Field, ...]:
         for name in names:
             if name in _FIXED:
                 raise InputError(
-                    said("is of the whole duty, not of a step; give it in the case"),
+                    said("applies to the whole duty, not to a step; set it in the case"),
                     field="column",
                     value=name,
                 )

@@ -226,24 +226,25 @@ def anderons(
             said("must be 1 to {most} files", most=_MOST_SIGNALS), field="signals", value=len(files)
         )
     if not bearing.strip() or len(bearing) > _LONGEST_NAME or not bearing.isprintable():
-        rule = said("must be one line of {most} characters at most", most=_LONGEST_NAME)
+        rule = said("must be one line of at most {most} characters", most=_LONGEST_NAME)
         raise InputError(rule, field="bearing", value=bearing, example='bearing="9"')
     if not 0.0 < accepted <= 1.0:
-        rule = said("must be a part over 0 and up to 1")
+        rule = said("must be a fraction above 0 and at most 1")
         raise InputError(rule, field="accepted", value=accepted, example="accepted=0.4")
     times = [nan] * len(files) if hours is None else list(hours)
     if hours is not None and (
         len(times) != len(files) or not all(0.0 <= time <= _MOST_HOURS for time in times)
     ):
         rule = said(
-            "must be a number of hours from 0 on for each signal, here {count}", count=len(files)
+            "must be a number of hours, not negative, for each signal, here {count}",
+            count=len(files),
         )
         raise InputError(
             rule, field="hours", value=", ".join(map(str, times)), example="hours=[60, 120, 180]"
         )
     inner_speed = speed_of(speed, "speed")
     if inner_speed == 0.0:
-        rule = said("must not be 0: a bearing that stands still makes no noise")
+        rule = said("must not be 0: a stationary bearing makes no noise")
         raise InputError(rule, field="speed", example='speed="1800 rpm"')
     measured = []
     for path, time in zip(files, times, strict=True):
@@ -278,13 +279,13 @@ def _noise_of(source: SignalFile, path: str, speed: float | None, progress: Prog
         unit = source.unit
         raise InputError(
             said(
-                "is not in the file: give that of a velocity, an acceleration or a displacement,"
-                " or the sensitivity of the sensor"
+                "is not in the file: give the unit of a velocity, an acceleration or a "
+                "displacement, or the sensitivity of the sensor"
             )
             if unit in ("", "1")
             else said(
-                'is "{unit}": give that of a velocity, an acceleration or a displacement, or the'
-                " sensitivity of the sensor",
+                'is "{unit}": give the unit of a velocity, an acceleration or a '
+                "displacement, or the sensitivity of the sensor",
                 unit=unit,
             ),
             field="unit",
@@ -323,7 +324,7 @@ def _check_speeds(found: NoiseResult) -> None:
     in_velocity = any(scale.is_velocity for scale in found.full_scales.values())
     if found.trend is not None and in_velocity and max(speeds) > 1.001 * min(speeds):
         raise InputError(
-            said("must be in anderons, as the speeds of the signals differ"),
+            said("must be in anderons, since the signals have different speeds"),
             field="full_scale",
             example='full_scale={"low": 30.0}',
         )

@@ -152,7 +152,7 @@ class AskedSpeed:
         if len(chosen) > 1:
             raise InputError(
                 said(
-                    "is another way to the speed than {chosen}=…: leave one of them out",
+                    "gives the speed in another way than {chosen}=…: leave one of them out",
                     chosen=chosen[0],
                 ),
                 field=chosen[1],
@@ -164,15 +164,15 @@ class AskedSpeed:
             ("within", self.within, "track", "track=True, within=0.1"),
         ):
             if value is not None and not ways[needed]:
-                rule = said("goes with {needed}=…, which is missing", needed=needed)
+                rule = said("needs {needed}=…, which is missing", needed=needed)
                 raise InputError(rule, field=parameter, value=value, example=example)
         if self.measured:
             for parameter, speed in (("speed", self.inner), ("outer_speed", self.outer)):
                 if speed is not None:
                     raise InputError(
                         said(
-                            "is a steady speed, and {measured}=… a measured one of the ring that "
-                            "turns: leave one of them out",
+                            "is a steady speed, but {measured}=… is the measured speed of the "
+                            "rotating ring: leave one of them out",
                             measured=self.measured,
                         ),
                         field=parameter,
@@ -270,7 +270,7 @@ def _steady(asked: AskedSpeed, of_case: Rings, source: SignalFile) -> KnownSpeed
     if inner is None and outer is None:
         raise _missing(source)
     if not inner and not outer:
-        rule = said("is that of both rings: a bearing that does not turn tells nothing")
+        rule = said("is that of both rings: a bearing at rest shows nothing")
         raise InputError(rule, field="speed", value="0 rpm", example=_EXAMPLE)
     known = _of_numbers(by, inner or 0.0, outer or 0.0)
     return replace(known, choices=_over_file(known.shaft.mean, of_file)) if by == "given" else known
@@ -293,8 +293,8 @@ def _missing(source: SignalFile) -> InputError:
         entries = [f"{name} = {value:.6g}" for name, value in source.speeds_perhaps.items()]
         name = next(iter(source.speeds_perhaps))
         rule = said(
-            "is missing, and is given neither in the file nor in the case; {numbers} in the file"
-            " may be it, without a unit",
+            "is missing, and is given neither in the file nor in the case; "
+            "{numbers} in the file may be it, but without a unit",
             numbers=", ".join(entries[:_MOST_OFFERED]),
         )
         example += f', or speed_channel="{name}", speed_unit="Hz"'
@@ -365,7 +365,7 @@ def _one_ring(of_case: Rings, parameter: str) -> Rings:
 def _both_turn(parameter: str) -> InputError:
     return InputError(
         said(
-            "is the speed of one ring, and both turn: the orders of the bearing "
+            "is the speed of one ring, but both rotate: the orders of the bearing "
             "would change with it"
         ),
         field=parameter,
@@ -458,7 +458,8 @@ def of_tacho(source: SignalFile, part: range, channel: str | int, pulses: int) -
         if count > MOST_TACHO_SAMPLES:
             raise InputError(
                 said(
-                    "is held in memory, up to {most} samples, {most_2:.6g} s; these are {count}",
+                    "is held in memory, up to {most} samples, {most_2:.6g} s; this record "
+                    "has {count}",
                     most=MOST_TACHO_SAMPLES,
                     most_2=MOST_TACHO_SAMPLES / tacho.rate,
                     count=count,
@@ -497,7 +498,7 @@ def _opened_tacho(source: SignalFile, channel: str | int) -> SignalFile:
     if _channel_number(tacho) == _channel_number(source):
         tacho.close()
         raise InputError(
-            said("is the channel of the vibration; choose that of the pulses"),
+            said("is the vibration channel; choose that of the pulses"),
             field="tacho",
             value=channel,
             example="channel=1, tacho=2",
@@ -506,8 +507,8 @@ def _opened_tacho(source: SignalFile, channel: str | int) -> SignalFile:
         tacho.close()
         raise FileError(
             said(
-                "has {length} samples, and the vibration {length_2}: as the file tells "
-                "no rates, they have to be as many",
+                "has {length} samples, and the vibration {length_2}: since the file "
+                "gives no rates, they must be equal",
                 length=tacho.length,
                 length_2=source.length,
             ),
@@ -528,8 +529,8 @@ def _check_extent(tacho: SignalFile, source: SignalFile, part: range, end: int) 
     if end > tacho.length + 1:
         raise FileError(
             said(
-                "ends at {duration:.6g} s, before the signal that is diagnosed, at "
-                "{stop:.6g} s; give a shorter duration=…",
+                "ends at {duration:.6g} s, before the analysed signal, at {stop:.6g} "
+                "s; give a shorter duration=…",
                 duration=tacho.duration,
                 stop=part.stop / source.rate,
             ),
@@ -549,8 +550,8 @@ def _speed_of_pulses(signal: Signal, pulses: int, channel: str | int) -> FloatAr
             rule = said("{rule}, here {count}", rule=rule, count=error.value)
         raise InputError(
             said(
-                "{what}: {rule}; give the channel that holds the pulses, or a part of the record"
-                " with all of them",
+                "{what}: {rule}; give the channel with the pulses, or a part of the "
+                "record that has all of them",
                 what=said(error.field or "pulses"),
                 rule=rule,
             ),
@@ -586,8 +587,8 @@ def found_in_vibration(
     if count < _LEAST * per_turn:  # told before anything is read
         raise InputError(
             said(
-                "must be at least {least:.6g} revolutions of the shaft at its nominal "
-                "speed, {least_2:.3g} s",
+                "must be at least {least:.6g} shaft revolutions at the nominal speed, "
+                "{least_2:.3g} s",
                 least=_LEAST,
                 least_2=_LEAST * per_turn / source.rate,
             ),
@@ -653,7 +654,7 @@ def _of_tracking(error: InputError) -> InputError:
     """Say in words of the task what a path of the speed lacks."""
     if error.field == "tolerance":
         return InputError(
-            said("must be a part over 0 and up to 0.3"),
+            said("must be a fraction above 0 and at most 0.3"),
             field="within",
             value=error.value,
             example="within=0.1",

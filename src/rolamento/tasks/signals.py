@@ -70,7 +70,7 @@ def part_of(file: SignalFile, start: float, duration: float | None) -> range:
     first = round(start * file.rate)
     if first >= file.length:
         rule = said(
-            "must lie before the end of the signal, {duration:.6g} s", duration=file.duration
+            "must be before the end of the signal, {duration:.6g} s", duration=file.duration
         )
         raise InputError(rule, field="start", value=f"{start:g} s", example="start=2")
     count = file.length - first
@@ -78,7 +78,7 @@ def part_of(file: SignalFile, start: float, duration: float | None) -> range:
         # a part of a sample more is no more than rounding
         if not 1 <= round(duration * file.rate) <= count + 1:
             rule = said(
-                "must be over 0 and end within the signal, which lasts {duration:.6g} s",
+                "must be positive and end within the signal, which lasts {duration:.6g} s",
                 duration=file.duration,
             )
             raise InputError(rule, field="duration", value=f"{duration:g} s", example="duration=10")

@@ -77,7 +77,7 @@ def sweep(
     if isinstance(study, Study):
         if tuple(settings):
             raise InputError(
-                said("go over a study file; change the case of a Study"), field="settings"
+                said("apply to a study file; change the case of a Study instead"), field="settings"
             )
         loaded, target = study, Path(result or "study.nc")
     else:
@@ -97,7 +97,7 @@ def _executor(threads: int | None, scheduler: str | None) -> Executor:
         return local_threads(threads)
     if threads is not None:
         raise InputError(
-            said("is given beside --scheduler: the cluster has threads of its own"),
+            said("cannot be combined with --scheduler: the cluster has its own threads"),
             field="--threads",
             value=threads,
         )
@@ -112,7 +112,7 @@ def _check_target(target: Path, study: str) -> None:
         return
     for path, rule in (
         (Path(study), marked("is the study file itself; choose another name")),
-        (case_file_of(study), marked("is the study's case file; choose another name")),
+        (case_file_of(study), marked("is the case file of the study; choose another name")),
     ):
         if path is not None and os.path.realpath(path) == os.path.realpath(target):
             raise FileError(said(rule), source=str(target))
@@ -161,7 +161,7 @@ def tolerance(
         dataset = run(study)
     elif sobol_samples is not None:
         raise InputError(
-            said("needs the study file: indices come from runs of their own"),
+            said("needs the study file: the indices come from runs of their own"),
             field="--sobol",
             source=source,
             example="rolamento tolerance study.toml --sobol 1024",

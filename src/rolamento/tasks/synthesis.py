@@ -235,7 +235,7 @@ def synthesise(
     if inner == outer:
         raise InputError(
             (
-                said("is missing: nothing turns")
+                said("is missing: nothing rotates")
                 if inner == 0.0
                 else said("is that of both rings: no ball rolls")
             ),
@@ -303,7 +303,7 @@ def _check_size(
     """Refuse what would be silent, or too much for memory."""
     if len(faults) > _MOST_FAULTS:
         raise InputError(
-            said("may be {most} at most", most=_MOST_FAULTS), field="faults", value=len(faults)
+            said("may be at most {most}", most=_MOST_FAULTS), field="faults", value=len(faults)
         )
     if not (faults or waviness or shaft_harmonics or noise):
         raise InputError(
@@ -347,12 +347,12 @@ def _check_work(recipe: Recipe) -> None:
     waving = recipe.count * (lines + len(recipe.shaft_harmonics))
     if recipe.count * len(recipe.faults) * len(recipe.modes) > _MOST_RINGING:
         rule = said(
-            "would take too long: {count} samples with so many faults and modes",
+            "would take too long: {count} samples with this many faults and modes",
             count=recipe.count,
         )
         raise InputError(rule, field="duration")
     if waving > _MOST_WAVING:
-        rule = said("would take too long: {count} samples with so many lines", count=recipe.count)
+        rule = said("would take too long: {count} samples with this many lines", count=recipe.count)
         raise InputError(rule, field="waviness")
 
 
@@ -364,14 +364,14 @@ def _refuse_silence(made: Synthesis) -> None:
     if recipe.faults and has_ratio and made.truth.noise_level == 0.0 and not struck:
         raise InputError(
             said(
-                "is the ratio to faults that make no impact with any force: no ball is "
-                "pressed where they lie, or the signal is too short"
+                "is the ratio to faults without any impact: no ball is loaded where "
+                "they are, or the signal is too short"
             ),
             field="ratio",
             value=recipe.noise.ratio if recipe.noise else None,
         )
     if not made.signal.samples.any():
-        rule = said("is silent: no part of it has any strength")
+        rule = said("is silent: no part of it has any amplitude")
         if recipe.faults:
             rule += "; no ball is pressed where the damage lies, or the signal is too short"
         raise InputError(rule, field="signal", example='load="uniform"')

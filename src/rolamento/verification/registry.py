@@ -133,7 +133,7 @@ def _chosen(names: tuple[str, ...]) -> tuple[Source, ...]:
     for name in names:
         if name not in known:
             raise InputError(
-                said("is not a known source; {guess}", guess=guess(name, known)),
+                said("is an unknown source; {guess}", guess=guess(name, known)),
                 field="source",
                 value=name,
                 example=known[0],

@@ -54,7 +54,7 @@ def checked_count(value: object, field: str, *, least: int, most: int, example: 
     """
     whole = isinstance(value, int | np.integer) and not isinstance(value, bool)
     if not whole or not least <= int(value) <= most:  # type: ignore[call-overload]
-        rule = said("must be a whole number from {least} to {most}", least=least, most=most)
+        rule = said("must be an integer from {least} to {most}", least=least, most=most)
         raise InputError(rule, field=field, value=value, example=example)
     return int(value)  # type: ignore[call-overload, no-any-return]
 
@@ -74,7 +74,7 @@ def checked_band(band: object, rate: float, field: str = "band") -> Band:
     if not 0.0 <= low < high <= 0.5 * rate:
         raise InputError(
             said(
-                "must be a lower and a higher frequency from 0 to half the sampling "
+                "must be a lower and an upper frequency from 0 to half the sampling "
                 "rate, {rate:.6g} Hz",
                 rate=0.5 * rate,
             ),
@@ -95,7 +95,7 @@ def require_signal(given: object) -> None:
     """
     if not isinstance(given, Signal):
         raise InputError(
-            said("must be a Signal, which has a rate with its samples"),
+            said("must be a Signal, samples with their rate"),
             field="signal",
             value=type(given).__name__,
             example="Signal(samples, rate=51200.0)",
@@ -120,7 +120,7 @@ def pieces_of(given: Signal | Iterable[Signal]) -> Iterator[Signal]:
         nothing = False
         yield piece
     if nothing:
-        raise InputError(said("holds no samples"), field="signal")
+        raise InputError(said("has no samples"), field="signal")
 
 
 def require_samples(signal: Signal, least: int, purpose: str) -> None:
@@ -183,4 +183,4 @@ def check_within(
 def check_count(field: str, count: int, most: int) -> None:
     """Refuse more of something than there may be."""
     if count > most:
-        raise InputError(said("may hold at most {most}", most=most), field=field, value=count)
+        raise InputError(said("may have at most {most}", most=most), field=field, value=count)

@@ -157,7 +157,7 @@ class _Total:
         if self.least == self.most:
             raise InputError(
                 said(
-                    "does not change over {samples} samples: no sensor was there, or it is "
+                    "is constant over {samples} samples: no sensor was connected, or it is "
                     "the wrong channel",
                     samples=self.samples,
                 ),

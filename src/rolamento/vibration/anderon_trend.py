@@ -136,7 +136,7 @@ def campanha_records() -> tuple[AnderonRecord, ...]:
 def _check_record(record: AnderonRecord) -> None:
     if not isfinite(record.hours) or record.hours < 0.0:
         raise InputError(
-            said("must be a number of hours from 0"),
+            said("must be a number of hours, not negative"),
             field="hours",
             value=record.hours,
             example="60.0",
@@ -144,7 +144,7 @@ def _check_record(record: AnderonRecord) -> None:
     for name, value in record.anderons.items():
         if name not in BANDS or value < 0.0:
             raise InputError(
-                said("must be a number from 0, in one of {bands}", bands=", ".join(BANDS)),
+                said("must be a non-negative number, in one of {bands}", bands=", ".join(BANDS)),
                 field=f"anderons.{name}",
                 value=value,
             )

@@ -114,8 +114,8 @@ def cyclic_coherence(signal: Signal, highest: float, window: int = 256) -> Cycli
     if modulations * carriers > _MOST_VALUES or blocks * carriers > 4 * _MOST_VALUES:
         raise InputError(
             said(
-                "gives a map of {carriers} × {modulations} values; {most} are "
-                "possible; shorten the record or the window",
+                "gives a map of {carriers} × {modulations} values; at most {most} are "
+                "allowed; shorten the record or the window",
                 carriers=carriers,
                 modulations=modulations,
                 most=_MOST_VALUES,
@@ -155,7 +155,7 @@ def enhanced_envelope_spectrum(coherence: CyclicCoherence, band: Band | None = N
     edges = (0.0, float(carrier[-1])) if band is None else band
     inside = bins_of_band(carrier, checked_band(edges, 2.0 * float(carrier[-1])))
     if not np.any(inside):
-        rule = said("holds no carrier, which are {carrier:.4g} Hz apart", carrier=carrier[1])
+        rule = said("contains no carrier; carriers are {carrier:.4g} Hz apart", carrier=carrier[1])
         raise InputError(rule, field="band", value=str(band))
     return Spectrum(
         axis=coherence.modulation,

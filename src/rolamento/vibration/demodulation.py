@@ -153,7 +153,7 @@ def _lines(band: Band, rate: float, count: int) -> tuple[int, int]:
     if last - first < min(_LEAST_LINES, count // 2):
         raise InputError(
             said(
-                "holds fewer than {least} of the signal's lines, which are {rate:.3g} Hz apart",
+                "contains fewer than {least} lines of the signal, which are {rate:.3g} Hz apart",
                 least=_LEAST_LINES,
                 rate=rate / count,
             ),

@@ -282,7 +282,7 @@ def _check_counts(harmonics: int, sidebands: int) -> None:
     if sidebands < 0 or harmonics * (2 * sidebands + 1) > _MOST_LINES:
         raise InputError(
             said(
-                "must be at least 0, and give at most {most} lines with the harmonics",
+                "must be at least 0 and give at most {most} lines with the harmonics",
                 most=_MOST_LINES,
             ),
             field="sidebands",
@@ -396,7 +396,7 @@ def frequencies_of(solved: Solved, *, slip: float = 0.0) -> FaultFrequencies:
     refuse_other(solved, "vibration.frequencies_of")
     if len(solved) != 1:
         raise InputError(
-            said("must be one case"),
+            said("must be a single case"),
             field="solved",
             value=f"{len(solved)} cases",
             example="solved[0]",

@@ -118,8 +118,8 @@ def order_tracked(signal: Signal, samples_per_revolution: float | None = None) -
     if not 2 <= count <= _MOST_SAMPLES:
         raise InputError(
             said(
-                "gives {count} samples over {revolutions:.6g} revolutions; 2 to {most} "
-                "are possible",
+                "gives {count} samples over {revolutions:.6g} revolutions; from 2 to "
+                "{most} are allowed",
                 count=count,
                 revolutions=revolutions[-1],
                 most=_MOST_SAMPLES,
@@ -178,7 +178,7 @@ def _turning(signal: Signal) -> FloatArray:
     require_signal(signal)
     if signal.speed is None:
         raise InputError(
-            said("is missing: the signal does not tell how fast the shaft turns"),
+            said("is missing: the signal has no shaft speed"),
             field="speed",
             example="speed = 188.5",
         )
@@ -188,8 +188,8 @@ def _turning(signal: Signal) -> FloatArray:
     if lowest * highest <= 0.0 or min(abs(lowest), abs(highest)) < _SLOWEST * fastest:
         raise InputError(
             said(
-                "must keep one direction and not come near zero; cut the signal where "
-                "the shaft turns"
+                "must keep its direction and stay clear of zero; cut the signal where "
+                "the shaft rotates steadily"
             ),
             field="speed",
             value=f"{_TURN * lowest:g} to {_TURN * highest:g} rad/s",

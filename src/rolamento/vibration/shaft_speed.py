@@ -157,8 +157,8 @@ def _check_pulses(times: FloatArray) -> None:
     if len(wrong) > 0:
         raise InputError(
             said(
-                "are uneven near {times:.4g} s: one is missing or one too many; check "
-                "the level and the number per revolution",
+                "are uneven near {times:.4g} s: one is missing or extra; check the "
+                "level and the number per revolution",
                 times=times[wrong[0] + 1],
             ),
             field="pulses",
@@ -283,8 +283,7 @@ class _Search:
         if len(signal.samples) < 4 * block:
             raise InputError(
                 said(
-                    "must be at least {turns_per_block} revolutions of the shaft at its "
-                    "nominal speed",
+                    "must be at least {turns_per_block} shaft revolutions at the nominal speed",
                     turns_per_block=4 * _TURNS_PER_BLOCK,
                 ),
                 field="record",
@@ -298,7 +297,8 @@ class _Search:
         if count > _MOST_CANDIDATES or blocks > _MOST_BLOCKS:
             raise InputError(
                 said(
-                    "gives {blocks} blocks of {count} candidates; {most} of {most_2} are possible",
+                    "gives {blocks} blocks of {count} candidates; at most {most} of "
+                    "{most_2} are allowed",
                     blocks=blocks,
                     count=count,
                     most=_MOST_BLOCKS,

@@ -139,7 +139,7 @@ def _checked_samples(given: ArrayLike) -> FloatArray:
     samples = real_numbers(given, "samples", _SAMPLES_EXAMPLE)
     if samples.ndim != 1 or len(samples) == 0:
         raise InputError(
-            said("must be one row of numbers, and have the shape {shape}", shape=samples.shape),
+            said("must be a single row of numbers, and has the shape {shape}", shape=samples.shape),
             field="samples",
             example=_SAMPLES_EXAMPLE,
         )
@@ -152,7 +152,7 @@ def _checked_rate(rate: object) -> float:
     if not 0.0 < number <= _HIGHEST_RATE:
         raise InputError(
             said(
-                "must be a number of samples per second over 0 and up to {most:.6g}",
+                "must be a positive number of samples per second, up to {most:.6g}",
                 most=_HIGHEST_RATE,
             ),
             field="rate",
@@ -167,7 +167,7 @@ def _checked_speed(given: ArrayLike, count: int) -> FloatArray:
     if speed.shape not in ((), (count,)):
         raise InputError(
             said(
-                "must be one number or as many as there are samples ({count}), in rad/s",
+                "must be one number or one for each sample ({count}), in rad/s",
                 count=count,
             ),
             field="speed",
@@ -192,7 +192,7 @@ def real_numbers(given: ArrayLike, field: str, example: str) -> FloatArray:
     except (TypeError, ValueError, OverflowError):
         array = None
     if array is None:
-        rule = said("must be real numbers: a list, an array or a series of them")
+        rule = said("must be real numbers: a list, an array or a series")
         raise InputError(rule, field=field, value=type(given).__name__, example=example)
     array.flags.writeable = False
     return array
@@ -205,7 +205,7 @@ def _refuse_bad(numbers: FloatArray, maximum: float, field: str, example: str) -
         wrong = np.flatnonzero(~(np.abs(np.atleast_1d(numbers)) <= maximum))[0]
         raise InputError(
             said(
-                "must be finite numbers of a size up to {most:.6g}; number {wrong} is not",
+                "must be finite numbers of magnitude up to {most:.6g}; number {wrong} is not",
                 most=maximum,
                 wrong=wrong,
             ),

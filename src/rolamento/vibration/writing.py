@@ -40,13 +40,13 @@ def check_signal_name(path: str | os.PathLike[str], count: int, rate: float) -> 
     ending = os.path.splitext(path)[1].lower()
     if ending not in ENDINGS:
         raise FileError(
-            said("must end in {endings}", endings=", ".join(ENDINGS)),
+            said("must end in one of {endings}", endings=", ".join(ENDINGS)),
             source=path,
             example="signal.npz",
         )
     if ending == ".wav" and not (rate == round(rate) and rate <= _HIGHEST_WAV_RATE):
         raise InputError(
-            said("must be a whole number of Hz in a WAV file; others hold any"),
+            said("must be an integer number of Hz in a WAV file; other formats hold any"),
             field="rate",
             value=rate,
             source=path,

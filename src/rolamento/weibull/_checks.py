@@ -33,7 +33,7 @@ def numbers(values: Any, field: str, example: str) -> FloatArray:
         pass
     if array is None or values is None or hasattr(values, "columns"):
         raise InputError(
-            said("must be numbers: a list, an array or a series of them"),
+            said("must be numbers: a list, an array or a series"),
             field=field,
             value=values if values is None or isinstance(values, str | bool) else ABSENT,
             example=example,
@@ -46,7 +46,7 @@ def share(value: object, field: str, example: str = "0.9") -> float:
     number = _scalar(value)
     if not 0.0 < number < 1.0:
         raise InputError(
-            said("must be between 0 and 1, both excluded"),
+            said("must be between 0 and 1, exclusive"),
             field=field,
             value=value,
             example=example,
@@ -60,7 +60,7 @@ def shares(value: ArrayLike, field: str, example: str = "0.9") -> FloatArray:
     bad = ~((array > 0.0) & (array < 1.0))
     if np.any(bad):
         raise InputError(
-            said("must be between 0 and 1, both excluded"),
+            said("must be between 0 and 1, exclusive"),
             field=field,
             value=value if array.ndim == 0 else float(array[bad].flat[0]),
             example=example,
@@ -73,7 +73,7 @@ def positive(value: object, field: str, example: str) -> float:
     number = _scalar(value)
     if not (0.0 < number < np.inf):
         raise InputError(
-            said("must be a number greater than zero"), field=field, value=value, example=example
+            said("must be a positive number"), field=field, value=value, example=example
         )
     return number
 
@@ -83,7 +83,7 @@ def shape_of(value: object, field: str = "shape") -> float:
     number = positive(value, field, "1.5")
     if number > MAXIMUM_SHAPE:
         raise InputError(
-            said("must be {most:.6g} or less", most=MAXIMUM_SHAPE),
+            said("must be at most {most:.6g}", most=MAXIMUM_SHAPE),
             field=field,
             value=value,
             example="1.5",
@@ -101,7 +101,7 @@ def whole_number(value: object, field: str, least: int, most: int, example: str 
     whole = isinstance(value, int | np.integer) and not isinstance(value, bool)
     if not whole or not least <= int(value) <= most:  # type: ignore[call-overload]
         raise InputError(
-            said("must be a whole number from {least} to {most}", least=least, most=most),
+            said("must be an integer from {least} to {most}", least=least, most=most),
             field=field,
             value=value,
             example=example or str(max(least, 10) if most >= 10 else least),
@@ -114,7 +114,7 @@ def generator(seed: object) -> np.random.Generator:
     whole = isinstance(seed, int | np.integer) and not isinstance(seed, bool)
     if not whole or not 0 <= int(seed) < 2**128:  # type: ignore[call-overload]
         raise InputError(
-            said("must be a whole number, not negative"), field="seed", value=seed, example="0"
+            said("must be a non-negative integer"), field="seed", value=seed, example="0"
         )
     return np.random.default_rng(int(seed))  # type: ignore[call-overload]
 

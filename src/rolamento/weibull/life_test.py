@@ -223,7 +223,7 @@ class LifeTest:
         )
         if which.ndim != 1 or not inside or (mask and len(which) != len(self)):
             raise InputError(
-                said("must be a mask, one entry a row, or the numbers of rows"),
+                said("must be a mask, one entry per row, or row numbers"),
                 field="rows",
                 example="[0, 2]",
             )
@@ -276,7 +276,7 @@ def _flags_of(values: ArrayLike, rows: int) -> BoolArray:
     if array.dtype != np.bool_ and not (
         array.dtype.kind in "iuf" and np.all((array == 0) | (array == 1))
     ):
-        raise InputError(said("must be true or false, one a row"), field="failed", example=_FLAGS)
+        raise InputError(said("must be true or false, one per row"), field="failed", example=_FLAGS)
     return _spread(array.astype(np.bool_), "failed", rows)
 
 
@@ -286,7 +286,7 @@ def _counts_of(values: ArrayLike, rows: int, field: str = "counts") -> IntArray:
     bad = ~((array >= 1.0) & (array <= MAXIMUM_UNITS) & (array == np.floor(array)))
     if np.any(bad):
         raise InputError(
-            said("must be whole numbers from 1 to {most}", most=MAXIMUM_UNITS),
+            said("must be integers from 1 to {most}", most=MAXIMUM_UNITS),
             field=field,
             value=float(array[bad].flat[0]),
             example="[1, 1, 4]",
@@ -294,7 +294,7 @@ def _counts_of(values: ArrayLike, rows: int, field: str = "counts") -> IntArray:
     counts = _spread(array, field, rows).astype(np.int64)
     if counts.sum() > MAXIMUM_UNITS:
         raise InputError(
-            said("must be {most} bearings at most, all together", most=MAXIMUM_UNITS),
+            said("must be at most {most} bearings in total", most=MAXIMUM_UNITS),
             field=field,
         )
     return counts
@@ -314,7 +314,7 @@ def _label_of(value: object, field: str) -> str:
     text = str(value).strip()
     if len(text) > LONGEST_LABEL or not text.isprintable():
         raise InputError(
-            said("must be one line of {most} characters at most", most=LONGEST_LABEL),
+            said("must be one line of at most {most} characters", most=LONGEST_LABEL),
             field=field,
             value=text,
         )
@@ -328,7 +328,7 @@ def _entries(values: ArrayLike, field: str, example: str) -> NDArray[Any]:
     except ValueError:  # lists in lists of several lengths
         array = np.array(None)
     if hasattr(values, "columns") or array.ndim > 1 or (array.ndim == 0 and array[()] is None):
-        raise InputError(said("must be a list, one entry a row"), field=field, example=example)
+        raise InputError(said("must be a list, one entry per row"), field=field, example=example)
     return array
 
 
@@ -338,7 +338,7 @@ def _spread(array: NDArray[Any], field: str, rows: int) -> NDArray[Any]:
         return np.full(rows, array[()])
     if array.shape != (rows,):
         raise InputError(
-            said("must be as long as the times, which are {rows}", rows=rows),
+            said("must be as long as the times, {rows}", rows=rows),
             field=field,
             value=array.shape,
         )
@@ -350,7 +350,7 @@ def _check_times(times: FloatArray, failed: BoolArray, lower: FloatArray) -> Non
     bad = ~((times >= MINIMUM_TIME) & (times <= MAXIMUM_TIME))
     if np.any(bad):
         raise InputError(
-            said("must be finite numbers above zero; leave out a bearing that never ran"),
+            said("must be finite and positive; leave out a bearing that never ran"),
             field="times",
             value=float(times[bad][0]),
             example=_EXAMPLE,
@@ -359,7 +359,7 @@ def _check_times(times: FloatArray, failed: BoolArray, lower: FloatArray) -> Non
     bad = given & ~((lower >= 0.0) & (lower < times) & failed)
     if np.any(bad):
         raise InputError(
-            said("must lie below the time of its row, and only a failed bearing has one"),
+            said("must be below the time of its row, and only a failed bearing has one"),
             field="lower",
             value=float(lower[bad][0]),
             example="lower = [100.0], times = [150.0]",

@@ -37,9 +37,9 @@ def life_with_unit(text: object, field: str, example: str = "1000 h") -> tuple[f
     if match is None:
         rule = said("must be a number with its unit")
     elif not match[2]:
-        rule = said("needs its unit")
+        rule = said("needs a unit")
     elif not 0.0 < float(match[1]) < float("inf"):
-        rule = said("must be greater than zero")
+        rule = said("must be positive")
     if match is None or rule:
         raise InputError(rule, field=field, value=text, example=f'"{example}"')
     return float(match[1]), match[2]

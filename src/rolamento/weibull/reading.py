@@ -336,7 +336,7 @@ def header_of(cells: Sequence[str], wanted: Mapping[str, str]) -> Header:
         if column in places:
             example = f'{_kind_of(column)}="{title}"' if column in _CHOICES else ""
             raise InputError(
-                said("is there twice, perhaps by another name"), field=title, example=example
+                said("occurs twice, perhaps under another name"), field=title, example=example
             )
         places[column] = place
     _refuse_slips(cells, unknown, places)
@@ -357,8 +357,8 @@ def check_status(header: Header, rows: Sequence[Sequence[str]]) -> None:
         if title in header.passed_over and {folded_name(row[place]) for row in rows} <= known:
             raise InputError(
                 said(
-                    "seems to say what failed, by a name that is not known; say that it "
-                    "does, or leave it out"
+                    "seems to say what failed, but by an unknown name; choose it as the "
+                    "status, or leave it out"
                 ),
                 field=title,
                 example=f'status="{title}"',
@@ -372,7 +372,7 @@ def row_of(cells: Sequence[str], header: Header, numerals: Numerals) -> Row:
     time = _number_in(given["time"], titles["time"], numerals)
     if not MINIMUM_TIME <= time <= MAXIMUM_TIME:
         raise InputError(
-            said("must be above zero, and {most:.6g} at most", most=MAXIMUM_TIME),
+            said("must be positive and at most {most:.6g}", most=MAXIMUM_TIME),
             field=titles["time"],
             value=given["time"],
             example="120.5",
@@ -400,7 +400,7 @@ def _chosen_columns(cells: Sequence[str], wanted: Mapping[str, str]) -> dict[int
     for column, title in wanted.items():
         place = place_of(cells, title)
         if place in chosen:
-            raise InputError(said("is chosen for two things"), field=title)
+            raise InputError(said("is chosen for two purposes"), field=title)
         chosen[place] = column
     return chosen
 
@@ -422,7 +422,7 @@ def place_of(cells: Sequence[str], title: str) -> int:
         if True in names:
             return names.index(True)
     rule = said(
-        "is not a column of the file; there are: {known}", known=", ".join(filter(None, cells))
+        "is not a column of the file; the columns are {known}", known=", ".join(filter(None, cells))
     )
     raise InputError(rule, field=title)
 
@@ -445,7 +445,7 @@ def _refuse_slips(cells: Sequence[str], unknown: Sequence[int], places: Mapping[
         column = _COLUMN_OF[near[0]] if near else ""
         if column and _kind_of(column) not in there:
             raise UnknownKeyError(
-                said("is not a known column; did you mean {near}?", near=near[0]),
+                said("is an unknown column; did you mean {near}?", near=near[0]),
                 field=cells[place],
             )
 
@@ -453,18 +453,18 @@ def _refuse_slips(cells: Sequence[str], unknown: Sequence[int], places: Mapping[
 def _check_columns(places: Mapping[str, int]) -> None:
     if "time" not in places:
         raise InputError(
-            said("has no column of times by a usual name"),
+            said("has no column of times under a usual name"),
             field="header",
             example='time,status; or time="name of the column"',
         )
     if sum(name in places for name in _KINDS_OF_STATUS) > 1:
         raise InputError(
-            said("tells in two columns whether a bearing failed"),
+            said("says in two columns whether a bearing failed"),
             field="header",
             example='status="name of the column"',
         )
     if "size" in places and ("count" in places or "lower" in places):
-        raise InputError(said("has sizes of rigs beside counts or inspections"), field="header")
+        raise InputError(said("has rig sizes besides counts or inspections"), field="header")
 
 
 def word_and_unit(title: str) -> tuple[str, str]:
@@ -511,7 +511,7 @@ def _last_inspection(
         )
     if not 0.0 <= lower < time:
         raise InputError(
-            said("must be 0 or more, and below the time"), field=titles["lower"], value=cell
+            said("must be at least 0 and below the time"), field=titles["lower"], value=cell
         )
     return lower
 
@@ -519,9 +519,9 @@ def _last_inspection(
 def _number_in(cell: str, title: str, numerals: Numerals) -> float:
     value = numerals.number(cell)
     if value is None:
-        rule = said("must be a number, without unit")
+        rule = said("must be a number without unit")
         if "," in cell and not numerals.commas:
-            rule = said("must have a decimal point where commas part the cells")
+            rule = said("must have a decimal point where commas separate the cells")
         raise InputError(rule, field=title, value=cell, example="120.5")
     return value
 
@@ -531,7 +531,7 @@ def _whole_number_in(given: dict[str, str], titles: dict[str, str], column: str)
     number = _number_in(cell, titles.get(column, column), Numerals(commas=True))
     if not 1.0 <= number <= MAXIMUM_UNITS or number != int(number):
         raise InputError(
-            said("must be a whole number from 1 to {most}", most=MAXIMUM_UNITS),
+            said("must be an integer from 1 to {most}", most=MAXIMUM_UNITS),
             field=titles[column],
             value=cell,
             example="4",
@@ -543,7 +543,7 @@ def _label_in(given: dict[str, str], titles: dict[str, str], column: str) -> str
     cell = given.get(column, "")
     if len(cell) > LONGEST_LABEL or not cell.isprintable():
         raise InputError(
-            said("must be one line of {most} characters at most", most=LONGEST_LABEL),
+            said("must be one line of at most {most} characters", most=LONGEST_LABEL),
             field=titles[column],
             value=cell,
         )

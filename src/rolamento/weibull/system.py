@@ -122,12 +122,12 @@ def _distributions(
         gamma = np.array([np.nan])
     if not np.all((gamma >= 0.0) & np.isfinite(gamma)) or beta.ndim != 1:
         raise InputError(
-            said("must be one number, not negative, for each bearing"),
+            said("must be one non-negative number for each bearing"),
             field="locations",
             example="[0.0, 0.0]",
         )
     if not (np.all(np.isfinite(eta)) and np.all(beta <= 1000.0)):
-        raise InputError(said("must be finite, the shapes 1000 or less"), field="scales")
+        raise InputError(said("must be finite, and the shapes at most 1000"), field="scales")
     return beta, eta, gamma
 
 
@@ -135,7 +135,7 @@ def _positive_numbers(values: ArrayLike, field: str) -> FloatArray:
     array = np.atleast_1d(numbers(values, field, "[1000.0, 800.0]"))
     if array.shape[-1] > _MAXIMUM_PARTS or not array.size or not np.all(array > 0.0):
         raise InputError(
-            said("must be 1 to {most} numbers above zero", most=_MAXIMUM_PARTS),
+            said("must be from 1 to {most} positive numbers", most=_MAXIMUM_PARTS),
             field=field,
             example="[1000.0, 800.0]",
         )

@@ -291,7 +291,7 @@ class _Columns:
         name = cells[self.bearing]
         if not name or len(name) > LONGEST_LABEL or not name.isprintable():
             raise InputError(
-                said("must be a name of {most} characters at most", most=LONGEST_LABEL),
+                said("must be a name of at most {most} characters", most=LONGEST_LABEL),
                 field="bearing",
                 value=name,
             )
@@ -327,7 +327,7 @@ def _name_and_unit(cell: str) -> tuple[str, str]:
     name, unit = (match[1], match[2].strip()) if match else (cell, "")
     if len(name) > LONGEST_LABEL or not cell.isprintable():
         raise InputError(
-            said("must be a name of {most} characters at most", most=LONGEST_LABEL),
+            said("must be a name of at most {most} characters", most=LONGEST_LABEL),
             field="header",
             value=cell,
         )

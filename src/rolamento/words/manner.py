@@ -50,6 +50,7 @@ UNITS: Final[dict[str, tuple[float, float]]] = {
     "°": (180.0 / pi, 0.0),
     "rad/s": (1.0, 0.0),
     "rpm": (30.0 / pi, 0.0),
+    "10⁶ mm·rpm": (30.0 / pi * 1e-3, 0.0),
     "Hz": (1.0, 0.0),
     "kHz": (1e-3, 0.0),
     "N": (1.0, 0.0),
@@ -203,7 +204,9 @@ class Manner(Formatter):
         """Write what a template holds in one of its places."""
         if isinstance(value, str):
             return value
-        if isinstance(value, bool) or value is None:
+        if value is None:
+            return ABSENT
+        if isinstance(value, bool):
             return str(value)
         if isinstance(value, int) and not format_spec:
             return self.fixed(value, 0)

@@ -454,7 +454,7 @@ def band_spectra(blocks: Iterable[Block], plan: Plan) -> BandSpectra:
         if watch.usable(block.samples):
             sums.add(block)
     if sums is None:
-        raise InputError(said("holds no samples"), field="signal")
+        raise InputError(said("has no samples"), field="signal")
     number, samples = (sums.number, sums.samples) if sums.number else (1, length)
     return BandSpectra(
         plain=sums.powers[0] / number,

@@ -150,7 +150,7 @@ def _alike(pieces: Iterable[Signal], *, steady: bool) -> Iterator[Signal]:
         same_speed = not steady or (_steady(piece) and piece.mean_speed == first.mean_speed)
         if piece.rate != first.rate or not same_speed or (not steady and _steady(piece)):
             raise InputError(
-                said("must have the same rate, and all one steady speed or all a speed per sample"),
+                said("must have the same rate, and all a steady speed or all a speed per sample"),
                 field=marked("pieces of a signal"),
             )
         yield piece

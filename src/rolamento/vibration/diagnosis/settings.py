@@ -72,7 +72,7 @@ class FaultOrders:
             self._check(spacing, least=0.0)
         if len(self.known) > _MOST_KNOWN:
             raise InputError(
-                said("must be up to {most} orders", most=_MOST_KNOWN),
+                said("must be at most {most} orders", most=_MOST_KNOWN),
                 field="known",
                 example="(0.5,)",
             )

@@ -85,7 +85,7 @@ def diagnose(
     blocks = iter(blocks_of(signal, chosen.block_revolutions))
     first = next(blocks, None)
     if first is None:
-        raise InputError(said("holds no samples"), field="signal")
+        raise InputError(said("has no samples"), field="signal")
     shaft = shaft_lines(first, chosen.speed_tolerance)
     freedom = 0.0 if shaft.confirmed else chosen.speed_tolerance
     present = [part for part in COMPONENTS if orders.fundamental(part) is not None]

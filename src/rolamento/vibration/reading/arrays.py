@@ -200,11 +200,11 @@ class NumpySource(ArraysSource):
         members = [m for m in self._archive.zip.infolist() if m.filename.endswith(".npy")]
         if len(members) > MOST_VARIABLES:
             raise FileError(
-                said("holds more than {most} arrays", most=MOST_VARIABLES), source=self._source
+                said("has more than {most} arrays", most=MOST_VARIABLES), source=self._source
             )
         check_inflated(sum(member.file_size for member in members), size, self._source)
         if any(member.compress_type not in _COMPRESSIONS for member in members):
-            rule = said("is compressed in another way than numpy.savez_compressed does")
+            rule = said("is compressed in another way than by numpy.savez_compressed")
             raise FileError(rule, source=self._source)
         if any(member.flag_bits & _ENCRYPTED for member in members):
             raise FileError(said("is encrypted"), source=self._source)
@@ -279,7 +279,7 @@ class _Header(NamedTuple):
         if dtype.kind not in "iuf" or dtype.itemsize > 8:
             raise FileError(
                 said("must be real numbers: arrays of objects, structures and text are not read"),
-                field=marked("type of the array"),
+                field=marked("array type"),
                 value=str(dtype)[:40],
                 example="numpy.save(path, samples.astype(float), allow_pickle=False)",
             )
@@ -290,7 +290,7 @@ class _Header(NamedTuple):
         if min(self.shape, default=0) < 0 or prod(self.shape) * self.dtype.itemsize > size:
             raise FileError(
                 said(
-                    "is cut off or damaged: an array of the shape {shape} does not fit into it",
+                    "is truncated or damaged: an array of shape {shape} does not fit into it",
                     shape=self.shape,
                 ),
                 source=source,

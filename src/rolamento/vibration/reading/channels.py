@@ -163,12 +163,12 @@ def checked_channels(channels: Iterable[Channel], source: str, kind: str) -> tup
     for channel in channels:
         if len(found) == MOST_CHANNELS:
             raise FileError(
-                said("holds more than {most} channels", most=MOST_CHANNELS), source=source
+                said("has more than {most} channels", most=MOST_CHANNELS), source=source
             )
         found.append(channel)
     if not found:
         raise FileError(
-            said("is a {kind} without a channel of real numbers", kind=kind), source=source
+            said("is a {kind} file without a channel of real numbers", kind=kind), source=source
         )
     return tuple(found)
 
@@ -234,7 +234,7 @@ def chosen_channel(channels: tuple[Channel, ...], wanted: Any) -> int:
         return int(wanted) - 1
     near = nearest(wanted, names) if isinstance(wanted, str) else ""
     raise InputError(
-        said("must be one, and only one, of: {channels}", channels=_listed(channels)),
+        said("must be one, and only one, of {channels}", channels=_listed(channels)),
         field="channel",
         value=wanted,
         example=_example(channels, names.index(near) if near else 0),
@@ -380,7 +380,7 @@ def chosen_speed(source: Source, samples: int, wanted: Any, unit: Any) -> ShaftS
     if wanted is None:
         if unit is not None:
             raise InputError(
-                said("is that of a speed_channel, and none is given"),
+                said("needs a speed_channel, and none is given"),
                 field="speed_unit",
                 value=unit,
                 example='speed_channel="rpm"',
@@ -440,7 +440,7 @@ def _number_of(source: Source, wanted: Any) -> int:
 
 def _steady(value: float, name: str, of_file: str, unit: Any) -> ShaftSpeed:
     if not isfinite(value):
-        rule = said("is not a finite number: the file does not tell the speed")
+        rule = said("is not a finite number: the file does not give the speed")
         raise FileError(rule, field=short_name(name), value=value)
     return ShaftSpeed(value * _speed_scale(name, of_file, unit))
 
@@ -451,7 +451,7 @@ def _check_alike(samples: Channel, speed: Channel, wanted: Any) -> None:
         raise FileError(
             said(
                 "has {length} numbers, and the channel of the samples {length_2}; they "
-                "have to be as many",
+                "must be equal",
                 length=speed.length,
                 length_2=samples.length,
             ),
@@ -475,7 +475,7 @@ def _speed_scale(name: str, of_file: str, given: Any) -> float:
     """Value of one unit of speed in rad/s, by the user, by the file, or by the name."""
     if is_unit(of_file) and of_file not in SPEED_UNITS:
         raise InputError(
-            said("is in {of_file}, which is no unit of a speed", of_file=of_file),
+            said("is in {of_file}, which is not a unit of speed", of_file=of_file),
             field="speed_channel",
             value=name,
         )
@@ -492,8 +492,7 @@ def _speed_scale(name: str, of_file: str, given: Any) -> float:
             )
             if of_file
             else said(
-                'is needed for the speed "{name}", of which the file does not say it: one of'
-                " {units}",
+                'is needed for the speed "{name}", of which the file gives none: one of {units}',
                 **values,
             ),
             field="speed_unit",

@@ -54,7 +54,7 @@ class CsvSource(Source):
         size = size_of_file(path)
         if size > _LARGEST:
             limit = said(
-                "a table of text is read up to {most} GB; store it as Parquet",
+                "a text table is read up to {most} GB; store it as Parquet",
                 most=_LARGEST // 2**30,
             )
             raise FileError(limit, source=self._source)
@@ -183,7 +183,7 @@ class _Rows:
         ends = 0
         while content := file.read(_PIECE):
             if b"\0" in content:
-                raise FileError(said("is a binary file, not a table of text"), source=source)
+                raise FileError(said("is a binary file, not a text table"), source=source)
             line_ends = np.flatnonzero(np.frombuffer(content, np.uint8) == 10) + place
             if len(line_ends):
                 gaps = np.diff(line_ends, prepend=last_end)
@@ -222,7 +222,7 @@ def _head(file: BinaryIO, size: int, source: str) -> bytes:
     if wrong:
         raise FileError(said("is {encoding} text; save it as UTF-8", encoding=wrong), source=source)
     if b"\0" in head:
-        raise FileError(said("is a binary file, not a table of text"), source=source)
+        raise FileError(said("is a binary file, not a text table"), source=source)
     if size > len(head):
         head = head[: head.rfind(b"\n") + 1]
     return head

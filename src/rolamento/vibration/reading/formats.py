@@ -97,10 +97,10 @@ def _unknown(ending: str, source: str) -> FileError:
     if ending == ".mat":
         rule = said("is not a MATLAB file of version 5 to 7.3; in MATLAB, save it with -v7")
     elif named:
-        rule = said("is not the {named} file that its name says it is", named=named)
+        rule = said("is not a {named} file, as its name says", named=named)
     else:
         known = "; ".join(f"{kind} ({', '.join(ends)})" for kind, ends in ENDINGS.items())
-        rule = said("is of no format that is read: {known}", known=known)
+        rule = said("is not of a format that can be read: {known}", known=known)
     return FileError(rule, source=source)
 
 

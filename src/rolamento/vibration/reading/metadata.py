@@ -315,7 +315,7 @@ class Timeline:
             step = float((np.float64(last) - first) / (count - 1)) if count > 1 else float("nan")
         if not 1e-12 < step * scale < 1e12:
             raise FileError(
-                said("does not run forward from its first row to its last"),
+                said("does not increase from the first row to the last"),
                 field=marked("time column"),
                 example="0.0, 0.0001, 0.0002",
                 source=source,
@@ -344,8 +344,8 @@ class Timeline:
             raise FileError(
                 said(
                     "is not evenly spaced: sample {start} (counted from 0) is off the mean "
-                    "step of {step:.6g} s; a sample is missing, or time was stored with "
-                    "too few digits",
+                    "step of {step:.6g} s; a sample is missing, or the times have too few "
+                    "digits",
                     start=start + number,
                     step=self.step * self.scale,
                 ),

@@ -103,14 +103,14 @@ class ParquetSource(Source):
         schema, about = self._file.schema_arrow, self._file.metadata
         if len(schema) > MOST_CHANNELS or about.num_row_groups > _MOST_GROUPS:
             rule = said(
-                "holds more than {most} columns or {most_2} groups of rows",
+                "has more than {most} columns or {most_2} row groups",
                 most=MOST_CHANNELS,
                 most_2=_MOST_GROUPS,
             )
             raise FileError(rule, source=self._source)
         self._groups = [about.row_group(n).num_rows for n in range(about.num_row_groups)]
         if sum(self._groups) != about.num_rows or min(self._groups, default=0) < 0:
-            raise FileError(said("is damaged: its rows do not add up"), source=self._source)
+            raise FileError(said("is damaged: its row counts do not add up"), source=self._source)
         if max(self._groups, default=0) > MOST_SAMPLES:
             raise FileError(
                 said("must be at most {most}; write smaller groups", most=MOST_SAMPLES),

@@ -256,7 +256,7 @@ def open_signal(
             number = chosen_channel(source.channels, channel) if beside is None else beside
             chosen = source.channels[number]
             if chosen.length == 0:
-                raise FileError(said("holds no samples in this channel"), field=chosen.name)
+                raise FileError(said("has no samples in this channel"), field=chosen.name)
             meaning = Meaning(chosen, rate, unit, quantity, scale)
             part = _part(chosen.length, meaning.rate, start, duration)
             speed = chosen_speed(source, number, speed_channel, speed_unit)
@@ -315,7 +315,7 @@ def read_signal(
     if np.min(samples) == np.max(samples):
         raise FileError(
             said(
-                "does not change over {count} samples: no sensor was there, or it is "
+                "is constant over {count} samples: no sensor was connected, or it is "
                 "the wrong channel",
                 count=len(samples),
             ),
@@ -343,7 +343,7 @@ def _part(length: int, rate: float, start: float, duration: float | None) -> tup
     example = "start=0.0, duration=10.0"
     begin = checked_number(start, "start", least=0.0, example=example)
     if begin * rate >= length:
-        rule = said("must lie before the end of the file, {length:.6g} s", length=length / rate)
+        rule = said("must be before the end of the file, {length:.6g} s", length=length / rate)
         raise InputError(rule, field="start", value=start, example=example)
     first = min(round(begin * rate), length - 1)
     rest = length - first
@@ -354,7 +354,7 @@ def _part(length: int, rate: float, start: float, duration: float | None) -> tup
     if not 1 <= count <= rest + 1:
         raise InputError(
             said(
-                "must lie between one sample and the {rest:.6g} s that follow the start",
+                "must be between one sample and the {rest:.6g} s after the start",
                 rest=rest / rate,
             ),
             field="duration",

@@ -139,7 +139,7 @@ class _Reader:
                 end = self._mark(after)
                 place = len(self._content) if end < 0 else end
         raise FileError(
-            said("holds more than {most} data sets", most=_MOST_SETS), source=self._source
+            said("has more than {most} data sets", most=_MOST_SETS), source=self._source
         )
 
     def _mark(self, place: int) -> int:
@@ -195,7 +195,7 @@ class _Reader:
             if after.lstrip(b"\r\n").startswith(_MARK):
                 return begin + size
         raise FileError(
-            said("is cut off or damaged: a binary record does not end where it should"),
+            said("is truncated or damaged: a binary record does not end where it should"),
             source=self._source,
         )
 
@@ -204,7 +204,7 @@ class _Reader:
         # each number takes a byte at the very least
         if count > len(numbers.content):
             raise FileError(
-                said("is cut off or damaged: a record is too short"), source=self._source
+                said("is truncated or damaged: a record is too short"), source=self._source
             )
         unit, quantity = self._unit(texts[8])
         step = _real(texts[6], 43, 13)
@@ -250,7 +250,7 @@ def _from_text(content: memoryview, widths: tuple[int, ...], count: int, source:
         filled += len(found)
     if filled < count:
         rule = said(
-            "ends before its last sample: {filled} of {count} numbers are there",
+            "ends before its last sample: {filled} of {count} numbers are present",
             filled=filled,
             count=count,
         )

@@ -129,7 +129,7 @@ def checked_unit(unit: Any) -> str:
     if plain not in allowed:
         raise InputError(
             said(
-                "is no unit of a signal; those that are: {known}; before calibration: {raw_units}",
+                "is not a unit of a signal; known: {known}; before calibration: {raw_units}",
                 known=", ".join(_KNOWN),
                 raw_units=", ".join(RAW_UNITS),
             ),
@@ -203,8 +203,8 @@ def checked_scale(scale: Any, unit: str, quantity: Quantity | None) -> Scale:
     if quantity_of_unit(unit) != "unknown":
         raise InputError(
             said(
-                "is for samples in {raw_units}, and these are in {unit} already; what "
-                'one of them is worth is written as scale="10 {unit}", without unit',
+                "is for samples in {raw_units}, and these are in {unit} already; write "
+                'the value of one count as scale="10 {unit}", without unit',
                 raw_units=", ".join(RAW_UNITS),
                 unit=unit,
             ),
@@ -215,7 +215,7 @@ def checked_scale(scale: Any, unit: str, quantity: Quantity | None) -> Scale:
         unit_scale(quantity, SI_UNITS.get(quantity, ""))  # refuses what is no quantity
     if quantity == "unknown":
         raise InputError(
-            said("needs a quantity that it leads to: {si_units}", si_units=", ".join(SI_UNITS)),
+            said("needs the quantity that it gives: {si_units}", si_units=", ".join(SI_UNITS)),
             field="scale",
             value=scale,
             example='quantity="acceleration"',
@@ -229,7 +229,7 @@ def checked_scale(scale: Any, unit: str, quantity: Quantity | None) -> Scale:
     if not (isfinite(found.factor) and _SMALLEST_SCALE <= abs(found.factor) <= _LARGEST_SCALE):
         raise InputError(
             said(
-                "must be a number of a size from {least:.6g} to {most:.6g} SI "
+                "must be a number of magnitude from {least:.6g} to {most:.6g} SI "
                 "units, or text with units",
                 least=_SMALLEST_SCALE,
                 most=_LARGEST_SCALE,
@@ -241,7 +241,7 @@ def checked_scale(scale: Any, unit: str, quantity: Quantity | None) -> Scale:
     if quantity is not None and found.quantity != quantity:
         raise InputError(
             said(
-                "leads to {quantity}, and the quantity is to be {quantity_2}",
+                "gives {quantity}, but the quantity is given as {quantity_2}",
                 quantity=found.quantity,
                 quantity_2=quantity,
             ),
@@ -299,7 +299,7 @@ def _in_samples(raw: str, unit: str, text: str) -> float:
         )
     raise InputError(
         said(
-            "is by {raw}, and the samples are in {unit}; say with unit what one of them is",
+            "is per {raw}, but the samples are in {unit}; give the unit of the samples",
             raw=raw,
             unit=unit,
         ),
@@ -319,8 +319,8 @@ def _as_float(number: Any) -> float:
 def _unreadable(text: str) -> InputError:
     return InputError(
         said(
-            "is no sensitivity: a number and its units, of a signal and of its "
-            "samples before ({raw_units})",
+            "is not a sensitivity: a number with units of the signal and of the "
+            "raw samples ({raw_units})",
             raw_units=", ".join(RAW_UNITS),
         ),
         field="scale",

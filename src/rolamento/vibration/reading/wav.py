@@ -47,14 +47,14 @@ class WavSource(Source):
             bits = _BITS.get(self._file.subtype, 0)
             if not bits and self._file.subtype not in _FLOATS:
                 raise FileError(
-                    said("is not read; integers of 8, 16, 24 and 32 bits and floats are"),
+                    said("is not supported; integers of 8, 16, 24 and 32 bits and floats are"),
                     field=marked("sample format"),
                     value=self._file.subtype_info,
                     source=self._source,
                 )
             if self._file.channels > MOST_CHANNELS:
                 raise FileError(
-                    said("holds more than {most} channels", most=MOST_CHANNELS), source=self._source
+                    said("has more than {most} channels", most=MOST_CHANNELS), source=self._source
                 )
             if bits:
                 self.notes = (f"samples of {bits} bits are scaled to a full scale of 1",)
@@ -97,7 +97,7 @@ def _refuse_cut_off(path: Path, size: int, source: str) -> None:
     if declared not in (0, 0xFFFFFFFF) and declared + 8 > size + 1:  # a last odd byte is padded
         raise FileError(
             said(
-                "is cut off: it says that it holds {declared} bytes, and there are {size}",
+                "is truncated: it declares {declared} bytes, and there are {size}",
                 declared=declared + 8,
                 size=size,
             ),

@@ -175,21 +175,19 @@ class Recipe:
                 example="duration = 10.0",
             )
         if isinstance(self.seed, bool) or not 0 <= self.seed < _MOST_SEED:
-            raise InputError(
-                said("must be a whole number from 0 on"), field="seed", value=self.seed
-            )
+            raise InputError(said("must be a non-negative integer"), field="seed", value=self.seed)
         for name in ("faults", "shaft_harmonics", "waviness"):
             check_count(name, len(getattr(self, name)), _MOST_PARTS)
         for amplitude in self.shaft_harmonics:
             check_within("shaft_harmonics", amplitude, 0.0, 1e9, "shaft_harmonics = (0.5,)", "m/s²")
         check_modes(self.modes, self.rate)
         if not isfinite(self.frequencies.cage.order):
-            raise InputError(said("have no result to make a signal of"), field="frequencies")
+            raise InputError(said("have no result to make a signal from"), field="frequencies")
         noise = self.noise
         to_faults = noise is not None and noise.ratio is not None and noise.of == "faults"
         if to_faults and not self.faults:
             raise InputError(
-                said("is what the ratio of the noise is to, but there are none"),
+                said("is what the noise ratio refers to, but there are none"),
                 field="noise.of",
                 value="faults",
                 example='of = "signal"',

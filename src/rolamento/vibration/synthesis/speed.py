@@ -106,7 +106,7 @@ def speeds_of(
         )
     if least <= 0.0 <= most:
         raise InputError(
-            said("must not stop or change its direction"),
+            said("must not stop or reverse"),
             field="speed",
             value=least,
             example="188.5",
@@ -164,12 +164,12 @@ def _given(profile: GivenSpeed, time: FloatArray) -> FloatArray:
     check_count("times", times.size, _MOST_POINTS)
     if times.ndim != 1 or times.shape != speeds.shape or not times.size:
         raise InputError(
-            said("must be two rows of as many numbers"),
+            said("must be two rows of equal length"),
             field="times",
             example="times = [0.0, 10.0] with speeds = [100.0, 200.0]",
         )
     if not (np.all(np.isfinite(times)) and np.all(np.diff(times) > 0.0)):
         raise InputError(
-            said("must be finite and rise"), field="times", example="times = [0.0, 10.0]"
+            said("must be finite and increasing"), field="times", example="times = [0.0, 10.0]"
         )
     return np.interp(time, times, speeds)

@@ -131,8 +131,8 @@ def waviness_lines(frequencies: FaultFrequencies, waviness: Waviness) -> tuple[W
     if not radial and abs(angle) < _LEAST_ANGLE:
         raise InputError(
             said(
-                "needs a contact angle: waves at contact angle 0 do not move the ring "
-                "along the shaft"
+                "needs a contact angle: at contact angle 0, waviness does not move the "
+                "ring along the shaft"
             ),
             field="waviness.direction",
             value=waviness.direction,
