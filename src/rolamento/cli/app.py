@@ -39,7 +39,7 @@ from rolamento.cli.outputs import check_outputs
 from rolamento.cli.plot import plot
 from rolamento.cli.report import report
 from rolamento.cli.reproduce import reproduce
-from rolamento.cli.streams import STANDARD_STREAM, end_of_output, print_text, put
+from rolamento.cli.streams import STANDARD_STREAM, end_of_output, print_text, put, show
 from rolamento.cli.sweep import sweep
 from rolamento.cli.synthesise import SynthesiseCommand, synthesise
 from rolamento.cli.tolerance import tolerance
@@ -176,12 +176,9 @@ def _show(
 
         put(ball_csv(analysis.solved), csv)
     if STANDARD_STREAM not in (json, csv):
-        from rolamento.document.medium import Medium
-        from rolamento.report.terminal import terminal_report
+        from rolamento.pages.state import state_page
 
-        print_text(
-            terminal_report(analysis.solved, words_of(lang), Medium.of(sys.stdout), analysis)
-        )
+        show(state_page(analysis.solved, analysis))
     elif not analysis.solved.converged[0]:
         complain_of(analysis.solved, lang)
 

@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
-import sys
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Final
 
 import typer
 
 import rolamento
-from rolamento.cli.common import SOLVED, plain_endings, words_of
+from rolamento.cli.common import SOLVED, plain_endings
 from rolamento.cli.options import JsonOption, LanguageOption, SeedOption, SettingsOption
 from rolamento.cli.outputs import check_outputs
-from rolamento.cli.streams import STANDARD_STREAM, print_text, put
+from rolamento.cli.streams import STANDARD_STREAM, put_json, show
 
 if TYPE_CHECKING:
     from rolamento.clearance import ClearanceSamples
+
+_SCHEMA: Final = 2
 
 
 def clearance(
@@ -43,15 +44,16 @@ def clearance(
         check_outputs({"--json": json}, case)
         loaded = rolamento.load_case(case, settings or ())
         from rolamento.clearance import clearance_of_case
-        from rolamento.document.medium import Medium
-        from rolamento.report.clearance import clearance_json, clearance_report
 
         found = clearance_of_case(loaded)
         drawn = None if samples is None else _drawn(loaded, samples, seed)
         if json is not None:
-            put(clearance_json(found, drawn) + "\n", json)
+            scatter = {} if drawn is None else {"samples": drawn.to_mapping()}
+            put_json({"schema": _SCHEMA, **found.to_mapping(), **scatter}, json)
         if json != STANDARD_STREAM:
-            print_text(clearance_report(found, drawn, words_of(lang), Medium.of(sys.stdout)))
+            from rolamento.pages.clearance import clearance_page
+
+            show(clearance_page(found, drawn))
     raise typer.Exit(SOLVED)
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from typing import TYPE_CHECKING, Annotated, Final
+from typing import TYPE_CHECKING, Annotated, Any, Final
 
 import typer
 
@@ -14,7 +14,6 @@ from rolamento.cli.common import (
     Language,
     complain_of,
     plain_endings,
-    words_of,
 )
 from rolamento.cli.options import (
     CaseArgument,
@@ -33,7 +32,7 @@ from rolamento.cli.over_field import (
     check_variants,
     show_curves,
 )
-from rolamento.cli.streams import STANDARD_STREAM, print_text, put
+from rolamento.cli.streams import STANDARD_STREAM, put_json, show
 from rolamento.cli.waiting import waiting
 from rolamento.errors import InputError
 from rolamento.words import said
@@ -41,8 +40,7 @@ from rolamento.words import said
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from matplotlib.figure import Figure
-
+    from rolamento.analysis import Analysis
     from rolamento.studies.friction_curves import FrictionCurve
 
 __all__ = ["friction"]
@@ -93,20 +91,7 @@ def friction(
             solved = _one(chosen, hysteresis, json, lang)
         else:
             curves = _curves(chosen, over, points, log, variants or [], hysteresis, lang)
-            from rolamento.document.medium import Medium
-            from rolamento.report import friction_curves
-
-            solved = show_curves(
-                curves,
-                json_text=friction_curves.curves_json,
-                csv_text=friction_curves.curves_csv,
-                page_text=lambda shown: friction_curves.curves_report(
-                    shown, words_of(lang), Medium.of(sys.stdout)
-                ),
-                figure=_figure,
-                outputs=(json, csv, plot),
-                lang=lang,
-            )
+            solved = _show_curves(curves, (json, csv, plot), lang)
     raise typer.Exit(SOLVED if solved else NO_RESULT)
 
 
@@ -160,17 +145,23 @@ def _one(case: rolamento.Case, hysteresis: float, json: str | None, lang: Langua
             example="--coefficient 0.1",
         )
     analysis = analyse(case, hysteresis=hysteresis)
-    from rolamento.document.medium import Medium
-    from rolamento.report.friction_curves import friction_json, friction_report
-
     converged = bool(analysis.solved.converged[0])
     if json is not None:
-        put(friction_json(analysis) + "\n", json)
+        put_json(_mapping(analysis), json)
     if json != STANDARD_STREAM:
-        print_text(friction_report(analysis, words_of(lang), Medium.of(sys.stdout)))
+        from rolamento.pages.friction import friction_page
+
+        show(friction_page(analysis))
     elif not converged:
         complain_of(analysis.solved, lang)
     return converged
+
+
+def _mapping(analysis: Analysis) -> dict[str, Any]:
+    """Return the friction of one case as JSON has it, in SI units."""
+    whole = analysis.to_mapping()
+    kept = ("schema", "title", "status", "friction", "notes", "case")
+    return {"kind": "friction", **{key: whole[key] for key in kept}}
 
 
 def _curves(
@@ -194,7 +185,26 @@ def _curves(
         ]
 
 
-def _figure(curves: Sequence[FrictionCurve]) -> Figure:
+def _show_curves(
+    curves: Sequence[FrictionCurve],
+    outputs: tuple[str | None, str | None, str | None],
+    lang: Language | None,
+) -> bool:
+    """Show friction over a field; tell whether every point has a result."""
+    from rolamento._json import dumps
+    from rolamento.document import Medium
+    from rolamento.document.tables import to_csv
+    from rolamento.document.terminal import terminal
+    from rolamento.pages.friction_over import friction_over_page
     from rolamento.plots.friction import friction_figure
+    from rolamento.studies.friction_curves import curves_mapping
 
-    return friction_figure(curves)
+    return show_curves(
+        curves,
+        json_text=lambda shown: dumps(curves_mapping(shown), indent=2),
+        csv_text=lambda shown: to_csv(friction_over_page(shown)),
+        page_text=lambda shown: terminal(friction_over_page(shown), Medium.of(sys.stdout)),
+        figure=friction_figure,
+        outputs=outputs,
+        lang=lang,
+    )

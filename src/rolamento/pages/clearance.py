@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final
 
+from rolamento.clearance.operating import PERCENTILES
 from rolamento.document import (
     CellContent,
     Column,
@@ -23,10 +24,8 @@ from rolamento.words import in_unit, manner, marked, said
 if TYPE_CHECKING:
     from rolamento.clearance import ClearanceSamples, OperatingClearance
 
-__all__ = ["PERCENTILES", "clearance_page"]
+__all__ = ["clearance_page"]
 
-PERCENTILES: Final = (0.135, 5.0, 50.0, 95.0, 99.865)
-"""Per cent of the samples: the outer ones lie three standard deviations from the mean."""
 _STEPS: Final = {
     "initial": marked("before mounting"),
     "measuring_load": marked("measuring load"),
