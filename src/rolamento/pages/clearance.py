@@ -19,7 +19,7 @@ from rolamento.document import (
     Tone,
 )
 from rolamento.pages.state import notes_section
-from rolamento.words import in_unit, manner, marked, said
+from rolamento.words import in_unit, manner, marked, said, said_in
 
 if TYPE_CHECKING:
     from rolamento.clearance import ClearanceSamples, OperatingClearance
@@ -84,7 +84,11 @@ def _chain(found: OperatingClearance) -> Section:
             only_in_files=True,
         ),
     ]
-    heads = {"minimum": said("minimum"), "mean": said("mean"), "maximum": said("maximum")}
+    heads = {
+        "minimum": said_in("clearance", "minimum"),
+        "mean": said_in("clearance", "mean"),
+        "maximum": said_in("clearance", "maximum"),
+    }
     columns += [
         Column(
             head=text,
