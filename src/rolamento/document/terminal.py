@@ -178,6 +178,8 @@ class _Setter:
     def _statement(self, block: Statement, width: int) -> Lines:
         mark = f"{block.mark} " if block.mark else ""
         label = self._text(" " * block.indent + mark, STYLES[block.mark_tone or block.tone])
+        if block.verbatim:
+            return [label + self._text(line) for line in block.text.split("\n")]
         return self._hanging(label, block.text, width, STYLES[block.tone])
 
     def _key_values(self, block: KeyValues, width: int) -> Lines:
