@@ -184,7 +184,7 @@ def test_every_status_has_words(language: str) -> None:
 @pytest.mark.parametrize("control", get_args(RacewayControl))
 @pytest.mark.parametrize("cage", get_args(CageKind))
 def test_every_raceway_control_and_cage_has_words(control: str, cage: str) -> None:
-    oil = ('lubricant={kind="dry", friction_coefficient=0.1}',)
+    oil = ("lubricant.kind=dry", "lubricant.friction_coefficient=0.1")
     case = rolamento.load_case(EXAMPLES / "218_combined.toml", oil)
     model = case.model.replace(raceway_control=control, cage=cage)
     heads = []
