@@ -31,10 +31,12 @@ test: dev
 verify: dev
 	$(BIN)/pytest -n auto -m sweep
 	@$(BIN)/python -m tests.regression.golden --check
+	@$(BIN)/python -m tests.regression.pages --check
 	@$(BIN)/rolamento verify
 
 golden: dev
 	@$(BIN)/python -m tests.regression.golden --check
+	@$(BIN)/python -m tests.regression.pages --check
 
 bench: dev
 	@$(BIN)/python -m benchmarks

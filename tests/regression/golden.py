@@ -35,16 +35,25 @@ import xarray as xr
 import rolamento
 from rolamento.cli import main
 
-__all__ = ["RUNS", "answer", "compile_first", "differences", "kept", "main_golden", "spread"]
+__all__ = [
+    "RUNS",
+    "answer",
+    "compile_first",
+    "differences",
+    "kept",
+    "main_golden",
+    "page",
+    "spread",
+]
 
 HERE: Final = Path(__file__).parent
 GOLDEN: Final = HERE / "golden"
 TOLERANCE: Final = 1e-12
 """Of the scale of a number: the greatest of its family (`_family`)."""
 
-_LEFT_OUT: Final = frozenset(  # what was given, how it was solved, and `computed - printed`
-    {"case", "title", "schema", "version", "residual", "imbalance", "iterations", "notes",
-     "difference"}
+_LEFT_OUT: Final = frozenset(  # what was given and said, how it was solved, `computed - printed`
+    {"case", "title", "schema", "version", "residual", "imbalance", "iterations", "difference",
+     "notes", "reading_notes", "advice", "statement", "reasons", "doubts"}
 )  # fmt: skip
 _LONGEST_SERIES: Final = 48
 _LONGEST_TABLE: Final = 24
@@ -81,20 +90,47 @@ def answer(name: str) -> dict[str, Any]:
     return _outputs(RUNS[name])
 
 
+def page(name: str, language: str) -> str:
+    """Run one of `RUNS` for a person and return what it shows."""
+    with _folder():
+        return "".join(_run([*_for_a_person(line), "--lang", language])[1] for line in RUNS[name])
+
+
+def _for_a_person(line: str) -> list[str]:
+    """Return the words of a command line without the data that it writes."""
+    words = shlex.split(line)
+    if "--json" in words:
+        place = words.index("--json")
+        del words[place : place + 2]
+    return words
+
+
 def _outputs(lines: Sequence[str]) -> dict[str, Any]:
-    with tempfile.TemporaryDirectory() as folder, contextlib.chdir(folder):
-        for source in (Path(rolamento.__file__).parent / "examples", HERE / "cases"):
-            shutil.copytree(source, folder, dirs_exist_ok=True)
+    with _folder():
         codes = [_exit_code(line) for line in lines]
         files = {path.name: _read(path) for path in sorted(Path().glob("out*.*"))}
     return {"exit": codes, **files}
 
 
+@contextlib.contextmanager
+def _folder() -> Iterator[None]:
+    """Work in a folder that holds the shipped examples and `cases`."""
+    with tempfile.TemporaryDirectory() as folder, contextlib.chdir(folder):
+        for source in (Path(rolamento.__file__).parent / "examples", HERE / "cases"):
+            shutil.copytree(source, folder, dirs_exist_ok=True)
+        yield
+
+
 def _exit_code(line: str) -> int:
-    """Run a command line in this process, through the entry point of the program."""
+    """Run a command line for its data."""
     words = shlex.split(line)
     if not any(map(_OUTPUT.fullmatch, words)):
         words += ["--json", "out.json"]
+    return _run(words)[0]
+
+
+def _run(words: Sequence[str]) -> tuple[int, str]:
+    """Run a command line in this process, through the entry point of the program."""
     said = io.TextIOWrapper(io.BytesIO(), encoding="utf-8")
     with (
         mock.patch.object(sys, "argv", ["rolamento", *words]),
@@ -106,11 +142,11 @@ def _exit_code(line: str) -> int:
             main()
         except SystemExit as end:
             code = int(end.code or 0)
+    said.flush()
+    text = said.buffer.getvalue().decode()  # type: ignore[attr-defined]
     if code > 1:  # wrong input: the run itself is wrong
-        said.flush()
-        message = said.buffer.getvalue().decode()  # type: ignore[attr-defined]
-        raise RuntimeError(f"{line}: exit code {code}\n{message}")
-    return code
+        raise RuntimeError(f"{shlex.join(words)}: exit code {code}\n{text}")
+    return code, text
 
 
 def _read(path: Path) -> Any:
@@ -165,6 +201,8 @@ def _with_parts(value: dict[str, Any]) -> dict[str, Any]:
 
 
 def _is_prose(value: Any) -> bool:
+    if isinstance(value, dict):  # a note, which was a sentence
+        return value.keys() == {"key", "text", "values"}
     return isinstance(value, str) and bool(_PROSE.search(value))
 
 
@@ -316,7 +354,7 @@ def _path(name: str) -> Path:
 
 
 def _load(name: str) -> Any:
-    return json.loads(_path(name).read_text(encoding="utf-8"))
+    return kept(json.loads(_path(name).read_text(encoding="utf-8")))
 
 
 def _save(name: str, value: Any) -> None:

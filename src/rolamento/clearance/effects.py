@@ -59,8 +59,6 @@ from rolamento.numerics import FloatArray
 from rolamento.units import MILLIMETRE
 from rolamento.words import said
 
-FIT_SOURCE: Final = "Lamé; Harris 1991, chapter 3"
-
 Finish = Literal["ground", "turned"]
 _FINISH_LENGTHS: Final[dict[Finish, float]] = {"ground": 2.0, "turned": 3.0}
 """mm in NSK's d/(d + 2) and d/(d + 3)."""
@@ -147,8 +145,6 @@ def finish_loss(interference: ArrayLike, diameter: float, finish: Finish) -> Flo
 EXPANSION_100CR6: Final = 12.5e-6
 """Coefficient of thermal expansion of bearing steel; 1/K. NSK, Rolling Bearings (catalogue
 E1102), on the internal clearance."""
-
-TEMPERATURE_SOURCE: Final = "free expansion; NSK E1102, chapter 9.2"
 
 
 def clearance_change(
@@ -237,9 +233,6 @@ def expansion_of(material: Material, field: str) -> float:
             example=f'{field.rpartition(".")[2]} = "12.5e-6 1/K"',
         )
     return float(known[material.name]["expansion"])
-
-
-SPEED_SOURCE: Final = "Timoshenko and Goodier 1970, section 32"
 
 
 class SpinningMaterial(Protocol):

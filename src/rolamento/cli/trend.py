@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Annotated, Any, Final
 
 import typer
 
-from rolamento.cli.common import SOLVED, plain_endings, words_of
+from rolamento._json import dumps
+from rolamento.cli.common import SOLVED, plain_endings
 from rolamento.cli.options import LanguageOption, PlotOption, json_option
 from rolamento.cli.outputs import check_outputs
 from rolamento.cli.shipped_data import check_one_given, data_and_json, known_example
@@ -79,7 +80,8 @@ def trend(
             raise InputError(rule, source="--law", value=law, example="running-in")
         columns = {"time": time_column, "bearing": bearing_column, "decimal_mark": decimal_mark}
         from rolamento.document.medium import Medium
-        from rolamento.report.trend import trend_json, trend_report
+        from rolamento.document.terminal import terminal
+        from rolamento.pages.trend import trend_page
         from rolamento.tasks.weibull import trend_study
         from rolamento.weibull import published_trend
 
@@ -88,14 +90,13 @@ def trend(
             if example is not None:
                 given = published_trend(known_example(example, EXAMPLES).replace("-", "_"))
             found = trend_study(given, law=None if law is None else LAWS[law], columns=columns)
-        words = words_of(lang)
         if plot is not None:
             from rolamento.plots.saving import save_figure
             from rolamento.plots.trend import trend_figure
 
-            save_figure(trend_figure(found.trend, found.fits, words.code), plot)
+            save_figure(trend_figure(found.trend, found.fits), plot)
         if json is not None:
-            put(trend_json(found) + "\n", json)
+            put(dumps(found.to_mapping(), indent=2) + "\n", json)
         if json != STANDARD_STREAM:
-            print_text(trend_report(found, words, Medium.of(sys.stdout)))
+            print_text(terminal(trend_page(found), Medium.of(sys.stdout)))
     raise typer.Exit(SOLVED)

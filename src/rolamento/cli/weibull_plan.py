@@ -7,11 +7,11 @@ from typing import Annotated, Final
 
 import typer
 
+from rolamento._json import dumps
 from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
     plain_endings,
-    words_of,
 )
 from rolamento.cli.grouped_help import GroupedCommands
 from rolamento.cli.optional_value import JsonCommand
@@ -84,7 +84,8 @@ def demonstration(
     with plain_endings(lang):
         check_outputs({"--json": json, "--plot": plot})
         from rolamento.document.medium import Medium
-        from rolamento.report.weibull_plan import demonstration_json, demonstration_report
+        from rolamento.document.terminal import terminal
+        from rolamento.pages.weibull_plan import demonstration_page
         from rolamento.tasks.weibull import demonstration_study
 
         with told_in_options(life="--life", time="--time"):
@@ -97,18 +98,17 @@ def demonstration(
                 confidence=confidence,
                 failures_allowed=failures_allowed,
             )
-        words = words_of(lang)
         if plot is not None:
             from rolamento.plots.saving import save_figure
             from rolamento.plots.weibull_plan import chance_figure
 
-            save_figure(chance_figure([found.plan, *found.beside], found.unit, words.code), plot)
+            save_figure(chance_figure([found.plan, *found.beside], found.unit), plot)
         if json is not None:
-            put(demonstration_json(found) + "\n", json)
+            put(dumps(found.to_mapping(), indent=2) + "\n", json)
         if json != STANDARD_STREAM:
-            print_text(demonstration_report(found, words, Medium.of(sys.stdout)))
+            print_text(terminal(demonstration_page(found), Medium.of(sys.stdout)))
         elif not found.plan.planned:
-            _complain(found.plan.code, words.code)
+            complain(str(found.plan.advice))
     raise typer.Exit(SOLVED if found.plan.planned else NO_RESULT)
 
 
@@ -166,15 +166,14 @@ def precision(
         if len(sizes) > _MAXIMUM_SIZES:
             rule = said("may be given at most {most} times", most=_MAXIMUM_SIZES)
             raise InputError(rule, source="--group-size")
-        words = words_of(lang)
         from rolamento.cli.waiting import progress_of
         from rolamento.document.medium import Medium
-        from rolamento.report.weibull_plan import precision_json, precision_report
-        from rolamento.report.weibull_plan_words import PLAN_WORDS
+        from rolamento.document.terminal import terminal
+        from rolamento.pages.weibull_plan import precision_page
         from rolamento.tasks.weibull import precision_study
 
         with (
-            progress_of(PLAN_WORDS[words.code].working) as progress,
+            progress_of(said("Simulating tests …")) as progress,
             told_in_options(life="--life"),
         ):
             found = precision_study(
@@ -191,20 +190,14 @@ def precision(
                 progress=progress,
             )
         if json is not None:
-            put(precision_json(found) + "\n", json)
+            put(dumps(found.to_mapping(), indent=2) + "\n", json)
         if plot is not None:
             from rolamento.plots.saving import save_figure
             from rolamento.plots.weibull_plan import cost_figure
 
-            save_figure(cost_figure(found.plans, found.time_label, words.code), plot)
+            save_figure(cost_figure(found.plans, found.time_label), plot)
         if json != STANDARD_STREAM:
-            print_text(precision_report(found, words, Medium.of(sys.stdout)))
+            print_text(terminal(precision_page(found), Medium.of(sys.stdout)))
         elif not found.planned:
-            _complain(found.plans[0].code, words.code)
+            complain(str(found.plans[0].advice))
     raise typer.Exit(SOLVED if found.planned else NO_RESULT)
-
-
-def _complain(code: str, language: str) -> None:
-    from rolamento.report.weibull_sentences import said_advice
-
-    complain(said_advice(code, language))

@@ -20,7 +20,7 @@ from rolamento.kinematics import BallMotion, ball_motion, friction_demand
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.numerics.masked import filled
 from rolamento.solved import Solved
-from rolamento.words import said
+from rolamento.words import Note, said
 
 if TYPE_CHECKING:
     from rolamento.friction.machine import MachineBearing
@@ -40,21 +40,8 @@ FULL_FILM: Final = 3.0
 BOUNDARY: Final = 1.0
 """Film parameter λ below which the asperities carry the load."""
 
-REASONS: Final[Mapping[str, str]] = {
-    "inertia": "the gyroscopic moment or the centrifugal force on a ball takes more than "
-    f"{INERTIA_SHARE:.0%} of what friction or its load can hold",
-    "full_film": "an oil film keeps the surfaces apart: friction is not Coulomb's",
-    "partial_film": "an oil film carries part of the load: the coefficient of friction is an "
-    "effective one",
-    "no_film": "asperities carry the load, and the model stands for a lubricated bearing",
-    "other_angle": "the maker's constants are for bearings of another contact angle",
-    "at_rest": "nothing turns: the torque is that of the first motion",
-    "no_result": "the state, or the model, has no result",
-}
-"""Why a model is not valid, or not quite, in words."""
-
-REMARKS: Final = ("partial_film", "at_rest")
-"""Those that do not refuse a model."""
+REMARKS: Final = ("partial_film", "torque_at_rest")
+"""Keys of the notes that do not refuse a model."""
 
 
 # --- what a model returns ---------------------------------------------------------------------
@@ -199,14 +186,14 @@ class TorqueModel:
     ----------
     name
         as callers, case files and JSON have it
-    title, short_title, long_title
-        in English: of a row, of a narrow column, within a sentence
+    title, short_title
+        in English: of a row, of a narrow column
     needs
         attributes of `Setting`, or of its machine, that must be known
     evaluate
         the torque; of models of the contacts without hysteresis and oil, which are added to each
     limits
-        the cases in which the model is not valid, or only with a remark, by names of `REASONS`
+        the cases in which the model is not valid, or only with a remark, by keys of notes
     of_contacts
         whether it knows contacts, or else the bearing as a whole
     closed_form
@@ -216,7 +203,6 @@ class TorqueModel:
     name: str
     title: str
     short_title: str
-    long_title: str
     needs: tuple[str, ...]
     evaluate: Callable[[Setting], Torque]
     limits: Callable[[Setting], Mapping[str, BoolArray]]
@@ -229,7 +215,7 @@ class TorqueModel:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ModelValidity:
-    """Whether a model is valid, (cases,); limits: by name of `REASONS` in which cases, (cases,)."""
+    """Whether a model is valid, (cases,); limits: by key of a note in which cases, (cases,)."""
 
     model: str
     valid: BoolArray
@@ -240,13 +226,18 @@ class ModelValidity:
         """The limits that concern at least one case."""
         return {name: where for name, where in self.limits.items() if np.any(where)}
 
+    def notes_of(self, case: int = 0) -> tuple[Note, ...]:
+        """Return why the model is not valid for a case, and the remarks on it."""
+        values = {"inertia": {"share": INERTIA_SHARE}}
+        return tuple(Note(k, values.get(k, {})) for k, where in self.limits.items() if where[case])
+
 
 def validity_of(model: TorqueModel, setting: Setting, converged: BoolArray) -> ModelValidity:
     """Judge a model for every case; converged: whether it found a result."""
     limits = {
         **model.limits(setting),
-        "at_rest": relative_speed(setting.solved) == 0.0,
-        "no_result": ~converged,
+        "torque_at_rest": relative_speed(setting.solved) == 0.0,
+        "torque_unknown": ~converged,
     }
     refused = [where for name, where in limits.items() if name not in REMARKS]
     return ModelValidity(model.name, ~np.any(refused, axis=0), limits)

@@ -109,7 +109,7 @@ class Friction:
                         "torque": self.models[found.model].total[case],
                         "parts": {k: p[case] for k, p in self.models[found.model].parts.items()},
                         "holds": found.valid[case],
-                        "reasons": [name for name, where in found.notes.items() if where[case]],
+                        "reasons": [note.to_mapping() for note in found.notes_of(case)],
                     }
                     for found in self.validity
                 },

@@ -146,7 +146,7 @@ class Basis:
             viscosity_ratio=_viscosity_ratio(rows, speed, given),
             common_notes={
                 **_notes_on_bearing(solved, given),
-                "at_rest": np.asarray(speed == 0.0),
+                "hours_at_rest": np.asarray(speed == 0.0),
                 "thrust_bearing": np.asarray(steep),
                 "no_dynamic_rating": np.isnan(ratings.dynamic_of_set) & ~steep,
                 "reliability_continued": np.full(len(solved), outside),

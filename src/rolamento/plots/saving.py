@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import io
 import os
-import warnings
-from typing import Any, Final
+from typing import Final
 
 from matplotlib.axes import Axes
-from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from rolamento._writing import write_bytes
+from rolamento.document.picture import picture_bytes
 from rolamento.errors import FileError
 from rolamento.plots.frame import figure_of
 from rolamento.plots.style import in_style
@@ -20,12 +18,6 @@ from rolamento.words import said
 __all__ = ["FORMATS", "check_name", "save_figure"]
 
 FORMATS: Final = ("png", "svg", "pdf")
-# Nothing that tells when or with which release a figure was drawn.
-_METADATA: Final[dict[str, dict[str, Any]]] = {
-    "png": {"Software": None},
-    "svg": {"Date": None, "Creator": "Rolamento"},
-    "pdf": {"CreationDate": None, "Creator": "Rolamento", "Producer": None},
-}
 
 
 @in_style
@@ -46,14 +38,7 @@ def save_figure(figure: Figure | Axes, path: str | os.PathLike[str]) -> None:
     """
     kind = check_name(path)
     drawn = figure if isinstance(figure, Figure) else figure_of(figure)
-    content = io.BytesIO()
-    if drawn.canvas is None:
-        FigureCanvasAgg(drawn)
-    with warnings.catch_warnings():
-        # A title may hold letters that the font lacks; a box stands for them.
-        warnings.filterwarnings("ignore", "Glyph .* missing from font")
-        drawn.savefig(content, format=kind, metadata=_METADATA[kind])
-    write_bytes(content.getvalue(), path)
+    write_bytes(picture_bytes(drawn, kind), path)
 
 
 def check_name(path: str | os.PathLike[str]) -> str:

@@ -44,12 +44,14 @@ from rolamento.solved.tables import (
     taken,
 )
 from rolamento.status import STATUS_NUMBERS
-from rolamento.words import said
+from rolamento.words import Note, said
 
 if TYPE_CHECKING:
     from rolamento.solved.result import Solved
 
-SCHEMA: Final = 1
+SCHEMA: Final = 2
+_FIRST_SCHEMA: Final = 1
+"""Where notes and advice were texts."""
 EXAMPLE: Final = "rolamento solve case.toml --json state.json"
 _LARGEST: Final = 1e20
 _MOST_ROWS: Final = 1000
@@ -57,7 +59,7 @@ _MOST_ROWS: Final = 1000
 
 def mapping_of(solved: Solved) -> dict[str, Any]:
     """The only case of a result as plain values."""
-    status, rows = solved.status, solved.rows
+    status, rows, advice = solved.status, solved.rows, solved.advice[0]
     control = control_names(solved)
     of_race = {
         race: _columns(contacts, (*CONTACT_COLUMNS, *MORE_COLUMNS))
@@ -73,7 +75,7 @@ def mapping_of(solved: Solved) -> dict[str, Any]:
             "converged": bool(status.converged[0]),
             "residual": plain(float(status.residual[0])),
             "iterations": int(status.iterations[0]),
-            "advice": solved.advice[0],
+            "advice": None if advice is None else advice.to_mapping(),
         },
         "displacement": {
             name: plain(float(v[0])) for name, v in solved.displacement._asdict().items()
@@ -104,7 +106,7 @@ def mapping_of(solved: Solved) -> dict[str, Any]:
         ],
         "preload": None if solved.preload is None else plain(asdict(solved.preload)),
         "rolling": _rolling_mapping(solved),
-        "notes": list(solved.notes[0]),
+        "notes": [note.to_mapping() for note in solved.notes[0]],
         "case": solved.case.to_mapping(),
     }
 
@@ -174,8 +176,8 @@ class Pieces:
     rows: Rows
     answer: ReadAnswer
     preload: Preloading | None
-    written_notes: tuple[tuple[str, ...], ...]
-    written_advice: tuple[str | None, ...]
+    written_notes: tuple[tuple[Note, ...], ...]
+    written_advice: tuple[Note | None, ...]
 
 
 def pieces_of(mapping: Mapping[str, Any]) -> tuple[Case, dict[str, FloatArray], Pieces]:
@@ -191,7 +193,7 @@ def pieces_of(mapping: Mapping[str, Any]) -> tuple[Case, dict[str, FloatArray], 
     schema = mapping.get("schema")
     if schema is None or not ("balls" in mapping or "states" in mapping):
         raise FileError(said("is not the JSON of a solved state"), example=EXAMPLE)
-    if schema is True or schema != SCHEMA:
+    if schema is True or schema not in (_FIRST_SCHEMA, SCHEMA):
         raise FileError(
             said("is of another release; 1 and 2 are known"), field="schema", value=schema
         )
@@ -247,9 +249,9 @@ def _state(item: Any, case: Case, at: str) -> Pieces:
         )
     if _truth(status, f"{at}status.converged") != (code == "converged"):
         raise InputError(said("contradicts status.code"), field=f"{at}status.converged")
-    notes = _list(item, f"{at}notes", least=0)
-    if not all(isinstance(note, str) for note in notes):
-        raise InputError(said("must be texts"), field=f"{at}notes")
+    notes = [
+        _note(note, f"{at}notes.{j}") for j, note in enumerate(_list(item, f"{at}notes", least=0))
+    ]
     advice = status.get("advice")
     return Pieces(
         status=Status(
@@ -266,8 +268,17 @@ def _state(item: Any, case: Case, at: str) -> Pieces:
         answer=ReadAnswer(tables, contacts),
         preload=_preloading_of(item, at),
         written_notes=(tuple(notes),),
-        written_advice=(advice if isinstance(advice, str) else None,),
+        written_advice=(None if advice is None else _note(advice, f"{at}status.advice"),),
     )
+
+
+def _note(given: object, field: str) -> Note:
+    if isinstance(given, str):  # schema 1
+        return Note("text", {"text": given})
+    table = _entry(given, field)
+    key, text = _text(table, f"{field}.key"), _text(table, f"{field}.text")
+    values = _table(table, f"{field}.values")
+    return Note.from_mapping({"key": key, "text": text, "values": values})
 
 
 def _contact_columns(items: list[Mapping[str, Any]], where: list[str]) -> dict[str, FloatArray]:

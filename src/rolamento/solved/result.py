@@ -43,7 +43,7 @@ from rolamento.solved.tables import (
     taken,
 )
 from rolamento.status import INVALID_INPUT
-from rolamento.words import said
+from rolamento.words import Note, said
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -88,10 +88,10 @@ class Solved:
     rows: Rows
     answer: Answer
     preload: Preloading | None = None
-    first_notes: tuple[str, ...] = ()
-    """What is to be known before the notes on the equilibrium: the clearance in operation."""
-    written_notes: tuple[tuple[str, ...], ...] | None = None
-    written_advice: tuple[str | None, ...] | None = None
+    first_notes: tuple[Note, ...] = ()
+    """Notes before those on the equilibrium: the clearance in operation."""
+    written_notes: tuple[tuple[Note, ...], ...] | None = None
+    written_advice: tuple[Note | None, ...] | None = None
     """Of a result that was read: what was said of it then."""
 
     # --- cases ----------------------------------------------------------------------------------
@@ -232,8 +232,8 @@ class Solved:
     # --- what is said of it ---------------------------------------------------------------------
 
     @cached_property
-    def notes(self) -> tuple[tuple[str, ...], ...]:
-        """What the user should know about each case; a tuple over cases of tuples."""
+    def notes(self) -> tuple[tuple[Note, ...], ...]:
+        """What to know about each case; a tuple over cases of tuples."""
         if self.written_notes is not None:
             return self.written_notes
         if len(self) == 1:
@@ -241,7 +241,7 @@ class Solved:
         return tuple(self[case].notes[0] for case in range(len(self)))
 
     @cached_property
-    def advice(self) -> tuple[str | None, ...]:
+    def advice(self) -> tuple[Note | None, ...]:
         """What a person can do about each case without a result; None where there is one."""
         if self.written_advice is not None:
             return self.written_advice

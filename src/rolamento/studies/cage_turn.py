@@ -22,7 +22,7 @@ from rolamento.case import Case, load_case
 from rolamento.errors import InputError
 from rolamento.solution import solve
 from rolamento.solved import Contacts, Solved
-from rolamento.words import said
+from rolamento.words import Note, said
 
 Floats = NDArray[np.float64]
 Compared = Literal["displacement", "load", "stiffness"]
@@ -141,7 +141,7 @@ class CageTurn:
     solved: Solved
     angle: Floats
     period: float
-    advice: str | None
+    advice: Note | None
     cage_speed: CageSpeed
     histories: tuple[BallHistory, ...]
 

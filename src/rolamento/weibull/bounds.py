@@ -29,7 +29,7 @@ from rolamento.weibull.likelihood_ratio import (
     likelihood_ratio_limits,
 )
 from rolamento.weibull.sampled import sampled_limits
-from rolamento.words import said
+from rolamento.words import Note, said
 
 Method = Literal[
     "pivotal",
@@ -71,13 +71,13 @@ class Bounds(Outcome):
     lower, upper
         in the unit of the test, for a life
     code
-        "converged", or why there are none, a key of `fit.ADVICE`
+        "converged", or why there are none, a code that `advice` explains
     unit
         label of a life; empty for a shape or a reliability
     samples, dropped, seed
         tests drawn, how many of them had no fit, and with what they were drawn; 0 without drawing
     notes
-        names in `fit.NOTES`
+        what limits it, each once
     """
 
     quantity: str
@@ -92,7 +92,7 @@ class Bounds(Outcome):
     samples: int = 0
     dropped: int = 0
     seed: int = 0
-    notes: tuple[str, ...] = ()
+    notes: tuple[Note, ...] = ()
 
     @property
     def one_sided_confidence(self) -> float:
@@ -123,7 +123,7 @@ class Bounds(Outcome):
             "samples": self.samples,
             "dropped": self.dropped,
             "seed": self.seed,
-            "notes": list(self.sentences()),
+            "notes": [note.to_mapping() for note in self.notes],
         }
 
 
@@ -209,7 +209,7 @@ def all_bounds(
     code, drawn, notes = fit.code, (0, 0, 0), fit.notes
     if fit.converged and chosen in _ANALYTIC:
         limits = _analytic_limits(test, fit, chosen, wanted, tails)
-        notes = (*notes, "large_sample_method")
+        notes = (*notes, Note("large_sample_method"))
     elif fit.converged and chosen == "calibrated_likelihood_ratio":
         limits, drawing = calibrated_limits(test, fit, wanted, tails, count, random)
         code, drawn = drawing.code, (drawing.samples, drawing.dropped, int(seed))
@@ -260,7 +260,7 @@ def _bounds_at_fixed_shape(
         raise InputError(said("has no bounds where it is given"), field="shape", value=shape)
     fit = fixed_shape(test, shape)
     limits = np.array([fixed_shape_limits(test, shape, q, tails) for q in quantities])
-    notes = ("inspections_shared",) if test.inspected else ()
+    notes = (Note("inspections_shared"),) if test.inspected else ()
     return _bounds_of(
         test,
         fit,
@@ -285,7 +285,7 @@ def _bounds_of(
     limits: FloatArray,
     code: str,
     drawn: tuple[int, int, int],
-    notes: tuple[str, ...],
+    notes: tuple[Note, ...],
 ) -> tuple[Bounds, ...]:
     at = np.array([fit.shape]), np.log([fit.scale])
     records = []
@@ -314,7 +314,7 @@ class Band:
     Attributes
     ----------
     code
-        "converged", or why there is none, a key of `fit.ADVICE`
+        "converged", or why there is none, a code that `advice` explains
     method, confidence, sides
         of the bounds: two-sided, or lower ones where nothing failed
     reliability

@@ -427,7 +427,7 @@ class LikelihoodRegion:
     Attributes
     ----------
     code
-        "converged", or why there is none, a key of `fit.ADVICE`
+        "converged", or why there is none, a code that `advice` explains
     fit
         where the likelihood is greatest
     quantity

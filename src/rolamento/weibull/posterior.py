@@ -25,10 +25,10 @@ from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.numerics.root import increasing_root
 from rolamento.weibull._checks import one_of, shape_of, share
-from rolamento.weibull.fit import ADVICE, Estimand
+from rolamento.weibull.fit import Estimand, advice_on
 from rolamento.weibull.life_test import LifeTest
 from rolamento.weibull.likelihood import Likelihood
-from rolamento.words import said
+from rolamento.words import Note, said
 
 _REACH: Final = 60.0
 _FARTHEST: Final = 300.0
@@ -115,9 +115,9 @@ class Posterior:
     _given: GivenByGamma | GivenByGrid | None
 
     @property
-    def advice(self) -> str | None:
+    def advice(self) -> Note | None:
         """What a person can do, where there is no result."""
-        return ADVICE.get(self.code)
+        return advice_on(self.code)
 
     def quantile(self, quantity: str | Estimand, probability: float) -> float:
         """Value below which a quantity lies with a probability.

@@ -48,8 +48,13 @@ from rolamento.weibull._checks import (
 )
 from rolamento.weibull.drawing import FirstFailures, draw_fits
 from rolamento.weibull.likelihood import CONVERGED
-from rolamento.weibull.planning import MAXIMUM_BEARINGS, PLAN_ADVICE, planned_shape
-from rolamento.words import said
+from rolamento.weibull.planning import (
+    MAXIMUM_BEARINGS,
+    advice_on_plan,
+    planned_shape,
+    status_of_plan,
+)
+from rolamento.words import Note, said
 
 MAXIMUM_FAILURES: Final = 1000
 MAXIMUM_RIGS: Final = 20_000
@@ -101,7 +106,7 @@ class LifeTestPlan:
     Attributes
     ----------
     code
-        "planned", or why there is no plan, a key of `PLAN_ADVICE`
+        "planned", or why there is no plan, a code that `advice` explains
     groups, group_size, failures
         g groups of m bearings, each stopped at its first failure; all stopped at the r-th failure
     life, reliability
@@ -147,9 +152,9 @@ class LifeTestPlan:
         return self.code == "planned"
 
     @property
-    def advice(self) -> str | None:
+    def advice(self) -> Note | None:
         """What a person can do, where there is none."""
-        return PLAN_ADVICE.get(self.code)
+        return advice_on_plan(self.code)
 
     @property
     def bearings(self) -> int:
@@ -171,7 +176,7 @@ class LifeTestPlan:
             "shape_ratio", "bearing_time", "rig_time",
         )  # fmt: skip
         return {
-            "status": {"code": self.code, "planned": self.planned, "advice": self.advice},
+            "status": status_of_plan(self.code),
             **{name: getattr(self, name) for name in counts},
             **{name: finite_or_none(getattr(self, name)) for name in numbers},
             "duration": None if self.duration is None else self.duration.to_mapping(),

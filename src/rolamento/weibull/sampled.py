@@ -43,7 +43,7 @@ from rolamento.weibull.likelihood import (
     fits_of,
     joined,
 )
-from rolamento.words import said
+from rolamento.words import Note, said
 
 Correction = Literal["median", "mean", "ross"]
 
@@ -63,7 +63,7 @@ class Draws:
     samples, dropped
         drawn tests, and how many of them had no fit and are left out
     notes
-        names in `fit.NOTES`
+        what limits it, each once
     """
 
     code: str
@@ -71,7 +71,7 @@ class Draws:
     log_scale: FloatArray
     samples: int
     dropped: int
-    notes: tuple[str, ...] = ()
+    notes: tuple[Note, ...] = ()
 
     def of(self, quantity: Estimand) -> FloatArray:
         """Draws of a quantity."""
@@ -321,7 +321,7 @@ def unbiased(
     exact = test.scheme in ENDED_BY_FAILURES
     if correction != "median" and not (exact and test.failures >= 3):
         return WeibullFit.without(test, "unbiased", "no_mean")
-    notes: tuple[str, ...] = ()
+    notes: tuple[Note, ...] = ()
     if correction == "ross":
         factor = bias_factor(test.size)
     else:
