@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from rolamento.report.sentences import portuguese_sentence
 from tests.one_case import solve_one
 
 from rolamento import Bearing, Case, Duty, Load
@@ -32,7 +33,6 @@ from rolamento.clearance.effects import bore_shrinkage, contact_pressure
 from rolamento.clearance.operating import bearing_with_clearance
 from rolamento.errors import InputError, UnitError
 from rolamento.geometry import ring_geometry
-from rolamento.report.sentences import portuguese_sentence
 from rolamento.solution import solve
 
 RPM = pi / 30.0

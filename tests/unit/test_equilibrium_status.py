@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from rolamento.report.sentences import portuguese_sentence
 from tests.one_case import solve_one
 
 from rolamento import (
@@ -23,7 +24,6 @@ from rolamento import (
     override,
 )
 from rolamento.kinematics import friction_demand
-from rolamento.report.sentences import portuguese_sentence
 from rolamento.solution import solve
 from rolamento.status import STATUS_NAMES
 

@@ -16,6 +16,7 @@ from typing import get_args
 
 import numpy as np
 import pytest
+from rolamento.report.sentences import portuguese_sentence
 
 import rolamento
 from rolamento import Case, notes
@@ -24,7 +25,6 @@ from rolamento.document.medium import Medium
 from rolamento.report.balls import CSV_COLUMNS, ball_csv, rosette
 from rolamento.report.language import ENGLISH, LANGUAGES, PORTUGUESE, Words, words_for
 from rolamento.report.numbers import ABSENT, Digits, aligned, decimals_for
-from rolamento.report.sentences import portuguese_sentence
 from rolamento.report.terminal import terminal_report
 from rolamento.solution import solve
 from rolamento.solved import Solved

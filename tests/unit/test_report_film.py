@@ -5,11 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from rolamento.report.film_sentences import said_note
 
 from rolamento import Analysis, analyse, load_case
 from rolamento.document.medium import Medium
 from rolamento.lubrication import film as film_of
-from rolamento.report.film_sentences import said_note
 from rolamento.report.language import ENGLISH, PORTUGUESE
 from rolamento.report.terminal import terminal_report
 from rolamento.solution import solve

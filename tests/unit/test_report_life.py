@@ -11,6 +11,7 @@ from string import Formatter
 from typing import Any
 
 import pytest
+from rolamento.report.life_sentences import ANALYSIS_SENTENCES, said_analysis_note
 
 from rolamento import Case, analyse, load_case, override
 from rolamento.analysis import NOTES as ANALYSIS_NOTES
@@ -21,7 +22,6 @@ from rolamento.life.sensitivity import CHANGES
 from rolamento.report.language import ENGLISH, PORTUGUESE, Words
 from rolamento.report.life import life_report
 from rolamento.report.life_curves import curves_report
-from rolamento.report.life_sentences import ANALYSIS_SENTENCES, said_analysis_note
 from rolamento.report.life_spectrum import spectrum_report
 from rolamento.report.life_statement import (
     factor_text,

@@ -9,12 +9,12 @@ from math import pi
 
 import numpy as np
 import pytest
+from rolamento.report.sentences import portuguese_sentence
 
 from rolamento import Bearing, Case, Duty, Load, Lubricant, Model
 from rolamento.document.medium import Medium
 from rolamento.notes import SKID_LIMIT, _friction_alone
 from rolamento.report.language import ENGLISH, PORTUGUESE, Words
-from rolamento.report.sentences import portuguese_sentence
 from rolamento.report.terminal import terminal_report
 from rolamento.solution import solve
 from rolamento.solved import Solved

@@ -10,6 +10,7 @@ from rolamento.case.quantity import Quantity, Replaces
 from rolamento.case.record import Record
 from rolamento.errors import InputError
 from rolamento.units import from_si
+from rolamento.words import said
 
 __all__ = ["AXES", "LOADS", "Displacement", "Duty", "Load"]
 
@@ -138,8 +139,11 @@ class Duty(Record):
             shift, load = getattr(self.displacement, axis), getattr(self.load, name)
             if shift is not None and load is not None:
                 raise InputError(
-                    f"is given beside load.{name}; a degree of freedom takes a load or a"
-                    " displacement, not both",
+                    said(
+                        "cannot be combined with load.{name}: a degree of freedom takes a load "
+                        "or a displacement",
+                        name=name,
+                    ),
                     field=f"displacement.{axis}",
                     value=from_si(shift, "length" if len(axis) == 1 else "angle"),
                     example=f"{axis} without load.{name}",

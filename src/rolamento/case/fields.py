@@ -17,8 +17,9 @@ from pydantic.fields import FieldInfo
 
 from rolamento.case.quantity import Quantity, Ratio
 from rolamento.case.record import Record, example_of, meanings, record_of, replaced
-from rolamento.errors import InputError, UnknownKeyError, nearest
+from rolamento.errors import InputError, UnknownKeyError, guess
 from rolamento.units import SI_UNIT, Dimension, from_si
+from rolamento.words import said
 
 __all__ = ["OVERRIDE_SOURCE", "Field", "Value", "changed", "fields_of", "overridden"]
 
@@ -141,7 +142,7 @@ class Field:
         """
         if value is None or isinstance(value, Mapping | list | tuple):
             raise InputError(
-                "must be one value, not a table or a list of values",
+                said("must be a single value, not a table or a list"),
                 field=self.name,
                 value=value,
                 example=self.example,
@@ -257,7 +258,7 @@ def overridden(
         for setting in settings:
             key, equals, text = setting.partition("=")
             if not equals or not key.strip() or len(setting) > _LONGEST_SETTING:
-                raise InputError("must be KEY=VALUE", value=setting, example=_EXAMPLE)
+                raise InputError(said("must be KEY=VALUE"), value=setting, example=_EXAMPLE)
             name = ".".join(part.strip() for part in key.split("."))
             values.pop(name, None)  # the last one counts
             values[name] = _value(text.strip(), _field(name, record))
@@ -345,19 +346,22 @@ def _field(name: str, record: type[Record]) -> Field:
         inside = [other[len(table) :] for other in known if other.startswith(table)]
         here = tuple(dict.fromkeys(other.split(".")[0] for other in inside))
         if part not in here:
-            near = nearest(part, here)
-            all_known = f"known here: {', '.join(here)}" if here else f"{table[:-1]} is not a table"
-            raise UnknownKeyError(
-                f"is not a known key; {f'did you mean {near}?' if near else all_known}",
-                field=name,
-                example=_EXAMPLE,
+            rule = (
+                said("is an unknown key; {guess}", guess=guess(part, here))
+                if here
+                else said("is an unknown key; {table} is not a table", table=table[:-1])
             )
+            raise UnknownKeyError(rule, field=name, example=_EXAMPLE)
         if (leaf := known.get(f"{table}{part}")) is not None and leaf.kind == "list":
-            raise InputError("is a list; give it in the file", field=leaf.name, example=_EXAMPLE)
+            raise InputError(
+                said("is a list; set it in the file"), field=leaf.name, example=_EXAMPLE
+            )
     inside = [other[len(name) + 1 :] for other in known if other.startswith(f"{name}.")]
     here = tuple(dict.fromkeys(other.split(".")[0] for other in inside))
     raise InputError(
-        f"is a table; set one of its fields: {', '.join(here)}", field=name, example=_EXAMPLE
+        said("is a table; set one of its fields: {here}", here=", ".join(here)),
+        field=name,
+        example=_EXAMPLE,
     )
 
 
@@ -395,7 +399,9 @@ def _put(mapping: dict[str, Any], name: str, value: object, record: type[Record]
             if value is None:
                 return
             raise InputError(
-                "is not a table in this case; set it as a whole, or give a table in the file",
+                said(
+                    "is not a table in this case; set it as a whole, or write a table in the file"
+                ),
                 field=here,
                 value=inner,
             )

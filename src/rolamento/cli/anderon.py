@@ -27,6 +27,7 @@ from rolamento.cli.outputs import check_outputs
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
 from rolamento.cli.table_options import DecimalMarkOption
 from rolamento.errors import InputError
+from rolamento.words import marked, said
 
 if TYPE_CHECKING:
     from rolamento.report.language import Words
@@ -156,12 +157,12 @@ def anderon(
 
 def _check_outputs(signals: list[str], outputs: dict[str, str | None], hours: str | None) -> None:
     """Refuse outputs that would run into each other or over a signal, or lack the hours."""
-    check_outputs(outputs, *signals, rule="is the file of a signal itself")
+    check_outputs(outputs, *signals, rule=marked("is one of the signal files; choose another name"))
     for option in ("--record", "--plot"):
         several = option == "--record" or len(signals) > 1
         if outputs[option] is not None and several and hours is None:
             raise InputError(
-                "needs the hours of each signal", source=option, example="--hours 60,120,180"
+                said("needs the hours of each signal"), source=option, example="--hours 60,120,180"
             )
 
 
@@ -181,13 +182,13 @@ def _full_scales_of(given: Sequence[str]) -> dict[BandName, FullScale]:
         name = next((band for band in BANDS if band == key.strip().casefold()), None)
         if name is None or not equals:
             raise InputError(
-                f"must be BAND=VALUE, with a BAND of {', '.join(BANDS)}",
+                said("must be BAND=VALUE; BAND is one of {bands}", bands=", ".join(BANDS)),
                 source="--full-scale",
                 value=setting,
                 example=_SCALE_EXAMPLE,
             )
         if name in found:
-            raise InputError("is given twice", source="--full-scale", field=name)
+            raise InputError(said("is given twice"), source="--full-scale", field=name)
         found[name] = _full_scale(text.strip(), name)
     return found
 
@@ -209,7 +210,7 @@ def _full_scale(text: str, name: BandName) -> FullScale:
         value = nan
     if not (isfinite(value) and 0.0 < value / scale <= _MOST_SCALE):
         raise InputError(
-            "must be a number of anderons over 0, or a velocity in um/s, mm/s, m/s or in/s",
+            said("must be a positive number of anderons, or a velocity in um/s, mm/s, m/s or in/s"),
             source="--full-scale",
             field=name,
             value=text,

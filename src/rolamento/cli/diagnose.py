@@ -29,6 +29,7 @@ from rolamento.cli.outputs import check_outputs
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
 from rolamento.cli.table_options import DecimalMarkOption
 from rolamento.errors import InputError
+from rolamento.words import marked, said
 
 if TYPE_CHECKING:
     from rolamento.cli.waiting import Progress
@@ -201,7 +202,9 @@ def diagnose(
     """
     with plain_endings(lang), in_options(diagnose, tolerance="--slip"):
         outputs = {"--json": json, "--csv": csv, "--plot": plot, "--kurtogram": kurtogram}
-        check_outputs(outputs, signal, bearing, rule="is a file that is read")
+        check_outputs(
+            outputs, signal, bearing, rule=marked("is one of the input files; choose another name")
+        )
         from rolamento import tasks
         from rolamento.cli.quantities import number_given
         from rolamento.vibration.diagnosis import DiagnosisSettings
@@ -250,7 +253,7 @@ def _part_of_one(text: str) -> float:
         value = float(number.removesuffix("%"))
     except ValueError:
         raise InputError(
-            "must be a part such as 0.03, or in percent",
+            said("must be a fraction such as 0.03, or a percentage"),
             field="speed_tolerance",
             value=text,
             example=f'speed_tolerance="{_SPEED_TOLERANCE}"',

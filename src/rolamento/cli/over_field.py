@@ -12,6 +12,7 @@ from rolamento.cli.common import Language, complain_of_points, words_of
 from rolamento.cli.options import plot_option
 from rolamento.cli.streams import STANDARD_STREAM, print_text, put
 from rolamento.errors import InputError
+from rolamento.words import said
 
 if TYPE_CHECKING:
     import numpy as np
@@ -97,7 +98,9 @@ def check_variants(variants: list[str]) -> None:
     """
     if len(variants) > _MOST_VARIANTS:
         raise InputError(
-            f"may be given at most {_MOST_VARIANTS} times", field="--variant", value=len(variants)
+            said("may be given at most {most} times", most=_MOST_VARIANTS),
+            field="--variant",
+            value=len(variants),
         )
 
 

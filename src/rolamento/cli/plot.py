@@ -17,6 +17,7 @@ from rolamento.cli.options import LanguageOption
 from rolamento.cli.outputs import check_outputs
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text
 from rolamento.tasks.drawing import Kind, draw
+from rolamento.words import marked
 
 
 def plot(
@@ -65,7 +66,9 @@ def plot(
 
         target = _default_name(result) if output is None else output
         check_name(target)
-        check_outputs({"--output": target}, result, rule="is the result itself")
+        check_outputs(
+            {"--output": target}, result, rule=marked("is the result itself; choose another name")
+        )
         words = plot_words(words_of(lang).code)
         drawing = draw(result, kind, variable=variable, over=over, language=words.code)
         save_figure(drawing.figure, target)

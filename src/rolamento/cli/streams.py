@@ -12,6 +12,7 @@ from typing import Final, TextIO
 from rolamento._writing import write_text
 from rolamento.document.medium import Medium
 from rolamento.errors import FileError, printable
+from rolamento.words import said
 
 __all__ = ["STANDARD_STREAM", "complain", "end_of_output", "print_data", "print_text", "put"]
 
@@ -86,7 +87,7 @@ def _encoded(text: str, stream: TextIO) -> bytes:
 def _write(stream: TextIO | None, content: Callable[[], bytes], name: str) -> None:
     """Write bytes and see them off: what is left in a buffer fails where nobody can tell."""
     if stream is None:
-        raise FileError("is closed", source=name)
+        raise FileError(said("is closed"), source=name)
     try:
         stream.flush()
         stream.buffer.write(content())
@@ -96,7 +97,7 @@ def _write(stream: TextIO | None, content: Callable[[], bytes], name: str) -> No
     except OSError as error:
         _silence(stream)
         reason = (error.strerror or str(error)).lower()
-        raise FileError(f"cannot be written: {reason}", source=name) from None
+        raise FileError(said("cannot be written: {reason}", reason=reason), source=name) from None
 
 
 def _silence(stream: TextIO) -> None:

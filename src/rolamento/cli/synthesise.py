@@ -24,6 +24,7 @@ from rolamento.cli.outputs import check_outputs
 from rolamento.cli.quantities import fields_of
 from rolamento.cli.streams import STANDARD_STREAM, print_text
 from rolamento.errors import InputError
+from rolamento.words import said
 
 if TYPE_CHECKING:
     from rolamento.cli.quantities import Kind
@@ -339,7 +340,7 @@ def _noise(
     if snr is None and level is None:
         return None
     if snr is not None and level is not None:
-        raise InputError("give one of --snr and --noise, not both", source="--snr")
+        raise InputError(said("give --snr or --noise, not both"), source="--snr")
     fields: dict[str, Any] = {"colour": colour, "of": "faults" if has_faults else "signal"}
     if level is not None:
         fields["level"] = number_of(level, "--noise", "acceleration", EXAMPLES["--noise"])
@@ -347,8 +348,10 @@ def _noise(
         fields["ratio"] = snr
     else:
         raise InputError(
-            "is a ratio to faults, waviness or harmonics of the shaft, and there are none; for"
-            " noise alone give --noise",
+            said(
+                "is a ratio to faults, waviness or shaft harmonics, and there are "
+                "none; for noise alone give --noise"
+            ),
             source="--snr",
             example=EXAMPLES["--noise"],
         )
@@ -364,7 +367,7 @@ def _speed_profile(
     from rolamento.vibration.synthesis import SwingingSpeed, WanderingSpeed
 
     if swing is not None and wander is not None:
-        raise InputError("give one of --swing and --wander, not both", source="--swing")
+        raise InputError(said("give --swing or --wander, not both"), source="--swing")
     if swing is not None:
         return partial(SwingingSpeed, **{"frequency": 0.3, **_fields_given("--swing", swing)})
     if wander is not None:
@@ -379,7 +382,9 @@ def _load(text: str | None) -> dict[str, Any]:
     fields = _fields_given("--load", text)
     kind = fields.pop("kind")
     if kind not in _LOADS or (fields and kind != "radial"):
-        rule = f"must be one of {', '.join(_LOADS)}; of radial with extent and azimuth"
+        rule = said(
+            "must be one of {known}; radial takes extent and azimuth", known=", ".join(_LOADS)
+        )
         raise InputError(rule, source="--load", value=text, example=EXAMPLES["--load"])
     azimuth = {"load_azimuth": fields.pop("azimuth")} if "azimuth" in fields else {}
     return {"load": kind, **fields, **azimuth}
@@ -417,7 +422,10 @@ def _waviness(text: str) -> Waviness:
     fields = _fields_given("--waviness", text)
     if "amplitude" not in fields:
         raise InputError(
-            "is missing", source="--waviness", field="amplitude", example=EXAMPLES["--waviness"]
+            said("is missing"),
+            source="--waviness",
+            field="amplitude",
+            example=EXAMPLES["--waviness"],
         )
     with _in_option("--waviness"):
         return Waviness.falling(**fields)

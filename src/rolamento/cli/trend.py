@@ -15,6 +15,7 @@ from rolamento.cli.shipped_data import check_one_given, data_and_json, known_exa
 from rolamento.cli.streams import STANDARD_STREAM, print_text, put
 from rolamento.cli.table_options import DecimalMarkOption, TimeColumnOption, told_in_options
 from rolamento.errors import InputError
+from rolamento.words import marked, said
 
 if TYPE_CHECKING:
     from rolamento.clearance import WearLaw
@@ -68,10 +69,14 @@ def trend(
     """
     with plain_endings(lang):
         data, json = data_and_json(data, example, json)
-        check_outputs({"--json": json, "--plot": plot}, data, rule="is the file of the data itself")
+        check_outputs(
+            {"--json": json, "--plot": plot},
+            data,
+            rule=marked("is the data file itself; choose another name"),
+        )
         check_one_given(data, example, "trend", EXAMPLES)
         if law is not None and law not in LAWS:
-            rule = f"must be one of {', '.join(LAWS)}"
+            rule = said("must be one of {known}", known=", ".join(LAWS))
             raise InputError(rule, source="--law", value=law, example="running-in")
         columns = {"time": time_column, "bearing": bearing_column, "decimal_mark": decimal_mark}
         from rolamento.document.medium import Medium

@@ -27,7 +27,7 @@ from rolamento.cli.table_options import (
     told_in_options,
 )
 from rolamento.errors import InputError
-from rolamento.words import said
+from rolamento.words import marked, said
 
 if TYPE_CHECKING:
     from rolamento.weibull import FitMethod, LifeTestSummary, Method, ShapePrior
@@ -198,7 +198,7 @@ def weibull(
     with plain_endings(lang):
         data, json = data_and_json(data, example, json)
         outputs = {"--json": json, "--plot": plot, "--contour": contour}
-        check_outputs(outputs, data, rule="is the file of the data itself")
+        check_outputs(outputs, data, rule=marked("is the data file itself; choose another name"))
         if write is not None:
             print_text(_write_example(data, example, write))
             return
@@ -217,7 +217,10 @@ def weibull(
         calculated = _named_lives(calculated_life or ())
         for option, many in (("--reliability", reliability), ("--time", time)):
             if len(many or ()) > _MAXIMUM_NUMBERS:
-                raise InputError(f"may be given {_MAXIMUM_NUMBERS} times at most", source=option)
+                raise InputError(
+                    said("may be given at most {most} times", most=_MAXIMUM_NUMBERS),
+                    source=option,
+                )
         from rolamento.cli.waiting import progress_of
         from rolamento.tasks.weibull import life_test_study
         from rolamento.weibull import bands_of, published_life_test, regions_of
@@ -264,7 +267,7 @@ def _write_example(data: str | None, example: str | None, path: str) -> str:
     from rolamento.weibull import published_text
 
     if example is None or data is not None:
-        raise InputError("goes with --example alone", source="--write", value=path)
+        raise InputError(said("goes with --example alone"), source="--write", value=path)
     write_text(published_text(_published_name(example)), path, new=True)
     return said("Wrote {path}", path=path) + "\n"
 
@@ -290,7 +293,10 @@ def _fit_methods(names: Sequence[str], three_parameter: bool) -> tuple[FitMethod
     for name in names:
         if name not in FITS:
             raise InputError(
-                f"must be one of {', '.join(FITS)}", source="--method", value=name, example="ml"
+                said("must be one of {known}", known=", ".join(FITS)),
+                source="--method",
+                value=name,
+                example="ml",
             )
     chosen = [*(names or ("ml", "unbiased", "rrx", "rry"))]
     chosen += ["three-parameter"] if three_parameter else []
@@ -306,11 +312,14 @@ def _bounds_method(name: str | None, shape: float | None) -> Method | None:
     word = name.replace("_", "-")
     if word not in known:
         raise InputError(
-            f"must be one of {', '.join(known)}", source="--bounds", value=name, example=known[0]
+            said("must be one of {known}", known=", ".join(known)),
+            source="--bounds",
+            value=name,
+            example=known[0],
         )
     if shape is not None:
-        raise InputError("does not go with --shape, which has bounds of its own", source="--bounds",
-                         value=name)  # fmt: skip
+        rule = said("cannot be combined with --shape, which has its own bounds")
+        raise InputError(rule, source="--bounds", value=name)
     return cast("Method", word.replace("-", "_"))
 
 
@@ -324,7 +333,7 @@ def _prior_of(text: str) -> ShapePrior:
         match = None
     if match is None:
         raise InputError(
-            "must be LOW..HIGH, what the shape lies between with 90 %; or uniform:LOW..HIGH",
+            said("must be LOW..HIGH, the 90 % range of the shape, or uniform:LOW..HIGH"),
             source="--bayes",
             value=text,
             example="1..2.5",
@@ -338,13 +347,15 @@ def _prior_of(text: str) -> ShapePrior:
 def _named_lives(texts: Sequence[str]) -> dict[str, str]:
     """Calculated lives by their names; those without one are called by what was written."""
     if len(texts) > _MAXIMUM_CALCULATED:
-        rule = f"may be given {_MAXIMUM_CALCULATED} times at most"
+        rule = said("may be given at most {most} times", most=_MAXIMUM_CALCULATED)
         raise InputError(rule, source="--calculated-life")
     lives: dict[str, str] = {}
     for text in texts:
         name, _, life = text.rpartition("=")
         name = name.strip() or text.strip()
         if name in lives:
-            raise InputError("has two lives of one name", source="--calculated-life", value=text)
+            raise InputError(
+                said("gives two lives of the same name"), source="--calculated-life", value=text
+            )
         lives[name] = life
     return lives

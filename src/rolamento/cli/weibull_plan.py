@@ -156,11 +156,15 @@ def precision(
         check_outputs({"--json": json, "--plot": plot})
         sizes = group_size or []
         if (ratio is None) == (failures is None):
-            raise InputError("give --ratio or --failures", source="precision", example="--ratio 5")
+            raise InputError(
+                said("give --ratio or --failures"), source="precision", example="--ratio 5"
+            )
         if ratio is not None and groups is not None and len(sizes) > 1:
-            raise InputError("goes with one --group-size", source="--groups", value=groups)
+            raise InputError(
+                said("goes with a single --group-size"), source="--groups", value=groups
+            )
         if len(sizes) > _MAXIMUM_SIZES:
-            rule = f"may be given {_MAXIMUM_SIZES} times at most"
+            rule = said("may be given at most {most} times", most=_MAXIMUM_SIZES)
             raise InputError(rule, source="--group-size")
         from rolamento.cli.waiting import progress_of
         from rolamento.document.medium import Medium

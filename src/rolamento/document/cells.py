@@ -19,6 +19,8 @@ __all__ = [
     "broken",
     "cell",
     "cells",
+    "characters",
+    "figure_spaced",
     "has_unit_line",
     "indexed",
     "is_numeric",
@@ -34,6 +36,10 @@ __all__ = [
 PEAK: Final = "◂"
 """What stands behind the greatest number of a column."""
 
+_AS_WIDE_AS_DIGIT: Final = "\u2007"
+_AS_WIDE_AS_MARK: Final = "\u2008"
+_LONGEST_LINE: Final = 40
+_BAR: Final = 16
 _INDEXED: Final = re.compile(
     r"(?<![\w./\\@-])([A-Za-zα-ωΑ-Ωµ])_([A-Za-z0-9]{1,4})(?!\w|[./\\@-]\w|_)"
 )
@@ -76,6 +82,16 @@ def cell(value: CellContent, unit: str = "", decimals: int = 0) -> str:
     if isinstance(value, bool | int):
         return manner().fixed(float(value), 0)
     return manner().fixed(float(in_unit(value, unit)), decimals)
+
+
+def figure_spaced(text: str) -> str:
+    """Return a number padded on the right by spaces as wide as the digits that it lacks."""
+    bare = text.rstrip(" ")
+    room = len(text) - len(bare)
+    if not room:
+        return text
+    mark = "" if manner().mark in bare else _AS_WIDE_AS_MARK
+    return bare + mark + _AS_WIDE_AS_DIGIT * (room - len(mark))
 
 
 def numbers_of(column: Column) -> list[float]:
@@ -137,6 +153,17 @@ def broken(block: Table, fits: Callable[[Table], bool]) -> Iterator[tuple[str, T
     for each, start, end in zip(block.breaks, places, [*places[1:], len(columns)], strict=True):
         part = (*columns[: block.fixed], *columns[start:end])
         yield each.heading, replace(whole, columns=part, legends=(each.legend,))
+
+
+def characters(block: Table) -> int:
+    """Return about how many characters a table is wide, its columns two apart."""
+    width = 0
+    for column in block.columns:
+        words = max((len(word) for word in column.head.split()), default=0)
+        longest = max((min(len(text), _LONGEST_LINE) for text in cells(column)), default=0)
+        width += 2 + (_BAR if column.bar else max(words, len(column.unit), longest))
+        width += 2 * bool(column.peak)
+    return width
 
 
 def table_of_bars(block: Bars) -> Table:

@@ -108,7 +108,7 @@ class Theory:
     needs
         what the case has to supply for it
     validity
-        names of the notes (`record.NOTES`) that refuse it: outside of these it is valid
+        keys of the notes that refuse it: outside of these it is valid
     rank
         by weight, from 0: figures list and colour theories by it
     standard

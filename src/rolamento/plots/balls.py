@@ -26,6 +26,7 @@ from rolamento.plots.frame import (
 from rolamento.plots.style import INNER, OUTER, SERIES, in_style, new_figure, new_polar_figure
 from rolamento.plots.words import ENGLISH, PlotWords
 from rolamento.solved import NO_LOAD, RACES, Solved, refuse_other
+from rolamento.words import said
 
 Floats = NDArray[np.float64]
 _TURN: Final = 360.0
@@ -107,7 +108,7 @@ def check_one_case(solved: Solved, figure: str) -> None:
     refuse_other(solved, f"plots.{figure}")
     if len(solved) != 1:
         raise InputError(
-            "must be of one case", field="solved", value=len(solved), example="solved[0]"
+            said("must be a single case"), field="solved", value=len(solved), example="solved[0]"
         )
 
 
@@ -245,7 +246,7 @@ def _number_circles(axes: PolarAxes, azimuth: Floats, load: Floats, words: PlotW
 def _turned(axes: Axes) -> PolarAxes:
     if not isinstance(axes, PolarAxes):
         raise InputError(
-            "must be polar", field="axes", example='figure.add_subplot(projection="polar")'
+            said("must be polar"), field="axes", example='figure.add_subplot(projection="polar")'
         )
     axes.set_theta_zero_location("N")
     axes.set_theta_direction(-1)

@@ -18,6 +18,7 @@ from rolamento.plots.frame import empty_frame, label_x, label_y, legend_above
 from rolamento.plots.style import INNER, OUTER, in_style, new_figure, series
 from rolamento.plots.words import ENGLISH, PlotWords
 from rolamento.solved import RACES
+from rolamento.words import said
 
 Floats = NDArray[np.float64]
 
@@ -72,7 +73,9 @@ def load_displacement(
     across, up = np.atleast_2d(across), np.atleast_2d(up)
     names = list(labels) or [""] * len(across)
     if len(names) != len(across) or across.ndim > 2:
-        raise InputError(f"must be one for each of {len(across)} curves", field="labels")
+        raise InputError(
+            said("must be one for each of {count} curves", count=len(across)), field="labels"
+        )
     axes = new_figure()[1] if axes is None else axes
     if not np.isfinite(across + up).any():
         return empty_frame(axes, words.no_result)
@@ -127,7 +130,7 @@ def stiffness_over_speed(
     tilts = {position > 2 for position in positions}
     if len(tilts) != 1:
         raise InputError(
-            "must be shifts, or tilts: they have different units",
+            said("must be displacements or tilts: they have different units"),
             field="directions",
             value=", ".join(directions),
             example='("x", "z")',
@@ -137,7 +140,11 @@ def stiffness_over_speed(
         up = up[:, positions, positions]
     if across.ndim != 1 or up.shape != (len(across), len(positions)):
         raise InputError(
-            f"must be (cases, 5, 5) or (cases, directions) for {across.size} speeds, is {up.shape}",
+            said(
+                "must be (cases, 5, 5) or (cases, directions) for {size} speeds, is {shape}",
+                size=across.size,
+                shape=up.shape,
+            ),
             field="stiffness",
         )
     axes = new_figure()[1] if axes is None else axes
@@ -192,7 +199,11 @@ def contact_angle_over_speed(
     for name, values in angles.items():
         if across.ndim != 1 or values.ndim not in (1, 2) or len(values) != len(across):
             raise InputError(
-                f"must be (cases,) or (cases, balls) for {across.size} speeds, is {values.shape}",
+                said(
+                    "must be (cases,) or (cases, balls) for {size} speeds, is {shape}",
+                    size=across.size,
+                    shape=values.shape,
+                ),
                 field=name,
             )
     axes = new_figure()[1] if axes is None else axes
@@ -235,7 +246,9 @@ def _from_zero(axes: Axes, values: Floats) -> None:
 def _position(direction: str) -> int:
     if direction not in _DIRECTIONS:
         raise InputError(
-            f"must be one of {', '.join(_DIRECTIONS)}", field="direction", value=direction
+            said("must be one of {known}", known=", ".join(_DIRECTIONS)),
+            field="direction",
+            value=direction,
         )
     return _DIRECTIONS.index(direction)
 
@@ -246,4 +259,6 @@ def _together(**arrays: ArrayLike) -> list[Floats]:
     try:
         return [np.array(column) for column in np.broadcast_arrays(*columns)]
     except ValueError:
-        raise InputError(f"must be of one length: {', '.join(arrays)}") from None
+        raise InputError(
+            said("must have the same length: {arrays}", arrays=", ".join(arrays))
+        ) from None

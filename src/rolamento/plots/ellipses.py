@@ -27,6 +27,7 @@ from rolamento.plots.frame import GREY, empty_frame, label_y, legend_above, numb
 from rolamento.plots.style import INNER, OUTER, in_style, new_figure, new_stacked_figure
 from rolamento.plots.words import ENGLISH, PlotWords
 from rolamento.solved import RACES, Solved
+from rolamento.words import said
 
 _FRAME_SHAPE: Final = 3.3
 """Width of the drawing over its height, as it fits two to a page."""
@@ -187,9 +188,11 @@ def _picked(count: int, chosen: Sequence[int] | None) -> Sequence[int]:
         return range(count)
     for index in chosen:
         if not 0 <= index < count:
-            raise InputError(f"must be from 0 to {count - 1}", field="balls", value=index)
+            raise InputError(
+                said("must be from 0 to {count}", count=count - 1), field="balls", value=index
+            )
     if not chosen:
-        raise InputError("must name at least one ball", field="balls", example="[0, 1]")
+        raise InputError(said("must name at least one ball"), field="balls", example="[0, 1]")
     return chosen
 
 

@@ -207,7 +207,9 @@ def require(given: object, kind: type, field: str, example: str) -> None:
     """
     if not isinstance(given, kind):
         name = type(given).__name__
-        raise InputError(f"must be a {kind.__name__}", field=field, value=name, example=example)
+        raise InputError(
+            said("must be a {name}", name=kind.__name__), field=field, value=name, example=example
+        )
 
 
 def require_axes(given: Axes) -> Axes:

@@ -27,6 +27,7 @@ from rolamento.plots.frame import PlainNumbers, empty_frame, figure_of, label_x,
 from rolamento.plots.style import in_style, new_figure, new_stacked_figure
 from rolamento.plots.words import ENGLISH, PlotWords
 from rolamento.solved import Solved
+from rolamento.words import said
 
 __all__ = ["QUANTITIES", "Quantity", "slip_map", "slip_maps"]
 
@@ -124,7 +125,9 @@ def slip_map(
     axes = new_figure(height=62.0)[1] if axes is None else axes
     if quantity not in QUANTITIES:
         raise InputError(
-            f"must be one of {', '.join(QUANTITIES)}", field="quantity", value=quantity
+            said("must be one of {known}", known=", ".join(QUANTITIES)),
+            field="quantity",
+            value=quantity,
         )
     if not solved.converged[0]:
         return empty_frame(axes, words.reason(str(solved.status.code[0])))
@@ -155,7 +158,12 @@ def _contact(solved: Solved, race: Race, ball: int) -> _Contact:
     if ball == _HEAVIEST:
         ball = int(np.argmax(patch.load[0]))
     if not 0 <= ball < count:
-        raise InputError(f"must be from 0 to {count - 1}", field="ball", value=ball, example="0")
+        raise InputError(
+            said("must be from 0 to {count}", count=count - 1),
+            field="ball",
+            value=ball,
+            example="0",
+        )
 
     def one(array: Floats) -> Floats:
         return np.asarray(array[0, ball : ball + 1])

@@ -18,6 +18,7 @@ from rolamento.errors import InputError, nearest
 from rolamento.plots.axes_units import NONE, ReadableUnit, readable_unit
 from rolamento.plots.words import PlotWords
 from rolamento.studies.study import SAMPLE
+from rolamento.words import said
 
 Floats = NDArray[np.float64]
 
@@ -130,7 +131,7 @@ def most_telling(study: StudyData) -> str:
     """
     known = outputs(study)
     if not known:
-        raise InputError("holds no output that could be drawn", field="data")
+        raise InputError(said("has no output that can be drawn"), field="data")
     return next((name for name in _TELLING if name in known), known[0])
 
 
@@ -146,9 +147,9 @@ def output_of(study: StudyData, name: str, words: PlotWords) -> PlottedVariable:
         raise _unknown("variable", name, outputs(study))
     variable = study.data_vars[name]
     if (size := prod(variable.shape)) > _MOST_VALUES:
-        raise InputError(f"is too large for a figure: {size} values", field=name)
+        raise InputError(said("is too large for a figure: {size} values", size=size), field=name)
     if not size:
-        raise InputError("holds no values", field=name)
+        raise InputError(said("has no values"), field=name)
     values = np.array(variable.values, dtype=np.float64)
     values = np.where(_failed(study, variable) | ~np.isfinite(values), np.nan, values)
     kept = [size != 1 for size in values.shape]
@@ -168,7 +169,7 @@ def axis_of(study: StudyData, name: str, size: int, words: PlotWords) -> Plotted
         return PlottedVariable(name, (name,), np.arange(float(size)), label, NONE)
     column = _input(name if name in along else along[0], coordinate, words)
     if not np.isfinite(column.values).all():
-        raise InputError("holds what is not a number", field=name)
+        raise InputError(said("contains something that is not a number"), field=name)
     return column
 
 
@@ -271,5 +272,10 @@ def _flags(status: Variable) -> dict[str, Any]:
 def _unknown(field: str, name: str, known: Sequence[str]) -> InputError:
     near = nearest(name, known)
     listed = ", ".join(known[:_LISTED]) + (" …" if len(known) > _LISTED else "")
-    advice = f"did you mean {near}?" if near else f"known here: {listed}" if known else ""
-    return InputError(f"is not in the study; {advice}", field=field, value=name)
+    if near:
+        rule = said("is not in the study; did you mean {near}?", near=near)
+    elif known:
+        rule = said("is not in the study; known: {known}", known=listed)
+    else:
+        rule = said("is not in the study")
+    return InputError(rule, field=field, value=name)

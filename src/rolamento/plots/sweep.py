@@ -41,6 +41,7 @@ from rolamento.plots.study import (
 from rolamento.plots.style import SERIES, Series, in_style, new_figure, series
 from rolamento.plots.words import ENGLISH, PlotWords
 from rolamento.studies.study import SAMPLE
+from rolamento.words import said
 
 Floats = NDArray[np.float64]
 
@@ -114,7 +115,7 @@ def study_lines(
     table = _table(study, variable, over, words)
     if table.along == SAMPLE and table.other is None:
         raise InputError(
-            "does not go with a study of samples alone", field="kind", value="lines",
+            said("cannot show a study of samples alone"), field="kind", value="lines",
             example="histogram or scatter",
         )  # fmt: skip
     axes = new_figure()[1] if axes is None else axes
@@ -153,7 +154,7 @@ def study_map(
     table = _table(study, variable, over, words)
     if table.other is None or SAMPLE in (table.along, table.other):
         raise InputError(
-            "needs a study with two axes", field="kind", value="map",
+            said("needs a study with two axes"), field="kind", value="map",
             example="lines" if table.other is None else "histogram",
         )  # fmt: skip
     axes = new_figure(height=100.0)[1] if axes is None else axes
@@ -191,12 +192,16 @@ def _table(study: StudyData, variable: str, over: str, words: PlotWords) -> _Tab
     output = output_of(study, variable or most_telling(study), words)
     dims = output.dims
     if not 1 <= len(dims) <= 2:
-        shape = f"varies along {', '.join(dims)}" if dims else "is of one case"
         raise InputError(
-            f"{shape}; a figure shows one or two axes: select some values first",
+            said(
+                "varies along {dims}; a figure shows one or two axes: select some values first",
+                dims=", ".join(dims),
+            )
+            if dims
+            else said("is of a single case; a figure shows one or two axes"),
             field=output.name,
-            example='study.sel(fx=20e3) or study.isel(ball=0) in Python',
-        )  # fmt: skip
+            example="study.sel(fx=20e3), study.isel(ball=0)",
+        )
     along = _axis_named(study, over, output) if over else _longest(study, output, words)
     across = over or along
     if len(dims) == 1:
@@ -213,7 +218,11 @@ def _axis_named(study: StudyData, name: str, output: PlottedVariable) -> str:
     if axes.get(name) not in output.dims:
         known = [n for n, axis in axes.items() if axis in output.dims]
         raise InputError(
-            f"is not an axis of {output.name}; it has {', '.join(known)}", field="over", value=name
+            said(
+                "is not an axis of {name}; it has {known}", name=output.name, known=", ".join(known)
+            ),
+            field="over",
+            value=name,
         )
     return axes[name]
 
@@ -243,8 +252,12 @@ def _family(
     count = table.values.shape[1]
     if count > MOST_LINES:
         raise InputError(
-            f"would draw {count} lines along {table.other}; more than {MOST_LINES} cannot be told"
-            " apart",
+            said(
+                "would draw {count} lines along {other}; more than {most} cannot be told apart",
+                count=count,
+                other=table.other,
+                most=MOST_LINES,
+            ),
             field="kind",
             value="lines",
             example="map",
@@ -426,7 +439,7 @@ def study_scatter(
     output = _along_samples(study, variable, "scatter", words)
     across = input_of(study, over or _first_input(study), words)
     if across.dims != (SAMPLE,):
-        raise InputError("does not vary along the samples", field="over", value=across.name)
+        raise InputError(said("does not vary along the samples"), field="over", value=across.name)
     axes = new_figure()[1] if axes is None else axes
     values = output.values[np.isfinite(output.values)]
     if not values.size:
@@ -455,8 +468,11 @@ def _along_samples(study: StudyData, variable: str, kind: str, words: PlotWords)
     output = output_of(study, variable or most_telling(study), words)
     if output.dims != (SAMPLE,):
         raise InputError(
-            f"needs an output that varies along samples alone; {output.name} varies along"
-            f" {', '.join(output.dims) or 'nothing'}",
+            said(
+                "needs an output that varies along the samples alone; {name} varies along {dims}",
+                name=output.name,
+                dims=", ".join(output.dims) or "–",
+            ),
             field="kind",
             value=kind,
             example="lines or map",
@@ -469,7 +485,7 @@ def _first_input(study: StudyData) -> str:
     along = (name for name in inputs(study) if tuple(study.coords[name].dims) == (SAMPLE,))
     name = next((name for name in along if name != SAMPLE), "")
     if not name:
-        raise InputError("is missing: the study names no input", field="over")
+        raise InputError(said("is missing: the study names no input"), field="over")
     return name
 
 

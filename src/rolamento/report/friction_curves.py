@@ -59,7 +59,7 @@ _WORDS: Final[Mapping[str, _Words]] = {
         reasons={
             "inertia": "inertia counts",
             "full_film": "a full film",
-            "no_result": "no result",
+            "torque_unknown": "no result",
             "no_film": "no film",
             "other_angle": "constants for 40°",
         },
@@ -82,7 +82,7 @@ _WORDS: Final[Mapping[str, _Words]] = {
         reasons={
             "inertia": "a inércia conta",
             "full_film": "filme completo",
-            "no_result": "sem resultado",
+            "torque_unknown": "sem resultado",
             "no_film": "sem filme",
             "other_angle": "constantes para 40°",
         },

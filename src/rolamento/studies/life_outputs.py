@@ -12,6 +12,7 @@ from rolamento.life import LifeSummary, life
 from rolamento.life.theories import THEORIES
 from rolamento.life.theory import CLEANLINESS, REQUIRED_LIFE, VISCOSITY_RATIO
 from rolamento.studies.outputs import Evaluation, Floats, Output
+from rolamento.words import said
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -56,7 +57,7 @@ def refuse_lifeless(case: Case, varied: frozenset[str]) -> None:
     angle = np.array([row.contact_angle or 0.0 for row in rows])
     if np.any(angle > MAXIMUM_ANGLE * (1.0 + 1e-9)):
         raise InputError(
-            "is a thrust bearing's: it has no life by these theories, which go up to 45°",
+            said("is that of a thrust bearing: these life theories go up to 45°"),
             field="case.bearing.contact_angle",
             value=f"{float(np.degrees(angle.max())):.4g} deg",
             example='contact_angle = "25 deg"',
@@ -67,8 +68,10 @@ def refuse_lifeless(case: Case, varied: frozenset[str]) -> None:
     pitch = np.array([row.pitch_diameter for row in rows])
     if np.any(np.isnan(dynamic_factor(diameter * np.cos(angle) / pitch))):
         raise InputError(
-            "is missing: the geometry lies outside the standard's table (D cos α/d_m from 0.01 to"
-            " 0.40)",
+            said(
+                "is missing: the geometry is outside the table of the standard (D cos "
+                "α/d_m from 0.01 to 0.40)"
+            ),
             field="case.life.dynamic_rating",
             example='[life] with dynamic_rating = "20.6 kN"',
         )

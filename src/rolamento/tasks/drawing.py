@@ -8,6 +8,7 @@ from enum import StrEnum
 from typing import TYPE_CHECKING, Final
 
 from rolamento.errors import InputError
+from rolamento.words import said
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -97,14 +98,16 @@ def draw(
     from rolamento.plots.words import plot_words
 
     if kind is not None and kind not in list(Kind):
-        raise InputError(f"must be one of {', '.join(Kind)}", field="--kind", value=kind)
+        raise InputError(
+            said("must be one of {known}", known=", ".join(Kind)), field="--kind", value=kind
+        )
     wanted, words, path = None if kind is None else Kind(kind), plot_words(language), str(result)
     if _is_study(path):
         axes, title, failure = _of_study(path, wanted, variable or "", over or "", words)
     else:
         for name, given in (("--variable", variable), ("--over", over)):
             if given is not None:
-                raise InputError("is for studies; this is a state", field=name, value=given)
+                raise InputError(said("is for studies; this is a state"), field=name, value=given)
         axes, title, failure = _of_state(path, wanted or Kind.rosette, words)
     if title.strip():
         add_title(figure_of(axes), title)
@@ -159,7 +162,7 @@ def _of_life(kind: Kind, solved: Solved, language: str) -> Axes:
 
     if not has_life(solved.case):
         raise InputError(
-            "is missing: figures of life need it, or a bearing with a designation",
+            said("is missing: figures of life need it, or a bearing with a designation"),
             field="case.life",
             example='[life] with cleanliness = "-/17/14" and oil_supply = "circulating"',
         )
@@ -172,8 +175,10 @@ def _of_life(kind: Kind, solved: Solved, language: str) -> Axes:
     summary = life(solved, stress_volume=False)
     if summary.contamination_factor is None:
         raise InputError(
-            "needs a viscosity ratio, or a lubricant and its temperature, and the cleanliness of "
-            "the oil",
+            said(
+                "needs a viscosity ratio, or a lubricant and its temperature, and the "
+                "oil cleanliness"
+            ),
             field="--kind",
             value=kind.value,
             example="[life] with viscosity_ratio = 1.5 and contamination = 0.5",
@@ -195,7 +200,9 @@ def _of_study(
         chosen = Kind.scatter
     if chosen is Kind.histogram:
         if over:
-            raise InputError("does not go with a histogram", field="--over", value=over)
+            raise InputError(
+                said("cannot be combined with a histogram"), field="--over", value=over
+            )
         axes = sweep.study_histogram(data, variable, words=words)
     else:
         drawers = {
@@ -215,7 +222,11 @@ def _of_study(
 def _check(kind: Kind, possible: tuple[Kind, ...], what: str) -> None:
     if kind not in possible:
         raise InputError(
-            f"does not go with {what}; possible are {', '.join(possible)}",
+            said(
+                "does not suit {what}; possible: {possible}",
+                what=what,
+                possible=", ".join(possible),
+            ),
             field="--kind",
             value=kind.value,
         )

@@ -27,6 +27,7 @@ from rolamento.vibration.frequency_band import (
     alternatives_of,
     banded_frequencies,
 )
+from rolamento.words import said
 
 _MOST_HARMONICS: Final = 100
 _MOST_SIDEBANDS: Final = 10
@@ -116,7 +117,11 @@ def fault_frequencies(
         ("sidebands", 0, _MOST_SIDEBANDS, sidebands),
     ):
         if not lowest <= value <= highest:
-            raise InputError(f"must be from {lowest} to {highest}", field=name, value=value)
+            raise InputError(
+                said("must be from {least} to {most}", least=lowest, most=highest),
+                field=name,
+                value=value,
+            )
     inner, outer = speed_of(speed, "speed"), speed_of(outer_speed, "outer_speed")
     case = case_of(bearing, settings, inner, outer)
     duty = case.duty

@@ -30,6 +30,7 @@ from rolamento.weibull import (
     wear_of_each,
 )
 from rolamento.weibull.life_units import life_in, life_with_unit
+from rolamento.words import said
 
 if TYPE_CHECKING:
     from rolamento.clearance.wear import WearFit, WearLaw
@@ -123,8 +124,12 @@ def _only_groups(test: LifeTest, names: Sequence[str]) -> LifeTest:
     known = list(dict.fromkeys(str(name) for name in test.group))
     for name in names:
         if name not in known:
-            there = ", ".join(label for label in known[:10] if label) or "none"
-            rule = f"is no group of the data; there are: {there}"
+            there = ", ".join(label for label in known[:10] if label)
+            rule = (
+                said("is not a group of the data; the groups are {there}", there=there)
+                if there
+                else said("is not a group of the data, which have none")
+            )
             raise InputError(rule, field="only", value=name)
     return test.select(np.isin(test.group, list(names)))
 
@@ -310,9 +315,9 @@ def precision_study(
         For neither or both of ratio and failures, or a number that cannot be.
     """
     if (ratio is None) == (failures is None):
-        raise InputError("or failures must be given, one of them", field="ratio", example="5.0")
+        raise InputError(said("or failures must be given"), field="ratio", example="5.0")
     if ratio is not None and groups is not None and len(group_sizes) > 1:
-        raise InputError("goes with one size of the groups", field="groups", value=groups)
+        raise InputError(said("goes with a single group size"), field="groups", value=groups)
     expected, unit = (1.0, "") if life is None else _life_and_unit(life)
     keywords: dict[str, Any] = {
         "shape": shape, "life": expected, "reliability": reliability,

@@ -29,7 +29,7 @@ from rolamento.weibull.likelihood_ratio import (
     likelihood_ratio_limits,
 )
 from rolamento.weibull.sampled import sampled_limits
-from rolamento.words import Note
+from rolamento.words import Note, said
 
 Method = Literal[
     "pivotal",
@@ -190,10 +190,12 @@ def all_bounds(
     """Bounds on many quantities, from the same drawn tests; parameters as of `bounds`."""
     test = LifeTest.of(test)
     if isinstance(quantities, str) or not isinstance(quantities, Iterable):
-        raise InputError("must be a list", field="quantities", example='["shape", "L10"]')
+        raise InputError(said("must be a list"), field="quantities", example='["shape", "L10"]')
     wanted = [Estimand.of(quantity) for quantity in quantities]
     if not 0 < len(wanted) <= _MAXIMUM_QUANTITIES:
-        raise InputError(f"must be 1 to {_MAXIMUM_QUANTITIES}", field="quantities")
+        raise InputError(
+            said("must be from 1 to {most}", most=_MAXIMUM_QUANTITIES), field="quantities"
+        )
     chosen = _chosen_method(test, method, shape)
     one_of(sides, "sides", get_args(Sides))
     tail = 1.0 - share(confidence, "confidence")
@@ -227,7 +229,7 @@ def _chosen_method(test: LifeTest, method: str | None, shape: float | None) -> s
     one_of(method, "method", METHODS)
     if (method == "fixed_shape") != (shape is not None):
         raise InputError(
-            "goes with the method fixed_shape, and that one needs it",
+            said("goes with the method fixed_shape, which needs it"),
             field="shape",
             value=shape,
             example="1.5",
@@ -255,7 +257,7 @@ def _bounds_at_fixed_shape(
     tails: FloatArray,
 ) -> tuple[Bounds, ...]:
     if any(quantity.kind == "shape" for quantity in quantities):
-        raise InputError("has no bounds where it is given", field="shape", value=shape)
+        raise InputError(said("has no bounds where it is given"), field="shape", value=shape)
     fit = fixed_shape(test, shape)
     limits = np.array([fixed_shape_limits(test, shape, q, tails) for q in quantities])
     notes = (Note("inspections_shared"),) if test.inspected else ()

@@ -73,7 +73,7 @@ from rolamento.weibull.likelihood import (
 )
 from rolamento.weibull.likelihood_ratio import calibrated_p_value, profile_fall
 from rolamento.weibull.sampled import pivotal_draws
-from rolamento.words import Note
+from rolamento.words import Note, said
 
 Groups = Mapping[str, LifeTest | ArrayLike] | LifeTest
 Hypothesis = Literal["common_shape", "same_life", "homogeneous"]
@@ -241,21 +241,26 @@ def groups_of(groups: Groups, most: int = _MAXIMUM_GROUPS) -> dict[str, LifeTest
         tests = {str(name): LifeTest.of(test) for name, test in groups.items()}
     else:
         raise InputError(
-            "must be tests by their labels, or one test that has groups",
+            said("must be tests by label, or one test that has groups"),
             field="groups",
             example='{"A": [120.5, 88.0], "B": [300.0, 410.0]}',
         )
     if not 2 <= len(tests) <= most:
-        rule = "must be two" if most == 2 else f"must be 2 to {most}"
+        rule = said("must be two") if most == 2 else said("must be 2 to {most}", most=most)
         raise InputError(rule, field="groups", value=len(tests))
     if any(test.inspected for test in tests.values()):
         raise InputError(
-            "must have times of failure, and inspections give none; fit each by maximum likelihood",
+            said(
+                "must have failure times, which inspections do not give; fit each by "
+                "maximum likelihood"
+            ),
             field="groups",
         )
     units = {test.unit for test in tests.values()}
     if len(units) > 1:
-        raise InputError("must have one unit", field="groups", value=", ".join(sorted(units)))
+        raise InputError(
+            said("must have the same unit"), field="groups", value=", ".join(sorted(units))
+        )
     return tests
 
 
@@ -616,7 +621,10 @@ def against_calculated_life(
     quantity = Estimand.life(share(reliability, "reliability"))
     if method is not None and method not in VERDICT_METHODS:
         raise InputError(
-            f"must be one of {', '.join(VERDICT_METHODS)} for a verdict",
+            said(
+                "must be one of {known} for a verdict",
+                known=", ".join(VERDICT_METHODS),
+            ),
             field="method",
             value=method,
             example="pivotal",

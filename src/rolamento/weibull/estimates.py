@@ -59,7 +59,7 @@ from rolamento.weibull.likelihood import (
     fits_of,
     maximise,
 )
-from rolamento.words import Note
+from rolamento.words import Note, said
 
 Ranks = Literal["median", "benard"]
 Regression = Literal["x_on_y", "y_on_x"]
@@ -421,7 +421,9 @@ def plotting_positions(test: LifeTest | ArrayLike, ranks: Ranks = "median") -> P
     test = LifeTest.of(test)
     if test.inspected:
         raise InputError(
-            "ranks need times of failure, and inspections give none; fit by maximum likelihood",
+            said(
+                "ranks need failure times, which inspections do not give; fit by maximum likelihood"
+            ),
             field="lower",
         )
     order = np.lexsort((~test.failed, test.times))
@@ -443,7 +445,7 @@ def median_rank(rank: ArrayLike, size: int, ranks: Ranks = "median") -> FloatArr
     i = numbers(rank, "rank", "[1, 2, 3]")
     n = whole_number(size, "size", 1, MAXIMUM_UNITS)
     if np.any(~((i > 0.0) & (i <= n))):
-        raise InputError("must be above 0, and the size at most", field="rank", example="1")
+        raise InputError(said("must be above 0 and at most the size"), field="rank", example="1")
     if ranks == "benard":
         return np.asarray((i - 0.3) / (n + 0.4))
     from scipy.special import betaincinv

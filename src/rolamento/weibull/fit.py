@@ -19,7 +19,7 @@ from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.weibull._checks import finite_or_none, numbers, positive, share, shares
 from rolamento.weibull.life_test import MAXIMUM_TIME, LifeTest
-from rolamento.words import Note
+from rolamento.words import Note, said
 
 
 class Outcome:
@@ -216,8 +216,10 @@ class Estimand:
         if match and match[1] in "Rr" and 0.0 < number <= MAXIMUM_TIME:
             return cls.reliability(number)
         raise InputError(
-            "must be shape, scale, a life such as L10 (of the 10 % that fail first), or a"
-            " reliability at a time such as R100",
+            said(
+                "must be shape, scale, a life such as L10 (10 % failed), or a "
+                "reliability at a time such as R100"
+            ),
             field="quantity",
             value=written,
             example="L10",

@@ -35,7 +35,7 @@ from rolamento.weibull._checks import (
     whole_number,
 )
 from rolamento.weibull.life_test import MAXIMUM_TIME
-from rolamento.words import Note
+from rolamento.words import Note, said
 
 MAXIMUM_ALLOWED: Final = 1000
 MAXIMUM_BEARINGS: Final = 100_000
@@ -130,7 +130,7 @@ class Demonstration:
         """Confidence that the same test gives if the shape is another: array."""
         beta = numbers(shape, "shape", "[1.0, 1.5]")
         if not np.all((beta > 0.0) & np.isfinite(beta)):
-            raise InputError("must be above zero", field="shape", example="1.5")
+            raise InputError(said("must be positive"), field="shape", example="1.5")
         with np.errstate(over="ignore"):
             risk = (self.time / self.life) ** beta * -np.log(self.reliability)
         return 1.0 - _chance_of_at_most(self.failures_allowed, self.bearings, -np.expm1(-risk))
@@ -216,7 +216,7 @@ def demonstrate(
         whole_number(failures_allowed, "failures_allowed", 0, MAXIMUM_ALLOWED),
     )  # fmt: skip
     if bearings is None and time is None:
-        raise InputError("or time must be given", field="bearings", example="10")
+        raise InputError(said("or time must be given"), field="bearings", example="10")
     if bearings is not None:
         whole_number(bearings, "bearings", given[4] + 1, MAXIMUM_BEARINGS)
     if time is not None:
@@ -335,7 +335,11 @@ def planned_shape(value: object) -> float:
     shape = shape_of(value)
     if shape < MINIMUM_SHAPE:
         raise InputError(
-            f"must be from {MINIMUM_SHAPE:g} to {MAXIMUM_SHAPE:g}",
+            said(
+                "must be from {least:.6g} to {most:.6g}",
+                least=MINIMUM_SHAPE,
+                most=MAXIMUM_SHAPE,
+            ),
             field="shape",
             value=value,
             example="1.5",

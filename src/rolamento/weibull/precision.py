@@ -54,7 +54,7 @@ from rolamento.weibull.planning import (
     planned_shape,
     status_of_plan,
 )
-from rolamento.words import Note
+from rolamento.words import Note, said
 
 MAXIMUM_FAILURES: Final = 1000
 MAXIMUM_RIGS: Final = 20_000
@@ -266,10 +266,10 @@ def plan_for_ratio(
     """
     wanted = positive(ratio, "ratio", "5.0")
     if wanted <= 1.0:
-        raise InputError("must be above 1", field="ratio", value=ratio, example="5.0")
+        raise InputError(said("must be above 1"), field="ratio", value=ratio, example="5.0")
     part = positive(failed_share, "failed_share", "0.5")
     if part > 1.0:
-        raise InputError("must be 1 or less", field="failed_share", value=part, example="0.5")
+        raise InputError(said("must be at most 1"), field="failed_share", value=part, example="0.5")
     most = MAXIMUM_FAILURES
     if groups is not None:
         most = min(whole_number(groups, "groups", 1, MAXIMUM_RIGS), most)

@@ -43,7 +43,7 @@ from rolamento.weibull.likelihood import (
     fits_of,
     joined,
 )
-from rolamento.words import Note
+from rolamento.words import Note, said
 
 Correction = Literal["median", "mean", "ross"]
 
@@ -311,7 +311,10 @@ def unbiased(
     fit = maximum_likelihood(test)
     if correction == "ross" and test.scheme != "complete":
         raise InputError(
-            "is for tests without suspensions", field="correction", value="ross", example="median"
+            said("is for tests without suspensions"),
+            field="correction",
+            value="ross",
+            example="median",
         )
     if not fit.converged:
         return WeibullFit.without(test, "unbiased", fit.code)

@@ -33,6 +33,7 @@ from rolamento.weibull.life_test import LifeTest
 from rolamento.weibull.likelihood_ratio import LikelihoodRegion, likelihood_region
 from rolamento.weibull.posterior import ShapePrior, posterior
 from rolamento.weibull.sampled import unbiased
+from rolamento.words import said
 
 FitMethod = Literal[
     "maximum_likelihood",
@@ -96,14 +97,16 @@ class Wanted:
         for name in ("methods", "reliabilities", "times"):
             many = getattr(self, name)
             if isinstance(many, str) or not isinstance(many, Iterable):
-                raise InputError("must be a list", field=name, value=many)
+                raise InputError(said("must be a list"), field=name, value=many)
             object.__setattr__(self, name, tuple(many))
         for method in self.methods:
             one_of(method, "method", FIT_METHODS)
         if not self.reliabilities:
-            raise InputError("must be one at least", field="reliability", example="0.9")
+            raise InputError(said("must be at least one"), field="reliability", example="0.9")
         if self.shape is not None and self.bounds not in (None, "fixed_shape"):
-            raise InputError("goes with no other bounds", field="shape", value=self.shape)
+            raise InputError(
+                said("cannot be combined with other bounds"), field="shape", value=self.shape
+            )
 
     @property
     def lives(self) -> tuple[Estimand, ...]:
@@ -339,8 +342,11 @@ def summarise(
     tests = test.by_group() if by_group else {"": test}
     if len(tests) > MAXIMUM_GROUPS:
         raise InputError(
-            f"must be {MAXIMUM_GROUPS} at most to be told by themselves; take another column, or"
-            " all together",
+            said(
+                "must be at most {most} to be shown one by one; choose another column, "
+                "or all together",
+                most=MAXIMUM_GROUPS,
+            ),
             field="groups",
             value=len(tests),
         )

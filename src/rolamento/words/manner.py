@@ -6,6 +6,7 @@ A number in SI is written in a unit by a specification, in templates and in tabl
     ".5"          five significant figures, without trailing zeros
     ".2f"         two decimals
     ".1e"         by its order of magnitude
+    ".6g"         six significant figures, by its order of magnitude where that is shorter
     "+.2f"        with its sign
     ".4 rpm"      in a unit, which is written behind the number
     ".4 [rpm]"    in a unit, which is not written
@@ -45,6 +46,7 @@ UNITS: Final[dict[str, tuple[float, float]]] = {
     "°": (180.0 / pi, 0.0),
     "rad/s": (1.0, 0.0),
     "rpm": (30.0 / pi, 0.0),
+    "10⁶ mm·rpm": (30.0 / pi * 1e-3, 0.0),
     "Hz": (1.0, 0.0),
     "kHz": (1e-3, 0.0),
     "N": (1.0, 0.0),
@@ -84,7 +86,7 @@ UNITS: Final[dict[str, tuple[float, float]]] = {
 _MINUS: Final = "−"
 _SMALLEST_GROUPED: Final = 10_000
 _FIGURES: Final = 4
-_SPECIFICATION: Final = re.compile(r"(\+?)(?:\.(\d+)([fe]?))?(?: ?(\[)?([^\[\]]*)\]?)?")
+_SPECIFICATION: Final = re.compile(r"(\+?)(?:\.(\d+)([feg]?))?(?: ?(\[)?([^\[\]]*)\]?)?")
 _CLOSE: Final = ("°",)
 """Units that stand at the number without a space."""
 
@@ -170,6 +172,8 @@ class Manner(Formatter):
             text = self.fixed(scaled, int(digits))
         elif form == "e":
             text = self.exponent(scaled, int(digits))
+        elif form == "g" and isfinite(scaled):
+            text = f"{scaled:.{digits}g}".replace("-", _MINUS).replace(".", self.mark)
         else:
             text = self.short(scaled, int(digits) if digits else _FIGURES)
         text = f"+{text}" if sign and scaled > 0.0 else text
@@ -181,7 +185,9 @@ class Manner(Formatter):
         """Write what a template holds in one of its places."""
         if isinstance(value, str):
             return value
-        if isinstance(value, bool) or value is None:
+        if value is None:
+            return ABSENT
+        if isinstance(value, bool):
             return str(value)
         if isinstance(value, int) and not format_spec:
             return self.fixed(value, 0)

@@ -16,7 +16,7 @@ __all__ = ["Sentence", "sentence", "sentences"]
 
 Sentence = str | Callable[[Mapping[str, Any]], str]
 
-_CHAPTERS: Final[tuple[str, ...]] = ("weibull",)
+_CHAPTERS: Final[tuple[str, ...]] = ("clearance", "film", "friction", "life", "solved", "weibull")
 
 
 @cache
