@@ -218,7 +218,7 @@ def test_the_example_can_be_copied(run: Run, tmp_path: Path) -> None:
     assert (code, out) == (0, "Wrote mine.csv\n")
     assert (tmp_path / "mine.csv").read_text("utf-8") == published_text("campanha_2008")
     again = wrong(run("weibull", "--example", "campanha-2008", "--write", "mine.csv"))
-    assert "exists already" in again
+    assert "already exists" in again
 
 
 def test_the_example_in_the_repository_is_the_shipped_one() -> None:

@@ -16,7 +16,15 @@ __all__ = ["Sentence", "sentence", "sentences"]
 
 Sentence = str | Callable[[Mapping[str, Any]], str]
 
-_CHAPTERS: Final[tuple[str, ...]] = ("clearance", "film", "friction", "life", "solved", "weibull")
+_CHAPTERS: Final[tuple[str, ...]] = (
+    "clearance",
+    "film",
+    "friction",
+    "life",
+    "solved",
+    "verification",
+    "weibull",
+)
 
 
 @cache
