@@ -143,7 +143,7 @@ class Bearing(Record):
     designation: Annotated[_Designation | None, Replaces(*_DISPLACED)] = Field(
         None, examples=["6305/C3"]
     )
-    ball_count: BallCount = Field(title="number of balls", examples=[16])
+    ball_count: BallCount = Field(examples=[16])
     ball_diameter: Annotated[
         float, Quantity("length", at_least="0.01 mm", at_most="1 m", varies=True)
     ] = Field(examples=["22.23 mm"])
@@ -153,13 +153,13 @@ class Bearing(Record):
     contact_angle: Annotated[
         Annotated[float, Quantity("angle", at_least="0 deg", below="90 deg", varies=True)] | None,
         Replaces("diametral_clearance"),
-    ] = Field(None, title="free contact angle", examples=["40 deg"])
+    ] = Field(None, examples=["40 deg"])
     diametral_clearance: Annotated[
         Annotated[float, Quantity("length", at_least="-1 m", at_most="1 m", varies=True)] | None,
         Replaces("contact_angle"),
-    ] = Field(None, title="diametral clearance", examples=["0.015 mm"])
-    inner_conformity: _Conformity = Field(title="inner conformity", examples=[0.5232])
-    outer_conformity: _Conformity = Field(title="outer conformity", examples=[0.5232])
+    ] = Field(None, examples=["0.015 mm"])
+    inner_conformity: _Conformity = Field(examples=[0.5232])
+    outer_conformity: _Conformity = Field(examples=[0.5232])
     ring_material: MaterialField = Field(default_factory=lambda: Material.named(DEFAULT_MATERIAL))
     ball_material: MaterialField = Field(default_factory=lambda data: data["ring_material"])
     inner_shoulder_height: _ShoulderHeight | None = Field(None, examples=["4.5 mm"])

@@ -31,6 +31,7 @@ from rolamento.case.model import Model
 from rolamento.case.mounting import Mounting
 from rolamento.case.quantity import Line, at_the_border
 from rolamento.case.record import Record
+from rolamento.case.report import ReportHead
 from rolamento.case.surface import Surface
 from rolamento.case.temperature import Temperature
 from rolamento.errors import FileError, InputError
@@ -78,6 +79,8 @@ class Case(Record):
         A `FilmModel`; its defaults if not given.
     life
         A `LifeModel`; ratings, cleanliness and wishes for the life.
+    report
+        A `ReportHead`: project, author, revision and date of a report.
 
     Raises
     ------
@@ -95,6 +98,7 @@ class Case(Record):
     mounting: Mounting | None = Field(None, examples=["[mounting] as a table"])
     film: FilmModel | None = Field(None, examples=["[film] as a table"])
     life: LifeModel | None = Field(None, examples=["[life] as a table"])
+    report: ReportHead | None = Field(None, examples=["[report] as a table"])
 
     @model_validator(mode="before")
     @classmethod

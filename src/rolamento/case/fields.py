@@ -2,7 +2,7 @@
 
 Whoever reads, sets, varies, lists or draws a field asks here. What a record does not tell by the
 type of a field stands at the field: `Quantity` says whether it may vary in a batch, `Replaces`
-what it takes the place of, and pydantic's ``title`` its label.
+what it takes the place of; what readers call it stands in `labels`.
 """
 
 from __future__ import annotations
@@ -15,11 +15,12 @@ from typing import Any, Final, Literal, get_args, get_origin
 from pydantic import BaseModel, create_model
 from pydantic.fields import FieldInfo
 
+from rolamento.case.labels import label_of
 from rolamento.case.quantity import Quantity, Ratio
 from rolamento.case.record import Record, example_of, meanings, record_of, replaced
 from rolamento.errors import InputError, UnknownKeyError, guess
 from rolamento.units import SI_UNIT, Dimension, from_si
-from rolamento.words import said
+from rolamento.words import said, speaking
 
 __all__ = ["OVERRIDE_SOURCE", "Field", "Value", "changed", "fields_of", "overridden"]
 
@@ -117,20 +118,14 @@ class Field:
 
     @property
     def label(self) -> str:
-        """What it is called on an axis, such as ``"radial load Fz"``."""
-        return self._info.title or self.long_name
-
-    @property
-    def is_labelled(self) -> bool:
-        """Whether the record gives it a label of its own."""
-        return self._info.title is not None
+        """What it is called, in the language that is spoken: ``"lubricant temperature"``."""
+        return label_of(self.name)
 
     @property
     def long_name(self) -> str:
-        """The name in words: the field, and the table it stands in."""
-        *tables, leaf = self.name.split(".")
-        words = [leaf, *(["of", tables[-1]] if len(tables) > 1 else [])]
-        return " ".join(words).replace("_", " ")
+        """What it is called in files: its label in English."""
+        with speaking("en"):
+            return self.label
 
     def checked(self, value: object, *, in_file: bool) -> Value:
         """Return a value as the case takes it: a quantity in SI units, a material's name.

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Sequence
 from math import isfinite, nan
 from typing import TYPE_CHECKING, Annotated, ClassVar, Final
 
 import typer
 
-from rolamento.cli.common import NO_RESULT, SOLVED, plain_endings, words_of
+from rolamento.cli.common import NO_RESULT, SOLVED, plain_endings
 from rolamento.cli.grouped_help import GroupedCommand, Groups
 from rolamento.cli.option_names import in_options
 from rolamento.cli.options import (
@@ -24,13 +23,12 @@ from rolamento.cli.options import (
     plot_option,
 )
 from rolamento.cli.outputs import check_outputs
-from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
+from rolamento.cli.streams import STANDARD_STREAM, complain, put, put_json, show
 from rolamento.cli.table_options import DecimalMarkOption
 from rolamento.errors import InputError
 from rolamento.words import marked, said
 
 if TYPE_CHECKING:
-    from rolamento.report.language import Words
     from rolamento.tasks.noise import FullScale, NoiseResult
     from rolamento.vibration.anderon import BandName
 
@@ -129,9 +127,7 @@ def anderon(
         from rolamento import tasks
         from rolamento.cli.quantities import number_given
         from rolamento.cli.waiting import progress_of
-        from rolamento.report.anderon_words import NOISE_WORDS
 
-        words = words_of(lang)
         found = tasks.anderons(
             signals,
             speed=speed,
@@ -146,11 +142,11 @@ def anderon(
             start=number_given(start, "--start", "time", "--start '2 s'") or 0.0,
             duration=number_given(duration, "--duration", "time", "--duration '10 s'"),
             decimal_mark=decimal_mark,
-            stages=lambda stage: progress_of(NOISE_WORDS[words.code].reading),
+            stages=lambda stage: progress_of(said("blocks of the signal")),
         )
         if plot is not None:
-            _draw(found, plot, words.code)
-        _show(found, json, csv, record, words)
+            _draw(found, plot)
+        _show(found, json, csv, record)
     failed = found.measures_nothing or "rejected" in found.verdicts
     raise typer.Exit(NO_RESULT if failed else SOLVED)
 
@@ -227,41 +223,32 @@ def _hours_of(text: str) -> list[float]:
         return [nan]
 
 
-def _draw(found: NoiseResult, plot: str, language: str) -> None:
+def _draw(found: NoiseResult, plot: str) -> None:
     from rolamento.plots.anderon import noise_figure, noise_trend_figure
     from rolamento.plots.saving import save_figure
 
     one = found.measured[0]
     limits = found.limits_of(one)
     if len(found.measured) == 1:
-        figure = noise_figure(one.noise, limits=limits, title=one.title, language=language)
+        figure = noise_figure(one.noise, limits=limits, title=one.title)
     else:
-        from rolamento.report.anderon import noise_record
         from rolamento.weibull import parse_trend
 
-        record = parse_trend(noise_record(found, language))
-        figure = noise_trend_figure(record, limits=limits, language=language)
+        figure = noise_trend_figure(parse_trend(found.record()), limits=limits)
     save_figure(figure, plot)
 
 
-def _show(
-    found: NoiseResult, json: str | None, csv: str | None, record: str | None, words: Words
-) -> None:
-    """Write what was asked for; standard output takes data or the report, not both."""
-    from rolamento.report.anderon import noise_csv, noise_json, noise_record
+def _show(found: NoiseResult, json: str | None, csv: str | None, record: str | None) -> None:
+    """Write what was asked for; standard output takes data or the page, not both."""
+    from rolamento.pages.anderon import anderon_page, noise_statement
 
     if json is not None:
-        put(noise_json(found) + "\n", json)
+        put_json(found.to_mapping(), json)
     if csv is not None:
-        put(noise_csv(found), csv)
+        put(found.bands_csv(), csv)
     if record is not None:
-        put(noise_record(found, words.code), record)
+        put(found.record(), record)
     if STANDARD_STREAM not in (json, csv, record):
-        from rolamento.document.medium import Medium
-        from rolamento.report.anderon import noise_report
-
-        print_text(noise_report(found, words, Medium.of(sys.stdout)))
+        show(anderon_page(found))
     elif "rejected" in found.verdicts:
-        from rolamento.report.anderon import noise_statement
-
-        complain(noise_statement(found, words))
+        complain(noise_statement(found))

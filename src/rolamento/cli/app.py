@@ -37,6 +37,7 @@ from rolamento.cli.options import (
 )
 from rolamento.cli.outputs import check_outputs
 from rolamento.cli.plot import plot
+from rolamento.cli.report import report
 from rolamento.cli.reproduce import reproduce
 from rolamento.cli.streams import STANDARD_STREAM, end_of_output, print_text, put
 from rolamento.cli.sweep import sweep
@@ -55,7 +56,7 @@ if TYPE_CHECKING:
 
 _PROGRAM: Final = "rolamento"
 COMMANDS: Final[Groups] = {
-    "Inside the bearing": ("demo", "solve", "turn", "friction"),
+    "Inside the bearing": ("demo", "solve", "turn", "friction", "report"),
     "Life and life tests": ("life", "weibull", "weibull-plan", "trend"),
     "Vibration": ("frequencies", "diagnose", "synthesise", "anderon"),
     "Catalogue and clearance": ("catalogue", "clearance"),
@@ -200,6 +201,11 @@ app.command(
     epilog="Examples: life case.toml --reliability 0.95; life left.toml right.toml;"
     " life case.toml --spectrum steps.csv; life case.toml --over duty.load.fz=1..8kN.",
 )(life)
+app.command(
+    cls=JsonCommand,
+    epilog="Examples: report case.toml -o report.pdf --author 'A. Souza';"
+    " report old.toml new.toml -o comparison.html; report 6305 --set duty.load.fz='2 kN'.",
+)(report)
 app.command(cls=JsonCommand, epilog="Example: clearance case.toml --samples 10000.")(clearance)
 app.command(
     cls=JsonCommand,

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import sys
 from typing import TYPE_CHECKING, Annotated, Any, Final
 
 import typer
 
-from rolamento.cli.common import NO_RESULT, SOLVED, plain_endings, words_of
+from rolamento.cli.common import NO_RESULT, SOLVED, plain_endings
 from rolamento.cli.option_names import in_options
 from rolamento.cli.options import (
     BearingArgument,
@@ -20,7 +19,7 @@ from rolamento.cli.options import (
     csv_option,
 )
 from rolamento.cli.outputs import check_outputs
-from rolamento.cli.streams import STANDARD_STREAM, print_text, put
+from rolamento.cli.streams import STANDARD_STREAM, put, put_json, show
 from rolamento.errors import InputError
 from rolamento.words import said
 
@@ -92,7 +91,7 @@ def frequencies(
             sidebands=sidebands,
             settings=settings or (),
         )
-        _show(found, json, csv, lang)
+        _show(found, json, csv)
     failed = found.solved is not None and not found.solved.converged[0]
     raise typer.Exit(NO_RESULT if failed else SOLVED)
 
@@ -130,17 +129,12 @@ def _part_of_one(key: str, text: str) -> float:
         ) from None
 
 
-def _show(found: FrequencyResult, json: str | None, csv: str | None, lang: Any) -> None:
-    from rolamento.document.medium import Medium
-    from rolamento.report.frequencies import (
-        frequencies_csv,
-        frequencies_json,
-        frequencies_report,
-    )
-
+def _show(found: FrequencyResult, json: str | None, csv: str | None) -> None:
     if json is not None:
-        put(frequencies_json(found) + "\n", json)
+        put_json(found.to_mapping(), json)
     if csv is not None:
-        put(frequencies_csv(found), csv)
+        put(found.lines_csv(), csv)
     if STANDARD_STREAM not in (json, csv):
-        print_text(frequencies_report(found, words_of(lang), Medium.of(sys.stdout)))
+        from rolamento.pages.frequencies import frequencies_page
+
+        show(frequencies_page(found))

@@ -183,7 +183,7 @@ def _curves(
         ]
 
 
-def _figure(curves: Sequence[FrictionCurve], language: str) -> Figure:
+def _figure(curves: Sequence[FrictionCurve]) -> Figure:
     from rolamento.plots.friction import friction_figure
 
-    return friction_figure(curves, language)
+    return friction_figure(curves)

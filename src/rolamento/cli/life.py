@@ -273,10 +273,10 @@ def _curves(
         return [life_curve(one, chosen, label=label, **tables) for label, one in cases]
 
 
-def _figure(curves: Sequence[LifeCurve], language: str) -> Figure:
+def _figure(curves: Sequence[LifeCurve]) -> Figure:
     from rolamento.plots.life import life_figure
 
-    return life_figure(curves, language)
+    return life_figure(curves)
 
 
 def _medium() -> Medium:

@@ -107,7 +107,7 @@ def check_variants(variants: list[str]) -> None:
 def show_curves(
     curves: Sequence[C],
     texts: CurveTexts[C],
-    figure: Callable[[Sequence[C], str], Figure],
+    figure: Callable[[Sequence[C]], Figure],
     outputs: tuple[str | None, str | None, str | None],
     lang: Language | None,
 ) -> bool:
@@ -120,7 +120,7 @@ def show_curves(
     texts
         The module that writes them.
     figure
-        Draws them in a language; called only if a picture is asked for.
+        Draws them; called only if a picture is asked for.
     outputs
         Files for JSON, a table and a picture; None where nothing is asked for.
     lang
@@ -140,7 +140,7 @@ def show_curves(
     if plot is not None:
         from rolamento.plots.saving import save_figure
 
-        save_figure(figure(curves, words.code), plot)
+        save_figure(figure(curves), plot)
     converged = all(curve.converged for curve in curves)
     if STANDARD_STREAM not in (json, csv):
         from rolamento.document.medium import Medium

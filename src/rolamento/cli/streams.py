@@ -5,16 +5,29 @@ from __future__ import annotations
 import os
 import re
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from contextlib import suppress
-from typing import Final, TextIO
+from typing import TYPE_CHECKING, Any, Final, TextIO
 
+from rolamento._json import dumps
 from rolamento._writing import write_text
 from rolamento.document.medium import Medium
 from rolamento.errors import FileError, printable
 from rolamento.words import said
 
-__all__ = ["STANDARD_STREAM", "complain", "end_of_output", "print_data", "print_text", "put"]
+if TYPE_CHECKING:
+    from rolamento.document import Document
+
+__all__ = [
+    "STANDARD_STREAM",
+    "complain",
+    "end_of_output",
+    "print_data",
+    "print_text",
+    "put",
+    "put_json",
+    "show",
+]
 
 STANDARD_STREAM: Final = "-"
 _STANDARD_OUTPUT: Final = "standard output"
@@ -58,6 +71,18 @@ def put(text: str, path: str) -> None:
         print_data(text)
     else:
         write_text(text, path)
+
+
+def put_json(mapping: Mapping[str, Any], path: str) -> None:
+    """Write a result for a program as one JSON object, as `put`."""
+    put(dumps(mapping, indent=2) + "\n", path)
+
+
+def show(document: Document) -> None:
+    """Show a page on standard output, as `print_text`."""
+    from rolamento.document.terminal import terminal
+
+    print_text(terminal(document, Medium.of(sys.stdout)))
 
 
 def complain(text: str) -> None:

@@ -141,7 +141,7 @@ def outputs_text() -> str:
             f"{name}{'*' if name in DEFAULT_OUTPUTS else ''}",
             output.unit,
             "per ball" if output.per_ball else "",
-            output.long_name,
+            output.label,
         )
         for name, output in catalogue().items()
     ]

@@ -178,6 +178,8 @@ class _Setter:
     def _statement(self, block: Statement, width: int) -> Lines:
         mark = f"{block.mark} " if block.mark else ""
         label = self._text(" " * block.indent + mark, STYLES[block.mark_tone or block.tone])
+        if block.verbatim:
+            return [label + self._text(line) for line in block.text.split("\n")]
         return self._hanging(label, block.text, width, STYLES[block.tone])
 
     def _key_values(self, block: KeyValues, width: int) -> Lines:
@@ -247,20 +249,36 @@ class _Setter:
 
     def _assembled(self, columns: Sequence[Lines], block: Table, width: int) -> Lines:
         """Put columns beside each other, the rule and the names of groups between their lines."""
-        lines = _in_columns(columns, block.indent, block.gap)
+        rows = self._rows(columns, block, width)
         heads = 0 if block.headless else 1 + has_unit_line(block)
-        head, body = lines[:heads], lines[heads:]
+        head, body = [line for lines in rows[:heads] for line in lines], rows[heads:]
         if block.rule:
-            head.append(self._rule(max(map(len, lines), default=0)))
+            head.append(self._rule(max((len(line) for lines in rows for line in lines), default=0)))
         names = dict(block.groups)
-        for row, line in enumerate(body):
+        for row, lines in enumerate(body):
             if row in names:
                 head.append(self._text(" " * block.indent + names[row], "cyan"))
-            head.append(line)
+            head += lines
         for legend in block.legends:
             if legend:
                 head += self._hanging(Text(" " * block.indent), legend, width, "dim")
         return head
+
+    def _rows(self, columns: Sequence[Lines], block: Table, width: int) -> list[Lines]:
+        """Put cells beside each other; texts at the end of too wide a table hang in lines."""
+        whole = _in_columns(columns, block.indent, block.gap)
+        shown = [column for column in block.columns if not column.bar]
+        last = columns[-1] if len(columns) == len(shown) and stands_left(shown[-1]) else []
+        if _width(columns, block) <= width or len(columns) < 2 or not last:
+            return [[line] for line in whole]
+        labels = _in_columns(columns[:-1], block.indent, block.gap)
+        gap = " " * block.gap
+        return [
+            self._hanging(
+                Text.assemble(label, gap), cell.plain.rstrip(), width, str(_style_of(cell))
+            )
+            for label, cell in zip(labels, last, strict=True)
+        ]
 
     def _set_columns(self, block: Table) -> list[Lines]:
         """Return each column but bars as its heads and cells, padded to one width."""
@@ -349,6 +367,11 @@ def _in_columns(columns: Sequence[Lines], indent: int, gap: int) -> Lines:
 def _padded(cell: Text, width: int, left: bool) -> Text:
     room = " " * (width - len(cell))
     return Text.assemble(cell, room) if left else Text.assemble(room, cell)
+
+
+def _style_of(cell: Text) -> str:
+    """Return the style of what stands in a padded cell."""
+    return next((str(span.style) for span in cell.spans), "") or str(cell.style)
 
 
 def _width(columns: Sequence[Lines], block: Table) -> int:

@@ -186,8 +186,8 @@ class TorqueModel:
     ----------
     name
         as callers, case files and JSON have it
-    title, short_title, long_title
-        in English: of a row, of a narrow column, within a sentence
+    title, short_title
+        in English: of a row, of a narrow column
     needs
         attributes of `Setting`, or of its machine, that must be known
     evaluate
@@ -203,7 +203,6 @@ class TorqueModel:
     name: str
     title: str
     short_title: str
-    long_title: str
     needs: tuple[str, ...]
     evaluate: Callable[[Setting], Torque]
     limits: Callable[[Setting], Mapping[str, BoolArray]]

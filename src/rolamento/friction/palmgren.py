@@ -32,7 +32,7 @@ from rolamento.friction.model import (
     torque_of_parts,
 )
 from rolamento.numerics import FloatArray
-from rolamento.words import said
+from rolamento.words import marked, said
 
 BearingKind = Literal["deep_groove", "angular_contact"]
 Lubrication = Literal["grease", "oil_mist", "oil_bath", "oil_jet"]
@@ -199,9 +199,8 @@ def _of_bearing(setting: Setting) -> Torque:
 
 MODEL: Final = TorqueModel(
     name="palmgren",
-    title="Palmgren",
-    short_title="Palmgren",
-    long_title="Palmgren's model",
+    title=marked("Palmgren"),
+    short_title=marked("Palmgren"),
     needs=("machine", "static_load_ratio"),
     evaluate=_of_bearing,
     limits=limits_of_lubricated_bearings,

@@ -49,7 +49,7 @@ from rolamento.friction.model import (
     torque_of_parts,
 )
 from rolamento.numerics import BoolArray, FloatArray
-from rolamento.words import said
+from rolamento.words import marked, said
 
 Kind = Literal["deep_groove", "angular_contact"]
 Supply = Literal["grease", "oil_air", "low_oil_bath", "oil_jet"]
@@ -345,9 +345,8 @@ def _limits(setting: Setting) -> dict[str, BoolArray]:
 
 MODEL: Final = TorqueModel(
     name="skf",
-    title="SKF",
-    short_title="SKF",
-    long_title="SKF's model",
+    title=marked("SKF"),
+    short_title=marked("SKF"),
     needs=("machine", "constants"),
     evaluate=_of_bearing,
     limits=_limits,

@@ -243,7 +243,6 @@ def _evaluate(basis: Basis) -> Life:
 
 THEORY: Final = Theory(
     name="ioannides_harris",
-    title="by Ioannides and Harris",
     evaluate=_evaluate,
     validity=OF_BEARING,
     rank=4,

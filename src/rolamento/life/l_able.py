@@ -334,7 +334,6 @@ NSK_CLEANLINESS: Final = Need(
 )
 THEORY: Final = Theory(
     name="l_able",
-    title="L_able of NSK",
     evaluate=_evaluate,
     asked=lambda basis: basis.given.nsk_cleanliness is not None,
     needs=(NSK_CLEANLINESS, VISCOSITY_RATIO),

@@ -185,7 +185,6 @@ FACTORS: Final = Need(
 )
 THEORY: Final = Theory(
     name="tallian",
-    title="by Tallian's form",
     evaluate=_evaluate,
     asked=lambda basis: (
         basis.given.tallian_subsurface is not None or basis.given.tallian_surface is not None

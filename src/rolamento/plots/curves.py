@@ -13,11 +13,20 @@ from matplotlib.axes import Axes
 from numpy.typing import ArrayLike, NDArray
 
 from rolamento.errors import InputError
+from rolamento.geometry import Race
 from rolamento.plots.axes_units import DEGREE, RPM, readable_unit
-from rolamento.plots.frame import empty_frame, label_x, label_y, legend_above
+from rolamento.plots.balls import race_word
+from rolamento.plots.frame import (
+    capitalised,
+    empty_frame,
+    label_x,
+    label_y,
+    legend_above,
+    no_result,
+)
 from rolamento.plots.style import INNER, OUTER, in_style, new_figure, series
-from rolamento.plots.words import ENGLISH, PlotWords
 from rolamento.solved import RACES
+from rolamento.studies.names import variable_name
 from rolamento.words import said
 
 Floats = NDArray[np.float64]
@@ -39,7 +48,6 @@ def load_displacement(
     *,
     direction: str = "x",
     labels: Sequence[str] = (),
-    words: PlotWords = ENGLISH,
 ) -> Axes:
     """Draw a load over the displacement in its direction.
 
@@ -55,8 +63,6 @@ def load_displacement(
         ``"x"``, ``"y"``, ``"z"``, ``"ry"`` or ``"rz"``.
     labels
         Of the curves in the legend, where there are several.
-    words
-        Language of the labels.
 
     Returns
     -------
@@ -78,15 +84,15 @@ def load_displacement(
         )
     axes = new_figure()[1] if axes is None else axes
     if not np.isfinite(across + up).any():
-        return empty_frame(axes, words.no_result)
+        return empty_frame(axes, no_result())
     tilt = position > 2
     unit_x = readable_unit("rad" if tilt else "m", across)
     unit_y = readable_unit("N*m" if tilt else "N", up)
     for index, name in enumerate(names):
         look = series(index).keywords(markers=across.shape[1] <= MOST_MARKERS)
         axes.plot(unit_x.of(across[index]), unit_y.of(up[index]), label=name or None, **look)
-    label_x(axes, unit_x.label(words.name(direction)), words)
-    label_y(axes, unit_y.label(words.name(_LOADS[position])), words)
+    label_x(axes, unit_x.label(capitalised(variable_name(direction))))
+    label_y(axes, unit_y.label(capitalised(variable_name(_LOADS[position]))))
     legend_above(axes)
     return axes
 
@@ -98,7 +104,6 @@ def stiffness_over_speed(
     axes: Axes | None = None,
     *,
     directions: Sequence[str] = ("x", "y", "z"),
-    words: PlotWords = ENGLISH,
 ) -> Axes:
     """Draw stiffnesses of a bearing over the speed of its inner ring.
 
@@ -113,8 +118,6 @@ def stiffness_over_speed(
         To draw on; of a new figure if not given.
     directions
         Which of ``"x"``, ``"y"``, ``"z"`` (N/m); or of the tilts ``"ry"``, ``"rz"`` (N·m/rad).
-    words
-        Language of the labels.
 
     Returns
     -------
@@ -149,14 +152,14 @@ def stiffness_over_speed(
         )
     axes = new_figure()[1] if axes is None else axes
     if not np.isfinite(up).any():
-        return empty_frame(axes, words.no_result)
+        return empty_frame(axes, no_result())
     unit = readable_unit("N*m/rad" if tilts == {True} else "N/m", up)
     for index, direction in enumerate(directions):
         look = series(index).keywords(markers=len(across) <= MOST_MARKERS)
         axes.plot(RPM.of(across), unit.of(up[:, index]), label=f"{direction}–{direction}", **look)
     _from_zero(axes, up)
-    label_x(axes, RPM.label(words.inner_speed), words)
-    label_y(axes, unit.label(words.stiffness), words)
+    label_x(axes, RPM.label(capitalised(variable_name("inner_speed"))))
+    label_y(axes, unit.label(said("Stiffness")))
     legend_above(axes)
     return axes
 
@@ -167,8 +170,6 @@ def contact_angle_over_speed(
     inner: ArrayLike,
     outer: ArrayLike,
     axes: Axes | None = None,
-    *,
-    words: PlotWords = ENGLISH,
 ) -> Axes:
     """Draw inner and outer contact angles over the speed of the inner ring.
 
@@ -181,8 +182,6 @@ def contact_angle_over_speed(
         greatest of the balls, and a line through their median. NaN where there is no contact.
     axes
         To draw on; of a new figure if not given.
-    words
-        Language of the labels.
 
     Returns
     -------
@@ -208,31 +207,29 @@ def contact_angle_over_speed(
             )
     axes = new_figure()[1] if axes is None else axes
     if not any(np.isfinite(values).any() for values in angles.values()):
-        return empty_frame(axes, words.no_result)
+        return empty_frame(axes, no_result())
     for race, look in zip(RACES, (INNER, OUTER), strict=True):
-        _band(axes, RPM.of(across), angles[race], race, look.keywords(), words)
-    label_x(axes, RPM.label(words.inner_speed), words)
-    label_y(axes, DEGREE.label(words.contact_angle), words)
+        _band(axes, RPM.of(across), angles[race], race, look.keywords())
+    label_x(axes, RPM.label(capitalised(variable_name("inner_speed"))))
+    label_y(axes, DEGREE.label(said("Contact angle")))
     legend_above(axes)
     return axes
 
 
-def _band(
-    axes: Axes, x: Floats, values: Floats, race: str, look: Mapping[str, Any], words: PlotWords
-) -> None:
+def _band(axes: Axes, x: Floats, values: Floats, race: Race, look: Mapping[str, Any]) -> None:
     """Draw the middle of the balls' values, and how far they spread."""
-    name = words.inner if race == "inner" else words.outer
+    name = race_word(race)
     table = np.ma.masked_invalid(values.reshape(len(x), -1))
     least, middle, greatest = (
         np.ma.filled(found(table, axis=1).astype(np.float64), np.nan)
         for found in (np.ma.min, np.ma.median, np.ma.max)
     )
     if table.shape[1] > 1:
-        spread = f"{name}, {words.all_balls}"
+        spread = said("{race}, all balls", race=name)
         axes.fill_between(
             x, least, greatest, color=look["color"], alpha=0.18, linewidth=0.0, label=spread
         )
-        name = f"{name}, {words.median}"
+        name = said("{race}, median", race=name)
     axes.plot(x, middle, label=name, **look)
 
 

@@ -15,7 +15,7 @@ from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter, ScalarFo
 
 from rolamento.errors import InputError
 from rolamento.words import manner, said
-from rolamento.words.reasons import reason_of
+from rolamento.words.reasons import reason
 
 GREY: Final = "#707070"
 _THIN_SPACE: Final = "\u2009"
@@ -77,7 +77,7 @@ def no_result(code: str = "") -> str:
     """Say that there is no result, and why."""
     if not code:
         return said("No result")
-    return said("No result: {reason}", reason=reason_of(code))
+    return said("No result: {reason}", reason=reason(code))
 
 
 def no_result_count(count: int, total: int) -> str:

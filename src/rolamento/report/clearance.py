@@ -15,7 +15,7 @@ from rolamento.report.language import ENGLISH, Words
 from rolamento.report.page import Lines, Page, rendered
 from rolamento.units import MICROMETRE
 
-SCHEMA: Final = 1
+SCHEMA: Final = 2
 PERCENTILES: Final = (0.135, 5.0, 50.0, 95.0, 99.865)
 
 _MEGAPASCAL: Final = 1e6

@@ -113,7 +113,7 @@ def friction_json(analysis: Analysis) -> str:
     """Return the friction of one case as one JSON object in SI units."""
     whole = analysis.to_mapping()
     kept = {key: whole[key] for key in ("schema", "title", "status", "friction", "notes", "case")}
-    return json_text({"schema": SCHEMA, "kind": "friction", **kept})
+    return json_text({**kept, "kind": "friction"})
 
 
 def curves_report(

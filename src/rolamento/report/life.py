@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from rolamento.life import Change, Life, LifeSummary
     from rolamento.solved import Solved
 
-SCHEMA: Final = 1
+SCHEMA: Final = 2
 _FACTORS: Final = (
     ("a_1", "a_1"),
     ("a_ISO", "a_iso"),

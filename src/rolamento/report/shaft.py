@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 __all__ = ["shaft_json", "shaft_report"]
 
-SCHEMA: Final = 1
+SCHEMA: Final = 2
 _SHORTEST_NAME, _LONGEST_NAME = 12, 30
 _NUMBER_WIDTH: Final = 6
 """Of the first column, with the gaps beside it."""

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from rolamento.analysis.needs import has_life
 from rolamento.errors import InputError, UnknownKeyError, nearest
+from rolamento.studies.names import variable_long_name, variable_name
 from rolamento.words import marked, said
 
 if TYPE_CHECKING:
@@ -67,8 +68,6 @@ class Output:
     unit
         SI, but of lives: ``"h"`` and ``"Mrev"``, millions of revolutions; ``"1"`` of a number
         without one
-    long_name
-        in words
     compute
         from a solved batch: (cases,), or (cases, balls) of an output per ball
     per_ball
@@ -83,12 +82,21 @@ class Output:
 
     name: str
     unit: str
-    long_name: str
     compute: Callable[[Evaluation], NDArray[Any]]
     per_ball: bool = False
     kind: Literal["real", "whole"] = "real"
     needs: tuple[str, ...] = ()
     slow: bool = False
+
+    @property
+    def label(self) -> str:
+        """What it is called, in the language that is spoken."""
+        return variable_name(self.name)
+
+    @property
+    def long_name(self) -> str:
+        """What it is called in files: its label in English."""
+        return variable_long_name(self.name)
 
     @property
     def dtype(self) -> np.dtype[Any]:

@@ -7,10 +7,10 @@ takes for its revolutions to be miscounted by one.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from itertools import pairwise
-from math import ceil, floor, pi
-from typing import Final, Literal, Protocol
+from math import ceil, floor, nan, pi
+from typing import Any, Final, Literal, Protocol
 
 import numpy as np
 
@@ -20,10 +20,10 @@ from rolamento.tasks.parameters import Progress, renamed
 from rolamento.tasks.signals import AtSpeed
 from rolamento.units import rpm_of
 from rolamento.vibration.order_tracking import revolutions_of
-from rolamento.vibration.reading import ReadingNote, SignalFile, open_signal
+from rolamento.vibration.reading import SignalFile, open_signal
 from rolamento.vibration.shaft_speed import estimate_speed, speed_from_pulses
 from rolamento.vibration.signal import Signal
-from rolamento.words import said
+from rolamento.words import Note, said
 
 SpeedSource = Literal["given", "file", "case", "channel", "pulses", "vibration"]
 """Who told the speed: whoever asked, the signal's file, the case; or what it was measured from."""
@@ -114,6 +114,27 @@ class ShaftSpeed:
     def lost(self) -> bool:
         """Whether it was looked for in the vibration, and not found."""
         return self.tracking is not None and not self.tracking.found
+
+    @property
+    def lost_note(self) -> Note:
+        """Where it was looked for in the vibration, and not found."""
+        tracking = self.tracking
+        assert tracking is not None
+        start, end = tracking.lost or (nan, nan)
+        values = {"start": start, "end": end, "within": tracking.within}
+        return Note("speed_not_found", values | {"nominal": abs(tracking.nominal)})
+
+    def to_mapping(self) -> dict[str, Any]:
+        """Return all of it as plain data, in rad/s."""
+        return {
+            "source": self.source,
+            "mean": self.mean,
+            "minimum": self.minimum,
+            "maximum": self.maximum,
+            "channel": self.channel or None,
+            "pulses_per_revolution": self.pulses,
+            "tracking": None if self.tracking is None else asdict(self.tracking),
+        }
 
 
 @dataclass(frozen=True, slots=True)
@@ -208,7 +229,7 @@ class KnownSpeed:
     inner: float
     outer: float
     at: AtSpeed
-    choices: tuple[ReadingNote, ...] = ()
+    choices: tuple[Note, ...] = ()
 
 
 def known_speed(
@@ -276,13 +297,11 @@ def _steady(asked: AskedSpeed, of_case: Rings, source: SignalFile) -> KnownSpeed
     return replace(known, choices=_over_file(known.shaft.mean, of_file)) if by == "given" else known
 
 
-def _over_file(given: float, of_file: float | None) -> tuple[ReadingNote, ...]:
+def _over_file(given: float, of_file: float | None) -> tuple[Note, ...]:
     """Say that the file tells another speed than the one that was given, if it does; rad/s."""
     if of_file is None or abs(abs(given) - abs(of_file)) <= _SAME_SPEED * abs(of_file):
         return ()
-    numbers = {"speed": f"{rpm_of(given):.6g} rpm", "file": f"{rpm_of(of_file):.6g} rpm"}
-    text = "The speed is {speed} as given; the file says {file}.".format(**numbers)
-    return (ReadingNote("speed_over_file", text, numbers),)
+    return (Note("speed_over_file", {"speed": given, "file": of_file}),)
 
 
 def _missing(source: SignalFile) -> InputError:

@@ -5,17 +5,17 @@ from __future__ import annotations
 import os
 import shlex
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from functools import cached_property
 from math import isfinite, log10, nan, pi, sqrt
-from typing import Final, Literal, NamedTuple
+from typing import Any, Final, Literal, NamedTuple
 
 import numpy as np
 
 from rolamento._writing import write_text
 from rolamento.case.bearing import Bearing
 from rolamento.errors import InputError
-from rolamento.report.synthesis import truth_json
+from rolamento.report.plain_data import json_text
 from rolamento.solution import solve
 from rolamento.solved import Solved
 from rolamento.tasks.bearing import BearingLike, case_of, has_load, name_of
@@ -26,6 +26,7 @@ from rolamento.vibration.synthesis import (
     DEFAULT_MODES,
     Fault,
     FaultTruth,
+    GivenSpeed,
     LoadDistribution,
     Mode,
     Noise,
@@ -39,8 +40,11 @@ from rolamento.vibration.synthesis import (
 )
 from rolamento.vibration.synthesis import synthesise as signal_of
 from rolamento.vibration.writing import check_signal_name, write_signal
-from rolamento.words import said
+from rolamento.words import Note, said
 
+SCHEMA: Final = 2
+_MOST_IMPACTS: Final = 1_000_000
+"""In a file of truth."""
 MOST_SAMPLES: Final = 20_000_000
 """Of a signal that is made at once: 1.6 GB of memory."""
 _MOST_FAULTS: Final = 20
@@ -147,6 +151,58 @@ class SynthesisResult:
     def steady(self) -> bool:
         """Whether the shaft keeps its speed."""
         return self.recipe.speed is None or isinstance(self.recipe.speed, SteadySpeed)
+
+    @property
+    def notes(self) -> tuple[Note, ...]:
+        """What is to be known of it."""
+        notes, kinds = [], [one.fault.kind for one in self.faults if not one.impacts]
+        if kinds:
+            notes.append(Note("damage_not_struck", {"parts": list(dict.fromkeys(kinds))}))
+        if any(one.fault.modulation == "frequency" for one in self.faults):
+            notes.append(Note("frequency_modulation"))
+        if "inferred" in self.bearing.origins.values():
+            notes.append(Note("signal_of_estimated_geometry"))
+        return tuple(notes)
+
+    def truth(self) -> dict[str, Any]:
+        """Return the truth and the recipe as plain data, in SI units, Hz and dB.
+
+        Raises
+        ------
+        InputError
+            If it would be very long.
+        """
+        recipe, truth = self.recipe, self.made.truth
+        if sum(len(one.times) for one in truth.faults) > _MOST_IMPACTS:
+            rule = f"would hold more than {_MOST_IMPACTS} impacts"
+            raise InputError(rule, field="truth", value=self.truth_path)
+        return {
+            "schema": SCHEMA,
+            "kind": "synthesis",
+            "bearing": self.name,
+            "file": self.path,
+            "unit": self.made.signal.unit,
+            "rms": self.rms,
+            **truth.to_mapping(),
+            "faults": [{**one.truth.to_mapping(), "to_noise": one.to_noise} for one in self.faults],
+            "recipe": {
+                "faults": [asdict(fault) for fault in recipe.faults],
+                "load": {"kind": self.load, "extent": self.extent},
+                "load_turns": recipe.load_turns,
+                "path": asdict(recipe.path),
+                "modes": [asdict(mode) for mode in recipe.modes],
+                "shaft_harmonics": list(recipe.shaft_harmonics),
+                "waviness": [asdict(one) for one in recipe.waviness],
+                "noise": None if recipe.noise is None else asdict(recipe.noise),
+                "speed": self._speed_profile(),
+            },
+        }
+
+    def _speed_profile(self) -> dict[str, Any]:
+        profile = self.recipe.speed
+        if profile is None or isinstance(profile, GivenSpeed):
+            return {"kind": "SteadySpeed", "speed": float(np.mean(self.made.truth.speed))}
+        return {"kind": type(profile).__name__, **asdict(profile)}
 
     @property
     def command(self) -> str:
@@ -284,7 +340,7 @@ def synthesise(
         path="" if path is None else os.fspath(path),
         truth_path=None if truth_path is None else os.fspath(truth_path),
     )
-    truth = None if truth_path is None else truth_json(found) + "\n"
+    truth = None if truth_path is None else json_text(found.truth()) + "\n"
     if path is not None:
         write_signal(made.signal, path)
     if truth_path is not None and truth is not None:

@@ -1,6 +1,15 @@
 """Words: languages, numbers as people write them, notes and their sentences."""
 
-from rolamento.words.manner import ABSENT, UNITS, Manner, aligned, decimals_for, in_unit
+from rolamento.words.manner import (
+    ABSENT,
+    ENDLESS,
+    UNITS,
+    Manner,
+    aligned,
+    decimals_for,
+    in_unit,
+    unit_of,
+)
 from rolamento.words.note import Note
 from rolamento.words.speaking import (
     counted,
@@ -16,6 +25,7 @@ from rolamento.words.speaking import (
 
 __all__ = [
     "ABSENT",
+    "ENDLESS",
     "UNITS",
     "Manner",
     "Note",
@@ -31,4 +41,5 @@ __all__ = [
     "said",
     "said_in",
     "speaking",
+    "unit_of",
 ]

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from math import isfinite
 from types import MappingProxyType
 from typing import Any, Final, NamedTuple, Self
@@ -30,14 +30,13 @@ from rolamento.vibration.reading.units import (
     speed_unit_in,
 )
 from rolamento.vibration.signal import SI_UNITS, Quantity, unit_scale
-from rolamento.words import said
+from rolamento.words import Note, said
 
 __all__ = [
     "MOST_CHANNELS",
     "MOST_SAMPLES",
     "Channel",
     "Meaning",
-    "ReadingNote",
     "ShaftSpeed",
     "Source",
     "channel_beside",
@@ -52,25 +51,6 @@ MOST_CHANNELS: Final = 1000
 
 _HIGHEST_RATE: Final = 1e9
 _MOST_LISTED: Final = 12
-
-
-@dataclass(frozen=True, slots=True)
-class ReadingNote:
-    """What was taken for what of two numbers that differ.
-
-    Attributes
-    ----------
-    name
-        for a program
-    text
-        a sentence for a person
-    numbers
-        in the sentence, by name, as text with their units
-    """
-
-    name: str
-    text: str
-    numbers: Mapping[str, str] = field(default_factory=dict, hash=False)
 
 
 @dataclass(frozen=True, slots=True)
@@ -121,7 +101,7 @@ class Source(ABC):
     """
 
     channels: tuple[Channel, ...]
-    notes: tuple[str, ...] = ()
+    notes: tuple[Note, ...] = ()
     numbers: Mapping[str, float] = MappingProxyType({})
 
     @abstractmethod
@@ -267,26 +247,19 @@ def _rate(channel: Channel, given: float | None) -> float:
     return checked_number(rate, "rate", above=0.0, most=_HIGHEST_RATE, example="rate=51200.0")
 
 
-def _choices(channel: Channel, rate: float, *, is_given: bool) -> tuple[ReadingNote, ...]:
+def _choices(channel: Channel, rate: float, *, is_given: bool) -> tuple[Note, ...]:
     """What a person should know of how the rate was chosen."""
-    hertz = f"{rate:.9g} Hz"
     if is_given:
         of_file = channel.rate
         if of_file is not None and abs(of_file - rate) > SAME_RATE * of_file:
-            text = f"The sampling rate is {hertz} as given; the file says {of_file:.9g} Hz."
-            numbers = {"rate": hertz, "file": f"{of_file:.9g} Hz"}
-            return (ReadingNote("rate_over_file", text, numbers),)
+            return (Note("rate_over_file", {"rate": rate, "file": of_file}),)
         if channel.rate_doubt:
-            text = f"The sampling rate is {hertz} as given; in the file {channel.rate_doubt}."
-            numbers = {"rate": hertz, "doubt": channel.rate_doubt}
-            return (ReadingNote("rate_over_doubt", text, numbers),)
+            return (Note("rate_over_doubt", {"rate": rate, "doubt": channel.rate_doubt}),)
         return ()
     if channel.rate_aside is None:
         return ()
     name, value = channel.rate_aside
-    text = f"The sampling rate is {hertz}; {name} = {value:.9g} of the file is not taken for one."
-    numbers = {"rate": hertz, "name": name, "value": f"{value:.9g}"}
-    return (ReadingNote("rate_aside", text, numbers),)
+    return (Note("rate_aside", {"rate": rate, "name": name, "value": value}),)
 
 
 def _unit(channel: Channel, unit: str, quantity: Quantity | None) -> tuple[Quantity, str, float]:
@@ -310,12 +283,13 @@ def _unit(channel: Channel, unit: str, quantity: Quantity | None) -> tuple[Quant
     return quantity, SI_UNITS.get(quantity, unit), unit_scale(quantity, unit)
 
 
-def _notes(before: str, scale: float | None, unit: str) -> tuple[str, ...]:
+def _notes(before: str, scale: float | None, unit: str) -> tuple[Note, ...]:
     """What was done to the samples that is not plain from their unit."""
     if scale is not None:
-        return (f"samples{f' in {before}' if before else ''} are multiplied by {scale:.6g} {unit}",)
+        values = {"before": before, "scale": scale, "unit": unit}
+        return (Note("samples_multiplied", values),)
     if is_raw(before):
-        return (f"samples in {before} are not calibrated: no sensitivity was given",)
+        return (Note("samples_not_calibrated", {"unit": before}),)
     return ()
 
 

@@ -18,7 +18,6 @@ from rolamento.vibration.reading.channels import (
     MOST_SAMPLES,
     Channel,
     Meaning,
-    ReadingNote,
     ShaftSpeed,
     Source,
     channel_beside,
@@ -28,7 +27,7 @@ from rolamento.vibration.reading.channels import (
 from rolamento.vibration.reading.formats import open_source
 from rolamento.vibration.reading.metadata import speeds_perhaps
 from rolamento.vibration.signal import Quantity, Signal
-from rolamento.words import marked, said
+from rolamento.words import Note, marked, said
 
 __all__ = ["SignalFile", "channels_of", "open_signal", "read_signal"]
 
@@ -86,8 +85,8 @@ class SignalFile:
         self.unit = meaning.unit
         self.speed = speed.value
         self.speed_channel = None if speed.channel is None else source.channels[speed.channel]
-        self.choices: tuple[ReadingNote, ...] = meaning.choices
-        self.notes = (*source.notes, *meaning.notes, *(note.text for note in meaning.choices))
+        self.choices: tuple[Note, ...] = meaning.choices
+        self.notes = (*source.notes, *meaning.notes, *meaning.choices)
         self.speeds_perhaps = speeds_perhaps(source.numbers, meaning.rate)
         self._source = source
         self._wanted = (number,) if speed.channel is None else (number, speed.channel)

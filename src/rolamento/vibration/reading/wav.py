@@ -14,7 +14,7 @@ from rolamento._foreign.bounds import guarded, size_of_file
 from rolamento.errors import FileError
 from rolamento.numerics import FloatArray
 from rolamento.vibration.reading.channels import MOST_CHANNELS, Channel, Source, checked_channels
-from rolamento.words import marked, said
+from rolamento.words import Note, marked, said
 
 __all__ = ["WavSource"]
 
@@ -57,7 +57,7 @@ class WavSource(Source):
                     said("has more than {most} channels", most=MOST_CHANNELS), source=self._source
                 )
             if bits:
-                self.notes = (f"samples of {bits} bits are scaled to a full scale of 1",)
+                self.notes = (Note("bits_to_full_scale", {"bits": bits}),)
             rate = float(self._file.samplerate)
             each = Channel("", self._file.frames, rate, "1" if bits else "")
             self.channels = checked_channels([each] * self._file.channels, self._source, "WAV file")
