@@ -36,7 +36,7 @@ from rolamento.pages.equations import equations_of, references_of
 from rolamento.pages.given import reason, untitled
 from rolamento.pages.state import balls_table, stiffness_section
 from rolamento.solved import RACES
-from rolamento.words import Note, counted, manner, marked, said
+from rolamento.words import Note, counted, in_unit, manner, marked, said
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure as Picture
@@ -382,11 +382,13 @@ def _summary_rows(report: Report) -> list[_Row]:
         _Row(said("maximum contact pressure"), "extremes.max_pressure", ".4 MPa"),
         _Row(said("viscosity ratio κ"), "analysis.film.viscosity_ratio", ".3"),
         _Row(said("minimum film parameter λ"), "extremes.film_parameter", ".3"),
-        _Row(said("friction torque"), "analysis.friction.torque", ".4 N·mm"),
-        _Row(said("friction power"), "analysis.friction.power", ".4 W"),
-        _Row(said("friction torque (friction control)"), "analysis.rolling.inner_torque",
-             ".4 N·mm"),
-        _Row(said("friction power (friction control)"), "analysis.rolling.power", ".4 W"),
+        _Row(said("friction torque"), "analysis.friction.torque", _torque_form(report)),
+        _Row(said("friction power"), "analysis.friction.power", _power_form(report)),
+        _Row(
+            said("friction power (friction control)"),
+            "analysis.rolling.power",
+            _power_form(report),
+        ),
         _Row(said("mean clearance in operation"), "clearance.mean", ".3 µm"),
         _Row(said("axial preload at speed"), "analysis.preload.at_speed", ".4 N"),
         _Row(said("axial stiffness"), "analysis.stiffness.0.0", ".4 N/µm"),
@@ -475,9 +477,9 @@ def _inputs(report: Report) -> list[Section]:
     equal = [field for field in fields if field not in differing]
     later = list(range(1, len(report.cases)))
     tables: list[Table] = []
-    for number, at in enumerate(range(0, len(later), _ABREAST)):
-        key = "inputs_that_differ" + (f"_{number + 1}" if number else "")
-        tables += _input_table(report, differing, [0, *later[at : at + _ABREAST]], key, sources)
+    for number, index in enumerate(later, start=1):
+        key = "inputs_that_differ" + (f"_{number}" if number > 1 else "")
+        tables += _input_table(report, differing, [0, index], key, sources)
     same: Sequence[Statement | Table] = tables or [
         Statement(said("The cases have the same inputs."))
     ]
@@ -546,7 +548,9 @@ def _input_table(
     many = len(cases) > 1
     columns = [
         Column(head=said("input"), values=[_label(field) for field in fields], key="input"),
-        Column(head=said("field"), values=list(fields), key="field", tone="faint"),
+        Column(
+            head=said("field"), values=list(fields), key="field", tone="faint", only_in_files=many
+        ),
         Column(head=said("unit"), values=[first[f].unit for f in fields], key="unit",
                tone="faint"),
     ]  # fmt: skip
@@ -570,7 +574,7 @@ def _input_table(
                 key=f"{case.name}_origin",
             )
         )
-    return [Table(columns=tuple(columns), key=key, groups=tuple(groups), rule=True, fixed=3)]
+    return [Table(columns=tuple(columns), key=key, groups=tuple(groups), rule=True, fixed=2)]
 
 
 def _any_input(report: Report, field: str) -> Input:
@@ -709,11 +713,14 @@ def _rating_sources(report: Report) -> tuple[str, ...]:
             source = _rating_source(case, name)
             if source:
                 found.setdefault(source, {}).setdefault(case.name, []).append(symbol)
+    rated = sum(case.analysis.life is not None for case in report.cases)
     legends = []
     for source, cases in found.items():
-        alike = len({tuple(own) for own in cases.values()}) == 1
+        alike = len(cases) == rated and len({tuple(own) for own in cases.values()}) == 1
         ratings = "; ".join(
-            ", ".join(own) if alike else f"{', '.join(own)} ({name})"
+            ", ".join(own)
+            if alike
+            else said("{ratings} of case {name}", ratings=", ".join(own), name=name)
             for name, own in list(cases.items())[: 1 if alike else None]
         )
         legends.append(said("{ratings}: {source}", ratings=ratings, source=source))
@@ -1199,33 +1206,32 @@ def _friction(report: Report) -> tuple[Table, ...]:
         "" if case.analysis.friction is None else torque_name(case.analysis.friction.model)
         for case in report.cases
     )
+    torque, power = _torque_form(report), _power_form(report)
     whole = [
         _Row(said("coefficient of friction μ"), f"{friction}.friction_coefficient"),
         _Row(said("model of the contacts"), texts=used),
-        _Row(said("running torque"), f"{friction}.torque", ".4 N·mm"),
-        _Row(said("starting torque"), f"{friction}.starting_torque", ".4 N·mm"),
-        _Row(said("friction power"), f"{friction}.power", ".4 W"),
+        _Row(said("running torque"), f"{friction}.torque", torque),
+        _Row(said("starting torque"), f"{friction}.starting_torque", torque),
+        _Row(said("friction power"), f"{friction}.power", power),
     ]
     torques = [
-        _Row(said(label), f"{friction}.torque_by_source.{name}", ".4 N·mm")
+        _Row(said(label), f"{friction}.torque_by_source.{name}", torque)
         for name, label in _LOSSES.items()
     ]
-    heats = [_Row(said(label), f"extremes.heat_{name}", ".4 W") for name, label in _LOSSES.items()]
+    heats = [_Row(said(label), f"extremes.heat_{name}", power) for name, label in _LOSSES.items()]
     names = dict.fromkeys(
         name
         for case in report.cases
         if case.analysis.friction is not None
         for name in case.analysis.friction.models
     )
-    models = [
-        _Row(torque_name(name), f"{friction}.models.{name}.torque", ".4 N·mm") for name in names
-    ]
+    models = [_Row(torque_name(name), f"{friction}.models.{name}.torque", torque) for name in names]
     rolling = [
         _Row(said("cage speed"), "analysis.rolling.cage_speed", ".5 rpm"),
         _Row(said("cage slip against outer raceway control"), "analysis.rolling.skid", ".3 %"),
-        _Row(said("torque on the shaft"), "analysis.rolling.inner_torque", ".4 N·mm"),
-        _Row(said("torque on the housing"), "analysis.rolling.outer_torque", ".4 N·mm"),
-        _Row(said("power lost in the contacts"), "analysis.rolling.power", ".4 W"),
+        _Row(said("torque on the shaft"), "analysis.rolling.inner_torque", torque),
+        _Row(said("torque on the housing"), "analysis.rolling.outer_torque", torque),
+        _Row(said("power lost in the contacts"), "analysis.rolling.power", power),
     ]
     groups = [
         (said("Friction of the contacts"), whole),
@@ -1238,6 +1244,27 @@ def _friction(report: Report) -> tuple[Table, ...]:
         return ()
     legend = said("Seals, cage and churning of the oil are not included.")
     return _tables(report, groups, "friction", legends=(legend,))
+
+
+def _torque_form(report: Report) -> str:
+    paths = ("analysis.friction.torque", "analysis.rolling.inner_torque")
+    return _readable(report, paths, ("N·m", "N·mm", "µN·m"))
+
+
+def _power_form(report: Report) -> str:
+    paths = ("analysis.friction.power", "analysis.rolling.power")
+    return _readable(report, paths, ("W", "mW", "µW"))
+
+
+def _readable(report: Report, paths: Sequence[str], units: Sequence[str]) -> str:
+    """The largest unit of which the greatest number has at least a tenth, else the last."""
+    numbers = [abs(case.number(path) or 0.0) for case in report.cases for path in paths]
+    most = max(numbers)
+    found = (unit for unit in units if float(in_unit(most, unit)) >= _READABLE)
+    return f".4 {next(found, units[-1] if most else units[0])}"
+
+
+_READABLE: Final = 0.1
 
 
 def torque_name(model: str) -> str:

@@ -622,8 +622,13 @@ def _paths(found: Any, path: str) -> Iterator[str]:
     elif isinstance(found, list) and path.startswith(_COMPARED_LISTS):
         for index, value in enumerate(found):
             yield from _paths(value, f"{path}{index}.")
-    elif isinstance(found, int | float) and not isinstance(found, bool):
+    elif isinstance(found, int | float) and not isinstance(found, bool) and _compares(path):
         yield path[:-1]
+
+
+def _compares(path: str) -> bool:
+    """Of the balls, only the loads: the rest would be a table of its own."""
+    return not path.startswith("analysis.balls.") or path.endswith(".load.")
 
 
 _OF_FILM: Final = (
@@ -631,5 +636,7 @@ _OF_FILM: Final = (
     "thermal_factor", "starvation_factor",
 )  # fmt: skip
 _COMPARED: Final = ("extremes", "clearance", "analysis")
-_COMPARED_LISTS: Final = ("analysis.stiffness.",)
+_COMPARED_LISTS: Final = (
+    "analysis.stiffness.", "analysis.rows.", "analysis.balls.", "clearance.steps.",
+)  # fmt: skip
 _NOT_COMPARED: Final = frozenset({"schema", "residual", "iterations", "row", "ball", "notes"})
