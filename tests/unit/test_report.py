@@ -2,29 +2,26 @@
 
 from __future__ import annotations
 
-import ast
 import csv
 import dataclasses
-import inspect
 import re
 import string
 from functools import cache
 from math import degrees, inf, nan, pi
 from pathlib import Path
-from types import ModuleType
 from typing import get_args
 
 import numpy as np
 import pytest
+from tests.one_case import said
 
 import rolamento
-from rolamento import Case, notes
+from rolamento import Case
 from rolamento.case.model import CageKind, RacewayControl
 from rolamento.document.medium import Medium
 from rolamento.report.balls import CSV_COLUMNS, ball_csv, rosette
 from rolamento.report.language import ENGLISH, LANGUAGES, PORTUGUESE, Words, words_for
 from rolamento.report.numbers import ABSENT, Digits, aligned, decimals_for
-from rolamento.report.sentences import portuguese_sentence
 from rolamento.report.terminal import terminal_report
 from rolamento.solution import solve
 from rolamento.solved import Solved
@@ -113,7 +110,7 @@ def test_without_a_result_reason_and_advice_are_given(words: Words) -> None:
     state = solved("218_combined", "duty.load.fx=-20 kN")
     report = plain(state, words)
     assert f"✗ {words.reasons['no_equilibrium']}" in report
-    advice_given = words.sentence(state.advice[0] or "")
+    advice_given = words.advice(state)
     assert " ".join(advice_given.split()) in " ".join(report.split())
     assert words.stiffness not in report
 
@@ -210,87 +207,14 @@ def test_the_locale_chooses_the_language(environment: dict[str, str], code: str)
     assert words_for(None, environment).code == code
 
 
-def sentences_in(module: ModuleType) -> list[str]:
-    """Every sentence that a module of the engine can say, with samples for what varies."""
-    tree = ast.parse(inspect.getsource(module))
-    texts = [_said(node) for node in ast.walk(tree) if isinstance(node, ast.JoinedStr)]
-    inside = {id(part) for n in ast.walk(tree) if isinstance(n, ast.JoinedStr) for part in n.values}
-    texts += [
-        node.value
-        for node in ast.walk(tree)
-        if isinstance(node, ast.Constant) and isinstance(node.value, str) and id(node) not in inside
-    ]
-    docstrings = {ast.get_docstring(n, clean=False) for n in ast.walk(tree) if _documented(n)}
-    documented = {n.value.value for n in ast.walk(tree) if _is_text_alone(n)}  # type: ignore[attr-defined]
-    said = [text for text in texts if text not in docstrings | documented]
-    return [text for text in said if text.endswith(".") and " " in text]
-
-
-def _documented(node: ast.AST) -> bool:
-    return isinstance(node, ast.Module | ast.FunctionDef | ast.ClassDef)
-
-
-def _is_text_alone(node: ast.AST) -> bool:
-    return isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
-
-
-def _said(node: ast.JoinedStr) -> str:
-    return "".join(
-        str(part.value) if isinstance(part, ast.Constant) else _sample(ast.unparse(part))
-        for part in node.values
-    )
-
-
-def _sample(expression: str) -> str:
-    samples = {
-        "_balls(": "3 balls",
-        "_azimuths(": "azimuth 0°, 22.5°",
-        "{race}": "outer",
-        "{sense}": "behind",
-        "{assumed}": "inner",
-        "{holder}": "nothing presses on them",
-        "{name}": "rz",
-        "{direction}": "along z",
-        "{away}": "-x",
-        "{faced}": "+x",
-        "{cause}": "its preload is gone",
-        "{groove}": "the groove, taken as a half circle,",
-        "map(str, lost)": "1, 2",
-        "{row}": "1",
-    }
-    return next((text for mark, text in samples.items() if mark in expression), "1.5e+06")
-
-
-@pytest.mark.parametrize("sentence", sentences_in(notes))
-def test_every_sentence_of_the_engine_is_translated(sentence: str) -> None:
-    tails = [sentence, f"Nothing supports the inner ring along z: {sentence}"]
-    assert any(portuguese_sentence(tail) != tail for tail in tails)
-
-
-def test_there_are_sentences_to_translate() -> None:
-    assert len(sentences_in(notes)) >= 16
-
-
-@pytest.mark.parametrize("direction", notes._DIRECTIONS)
-def test_every_direction_is_translated(direction: str) -> None:
-    said = portuguese_sentence(
-        f"Nothing supports the inner ring {direction}: the balls never come to carry the load. "
-        "Give a smaller load, or hold this degree of freedom with a displacement."
-    )
-    assert said.startswith("Nada sustenta o anel interno ")
-    assert "along" not in said
-    assert "against" not in said
-
-
 def test_the_engine_is_heard_in_portuguese() -> None:
     state = solved("218_combined", "duty.load.fx=-20 kN")
-    assert "no sentido −x" in portuguese_sentence(state.advice[0] or "")
+    assert "no sentido −x" in said(state.advice[0], "pt")
     (note,) = solved("209_radial").notes[0]
-    assert portuguese_sentence(note) == (
-        "4 esferas sem contato com a pista interna (azimute 120°; 160°; 200°; 240°):"
-        " nada age sobre elas."
+    assert said(note, "pt") == (
+        "4 esferas sem contato com a pista interna (azimute 120°, 160°, 200°, 240°):"
+        " nenhuma força age sobre elas."
     )
-    assert portuguese_sentence("Something new.") == "Something new."
 
 
 # --- numbers ----------------------------------------------------------------

@@ -11,9 +11,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from tests.one_case import keys, said
 
 import rolamento
-from rolamento import Case, notes
+from rolamento import Case
 from rolamento.case.bearing import Bearing
 from rolamento.document.medium import Medium
 from rolamento.report.balls import ball_csv
@@ -21,6 +22,7 @@ from rolamento.report.language import ENGLISH, LANGUAGES, PORTUGUESE, Words
 from rolamento.report.terminal import terminal_report
 from rolamento.solution import solve
 from rolamento.solved import Solved
+from rolamento.words import Note
 
 EXAMPLES = Path(rolamento.__file__).parent / "examples"
 BOTH = pytest.mark.parametrize("words", LANGUAGES.values(), ids=LANGUAGES.keys())
@@ -232,7 +234,7 @@ def test_a_row_that_has_lifted_off(words: Words) -> None:
     load = 20e3 * state.preload.loss_factor
     assert f"fx {load:.0f} N" in report
     assert "row 1: all" not in report
-    lost = words.sentence(state.notes[0][0])
+    lost = words.note(state.notes[0][0])
     assert lost in report
 
 
@@ -250,16 +252,16 @@ def test_a_lost_row_without_a_known_point_is_told() -> None:
 
 def test_a_lost_row_is_noted_and_its_balls_are_not_listed() -> None:
     state = solved("6012_pair", AXIAL, "duty.load.fx=20 kN")
-    lost = [note for note in state.notes[0] if note.startswith("No ball of row 1 presses")]
-    assert len(lost) == 1
-    assert "its preload is gone" in lost[0]
-    assert not any("without inner contact" in note for note in state.notes[0])
+    lost = [note for note in state.notes[0] if note.key == "row_unloaded"]
+    assert [dict(note.values) for note in lost] == [{"rows": [1], "preloaded": True}]
+    assert lost[0].text.startswith("No ball of row 1 contacts the inner ring: the row has lost its")
+    assert "balls_unloaded" not in keys(state.notes[0])
 
 
 def test_an_unloaded_row_of_a_set_without_preload_is_noted() -> None:
     case = case_of("6012_pair", AXIAL, "duty.load.fx=20 kN")
     state = solve(case.replace(bearing=case.bearing.replace(preload=None)))
-    assert "no preload holds it there" in state.notes[0][0]
+    assert "no preload holds the row in contact" in state.notes[0][0].text
 
 
 def test_a_preload_that_is_nearly_lost_is_noted() -> None:
@@ -267,26 +269,31 @@ def test_a_preload_that_is_nearly_lost_is_noted() -> None:
     assert state.preload
     assert 1.0 < state.preload.loss_factor < 1.1
     (note,) = state.notes[0]
-    assert note.startswith("Row 1 is about to lose its preload")
-    assert f"{state.preload.loss_factor:.3g} times this load" in note
-    assert PORTUGUESE.sentence(note).startswith("A carreira 1 está prestes a perder")
+    assert note.values == {"row": 1, "factor": state.preload.loss_factor}
+    assert note.text.startswith("Row 1 is about to lose its preload")
+    assert f"{state.preload.loss_factor:.3g} times this load" in note.text
+    assert said(note, "pt").startswith("A carreira 1 está prestes a perder")
     safe = dataclasses.replace(state.preload, loss_factor=1.2)
     assert dataclasses.replace(state, preload=safe).notes == ((),)
 
 
 def test_azimuths_are_told_row_by_row() -> None:
     state = solved("6012_triple", "duty.load.fz=20 kN", "duty.load.fx=-30 kN")
-    (note,) = [note for note in state.notes[0] if "without inner contact" in note]
-    assert "azimuth row 0: 81.82°, 98.18°, 114.5°, 130.9° …; row 1: 73.63°" in note
-    said = PORTUGUESE.sentence(note)
-    assert "azimute carreira 0: 81,82°; 98,18°; 114,5°; 130,9° …; carreira 1: 73,63°" in said
+    (note,) = [note for note in state.notes[0] if note.key == "balls_unloaded"]
+    assert "(azimuth row 0: 81.82°, 98.18°, 114.5°, 130.9°, " in note.text
+    assert " …; row 1: 73.63°" in note.text
+    assert "(azimute carreira 0: 81,82°, 98,18°, 114,5°, 130,9°, " in said(note, "pt")
+    free = ~state.loaded[0]
+    assert note.values["balls"] == np.flatnonzero(free).tolist()
+    assert note.values["azimuths"] == state.elements.azimuth[0, free].tolist()
+    assert note.values["rows"] == state.elements.row[free].tolist()
 
 
 def test_a_whole_row_is_told_as_all() -> None:
     state = solved("6012_pair", AXIAL, "duty.load.fx=105 kN")
-    (note,) = [note for note in state.notes[0] if "inner race" in note]
-    assert "22 balls (azimuth row 0: all)" in note
-    assert "carreira 0: todas" in PORTUGUESE.sentence(note)
+    (note,) = [note for note in state.notes[0] if note.values.get("race") == "inner"]
+    assert "22 balls (azimuth row 0: all)" in note.text
+    assert "carreira 0: todas" in said(note, "pt")
 
 
 def test_shoulders_are_those_of_the_row() -> None:
@@ -307,11 +314,11 @@ def test_shoulders_are_those_of_the_row() -> None:
     ]
     ends = [groove_end(state.case.bearing, row, 0.3e-3) for row in (0, 1)]
     expected = [row for row in (0, 1) if reaches[row] > ends[row]]
-    (note,) = [note for note in state.notes[0] if "shoulder" in note]
-    assert [int(row) for row in re.findall(r"row (\d)", note)] == expected
+    (note,) = [note for note in state.notes[0] if note.key == "ellipse_over_shoulder"]
+    assert [int(row) for row in re.findall(r"row (\d)", note.text)] == expected
     worst = max(expected, key=lambda row: reaches[row] - ends[row])
-    assert f"reaches {degrees(reaches[worst]):.1f}°" in note
-    assert f"ends at {degrees(ends[worst]):.1f}°" in note
+    assert f"reaches {degrees(reaches[worst]):.1f}°" in note.text
+    assert f"ends at {degrees(ends[worst]):.1f}°" in note.text
 
 
 def groove_end(bearing: Bearing, row: int, height: float) -> float:
@@ -322,23 +329,23 @@ def groove_end(bearing: Bearing, row: int, height: float) -> float:
 # --- advice -----------------------------------------------------------------
 
 
-def advice_on(case: Case) -> str:
+def advice_on(case: Case) -> Note:
     state = solve(case)
     assert state.status.code[0] == "no_equilibrium"
     (advice,) = state.advice
     assert advice
-    assert PORTUGUESE.sentence(advice) != advice
+    assert said(advice, "pt") != said(advice)
     return advice
 
 
 def test_springs_pushed_back() -> None:
-    said = advice_on(sprung_with(fx=-400.0))
-    assert "an axial load of 400 N pushes back the springs, which press with 300 N" in said
+    text = advice_on(sprung_with(fx=-400.0)).text
+    assert "an axial load of 400 N pushes back the springs, which press with 300 N" in text
 
 
 def test_springs_too_weak_for_a_moment() -> None:
-    said = advice_on(sprung_with(fx=100.0, my=300.0))
-    assert said.startswith("Springs of 300 N do not keep the balls")
+    advice = advice_on(sprung_with(fx=100.0, my=300.0))
+    assert advice.text.startswith("Springs of 300 N do not keep the balls")
 
 
 def sprung_with(**load: float) -> Case:
@@ -354,11 +361,11 @@ def test_rows_that_all_face_one_way(orientation: str, fx: str, away: str) -> Non
     case = case_of("6012_pair", f"duty.load.fx={fx}")
     rows = [{"orientation": orientation, "position": f"{x} mm"} for x in (-9, 9)]
     bearing = case.bearing.replace(arrangement=None, spacing=None, preload=None, rows=rows)
-    said = advice_on(case.replace(bearing=bearing))
-    assert f"toward {away}: all rows carry axial load toward" in said
+    advice = advice_on(case.replace(bearing=bearing))
+    assert f"toward {away}: all rows carry axial load toward" in advice.text
 
 
 def test_clamped_rows_with_too_much_play() -> None:
     case = case_of("6012_pair", AXIAL)
     bearing = case.bearing.replace(preload="-100 um")
-    assert advice_on(case.replace(bearing=bearing)) == notes._LOST_SHOULDER
+    assert advice_on(case.replace(bearing=bearing)) == Note("shoulder_lost")

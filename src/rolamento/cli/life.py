@@ -32,6 +32,7 @@ from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
 from rolamento.cli.table_options import DecimalMarkOption, told_in_options
 from rolamento.cli.waiting import waiting
 from rolamento.errors import InputError
+from rolamento.words import marked, said
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -135,13 +136,15 @@ def _setting_of(reliability: float) -> str:
 def _check(cases: list[str], over: str | None, spectrum: str | None, variants: list[str]) -> None:
     """Refuse what does not go together, before any work."""
     if over is not None and spectrum is not None:
-        raise InputError("is given beside --over; give one", field="--spectrum", value=spectrum)
+        raise InputError(said("cannot be combined with --over"), field="--spectrum", value=spectrum)
     for name, given in (("--over", over), ("--spectrum", spectrum)):
         if given is not None and len(cases) > 1:
-            raise InputError("is for one case, and these are several", field=name, value=given)
+            raise InputError(
+                said("is for a single case; several are given"), field=name, value=given
+            )
     if variants and over is None:
         raise InputError(
-            "needs --over",
+            said("needs --over"),
             field="--variant",
             value=variants[0],
             example="--over duty.load.fz=1..8kN",
@@ -154,23 +157,25 @@ def _check_files(
 ) -> None:
     """Refuse outputs without what they show, or that run into each other or into what is read."""
     if read.count(STANDARD_STREAM) > 1:
-        raise InputError("can be read once", source="standard input")
+        raise InputError(said("can be read only once"), source="standard input")
     outputs = {name: path for name, path in given.items() if path is not None}
     if "--csv" in outputs and over is None and spectrum is None:
-        raise InputError("needs --over or --spectrum", field="--csv", value=outputs["--csv"])
+        raise InputError(said("needs --over or --spectrum"), field="--csv", value=outputs["--csv"])
     if "--plot" in outputs and over is None:
         raise InputError(
-            "needs --over",
+            said("needs --over"),
             field="--plot",
             value=outputs["--plot"],
             example="--over duty.load.fz=1..8kN",
         )
-    check_outputs(given, *read, rule="is read by this command")
+    check_outputs(given, *read, rule=marked("is one of the input files; choose another name"))
     file = outputs.get("--json", "")
     if file.lower().endswith(".toml"):
         raise InputError(
-            "is taken for the FILE of --json; put --json last, or a name that ends in .json"
-            " behind it",
+            said(
+                "is taken as the FILE of --json; put --json last, or follow it with a "
+                "name that ends in .json"
+            ),
             field="--json",
             value=file,
             example="life a.toml b.toml --json",
@@ -268,10 +273,10 @@ def _curves(
         return [life_curve(one, chosen, label=label, **tables) for label, one in cases]
 
 
-def _figure(curves: Sequence[LifeCurve], language: str) -> Figure:
+def _figure(curves: Sequence[LifeCurve]) -> Figure:
     from rolamento.plots.life import life_figure
 
-    return life_figure(curves, language)
+    return life_figure(curves)
 
 
 def _medium() -> Medium:

@@ -8,6 +8,7 @@ from typing import Final
 from rolamento.cli.common import same_file
 from rolamento.cli.streams import STANDARD_STREAM
 from rolamento.errors import FileError, InputError
+from rolamento.words import marked, said
 
 __all__ = ["check_outputs"]
 
@@ -15,7 +16,9 @@ _PICTURES: Final = ("--plot", "--contour", "--kurtogram")
 
 
 def check_outputs(
-    outputs: Mapping[str, str | None], *read: str | None, rule: str = "is the case file itself"
+    outputs: Mapping[str, str | None],
+    *read: str | None,
+    rule: str = marked("is the case file itself; choose another name"),
 ) -> None:
     """Refuse outputs that would run into each other or over what is read, and unknown pictures.
 
@@ -37,15 +40,12 @@ def check_outputs(
     for option, path in given.items():
         if sum(same_file(path, other) for other in given.values()) > 1:
             where = "standard output" if path == STANDARD_STREAM else path
-            raise InputError(f"only one of {_listed(outputs)} can go there", source=where)
+            raise InputError(
+                said("only one of {options} can go there", options=", ".join(outputs)), source=where
+            )
         if path != STANDARD_STREAM and any(other and same_file(path, other) for other in read):
-            raise FileError(f"{rule}; choose another name", source=path)
+            raise FileError(said(rule), source=path)
         if option in _PICTURES:
             from rolamento.plots.saving import check_name
 
             check_name(path)
-
-
-def _listed(options: Mapping[str, str | None]) -> str:
-    *others, last = options
-    return f"{', '.join(others)} and {last}" if others else last

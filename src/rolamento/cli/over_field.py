@@ -12,6 +12,7 @@ from rolamento.cli.common import Language, complain_of_points, words_of
 from rolamento.cli.options import plot_option
 from rolamento.cli.streams import STANDARD_STREAM, print_text, put
 from rolamento.errors import InputError
+from rolamento.words import said
 
 if TYPE_CHECKING:
     import numpy as np
@@ -97,14 +98,16 @@ def check_variants(variants: list[str]) -> None:
     """
     if len(variants) > _MOST_VARIANTS:
         raise InputError(
-            f"may be given at most {_MOST_VARIANTS} times", field="--variant", value=len(variants)
+            said("may be given at most {most} times", most=_MOST_VARIANTS),
+            field="--variant",
+            value=len(variants),
         )
 
 
 def show_curves(
     curves: Sequence[C],
     texts: CurveTexts[C],
-    figure: Callable[[Sequence[C], str], Figure],
+    figure: Callable[[Sequence[C]], Figure],
     outputs: tuple[str | None, str | None, str | None],
     lang: Language | None,
 ) -> bool:
@@ -117,7 +120,7 @@ def show_curves(
     texts
         The module that writes them.
     figure
-        Draws them in a language; called only if a picture is asked for.
+        Draws them; called only if a picture is asked for.
     outputs
         Files for JSON, a table and a picture; None where nothing is asked for.
     lang
@@ -137,7 +140,7 @@ def show_curves(
     if plot is not None:
         from rolamento.plots.saving import save_figure
 
-        save_figure(figure(curves, words.code), plot)
+        save_figure(figure(curves), plot)
     converged = all(curve.converged for curve in curves)
     if STANDARD_STREAM not in (json, csv):
         from rolamento.document.medium import Medium

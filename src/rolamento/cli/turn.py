@@ -82,7 +82,7 @@ def _show(
         from rolamento.plots.cage_turn import cage_turn_figure
         from rolamento.plots.saving import save_figure
 
-        save_figure(cage_turn_figure(turned, words.code), plot)
+        save_figure(cage_turn_figure(turned), plot)
     if STANDARD_STREAM not in (json, csv):
         from rolamento.document.medium import Medium
 

@@ -12,7 +12,8 @@ from rolamento.case.duty import AXES, LOADS, Duty
 from rolamento.document import Entry, KeyValues, Section, Title
 from rolamento.solved import Solved
 from rolamento.units import Dimension, readable
-from rolamento.words import manner, marked, said
+from rolamento.words import manner, said
+from rolamento.words.reasons import reason
 
 __all__ = ["BOTH", "facing", "head", "quantity", "reason", "untitled"]
 
@@ -41,21 +42,6 @@ def untitled() -> str:
 def quantity(value: float, dimension: Dimension) -> str:
     """Write a value of a case with its unit, as in a case file; a computed one shorter."""
     return manner().localised(readable(value, dimension)).replace(" deg", "°")
-
-
-def reason(code: str) -> str:
-    """Say why a case has no result."""
-    return said(_REASONS.get(code, code))
-
-
-_REASONS: Final = {
-    "no_equilibrium": marked("there is no equilibrium"),
-    "not_converged": marked("not converged"),
-    "overloaded": marked("overloaded"),
-    "unheld_ball": marked("a ball is not held"),
-    "over_shoulder": marked("a contact lies beyond the shoulder of its groove"),
-    "invalid_input": marked("invalid input"),
-}
 
 
 # --- bearing -----------------------------------------------------------------------------------

@@ -18,6 +18,7 @@ from rolamento.report.life_statement import (
     given_percent,
     life_text,
     lives_column,
+    note_text,
     percent,
     remarks,
     said_of,
@@ -34,7 +35,7 @@ if TYPE_CHECKING:
     from rolamento.life import Change, Life, LifeSummary
     from rolamento.solved import Solved
 
-SCHEMA: Final = 1
+SCHEMA: Final = 2
 _FACTORS: Final = (
     ("a_1", "a_1"),
     ("a_ISO", "a_iso"),
@@ -171,7 +172,7 @@ def validity_part(page: Page, summary: LifeSummary) -> Lines:
     for life in lives:
         label = page.text(f"  {said.names[life.theory]:{width}}  ")
         lines += page.hanging(label, said.valid[life.theory], "dim")
-    found = [(life.theory, name, "") for life in lives for name in life.notes_of()]
+    found = [(life.theory, name, "") for life in lives for name in _keys(life)]
     return lines + remarks(page, found, len(lives))
 
 
@@ -236,7 +237,7 @@ def limit_part(page: Page, solved: Solved, summary: LifeSummary) -> Lines:
     said, limit = said_of(page), summary.limit
     race = str(limit.race[0])
     if not race:
-        reason = page.hanging(Text("  "), said.notes["unloaded"])
+        reason = page.hanging(Text("  "), note_text(page, "unloaded"))
         return [page.heading(said.limits), *reason]
     template = said.share_of_row if solved.case.bearing.is_set else said.share_of_risk
     share = percent(page, float(limit.share[0]))
@@ -270,7 +271,7 @@ def changes_part(page: Page, summary: LifeSummary, changes: Sequence[Change]) ->
     greatest = max(max(change.life_ratio for change in known) - 1.0, 0.0)
     cells = [
         [
-            page.text(said.changes[change.name]),
+            page.text(page.words.note(change.note)),
             page.text(ratio, "bold" if change.life_ratio > 1.0 else ""),
         ]
         for change, ratio in zip(known, ratios, strict=True)
@@ -331,9 +332,12 @@ def _bounded(page: Page, life: Life, value: float) -> str:
 
 def life_notes(page: Page, summary: LifeSummary) -> list[str]:
     """Return what is to be known of the lives that are shown, each said once."""
-    said = said_of(page)
-    names = [name for life in _standard_lives(summary).values() for name in life.notes_of()]
-    return [said.notes[name] for name in dict.fromkeys(names)]
+    keys = [key for life in _standard_lives(summary).values() for key in _keys(life)]
+    return [note_text(page, key) for key in dict.fromkeys(keys)]
+
+
+def _keys(life: Life) -> list[str]:
+    return [note.key for note in life.notes_of()]
 
 
 def _standard_lives(summary: LifeSummary) -> dict[str, Life]:
@@ -353,7 +357,11 @@ def life_json(solved: Solved, summary: LifeSummary | None, changes: Sequence[Cha
             **{name: of_case[name] for name in ("title", "status", "notes", "case")},
             "life": None if summary is None else summary.to_mapping(),
             "sensitivity": [
-                {"change": change.name, "life_ratio": change.life_ratio, "what": change.sentence}
+                {
+                    "change": change.name,
+                    "life_ratio": change.life_ratio,
+                    "what": change.note.to_mapping(),
+                }
                 for change in changes
             ],
         }

@@ -17,6 +17,7 @@ from rolamento.life.record import BOUNDS, OUTSIDE
 from rolamento.report.life_words import LIFE_WORDS, LifeWords
 from rolamento.report.numbers import ABSENT
 from rolamento.report.page import Lines, Page
+from rolamento.words import Note, speaking
 
 if TYPE_CHECKING:
     from rolamento.life import Change, Headline, LifeSummary
@@ -128,11 +129,17 @@ def remarks(page: Page, found: Iterable[tuple[str, str, str]], count: int) -> Li
         named = said.every_theory if every else "; ".join(said.names[t] for t in theories)
         named += f", {place}" if place else ""
         if name in OUTSIDE:
-            text = said.fails_for.format(theories=named, reason=said.notes[name])
+            text = said.fails_for.format(theories=named, reason=note_text(page, name))
             lines += page.hanging(page.text("  ✗ ", "yellow"), text, "yellow")
         else:
-            lines += page.hanging(page.text("  • ", "yellow"), f"{named}: {said.notes[name]}")
+            lines += page.hanging(page.text("  • ", "yellow"), f"{named}: {note_text(page, name)}")
     return lines
+
+
+def note_text(page: Page, key: str) -> str:
+    """Say a note of a life in the page's language."""
+    with speaking(page.words.code):
+        return Note(key).text
 
 
 def verdict(page: Page, valid: bool, below: bool) -> Text:
@@ -279,7 +286,7 @@ def _left_out(page: Page, leading: Headline) -> list[Sentence]:
     """Say why the life is but a bound, or that oil and dirt are not in it."""
     said = said_of(page)
     if leading.below[0]:
-        return [(said.notes[str(leading.reason[0])], "yellow")]
+        return [(note_text(page, str(leading.reason[0])), "yellow")]
     if leading.theory[0] == MODIFIED_REFERENCE.name:
         return []
     return [(said.lubrication_left_out, "dim")]
@@ -289,9 +296,10 @@ def _warning(page: Page, summary: LifeSummary) -> list[Sentence]:
     """Say that there is no life to go by, why not, and what the numbers are."""
     said = said_of(page)
     best = summary.theories.get(MODIFIED_REFERENCE.name, summary[REFERENCE.name])
-    reasons = [said.notes[name] for name in best.notes_of() if name in OUTSIDE - BOUNDS]
-    if "unloaded" in best.notes_of():
-        return [(said.notes["unloaded"], "bold")]
+    keys = [note.key for note in best.notes_of() if note.key in OUTSIDE - BOUNDS]
+    if "unloaded" in keys:
+        return [(note_text(page, "unloaded"), "bold")]
+    reasons = [note_text(page, key) for key in keys]
     found = [(said.none_holds, "bold red"), *((reason, "") for reason in reasons)]
     if any(isfinite(float(life.life[0])) for life in summary.theories.values()):
         found.append((said.not_to_be_used, "bold"))

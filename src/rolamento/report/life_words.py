@@ -6,10 +6,6 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Final
 
-from rolamento.life.record import NOTES
-from rolamento.life.sensitivity import CHANGES
-from rolamento.report.life_sentences import PORTUGUESE_CHANGES, PORTUGUESE_NOTES
-
 __all__ = ["LIFE_WORDS", "LifeWords"]
 
 
@@ -81,10 +77,7 @@ class LifeWords:
     factor: Mapping[str, str]
     all_lives: str
     changes_heading: str
-    changes: Mapping[str, str]
     changes_legend: str
-
-    notes: Mapping[str, str]
 
 
 _ENGLISH: Final = LifeWords(
@@ -224,9 +217,7 @@ _ENGLISH: Final = LifeWords(
     },
     all_lives="all theories, and what would help: rolamento life",
     changes_heading="What would help",
-    changes=CHANGES,
     changes_legend="life after one change over the life before, by the {theory}",
-    notes=NOTES,
 )
 
 _PORTUGUESE: Final = LifeWords(
@@ -367,9 +358,7 @@ _PORTUGUESE: Final = LifeWords(
     },
     all_lives="todas as teorias, e o que ajudaria: rolamento life",
     changes_heading="O que ajudaria",
-    changes=PORTUGUESE_CHANGES,
     changes_legend="vida depois de uma mudança sobre a de antes, pela {theory}",
-    notes=PORTUGUESE_NOTES,
 )
 
 LIFE_WORDS: Final[Mapping[str, LifeWords]] = {"en": _ENGLISH, "pt": _PORTUGUESE}

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 __all__ = ["shaft_json", "shaft_report"]
 
-SCHEMA: Final = 1
+SCHEMA: Final = 2
 _SHORTEST_NAME, _LONGEST_NAME = 12, 30
 _NUMBER_WIDTH: Final = 6
 """Of the first column, with the gaps beside it."""
@@ -239,8 +239,8 @@ def _remarks(page: Page, own: _Words, found: ShaftLife) -> Lines:
     numbers: dict[tuple[str, str], list[str]] = {}
     for number, summary in enumerate(found.lives, start=1):
         for life in () if summary is None else summary.theories.values():
-            for name in () if THEORIES[life.theory].bound else life.notes_of():
-                numbers.setdefault((life.theory, name), []).append(str(number))
+            for note in () if THEORIES[life.theory].bound else life.notes_of():
+                numbers.setdefault((life.theory, note.key), []).append(str(number))
     notes = [
         (theory, name, "" if len(own_numbers) == len(found) else _place(own, own_numbers))
         for (theory, name), own_numbers in numbers.items()

@@ -206,7 +206,5 @@ def _what_follows(page: Page, solved: Solved, analysis: Analysis, notes: list[st
         parts.append(life_part(page, solved, analysis.life))
         notes += life_notes(page, analysis.life)
     if analysis.notes:
-        from rolamento.report.life_sentences import said_analysis_note
-
-        notes += [said_analysis_note(name, page.words.code) for name in analysis.notes]
+        notes += [page.words.note(note) for note in analysis.notes]
     return parts

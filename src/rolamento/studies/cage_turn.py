@@ -22,6 +22,7 @@ from rolamento.case import Case, load_case
 from rolamento.errors import InputError
 from rolamento.solution import solve
 from rolamento.solved import Contacts, Solved
+from rolamento.words import Note, said
 
 Floats = NDArray[np.float64]
 Compared = Literal["displacement", "load", "stiffness"]
@@ -140,7 +141,7 @@ class CageTurn:
     solved: Solved
     angle: Floats
     period: float
-    advice: str | None
+    advice: Note | None
     cage_speed: CageSpeed
     histories: tuple[BallHistory, ...]
 
@@ -267,7 +268,7 @@ def cage_turn(
     """
     if not FEWEST_POINTS <= points <= MOST_POINTS:
         raise InputError(
-            f"must be {FEWEST_POINTS} to {MOST_POINTS}",
+            said("must be {least} to {most}", least=FEWEST_POINTS, most=MOST_POINTS),
             field="points",
             value=points,
             example=f"points = {DEFAULT_POINTS}",

@@ -27,6 +27,7 @@ from rolamento.life.spectrum import shaft_life
 from rolamento.numerics import FloatArray
 from rolamento.solution import solve
 from rolamento.solved import Solved
+from rolamento.words import said
 
 __all__ = ["MOST_BEARINGS", "CaseLife", "ShaftLife", "SystemLife", "life_of_case", "life_of_shaft"]
 
@@ -187,13 +188,15 @@ def life_of_shaft(
     """
     if not 2 <= len(cases) <= MOST_BEARINGS:
         raise InputError(
-            f"must be 2 to {MOST_BEARINGS} on one shaft", field="CASE", value=len(cases)
+            said("must be from 2 to {most} on one shaft", most=MOST_BEARINGS),
+            field="CASE",
+            value=len(cases),
         )
     read = [case_of(case) for case in cases]
     reliabilities = {0.9 if case.life is None else case.life.reliability for case in read}
     if len(reliabilities) > 1:
         raise InputError(
-            "must be one for all bearings of a shaft",
+            said("must be the same for all bearings of a shaft"),
             field="life.reliability",
             value=", ".join(f"{value:g}" for value in sorted(reliabilities)),
             example="--reliability 0.9",
@@ -248,7 +251,7 @@ def case_of(source: CaseSource) -> Case:
         return source
     if not isinstance(source, str | os.PathLike):
         raise InputError(
-            "must be a Case, or the path of its file",
+            said("must be a Case or the path of a case file"),
             field="case",
             value=type(source).__name__,
             example='life_of_case("case.toml")',
@@ -270,7 +273,7 @@ def factor_table(
         return None
     if not all(NSK_CLEANLINESS.met(case) for case in cases):
         raise InputError(
-            "is missing: the columns of the table of a_NSK hold it",
+            said("is missing: the columns of the a_NSK table depend on it"),
             field=NSK_CLEANLINESS.name,
             example="--set life.nsk_cleanliness=0.8",
         )

@@ -28,6 +28,7 @@ from rolamento.studies.fields import Value
 from rolamento.studies.ranges import Range, read_range, refuse_many_singles
 from rolamento.studies.solving import CONVERGED, INVALID_INPUT, array_fields, base_case
 from rolamento.tasks.life import CaseSource, TableSource, case_of, conditions_with, factor_table
+from rolamento.words import said
 
 __all__ = [
     "LifeCurve",
@@ -375,7 +376,7 @@ def lives_over_load(solved: Solved, *, points: int = _POINTS) -> LoadLives:
     load = float(_load_over_rating(own, by_reference)[0])
     if not acting or not load > 0.0:
         raise InputError(
-            "is missing: life over load needs forces on the ring",
+            said("is missing: life over load needs forces on the ring"),
             field="case.duty.load",
             example='fz = "10 kN"',
         )
@@ -406,7 +407,7 @@ def lives_over_zone(solved: Solved) -> ZoneLife:
     case, bearing = solved.case, solved.case.bearing
     if bearing.is_set or bearing.contact_angle:
         raise InputError(
-            "needs a single bearing of radial contact, given by its clearance",
+            said("needs a single radial-contact bearing given by its clearance"),
             field="case.bearing",
             example="diametral_clearance in the place of contact_angle",
         )

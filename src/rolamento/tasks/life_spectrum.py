@@ -34,6 +34,7 @@ from rolamento.studies.fields import Field, Value, read_field, refuse_rivals
 from rolamento.studies.solving import CONVERGED, INVALID_INPUT, array_fields, base_case
 from rolamento.tasks.life import CaseSource, TableSource, case_of, factor_table
 from rolamento.tasks.life_over import LifeRows, lives_of_rows
+from rolamento.words import said
 
 __all__ = ["DutyLife", "DutySteps", "SpectrumLife", "life_under", "read_spectrum"]
 
@@ -250,8 +251,11 @@ def _solved_steps(case: Case, steps: DutySteps, nsk_table: FactorTable | None) -
     single = [values for name, values in steps.values.items() if name not in array_fields()]
     if single and len(set(zip(*single, strict=True))) > _MOST_SINGLE:
         raise InputError(
-            f"needs more than {_MOST_SINGLE} cases of their own; let fewer steps differ in"
-            f" {', '.join(n for n in steps.values if n not in array_fields())}",
+            said(
+                "needs more than {most} cases of their own; let fewer steps differ in {known}",
+                most=_MOST_SINGLE,
+                known=", ".join(n for n in steps.values if n not in array_fields()),
+            ),
             source=steps.source,
         )
     columns: dict[str, Sequence[Value]] = dict(steps.values)
@@ -292,7 +296,7 @@ def _both_shares(steps: DutySteps, speed: FloatArray) -> tuple[FloatArray, Float
     """Shares of time and of revolutions."""
     if not np.any(speed[steps.shares > 0.0] > 0.0):
         raise InputError(
-            "turns in no step: there is no life without rotation",
+            said("is zero in every step: there is no life without rotation"),
             field="duty.inner_speed",
             source=steps.source,
             example='duty.inner_speed = "2000 rpm"',
@@ -302,7 +306,7 @@ def _both_shares(steps: DutySteps, speed: FloatArray) -> tuple[FloatArray, Float
     standing = np.flatnonzero((speed == 0.0) & (steps.shares > 0.0))
     if standing.size:
         raise InputError(
-            "has revolutions, and nothing turns; give shares of the time instead",
+            said("has revolutions, but nothing rotates; give shares of time instead"),
             field="revolutions",
             source=steps.source,
             line=steps.lines[int(standing[0])],
@@ -386,7 +390,11 @@ def read_spectrum(path: str | os.PathLike[str], *, decimal_mark: str | None = No
     total = float(shares.sum())
     if not abs(total - 1.0) <= _ROUNDING:
         raise InputError(
-            "must sum to 1", field=kind, value=f"{total:.4g}", source=table.source, example="0.25"
+            said("must sum to 1"),
+            field=kind,
+            value=f"{total:.4g}",
+            source=table.source,
+            example="0.25",
         )
     fields = _fields(table)
     cells = {
@@ -409,7 +417,10 @@ def _check_header(table: Table) -> None:
     for name in table.header:
         if name and table.header.count(name) > 1:
             raise FileError(
-                "names a column twice", field=name, source=table.source, line=table.header_line
+                said("repeats a column name"),
+                field=name,
+                source=table.source,
+                line=table.header_line,
             )
 
 
@@ -418,9 +429,11 @@ def _kind(table: Table) -> Kind:
     given = [kind for kind in kinds if kind in table.header]
     if len(given) != 1:
         raise FileError(
-            "needs a column named share (of the time) or revolutions (shares of them)"
-            if not given
-            else "has both a column share and a column revolutions; give one",
+            (
+                said("needs a column named share (of time) or revolutions (shares of them)")
+                if not given
+                else said("has both a column share and a column revolutions; give one")
+            ),
             source=table.source,
             line=table.header_line,
             example=_EXAMPLE,
@@ -437,7 +450,7 @@ def _share(table: Table, row: int, column: int) -> float:
     if not (isfinite(value) and 0.0 <= value <= 1.0 + _ROUNDING):
         raise table.placed(
             InputError(
-                "must be from 0 to 1, or from 0 % to 100 %",
+                said("must be from 0 to 1, or from 0 % to 100 %"),
                 field=table.header[column],
                 value=text,
                 example="0.25",
@@ -455,7 +468,7 @@ def _fields(table: Table) -> tuple[Field, ...]:
         for name in names:
             if name in _FIXED:
                 raise InputError(
-                    "is of the whole duty, not of a step; give it in the case",
+                    said("applies to the whole duty, not to a step; set it in the case"),
                     field="column",
                     value=name,
                 )
@@ -481,7 +494,7 @@ def _checked(table: Table, field: Field, cells: Sequence[str]) -> tuple[Value, .
 def _value(field: Field, text: str) -> Value:
     """Read a cell: as text, as a file has quantities and names, else as a number or a truth."""
     if not text:
-        raise InputError("is empty", field=field.name, example=field.example)
+        raise InputError(said("is empty"), field=field.name, example=field.example)
     plain = {"true": True, "false": False}.get(text, _number(text))
     if plain is None or field.dimension is not None:
         return field.checked(text, in_file=True)

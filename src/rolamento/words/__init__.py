@@ -1,6 +1,6 @@
 """Words: languages, numbers as people write them, notes and their sentences."""
 
-from rolamento.words.manner import ABSENT, UNITS, Manner, aligned, decimals_for, in_unit
+from rolamento.words.manner import ABSENT, ENDLESS, UNITS, Manner, aligned, decimals_for, in_unit
 from rolamento.words.note import Note
 from rolamento.words.speaking import (
     counted,
@@ -16,6 +16,7 @@ from rolamento.words.speaking import (
 
 __all__ = [
     "ABSENT",
+    "ENDLESS",
     "UNITS",
     "Manner",
     "Note",
