@@ -1,4 +1,4 @@
-"""What the media share: numbers as texts, what stands where in a table, symbols with an index.
+"""What the media share: numbers as texts, what stands where in a table, symbols and links.
 
 Numbers are written in the language that is spoken (`rolamento.words.speaking`).
 """
@@ -16,6 +16,7 @@ from rolamento.words import ABSENT, aligned, decimals_for, in_unit, manner
 
 __all__ = [
     "PEAK",
+    "address",
     "broken",
     "cell",
     "cells",
@@ -44,6 +45,8 @@ _INDEXED: Final = re.compile(
     r"(?<![\w./\\@-])([A-Za-zα-ωΑ-Ωµ])_([A-Za-z0-9]{1,4})(?!\w|[./\\@-]\w|_)"
 )
 """A letter with an index, ``Q_max``; not in the middle of a name or a path."""
+_GROUP: Final = re.compile(r"(?<=\d) (?=\d{3}(?!\d))")
+_SCHEME: Final = re.compile(r"[A-Za-z][A-Za-z0-9+.-]*:")
 
 
 # --- numbers -----------------------------------------------------------------------------------
@@ -194,11 +197,23 @@ def stands_left(column: Column) -> bool:
     return column.align == "left" or (not column.align and texts and not is_numeric(column))
 
 
-# --- symbols -----------------------------------------------------------------------------------
+# --- texts -------------------------------------------------------------------------------------
+
+
+def address(target: str, *, web_only: bool = False) -> str:
+    """Return where a link leads: to the web or to a file beside the page; else nothing."""
+    if target.lower().startswith(("http://", "https://")):
+        return target
+    elsewhere = _SCHEME.match(target) or target.startswith(("/", "\\"))
+    return "" if elsewhere or web_only else target
 
 
 def indexed(text: str) -> Sequence[tuple[str, str]]:
-    """Part a text into pieces, each with the index that follows it: ``a_ISO`` ``("a", "ISO")``."""
+    """Part a text into pieces, each with the index that follows it: ``a_ISO`` ``("a", "ISO")``.
+
+    The groups of a number stay together.
+    """
+    text = _GROUP.sub("\u00a0", text)
     pieces: list[tuple[str, str]] = []
     end = 0
     for found in _INDEXED.finditer(text):

@@ -12,6 +12,7 @@ from typing import Final
 
 from rolamento.document.cells import (
     PEAK,
+    address,
     broken,
     cell,
     cells,
@@ -47,7 +48,7 @@ from rolamento.document.picture import formula, picture_bytes
 from rolamento.errors import printable
 from rolamento.words import ABSENT, language, languages, said, speaking
 
-__all__ = ["PictureName", "fragment", "html", "safe_target"]
+__all__ = ["PictureName", "fragment", "html"]
 
 PictureName = Callable[[Figure], str | None]
 """Returns the name of the file that shows a figure; None where it is to be shown as usual."""
@@ -59,7 +60,6 @@ _MOST_WITHOUT_CONTENTS: Final = 6
 _LONG_TEXT: Final = 24
 _POLICY: Final = "default-src 'none'; style-src 'unsafe-inline'; img-src data:"
 _FILES_TOO: Final = " 'self' file:"
-_SCHEME: Final = re.compile(r"[A-Za-z][A-Za-z0-9+.-]*:")
 
 
 def html(document: Document, *, picture: PictureName | None = None) -> str:
@@ -104,13 +104,6 @@ def fragment(document: Document) -> str:
         f'<div class="rolamento notebook" lang="{tag}">\n<style>\n{_style()}</style>\n'
         f"{setter.top()}{body}</div>\n"
     )
-
-
-def safe_target(target: str) -> str:
-    """Return where a link leads if it is a file beside the page or on the web, else nothing."""
-    if _SCHEME.match(target) and not target.lower().startswith(("http://", "https://")):
-        return ""
-    return "" if target.startswith(("//", "\\")) else target
 
 
 @cache
@@ -288,7 +281,7 @@ def _notes(block: Notes) -> str:
 def _links(block: Links) -> str:
     items = []
     for link in block.links:
-        target = safe_target(link.target)
+        target = address(link.target)
         items.append(
             f'<a href="{escape(target)}">{_text(link.text)}</a>'
             if target

@@ -423,6 +423,18 @@ class Document:
         for section in self.parts():
             yield from section.blocks
 
+    def _repr_html_(self) -> str:
+        """Return it as a notebook shows it."""
+        from rolamento.document.html import fragment
+
+        return fragment(self)
+
+    def _repr_markdown_(self) -> str:
+        """Return it as a notebook without HTML shows it."""
+        from rolamento.document.markdown import markdown
+
+        return markdown(self)
+
     def tables(self) -> tuple[Table, ...]:
         """Return the tables that are written to files."""
         return tuple(b for b in self.blocks() if isinstance(b, Table) and b.key)

@@ -69,7 +69,7 @@ def state_page(solved: Solved, analysis: Analysis | None = None) -> Document:
     if analysis is not None:
         sections += _what_follows(solved, analysis, notes)
     sections += notes_section(notes)
-    return Document(solved.title or untitled(), tuple(sections), kind="solve")
+    return Document(solved.title or untitled(), tuple(sections), kind="solve", main="balls")
 
 
 def notes_section(notes: Sequence[Note]) -> list[Section]:

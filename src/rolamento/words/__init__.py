@@ -1,6 +1,15 @@
 """Words: languages, numbers as people write them, notes and their sentences."""
 
-from rolamento.words.manner import ABSENT, ENDLESS, UNITS, Manner, aligned, decimals_for, in_unit
+from rolamento.words.manner import (
+    ABSENT,
+    ENDLESS,
+    UNITS,
+    Manner,
+    aligned,
+    decimals_for,
+    in_unit,
+    unit_of,
+)
 from rolamento.words.note import Note
 from rolamento.words.speaking import (
     counted,
@@ -32,4 +41,5 @@ __all__ = [
     "said",
     "said_in",
     "speaking",
+    "unit_of",
 ]

@@ -24,7 +24,7 @@ from math import floor, inf, isfinite, log10, pi
 from string import Formatter
 from typing import Any, Final
 
-__all__ = ["ABSENT", "ENDLESS", "UNITS", "Manner", "aligned", "decimals_for", "in_unit"]
+__all__ = ["ABSENT", "ENDLESS", "UNITS", "Manner", "aligned", "decimals_for", "in_unit", "unit_of"]
 
 ABSENT: Final = "–"
 """What stands for a number that does not exist."""
@@ -118,6 +118,12 @@ def in_unit(value: Any, unit: str) -> Any:
     """
     factor, offset = UNITS[unit]
     return value * factor + offset
+
+
+def unit_of(specification: str) -> str:
+    """Return the unit of a specification of a number, written or not (see the module)."""
+    found = _SPECIFICATION.fullmatch(specification)
+    return found[5] if found and found[5] in UNITS else ""
 
 
 class Manner(Formatter):
