@@ -30,13 +30,17 @@ from rolamento.document import (
     Title,
     Tone,
 )
+from rolamento.friction.model import REMARKS
 from rolamento.life.record import BOUNDS, OUTSIDE
 from rolamento.life.theories import THEORIES
 from rolamento.pages.equations import equations_of, references_of
-from rolamento.pages.given import reason, untitled
+from rolamento.pages.given import untitled
 from rolamento.pages.state import balls_table, stiffness_section
 from rolamento.solved import RACES
+from rolamento.studies.names import torque_model_name
 from rolamento.words import Note, counted, in_unit, manner, marked, said
+from rolamento.words.reasons import reason
+from rolamento.words.theories import theory_name
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure as Picture
@@ -144,12 +148,12 @@ def _warnings_of(case: CaseReport) -> Iterator[_Warning]:
         if not check.met and check.name in _CHECKS and not check.name.startswith("film"):
             text = said("Limit exceeded: {limit}.", limit=said(_CHECKS[check.name][0]))
             yield _Warning(1, text, f"limit_{check.name}")
-    notes = [*analysis.solved.notes[0], *analysis.notes]
+    notes: list[Note] = [*analysis.solved.notes[0], *analysis.notes]
     if analysis.film is not None:
         notes += analysis.film.notes_of(0)
     if analysis.frequencies is not None:
         notes += analysis.frequencies.notes
-    for note in map(_note, notes):
+    for note in notes:
         yield _Warning(2, note.text, note.key)
 
 
@@ -158,7 +162,7 @@ def _failure(case: CaseReport) -> str:
     solved = case.analysis.solved
     advice = solved.advice[0]
     said_reason = said("No solution: {reason}.", reason=reason(str(solved.status.code[0])))
-    return said_reason if advice is None else f"{said_reason} {_note(advice).text}"
+    return said_reason if advice is None else f"{said_reason} {advice.text}"
 
 
 def _life_warnings(case: CaseReport) -> Iterator[_Warning]:
@@ -169,7 +173,7 @@ def _life_warnings(case: CaseReport) -> Iterator[_Warning]:
         yield _Warning(1, said("No theory of life is valid for this case."), "no_life_valid")
     theories: dict[str, list[str]] = {}
     for name, own in life.theories.items():
-        for note in map(_note, own.notes_of(0)):
+        for note in own.notes_of(0):
             theories.setdefault(note.key, []).append(name)
     for key, concerned in theories.items():
         always = key in BOUNDS and all(THEORIES[name].bound for name in concerned)
@@ -188,17 +192,15 @@ def _friction_warnings(case: CaseReport) -> Iterator[_Warning]:
     friction = case.analysis.friction
     if friction is None:
         return
-    refused: dict[str, list[str]] = {}
+    refused: dict[Note, list[str]] = {}
     for found in friction.validity:
-        for name, where in found.notes.items():
-            if where[0]:
-                refused.setdefault(name, []).append(torque_name(found.model))
-    for name, models in refused.items():
-        shown = said(
-            "Friction ({models}): {reason}", models="; ".join(models), reason=_friction_reason(name)
-        )
-        used = torque_name(friction.model) in models and not _is_remark(name)
-        yield _Warning(1 if used else 2, shown, f"friction_{name}")
+        for note in found.notes_of(0):
+            refused.setdefault(note, []).append(found.model)
+    for note, models in refused.items():
+        names = "; ".join(map(torque_model_name, models))
+        shown = said("Friction ({models}): {reason}", models=names, reason=note.text)
+        limits = friction.model in models and note.key not in REMARKS
+        yield _Warning(1 if limits else 2, shown, note.key)
 
 
 def _warning_blocks(
@@ -219,10 +221,6 @@ def _warning_blocks(
     if grave:
         lead = said("{remarks}; limiting the results: {grave}", remarks=lead, grave=grave)
     return (Statement(lead, "warning-strong" if grave else ""), Notes(tuple(remarks)))
-
-
-def _note(found: Any) -> Note:
-    return found if isinstance(found, Note) else Note(str(found))
 
 
 # --- tables of numbers ----------------------------------------------------------------------------
@@ -400,7 +398,7 @@ def _life_rows(report: Report) -> list[_Row]:
     """The leading life; in words where fatigue does not decide, or no theory is valid."""
     path, label = "analysis.life.headline.hours", said("rating life")
     if all(_is_plain(case) for case in report.cases):
-        return [_Row(label, path, unit="h")]
+        return [_Row(label, path, ".4r", unit="h")]
     return [_Row(label, texts=tuple(_life_text(case) for case in report.cases))]
 
 
@@ -428,10 +426,10 @@ def _life_text(case: CaseReport) -> str:
     if hours is None:
         return ""
     if life.headline.below[0]:
-        return said("< {hours:.4} h", hours=hours)
+        return said("< {hours:.4r} h", hours=hours)
     if hours > _LONGEST_LIFE:
         return said("> {hours} h", hours=int(_LONGEST_LIFE))
-    return said("{hours:.4} h", hours=hours)
+    return said("{hours:.4r} h", hours=hours)
 
 
 def _leading(case: CaseReport) -> str:
@@ -748,27 +746,11 @@ def _rating_source(case: CaseReport, name: str) -> str:
 
 # --- lives ----------------------------------------------------------------------------------------
 
-_THEORIES: Final = {
-    "iso281": marked("ISO 281, basic"),
-    "iso281_modified": marked("ISO 281, modified"),
-    "iso281_1990": marked("ISO 281:1990, adjusted"),
-    "iso16281": marked("ISO/TS 16281, basic"),
-    "iso16281_modified": marked("ISO/TS 16281, modified"),
-    "ioannides_harris": marked("Ioannides and Harris"),
-    "l_able": marked("NSK, L_able"),
-    "tallian": marked("Tallian's form"),
-}
-
-
-def theory_name(theory: str) -> str:
-    """Return what a theory of life is called in a table."""
-    return said(_THEORIES.get(theory, theory))
-
 
 def _lives(report: Report) -> list[Table | Statement]:
     theories = [
         name
-        for name in _THEORIES
+        for name in THEORIES
         if any(
             case.analysis.life is not None and name in case.analysis.life.theories
             for case in report.cases
@@ -802,7 +784,7 @@ def _hours_row(report: Report, label: str, path: str) -> _Row:
     """Hours, or in words those beyond what fatigue decides."""
     hours = [case.number(path) for case in report.cases]
     if all(own is None or own <= _LONGEST_LIFE for own in hours):
-        return _Row(label, path, unit="h")
+        return _Row(label, path, ".4r", unit="h")
     texts = tuple("" if own is None else _hours_text(own) for own in hours)
     return _Row(label, unit="h", texts=texts)
 
@@ -810,7 +792,7 @@ def _hours_row(report: Report, label: str, path: str) -> _Row:
 def _hours_text(hours: float) -> str:
     if hours > _LONGEST_LIFE:
         return said("> {hours}", hours=int(_LONGEST_LIFE))
-    return said("{hours:.4}", hours=hours)
+    return said("{hours:.4r}", hours=hours)
 
 
 def _life_legends() -> tuple[str, ...]:
@@ -841,7 +823,7 @@ def _theory_table(case: CaseReport, theories: Sequence[str]) -> Table:
         Column(
             head="10⁶ rev",
             values=[
-                Number(nan) if own is None else Number(own, ".2e" if own >= 1e6 else ".4")
+                Number(nan) if own is None else Number(own, ".2e" if own >= 1e6 else ".4r")
                 for own in millions
             ],
             key="life",
@@ -858,7 +840,7 @@ def _theory_table(case: CaseReport, theories: Sequence[str]) -> Table:
                 if own is None
                 else _hours_text(own)
                 if own > _LONGEST_LIFE
-                else Number(own, ".4")
+                else Number(own, ".4r")
                 for name, own in zip(theories, hours, strict=True)
             ],
             key="hours",
@@ -980,12 +962,13 @@ def _place_of(case: CaseReport, step: str) -> int | None:
 
 def _chain(case: CaseReport) -> Table:
     """The chain of clearances of one case, with what went into the fits."""
-    labels, units, paths = [], [], []
+    labels, units, paths, sources = [], [], [], []
     tones: list[Tone] = []
     for place, step in enumerate(case.clearance.steps):
         labels.append(said(_STEPS.get(step.name, step.name)))
         units.append("µm")
         paths.append(f"clearance.steps.{place}.change")
+        sources.append(step.source.text)
         tones.append("")
         for name, label, unit in _DETAILS:
             values = step.details.get(name)
@@ -993,10 +976,12 @@ def _chain(case: CaseReport) -> Table:
                 labels.append("  " + said(label))
                 units.append(unit)
                 paths.append(f"clearance.steps.{place}.details.{name}")
+                sources.append("")
                 tones.append("faint")
     labels.append(said("in operation"))
     units.append("µm")
     paths.append("clearance")
+    sources.append("")
     tones.append("strong")
     heads = (said("minimum"), said("mean"), said("maximum"))
     columns = [
@@ -1015,6 +1000,7 @@ def _chain(case: CaseReport) -> Table:
             )
             for at, head in enumerate(heads)
         ),
+        Column(head=said("source"), values=sources, key="source", tone="faint"),
         Column(head="path", values=paths, key="path", only_in_files=True),
     ]
     return Table(columns=tuple(columns), key=f"clearance_{case.name}", rule=True)
@@ -1203,7 +1189,7 @@ _LOSSES: Final = {
 def _friction(report: Report) -> tuple[Table, ...]:
     friction = "analysis.friction"
     used = tuple(
-        "" if case.analysis.friction is None else torque_name(case.analysis.friction.model)
+        "" if case.analysis.friction is None else torque_model_name(case.analysis.friction.model)
         for case in report.cases
     )
     torque, power = _torque_form(report), _power_form(report)
@@ -1225,7 +1211,9 @@ def _friction(report: Report) -> tuple[Table, ...]:
         if case.analysis.friction is not None
         for name in case.analysis.friction.models
     )
-    models = [_Row(torque_name(name), f"{friction}.models.{name}.torque", torque) for name in names]
+    models = [
+        _Row(torque_model_name(name), f"{friction}.models.{name}.torque", torque) for name in names
+    ]
     rolling = [
         _Row(said("cage speed"), "analysis.rolling.cage_speed", ".5 rpm"),
         _Row(said("cage slip against outer raceway control"), "analysis.rolling.skid", ".3 %"),
@@ -1265,35 +1253,6 @@ def _readable(report: Report, paths: Sequence[str], units: Sequence[str]) -> str
 
 
 _READABLE: Final = 0.1
-
-
-def torque_name(model: str) -> str:
-    """Return what a torque model is called in a table."""
-    from rolamento.friction.models import TORQUE_MODELS
-
-    known = TORQUE_MODELS.get(model)
-    return model if known is None else said(known.title)
-
-
-_REASONS: Final = {
-    "inertia": marked("forces of inertia on the balls are not negligible"),
-    "full_film": marked("an oil film separates the surfaces: friction is not Coulomb's"),
-    "partial_film": marked("an oil film carries part of the load: μ is an effective one"),
-    "no_film": marked("asperities carry the load, and the model is for lubricated bearings"),
-    "other_angle": marked("the maker's constants are for another contact angle"),
-    "at_rest": marked("at rest: the torque is that of the first motion"),
-    "no_result": marked("the model has no result"),
-}
-
-
-def _friction_reason(name: str) -> str:
-    return said(_REASONS.get(name, name))
-
-
-def _is_remark(name: str) -> bool:
-    from rolamento.friction.model import REMARKS
-
-    return name in REMARKS
 
 
 _LINES: Final = {
@@ -1351,7 +1310,7 @@ def _stiffness(report: Report) -> list[Table]:
 _CHECKS: Final[Mapping[str, tuple[str, str]]] = {
     "pressure": (marked("contact pressure, static limit (ISO 76)"), ".4 [MPa]"),
     "tilt": (marked("tilt of the rings, small angles"), ".3 [°]"),
-    "speed": (marked("speed factor n·d_m"), ".3"),
+    "speed": (marked("speed factor n·d_m"), ".3 [10⁶ mm·rpm]"),
     "load": (marked("equivalent load over dynamic rating P/C"), ".3"),
     "reference_load": (marked("reference load over dynamic rating P_ref/C"), ".3"),
     "film_U": (marked("Hamrock–Dowson, speed parameter U"), ".1e"),
@@ -1386,7 +1345,7 @@ def _validity(report: Report) -> list[Section]:
 def _check_table(case: CaseReport) -> Table:
     checks = [check for check in case.checks if check.name in _CHECKS]
     forms = [_CHECKS[check.name][1] for check in checks]
-    units = {"pressure": "MPa", "tilt": "°", "speed": "mm/min"}
+    units = {"pressure": "MPa", "tilt": "°", "speed": "10⁶ mm·rpm"}
 
     def column(name: str, head: str) -> Column:
         values: list[CellContent] = []
@@ -1429,7 +1388,7 @@ def _check_table(case: CaseReport) -> Table:
 def _life_validity(report: Report) -> tuple[Table, ...]:
     """Which theory is valid for which case, and what refuses or bounds it."""
     rows, verdicts = [], []
-    for name in _THEORIES:
+    for name in THEORIES:
         own = [_reasoned(case, name) for case in report.cases]
         if any(own):
             rows.append(theory_name(name))
@@ -1441,7 +1400,7 @@ def _reasoned(case: CaseReport, theory: str) -> str:
     life = case.analysis.life
     if life is None or theory not in life.theories:
         return ""
-    notes = [_note(note) for note in life.theories[theory].notes_of(0)]
+    notes = life.theories[theory].notes_of(0)
     why = [note.text for note in notes if note.key in OUTSIDE | BOUNDS]
     verdict = _verdict(case, theory)
     return said("{verdict}: {why}", verdict=verdict, why=" ".join(why)) if why else verdict
@@ -1455,7 +1414,7 @@ def _friction_validity(report: Report) -> tuple[Table, ...]:
         for found in case.analysis.friction.validity
     )
     verdicts = [[_friction_verdict(case, name) for case in report.cases] for name in names]
-    labels = [torque_name(name) for name in names]
+    labels = [torque_model_name(name) for name in names]
     return _verdict_table(report, said("model"), labels, verdicts, "friction_validity")
 
 
@@ -1466,9 +1425,9 @@ def _friction_verdict(case: CaseReport, model: str) -> str:
     )  # fmt: skip
     if found is None:
         return ""
-    why = [_friction_reason(name) for name, where in found.notes.items() if where[0]]
+    why = [note.text for note in found.notes_of(0)]
     verdict = said("yes") if found.valid[0] else said("no")
-    return said("{verdict}: {why}", verdict=verdict, why="; ".join(why)) if why else verdict
+    return said("{verdict}: {why}", verdict=verdict, why=" ".join(why)) if why else verdict
 
 
 def _verdict_table(

@@ -29,7 +29,7 @@ from rolamento.lubrication.film_thickness import COMPUTED_RANGE
 from rolamento.notes import SPEED_LIMIT, STATIC_PRESSURE_LIMIT, TILT_LIMIT
 from rolamento.solved import RACES
 from rolamento.tasks.bearing import BearingLike, case_of, is_designation
-from rolamento.units import MILLIMETRE, Dimension, rpm_of
+from rolamento.units import Dimension
 
 __all__ = [
     "MOST_CASES",
@@ -547,7 +547,7 @@ def _checks(analysis: Analysis) -> Iterator[Check]:
     yield Check("tilt", 0.0, tilt, high=TILT_LIMIT)
     speed = max(abs(float(solved.field(f"duty.{race}_speed")[0])) for race in RACES)
     pitch = float(solved.rows.pitch_diameter[0].max())
-    yield Check("speed", 0.0, float(rpm_of(speed)) * pitch / MILLIMETRE, high=SPEED_LIMIT)
+    yield Check("speed", 0.0, speed * pitch, high=SPEED_LIMIT)
     if analysis.life is not None:
         loads, ratings = analysis.life.loads, analysis.life.ratings
         load, rating = float(loads.dynamic[0]), float(ratings.dynamic_of_set[0])
