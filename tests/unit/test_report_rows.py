@@ -17,15 +17,14 @@ import rolamento
 from rolamento import Case
 from rolamento.case.bearing import Bearing
 from rolamento.document.medium import Medium
-from rolamento.report.balls import ball_csv
-from rolamento.report.language import ENGLISH, LANGUAGES, PORTUGUESE, Words
-from rolamento.report.terminal import terminal_report
+from rolamento.document.terminal import terminal
+from rolamento.pages.state import state_page
 from rolamento.solution import solve
 from rolamento.solved import Solved
-from rolamento.words import Note
+from rolamento.words import Note, speaking
 
 EXAMPLES = Path(rolamento.__file__).parent / "examples"
-BOTH = pytest.mark.parametrize("words", LANGUAGES.values(), ids=LANGUAGES.keys())
+BOTH = pytest.mark.parametrize("language", ["en", "pt"])
 AXIAL = "duty.load.fz=0 N"
 """Without it, every row of the pair keeps some contact."""
 
@@ -39,8 +38,9 @@ def case_of(name: str, *settings: str) -> Case:
     return rolamento.load_case(EXAMPLES / f"{name}.toml", settings)
 
 
-def plain(state: Solved, words: Words = ENGLISH, **medium: object) -> str:
-    return terminal_report(state, words, Medium(**medium))  # type: ignore[arg-type]
+def plain(state: Solved, language: str = "en", **medium: object) -> str:
+    with speaking(language):
+        return terminal(state_page(state), Medium(**medium))  # type: ignore[arg-type]
 
 
 def flat(text: str) -> str:
@@ -48,7 +48,7 @@ def flat(text: str) -> str:
     return " ".join(text.split())
 
 
-def row_lines(report: str, words: Words = ENGLISH) -> list[list[str]]:
+def row_lines(report: str, language: str = "en") -> list[list[str]]:
     """The cells of the lines of the part "Rows"."""
     part = report.split(f"\n\n{words.rows}\n")[1].split("\n\n")[0]
     cells = (line.replace("−", "-").split() for line in part.splitlines())
@@ -65,7 +65,7 @@ def test_the_head_says_arrangement_and_preload() -> None:
 
 
 def test_the_head_lists_rows_with_what_they_have_of_their_own() -> None:
-    report = flat(plain(solved("6012_triple"), PORTUGUESE))
+    report = flat(plain(solved("6012_triple"), "pt"))
     listed = "3 carreiras: + em −36 mm, + em −18 mm (fase 8,18°), − em 18 mm (α 15°)"
     assert listed in report
     assert "pré-carga de 600 N, anéis travados" in report
@@ -106,7 +106,7 @@ def test_rows_with_clearance_face_both_ways() -> None:
     report = plain(solve(case.replace(bearing=case.bearing.replace(rows=rows))))
     assert "2 rows: ± at −10 mm, ± at 10 mm (8 balls)" in report
     assert "± both ways" in report
-    assert ENGLISH.preload not in report
+    assert "en".preload not in report
 
 
 # --- rows -------------------------------------------------------------------
@@ -115,9 +115,9 @@ def test_rows_with_clearance_face_both_ways() -> None:
 @BOTH
 @pytest.mark.parametrize("width", [80, 120])
 @pytest.mark.parametrize("name", ["6012_pair", "6012_triple"])
-def test_every_row_has_its_line(name: str, width: int, words: Words) -> None:
+def test_every_row_has_its_line(name: str, width: int, language: str) -> None:
     state = solved(name)
-    lines = row_lines(plain(state, words, width=width), words)
+    lines = row_lines(plain(state, language, width=width), language)
     assert len(lines) == len(state.rows)
     signs = {1.0: "+", -1.0: "−"}
     rows = state.rows
@@ -136,11 +136,11 @@ def test_every_row_has_its_line(name: str, width: int, words: Words) -> None:
 
 
 @BOTH
-def test_loads_too_wide_for_a_line_take_two_tables(words: Words) -> None:
+def test_loads_too_wide_for_a_line_take_two_tables(language: str) -> None:
     state = solved("6012_pair")
     load = np.broadcast_to([-1.2e8, -1e8, -1e8, -1e6, 0.0], state.rows.load.shape)
     rows = dataclasses.replace(state.rows, load=load)
-    report = plain(dataclasses.replace(state, rows=rows), words)
+    report = plain(dataclasses.replace(state, rows=rows), language)
     assert max(map(len, report.splitlines())) == 80
     assert "−120 000 000" in report
 
@@ -210,7 +210,7 @@ def test_the_preload_is_shown_at_rest_and_at_speed_with_the_load_that_takes_it_a
 
 def test_at_rest_there_is_no_preload_at_speed() -> None:
     report = plain(solved("6012_pair", "duty.inner_speed=0 rpm"))
-    assert ENGLISH.preload_at_speed not in report
+    assert "en".preload_at_speed not in report
 
 
 def test_without_a_load_nothing_is_said_about_its_loss() -> None:
@@ -220,21 +220,21 @@ def test_without_a_load_nothing_is_said_about_its_loss() -> None:
 
 
 @BOTH
-def test_where_no_row_lifts_off_that_is_said(words: Words) -> None:
-    assert words.no_loss in flat(plain(solved("6012_pair"), words))
+def test_where_no_row_lifts_off_that_is_said(language: str) -> None:
+    assert words.no_loss in flat(plain(solved("6012_pair"), language))
 
 
 @BOTH
-def test_a_row_that_has_lifted_off(words: Words) -> None:
+def test_a_row_that_has_lifted_off(language: str) -> None:
     state = solved("6012_pair", AXIAL, "duty.load.fx=20 kN")
     assert state.preload
     assert state.preload.loss_factor < 1.0
-    report = flat(plain(state, words))
+    report = flat(plain(state, language))
     assert words.has_lifted_off.split("{row}")[1].split(":")[0].strip() in report
     load = 20e3 * state.preload.loss_factor
     assert f"fx {load:.0f} N" in report
     assert "row 1: all" not in report
-    lost = words.note(state.notes[0][0])
+    lost = said(state.notes[0][0], language)
     assert lost in report
 
 
@@ -242,9 +242,7 @@ def test_a_lost_row_without_a_known_point_is_told() -> None:
     state = solved("6012_pair", AXIAL, "duty.load.fx=20 kN")
     assert state.preload
     unknown = dataclasses.replace(state.preload, loss_factor=nan, lost_row=None)
-    assert ENGLISH.nothing_left.format(rows="1") in plain(
-        dataclasses.replace(state, preload=unknown)
-    )
+    assert "en".nothing_left.format(rows="1") in plain(dataclasses.replace(state, preload=unknown))
 
 
 # --- notes ------------------------------------------------------------------

@@ -245,9 +245,12 @@ def _toned(text: str, tone: Tone) -> str:
 
 def _statement(block: Statement) -> str:
     style = f"margin-left:{block.indent}ch" if block.indent else ""
+    if block.verbatim:
+        return _element("pre", escape(printable(block.text)), classes="code", style=style)
     text = _text(block.text)
     if block.mark:
-        text = f'<span class="sign">{_text(block.mark)}</span><span>{text}</span>'
+        sign = _element("span", _text(block.mark), classes=f"sign {block.mark_tone}".strip())
+        text = f"{sign}<span>{text}</span>"
     return _element("p", text, classes=block.tone, style=style)
 
 

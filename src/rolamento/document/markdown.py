@@ -127,6 +127,9 @@ def _toned(text: str, tone: Tone) -> str:
 
 
 def _statement(block: Statement) -> str:
+    if block.verbatim:
+        fence = "`" * max(3, 1 + max(map(len, re.findall("`+", block.text)), default=0))
+        return f"{fence}\n{printable(block.text)}\n{fence}"
     return _toned(_text(f"{block.mark} {block.text}" if block.mark else block.text), block.tone)
 
 

@@ -163,7 +163,9 @@ def _statement(block: Statement) -> list[dict[str, Any]]:
             "text": _text(block.text),
             "mark": _text(block.mark),
             "tone": block.tone,
+            "mark-tone": block.mark_tone,
             "indent": block.indent,
+            "code": printable(block.text) if block.verbatim else None,
         }
     ]
 

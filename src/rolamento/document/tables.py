@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 from rolamento.document.model import CellContent, Column, Document, Number, Table
 from rolamento.errors import InputError, nearest, printable
-from rolamento.words import UNITS, in_unit, manner, unit_of
+from rolamento.words import UNITS, in_unit, manner, said, unit_of
 
 if TYPE_CHECKING:
     from openpyxl.worksheet.worksheet import Worksheet
@@ -58,12 +58,16 @@ def table_of(document: Document, key: str = "") -> Table:
     """
     tables = {table.key: table for table in document.tables()}
     if not tables:
-        raise InputError("this page has no table")
+        raise InputError(said("this page has no table to write"))
     wanted = key or document.main
     if wanted in tables:
         return tables[wanted]
     if key:
-        raise InputError(f"is none of {', '.join(tables)}", value=key, example=nearest(key, tables))
+        raise InputError(
+            said("must be one of {names}", names=", ".join(tables)),
+            value=key,
+            example=nearest(key, tables),
+        )
     return next(iter(tables.values()))
 
 
@@ -91,7 +95,9 @@ def to_csv(
         If there is no such table, or separator and decimal mark are the same.
     """
     if separator == decimal:
-        raise InputError("separator and decimal mark are the same", value=separator, example=";")
+        raise InputError(
+            said("the separator and the decimal mark must differ"), value=separator, example=";"
+        )
     fields = _fields(table_of(document, key), si)
     text = io.StringIO(newline="")
     writer = csv.writer(text, delimiter=separator)
@@ -252,8 +258,12 @@ def _fill(sheet: Worksheet, fields: Sequence[_Field]) -> None:
     rows = max((len(one.values) for one in fields), default=0)
     if rows >= _MOST_ROWS:
         raise InputError(
-            f"a sheet holds no more than {_MOST_ROWS - 1} rows, and this table has {rows}",
-            example="--csv FILE",
+            said(
+                "a sheet of a workbook has at most {most} rows, the table {rows}; write CSV",
+                most=_MOST_ROWS - 1,
+                rows=rows,
+            ),
+            example="--csv",
         )
     for column, one in enumerate(fields, 1):
         head = sheet.cell(1, column)

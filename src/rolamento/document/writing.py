@@ -13,6 +13,7 @@ from rolamento._writing import write_bytes
 from rolamento.document.medium import WIDEST, Medium
 from rolamento.document.model import Document, Figure
 from rolamento.errors import InputError
+from rolamento.words import said
 
 __all__ = ["REPORTS", "check_ending", "write"]
 
@@ -52,10 +53,11 @@ def check_ending(path: str | os.PathLike[str], allowed: tuple[str, ...]) -> str:
     """
     ending = os.path.splitext(os.fspath(path))[1].lower()
     if ending not in allowed:
-        endings = ", ".join(allowed[:-1]) + " or " * (len(allowed) > 1) + allowed[-1]
         name = Path(path).stem or "file"
         raise InputError(
-            f"must end in {endings}", source=os.fspath(path), example=f"{name}{allowed[0]}"
+            said("must end in one of {endings}", endings=", ".join(allowed)),
+            source=os.fspath(path),
+            example=f"{name}{allowed[0]}",
         )
     return ending
 

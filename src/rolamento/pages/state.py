@@ -41,7 +41,7 @@ if TYPE_CHECKING:
 
     from rolamento.analysis import Analysis
 
-__all__ = ["balls_table", "notes_section", "state_page", "stiffness_section"]
+__all__ = ["balls_table", "notes_section", "rosette", "state_page", "stiffness_section"]
 
 _SHIFTS: Final = 3
 """x, y, z come before the tilts, forces before moments."""
@@ -441,20 +441,47 @@ def _rosette(solved: Solved, row: int, rim: float, draws: bool) -> Sketch:
     """Draw one row, as wide as every other."""
     own = solved.elements.row == row
     loads, azimuths = solved.inner.load[0, own], solved.elements.azimuth[0, own]
-    canvas = _Canvas(_HEIGHT, braille=draws)
-    for step in range(16 * _HEIGHT):
-        canvas.dot(1.0, 2.0 * pi * step / (16 * _HEIGHT), loaded=False)
-    for load, azimuth in zip(loads.tolist(), azimuths.tolist(), strict=True):
-        if load > 0.0:
-            canvas.spoke(load / rim, azimuth)
+    drawn = rosette(loads.tolist(), azimuths.tolist(), _HEIGHT, rim=rim, braille=draws)
     width = 2 * _HEIGHT
     lines: Sketch = [[("+z".center(width) + " " * len(_SIDE), "")]]
     if len(solved.rows) > 1:
         lines.insert(0, [(said("row {number}", number=row).center(width) + " " * len(_SIDE), "")])
-    for number, cells in enumerate(canvas.lines()):
+    for number, cells in enumerate(drawn):
         side = _SIDE if number == _HEIGHT // 2 else " " * len(_SIDE)
         lines.append([*cells, (side, "")])
     return lines
+
+
+def rosette(
+    loads: Sequence[float],
+    azimuths: Sequence[float],
+    height: int,
+    *,
+    rim: float,
+    braille: bool = True,
+) -> Sketch:
+    """Draw a spoke for each ball, as long as its load, within a rim.
+
+    Parameters
+    ----------
+    loads
+        Of the balls; what is not a number or not above zero is left out.
+    azimuths
+        Of the balls, in rad.
+    height
+        In lines; the drawing is twice as many characters wide.
+    rim
+        The load at the rim.
+    braille
+        Draw with braille dots, two by four to a character; otherwise with ASCII.
+    """
+    canvas = _Canvas(height, braille=braille)
+    for step in range(16 * height):
+        canvas.dot(1.0, 2.0 * pi * step / (16 * height), loaded=False)
+    for load, azimuth in zip(loads, azimuths, strict=True):
+        if load > 0.0:
+            canvas.spoke(load / rim, azimuth)
+    return canvas.lines()
 
 
 class _Canvas:
