@@ -9,12 +9,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import nan
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING, Final
 
 from rolamento.case import Case
 from rolamento.case.duty import AXES, LOADS
 from rolamento.document import (
     Beside,
+    Block,
     CellContent,
     Column,
     Document,
@@ -35,16 +36,14 @@ from rolamento.life.record import BOUNDS, OUTSIDE
 from rolamento.life.theories import THEORIES
 from rolamento.pages.equations import equations_of, references_of
 from rolamento.pages.given import untitled
-from rolamento.pages.state import balls_table, stiffness_section
-from rolamento.solved import RACES
+from rolamento.pages.state import balls_table, rosette_section, stiffness_section
 from rolamento.studies.names import torque_model_name
 from rolamento.words import Note, counted, in_unit, manner, marked, said
 from rolamento.words.reasons import reason
 from rolamento.words.theories import theory_name
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure as Picture
-
+    from rolamento.geometry import Race
     from rolamento.tasks.report import CaseReport, Input, Report
 
 __all__ = ["report_page"]
@@ -80,7 +79,14 @@ def report_page(report: Report) -> Document:
     for number, (heading, blocks, key, inner) in enumerate(parts, start=1):
         sections.append(Section(f"{number}  {heading}", tuple(blocks), key, level=1))
         sections += inner
-    return Document(title, tuple(sections), kind="report")
+    return Document(
+        title,
+        tuple(sections),
+        kind="report",
+        main="summary",
+        program=said("Rolamento {version}", version=report.version),
+        date=report.head.date,
+    )
 
 
 # --- the head -------------------------------------------------------------------------------------
@@ -626,31 +632,28 @@ def _input_differences(report: Report, fields: Sequence[str], case: int) -> list
 # --- results --------------------------------------------------------------------------------------
 
 
-def _results(report: Report) -> list[Section]:
+def _results(report: Report) -> list[Section | Beside]:
     """All results: a table for all cases, and for each what has a line a ball."""
-    sections: list[Section] = []
+    sections: list[Section | Beside] = []
 
-    def add(heading: str, key: str, *blocks: Any) -> None:
+    def add(heading: str, key: str, blocks: Sequence[Block]) -> None:
         if blocks:
-            sections.append(Section(heading, blocks, key))
+            sections.append(Section(heading, tuple(blocks), key))
 
-    add(said("Loads and ratings"), "loads", *_loads(report))
-    add(said("Lives by theory"), "lives", *_lives(report))
-    add(said("Clearance in operation"), "clearance", *_clearance(report))
-    add(said("Displacements and loads of the inner ring"), "ring", *_ring(report))
-    add(said("Rows and preload"), "rows", *_rows(report))
-    for case in report.cases:
-        if case.converged:
-            sections += _distribution(report, case)
-    add(said("Ball loads side by side"), "ball_loads", *_ball_loads(report))
-    add(said("Contact stresses"), "contacts", *_contacts(report))
-    add(said("Lubricant film"), "film", *_film(report))
-    add(said("Friction"), "friction", *_friction(report))
-    add(said("Fault frequencies"), "frequencies", *_frequencies(report))
-    add(said("Stiffness"), "stiffness", *_stiffness(report))
+    add(said("Loads and ratings"), "loads", _loads(report))
+    add(said("Lives by theory"), "lives", _lives(report))
+    add(said("Clearance in operation"), "clearance", _clearance(report))
+    sections.append(_ring_and_rosettes(report))
+    add(said("Rows and preload"), "rows", _rows(report))
+    sections += [_distribution(report, case) for case in report.cases if case.converged]
+    add(said("Ball loads side by side"), "ball_loads", _ball_loads(report))
+    add(said("Contact stresses"), "contacts", _contacts(report))
+    add(said("Lubricant film"), "film", _film(report))
+    add(said("Friction"), "friction", _friction(report))
+    add(said("Fault frequencies"), "frequencies", _frequencies(report))
+    add(said("Stiffness"), "stiffness", _stiffness(report))
     missing = _missing(report)
-    if missing:
-        add(said("Not calculated"), "missing", Notes(missing))
+    add(said("Not calculated"), "missing", (Notes(missing),) if missing else ())
     return sections
 
 
@@ -685,7 +688,7 @@ def _loads(report: Report) -> tuple[Table, ...]:
         _Row(said("dynamic equivalent load P"), f"{life}.loads.equivalent", ".4 N"),
         _Row(said("radial load factor X"), f"{life}.loads.radial_factor"),
         _Row(said("axial load factor Y"), f"{life}.loads.axial_factor"),
-        _Row(said("limit of F_a/F_r, e"), f"{life}.loads.load_ratio_limit"),
+        _Row(said("axial load limit e"), f"{life}.loads.load_ratio_limit"),
         _Row(said("static equivalent load P_0"), f"{life}.loads.static_equivalent", ".4 N"),
         _Row(said("load of the reference life P_ref"), "extremes.reference_load", ".4 N"),
     ]
@@ -1074,30 +1077,32 @@ def _rows(report: Report) -> tuple[Table, ...]:
     return _tables(report, groups, "set")
 
 
-def _distribution(report: Report, case: CaseReport) -> list[Section]:
-    """The loads of the balls as a picture and as a table."""
-    solved = case.analysis.solved
-    many = len(report.cases) > 1
-    heading = (
-        said("Load distribution, case {name}", name=case.name)
-        if many
-        else said("Load distribution")
-    )
-    caption = (
-        said("Ball loads round the bearing, seen from +x, case {name}", name=case.name)
-        if many
-        else said("Ball loads round the bearing, seen from +x")
-    )
-    figure = Figure(caption=caption, draw=lambda: _rosette(case), key=f"rosette_{case.name}")
-    table = replace(balls_table(solved), key=f"balls_{case.name}")
-    return [Section(heading, (figure, table), f"distribution_{case.name}")]
+def _ring_and_rosettes(report: Report) -> Beside:
+    """The ring and the loads round it; of several cases the rosettes below the ring's table."""
+    ring = Section(said("Displacements and loads of the inner ring"), _ring(report), "ring")
+    pictures = tuple(_rosette(report, case) for case in report.cases if case.converged)
+    if len(report.cases) == 1:
+        return Beside((ring,), pictures, key="ring")
+    return Beside((ring, *pictures[::2]), pictures[1::2], key="ring")
 
 
-def _rosette(case: CaseReport) -> Picture:
-    from rolamento.plots.balls import load_rosette
-    from rolamento.plots.frame import figure_of
+def _rosette(report: Report, case: CaseReport) -> Section:
+    found = rosette_section(case.analysis.solved)
+    figure = found.blocks[0]
+    assert isinstance(figure, Figure)
+    heading = found.heading
+    if len(report.cases) > 1:
+        heading = said("{what}, case {name}", what=heading, name=case.name)
+    return Section(heading, (replace(figure, key=f"rosette_{case.name}"),), f"rosette_{case.name}")
 
-    return figure_of(load_rosette(case.analysis.solved))
+
+def _distribution(report: Report, case: CaseReport) -> Section:
+    """The loads of the balls, a line each."""
+    heading = said("Load distribution")
+    if len(report.cases) > 1:
+        heading = said("{what}, case {name}", what=heading, name=case.name)
+    table = replace(balls_table(case.analysis.solved), key=f"balls_{case.name}")
+    return Section(heading, (table,), f"distribution_{case.name}")
 
 
 def _ball_loads(report: Report) -> tuple[Table, ...]:
@@ -1113,28 +1118,86 @@ def _ball_loads(report: Report) -> tuple[Table, ...]:
     return _tables(report, [("", rows)], "ball_loads", legends=(said("Load at the inner race"),))
 
 
+_OF_CONTACTS: Final = (
+    ("max_pressure", marked("maximum contact pressure"), ".4 MPa"),
+    ("ball", marked("at ball number"), ".4"),
+    ("azimuth", marked("azimuth of this ball"), ".4 °"),
+    ("contact_angle", marked("contact angle there"), ".4 °"),
+    ("semi_major", marked("ellipse, semi-major"), ".4 mm"),
+    ("semi_minor", marked("ellipse, semi-minor"), ".4 mm"),
+    ("deflection", marked("approach"), ".4 µm"),
+    ("max_shear", marked("maximum shear stress"), ".4 MPa"),
+    ("max_shear_depth", marked("depth of the maximum shear stress"), ".4 mm"),
+    ("orthogonal_shear", marked("orthogonal shear stress"), ".4 MPa"),
+    ("orthogonal_shear_depth", marked("depth of the orthogonal shear stress"), ".4 mm"),
+    ("load", marked("maximum contact load"), ".5 N"),
+    ("spin_to_roll", marked("maximum spin-to-roll ratio"), ".4f"),
+)
+_OF_FILMS: Final = (
+    ("central_thickness", marked("central film thickness h_c"), ".3 µm"),
+    ("minimum_thickness", marked("minimum film thickness h_0"), ".3 µm"),
+    ("film_parameter", marked("film parameter λ"), ".3"),
+    ("entrainment_speed", marked("entrainment speed"), ".3 m/s"),
+    ("thermal_factor", marked("thermal factor"), ".3 %"),
+    ("starvation_factor", marked("starvation factor"), ".3 %"),
+)
+"""Of the contacts of a race: name in the extremes, label, form."""
+
+
 def _contacts(report: Report) -> tuple[Table, ...]:
-    races = {"inner": said("Inner race"), "outer": said("Outer race")}
-    groups: list[_Group] = []
-    for race in RACES:
-        own = f"extremes.{race}_"
-        rows = [
-            _Row(said("maximum contact pressure"), f"{own}max_pressure", ".4 MPa"),
-            _Row(said("at the ball of number"), f"{own}ball", ".4"),
-            _Row(said("azimuth of this ball"), f"{own}azimuth", ".4 °"),
-            _Row(said("contact angle there"), f"{own}contact_angle", ".4 °"),
-            _Row(said("ellipse, semi-major"), f"{own}semi_major", ".4 mm"),
-            _Row(said("ellipse, semi-minor"), f"{own}semi_minor", ".4 mm"),
-            _Row(said("approach"), f"{own}deflection", ".4 µm"),
-            _Row(said("maximum shear stress"), f"{own}max_shear", ".4 MPa"),
-            _Row(said("its depth"), f"{own}max_shear_depth", ".4 mm"),
-            _Row(said("orthogonal shear stress"), f"{own}orthogonal_shear", ".4 MPa"),
-            _Row(said("its depth"), f"{own}orthogonal_shear_depth", ".4 mm"),
-            _Row(said("maximum contact load"), f"{own}load", ".5 N"),
-            _Row(said("maximum spin-to-roll ratio"), f"{own}spin_to_roll", ".3f"),
+    heads: dict[Race, str] = {"inner": said("Inner race"), "outer": said("Outer race")}
+    return _by_race(report, _OF_CONTACTS, heads, "contacts")
+
+
+def _by_race(
+    report: Report, rows: Sequence[tuple[str, str, str]], heads: Mapping[Race, str], key: str
+) -> tuple[Table, ...]:
+    """Numbers of both races: of one case beside each other, of several below each other."""
+    if len(report.cases) > 1:
+        groups = [
+            (
+                head,
+                [_Row(said(label), f"extremes.{race}_{name}", form) for name, label, form in rows],
+            )
+            for race, head in heads.items()
         ]
-        groups.append((races[race], rows))
-    return _tables(report, groups, "contacts")
+        return _tables(report, groups, key)
+    case = report.cases[0]
+    found = [
+        row
+        for row in rows
+        if any(case.number(f"extremes.{race}_{row[0]}") is not None for race in heads)
+    ]
+    columns = [
+        Column(head=said("quantity"), values=[said(row[1]) for row in found], key="quantity"),
+        Column(
+            head=said("unit"),
+            values=[row[2].partition(" ")[2] for row in found],
+            key="unit",
+            tone="faint",
+        ),
+        *(
+            Column(
+                head=head,
+                values=[_number(case, f"extremes.{race}_{name}", form) for name, _, form in found],
+                key=race,
+                align="right",
+            )
+            for race, head in heads.items()
+        ),
+        Column(
+            head="path",
+            values=[f"extremes.*_{row[0]}" for row in found],
+            key="path",
+            only_in_files=True,
+        ),
+    ]
+    return (Table(columns=tuple(columns), key=key, rule=True),)
+
+
+def _number(case: CaseReport, path: str, form: str) -> Number:
+    value = case.number(path)
+    return Number(nan if value is None else value, _bracketed(form))
 
 
 # --- film, friction, frequencies, stiffness -------------------------------------------------------
@@ -1152,25 +1215,14 @@ def _film(report: Report) -> tuple[Table, ...]:
         _Row(said("required viscosity ν_1"), f"{film}.reference_viscosity", ".4 mm²/s"),
         _Row(said("viscosity ratio κ"), f"{film}.viscosity_ratio", ".3"),
     ]  # fmt: skip
-    groups: list[_Group] = [(said("Lubricant"), oil)]
-    heads = {
-        "inner": said("Thinnest film at the inner race"),
-        "outer": said("Thinnest film at the outer race"),
-    }
-    for race in RACES:
-        own = f"extremes.{race}_"
-        rows = [
-            _Row(said("central film thickness h_c"), f"{own}central_thickness", ".3 µm"),
-            _Row(said("minimum film thickness h_0"), f"{own}minimum_thickness", ".3 µm"),
-            _Row(said("film parameter λ"), f"{own}film_parameter", ".3"),
-            _Row(said("entrainment speed"), f"{own}entrainment_speed", ".3 m/s"),
-            _Row(said("thermal factor"), f"{own}thermal_factor", ".3 %"),
-            _Row(said("starvation factor"), f"{own}starvation_factor", ".3 %"),
-        ]
-        groups.append((heads[race], rows))
     if not any(case.analysis.film is not None for case in report.cases):
         return ()
-    return _tables(report, groups, "film")
+    heads: dict[Race, str] = {
+        "inner": said("Thinnest film, inner race"),
+        "outer": said("Thinnest film, outer race"),
+    }
+    tables = _tables(report, [(said("Lubricant"), oil)], "oil")
+    return (*tables, *_by_race(report, _OF_FILMS, heads, "film"))
 
 
 def _lubricant(case: CaseReport) -> str:
@@ -1266,6 +1318,8 @@ _LINES: Final = {
 
 def _frequencies(report: Report) -> tuple[Table, ...]:
     path = "analysis.frequencies"
+    if len(report.cases) == 1:
+        return _frequency_table(report.cases[0])
     shaft = [_Row(said("shaft frequency"), f"{path}.shaft_frequency", ".5 Hz")]
     hertz = [
         _Row(said(label), f"{path}.{name}.frequency", ".5 Hz") for name, label in _LINES.items()
@@ -1277,6 +1331,44 @@ def _frequencies(report: Report) -> tuple[Table, ...]:
         (said("Orders of the shaft"), orders),
     ]
     return _tables(report, groups, "frequencies")
+
+
+def _frequency_table(case: CaseReport) -> tuple[Table, ...]:
+    """Frequencies of one case with their orders."""
+    path = "analysis.frequencies"
+    if case.analysis.frequencies is None:
+        return ()
+    names = list(_LINES)
+    columns = (
+        Column(head="", values=[said(_LINES[name]) for name in names], key="line"),
+        Column(
+            head=said("frequency"),
+            values=[case.number(f"{path}.{name}.frequency") for name in names],
+            unit="Hz",
+            key="frequency",
+            figures=5,
+            most=6,
+        ),
+        Column(
+            head=said("order"),
+            values=[case.number(f"{path}.{name}.order") for name in names],
+            unit="–",
+            key="order",
+            figures=5,
+            most=4,
+        ),
+        Column(
+            head="path",
+            values=[f"{path}.{name}" for name in names],
+            key="path",
+            only_in_files=True,
+        ),
+    )
+    legend = said(
+        "Orders are multiples of the shaft frequency, {frequency:.5 Hz}.",
+        frequency=case.number(f"{path}.shaft_frequency") or 0.0,
+    )
+    return (Table(columns=columns, key=f"frequencies_{case.name}", legends=(legend,), rule=True),)
 
 
 def _stiffness(report: Report) -> list[Table]:
