@@ -350,7 +350,7 @@ def test_a_link_is_replaced_not_followed(tmp_path: Path) -> None:
 
 def test_a_file_is_no_folder(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("mine", encoding="utf-8")
-    with pytest.raises(FileError, match="is a file"):
+    with pytest.raises(FileError, match="is one of the input files; choose another name"):
         open_folder(str(tmp_path / "file"), SMALL)
     with pytest.raises(FileError, match="cannot be written"):
         open_folder(str(tmp_path / "file" / "below"), SMALL)
@@ -405,7 +405,7 @@ def test_an_unknown_name() -> None:
     result = run("radaeli_2013")
     assert result.exit_code == 2
     assert "did you mean radaelli-2013?" in result.stderr
-    assert "known here: radaelli-2013" in run("harris").stderr
+    assert "known: radaelli-2013" in run("harris").stderr
     with pytest.raises(InputError):
         reproduction.find("../radaelli-2013")
 
