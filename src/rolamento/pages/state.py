@@ -84,7 +84,7 @@ def notes_section(notes: Sequence[Note]) -> list[Section]:
 def _middle(solved: Solved) -> Beside:
     """Show the ring above the heaviest ball, and the rosettes beside them."""
     left = (_ring(solved), _heaviest(solved))
-    return Beside(left, (_rosettes(solved),), key="ring")
+    return Beside(left, (rosette_section(solved),), key="ring")
 
 
 def _ring(solved: Solved) -> Section:
@@ -424,7 +424,7 @@ _BITS: Final = ((0x01, 0x08), (0x02, 0x10), (0x04, 0x20), (0x40, 0x80))
 Sketch = list[list[tuple[str, Tone]]]
 
 
-def _rosettes(solved: Solved) -> Section:
+def rosette_section(solved: Solved) -> Section:
     """Draw the inner loads round the bearing, with the axes and the scale: one rosette a row."""
     count = len(solved.rows)
     heading = said("Load rosette") if count == 1 else said("Load rosettes")
