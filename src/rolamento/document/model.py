@@ -29,6 +29,8 @@ __all__ = [
     "Equation",
     "Figure",
     "KeyValues",
+    "Link",
+    "Links",
     "Notes",
     "Number",
     "Remark",
@@ -91,12 +93,15 @@ class Statement:
         How far it stands in, in characters.
     mark
         What stands before it, such as ``"✓"``; the lines of the text hang beside it.
+    mark_tone
+        How the mark is meant, if not as the text.
     """
 
     text: str
     tone: Tone = ""
     indent: int = 0
     mark: str = ""
+    mark_tone: Tone = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -198,6 +203,8 @@ class Table:
         Where it may be broken; see `Break`.
     headless
         Whether no heads are shown.
+    only_in_files
+        Whether it stands only in what is written to files, such as a spectrum of many rows.
     units
         Whether units stand in a line of their own below the heads, or behind each head.
     """
@@ -211,6 +218,7 @@ class Table:
     fixed: int = 1
     breaks: tuple[Break, ...] = ()
     headless: bool = False
+    only_in_files: bool = False
     units: Literal["below", "behind"] = "below"
     indent: int = 2
     gap: int = 2
@@ -327,7 +335,22 @@ class Equation:
     number: int = 0
 
 
-Block = Title | Statement | KeyValues | Table | Bars | Figure | Notes | Equation
+@dataclass(frozen=True, slots=True)
+class Link:
+    """A text that leads to a file beside the page, or to an address (http, https)."""
+
+    text: str
+    target: str
+
+
+@dataclass(frozen=True, slots=True)
+class Links:
+    """Where else to look, one link behind the other."""
+
+    links: tuple[Link, ...]
+
+
+Block = Title | Statement | KeyValues | Table | Bars | Figure | Notes | Equation | Links
 
 
 @dataclass(frozen=True, slots=True)
@@ -367,12 +390,19 @@ class Document:
         Of which command, such as ``"solve"``.
     language
         The code of the language that its texts are in.
+    main
+        Key of the table that a file of one table holds; by default the first that has a key.
+    program, date
+        Which program and release made it, and when, where a report says so: a running header.
     """
 
     title: str
     sections: tuple[Section | Beside, ...]
     kind: str = ""
     language: str = field(default_factory=language)
+    main: str = ""
+    program: str = ""
+    date: str = ""
 
     def parts(self) -> Iterator[Section]:
         """Return its sections one by one, those that stand beside each other too."""

@@ -10,33 +10,44 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from io import StringIO
 from itertools import zip_longest
-from math import isfinite, nan
 from textwrap import wrap
 from typing import Final, TypeAlias
 
 from rich.console import Console
 from rich.text import Text
 
+from rolamento.document.cells import (
+    PEAK,
+    broken,
+    cell,
+    cells,
+    has_unit_line,
+    peaks,
+    shares,
+    shares_of_bars,
+    shown,
+    stands_left,
+    table_of_bars,
+)
 from rolamento.document.medium import Medium
 from rolamento.document.model import (
     Bars,
     Beside,
     Block,
-    CellContent,
     Column,
     Document,
     Equation,
     Figure,
     KeyValues,
+    Links,
     Notes,
-    Number,
     Section,
     Statement,
     Table,
     Title,
     Tone,
 )
-from rolamento.words import ABSENT, Manner, aligned, decimals_for, in_unit, manner, speaking
+from rolamento.words import ABSENT, speaking
 
 __all__ = ["terminal"]
 
@@ -60,7 +71,6 @@ _BULLET: Final = "  • "
 _LONGEST_BAR: Final = 20
 _EIGHTHS: Final = " ▏▎▍▌▋▊▉"
 _RULE: Final = "─"
-_PEAK: Final = "◂"
 
 
 def terminal(document: Document, medium: Medium | None = None) -> str:
@@ -75,7 +85,7 @@ def terminal(document: Document, medium: Medium | None = None) -> str:
     """
     with speaking(document.language):
         medium = medium or Medium()
-        setter = _Setter(medium, manner())
+        setter = _Setter(medium)
         parts = [setter.part(one, medium.width) for one in document.sections]
         return _coloured(medium, [part for part in parts if part])
 
@@ -102,10 +112,10 @@ def _coloured(medium: Medium, parts: Sequence[Lines]) -> str:
 
 
 class _Setter:
-    """Sets blocks as lines of characters, for one medium and one manner of numbers."""
+    """Sets blocks as lines of characters, for one medium."""
 
-    def __init__(self, medium: Medium, manner: Manner) -> None:
-        self._medium, self._manner = medium, manner
+    def __init__(self, medium: Medium) -> None:
+        self._medium = medium
         self._by_block: dict[type, Callable[..., Lines]] = {
             Title: self._title,
             Statement: self._statement,
@@ -115,6 +125,7 @@ class _Setter:
             Figure: self._figure,
             Notes: self._notes,
             Equation: self._equation,
+            Links: self._links,
         }
 
     def part(self, one: Section | Beside, width: int) -> Lines:
@@ -166,7 +177,7 @@ class _Setter:
 
     def _statement(self, block: Statement, width: int) -> Lines:
         mark = f"{block.mark} " if block.mark else ""
-        label = self._text(" " * block.indent + mark, STYLES[block.tone])
+        label = self._text(" " * block.indent + mark, STYLES[block.mark_tone or block.tone])
         return self._hanging(label, block.text, width, STYLES[block.tone])
 
     def _key_values(self, block: KeyValues, width: int) -> Lines:
@@ -174,7 +185,7 @@ class _Setter:
         lines: Lines = []
         for entry in block.entries:
             label = f"{' ' * block.indent}{entry.label:{longest}}  "
-            content = entry.content if isinstance(entry.content, str) else self._cell(entry.content)
+            content = entry.content if isinstance(entry.content, str) else cell(entry.content)
             own = self._text(label, STYLES[block.label_tone])
             lines += self._hanging(own, content, width, STYLES[entry.tone])
         return lines
@@ -193,6 +204,13 @@ class _Setter:
         behind = "; ".join(part for part in (block.name, block.source, block.valid) if part)
         return lines + self._hanging(Text(" " * 7), behind, width, "dim")
 
+    def _links(self, block: Links, width: int) -> Lines:
+        return [
+            line
+            for link in block.links
+            for line in self._hanging(self._text(f"  {link.text}: "), link.target, width)
+        ]
+
     def _figure(self, block: Figure, width: int) -> Lines:
         if block.sketch is None:
             return []
@@ -205,36 +223,25 @@ class _Setter:
     # --- tables -----------------------------------------------------------------------------
 
     def _table(self, block: Table, width: int) -> Lines:
-        shown = tuple(column for column in block.columns if not column.only_in_files)
-        breaks = [_shown_place(block, each.column) for each in block.breaks]
-        plain = [column for column in shown if not column.bar]
-        whole = self._set_columns(plain, block)
-        legends = (*block.legends, *(each.legend for each in block.breaks))
-        if not breaks or _width(whole, block) <= width:
-            bars = len(plain) < len(shown) and not breaks
-            table = self._with_bars(whole, shown, block, width) if bars else whole
-            return self._assembled(table, replace(block, legends=legends), width)
+        if block.only_in_files:
+            return []
         lines: Lines = []
-        ends = [*breaks[1:], len(shown)]
-        for part in range(len(breaks) + 1):
-            columns = (
-                list(shown[: breaks[0]])
-                if part == 0
-                else [*shown[: block.fixed], *shown[breaks[part - 1] : ends[part - 1]]]
-            )
-            own = block.legends if part == 0 else (block.breaks[part - 1].legend,)
-            heading = block.breaks[part - 1].heading if part else ""
-            table = self._set_columns([one for one in columns if not one.bar], block)
-            table = self._with_bars(table, columns, block, width)
-            lines += [Text()] if part else []
+        for heading, part in broken(block, lambda table: self._fits(table, width)):
+            table = self._set_columns(part)
+            bars = len(part.columns) < len(shown(block)) or not block.breaks
+            table = self._with_bars(table, part, width) if bars else table
+            lines += [Text()] if lines else []
             lines += [self._text(heading, _HEADING)] if heading else []
-            lines += self._assembled(table, replace(block, legends=own), width)
+            lines += self._assembled(table, part, width)
         return lines
+
+    def _fits(self, block: Table, width: int) -> bool:
+        return _width(self._set_columns(block), block) <= width
 
     def _assembled(self, columns: Sequence[Lines], block: Table, width: int) -> Lines:
         """Put columns beside each other, the rule and the names of groups between their lines."""
         lines = _in_columns(columns, block.indent, block.gap)
-        heads = 0 if block.headless else 1 + _has_units(block)
+        heads = 0 if block.headless else 1 + has_unit_line(block)
         head, body = lines[:heads], lines[heads:]
         if block.rule:
             head.append(self._rule(max(map(len, lines), default=0)))
@@ -248,48 +255,42 @@ class _Setter:
                 head += self._hanging(Text(" " * block.indent), legend, width, "dim")
         return head
 
-    def _set_columns(self, columns: Sequence[Column], block: Table) -> list[Lines]:
-        """Return each column as its heads and cells, padded to one width."""
-        return [self._set_column(column, block) for column in columns]
+    def _set_columns(self, block: Table) -> list[Lines]:
+        """Return each column but bars as its heads and cells, padded to one width."""
+        return [self._set_column(column, block) for column in block.columns if not column.bar]
 
     def _set_column(self, column: Column, block: Table) -> Lines:
         room = " " if column.peak else ""
-        texts, tops = self._cells(column), _tops(column)
+        texts, tops = cells(column), peaks(column)
         tones = column.tones or [column.tone] * len(texts)
-        cells: Lines = []
+        lines: Lines = []
         for text, top, tone in zip(texts, tops, tones, strict=True):
             style = STYLES["peak" if top else tone]
             style = "dim" if text.strip() == ABSENT else style
-            mark = (_PEAK if top else " ") if column.peak else ""
-            cells.append(self._text(text + mark, style))
-        column_ = [*self._heads(column, block, room), *cells]
+            mark = (PEAK if top else " ") if column.peak else ""
+            lines.append(self._text(text + mark, style))
+        column_ = [*self._heads(column, block, room), *lines]
         width = max(map(len, column_), default=0)
-        left = column.align == "left" or (not column.align and _is_text(column))
-        return [_padded(cell, width, left) for cell in column_]
+        return [_padded(line, width, stands_left(column)) for line in column_]
 
     def _heads(self, column: Column, block: Table, room: str) -> Lines:
         if block.headless:
             return []
-        if not _has_units(block):
+        if not has_unit_line(block):
             unit = f" {column.unit}" if column.unit and block.units == "behind" else ""
             return [self._text(column.head + unit + room, "dim")]
         if not column.unit:
             return [Text(), self._text(column.head + room)]
         return [self._text(column.head + room), self._text(column.unit + room, "dim")]
 
-    def _with_bars(
-        self, table: list[Lines], columns: Sequence[Column], block: Table, width: int
-    ) -> list[Lines]:
+    def _with_bars(self, table: list[Lines], block: Table, width: int) -> list[Lines]:
         """Add the columns of bars, in what room is left."""
         room = width - _width(table, block) - block.gap
-        for column in columns:
+        for column in block.columns:
             if column.bar:
-                numbers = [value if isinstance(value, float) else 0.0 for value in column.values]
-                greatest = max(numbers, default=0.0)
                 longest = min(max(room, 0), _LONGEST_BAR)
-                shares = [number / greatest if greatest > 0.0 else 0.0 for number in numbers]
                 heads = self._heads(replace(column, unit=""), block, "")
-                bars = [*heads, *(self._bar(longest * share) for share in shares)]
+                bars = [*heads, *(self._bar(longest * share) for share in shares(column))]
                 table = [*table, [_padded(bar, max(map(len, bars)), True) for bar in bars]]
         return table
 
@@ -299,59 +300,14 @@ class _Setter:
         eighths = round(8 * length)
         return Text("█" * (eighths // 8) + _EIGHTHS[eighths % 8].strip(), style)
 
-    # --- numbers ----------------------------------------------------------------------------
-
-    def _cells(self, column: Column) -> list[str]:
-        """Write the cells of a column: numbers with the same decimals, the marks in line."""
-        mark = self._manner.mark
-        if column.form:
-            values = [_formed(value, column.form) for value in column.values]
-            column = replace(column, values=values, form="")
-        decimals = decimals_for(_numbers(column), column.figures, column.most)
-        texts = [self._cell(value, column.unit, decimals) for value in column.values]
-        if any(isinstance(value, Number) for value in column.values):
-            numeric = [not isinstance(value, str) for value in column.values]
-            lined = iter(
-                aligned([t for t, own in zip(texts, numeric, strict=True) if own and t], mark)
-            )
-            texts = [
-                next(lined) if own and text else text
-                for text, own in zip(texts, numeric, strict=True)
-            ]
-        return [_centred_dash(text, texts) for text in texts]
-
-    def _cell(self, value: CellContent, unit: str = "", decimals: int = 0) -> str:
-        if value is None:
-            return ""
-        if isinstance(value, str):
-            return value
-        if isinstance(value, Number):
-            number = self._manner.number(value.value, value.form)
-            return f"{value.before}{number}{value.behind}"
-        if isinstance(value, bool | int):
-            return self._manner.fixed(float(value), 0)
-        return self._manner.fixed(float(in_unit(value, unit)), decimals)
-
     # --- bars -------------------------------------------------------------------------------
 
     def _bars(self, block: Bars, width: int) -> Lines:
-        columns = (
-            Column(head=block.heads[0], values=[bar.label for bar in block.bars]),
-            Column(
-                head=block.heads[1],
-                values=[bar.number for bar in block.bars],
-                unit=block.unit,
-                align="right",
-                tones=[bar.tone for bar in block.bars],
-            ),
-        )
-        table = Table(columns=columns, headless=not any(block.heads), units="behind")
+        table = table_of_bars(block)
         lines = self._table(table, width)
-        greatest = max((bar.length for bar in block.bars), default=0.0)
         room = min(width - max(map(len, lines), default=0) - table.gap, block.longest)
         first = len(lines) - len(block.bars)
-        for line, bar in zip(lines[first:], block.bars, strict=True):
-            share = bar.length / greatest if greatest > 0.0 and bar.length > 0.0 else 0.0
+        for line, share in zip(lines[first:], shares_of_bars(block), strict=True):
             drawn = self._bar(max(room * share, 0.125 if share else 0.0), STYLES[block.tone])
             line.append(" " * table.gap).append_text(drawn)
         for legend in block.legends:
@@ -398,48 +354,3 @@ def _least_width(sections: Sequence[Section]) -> int:
     return max(
         (b.width for one in sections for b in one.blocks if isinstance(b, Figure)), default=0
     )
-
-
-# --- columns -----------------------------------------------------------------------------------
-
-
-def _has_units(block: Table) -> bool:
-    return block.units == "below" and any(c.unit for c in block.columns if not c.bar)
-
-
-def _shown_place(block: Table, place: int) -> int:
-    """Return the place of a column among those that are shown."""
-    return sum(not column.only_in_files for column in block.columns[:place])
-
-
-def _is_text(column: Column) -> bool:
-    return any(isinstance(value, str) for value in column.values) and not any(
-        isinstance(value, float | int | Number) for value in column.values
-    )
-
-
-def _formed(value: CellContent, form: str) -> CellContent:
-    return Number(float(value), form) if isinstance(value, float | int) else value
-
-
-def _numbers(column: Column) -> list[float]:
-    return [
-        float(in_unit(value, column.unit)) for value in column.values if isinstance(value, float)
-    ]
-
-
-def _tops(column: Column) -> list[bool]:
-    """Tell which cells have the greatest or the least number, where that is to be marked."""
-    numbers = [abs(v) if isinstance(v, float) else nan for v in column.values]
-    choose = min if column.peak == "minimum" else max
-    extreme = choose((n for n in numbers if isfinite(n)), default=nan)
-    return [bool(column.peak) and number == extreme for number in numbers]
-
-
-def _centred_dash(text: str, texts: Sequence[str]) -> str:
-    """Put a dash below the last digit before the decimal mark, as far as that is known."""
-    if text != ABSENT:
-        return text
-    longest = max(texts, key=len)
-    tail = len(longest) - max(longest.find("."), longest.find(","))
-    return text + " " * (tail if tail <= len(longest) else 0)

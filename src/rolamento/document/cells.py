@@ -1,0 +1,194 @@
+"""What the media share: numbers as texts, what stands where in a table, symbols with an index.
+
+Numbers are written in the language that is spoken (`rolamento.words.speaking`).
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
+from math import isfinite, nan
+from typing import Final
+
+from rolamento.document.model import Bars, CellContent, Column, Number, Table
+from rolamento.words import ABSENT, aligned, decimals_for, in_unit, manner
+
+__all__ = [
+    "PEAK",
+    "broken",
+    "cell",
+    "cells",
+    "has_unit_line",
+    "indexed",
+    "is_numeric",
+    "numbers_of",
+    "peaks",
+    "shares",
+    "shares_of_bars",
+    "shown",
+    "stands_left",
+    "table_of_bars",
+]
+
+PEAK: Final = "◂"
+"""What stands behind the greatest number of a column."""
+
+_INDEXED: Final = re.compile(
+    r"(?<![\w./\\@-])([A-Za-zα-ωΑ-Ωµ])_([A-Za-z0-9]{1,4})(?!\w|[./\\@-]\w|_)"
+)
+"""A letter with an index, ``Q_max``; not in the middle of a name or a path."""
+
+
+# --- numbers -----------------------------------------------------------------------------------
+
+
+def cells(column: Column) -> list[str]:
+    """Write the cells of a column: numbers with the same decimals.
+
+    Numbers of their own form are padded on the right, so that their decimal marks fall below each
+    other where all characters are of one width.
+    """
+    if column.form:
+        values = [_formed(value, column.form) for value in column.values]
+        column = replace(column, values=values, form="")
+    decimals = decimals_for(numbers_of(column), column.figures, column.most)
+    texts = [cell(value, column.unit, decimals) for value in column.values]
+    if any(isinstance(value, Number) for value in column.values):
+        own = [not isinstance(value, str) for value in column.values]
+        numbers = [text for text, numeric in zip(texts, own, strict=True) if numeric and text]
+        lined = iter(aligned(numbers, manner().mark))
+        texts = [
+            next(lined) if numeric and text else text
+            for text, numeric in zip(texts, own, strict=True)
+        ]
+    return [_centred_dash(text, texts) for text in texts]
+
+
+def cell(value: CellContent, unit: str = "", decimals: int = 0) -> str:
+    """Write one cell: an SI number in a unit with so many decimals, or in its own form."""
+    if value is None:
+        return ""
+    if isinstance(value, str):
+        return value
+    if isinstance(value, Number):
+        return f"{value.before}{manner().number(value.value, value.form)}{value.behind}"
+    if isinstance(value, bool | int):
+        return manner().fixed(float(value), 0)
+    return manner().fixed(float(in_unit(value, unit)), decimals)
+
+
+def numbers_of(column: Column) -> list[float]:
+    """Return the numbers of a column in its unit, without those of their own form."""
+    return [
+        float(in_unit(value, column.unit)) for value in column.values if isinstance(value, float)
+    ]
+
+
+def is_numeric(column: Column) -> bool:
+    """Tell whether a column has numbers, and not only texts."""
+    return any(isinstance(value, float | int | Number) for value in column.values)
+
+
+def peaks(column: Column) -> list[bool]:
+    """Tell which cells have the greatest or the least number, where that is to be marked."""
+    numbers = [abs(v) if isinstance(v, float) else nan for v in column.values]
+    choose = min if column.peak == "minimum" else max
+    extreme = choose((n for n in numbers if isfinite(n)), default=nan)
+    return [bool(column.peak) and number == extreme for number in numbers]
+
+
+def shares(column: Column) -> list[float]:
+    """Return the lengths of a column of bars over that of the greatest."""
+    numbers = [value if isinstance(value, float) else 0.0 for value in column.values]
+    greatest = max(numbers, default=0.0)
+    return [number / greatest if greatest > 0.0 else 0.0 for number in numbers]
+
+
+def shares_of_bars(block: Bars) -> list[float]:
+    """Return the lengths of bars over that of the greatest."""
+    greatest = max((bar.length for bar in block.bars), default=0.0)
+    return [
+        bar.length / greatest if greatest > 0.0 and bar.length > 0.0 else 0.0 for bar in block.bars
+    ]
+
+
+# --- tables ------------------------------------------------------------------------------------
+
+
+def shown(block: Table) -> tuple[Column, ...]:
+    """Return the columns that a reader sees."""
+    return tuple(column for column in block.columns if not column.only_in_files)
+
+
+def broken(block: Table, fits: Callable[[Table], bool]) -> Iterator[tuple[str, Table]]:
+    """Return a table, or where it does not fit the parts that it may be broken into.
+
+    Each comes with its heading; all have only the columns that a reader sees.
+    """
+    columns = shown(block)
+    legends = tuple(text for text in (*block.legends, *(b.legend for b in block.breaks)) if text)
+    whole = replace(block, columns=columns, legends=legends, breaks=())
+    if not block.breaks or fits(whole):
+        yield "", whole
+        return
+    places = [sum(not c.only_in_files for c in block.columns[: b.column]) for b in block.breaks]
+    yield "", replace(whole, columns=columns[: places[0]], legends=block.legends)
+    for each, start, end in zip(block.breaks, places, [*places[1:], len(columns)], strict=True):
+        part = (*columns[: block.fixed], *columns[start:end])
+        yield each.heading, replace(whole, columns=part, legends=(each.legend,))
+
+
+def table_of_bars(block: Bars) -> Table:
+    """Return labels and numbers of bars as a table."""
+    columns = (
+        Column(head=block.heads[0], values=[bar.label for bar in block.bars]),
+        Column(
+            head=block.heads[1],
+            values=[bar.number for bar in block.bars],
+            unit=block.unit,
+            align="right",
+            tones=[bar.tone for bar in block.bars],
+        ),
+    )
+    return Table(columns=columns, headless=not any(block.heads), units="behind", key=block.key)
+
+
+def has_unit_line(block: Table) -> bool:
+    """Tell whether units stand in a line of their own below the heads."""
+    return block.units == "below" and any(c.unit for c in block.columns if not c.bar)
+
+
+def stands_left(column: Column) -> bool:
+    """Tell whether the cells of a column stand on the left: texts, if nothing else is said."""
+    texts = any(isinstance(value, str) for value in column.values)
+    return column.align == "left" or (not column.align and texts and not is_numeric(column))
+
+
+# --- symbols -----------------------------------------------------------------------------------
+
+
+def indexed(text: str) -> Sequence[tuple[str, str]]:
+    """Part a text into pieces, each with the index that follows it: ``a_ISO`` ``("a", "ISO")``."""
+    pieces: list[tuple[str, str]] = []
+    end = 0
+    for found in _INDEXED.finditer(text):
+        pieces.append((text[end : found.end(1)], found[2]))
+        end = found.end()
+    return [*pieces, (text[end:], "")]
+
+
+# -----------------------------------------------------------------------------------------------
+
+
+def _formed(value: CellContent, form: str) -> CellContent:
+    return Number(float(value), form) if isinstance(value, float | int) else value
+
+
+def _centred_dash(text: str, texts: Sequence[str]) -> str:
+    """Put a dash below the last digit before the decimal mark, as far as that is known."""
+    if text != ABSENT:
+        return text
+    longest = max(texts, key=len)
+    tail = len(longest) - max(longest.find("."), longest.find(","))
+    return text + " " * (tail if tail <= len(longest) else 0)
