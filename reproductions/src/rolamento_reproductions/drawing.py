@@ -16,8 +16,8 @@ from matplotlib.patches import Circle
 from matplotlib.ticker import Formatter, MaxNLocator, MultipleLocator
 from PIL import Image
 
-from rolamento.words import manner
 from rolamento.plots.style import INNER, OUTER, new_figure, new_stacked_figure, series, styled
+from rolamento.words import manner
 from rolamento_reproductions.record import (
     Curves,
     Ending,
@@ -145,9 +145,7 @@ def _draw_arrows(figure: Figure, picture: Maps, names: tuple[str, str], axes: Ax
     )
 
 
-def _label_map(
-    figure: Figure, picture: Maps, one: Map, axes: Axes, *, last: bool
-) -> None:
+def _label_map(figure: Figure, picture: Maps, one: Map, axes: Axes, *, last: bool) -> None:
     x, y = figure.column(picture.x), figure.column(picture.y)
     axes.set_title(titled(str(one.title), ""), loc="left")
     axes.set_ylabel(titled(str(y.title), y.unit))
@@ -228,9 +226,7 @@ def _curves(figure: Figure, curves: Curves) -> Picture:
     return picture
 
 
-def _draw_panel(
-    figure: Figure, panel: Panel, axes: Axes, *, first: bool
-) -> None:
+def _draw_panel(figure: Figure, panel: Panel, axes: Axes, *, first: bool) -> None:
     x = figure.column(panel.x)
     for line in panel.lines:
         _draw_line(figure, panel, line, axes)
@@ -384,9 +380,7 @@ def _positions(figure: Figure, picture: Positions) -> Picture:
     return drawing
 
 
-def _draw_ball(
-    axes: Axes, number: int, azimuth: float, radius: float, ball: float
-) -> None:
+def _draw_ball(axes: Axes, number: int, azimuth: float, radius: float, ball: float) -> None:
     # seen from +x: zero at the top, growing to the right, toward +y
     sine, cosine = np.sin(np.radians(azimuth)), np.cos(np.radians(azimuth))
     place = radius * sine, radius * cosine

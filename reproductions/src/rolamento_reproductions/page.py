@@ -84,16 +84,16 @@ def index_page(
     opening.append(Statement("\n".join(map(str, summary(sections)))))
     chapters = [Chapter(blocks=tuple(opening))]
     for place, section in enumerate(sections, start=1):
-        chapters.append(
-            Chapter(str(section.title), tuple(_contents(section)), key=f"part-{place}")
-        )
+        chapters.append(Chapter(str(section.title), tuple(_contents(section)), key=f"part-{place}"))
         for item in section.items:
             if isinstance(item, Errata):
                 pointer = tuple(_pointer_to_misprints(item, page))
                 chapters.append(Chapter(blocks=pointer, level=3))
             else:
                 chapters.append(_framed(item, endings))
-    chapters.append(Chapter(blocks=(Statement(str(said("written_by", name=source.name)), "faint"),)))
+    chapters.append(
+        Chapter(blocks=(Statement(str(said("written_by", name=source.name)), "faint"),))
+    )
     return Document(str(source.title), tuple(chapters), kind=kind_of(source))
 
 
@@ -110,7 +110,9 @@ def misprints_page(source: Source, errata: Errata, page: PageEnding = "html") ->
         (
             Chapter(blocks=opening),
             Chapter(
-                str(said("proof")), (_statement(said("residuals")), _proof_grid(errata)), key="proof"
+                str(said("proof")),
+                (_statement(said("residuals")), _proof_grid(errata)),
+                key="proof",
             ),
             *(
                 Chapter(
@@ -179,7 +181,7 @@ def _claim(claim: Claim) -> Statement:
     """Set what is stated, and below it what was found."""
     mark, tone = _MARKS[claim.verdict]
     finding = said(f"finding.{claim.verdict}", finding=claim.finding)
-    return Statement(f"{claim.statement}\n{finding}", mark=mark)
+    return Statement(f"{claim.statement}\n{finding}", mark=mark, mark_tone=tone)
 
 
 def _pointer_to_misprints(errata: Errata, page: PageEnding) -> Iterator[Block]:

@@ -206,6 +206,9 @@ def proven(
 
 STATUS: Final = "status"
 Ending = Literal["svg", "png"]
+Pictures = Literal["svg", "png", "both"]
+Progress = Callable[[int, int, Text], None]
+"""Told how much is done, of how much, and what comes next."""
 ClaimVerdict = Literal["holds", "partly", "fails"]
 
 _PLAIN_UNITS: Final = {
@@ -450,3 +453,9 @@ class Source:
     reference: Text
     remarks: tuple[Text, ...]
     parts: tuple[Part, ...]
+
+    def reproduce(self, folder: str, pictures: Pictures, progress: Progress) -> list[str]:
+        """Compute it and write it to a folder (`writing.reproduce`)."""
+        from rolamento_reproductions import writing
+
+        return writing.reproduce(self, folder, pictures, progress)

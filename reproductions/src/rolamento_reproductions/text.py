@@ -106,8 +106,8 @@ def formula(text: str) -> Text:
 
 
 def fixed(value: float, decimals: int) -> Text:
-    """Return a number with so many decimals."""
-    return Text(lambda: manner().fixed(value, decimals))
+    """Return a number with so many decimals, ungrouped, as it stands in files too."""
+    return written(f"{value:.{decimals}f}")
 
 
 def written(number: str) -> Text:

@@ -9,20 +9,25 @@ from __future__ import annotations
 import csv
 import os
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from functools import partial
 from io import StringIO
 from math import isfinite
 from pathlib import Path
-from typing import Final, Literal
+from typing import Final
 
 from rolamento._writing import write_bytes
+from rolamento.document import Document, html, markdown
+from rolamento.document import Figure as Picture
 from rolamento.errors import FileError
-from rolamento_reproductions.page import index_page, kind_of, misprints_page, summary
+from rolamento_reproductions.page import PageEnding, index_page, kind_of, misprints_page, summary
 from rolamento_reproductions.record import (
     ERRATA_STEM,
     Cell,
     Ending,
     Errata,
     Figure,
+    Pictures,
+    Progress,
     Section,
     Source,
     Table,
@@ -116,9 +121,35 @@ PAGE: Final = "index.html"
 _HEAD_OF_PAGE: Final = 10_000
 _ENDINGS: Final[tuple[Ending, ...]] = ("svg", "png")
 
-Pictures = Literal["svg", "png", "both"]
-Progress = Callable[[int, int, Text], None]
-"""Told how much is done, of how much, and what comes next."""
+
+def reproduce(source: Source, folder: str, pictures: Pictures, progress: Progress) -> list[str]:
+    """Compute a source and write it, in the language that is spoken.
+
+    Parameters
+    ----------
+    source
+        What to reproduce.
+    folder
+        Where to write; ``""`` for a folder of the source's name.
+    pictures
+        Which formats to write.
+    progress
+        Told about every part and picture.
+
+    Returns
+    -------
+    list of str
+        What came out, in sentences, and the path of the page.
+
+    Raises
+    ------
+    FileError
+        If the folder cannot be taken, or a file not be written.
+    """
+    place = open_folder(folder or source.name, source)
+    sections = computed(source, progress)
+    write(source, sections, place, pictures=pictures, progress=progress)
+    return [*map(str, summary(sections)), str(place / PAGE)]
 
 
 def computed(source: Source, progress: Progress) -> tuple[Section, ...]:
@@ -135,11 +166,10 @@ def write(
     sections: Sequence[Section],
     folder: Path,
     *,
-    language: Language = "en",
     pictures: Pictures = "both",
     progress: Progress = lambda done, total, what: None,
 ) -> None:
-    """Write the index pages, the data and the pictures of a reproduction.
+    """Write the pages, the data and the pictures of a reproduction, in the language that is spoken.
 
     Parameters
     ----------
@@ -147,8 +177,6 @@ def write(
         From `computed`.
     folder
         From `open_folder`.
-    language
-        Of the pages and the pictures; the data are the same in all.
     pictures
         Which formats to write.
     progress
@@ -161,18 +189,18 @@ def write(
     """
     from rolamento_reproductions.drawing import rendered  # Matplotlib is slow to load
 
-    endings = _endings(pictures)
+    endings = _ENDINGS if pictures == "both" else (pictures,)
     # The page first: by it the folder is known again, should the rest not be reached.
-    _write_page(folder, "index", index_page(source, sections, endings), language)
+    _write_pages(folder, "index", partial(index_page, source, sections, endings), endings)
     done = len(source.parts)
     for item in _items(sections):
         _write_file(folder, f"{item.stem}.csv", _csv_of(item).encode())
         if isinstance(item, Errata):
-            _write_page(folder, item.stem, misprints_page(source, item), language)
+            _write_pages(folder, item.stem, partial(misprints_page, source, item))
         if not isinstance(item, Figure):
             continue
         progress(done, _step_count(source), item.caption)
-        contents = rendered(item, endings, language)
+        contents = rendered(item, endings)
         for ending in _ENDINGS:
             name = f"{item.stem}.{ending}"
             if ending in contents:
@@ -223,10 +251,6 @@ def file_names(source: Source) -> tuple[str, ...]:
     return tuple(names)
 
 
-def _endings(pictures: Pictures) -> tuple[Ending, ...]:
-    return _ENDINGS if pictures == "both" else (pictures,)
-
-
 def _step_count(source: Source) -> int:
     return len(source.parts) + sum(len(part.figures) for part in source.parts)
 
@@ -248,12 +272,22 @@ def _is_ours(folder: Path, source: Source) -> bool:
     if not page.is_file():
         return False
     with page.open("rb") as file:
-        return generator_mark(source.name).encode() in file.read(_HEAD_OF_PAGE)
+        return f'rolamento {kind_of(source)}"'.encode() in file.read(_HEAD_OF_PAGE)
 
 
-def _write_page(folder: Path, stem: str, page: Page, language: Language) -> None:
-    _write_file(folder, f"{stem}.html", html(page, language).encode())
-    _write_file(folder, f"{stem}.md", markdown(page, language).encode())
+def _write_pages(
+    folder: Path,
+    stem: str,
+    page: Callable[[PageEnding], Document],
+    endings: Sequence[Ending] = (),
+) -> None:
+    """Write a page as HTML and as Markdown, with its pictures beside it."""
+
+    def picture(figure: Picture) -> str:
+        return f"{figure.key}.{endings[0]}"
+
+    _write_file(folder, f"{stem}.html", html(page("html"), picture=picture).encode())
+    _write_file(folder, f"{stem}.md", markdown(page("md"), picture=picture).encode())
 
 
 def _write_file(folder: Path, name: str, content: bytes) -> None:

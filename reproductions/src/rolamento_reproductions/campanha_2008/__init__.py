@@ -7,7 +7,7 @@ from typing import Final
 from rolamento_reproductions.campanha_2008.clearance import clearance_section
 from rolamento_reproductions.campanha_2008.contact import shear_section
 from rolamento_reproductions.campanha_2008.film import film_section
-from rolamento_reproductions.campanha_2008.inputs import GIVEN, said
+from rolamento_reproductions.campanha_2008.inputs import said
 from rolamento_reproductions.campanha_2008.life_tests import life_tests_section
 from rolamento_reproductions.campanha_2008.load_zone import load_zone_section
 from rolamento_reproductions.campanha_2008.overview import overview_section, slips_section

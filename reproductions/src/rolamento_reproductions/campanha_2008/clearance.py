@@ -215,9 +215,7 @@ def _measuring_load() -> Table:
             ),
         ),
         claims=(_elastic(),),
-        notes=(
-            said("measuring_load.other_bearings_same"),
-        ),
+        notes=(said("measuring_load.other_bearings_same"),),
     )
 
 

@@ -25,9 +25,8 @@ from rolamento.units import MILLIMETRE, RPM
 from rolamento.verification import Check, campanha_2008
 from rolamento.verification.check import bearing_of, published, steel
 from rolamento_reproductions.given import Given
-from rolamento_reproductions.page import PRINTED
 from rolamento_reproductions.record import Cell, Claim, Table, TableColumn
-from rolamento_reproductions.text import Prose, Text, same
+from rolamento_reproductions.text import Prose, Text, fixed, same
 
 GIVEN: Final = Given("campanha_2008")
 said: Final = Prose(GIVEN.name)
@@ -136,7 +135,7 @@ def steel_of_film() -> Material:
     return steel(film["youngs_modulus_GPa"] * 1e9, printed("bearing_6305")["poisson_ratio"])
 
 
-NUMBER_HEADS: Final = (PRINTED, said("number_heads.with_author_s"))
+NUMBER_HEADS: Final = (said("printed"), said("number_heads.with_author_s"))
 NONE: Final = said("none")
 """Where there is no right number, because the method does not hold for the case."""
 

@@ -61,7 +61,7 @@ from rolamento_reproductions.campanha_2008.weibull import (
     without_test,
 )
 from rolamento_reproductions.record import Claim, Section, Table, TableColumn
-from rolamento_reproductions.text import Text, same
+from rolamento_reproductions.text import Text, fixed, listed, same, written
 
 _REJECTED: Final = 0.1
 """p below which two conditions are said to differ."""
@@ -646,9 +646,7 @@ def _comparison() -> Table:
         GIVEN.source_of("comparison"),
         (*lives_of_tests(), *comparison_numbers()),
         claims=(_more_than_double(),),
-        notes=(
-            said("comparison.there_is_no"),
-        ),
+        notes=(said("comparison.there_is_no"),),
     )
 
 

@@ -39,7 +39,6 @@ from rolamento_reproductions.campanha_2008.inputs import (
     temperature,
 )
 from rolamento_reproductions.given import KILO
-from rolamento_reproductions.page import PRINTED
 from rolamento_reproductions.record import Cell, Claim, Section, Table, TableColumn
 from rolamento_reproductions.text import Text, same
 
@@ -297,9 +296,7 @@ def _reliability() -> Table:
                 "a1_2007", same("a_1 (2007)"), tuple(f"{float(value):.2f}" for value in new)
             ),
         ),
-        notes=(
-            said("reliability.1_ln_1"),
-        ),
+        notes=(said("reliability.1_ln_1"),),
     )
 
 
@@ -371,7 +368,7 @@ def nsk_table() -> Table:
         ),
         GIVEN.source_of("nsk"),
         nsk_numbers(),
-        heads=(PRINTED, said("nsk_table.heads")),
+        heads=(said("printed"), said("nsk_table.heads")),
         notes=(_outside(),),
     )
 

@@ -217,9 +217,7 @@ def _temperatures() -> Figure:
             )
         ),
         claims=(_above_reference(), _below_reference(), _enough()),
-        notes=(
-            said("temperatures.measured_temperatures_oil"),
-        ),
+        notes=(said("temperatures.measured_temperatures_oil"),),
     )
 
 

@@ -35,7 +35,7 @@ from rolamento.weibull import (
 )
 from rolamento_reproductions.campanha_2008.inputs import GIVEN, Number, printed, said
 from rolamento_reproductions.record import Cell, Claim, Curves, Figure, Floats, Line, Panel, Series
-from rolamento_reproductions.text import Text, same
+from rolamento_reproductions.text import Text, fixed, same
 
 _FIVE: Final = 5
 

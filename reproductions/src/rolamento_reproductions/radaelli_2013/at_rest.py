@@ -117,7 +117,7 @@ def _claims_on_clearance(solved: dict[float, RadialSolution]) -> tuple[Claim, ..
         ),
         Claim(
             said("claims_on_clearance.statement.greater_clearance_greater"),
-            same("{:,.0f} N, {:,.0f} N, {:,.0f} N.", *maximum),
+            same("{:.0f} N, {:.0f} N, {:.0f} N.", *maximum),
             maximum == sorted(maximum) and len(set(maximum)) == len(maximum),
         ),
         Claim(
@@ -377,7 +377,7 @@ def _panel_over_speed(what: _Motion, given: dict[str, Any]) -> Panel:
 
 def _panel_over_angle(what: _Motion, given: dict[str, Any]) -> Panel:
     lines = tuple(
-        Line(what.name, look, same("{:,.0f} rpm", speed), ("inner_speed", speed))
+        Line(what.name, look, same("{:.0f} rpm", speed), ("inner_speed", speed))
         for look, speed in enumerate(given["speeds_drawn_rpm"])
     )
     return Panel("contact_angle", what.title, what.unit, lines, tick=15.0)

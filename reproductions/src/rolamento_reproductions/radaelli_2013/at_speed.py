@@ -98,7 +98,7 @@ def _line_per_speed(sweep: _Sweep, y: str, dashed: str | None = None) -> tuple[L
     """Return a line for each speed; for two columns, the second dashed and without a label."""
     lines: list[Line] = []
     for look, speed in enumerate(sweep.speeds):
-        label = same("{:,.0f} rpm", float(speed))
+        label = same("{:.0f} rpm", float(speed))
         by = ("inner_speed", float(speed))
         lines.append(Line(y, look, label, by, dashed=False))
         if dashed is not None:
@@ -251,9 +251,7 @@ def _moments(sweep: _Sweep) -> Figure:
                 bool((np.diff(sweep.moment[:, loaded], axis=0) > 0.0).all()),
             ),
         ),
-        (
-            said("figure_5_14.size_is_drawn"),
-        ),
+        (said("figure_5_14.size_is_drawn"),),
     )
 
 

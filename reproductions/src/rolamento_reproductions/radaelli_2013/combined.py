@@ -597,9 +597,7 @@ def _table_5_4(found: dict[float, Round]) -> Table:
         source=source_of("table_5_4"),
         columns=columns,
         claims=(_strong_on_ring(found),),
-        notes=(
-            said("table_5_4.moment_is_measured"),
-        ),
+        notes=(said("table_5_4.moment_is_measured"),),
     )
 
 

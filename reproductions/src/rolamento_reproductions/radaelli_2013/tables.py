@@ -277,9 +277,7 @@ def _axial_example() -> Table:
         source=source_of("table_C2"),
         columns=_example_columns(given["rows"], computed, _C2_TITLES),
         claims=(_greatest_difference(given),),
-        notes=(
-            said("axial_example.loaded_angle_in"),
-        ),
+        notes=(said("axial_example.loaded_angle_in"),),
     )
 
 

@@ -179,9 +179,7 @@ def _spin_figure() -> Figure:
             _lines_of(found[0], values[0]),
             *_no_free_lunch(found),
         ),
-        notes=(
-            said("spin_figure.both_contact_angles"),
-        ),
+        notes=(said("spin_figure.both_contact_angles"),),
     )
 
 
