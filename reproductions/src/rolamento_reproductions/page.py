@@ -80,7 +80,7 @@ def index_page(
     page
         Ending of the page of misprints that it points to.
     """
-    opening = [Title(str(source.title)), *map(_statement, source.remarks)]
+    opening: list[Block] = [Title(str(source.title)), *map(_statement, source.remarks)]
     opening.append(Statement("\n".join(map(str, summary(sections)))))
     chapters = [Chapter(blocks=tuple(opening))]
     for place, section in enumerate(sections, start=1):
@@ -100,7 +100,7 @@ def index_page(
 def misprints_page(source: Source, errata: Errata, page: PageEnding = "html") -> Document:
     """Return the page of a publication's misprints, each with its derivation and its proof."""
     title = f"{said('misprints')}: {source.title}"
-    opening = (
+    opening: tuple[Block, ...] = (
         Title(title),
         *map(_statement, (errata.caption, _misprints_sentence(errata), *errata.remarks)),
         Links((Link(str(said("all")), f"index.{page}"),)),
@@ -165,7 +165,7 @@ def _framed(item: Figure | Table, endings: Sequence[Ending]) -> Chapter:
         shown = Picture(caption=str(item.caption), key=item.stem)
     else:
         shown = _grid(item)
-    blocks = [shown, Statement(str(said("inputs", source=item.source)), "faint")]
+    blocks: list[Block] = [shown, Statement(str(said("inputs", source=item.source)), "faint")]
     blocks.append(Links(tuple(links)))
     for heading, of_theory in (("stated", False), ("expected", True)):
         claims = [claim for claim in item.claims if claim.of_theory is of_theory]
