@@ -246,11 +246,11 @@ def _direction(c: Contact) -> Misprint:
     along = (c.ring * np.cos(c.angle))[:, None] * c.tangent
     beside = (c.ring * np.sin(c.angle))[:, None]
     return proven(
-        ("", said("direction.text_before_equation")),
+        ("", said("direction.place")),
         said("direction.what"),
         (
-            said("direction.e_e_cos"),
-            said("direction.e_e_cos.e_e_cos"),
+            said("direction.printed"),
+            said("direction.corrected"),
         ),
         said("direction.derivation"),
         Proof(along + beside * forward, along - beside * c.normal, c.ring_vector, np.abs(c.ring)),

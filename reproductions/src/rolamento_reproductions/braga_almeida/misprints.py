@@ -245,7 +245,7 @@ def radaelli_misprint() -> Misprint:
     printed = corrected.copy()
     printed[:, 2] = radius * cosine + local[:, 1] * sine + local[:, 2] * cosine
     return proven(
-        ("41", said("figure_41.radaelli_2013_equation")),
+        ("41", said("radaelli_misprint.place")),
         said("radaelli_misprint.what"),
         (
             formula("z = (d_m/2) cos ψ + y′ sin ψ + z′ cos ψ"),
@@ -273,11 +273,11 @@ def modulation_misprint() -> Misprint:
     of_frequency = np.cos(natural * phase + np.sin(passages * phase))
     by_fm, by_am = (np.abs(hilbert(signal, axis=-1)) for signal in (of_frequency, of_amplitude))
     return proven(
-        ("", said("modulation_misprint.conclusion")),
+        ("", said("modulation_misprint.place")),
         said("modulation_misprint.what"),
         (
-            said("modulation_misprint.vibration_modulated_in"),
-            said("modulation_misprint.modulated_in_amplitude"),
+            said("modulation_misprint.printed"),
+            said("modulation_misprint.corrected"),
         ),
         said(
             "modulation_misprint.derivation",

@@ -66,13 +66,16 @@ def _by_measurement() -> Figure:
     columns = (
         Series("measurement", "", said("by_measurement.measurement"), number),
         *(
-            Series(f"bearing_{b}", "µm", said("by_measurement.bearing", b=b), measured_of(b))
+            Series(f"bearing_{b}", "µm", said("by_measurement.bearing", bearing=b), measured_of(b))
             for b in BEARINGS
         ),
     )
     lines = tuple(
         Line(
-            f"bearing_{b}", look, said("by_measurement.bearing.bearing", b=b), marked="measurement"
+            f"bearing_{b}",
+            look,
+            said("by_measurement.bearing.bearing", bearing=b),
+            marked="measurement",
         )
         for look, b in enumerate(BEARINGS)
     )

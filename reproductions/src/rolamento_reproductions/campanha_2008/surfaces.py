@@ -357,7 +357,7 @@ def _low() -> Claim:
         said("low.statement"),
         said(
             "low.finding",
-            text=said("low.and", *sorted(rejected)),
+            bearings=said("low.and", *sorted(rejected)),
         ),
         rejected == recorded,
     )

@@ -260,7 +260,7 @@ def _paper_lines(printed: str, line: WeibullFit, whole: Tested) -> tuple[Line, .
             1,
             said(
                 "paper_lines.as_printed_l",
-                text=same("{:.1f}", float(printed)),
+                life=same("{:.1f}", float(printed)),
                 shape=line.shape,
             ),
         ),

@@ -240,7 +240,7 @@ def _caption_of_loads(given: dict[str, Any], extra: Text | None = None) -> Text:
         inner_speed_rpm=given["inner_speed_rpm"],
         axial_load_kn=given["axial_load_kN"],
         radial_load_kn=given["radial_load_kN"],
-        value=extra or same(""),
+        extra=extra or same(""),
     )
 
 

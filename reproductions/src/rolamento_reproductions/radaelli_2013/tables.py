@@ -82,7 +82,7 @@ def _radial_table() -> Table:
     numbered = tuple(
         same(f"{j + 1}")
         if j in (0, count // 2)
-        else said("radial_table.and", j=j + 1, count=count + 1 - j)
+        else said("radial_table.and", first=j + 1, second=count + 1 - j)
         for j in range(len(rows))
     )
     return Table(
@@ -91,7 +91,7 @@ def _radial_table() -> Table:
             "radial_table.caption",
             inner_speed_rpm=given["inner_speed_rpm"],
             radial_load_kn=given["radial_load_kN"],
-            text=same("{:.4f}", float(given["radial_displacement_mm"])),
+            printed=same("{:.4f}", float(given["radial_displacement_mm"])),
             z=float(solved.displacement.z[0]) / MILLI,
         ),
         source=source_of("table_5_3"),

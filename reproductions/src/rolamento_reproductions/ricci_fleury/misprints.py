@@ -114,7 +114,7 @@ def _curvature() -> Misprint:
     truth = np.stack([contact.semi_major, contact.semi_minor, contact.deflection], axis=-1)
     modulus = 2.0 / (first + second)
     return proven(
-        ("10", said("figure_10.equations_10_to")),
+        ("10", said("equations_10_to_12")),
         said("curvature.what"),
         (
             said("curvature.r_c_sum"),
@@ -140,7 +140,7 @@ def _modulus() -> Misprint:
     e = complete(1.0 / contact.ellipticity**2)[1]
     truth = 6.0 * contact.ellipticity**2 * e * c.load * radius / (np.pi * contact.semi_major**3)
     return proven(
-        ("13", said("figure_13.equation", value="13")),
+        ("13", said("equation", number="13")),
         said("modulus.what"),
         (
             formula("E′ = 2/[1 − ν_a²/E_a + (1 − ν_b²)/E_b]"),
@@ -169,7 +169,7 @@ def _arc_centre() -> Misprint:
 
     sagitta = 0.5 * c.semi_major**2 / c.arc
     return proven(
-        ("16", said("figure_16.equations_16_and")),
+        ("16", said("equations_16_and_17")),
         said("arc_centre.what"),
         (
             said("arc_centre.with_r_e"),
@@ -198,7 +198,7 @@ def _inner_line() -> Misprint:
     x, z, slip, size = _line_terms(-1.0)
     ball_x, ball_z = c.ball[:, 0], -c.ball[:, 2]
     return proven(
-        ("19", said("figure_19.equation", value="19")),
+        ("19", said("equation", number="19")),
         said("inner_line.what"),
         (
             formula("ω_1 (e − z′) + ω_z x′ + ω_x z′ = 0"),
