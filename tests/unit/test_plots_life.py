@@ -392,7 +392,9 @@ def test_under_axial_load_there_is_no_clearance_to_tell(case: Case) -> None:
 
 def test_a_load_zone_is_that_of_radial_contact(bearing_218: Bearing, case: Case) -> None:
     angular = case.replace(bearing=bearing_218, duty=Duty(inner_speed=50.0, load=Load(fx=5e3)))
-    with pytest.raises(InputError, match="needs a single bearing of radial contact"):
+    with pytest.raises(
+        InputError, match="needs a single radial-contact bearing given by its clearance"
+    ):
         lives_over_zone(solve(angular))
 
 
