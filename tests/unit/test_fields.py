@@ -12,9 +12,11 @@ import pytest
 
 from rolamento import Case, InputError, Load, UnitError, UnknownKeyError, load_case, override
 from rolamento.case.fields import Field
+from rolamento.case.labels import LABELS
 from rolamento.case.quantity import Quantity
 from rolamento.case.varied import bounded, varied_arrays
 from rolamento.units import SI_UNIT
+from rolamento.words import languages, speaking
 
 FIELDS = Case.fields()
 NUMBERS = [name for name, field in FIELDS.items() if field.kind == "number"]
@@ -35,7 +37,7 @@ def test_what_is_told_of_a_field() -> None:
     load = FIELDS["duty.load.fz"]
     assert (load.leaf, load.kind, load.dimension) == ("fz", "number", "force")
     assert (load.unit, load.shown_unit, load.example) == ("N", "kN", '"15 kN"')
-    assert (load.label, load.long_name) == ("radial load Fz", "fz of load")
+    assert (load.label, load.long_name) == ("radial load Fz", "radial load Fz")
     assert load.rivals == ("duty.displacement.z",)
     assert load.limits == "at least -1e6 kN and at most 1e6 kN"
     assert load.varies
@@ -47,6 +49,16 @@ def test_what_is_told_of_a_field() -> None:
     assert FIELDS["bearing.ring_material"].kind == FIELDS["model.cage"].kind == "text"
     assert "duty.load" not in FIELDS
     assert "lubricant.viscosities.temperature" not in FIELDS
+
+
+def test_every_field_has_a_label_of_its_own_in_every_language() -> None:
+    for language in languages():
+        with speaking(language):
+            labels = {field.label: name for name, field in FIELDS.items()}
+        assert len(labels) == len(FIELDS)
+    assert set(LABELS) <= set(FIELDS)
+    parts = ("bearing.ring_", "bearing.ball_", "mounting.shaft_", "mounting.housing_", "life.tall")
+    assert all(name in LABELS or name.startswith(parts) for name in FIELDS)
 
 
 def test_every_field_has_a_meaning_and_an_example() -> None:
@@ -153,15 +165,15 @@ def test_balls_go_on_following_the_rings() -> None:
 @pytest.mark.parametrize(
     ("values", "message"),
     [
-        ({"duty.load.fq": 1.0}, "duty.load.fq: is not a known key"),
+        ({"duty.load.fq": 1.0}, "duty.load.fq: is an unknown key"),
         ({"duty.load": 3.0}, "is a table; set one of its fields: fx"),
         ({"duty.load.fz": float("nan")}, "must be a finite number"),
-        ({"duty.load.fz": [1.0, 2.0]}, "must be one value"),
+        ({"duty.load.fz": [1.0, 2.0]}, "must be a single value, not a table or a list"),
         ({"duty.load.fz": "3 mm"}, "not a unit of force"),
-        ({"duty.load.fz": 1.0, "duty.displacement.z": 0.0}, "not both"),
+        ({"duty.load.fz": 1.0, "duty.displacement.z": 0.0}, "a load or a displacement"),
         ({"bearing": None}, "bearing: is missing"),
         ({"bearing.rows": 3}, "is a list"),
-        ({"bearing.ball_material": "wood"}, "is not a known material"),
+        ({"bearing.ball_material": "wood"}, "is an unknown name"),
         ({"bearing.ball_material.density": "3 mm"}, "not a unit of density"),
         ({"title": 3}, "must be text"),
     ],
@@ -213,7 +225,7 @@ def test_values_stay_and_bounds_are_put_on_them_afterwards() -> None:
     ("values", "kind", "message"),
     [
         ({"inner_speed": ["100 mm"]}, UnitError, "duty.inner_speed.*not a unit of angular speed"),
-        ({"inner_speed": ["100"]}, UnitError, "needs its unit"),
+        ({"inner_speed": ["100"]}, UnitError, "needs a unit"),
         ({"life.contamination": "0.5"}, InputError, "must be a number"),
         ({"fz": True}, InputError, "must be numbers"),
         ({"fz": [1j]}, InputError, "must be numbers"),
@@ -222,12 +234,16 @@ def test_values_stay_and_bounds_are_put_on_them_afterwards() -> None:
         ({"fz": [[1.0], [2.0]]}, InputError, "one-dimensional"),
         ({"fz": {1.0, 2.0}}, InputError, "must be a number"),
         ({"fz": [1.0, 10**400]}, InputError, "finite number"),
-        ({"bearing.ball_count": [16]}, UnknownKeyError, "is not known"),
-        ({3: 1.0}, UnknownKeyError, "is not known"),
-        (pd.Series([1.0]), InputError, "values by the names of fields"),
-        ([1.0], InputError, "values by the names of fields"),
+        ({"bearing.ball_count": [16]}, UnknownKeyError, "is not a field that can vary"),
+        ({3: 1.0}, UnknownKeyError, "is not a field that can vary"),
+        (
+            pd.Series([1.0]),
+            InputError,
+            "must be values by field names, or a table whose columns are",
+        ),
+        ([1.0], InputError, "must be values by field names, or a table whose columns are"),
         (pd.DataFrame([[1.0, 2.0]], columns=["fz", "fz"]), InputError, "given twice"),
-        ({"x": 0.0, "fx": 1.0}, InputError, "given beside duty.displacement.x"),
+        ({"x": 0.0, "fx": 1.0}, InputError, "cannot be combined with duty.displacement.x"),
     ],
 )
 def test_what_stands_for_none_is_refused(values: Any, kind: type[InputError], message: str) -> None:

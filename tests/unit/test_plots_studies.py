@@ -25,7 +25,7 @@ from rolamento.plots.sweep import (
     study_scatter,
     telling_kind,
 )
-from rolamento.plots.words import PORTUGUESE
+from rolamento.words import speaking
 
 FLAGS = {
     "flag_values": np.array([0, 1, 2], dtype=np.int8),
@@ -189,7 +189,7 @@ def test_values_in_steady_ratios_get_a_logarithmic_axis() -> None:
         ("max_iner_max_pressure", "", "did you mean max_inner_max_pressure?"),
         ("status", "", 'variable = "status": is not in the study'),
         ("fx", "", "is not in the study; did you mean x?"),
-        ("torque", "", "known here: x, max_inner_max_pressure, inner_load"),
+        ("torque", "", "known: x, max_inner_max_pressure, inner_load"),
         ("x", "fz", "is not an axis of x; it has fx, inner_speed"),
         ("inner_load", "", "varies along fx, inner_speed, ball; a figure shows one or two axes"),
     ],
@@ -358,7 +358,8 @@ def test_samples_without_any_result_are_an_empty_frame(draw: Any) -> None:
     study = scatter()
     study["status"][:] = 2
     assert "overloaded" in texts(draw(study))
-    assert "sobrecarga" in texts(draw(study, words=PORTUGUESE))
+    with speaking("pt"):
+        assert "sobrecarga" in texts(draw(study))
 
 
 def test_not_a_number_counts_without_a_status() -> None:
@@ -386,24 +387,23 @@ def test_huge_studies_are_refused() -> None:
 
 def test_an_axis_that_is_not_a_number_is_refused() -> None:
     study = sweep().assign_coords(fx=("fx", [np.nan, 1.0, 2.0, 3.0, 4.0, 5.0]))
-    with pytest.raises(InputError, match="fx: holds what is not a number"):
+    with pytest.raises(InputError, match="fx: contains something that is not a number"):
         study_lines(study, "x")
 
 
 def test_portuguese_studies(tmp_path: Path) -> None:
-    axes = study_lines(sweep(failed=((1, 1),)), "x", words=PORTUGUESE)
+    with speaking("pt"):
+        axes = study_lines(sweep(failed=((1, 1),)), "x")
+        samples = study_histogram(scatter())
+        scattered = study_scatter(scatter())
+        matrix = study_lines(sweep().rename(x="stiffness_xry"), "stiffness_xry")
     assert axes.get_xlabel() == "Carga axial Fx (kN)"
     assert axes.get_ylabel() == "Deslocamento axial x (µm)"
     assert axes.get_legend().get_title().get_text() == "Rotação do anel interno (rpm)"
     assert "sem resultado: 1 de 18" in labels(axes)
-    samples = study_histogram(scatter(), words=PORTUGUESE)
     assert samples.get_ylabel() == "Parcela das amostras (%)"
-    scattered = study_scatter(scatter(), words=PORTUGUESE)
     assert scattered.get_xlabel() == "Folga diametral (µm)"
-    matrix = sweep().rename(x="stiffness_xry")
-    assert study_lines(matrix, "stiffness_xry", words=PORTUGUESE).get_ylabel() == (
-        "Rigidez x–ry (µm)"  # the unit is what the file says
-    )
+    assert matrix.get_ylabel() == "Rigidez x–ry (µm)"  # the unit is what the file says
 
 
 @pytest.mark.parametrize("name", ["map.png", "map.svg", "map.pdf"])

@@ -229,6 +229,7 @@ class _Setter:
             return []
         lines: Lines = []
         for heading, part in broken(block, lambda table: self._fits(table, width)):
+            part = self._closer(part, width)
             table = self._set_columns(part)
             bars = len(part.columns) < len(shown(block)) or not block.breaks
             table = self._with_bars(table, part, width) if bars else table
@@ -236,6 +237,12 @@ class _Setter:
             lines += [self._text(heading, _HEADING)] if heading else []
             lines += self._assembled(table, part, width)
         return lines
+
+    def _closer(self, block: Table, width: int) -> Table:
+        """Set the columns closer to each other, and to the margin, where there is no room."""
+        if not self._fits(block, width):
+            block = replace(block, gap=1)
+        return block if self._fits(block, width) else replace(block, indent=0)
 
     def _fits(self, block: Table, width: int) -> bool:
         return _width(self._set_columns(block), block) <= width

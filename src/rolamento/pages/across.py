@@ -59,4 +59,8 @@ def setting_text(setting: str) -> str:
 
     name, equals, value = setting.partition("=")
     field = Case.fields().get(name.strip())
-    return f"{field.label} = {value.strip()}" if equals and field is not None else setting
+    return (
+        f"{field.label} = {manner().localised(value.strip())}"
+        if equals and field is not None
+        else setting
+    )

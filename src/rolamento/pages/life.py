@@ -14,7 +14,6 @@ from rolamento.document import (
     Bar,
     Bars,
     Block,
-    Break,
     CellContent,
     Column,
     Document,
@@ -35,7 +34,7 @@ from rolamento.life.record import BOUNDS, OUTSIDE
 from rolamento.life.theories import THEORIES
 from rolamento.pages.given import head, untitled
 from rolamento.pages.state import notes_section
-from rolamento.words import Note, manner, said
+from rolamento.words import ABSENT, Note, manner, said
 from rolamento.words.theories import theory_life, theory_name, theory_scope
 
 if TYPE_CHECKING:
@@ -78,8 +77,9 @@ _FACTORS: Final = (
     ("κ", "viscosity_ratio"),
     ("e_C", "contamination_factor"),
 )
-"""Of the table: heading, and name in the engine. The last two are no factors of the life."""
-_CONDITIONS: Final = 2
+"""Of the table: heading, and name in the engine."""
+_CONDITIONS: Final = ("viscosity_ratio", "contamination_factor")
+"""No factors of the life, and the same for all theories: they stand below the table."""
 _CHOSEN: Final = "▸"
 _KILO: Final = 1e3
 _WORTH: Final = 1.05
@@ -147,6 +147,8 @@ def _charts(summary: LifeSummary) -> Iterator[Figure]:
 
 def percent(share: float) -> str:
     """Write a share or a reliability that was found, with three figures; nearly all is not all."""
+    if isnan(share):
+        return ABSENT
     if _NEARLY_ALL <= share < 1.0:
         return said("more than {value:.3 %}", value=0.999)
     if 0.0 < share < 2.0 * _HARDLY_ANY:
@@ -520,26 +522,18 @@ def theories_section(summary: LifeSummary) -> Section:
         *_factor_columns(lives, tones),
     ]
     judged = [(bool(life.valid[0]), bool(life.below[0])) for life in lives]
-    columns.insert(
-        len(columns) - _known_conditions(lives),
+    columns.append(
         Column(
             head=said("valid"),
             values=[verdict(*one) for one in judged],
             key="valid",
             tones=[theory_tone(*one) for one in judged],
-        ),
+        )
     )
-    breaks = (Break(len(columns) - _known_conditions(lives), ""),)
-    table = Table(
-        columns=tuple(columns),
-        key="theories",
-        fixed=2,
-        breaks=breaks if _known_conditions(lives) else (),
-        units="behind",
-        indent=0,
-    )
+    table = Table(columns=tuple(columns), key="theories", fixed=2, units="behind", indent=0)
     legend = Statement(_legend(lives, chosen is not None), "faint", indent=2)
-    return Section(said("Life by theory"), (table, legend), key="theories")
+    blocks = (table, *_conditions(summary), legend)
+    return Section(said("Life by theory"), blocks, key="theories")
 
 
 def life_columns(
@@ -566,23 +560,42 @@ def life_columns(
     )
 
 
-def _known_conditions(lives: Sequence[Life]) -> int:
-    """Count the columns of κ and e_C."""
-    return sum(any(name in life.factors for life in lives) for _, name in _FACTORS[-_CONDITIONS:])
-
-
 def _factor_columns(lives: Sequence[Life], tones: Sequence[Tone]) -> Iterator[Column]:
     for symbol, name in _FACTORS:
         if any(name in life.factors for life in lives):
             values: list[CellContent] = [
                 float(life.factors[name][0]) if name in life.factors else None for life in lives
             ]
-            yield Column(head=symbol, values=values, form=FACTOR, key=name, tones=tones)
+            yield Column(
+                head=symbol,
+                values=values,
+                form=FACTOR,
+                key=name,
+                tones=tones,
+                only_in_files=name in _CONDITIONS,
+            )
+
+
+def _conditions(summary: LifeSummary) -> list[Block]:
+    """Write κ and e_C, which no theory has otherwise than the others."""
+    ratio, clean = summary.viscosity_ratio, summary.contamination_factor
+    if ratio is not None and clean is not None:
+        values = {"kappa": float(ratio[0]), "clean": float(clean[0])}
+        text = said(
+            "viscosity ratio κ = {kappa:.3}, contamination factor e_C = {clean:.3}", **values
+        )
+    elif ratio is not None:
+        text = said("viscosity ratio κ = {kappa:.3}", kappa=float(ratio[0]))
+    elif clean is not None:
+        text = said("contamination factor e_C = {clean:.3}", clean=float(clean[0]))
+    else:
+        return []
+    return [Statement(text, indent=2)]
 
 
 def _legend(lives: Sequence[Life], leads: bool) -> str:
     reliability = said("for {reliability:.7 %} reliability", reliability=lives[0].reliability)
-    parts = [reliability, said("κ viscosity ratio"), said("e_C contamination factor")]
+    parts = [reliability]
     if any(life.below[0] for life in lives):
         parts.append(said("bound: the life is below the number"))
     if leads:
