@@ -9,8 +9,8 @@ import typer
 import rolamento
 from rolamento.cli.common import SOLVED, plain_endings
 from rolamento.cli.options import JsonOption, LanguageOption, SeedOption, SettingsOption
-from rolamento.cli.outputs import check_outputs
-from rolamento.cli.streams import STANDARD_STREAM, put_json, show
+from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
+from rolamento.cli.streams import put_json
 
 if TYPE_CHECKING:
     from rolamento.clearance import ClearanceSamples
@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 _SCHEMA: Final = 2
 
 
+@with_outputs
 def clearance(
     case: Annotated[
         str,
@@ -33,6 +34,7 @@ def clearance(
     ] = None,
     seed: SeedOption = 0,
     json: JsonOption = None,
+    outputs: Outputs = NOWHERE,
     settings: SettingsOption = None,
     lang: LanguageOption = None,
 ) -> None:
@@ -41,7 +43,7 @@ def clearance(
     After fits, temperatures, speed and wear, step by step.
     """
     with plain_endings(lang):
-        check_outputs({"--json": json}, case)
+        outputs.check({"--json": json}, case)
         loaded = rolamento.load_case(case, settings or ())
         from rolamento.clearance import clearance_of_case
 
@@ -50,10 +52,9 @@ def clearance(
         if json is not None:
             scatter = {} if drawn is None else {"samples": drawn.to_mapping()}
             put_json({"schema": _SCHEMA, **found.to_mapping(), **scatter}, json)
-        if json != STANDARD_STREAM:
-            from rolamento.pages.clearance import clearance_page
+        from rolamento.pages.clearance import clearance_page
 
-            show(clearance_page(found, drawn))
+        outputs.show(lambda: clearance_page(found, drawn), json)
     raise typer.Exit(SOLVED)
 
 

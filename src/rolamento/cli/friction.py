@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from typing import TYPE_CHECKING, Annotated, Any, Final
 
 import typer
@@ -13,6 +12,7 @@ from rolamento.cli.common import (
     SOLVED,
     Language,
     complain_of,
+    complain_of_points,
     plain_endings,
 )
 from rolamento.cli.options import (
@@ -20,9 +20,8 @@ from rolamento.cli.options import (
     JsonOption,
     LanguageOption,
     SettingsOption,
-    csv_option,
 )
-from rolamento.cli.outputs import check_outputs
+from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
 from rolamento.cli.over_field import (
     POINTS,
     CurvesPlotOption,
@@ -30,9 +29,8 @@ from rolamento.cli.over_field import (
     PointsOption,
     VariantsOption,
     check_variants,
-    show_curves,
 )
-from rolamento.cli.streams import STANDARD_STREAM, put_json, show
+from rolamento.cli.streams import STANDARD_STREAM, put_json
 from rolamento.cli.waiting import waiting
 from rolamento.errors import InputError
 from rolamento.words import said
@@ -48,6 +46,7 @@ __all__ = ["friction"]
 _HYSTERESIS: Final = 0.01
 
 
+@with_outputs
 def friction(
     case: CaseArgument,
     over: Annotated[
@@ -72,8 +71,8 @@ def friction(
         ),
     ] = _HYSTERESIS,
     json: JsonOption = None,
-    csv: Annotated[str | None, csv_option("With --over: write the points")] = None,
     plot: CurvesPlotOption = None,
+    outputs: Outputs = NOWHERE,
     settings: SettingsOption = None,
     lang: LanguageOption = None,
 ) -> None:
@@ -82,30 +81,24 @@ def friction(
     Of a case, or over one of its fields; says which of the models are valid.
     """
     with plain_endings(lang):
-        _check(case, over, json, csv, plot, variants or [])
+        _check(over, plot, variants or [])
+        outputs.check({"--json": json, "--plot": plot}, case)
         _check_share("--hysteresis", hysteresis)
         _check_share("--coefficient", coefficient)
         loaded = rolamento.load_case(case, settings or ())
         chosen = _with_coefficient(loaded, coefficient)
         if over is None:
-            solved = _one(chosen, hysteresis, json, lang)
+            solved = _one(chosen, hysteresis, json, outputs, lang)
         else:
             curves = _curves(chosen, over, points, log, variants or [], hysteresis, lang)
-            solved = _show_curves(curves, (json, csv, plot), lang)
+            solved = _show_curves(curves, json, plot, outputs, lang)
     raise typer.Exit(SOLVED if solved else NO_RESULT)
 
 
-def _check(
-    case: str,
-    over: str | None,
-    json: str | None,
-    csv: str | None,
-    plot: str | None,
-    variants: list[str],
-) -> None:
+def _check(over: str | None, plot: str | None, variants: list[str]) -> None:
     """Refuse what does not go together, before any work."""
     if over is None:
-        for name, given in (("--csv", csv), ("--plot", plot), ("--variant", variants or None)):
+        for name, given in (("--plot", plot), ("--variant", variants or None)):
             if given is not None:
                 raise InputError(
                     said("needs --over"),
@@ -114,7 +107,6 @@ def _check(
                     example="--over duty.load.fx=10..200N",
                 )
     check_variants(variants)
-    check_outputs({"--json": json, "--csv": csv, "--plot": plot}, case)
 
 
 def _check_share(name: str, value: float | None) -> None:
@@ -134,7 +126,13 @@ def _with_coefficient(case: rolamento.Case, coefficient: float | None) -> rolame
     return case.replace(lubricant=case.lubricant.replace(friction_coefficient=coefficient))
 
 
-def _one(case: rolamento.Case, hysteresis: float, json: str | None, lang: Language | None) -> bool:
+def _one(
+    case: rolamento.Case,
+    hysteresis: float,
+    json: str | None,
+    outputs: Outputs,
+    lang: Language | None,
+) -> bool:
     """Show the friction of the case itself; tell whether it has a result."""
     from rolamento.analysis import analyse
 
@@ -148,11 +146,10 @@ def _one(case: rolamento.Case, hysteresis: float, json: str | None, lang: Langua
     converged = bool(analysis.solved.converged[0])
     if json is not None:
         put_json(_mapping(analysis), json)
-    if json != STANDARD_STREAM:
-        from rolamento.pages.friction import friction_page
+    from rolamento.pages.friction import friction_page
 
-        show(friction_page(analysis))
-    elif not converged:
+    outputs.show(lambda: friction_page(analysis), json)
+    if STANDARD_STREAM in (json, outputs.csv) and not converged:
         complain_of(analysis.solved, lang)
     return converged
 
@@ -187,24 +184,24 @@ def _curves(
 
 def _show_curves(
     curves: Sequence[FrictionCurve],
-    outputs: tuple[str | None, str | None, str | None],
+    json: str | None,
+    plot: str | None,
+    outputs: Outputs,
     lang: Language | None,
 ) -> bool:
     """Show friction over a field; tell whether every point has a result."""
-    from rolamento._json import dumps
-    from rolamento.document import Medium
-    from rolamento.document.tables import to_csv
-    from rolamento.document.terminal import terminal
     from rolamento.pages.friction_over import friction_over_page
-    from rolamento.plots.friction import friction_figure
     from rolamento.studies.friction_curves import curves_mapping
 
-    return show_curves(
-        curves,
-        json_text=lambda shown: dumps(curves_mapping(shown), indent=2),
-        csv_text=lambda shown: to_csv(friction_over_page(shown)),
-        page_text=lambda shown: terminal(friction_over_page(shown), Medium.of(sys.stdout)),
-        figure=friction_figure,
-        outputs=outputs,
-        lang=lang,
-    )
+    if json is not None:
+        put_json(curves_mapping(curves), json)
+    if plot is not None:
+        from rolamento.plots.friction import friction_figure
+        from rolamento.plots.saving import save_figure
+
+        save_figure(friction_figure(curves), plot)
+    outputs.show(lambda: friction_over_page(curves), json)
+    failed = next((curve.status for curve in curves if not curve.converged), None)
+    if failed is not None and STANDARD_STREAM in (json, outputs.csv):
+        complain_of_points(failed[failed != "converged"], len(failed), lang)
+    return failed is None
