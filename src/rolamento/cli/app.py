@@ -61,7 +61,7 @@ COMMANDS: Final[Groups] = {
     "Vibration": ("frequencies", "diagnose", "synthesise", "anderon"),
     "Catalogue and clearance": ("catalogue", "clearance"),
     "Studies and figures": ("sweep", "tolerance", "plot"),
-    "Proofs": ("verify", "reproduce"),
+    "Verification": ("verify", "reproduce"),
 }
 """What a person wants, and the commands for it: in the help, the front pages and the guide."""
 
@@ -74,7 +74,8 @@ class Program(GroupedCommands):
 
 app = typer.Typer(
     cls=Program,
-    epilog="Exit codes: 0 done, 1 no result or a failed check (which is printed), 2 wrong input.",
+    epilog="Exit codes: 0 done, 1 no result or a failed check (the reason is "
+    "printed), 2 wrong input.",
     add_completion=False,
     no_args_is_help=True,
     pretty_exceptions_enable=False,
@@ -109,7 +110,7 @@ def rolamento_command(
     ] = False,
     lang: LanguageOption = None,
 ) -> None:
-    """Ball bearing analysis: what happens inside, and what follows from it.
+    """Ball bearing analysis: internal state, and what follows from it.
 
     To begin: rolamento demo. Options: rolamento COMMAND --help.
     """
@@ -142,9 +143,9 @@ def demo(
     ] = None,
     lang: LanguageOption = None,
 ) -> None:
-    """Solve the shipped example, and say what to try next.
+    """Solve the shipped example, and suggest what to try next.
 
-    It is a 218 angular-contact bearing at 10 000 rpm under combined load.
+    A 218 angular-contact bearing at 10 000 rpm under combined load.
     """
     from rolamento.tasks.demonstration import example_case, write_example
 

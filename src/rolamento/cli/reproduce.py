@@ -33,13 +33,13 @@ def reproduce(
         str | None,
         typer.Argument(
             metavar="NAME",
-            help="What to reproduce, such as radaelli-2013; without it, what there is.",
+            help="Publication, such as radaelli-2013; without it, the list of them.",
         ),
     ] = None,
     output: Annotated[
         str | None,
         typer.Option(
-            "--output", metavar="FOLDER", help="Where to write; a folder of that name by default."
+            "--output", metavar="FOLDER", help="Folder to write to; by default one of that name."
         ),
     ] = None,
     pictures: Annotated[
@@ -47,7 +47,7 @@ def reproduce(
     ] = Pictures.both,
     lang: LanguageOption = None,
 ) -> None:
-    """Write every figure and table of a publication anew.
+    """Reproduce every figure and table of a publication.
 
     Computed by this program, with an index page.
     """

@@ -34,7 +34,7 @@ class Listed(StrEnum):
 def sweep(
     study: Annotated[
         str | None,
-        typer.Argument(metavar="STUDY", help="Study file (TOML or JSON); - is standard input."),
+        typer.Argument(metavar="STUDY", help="Study file (TOML or JSON); - for standard input."),
     ] = None,
     output: Annotated[
         str | None,
@@ -48,7 +48,13 @@ def sweep(
     settings: SettingsOption = None,
     threads: Annotated[
         int | None,
-        typer.Option("--threads", metavar="N", min=1, max=1024, help="By default all processors."),
+        typer.Option(
+            "--threads",
+            metavar="N",
+            min=1,
+            max=1024,
+            help="Number of threads; by default one per processor.",
+        ),
     ] = None,
     scheduler: Annotated[
         str | None,
@@ -59,11 +65,11 @@ def sweep(
         ),
     ] = None,
     restart: Annotated[
-        bool, typer.Option("--restart", help="Begin anew, whatever an earlier run has kept.")
+        bool, typer.Option("--restart", help="Start over, discarding what an earlier run has kept.")
     ] = False,
     listed: Annotated[
         Listed | None,
-        typer.Option("--list", help="Show which fields may vary, or which outputs there are."),
+        typer.Option("--list", help="List the fields that may vary, or the outputs."),
     ] = None,
     lang: LanguageOption = None,
 ) -> None:

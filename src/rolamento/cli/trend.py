@@ -35,7 +35,8 @@ def trend(
         str | None,
         typer.Argument(
             metavar="DATA.csv",
-            help="Columns of time, bearing and quantities, units in brackets; - is standard input.",
+            help="Columns of time, bearing and quantities, units in brackets; - for "
+            "standard input.",
         ),
     ] = None,
     example: Annotated[
@@ -55,7 +56,7 @@ def trend(
     bearing_column: Annotated[
         str | None,
         typer.Option(
-            "--bearing-column", metavar="COLUMN", help="Column that names the bearing, if another."
+            "--bearing-column", metavar="COLUMN", help="Column of the bearings, if named otherwise."
         ),
     ] = None,
     decimal_mark: DecimalMarkOption = None,
@@ -63,9 +64,9 @@ def trend(
     json: Annotated[str | None, json_option("Write everything as JSON")] = None,
     lang: LanguageOption = None,
 ) -> None:
-    """Show what grew while bearings ran: clearance, noise.
+    """Show what changed in operation: clearance, noise.
 
-    A law of wear is fitted to a clearance.
+    A wear law is fitted to the clearance.
     """
     with plain_endings(lang):
         data, json = data_and_json(data, example, json)
