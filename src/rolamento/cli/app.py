@@ -49,7 +49,6 @@ from rolamento.cli.verify import verify
 from rolamento.cli.waiting import waiting
 from rolamento.cli.weibull import WeibullCommand, weibull
 from rolamento.cli.weibull_plan import app as weibull_plan_app
-from rolamento.report.language import Words
 
 if TYPE_CHECKING:
     from rolamento.report.language import Words

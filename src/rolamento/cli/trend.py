@@ -7,12 +7,11 @@ from typing import TYPE_CHECKING, Annotated, Any, Final
 
 import typer
 
-from rolamento._json import dumps
 from rolamento.cli.common import SOLVED, plain_endings
 from rolamento.cli.options import LanguageOption, PlotOption, json_option
 from rolamento.cli.outputs import check_outputs
 from rolamento.cli.shipped_data import check_one_given, data_and_json, known_example
-from rolamento.cli.streams import STANDARD_STREAM, print_text, put
+from rolamento.cli.streams import STANDARD_STREAM, print_text, put_json
 from rolamento.cli.table_options import DecimalMarkOption, TimeColumnOption, told_in_options
 from rolamento.errors import InputError
 from rolamento.words import marked, said
@@ -97,7 +96,7 @@ def trend(
 
             save_figure(trend_figure(found.trend, found.fits), plot)
         if json is not None:
-            put(dumps(found.to_mapping(), indent=2) + "\n", json)
+            put_json(found.to_mapping(), json)
         if json != STANDARD_STREAM:
             print_text(terminal(trend_page(found), Medium.of(sys.stdout)))
     raise typer.Exit(SOLVED)

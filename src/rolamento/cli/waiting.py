@@ -13,7 +13,6 @@ from threading import Timer
 from typing import TYPE_CHECKING, Final
 
 from rolamento.cli.common import Language, words_of
-from rolamento.document.medium import Medium
 
 if TYPE_CHECKING:
     from rich.status import Status
@@ -68,6 +67,8 @@ def progress_of(text: str, after: float = PATIENCE_AT_WORK) -> Iterator[Progress
     from rich.progress import Progress as Bar
 
     console = Console(stderr=True, highlight=False)
+    from rolamento.document.medium import Medium
+
     line = Medium.of(sys.stderr).fitted(text)
     if console.is_dumb_terminal:  # where a bar cannot move
         timer = Timer(after, console.print, [line])
@@ -99,6 +100,8 @@ def _is_terminal() -> bool:
 
 def _started(text: str) -> Status:
     from rich.console import Console
+
+    from rolamento.document.medium import Medium
 
     medium = Medium.of(sys.stderr)
     console = Console(stderr=True, highlight=False)

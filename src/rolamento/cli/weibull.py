@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Final, cast
 
 import typer
 
-from rolamento._json import dumps
 from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
@@ -20,7 +19,7 @@ from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.options import LanguageOption, SeedOption, json_option, plot_option
 from rolamento.cli.outputs import check_outputs
 from rolamento.cli.shipped_data import check_one_given, data_and_json, known_example
-from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
+from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put_json
 from rolamento.cli.table_options import (
     DecimalMarkOption,
     StatusColumnOption,
@@ -286,7 +285,7 @@ def _write_example(data: str | None, example: str | None, path: str) -> str:
 def _show(found: LifeTestSummary, json: str | None) -> None:
     """Write what was asked for; standard output takes data or the page, not both."""
     if json is not None:
-        put(dumps(found.to_mapping(), indent=2) + "\n", json)
+        put_json(found.to_mapping(), json)
     if json != STANDARD_STREAM:
         from rolamento.document.medium import Medium
         from rolamento.document.terminal import terminal

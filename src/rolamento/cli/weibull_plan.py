@@ -7,7 +7,6 @@ from typing import Annotated, Final
 
 import typer
 
-from rolamento._json import dumps
 from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
@@ -17,7 +16,7 @@ from rolamento.cli.grouped_help import GroupedCommands
 from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.options import LanguageOption, PlotOption, SeedOption, json_option
 from rolamento.cli.outputs import check_outputs
-from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
+from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put_json
 from rolamento.cli.table_options import told_in_options
 from rolamento.errors import InputError
 from rolamento.words import said
@@ -113,7 +112,7 @@ def demonstration(
 
             save_figure(chance_figure([found.plan, *found.beside], found.unit), plot)
         if json is not None:
-            put(dumps(found.to_mapping(), indent=2) + "\n", json)
+            put_json(found.to_mapping(), json)
         if json != STANDARD_STREAM:
             print_text(terminal(demonstration_page(found), Medium.of(sys.stdout)))
         elif not found.plan.planned:
@@ -207,7 +206,7 @@ def precision(
                 progress=progress,
             )
         if json is not None:
-            put(dumps(found.to_mapping(), indent=2) + "\n", json)
+            put_json(found.to_mapping(), json)
         if plot is not None:
             from rolamento.plots.saving import save_figure
             from rolamento.plots.weibull_plan import cost_figure
