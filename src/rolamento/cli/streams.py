@@ -10,7 +10,7 @@ from contextlib import suppress
 from typing import TYPE_CHECKING, Any, Final, TextIO
 
 from rolamento._writing import write_text
-from rolamento.errors import FileError, printable
+from rolamento.errors import FileError, cause, printable
 from rolamento.words import said
 
 if TYPE_CHECKING:
@@ -97,7 +97,8 @@ def end_of_output(error: OSError) -> None:
     if sys.stdout is not None:
         _silence(sys.stdout)
     if not isinstance(error, BrokenPipeError):
-        complain(f"{_STANDARD_OUTPUT}: cannot be written: {(error.strerror or str(error)).lower()}")
+        rule = said("cannot be written: {reason}", reason=cause(error))
+        complain(str(FileError(rule, source=_STANDARD_OUTPUT)))
 
 
 def _encoded(text: str, stream: TextIO) -> bytes:
@@ -124,8 +125,9 @@ def _write(stream: TextIO | None, content: Callable[[], bytes], name: str) -> No
         _silence(stream)
     except OSError as error:
         _silence(stream)
-        reason = (error.strerror or str(error)).lower()
-        raise FileError(said("cannot be written: {reason}", reason=reason), source=name) from None
+        raise FileError(
+            said("cannot be written: {reason}", reason=cause(error)), source=name
+        ) from None
 
 
 def _silence(stream: TextIO) -> None:

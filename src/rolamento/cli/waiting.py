@@ -12,7 +12,8 @@ from contextlib import contextmanager
 from threading import Timer
 from typing import TYPE_CHECKING, Final
 
-from rolamento.cli.common import Language, words_of
+from rolamento.cli.common import Language
+from rolamento.words import said
 
 if TYPE_CHECKING:
     from rich.status import Status
@@ -36,7 +37,8 @@ def waiting(
     if not _is_terminal():
         yield
         return
-    with told(words_of(lang).waiting if text is None else text, after):
+    kernels = said("Solving; compiling the kernels for this machine, once, takes about 20 s …")
+    with told(kernels if text is None else text, after):
         yield
 
 
