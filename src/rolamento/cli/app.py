@@ -106,6 +106,7 @@ def rolamento_command(
         bool,
         typer.Option("--version", help="Show the version.", callback=_print_version, is_eager=True),
     ] = False,
+    lang: LanguageOption = None,
 ) -> None:
     """Ball bearing analysis: what happens inside, and what follows from it.
 
@@ -134,7 +135,7 @@ def solve(
     raise typer.Exit(SOLVED if analysis.solved.converged[0] else NO_RESULT)
 
 
-@app.command()
+@app.command(cls=JsonCommand)
 def demo(
     write: Annotated[
         str | None,
@@ -179,10 +180,13 @@ def _show(
         complain_of(analysis.solved, lang)
 
 
-app.command(epilog="Examples: sweep study.toml -o result.nc; sweep --list fields.")(sweep)
 app.command(
+    cls=JsonCommand, epilog="Examples: sweep study.toml -o result.nc; sweep --list fields."
+)(sweep)
+app.command(
+    cls=JsonCommand,
     epilog="Examples: plot state.json --kind ellipses -o ellipses.pdf;"
-    " plot sweep.nc --variable stiffness_zz."
+    " plot sweep.nc --variable stiffness_zz.",
 )(plot)
 app.command(
     cls=JsonCommand,
@@ -231,7 +235,9 @@ app.command(
 )(trend)
 app.command(cls=JsonCommand, epilog="Example: turn case.toml --plot turn.png.")(turn)
 app.command(cls=JsonCommand, epilog="Example: tolerance scatter.nc --plot bands.png.")(tolerance)
-app.command(epilog="Example: reproduce radaelli-2013 --output radaelli --lang pt.")(reproduce)
+app.command(
+    cls=JsonCommand, epilog="Example: reproduce radaelli-2013 --output radaelli --lang pt."
+)(reproduce)
 app.command(cls=JsonCommand)(verify)
 app.add_typer(catalogue_app, name="catalogue")
 

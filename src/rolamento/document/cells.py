@@ -41,6 +41,8 @@ _AS_WIDE_AS_DIGIT: Final = "\u2007"
 _AS_WIDE_AS_MARK: Final = "\u2008"
 _LONGEST_LINE: Final = 40
 _BAR: Final = 16
+_MOST_WIDER: Final = 3
+"""Characters by which decimal marks in line may widen a column."""
 _INDEXED: Final = re.compile(
     r"(?<![\w./\\@-])([A-Za-zα-ωΑ-Ωµ])_([A-Za-z0-9]{1,4})(?!\w|[./\\@-]\w|_)"
 )
@@ -56,7 +58,7 @@ def cells(column: Column) -> list[str]:
     """Write the cells of a column: numbers with the same decimals.
 
     Numbers of their own form are padded on the right, so that their decimal marks fall below each
-    other where all characters are of one width.
+    other where all characters are of one width; not where that would take much room.
     """
     if column.form:
         values = [_formed(value, column.form) for value in column.values]
@@ -66,7 +68,7 @@ def cells(column: Column) -> list[str]:
     if any(isinstance(value, Number) for value in column.values):
         own = [not isinstance(value, str) for value in column.values]
         numbers = [text for text, numeric in zip(texts, own, strict=True) if numeric and text]
-        lined = iter(aligned(numbers, manner().mark))
+        lined = iter(_in_line(numbers))
         texts = [
             next(lined) if numeric and text else text
             for text, numeric in zip(texts, own, strict=True)
@@ -74,6 +76,12 @@ def cells(column: Column) -> list[str]:
     if column.once:
         texts = ["" if row and text == texts[row - 1] else text for row, text in enumerate(texts)]
     return [_centred_dash(text, texts) for text in texts] if is_numeric(column) else texts
+
+
+def _in_line(texts: Sequence[str]) -> Sequence[str]:
+    lined = aligned(texts, manner().mark)
+    wider = max(map(len, lined), default=0) - max(map(len, texts), default=0)
+    return lined if wider <= _MOST_WIDER else texts
 
 
 def cell(value: CellContent, unit: str = "", decimals: int = 0) -> str:
@@ -164,6 +172,8 @@ def characters(block: Table) -> int:
     """Return about how many characters a table is wide, its columns two apart."""
     width = 0
     for column in block.columns:
+        if column.only_in_files:
+            continue
         words = max((len(word) for word in column.head.split()), default=0)
         longest = max((min(len(text), _LONGEST_LINE) for text in cells(column)), default=0)
         width += 2 + (_BAR if column.bar else max(words, len(column.unit), longest))

@@ -229,6 +229,7 @@ class _Setter:
             return []
         lines: Lines = []
         for heading, part in broken(block, lambda table: self._fits(table, width)):
+            part = self._closer(part, width)
             table = self._set_columns(part)
             bars = len(part.columns) < len(shown(block)) or not block.breaks
             table = self._with_bars(table, part, width) if bars else table
@@ -237,13 +238,19 @@ class _Setter:
             lines += self._assembled(table, part, width)
         return lines
 
+    def _closer(self, block: Table, width: int) -> Table:
+        """Set the columns closer to each other, and to the margin, where there is no room."""
+        if not self._fits(block, width):
+            block = replace(block, gap=1)
+        return block if self._fits(block, width) else replace(block, indent=0)
+
     def _fits(self, block: Table, width: int) -> bool:
         return _width(self._set_columns(block), block) <= width
 
     def _assembled(self, columns: Sequence[Lines], block: Table, width: int) -> Lines:
         """Put columns beside each other, the rule and the names of groups between their lines."""
         rows = self._rows(columns, block, width)
-        heads = 0 if block.headless else 1 + has_unit_line(block)
+        heads = 0 if block.headless else _head_lines(block) + has_unit_line(block)
         head, body = [line for lines in rows[:heads] for line in lines], rows[heads:]
         if block.rule:
             head.append(self._rule(max((len(line) for lines in rows for line in lines), default=0)))
@@ -294,12 +301,17 @@ class _Setter:
     def _heads(self, column: Column, block: Table, room: str) -> Lines:
         if block.headless:
             return []
+        words = column.head.split("\n")
+        count = _head_lines(block)
+        above = [Text()] * (count - len(words))
         if not has_unit_line(block):
             unit = f" {column.unit}" if column.unit and block.units == "behind" else ""
-            return [self._text(column.head + unit + room, "dim")]
+            words[-1] = f"{words[-1]}{unit}".strip()
+            return [*above, *(self._text(word + room, "dim") for word in words)]
+        lines = [self._text(word + room) for word in words]
         if not column.unit:
-            return [Text(), self._text(column.head + room)]
-        return [self._text(column.head + room), self._text(column.unit + room, "dim")]
+            return [Text()] * (count + 1 - len(lines)) + lines
+        return [*above, *lines, self._text(column.unit + room, "dim")]
 
     def _with_bars(self, table: list[Lines], block: Table, width: int) -> list[Lines]:
         """Add the columns of bars, in what room is left."""
@@ -360,6 +372,18 @@ def _in_columns(columns: Sequence[Lines], indent: int, gap: int) -> Lines:
 def _padded(cell: Text, width: int, left: bool) -> Text:
     room = " " * (width - len(cell))
     return Text.assemble(cell, room) if left else Text.assemble(room, cell)
+
+
+def _head_lines(block: Table) -> int:
+    """Count the lines of the longest head, without that of the units; others may end there."""
+    units = has_unit_line(block)
+    return (
+        max(
+            (c.head.count("\n") + (0 if units and not c.unit else 1) for c in block.columns),
+            default=1,
+        )
+        or 1
+    )
 
 
 def _style_of(cell: Text) -> str:

@@ -15,7 +15,7 @@ from rolamento.units import Dimension, readable
 from rolamento.words import manner, said
 from rolamento.words.reasons import reason
 
-__all__ = ["BOTH", "facing", "head", "quantity", "reason", "untitled"]
+__all__ = ["BOTH", "facing", "head", "model_text", "quantity", "reason", "untitled"]
 
 BOTH: Final = "±"
 _PLUS, _MINUS = "+", "−"
@@ -27,7 +27,7 @@ def head(solved: Solved) -> Section:
     entries = (
         Entry(said("bearing"), _bearing(case.bearing)),
         Entry(said("duty"), _duty(case.duty)),
-        Entry(said("model"), _model(case)),
+        Entry(said("model"), model_text(case)),
         *_status(solved),
     )
     given = tuple(entry for entry in entries if entry.content)  # at rest no model matters
@@ -187,7 +187,7 @@ def _imposed(duty: Duty) -> list[str]:
     return given
 
 
-def _model(case: Case) -> str:
+def model_text(case: Case) -> str:
     """Return the choices that matter: at rest, none does."""
     duty, model = case.duty, case.model
     if duty.inner_speed == 0.0 == duty.outer_speed:

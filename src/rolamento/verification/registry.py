@@ -18,7 +18,7 @@ from rolamento.verification.rigs import case_western_checks, rig_checks
 from rolamento.verification.standards import iso_76_checks, iso_281_checks, iso_16281_checks
 from rolamento.words import said
 
-SCHEMA: Final = 1
+SCHEMA: Final = 2
 
 
 @dataclass(frozen=True, slots=True)
