@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Annotated, ClassVar, Final
 import typer
 
 from rolamento.cli.common import NO_RESULT, SOLVED, plain_endings
-from rolamento.cli.grouped_help import GroupedCommand, Groups
+from rolamento.cli.grouped_help import Groups
 from rolamento.cli.option_names import in_options
+from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.options import (
     ChannelOption,
     DurationOption,
@@ -26,7 +27,7 @@ from rolamento.cli.outputs import check_outputs
 from rolamento.cli.streams import STANDARD_STREAM, complain, put, put_json, show
 from rolamento.cli.table_options import DecimalMarkOption
 from rolamento.errors import InputError
-from rolamento.words import said
+from rolamento.words import marked, said
 
 if TYPE_CHECKING:
     from rolamento.tasks.noise import FullScale, NoiseResult
@@ -37,7 +38,7 @@ _MOST_SCALE: Final = 1e9
 _SCALE_EXAMPLE: Final = "--full-scale low=30 or --full-scale low='120 um/s'"
 
 
-class AnderonCommand(GroupedCommand):
+class AnderonCommand(JsonCommand):
     """`rolamento anderon`, its help in groups."""
 
     groups: ClassVar[Groups] = {
@@ -153,12 +154,12 @@ def anderon(
 
 def _check_outputs(signals: list[str], outputs: dict[str, str | None], hours: str | None) -> None:
     """Refuse outputs that would run into each other or over a signal, or lack the hours."""
-    check_outputs(outputs, *signals, rule="is the file of a signal itself")
+    check_outputs(outputs, *signals, rule=marked("is one of the signal files; choose another name"))
     for option in ("--record", "--plot"):
         several = option == "--record" or len(signals) > 1
         if outputs[option] is not None and several and hours is None:
             raise InputError(
-                "needs the hours of each signal", source=option, example="--hours 60,120,180"
+                said("needs the hours of each signal"), source=option, example="--hours 60,120,180"
             )
 
 
@@ -178,13 +179,13 @@ def _full_scales_of(given: Sequence[str]) -> dict[BandName, FullScale]:
         name = next((band for band in BANDS if band == key.strip().casefold()), None)
         if name is None or not equals:
             raise InputError(
-                f"must be BAND=VALUE, with a BAND of {', '.join(BANDS)}",
+                said("must be BAND=VALUE; BAND is one of {bands}", bands=", ".join(BANDS)),
                 source="--full-scale",
                 value=setting,
                 example=_SCALE_EXAMPLE,
             )
         if name in found:
-            raise InputError("is given twice", source="--full-scale", field=name)
+            raise InputError(said("is given twice"), source="--full-scale", field=name)
         found[name] = _full_scale(text.strip(), name)
     return found
 
@@ -206,7 +207,7 @@ def _full_scale(text: str, name: BandName) -> FullScale:
         value = nan
     if not (isfinite(value) and 0.0 < value / scale <= _MOST_SCALE):
         raise InputError(
-            "must be a number of anderons over 0, or a velocity in um/s, mm/s, m/s or in/s",
+            said("must be a positive number of anderons, or a velocity in um/s, mm/s, m/s or in/s"),
             source="--full-scale",
             field=name,
             value=text,

@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Annotated, ClassVar, Final
 import typer
 
 from rolamento.cli.common import NO_RESULT, SOLVED, Language, plain_endings
-from rolamento.cli.grouped_help import GroupedCommand, Groups
+from rolamento.cli.grouped_help import Groups
 from rolamento.cli.option_names import in_options
+from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.options import (
     ChannelOption,
     DurationOption,
@@ -28,7 +29,7 @@ from rolamento.cli.outputs import check_outputs
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put, put_json, show
 from rolamento.cli.table_options import DecimalMarkOption
 from rolamento.errors import InputError
-from rolamento.words import said
+from rolamento.words import marked, said
 
 if TYPE_CHECKING:
     from rolamento.cli.waiting import Progress
@@ -41,7 +42,7 @@ _SLIP: Final = 0.02
 _SPEED_TOLERANCE: Final = "3 %"
 
 
-class DiagnoseCommand(GroupedCommand):
+class DiagnoseCommand(JsonCommand):
     """`rolamento diagnose`, its help in groups."""
 
     groups: ClassVar[Groups] = {
@@ -200,7 +201,9 @@ def diagnose(
     """
     with plain_endings(lang), in_options(diagnose, tolerance="--slip"):
         outputs = {"--json": json, "--csv": csv, "--plot": plot, "--kurtogram": kurtogram}
-        check_outputs(outputs, signal, bearing, rule="is a file that is read")
+        check_outputs(
+            outputs, signal, bearing, rule=marked("is one of the input files; choose another name")
+        )
         from rolamento import tasks
         from rolamento.cli.quantities import number_given
         from rolamento.vibration.diagnosis import DiagnosisSettings
@@ -248,7 +251,7 @@ def _part_of_one(text: str) -> float:
         value = float(number.removesuffix("%"))
     except ValueError:
         raise InputError(
-            "must be a part such as 0.03, or in percent",
+            said("must be a fraction such as 0.03, or a percentage"),
             field="speed_tolerance",
             value=text,
             example=f'speed_tolerance="{_SPEED_TOLERANCE}"',

@@ -21,6 +21,7 @@ from rolamento.cli.options import (
 from rolamento.cli.outputs import check_outputs
 from rolamento.cli.streams import STANDARD_STREAM, put, put_json, show
 from rolamento.errors import InputError
+from rolamento.words import said
 
 if TYPE_CHECKING:
     from rolamento.tasks.frequencies import FrequencyResult
@@ -105,7 +106,10 @@ def _tolerances(given: list[str]) -> Tolerances:
             key, equals, text = setting.partition("=")
             if not equals or key not in _TOLERANCES:
                 raise InputError(
-                    f"must be KEY=VALUE, with a KEY of {', '.join(_TOLERANCES)}",
+                    said(
+                        "must be KEY=VALUE; KEY is one of {tolerances}",
+                        tolerances=", ".join(_TOLERANCES),
+                    ),
                     value=setting,
                     example="speed=0.01",
                 )
@@ -120,7 +124,9 @@ def _part_of_one(key: str, text: str) -> float:
     try:
         return float(text)
     except ValueError:
-        raise InputError("must be a part", field=key, value=text, example=f"{key}=0.01") from None
+        raise InputError(
+            said("must be a fraction"), field=key, value=text, example=f"{key}=0.01"
+        ) from None
 
 
 def _show(found: FrequencyResult, json: str | None, csv: str | None) -> None:

@@ -13,6 +13,7 @@ from rolamento._json import dumps
 from rolamento._writing import write_text
 from rolamento.document.medium import Medium
 from rolamento.errors import FileError, printable
+from rolamento.words import said
 
 if TYPE_CHECKING:
     from rolamento.document import Document
@@ -111,7 +112,7 @@ def _encoded(text: str, stream: TextIO) -> bytes:
 def _write(stream: TextIO | None, content: Callable[[], bytes], name: str) -> None:
     """Write bytes and see them off: what is left in a buffer fails where nobody can tell."""
     if stream is None:
-        raise FileError("is closed", source=name)
+        raise FileError(said("is closed"), source=name)
     try:
         stream.flush()
         stream.buffer.write(content())
@@ -121,7 +122,7 @@ def _write(stream: TextIO | None, content: Callable[[], bytes], name: str) -> No
     except OSError as error:
         _silence(stream)
         reason = (error.strerror or str(error)).lower()
-        raise FileError(f"cannot be written: {reason}", source=name) from None
+        raise FileError(said("cannot be written: {reason}", reason=reason), source=name) from None
 
 
 def _silence(stream: TextIO) -> None:

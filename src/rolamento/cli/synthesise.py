@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Final
 import typer
 
 from rolamento.cli.common import NO_RESULT, SOLVED, complain_of, plain_endings
-from rolamento.cli.grouped_help import GroupedCommand, Groups
+from rolamento.cli.grouped_help import Groups
 from rolamento.cli.option_names import in_options
+from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.options import (
     BearingArgument,
     LagOption,
@@ -115,7 +116,7 @@ _OPTIONS: Final = {
 _LOADS: Final = ("uniform", "radial", "solved")
 
 
-class SynthesiseCommand(GroupedCommand):
+class SynthesiseCommand(JsonCommand):
     """`rolamento synthesise`, its help in groups."""
 
     groups: ClassVar[Groups] = {
@@ -335,7 +336,7 @@ def _noise(
     if snr is None and level is None:
         return None
     if snr is not None and level is not None:
-        raise InputError("give one of --snr and --noise, not both", source="--snr")
+        raise InputError(said("give --snr or --noise, not both"), source="--snr")
     fields: dict[str, Any] = {"colour": colour, "of": "faults" if has_faults else "signal"}
     if level is not None:
         fields["level"] = number_of(level, "--noise", "acceleration", EXAMPLES["--noise"])
@@ -343,8 +344,10 @@ def _noise(
         fields["ratio"] = snr
     else:
         raise InputError(
-            "is a ratio to faults, waviness or harmonics of the shaft, and there are none; for"
-            " noise alone give --noise",
+            said(
+                "is a ratio to faults, waviness or shaft harmonics, and there are "
+                "none; for noise alone give --noise"
+            ),
             source="--snr",
             example=EXAMPLES["--noise"],
         )
@@ -360,7 +363,7 @@ def _speed_profile(
     from rolamento.vibration.synthesis import SwingingSpeed, WanderingSpeed
 
     if swing is not None and wander is not None:
-        raise InputError("give one of --swing and --wander, not both", source="--swing")
+        raise InputError(said("give --swing or --wander, not both"), source="--swing")
     if swing is not None:
         return partial(SwingingSpeed, **{"frequency": 0.3, **_fields_given("--swing", swing)})
     if wander is not None:
@@ -375,7 +378,9 @@ def _load(text: str | None) -> dict[str, Any]:
     fields = _fields_given("--load", text)
     kind = fields.pop("kind")
     if kind not in _LOADS or (fields and kind != "radial"):
-        rule = f"must be one of {', '.join(_LOADS)}; of radial with extent and azimuth"
+        rule = said(
+            "must be one of {known}; radial takes extent and azimuth", known=", ".join(_LOADS)
+        )
         raise InputError(rule, source="--load", value=text, example=EXAMPLES["--load"])
     azimuth = {"load_azimuth": fields.pop("azimuth")} if "azimuth" in fields else {}
     return {"load": kind, **fields, **azimuth}
@@ -413,7 +418,10 @@ def _waviness(text: str) -> Waviness:
     fields = _fields_given("--waviness", text)
     if "amplitude" not in fields:
         raise InputError(
-            "is missing", source="--waviness", field="amplitude", example=EXAMPLES["--waviness"]
+            said("is missing"),
+            source="--waviness",
+            field="amplitude",
+            example=EXAMPLES["--waviness"],
         )
     with _in_option("--waviness"):
         return Waviness.falling(**fields)

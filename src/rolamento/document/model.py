@@ -132,7 +132,7 @@ class Column:
     Parameters
     ----------
     head
-        A symbol or words.
+        A symbol or words; a line break where a narrow medium begins a new line.
     values
         One a row; numbers in SI.
     unit
@@ -422,6 +422,18 @@ class Document:
         """Return its blocks from top to bottom."""
         for section in self.parts():
             yield from section.blocks
+
+    def _repr_html_(self) -> str:
+        """Return it as a notebook shows it."""
+        from rolamento.document.html import fragment
+
+        return fragment(self)
+
+    def _repr_markdown_(self) -> str:
+        """Return it as a notebook without HTML shows it."""
+        from rolamento.document.markdown import markdown
+
+        return markdown(self)
 
     def tables(self) -> tuple[Table, ...]:
         """Return the tables that are written to files."""

@@ -104,7 +104,7 @@ def noise_trend_figure(trend: Trend, *, limits: Mapping[BandName, float] | None 
     from rolamento.vibration.anderon import BANDS
 
     translated = replace(trend, quantities=tuple(map(band_name, BANDS)))
-    figure = trend_figure(translated, language=language())
+    figure = trend_figure(translated)
     with styled():
         named = False
         for axes, name in zip(figure.axes, BANDS, strict=True):

@@ -38,7 +38,7 @@ from rolamento.vibration.noise_floor import LOWEST_LINE
 from rolamento.vibration.reading import open_signal
 from rolamento.vibration.signal import Signal
 from rolamento.vibration.spectrum import Indicators, indicators
-from rolamento.words import Note
+from rolamento.words import Note, said
 
 SCHEMA: Final = 2
 CSV_COLUMNS: Final = ("band_low_Hz", "band_high_Hz", "order", "frequency_Hz", "over_noise_dB")
@@ -477,7 +477,7 @@ def _frequencies_sought(
     loaded = has_load(case) and not nominal
     if loaded and angle is not None:
         raise InputError(
-            "goes with the geometry's frequencies; here a load makes the angle",
+            said("goes with the frequencies of the geometry; here the load determines the angle"),
             field="angle",
             value=angle,
             example='nominal=True, angle="free"',
@@ -485,7 +485,7 @@ def _frequencies_sought(
     inner, outer = case.duty.inner_speed, case.duty.outer_speed
     if inner == outer:
         raise InputError(
-            "is that of the inner ring as well: no ball rolls",
+            said("equals that of the inner ring: no ball rolls"),
             field="outer_speed",
             value=f"{rpm_of(outer):.6g} rpm",
             example='outer_speed="0 rpm"',

@@ -29,7 +29,7 @@ from rolamento.vibration.frequency_band import (
     alternatives_of,
     banded_frequencies,
 )
-from rolamento.words import Note
+from rolamento.words import Note, said
 
 SCHEMA: Final = 2
 CSV_COLUMNS: Final = (
@@ -177,7 +177,11 @@ def fault_frequencies(
         ("sidebands", 0, _MOST_SIDEBANDS, sidebands),
     ):
         if not lowest <= value <= highest:
-            raise InputError(f"must be from {lowest} to {highest}", field=name, value=value)
+            raise InputError(
+                said("must be from {least} to {most}", least=lowest, most=highest),
+                field=name,
+                value=value,
+            )
     inner, outer = speed_of(speed, "speed"), speed_of(outer_speed, "outer_speed")
     case = case_of(bearing, settings, inner, outer)
     duty = case.duty

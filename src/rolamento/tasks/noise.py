@@ -310,24 +310,29 @@ def anderons(
     """
     files = [paths] if isinstance(paths, str | os.PathLike) else list(paths)
     if not 1 <= len(files) <= _MOST_SIGNALS:
-        raise InputError(f"must be 1 to {_MOST_SIGNALS} files", field="signals", value=len(files))
+        raise InputError(
+            said("must be 1 to {most} files", most=_MOST_SIGNALS), field="signals", value=len(files)
+        )
     if not bearing.strip() or len(bearing) > _LONGEST_NAME or not bearing.isprintable():
-        rule = f"must be one line of {_LONGEST_NAME} characters at most"
+        rule = said("must be one line of at most {most} characters", most=_LONGEST_NAME)
         raise InputError(rule, field="bearing", value=bearing, example='bearing="9"')
     if not 0.0 < accepted <= 1.0:
-        rule = "must be a part over 0 and up to 1"
+        rule = said("must be a fraction above 0 and at most 1")
         raise InputError(rule, field="accepted", value=accepted, example="accepted=0.4")
     times = [nan] * len(files) if hours is None else list(hours)
     if hours is not None and (
         len(times) != len(files) or not all(0.0 <= time <= _MOST_HOURS for time in times)
     ):
-        rule = f"must be a number of hours from 0 on for each signal, here {len(files)}"
+        rule = said(
+            "must be a number of hours, not negative, for each signal, here {count}",
+            count=len(files),
+        )
         raise InputError(
             rule, field="hours", value=", ".join(map(str, times)), example="hours=[60, 120, 180]"
         )
     inner_speed = speed_of(speed, "speed")
     if inner_speed == 0.0:
-        rule = "must not be 0: a bearing that stands still makes no noise"
+        rule = said("must not be 0: a stationary bearing makes no noise")
         raise InputError(rule, field="speed", example='speed="1800 rpm"')
     measured = []
     for path, time in zip(files, times, strict=True):
@@ -360,17 +365,24 @@ def _noise_of(source: SignalFile, path: str, speed: float | None, progress: Prog
     """Measure a file whose unit is known, at the speed that is given, if one is."""
     if source.quantity == "unknown":
         unit = source.unit
-        rule = f'is "{unit}"' if unit not in ("", "1") else "is not in the file"
         raise InputError(
-            f"{rule}: give that of a velocity, an acceleration or a displacement, or the"
-            " sensitivity of the sensor",
+            said(
+                "is not in the file: give the unit of a velocity, an acceleration or a "
+                "displacement, or the sensitivity of the sensor"
+            )
+            if unit in ("", "1")
+            else said(
+                'is "{unit}": give the unit of a velocity, an acceleration or a '
+                "displacement, or the sensitivity of the sensor",
+                unit=unit,
+            ),
             field="unit",
             example='unit="um/s", unit="m/s^2" or scale="100 mV/g"',
             source=path,
         )
     if source.rate > _HIGHEST_RATE:
         raise InputError(
-            f"must be at most {_HIGHEST_RATE:g} Hz: the bands end at 10 kHz",
+            said("must be at most {most:.6g} Hz: the bands end at 10 kHz", most=_HIGHEST_RATE),
             field="rate",
             value=source.rate,
             source=path,
@@ -400,7 +412,7 @@ def _check_speeds(found: NoiseResult) -> None:
     in_velocity = any(scale.is_velocity for scale in found.full_scales.values())
     if found.trend is not None and in_velocity and max(speeds) > 1.001 * min(speeds):
         raise InputError(
-            "must be in anderons, as the speeds of the signals differ",
+            said("must be in anderons, since the signals have different speeds"),
             field="full_scale",
             example='full_scale={"low": 30.0}',
         )

@@ -40,7 +40,7 @@ from rolamento.vibration.synthesis import (
 )
 from rolamento.vibration.synthesis import synthesise as signal_of
 from rolamento.vibration.writing import check_signal_name, write_signal
-from rolamento.words import Note
+from rolamento.words import Note, said
 
 SCHEMA: Final = 2
 _MOST_IMPACTS: Final = 1_000_000
@@ -290,7 +290,11 @@ def synthesise(
     inner, outer = case.duty.inner_speed, case.duty.outer_speed
     if inner == outer:
         raise InputError(
-            "is missing: nothing turns" if inner == 0.0 else "is that of both rings: no ball rolls",
+            (
+                said("is missing: nothing rotates")
+                if inner == 0.0
+                else said("is that of both rings: no ball rolls")
+            ),
             field="speed",
             example='speed="1797 rpm"',
         )
@@ -354,16 +358,18 @@ def _check_size(
 ) -> None:
     """Refuse what would be silent, or too much for memory."""
     if len(faults) > _MOST_FAULTS:
-        raise InputError(f"may be {_MOST_FAULTS} at most", field="faults", value=len(faults))
+        raise InputError(
+            said("may be at most {most}", most=_MOST_FAULTS), field="faults", value=len(faults)
+        )
     if not (faults or waviness or shaft_harmonics or noise):
         raise InputError(
-            "would be silent: give faults=…, waviness=…, shaft_harmonics=… or noise=…",
+            said("would be silent: give faults=…, waviness=…, shaft_harmonics=… or noise=…"),
             field="signal",
             example="faults=…, noise=…",
         )
     if not duration * rate <= MOST_SAMPLES:
         raise InputError(
-            f"gives more than {MOST_SAMPLES} samples at this rate",
+            said("gives more than {most} samples at this rate", most=MOST_SAMPLES),
             field="duration",
             value=f"{duration:g} s",
             example="duration=10",
@@ -382,11 +388,11 @@ def _distribution(
     if kind == "radial":
         return LoadDistribution.radial(extent=extent, azimuth=azimuth)
     if kind != "solved":
-        rule = "must be one of uniform, radial, solved"
+        rule = said("must be one of uniform, radial, solved")
         raise InputError(rule, field="load", value=kind, example='load="radial"')
     if solved is None:
         raise InputError(
-            "needs a case file with a load", field="load", value=kind, example='load="radial"'
+            said("needs a case file with a load"), field="load", value=kind, example='load="radial"'
         )
     return LoadDistribution.of_solved(solved, row=frequencies.row)
 
@@ -396,14 +402,14 @@ def _check_work(recipe: Recipe) -> None:
     lines = sum(len(waviness_lines(recipe.frequencies, wavy)) for wavy in recipe.waviness)
     waving = recipe.count * (lines + len(recipe.shaft_harmonics))
     if recipe.count * len(recipe.faults) * len(recipe.modes) > _MOST_RINGING:
-        field, what = "duration", "faults and modes"
-    elif waving > _MOST_WAVING:
-        field, what = "waviness", "lines"
-    else:
-        return
-    raise InputError(
-        f"would take too long: {recipe.count} samples with so many {what}", field=field
-    )
+        rule = said(
+            "would take too long: {count} samples with this many faults and modes",
+            count=recipe.count,
+        )
+        raise InputError(rule, field="duration")
+    if waving > _MOST_WAVING:
+        rule = said("would take too long: {count} samples with this many lines", count=recipe.count)
+        raise InputError(rule, field="waviness")
 
 
 def _refuse_silence(made: Synthesis) -> None:
@@ -413,13 +419,15 @@ def _refuse_silence(made: Synthesis) -> None:
     has_ratio = recipe.noise is not None and recipe.noise.ratio is not None
     if recipe.faults and has_ratio and made.truth.noise_level == 0.0 and not struck:
         raise InputError(
-            "is the ratio to faults that make no impact with any force: no ball is pressed where"
-            " they lie, or the signal is too short",
+            said(
+                "is the ratio to faults without any impact: no ball is loaded where "
+                "they are, or the signal is too short"
+            ),
             field="ratio",
             value=recipe.noise.ratio if recipe.noise else None,
         )
     if not made.signal.samples.any():
-        rule = "is silent: no part of it has any strength"
+        rule = said("is silent: no part of it has any amplitude")
         if recipe.faults:
             rule += "; no ball is pressed where the damage lies, or the signal is too short"
         raise InputError(rule, field="signal", example='load="uniform"')

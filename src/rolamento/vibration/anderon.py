@@ -37,7 +37,7 @@ from rolamento.numerics import FloatArray
 from rolamento.vibration._checks import Band, checked_band, checked_count, checked_number, pieces_of
 from rolamento.vibration.signal import Quantity, Signal
 from rolamento.vibration.spectrum import Spectrum, averaged_density, axis_of
-from rolamento.words import Note
+from rolamento.words import Note, said
 
 _POWERS: Final[dict[Quantity, float]] = {
     "acceleration": -2.0, "velocity": 0.0, "displacement": 2.0
@@ -90,7 +90,7 @@ def velocity_of(signal: Signal | Iterable[Signal], resolution: float) -> Velocit
     first = next(pieces)
     if first.quantity not in _POWERS:
         raise InputError(
-            "must be velocity, acceleration or displacement",
+            said("must be velocity, acceleration or displacement"),
             field="quantity",
             value=first.quantity,
             example='quantity = "velocity"',
@@ -152,12 +152,15 @@ class _Total:
         """
         first, duration = self.first, self.samples / self.first.rate
         if self.density is None:
-            rule = f"must be at least {1.0 / self.resolution:g} s"
+            rule = said("must be at least {resolution:.6g} s", resolution=1.0 / self.resolution)
             raise InputError(rule, field="duration", value=duration, source=first.title)
         if self.least == self.most:
             raise InputError(
-                f"does not change over {self.samples} samples: no sensor was there, or it is the"
-                " wrong channel",
+                said(
+                    "is constant over {samples} samples: no sensor was connected, or it is "
+                    "the wrong channel",
+                    samples=self.samples,
+                ),
                 field="signal",
                 value=self.least,
                 source=first.title,
@@ -174,7 +177,7 @@ class _Total:
         for name in ("rate", "quantity", "unit"):
             value, wanted = getattr(piece, name), getattr(self.first, name)
             if value != wanted:
-                rule = f"must be that of the first piece, {wanted}"
+                rule = said("must be that of the first piece, {wanted}", wanted=wanted)
                 raise InputError(rule, field=name, value=value, source=piece.title)
 
 
@@ -393,7 +396,7 @@ def accept(
     names = [band.name for band in noise.bands]
     if not full_scale or not set(full_scale) <= set(names):
         raise InputError(
-            f"must give at least one of {', '.join(names)}, and nothing else",
+            said("must give at least one of {names}, and nothing else", names=", ".join(names)),
             field="full_scale",
             example='full_scale = {"low": 30.0, "medium": 60.0, "high": 60.0}',
         )
@@ -408,14 +411,14 @@ def _velocity_per_anderon(band: Band, speed: float) -> float:
     checked_number(speed, "speed", above=0.0, example="speed = 188.5")
     low, high = checked_band(band, 1e12)
     if low <= 0.0:
-        raise InputError("must begin above 0 Hz", field="band", value=str(band))
+        raise InputError(said("must begin above 0 Hz"), field="band", value=str(band))
     return _MICROINCH * speed * sqrt(log2(high / low))
 
 
 def _check_bands(bands: Mapping[BandName, Band]) -> None:
     for name, band in bands.items():
         if checked_band(band, 1e12, f"bands.{name}")[0] <= 0.0:
-            raise InputError("must begin above 0 Hz", field=f"bands.{name}", value=str(band))
+            raise InputError(said("must begin above 0 Hz"), field=f"bands.{name}", value=str(band))
 
 
 def _rms_in(density: Spectrum, band: Band) -> float:

@@ -30,7 +30,7 @@ from rolamento.geometry import ring_geometry
 from rolamento.kinematics import ball_motion
 from rolamento.numerics import FloatArray
 from rolamento.solved import Solved, refuse_other
-from rolamento.words import Note
+from rolamento.words import Note, said
 
 FaultKind = Literal["outer_race", "inner_race", "ball", "cage"]
 LineName = Literal["cage", "ball_pass_outer", "ball_pass_inner", "ball_spin", "ball_spin_twice"]
@@ -254,7 +254,10 @@ class FaultFrequencies:
 def _known(kind: FaultKind) -> FaultKind:
     if kind not in FAULTS:
         raise InputError(
-            f"must be one of {', '.join(FAULTS)}", field="kind", value=kind, example="outer_race"
+            said("must be one of {known}", known=", ".join(FAULTS)),
+            field="kind",
+            value=kind,
+            example="outer_race",
         )
     return kind
 
@@ -262,11 +265,17 @@ def _known(kind: FaultKind) -> FaultKind:
 def _check_counts(harmonics: int, sidebands: int) -> None:
     if not 1 <= harmonics <= _MOST_LINES:
         raise InputError(
-            f"must be between 1 and {_MOST_LINES}", field="harmonics", value=harmonics, example="3"
+            said("must be between 1 and {most}", most=_MOST_LINES),
+            field="harmonics",
+            value=harmonics,
+            example="3",
         )
     if sidebands < 0 or harmonics * (2 * sidebands + 1) > _MOST_LINES:
         raise InputError(
-            f"must be at least 0, and give at most {_MOST_LINES} lines with the harmonics",
+            said(
+                "must be at least 0 and give at most {most} lines with the harmonics",
+                most=_MOST_LINES,
+            ),
             field="sidebands",
             value=sidebands,
             example="1",
@@ -378,7 +387,10 @@ def frequencies_of(solved: Solved, *, slip: float = 0.0) -> FaultFrequencies:
     refuse_other(solved, "vibration.frequencies_of")
     if len(solved) != 1:
         raise InputError(
-            "must be one case", field="solved", value=f"{len(solved)} cases", example="solved[0]"
+            said("must be a single case"),
+            field="solved",
+            value=f"{len(solved)} cases",
+            example="solved[0]",
         )
     _check_slip(slip)
     speeds = (float(solved.field(f"duty.{ring}_speed")[0]) for ring in ("inner", "outer"))
@@ -425,7 +437,7 @@ def shaft_of(inner_speed: float | None, outer_speed: float) -> _Shaft:
     for field, value in (("inner_speed", inner_speed), ("outer_speed", outer_speed)):
         if value is not None and not abs(value) <= _MOST_SPEED:
             raise InputError(
-                f"must be a finite number up to {_MOST_SPEED:g} rad/s",
+                said("must be a finite number up to {most:.6g} rad/s", most=_MOST_SPEED),
                 field=field,
                 value=value,
                 example=f"{field} = 188.2",
@@ -455,7 +467,7 @@ def nominal_angle(
     if isinstance(contact_angle, str):
         if contact_angle not in ("zero", "free"):
             raise InputError(
-                "must be zero or free, or an angle in rad",
+                said("must be zero or free, or an angle in rad"),
                 field="contact_angle",
                 value=contact_angle,
                 example='contact_angle = "free"',
@@ -467,7 +479,7 @@ def nominal_angle(
         return ring_geometry(bearing).free_contact_angle, (Note("angle_free"),)
     if not 0.0 <= contact_angle < _RIGHT_ANGLE:
         raise InputError(
-            "must be at least 0 and less than a right angle, in rad",
+            said("must be at least 0 and less than a right angle, in rad"),
             field="contact_angle",
             value=contact_angle,
             example="contact_angle = 0.26",
@@ -610,5 +622,5 @@ def _spread_line(order: float, orders: Sequence[float], shaft_frequency: float) 
 def _check_slip(slip: float) -> None:
     if not -1.0 <= slip <= 1.0:
         raise InputError(
-            "must be between -1 and 1", field="slip", value=slip, example="slip = 0.01"
+            said("must be between -1 and 1"), field="slip", value=slip, example="slip = 0.01"
         )

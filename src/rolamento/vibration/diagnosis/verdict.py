@@ -39,7 +39,7 @@ from rolamento.vibration.diagnosis.settings import (
 from rolamento.vibration.diagnosis.shaft import ShaftLines, shaft_lines
 from rolamento.vibration.diagnosis.size import DAMAGE, grade_of
 from rolamento.vibration.signal import Signal
-from rolamento.words import Note
+from rolamento.words import Note, said
 
 _SLOW: Final = 0.25
 """Of the lowest order that is looked for: modulations up to there are of the load."""
@@ -78,12 +78,12 @@ def diagnose(
     chosen = DiagnosisSettings() if settings is None else settings
     if not isinstance(orders, FaultOrders):
         raise InputError(
-            "must be FaultOrders", field="orders", example="FaultOrders(outer_race=3.585)"
+            said("must be FaultOrders"), field="orders", example="FaultOrders(outer_race=3.585)"
         )
     blocks = iter(blocks_of(signal, chosen.block_revolutions))
     first = next(blocks, None)
     if first is None:
-        raise InputError("holds no samples", field="signal")
+        raise InputError(said("has no samples"), field="signal")
     shaft = shaft_lines(first, chosen.speed_tolerance)
     freedom = 0.0 if shaft.confirmed else chosen.speed_tolerance
     present = [part for part in COMPONENTS if orders.fundamental(part) is not None]

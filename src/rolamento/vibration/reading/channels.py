@@ -144,10 +144,14 @@ def checked_channels(channels: Iterable[Channel], source: str, kind: str) -> tup
     found: list[Channel] = []
     for channel in channels:
         if len(found) == MOST_CHANNELS:
-            raise FileError(f"holds more than {MOST_CHANNELS} channels", source=source)
+            raise FileError(
+                said("has more than {most} channels", most=MOST_CHANNELS), source=source
+            )
         found.append(channel)
     if not found:
-        raise FileError(f"is a {kind} without a channel of real numbers", source=source)
+        raise FileError(
+            said("is a {kind} file without a channel of real numbers", kind=kind), source=source
+        )
     return tuple(found)
 
 
@@ -195,7 +199,7 @@ def chosen_channel(channels: tuple[Channel, ...], wanted: Any) -> int:
         if len(channels) == 1:
             return 0
         raise InputError(
-            f"is to be chosen, by name or number: {_listed(channels)}",
+            said("must be chosen, by name or number: {channels}", channels=_listed(channels)),
             field="channel",
             example=_example(channels, 0),
         )
@@ -212,7 +216,7 @@ def chosen_channel(channels: tuple[Channel, ...], wanted: Any) -> int:
         return int(wanted) - 1
     near = nearest(wanted, names) if isinstance(wanted, str) else ""
     raise InputError(
-        f"is not one of, or one and only one of: {_listed(channels)}",
+        said("must be one, and only one, of {channels}", channels=_listed(channels)),
         field="channel",
         value=wanted,
         example=_example(channels, names.index(near) if near else 0),
@@ -222,7 +226,8 @@ def chosen_channel(channels: tuple[Channel, ...], wanted: Any) -> int:
 def _listed(channels: tuple[Channel, ...]) -> str:
     entries = [f"{n} {channel.name}".rstrip() for n, channel in enumerate(channels, start=1)]
     more = len(entries) - _MOST_LISTED
-    return ", ".join(entries[:_MOST_LISTED]) + (f" and {more} more" if more > 0 else "")
+    listed = ", ".join(entries[:_MOST_LISTED])
+    return said("{listed} and {more} more", listed=listed, more=more) if more > 0 else listed
 
 
 def _example(channels: tuple[Channel, ...], number: int) -> str:
@@ -233,10 +238,10 @@ def _example(channels: tuple[Channel, ...], number: int) -> str:
 def _rate(channel: Channel, given: float | None) -> float:
     """Sampling rate by the user, or else by the file if it is sure of it."""
     if given is None and channel.rate is None:
-        rule = said("is not in the file and is to be given, in Hz")
+        rule = said("is not in the file; give it, in Hz")
         if channel.rate_doubt:
             doubt = claimed(channel.rate_doubt)
-            rule = said("is in doubt: in the file {doubt}; give it, in Hz", doubt=doubt)
+            rule = said("is ambiguous: in the file {doubt}; give it, in Hz", doubt=doubt)
         raise InputError(rule, field="rate", example="rate=51200.0")
     rate = channel.rate if given is None else given
     return checked_number(rate, "rate", above=0.0, most=_HIGHEST_RATE, example="rate=51200.0")
@@ -272,7 +277,10 @@ def _unit(channel: Channel, unit: str, quantity: Quantity | None) -> tuple[Quant
         return "unknown", unit, 1.0
     if not unit or unit == "1":
         raise InputError(
-            f"of the samples is not in the file; give it with the quantity {quantity}",
+            said(
+                "of the samples is not in the file; give it with the quantity {quantity}",
+                quantity=quantity,
+            ),
             field="unit",
             example=f'unit="{SI_UNITS.get(quantity, "m/s^2")}"',
         )
@@ -293,11 +301,14 @@ def _given_unit(channel: Channel, given: Any) -> str:
     """Unit by the user; a unit that the file gives holds against it if it is known to be one."""
     unit = checked_unit(given)
     if channel.unit not in ("1", unit) and is_unit(channel.unit):
-        instead = (
-            'leave it out, and give scale="100 mV/g"' if is_raw(channel.unit) else "leave it out"
-        )
         raise InputError(
-            f'contradicts the file, which says "{channel.unit}"; {instead}',
+            said(
+                'contradicts the file, which says "{unit}"; leave it out, and give'
+                ' scale="100 mV/g"',
+                unit=channel.unit,
+            )
+            if is_raw(channel.unit)
+            else said('contradicts the file, which says "{unit}"; leave it out', unit=channel.unit),
             field="unit",
             value=given,
         )
@@ -347,7 +358,7 @@ def chosen_speed(source: Source, samples: int, wanted: Any, unit: Any) -> ShaftS
     if wanted is None:
         if unit is not None:
             raise InputError(
-                "is that of a speed_channel, and none is given",
+                said("needs a speed_channel, and none is given"),
                 field="speed_unit",
                 value=unit,
                 example='speed_channel="rpm"',
@@ -359,7 +370,7 @@ def chosen_speed(source: Source, samples: int, wanted: Any, unit: Any) -> ShaftS
     number = _number_of(source, wanted)
     channel = source.channels[number]
     if number == samples:
-        rule = "is the channel of the samples; choose that of the speed"
+        rule = said("is the channel of the samples; choose that of the speed")
         raise InputError(rule, field="speed_channel", value=wanted)
     if channel.length == 1:
         return _steady(float(source.read([number], 0, 1)[0, 0]), channel.name, channel.unit, unit)
@@ -398,16 +409,16 @@ def _number_of(source: Source, wanted: Any) -> int:
         return chosen_channel(source.channels, wanted)
     except InputError as error:
         names = [short_name(name) for name in list(source.numbers)[:_MOST_LISTED]]
-        more = f"; or a number: {', '.join(names)}" if names else ""
+        rule = error.rule
+        if names:
+            rule = said("{rule}; or a number: {names}", rule=rule, names=", ".join(names))
         example = error.example.replace("channel=", "speed_channel=", 1)
-        raise InputError(
-            error.rule + more, field="speed_channel", value=error.value, example=example
-        ) from None
+        raise InputError(rule, field="speed_channel", value=error.value, example=example) from None
 
 
 def _steady(value: float, name: str, of_file: str, unit: Any) -> ShaftSpeed:
     if not isfinite(value):
-        rule = "is not a finite number: the file does not tell the speed"
+        rule = said("is not a finite number: the file does not give the speed")
         raise FileError(rule, field=short_name(name), value=value)
     return ShaftSpeed(value * _speed_scale(name, of_file, unit))
 
@@ -416,15 +427,23 @@ def _check_alike(samples: Channel, speed: Channel, wanted: Any) -> None:
     """Refuse a channel of speeds that has not one for each sample."""
     if speed.length != samples.length:
         raise FileError(
-            f"has {speed.length} numbers, and the channel of the samples {samples.length}; "
-            "they have to be as many",
+            said(
+                "has {length} numbers, and the channel of the samples {length_2}; they "
+                "must be equal",
+                length=speed.length,
+                length_2=samples.length,
+            ),
             field="speed_channel",
             value=wanted,
         )
     rates = (speed.rate, samples.rate)
     if None not in rates and not abs(rates[0] - rates[1]) <= SAME_RATE * rates[1]:  # type: ignore[operator]
         raise FileError(
-            f"is sampled at {speed.rate:.9g} Hz, and the samples at {samples.rate:.9g} Hz",
+            said(
+                "is sampled at {rate:.9g} Hz, and the samples at {rate_2:.9g} Hz",
+                rate=speed.rate,
+                rate_2=samples.rate,
+            ),
             field="speed_channel",
             value=wanted,
         )
@@ -434,23 +453,33 @@ def _speed_scale(name: str, of_file: str, given: Any) -> float:
     """Value of one unit of speed in rad/s, by the user, by the file, or by the name."""
     if is_unit(of_file) and of_file not in SPEED_UNITS:
         raise InputError(
-            f"is in {of_file}, which is no unit of a speed", field="speed_channel", value=name
+            said("is in {of_file}, which is not a unit of speed", of_file=of_file),
+            field="speed_channel",
+            value=name,
         )
     known = of_file or speed_unit_in(name)
     if given is None and known in SPEED_UNITS:
         return SPEED_UNITS[known]
     if given is None:
-        says = f'the file says "{of_file}"' if of_file else "the file does not say it"
+        values = {"name": short_name(name), "units": ", ".join(SPEED_UNITS), "of_file": of_file}
         raise InputError(
-            f'of the speed "{short_name(name)}" is to be given, {says}: '
-            f"one of {', '.join(SPEED_UNITS)}",
+            said(
+                'is needed for the speed "{name}", of which the file says "{of_file}": one of'
+                " {units}",
+                **values,
+            )
+            if of_file
+            else said(
+                'is needed for the speed "{name}", of which the file gives none: one of {units}',
+                **values,
+            ),
             field="speed_unit",
             example='speed_unit="rpm"',
         )
     unit = checked_speed_unit(given)
     if of_file in SPEED_UNITS and of_file != unit:
         raise InputError(
-            f'contradicts the file, which says "{of_file}"; leave it out',
+            said('contradicts the file, which says "{unit}"; leave it out', unit=of_file),
             field="speed_unit",
             value=given,
         )
