@@ -60,7 +60,7 @@ def test_rates_that_disagree_are_asked_about(
     np.savez(tmp_path / "a.npz", x=SAMPLES, **numbers)
     with pytest.raises(InputError) as caught:
         read_signal(tmp_path / "a.npz")
-    assert f"is in doubt: in the file {doubt}; give it, in Hz" in str(caught.value)
+    assert f"is ambiguous: in the file {doubt}; give it, in Hz" in str(caught.value)
     with open_signal(tmp_path / "a.npz", rate=12_000.0) as file:
         assert (file.rate, file.choices[0].key) == (12_000.0, "rate_over_doubt")
 

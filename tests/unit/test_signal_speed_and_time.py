@@ -316,7 +316,7 @@ def test_times_and_rates_that_contradict(tmp_path: Path, name: str) -> None:
     (channel,) = channels_of(tmp_path / name)
     assert channel.rate is None
     assert [claim.name for claim in channel.rate_doubt] == ['"fs"', "the column of times"]
-    with pytest.raises(InputError, match=f"rate: is in doubt: in the file {doubt}; give it"):
+    with pytest.raises(InputError, match=f"rate: is ambiguous: in the file {doubt}; give it"):
         read_signal(tmp_path / name)
     with open_signal(tmp_path / name, rate=2500.0) as file:
         (note,) = file.notes
