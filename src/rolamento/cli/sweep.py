@@ -13,16 +13,11 @@ from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
     plain_endings,
-    words_of,
 )
 from rolamento.cli.options import LanguageOption, SettingsOption
 from rolamento.cli.streams import complain, print_text
 from rolamento.errors import InputError
 from rolamento.words import said
-
-if TYPE_CHECKING:
-    from rolamento.report.language import Words
-
 
 class Listed(StrEnum):
     """What can be listed."""
@@ -81,12 +76,12 @@ def sweep(
             )
         from rolamento.cli.sweep_progress import told
         from rolamento.document.medium import Medium
-        from rolamento.report.study import study_report
+        from rolamento.document.terminal import terminal
+        from rolamento.pages.study import study_page
         from rolamento.tasks import studies
 
-        words = words_of(lang)
         try:
-            with told(words) as progress:
+            with told() as progress:
                 swept = studies.sweep(
                     study,
                     output,
@@ -97,21 +92,27 @@ def sweep(
                     progress=progress,
                 )
         except KeyboardInterrupt as stop:
-            _tell_what_is_kept(stop, words)
+            _tell_what_is_kept(stop)
         title = swept.study.title or swept.study.case.title
-        print_text(study_report(swept.summary, title, words, Medium.of(sys.stdout)))
+        print_text(terminal(study_page(swept.summary, title), Medium.of(sys.stdout)))
     raise typer.Exit(SOLVED if swept.summary.converged else NO_RESULT)
 
 
-def _tell_what_is_kept(stop: KeyboardInterrupt, words: Words) -> NoReturn:
+def _tell_what_is_kept(stop: KeyboardInterrupt) -> NoReturn:
     """End after Ctrl-C; before the first case there is nothing to tell."""
-    from rolamento.report.study_words import STUDY_WORDS
     from rolamento.studies import Interrupted
 
     if not isinstance(stop, Interrupted):
         raise stop
-    said = STUDY_WORDS[words.code].stopped
-    complain(said.format(done=stop.done, total=stop.total, folder=stop.folder))
+    complain(
+        said(
+            "stopped; {done} of {total} cases are kept in {folder}. The same command continues from"
+            " there",
+            done=stop.done,
+            total=stop.total,
+            folder=str(stop.folder),
+        )
+    )
     raise typer.Exit(INTERRUPTED) from None
 
 
