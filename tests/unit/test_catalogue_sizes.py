@@ -66,7 +66,7 @@ def test_sizes_may_be_given_if_they_are_the_same() -> None:
 @pytest.mark.parametrize(
     ("given", "said"),
     [
-        ('bore = "30 mm"', 'mounting.bore = "30 mm": must be 25 mm, that of 6305/C3'),
+        ('bore = "30 mm"', 'mounting.bore = "30 mm": must be 25 mm, the value of 6305/C3'),
         ('outside_diameter = "72 mm"', 'mounting.outside_diameter = "72 mm": must be 62 mm'),
     ],
 )

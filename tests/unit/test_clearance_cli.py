@@ -80,7 +80,7 @@ def test_json(mounted: str, tmp_path: Path) -> None:
     [
         (["--set", "mounting.shaft_tolerance=K5"], "mounting.shaft_tolerance"),
         (["--set", "mounting.bore=2 mm"], "mounting.bore"),
-        (["--samples", "0"], "whole number from 1"),
+        (["--samples", "0"], "integer from 1"),
     ],
 )
 def test_wrong_input_ends_in_one_line(mounted: str, arguments: list[str], told: str) -> None:

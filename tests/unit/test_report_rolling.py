@@ -144,7 +144,7 @@ def test_a_cage_that_leads_is_said_to_lead(language: str) -> None:
     assert state.rolling is not None
     assert state.rolling.skid[0] < -SKID_LIMIT
     text = " ".join(part(state, language))
-    assert {"en": "ahead of", "pt": "à frente"}[language] in text
+    assert {"en": "ahead of", "pt": "acima dos"}[language] in text
     note = next(note for note in state.notes[0] if note.key == "cage_skids")
     assert "faster than" in note.text
     assert said(note, language) in " ".join(plain(state, language).split())
@@ -163,7 +163,7 @@ def test_notes_of_friction_are_said_in_both_languages(language: str) -> None:
 def test_advice_when_friction_does_not_settle(language: str) -> None:
     state = solved(drag=1e4)
     assert state.status.code[0] == "not_converged"
-    advice = words.advice(state)
+    advice = said(state.advice[0], language)
     assert "model.mesh" in advice
     assert "lubricant.friction_coefficient" in advice
     assert (advice == said(state.advice[0])) == (language == "en")

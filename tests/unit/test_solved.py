@@ -277,7 +277,7 @@ def test_what_is_no_result_at_all(tmp_path: Path) -> None:
         Solved.from_json("[1, 2]")
     toml = tmp_path / "case.toml"
     toml.write_text("title = 1", encoding="utf-8")
-    with pytest.raises(FileError, match="has to be solved first"):
+    with pytest.raises(FileError, match="is not the JSON of a solved state; solve a case first"):
         Solved.read(toml)
 
 

@@ -218,7 +218,7 @@ def test_the_example_can_be_copied(run: Run, tmp_path: Path) -> None:
     assert (code, out) == (0, "Wrote mine.csv\n")
     assert (tmp_path / "mine.csv").read_text("utf-8") == published_text("campanha_2008")
     again = wrong(run("weibull", "--example", "campanha-2008", "--write", "mine.csv"))
-    assert "already exists" in again
+    assert "already exists; choose another name" in again
 
 
 def test_the_example_in_the_repository_is_the_shipped_one() -> None:
@@ -235,9 +235,12 @@ def test_the_example_in_the_repository_is_the_shipped_one() -> None:
         (("nothere.csv",), "cannot be opened"),
         (("--example", "campanha"), "must be one of campanha-2008"),
         (("campanha_2008.csv", "--write", "x.csv"), "goes with --example alone"),
-        (("campanha_2008.csv", "--json", "campanha_2008.csv"), "the file of the data itself"),
+        (
+            ("campanha_2008.csv", "--json", "campanha_2008.csv"),
+            "is the data file itself; choose another name",
+        ),
         (("campanha_2008.csv", "--plot", "x.png", "--contour", "x.png"), "only one of"),
-        (("campanha_2008.csv", "--plot", "x.gif"), "must end in .png"),
+        (("campanha_2008.csv", "--plot", "x.gif"), "must end in one of .png"),
         (("campanha_2008.csv", "--method", "eye"), "must be one of ml"),
         (("campanha_2008.csv", "--bounds", "guess"), "must be one of pivotal"),
         (("campanha_2008.csv", "--bounds", "pivotal", "--shape", "1.5"), "does not go with"),
@@ -250,12 +253,15 @@ def test_the_example_in_the_repository_is_the_shipped_one() -> None:
         (("campanha_2008.csv", "--bayes", "2.5..1"), "greater than low"),
         (("campanha_2008.csv", "--bayes", "one"), "must be LOW..HIGH"),
         (("campanha_2008.csv", "--bayes", "a..b"), "must be LOW..HIGH"),
-        (("campanha_2008.csv", "--time", "100"), "needs its unit"),
+        (("campanha_2008.csv", "--time", "100"), "needs a unit"),
         (("campanha_2008.csv", "--time", "-1 h"), "greater than zero"),
         (("campanha_2008.csv", "--time", "1 Mrev"), "in the unit of the data, h"),
         (("campanha_2008.csv", "--calculated-life", "ISO=h"), "number with its unit"),
         (("campanha_2008.csv", "--calculated-life", "1e999 h"), "greater than zero"),
-        (("campanha_2008.csv", *(("--calculated-life", "A=58 h") * 2)), "two lives of one name"),
+        (
+            ("campanha_2008.csv", *(("--calculated-life", "A=58 h") * 2)),
+            "gives two lives of the same name",
+        ),
         (("campanha_2008.csv", *(("--calculated-life", "8 h") * 9)), "8 times at most"),
         (("campanha_2008.csv", "--only", "III"), "there are: I, II"),
         (("campanha_2008.csv", "--group", "colour"), "is not a column of the file"),
@@ -398,7 +404,7 @@ def test_plans_are_drawn(run: Run, tmp_path: Path) -> None:
         code, _, err = run(*arguments, "--plot", f"{name}.png", "--lang", "pt")
         assert (code, err) == (0, "")
         assert (tmp_path / f"{name}.png").read_bytes().startswith(b"\x89PNG")
-        assert "must end in .png" in wrong(run(*arguments, "--plot", "x.gif"))
+        assert "must end in one of .png" in wrong(run(*arguments, "--plot", "x.gif"))
 
 
 def test_precision_out_of_reach(run: Run) -> None:
@@ -410,9 +416,9 @@ def test_precision_out_of_reach(run: Run) -> None:
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        (("demonstration", "--life", "1000"), "needs its unit"),
+        (("demonstration", "--life", "1000"), "needs a unit"),
         (("demonstration", "--life", "long"), "number with its unit"),
-        (("demonstration", "--life", "1 h", "--bearings", "0"), "whole number"),
+        (("demonstration", "--life", "1 h", "--bearings", "0"), "integer"),
         (("demonstration", "--life", "1 h", "--time", "1 Mrev"), "unit of the data"),
         (("demonstration", "--life", "1 h", "--shape", "0"), "greater than zero"),
         (("demonstration", "--life", "1 h", "--confidence", "1"), "between 0 and 1"),
@@ -435,7 +441,7 @@ def test_precision_out_of_reach(run: Run) -> None:
                 "--group-size",
                 "3",
             ),
-            "one --group-size",
+            "goes with a single --group-size",
         ),
     ],
 )

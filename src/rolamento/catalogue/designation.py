@@ -129,10 +129,13 @@ def other_type(text: str) -> str:
 
 
 def _other_type_sentence(kind: dict[str, Any]) -> str:
-    known = "known are single-row deep-groove and angular-contact ball bearings"
+    name = said(kind["name"])
     if "advice" in kind:
-        return f"is {kind['name']}; {kind['advice']}"
-    return f"is {kind['name']}, a type that is not known here; {known}"
+        return said("is {kind}; {advice}", kind=name, advice=said(kind["advice"]))
+    return said(
+        "is {kind}; the catalogue covers single-row deep-groove and angular-contact ball bearings",
+        kind=name,
+    )
 
 
 ClearanceClass = Literal["C2", "CN", "C3", "C4", "C5"]

@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Annotated, ClassVar, Final
 import typer
 
 from rolamento.cli.common import NO_RESULT, SOLVED, plain_endings
-from rolamento.cli.grouped_help import GroupedCommand, Groups
+from rolamento.cli.grouped_help import Groups
 from rolamento.cli.option_names import in_options
+from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.options import (
     ChannelOption,
     DurationOption,
@@ -37,7 +38,7 @@ _MOST_SCALE: Final = 1e9
 _SCALE_EXAMPLE: Final = "--full-scale low=30 or --full-scale low='120 um/s'"
 
 
-class AnderonCommand(GroupedCommand):
+class AnderonCommand(JsonCommand):
     """`rolamento anderon`, its help in groups."""
 
     groups: ClassVar[Groups] = {

@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Annotated, ClassVar, Final
 import typer
 
 from rolamento.cli.common import NO_RESULT, SOLVED, Language, plain_endings
-from rolamento.cli.grouped_help import GroupedCommand, Groups
+from rolamento.cli.grouped_help import Groups
 from rolamento.cli.option_names import in_options
+from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.options import (
     ChannelOption,
     DurationOption,
@@ -41,7 +42,7 @@ _SLIP: Final = 0.02
 _SPEED_TOLERANCE: Final = "3 %"
 
 
-class DiagnoseCommand(GroupedCommand):
+class DiagnoseCommand(JsonCommand):
     """`rolamento diagnose`, its help in groups."""
 
     groups: ClassVar[Groups] = {

@@ -93,9 +93,20 @@ def friction(
             solved = _one(chosen, hysteresis, json, lang)
         else:
             curves = _curves(chosen, over, points, log, variants or [], hysteresis, lang)
+            from rolamento.document.medium import Medium
             from rolamento.report import friction_curves
 
-            solved = show_curves(curves, friction_curves, _figure, (json, csv, plot), lang)
+            solved = show_curves(
+                curves,
+                json_text=friction_curves.curves_json,
+                csv_text=friction_curves.curves_csv,
+                page_text=lambda shown: friction_curves.curves_report(
+                    shown, words_of(lang), Medium.of(sys.stdout)
+                ),
+                figure=_figure,
+                outputs=(json, csv, plot),
+                lang=lang,
+            )
     raise typer.Exit(SOLVED if solved else NO_RESULT)
 
 

@@ -15,7 +15,6 @@ from rolamento.cli.common import (
     complain_of,
     complain_of_points,
     plain_endings,
-    words_of,
 )
 from rolamento.cli.options import LanguageOption, SettingsOption, csv_option, json_option
 from rolamento.cli.outputs import check_outputs
@@ -33,13 +32,14 @@ from rolamento.cli.table_options import DecimalMarkOption, told_in_options
 from rolamento.cli.waiting import waiting
 from rolamento.errors import InputError
 from rolamento.words import marked, said
+from rolamento.words.reasons import reason
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from matplotlib.figure import Figure
 
-    from rolamento.document.medium import Medium
+    from rolamento.document import Document
     from rolamento.tasks.life_over import LifeCurve
 
 __all__ = ["life"]
@@ -109,9 +109,18 @@ def life(
         tables = {"nsk_table": nsk_table, "decimal_mark": decimal_mark}
         if over is not None:
             curves = _curves(cases[0], over, points, log, variants or [], tables, lang)
-            from rolamento.report import life_curves
+            from rolamento.pages.life_over import life_over_page
+            from rolamento.tasks.life_over import curves_csv, curves_json
 
-            solved = show_curves(curves, life_curves, _figure, (json, csv, plot), lang)
+            solved = show_curves(
+                curves,
+                json_text=curves_json,
+                csv_text=curves_csv,
+                page_text=lambda shown: _text(life_over_page(shown)),
+                figure=_figure,
+                outputs=(json, csv, plot),
+                lang=lang,
+            )
         elif spectrum is not None:
             solved = _spectrum(cases[0], spectrum, tables, json, csv, lang)
         elif len(cases) > 1:
@@ -186,16 +195,15 @@ def _one(
     case: rolamento.Case, tables: dict[str, str | None], json: str | None, lang: Language | None
 ) -> bool:
     """Show the life of a case; tell whether it has a result."""
-    from rolamento.report.life import life_json, life_report
+    from rolamento.pages.life import life_page
     from rolamento.tasks.life import life_of_case
 
     with told_in_options(), waiting(lang):
         found = life_of_case(case, **tables)
     if json is not None:
-        put(life_json(found.solved, found.life, found.changes) + "\n", json)
+        put(found.to_json() + "\n", json)
     if json != STANDARD_STREAM:
-        words = words_of(lang)
-        print_text(life_report(found.solved, found.life, found.changes, words, _medium()))
+        print_text(_text(life_page(found.solved, found.life, found.changes)))
     elif not found.converged:
         complain_of(found.solved, lang)
     return found.converged
@@ -209,7 +217,7 @@ def _shaft(
     lang: Language | None,
 ) -> bool:
     """Show the lives of several bearings and of all together."""
-    from rolamento.report.shaft import shaft_json, shaft_report
+    from rolamento.pages.shaft import shaft_page
     from rolamento.tasks.life import life_of_shaft
 
     with told_in_options(), waiting(lang):
@@ -217,13 +225,12 @@ def _shaft(
     titles = [own.title for own in cases]
     names = titles if all(titles) and len(set(titles)) == len(titles) else paths
     if json is not None:
-        put(shaft_json(found, names) + "\n", json)
+        put(found.to_json(names) + "\n", json)
     if json != STANDARD_STREAM:
-        print_text(shaft_report(found, names, words_of(lang), _medium()))
+        print_text(_text(shaft_page(found, names)))
     elif not found.converged:
-        words = words_of(lang)
         failed = next(solved for solved in found.bearings if not solved.converged[0])
-        complain(f"{failed.title}: {words.reason(failed)}")
+        complain(f"{failed.title}: {reason(str(failed.status.code[0]))}")
     return found.converged
 
 
@@ -236,18 +243,17 @@ def _spectrum(
     lang: Language | None,
 ) -> bool:
     """Show the life under a duty of several steps."""
-    from rolamento.report.life_spectrum import spectrum_csv, spectrum_json, spectrum_report
-    from rolamento.tasks.life_spectrum import life_under
+    from rolamento.pages.life_spectrum import life_spectrum_page
+    from rolamento.tasks.life_spectrum import life_under, spectrum_csv
 
     with told_in_options(), waiting(lang):
         found = life_under(case, path, **tables)
-    words = words_of(lang)
     if json is not None:
-        put(spectrum_json(found) + "\n", json)
+        put(found.to_json() + "\n", json)
     if csv is not None:
         put(spectrum_csv(found), csv)
     if STANDARD_STREAM not in (json, csv):
-        print_text(spectrum_report(found, words, _medium()))
+        print_text(_text(life_spectrum_page(found)))
     elif not found.converged:
         failed = found.status[(found.status != "converged") & found.taking_part]
         complain_of_points(failed, len(found.steps), lang)
@@ -279,7 +285,8 @@ def _figure(curves: Sequence[LifeCurve]) -> Figure:
     return life_figure(curves)
 
 
-def _medium() -> Medium:
+def _text(page: Document) -> str:
     from rolamento.document.medium import Medium
+    from rolamento.document.terminal import terminal
 
-    return Medium.of(sys.stdout)
+    return terminal(page, Medium.of(sys.stdout))

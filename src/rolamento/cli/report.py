@@ -3,26 +3,18 @@
 from __future__ import annotations
 
 import sys
-from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Final
+from typing import Annotated
 
 import typer
 
-from rolamento._writing import write_bytes, write_text
 from rolamento.cli.common import NO_RESULT, SOLVED, plain_endings
 from rolamento.cli.options import JsonOption, LanguageOption, SettingsOption
 from rolamento.cli.outputs import check_outputs
 from rolamento.cli.streams import STANDARD_STREAM, print_text, put
 from rolamento.cli.waiting import progress_of
-from rolamento.errors import FileError
 from rolamento.words import said
 
-if TYPE_CHECKING:
-    from rolamento.document import Document
-
 __all__ = ["report"]
-
-_ENDINGS: Final = (".html", ".pdf", ".md")
 
 
 def report(
@@ -85,7 +77,9 @@ def report(
             put(found.to_json() + "\n", json)
         page = report_page(found)
         if output is not None:
-            _write(page, output)
+            from rolamento.document.writing import write
+
+            write(page, output)
         elif json != STANDARD_STREAM:
             from rolamento.document import Medium
             from rolamento.document.terminal import terminal
@@ -98,23 +92,7 @@ def _check(cases: list[str], output: str | None, json: str | None) -> None:
     """Refuse, before any work, names that will not do."""
     for case in cases:
         check_outputs({"--output": output, "--json": json}, case)
-    if output is not None and Path(output).suffix.lower() not in _ENDINGS:
-        raise FileError("must end in .html, .pdf or .md", source=output, example="report.pdf")
+    if output is not None:
+        from rolamento.document.writing import REPORTS, check_ending
 
-
-def _write(page: Document, path: str) -> None:
-    """Write the report in the format that the name's ending says."""
-    ending = Path(path).suffix.lower()
-    if ending == ".pdf":
-        from rolamento.document.pdf import pdf
-
-        write_bytes(pdf(page), path)
-        return
-    if ending == ".html":
-        from rolamento.document.html import html
-
-        write_text(html(page), path)
-        return
-    from rolamento.document.markdown import markdown
-
-    write_text(markdown(page), path)
+        check_ending(output, REPORTS)

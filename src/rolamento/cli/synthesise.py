@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Final
 import typer
 
 from rolamento.cli.common import NO_RESULT, SOLVED, complain_of, plain_endings
-from rolamento.cli.grouped_help import GroupedCommand, Groups
+from rolamento.cli.grouped_help import Groups
 from rolamento.cli.option_names import in_options
+from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.options import (
     BearingArgument,
     LagOption,
@@ -115,7 +116,7 @@ _OPTIONS: Final = {
 _LOADS: Final = ("uniform", "radial", "solved")
 
 
-class SynthesiseCommand(GroupedCommand):
+class SynthesiseCommand(JsonCommand):
     """`rolamento synthesise`, its help in groups."""
 
     groups: ClassVar[Groups] = {

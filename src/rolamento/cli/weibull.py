@@ -15,7 +15,8 @@ from rolamento.cli.common import (
     SOLVED,
     plain_endings,
 )
-from rolamento.cli.grouped_help import GroupedCommand, Groups
+from rolamento.cli.grouped_help import Groups
+from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.options import LanguageOption, SeedOption, json_option, plot_option
 from rolamento.cli.outputs import check_outputs
 from rolamento.cli.shipped_data import check_one_given, data_and_json, known_example
@@ -48,7 +49,7 @@ _MAXIMUM_CALCULATED: Final = 8
 _PRIOR: Final = re.compile(r"(?:(lognormal|uniform):)?([^:]{1,30})\.\.([^:]{1,30})")
 
 
-class WeibullCommand(GroupedCommand):
+class WeibullCommand(JsonCommand):
     """`rolamento weibull`, its help in groups."""
 
     groups: ClassVar[Groups] = {

@@ -172,6 +172,8 @@ def characters(block: Table) -> int:
     """Return about how many characters a table is wide, its columns two apart."""
     width = 0
     for column in block.columns:
+        if column.only_in_files:
+            continue
         words = max((len(word) for word in column.head.split()), default=0)
         longest = max((min(len(text), _LONGEST_LINE) for text in cells(column)), default=0)
         width += 2 + (_BAR if column.bar else max(words, len(column.unit), longest))

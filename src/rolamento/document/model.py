@@ -132,7 +132,7 @@ class Column:
     Parameters
     ----------
     head
-        A symbol or words.
+        A symbol or words; a line break where a narrow medium begins a new line.
     values
         One a row; numbers in SI.
     unit

@@ -250,7 +250,7 @@ class _Setter:
     def _assembled(self, columns: Sequence[Lines], block: Table, width: int) -> Lines:
         """Put columns beside each other, the rule and the names of groups between their lines."""
         rows = self._rows(columns, block, width)
-        heads = 0 if block.headless else 1 + has_unit_line(block)
+        heads = 0 if block.headless else _head_lines(block) + has_unit_line(block)
         head, body = [line for lines in rows[:heads] for line in lines], rows[heads:]
         if block.rule:
             head.append(self._rule(max((len(line) for lines in rows for line in lines), default=0)))
@@ -301,12 +301,17 @@ class _Setter:
     def _heads(self, column: Column, block: Table, room: str) -> Lines:
         if block.headless:
             return []
+        words = column.head.split("\n")
+        count = _head_lines(block)
+        above = [Text()] * (count - len(words))
         if not has_unit_line(block):
             unit = f" {column.unit}" if column.unit and block.units == "behind" else ""
-            return [self._text(column.head + unit + room, "dim")]
+            words[-1] = f"{words[-1]}{unit}".strip()
+            return [*above, *(self._text(word + room, "dim") for word in words)]
+        lines = [self._text(word + room) for word in words]
         if not column.unit:
-            return [Text(), self._text(column.head + room)]
-        return [self._text(column.head + room), self._text(column.unit + room, "dim")]
+            return [Text()] * (count + 1 - len(lines)) + lines
+        return [*above, *lines, self._text(column.unit + room, "dim")]
 
     def _with_bars(self, table: list[Lines], block: Table, width: int) -> list[Lines]:
         """Add the columns of bars, in what room is left."""
@@ -367,6 +372,18 @@ def _in_columns(columns: Sequence[Lines], indent: int, gap: int) -> Lines:
 def _padded(cell: Text, width: int, left: bool) -> Text:
     room = " " * (width - len(cell))
     return Text.assemble(cell, room) if left else Text.assemble(room, cell)
+
+
+def _head_lines(block: Table) -> int:
+    """Count the lines of the longest head, without that of the units; others may end there."""
+    units = has_unit_line(block)
+    return (
+        max(
+            (c.head.count("\n") + (0 if units and not c.unit else 1) for c in block.columns),
+            default=1,
+        )
+        or 1
+    )
 
 
 def _style_of(cell: Text) -> str:

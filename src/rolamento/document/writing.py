@@ -55,7 +55,7 @@ def check_ending(path: str | os.PathLike[str], allowed: tuple[str, ...]) -> str:
     if ending not in allowed:
         name = Path(path).stem or "file"
         raise InputError(
-            said("must end in one of {endings}", endings=", ".join(allowed)),
+            said("must end in one of {endings}", endings=", ".join(filter(None, allowed))),
             source=os.fspath(path),
             example=f"{name}{allowed[0]}",
         )

@@ -9,12 +9,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import nan
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING, Final
 
 from rolamento.case import Case
 from rolamento.case.duty import AXES, LOADS
 from rolamento.document import (
     Beside,
+    Block,
     CellContent,
     Column,
     Document,
@@ -30,17 +31,19 @@ from rolamento.document import (
     Title,
     Tone,
 )
+from rolamento.friction.model import REMARKS
 from rolamento.life.record import BOUNDS, OUTSIDE
 from rolamento.life.theories import THEORIES
 from rolamento.pages.equations import equations_of, references_of
-from rolamento.pages.given import reason, untitled
-from rolamento.pages.state import balls_table, stiffness_section
-from rolamento.solved import RACES
-from rolamento.words import Note, counted, manner, marked, said
+from rolamento.pages.given import untitled
+from rolamento.pages.state import balls_table, rosette_section, stiffness_section
+from rolamento.studies.names import torque_model_name
+from rolamento.words import Note, counted, in_unit, manner, marked, said
+from rolamento.words.reasons import reason
+from rolamento.words.theories import theory_name
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure as Picture
-
+    from rolamento.geometry import Race
     from rolamento.tasks.report import CaseReport, Input, Report
 
 __all__ = ["report_page"]
@@ -76,7 +79,14 @@ def report_page(report: Report) -> Document:
     for number, (heading, blocks, key, inner) in enumerate(parts, start=1):
         sections.append(Section(f"{number}  {heading}", tuple(blocks), key, level=1))
         sections += inner
-    return Document(title, tuple(sections), kind="report")
+    return Document(
+        title,
+        tuple(sections),
+        kind="report",
+        main="summary",
+        program=said("Rolamento {version}", version=report.version),
+        date=report.head.date,
+    )
 
 
 # --- the head -------------------------------------------------------------------------------------
@@ -144,12 +154,12 @@ def _warnings_of(case: CaseReport) -> Iterator[_Warning]:
         if not check.met and check.name in _CHECKS and not check.name.startswith("film"):
             text = said("Limit exceeded: {limit}.", limit=said(_CHECKS[check.name][0]))
             yield _Warning(1, text, f"limit_{check.name}")
-    notes = [*analysis.solved.notes[0], *analysis.notes]
+    notes: list[Note] = [*analysis.solved.notes[0], *analysis.notes]
     if analysis.film is not None:
         notes += analysis.film.notes_of(0)
     if analysis.frequencies is not None:
         notes += analysis.frequencies.notes
-    for note in map(_note, notes):
+    for note in notes:
         yield _Warning(2, note.text, note.key)
 
 
@@ -158,7 +168,7 @@ def _failure(case: CaseReport) -> str:
     solved = case.analysis.solved
     advice = solved.advice[0]
     said_reason = said("No solution: {reason}.", reason=reason(str(solved.status.code[0])))
-    return said_reason if advice is None else f"{said_reason} {_note(advice).text}"
+    return said_reason if advice is None else f"{said_reason} {advice.text}"
 
 
 def _life_warnings(case: CaseReport) -> Iterator[_Warning]:
@@ -169,7 +179,7 @@ def _life_warnings(case: CaseReport) -> Iterator[_Warning]:
         yield _Warning(1, said("No theory of life is valid for this case."), "no_life_valid")
     theories: dict[str, list[str]] = {}
     for name, own in life.theories.items():
-        for note in map(_note, own.notes_of(0)):
+        for note in own.notes_of(0):
             theories.setdefault(note.key, []).append(name)
     for key, concerned in theories.items():
         always = key in BOUNDS and all(THEORIES[name].bound for name in concerned)
@@ -188,17 +198,15 @@ def _friction_warnings(case: CaseReport) -> Iterator[_Warning]:
     friction = case.analysis.friction
     if friction is None:
         return
-    refused: dict[str, list[str]] = {}
+    refused: dict[Note, list[str]] = {}
     for found in friction.validity:
-        for name, where in found.notes.items():
-            if where[0]:
-                refused.setdefault(name, []).append(torque_name(found.model))
-    for name, models in refused.items():
-        shown = said(
-            "Friction ({models}): {reason}", models="; ".join(models), reason=_friction_reason(name)
-        )
-        used = torque_name(friction.model) in models and not _is_remark(name)
-        yield _Warning(1 if used else 2, shown, f"friction_{name}")
+        for note in found.notes_of(0):
+            refused.setdefault(note, []).append(found.model)
+    for note, models in refused.items():
+        names = "; ".join(map(torque_model_name, models))
+        shown = said("Friction ({models}): {reason}", models=names, reason=note.text)
+        limits = friction.model in models and note.key not in REMARKS
+        yield _Warning(1 if limits else 2, shown, note.key)
 
 
 def _warning_blocks(
@@ -219,10 +227,6 @@ def _warning_blocks(
     if grave:
         lead = said("{remarks}; limiting the results: {grave}", remarks=lead, grave=grave)
     return (Statement(lead, "warning-strong" if grave else ""), Notes(tuple(remarks)))
-
-
-def _note(found: Any) -> Note:
-    return found if isinstance(found, Note) else Note(str(found))
 
 
 # --- tables of numbers ----------------------------------------------------------------------------
@@ -382,11 +386,13 @@ def _summary_rows(report: Report) -> list[_Row]:
         _Row(said("maximum contact pressure"), "extremes.max_pressure", ".4 MPa"),
         _Row(said("viscosity ratio κ"), "analysis.film.viscosity_ratio", ".3"),
         _Row(said("minimum film parameter λ"), "extremes.film_parameter", ".3"),
-        _Row(said("friction torque"), "analysis.friction.torque", ".4 N·mm"),
-        _Row(said("friction power"), "analysis.friction.power", ".4 W"),
-        _Row(said("friction torque (friction control)"), "analysis.rolling.inner_torque",
-             ".4 N·mm"),
-        _Row(said("friction power (friction control)"), "analysis.rolling.power", ".4 W"),
+        _Row(said("friction torque"), "analysis.friction.torque", _torque_form(report)),
+        _Row(said("friction power"), "analysis.friction.power", _power_form(report)),
+        _Row(
+            said("friction power (friction control)"),
+            "analysis.rolling.power",
+            _power_form(report),
+        ),
         _Row(said("mean clearance in operation"), "clearance.mean", ".3 µm"),
         _Row(said("axial preload at speed"), "analysis.preload.at_speed", ".4 N"),
         _Row(said("axial stiffness"), "analysis.stiffness.0.0", ".4 N/µm"),
@@ -398,7 +404,7 @@ def _life_rows(report: Report) -> list[_Row]:
     """The leading life; in words where fatigue does not decide, or no theory is valid."""
     path, label = "analysis.life.headline.hours", said("rating life")
     if all(_is_plain(case) for case in report.cases):
-        return [_Row(label, path, unit="h")]
+        return [_Row(label, path, ".4r", unit="h")]
     return [_Row(label, texts=tuple(_life_text(case) for case in report.cases))]
 
 
@@ -426,10 +432,10 @@ def _life_text(case: CaseReport) -> str:
     if hours is None:
         return ""
     if life.headline.below[0]:
-        return said("< {hours:.4} h", hours=hours)
+        return said("< {hours:.4r} h", hours=hours)
     if hours > _LONGEST_LIFE:
         return said("> {hours} h", hours=int(_LONGEST_LIFE))
-    return said("{hours:.4} h", hours=hours)
+    return said("{hours:.4r} h", hours=hours)
 
 
 def _leading(case: CaseReport) -> str:
@@ -475,9 +481,9 @@ def _inputs(report: Report) -> list[Section]:
     equal = [field for field in fields if field not in differing]
     later = list(range(1, len(report.cases)))
     tables: list[Table] = []
-    for number, at in enumerate(range(0, len(later), _ABREAST)):
-        key = "inputs_that_differ" + (f"_{number + 1}" if number else "")
-        tables += _input_table(report, differing, [0, *later[at : at + _ABREAST]], key, sources)
+    for number, index in enumerate(later, start=1):
+        key = "inputs_that_differ" + (f"_{number}" if number > 1 else "")
+        tables += _input_table(report, differing, [0, index], key, sources)
     same: Sequence[Statement | Table] = tables or [
         Statement(said("The cases have the same inputs."))
     ]
@@ -546,7 +552,9 @@ def _input_table(
     many = len(cases) > 1
     columns = [
         Column(head=said("input"), values=[_label(field) for field in fields], key="input"),
-        Column(head=said("field"), values=list(fields), key="field", tone="faint"),
+        Column(
+            head=said("field"), values=list(fields), key="field", tone="faint", only_in_files=many
+        ),
         Column(head=said("unit"), values=[first[f].unit for f in fields], key="unit",
                tone="faint"),
     ]  # fmt: skip
@@ -570,7 +578,7 @@ def _input_table(
                 key=f"{case.name}_origin",
             )
         )
-    return [Table(columns=tuple(columns), key=key, groups=tuple(groups), rule=True, fixed=3)]
+    return [Table(columns=tuple(columns), key=key, groups=tuple(groups), rule=True, fixed=2)]
 
 
 def _any_input(report: Report, field: str) -> Input:
@@ -624,31 +632,28 @@ def _input_differences(report: Report, fields: Sequence[str], case: int) -> list
 # --- results --------------------------------------------------------------------------------------
 
 
-def _results(report: Report) -> list[Section]:
+def _results(report: Report) -> list[Section | Beside]:
     """All results: a table for all cases, and for each what has a line a ball."""
-    sections: list[Section] = []
+    sections: list[Section | Beside] = []
 
-    def add(heading: str, key: str, *blocks: Any) -> None:
+    def add(heading: str, key: str, blocks: Sequence[Block]) -> None:
         if blocks:
-            sections.append(Section(heading, blocks, key))
+            sections.append(Section(heading, tuple(blocks), key))
 
-    add(said("Loads and ratings"), "loads", *_loads(report))
-    add(said("Lives by theory"), "lives", *_lives(report))
-    add(said("Clearance in operation"), "clearance", *_clearance(report))
-    add(said("Displacements and loads of the inner ring"), "ring", *_ring(report))
-    add(said("Rows and preload"), "rows", *_rows(report))
-    for case in report.cases:
-        if case.converged:
-            sections += _distribution(report, case)
-    add(said("Ball loads side by side"), "ball_loads", *_ball_loads(report))
-    add(said("Contact stresses"), "contacts", *_contacts(report))
-    add(said("Lubricant film"), "film", *_film(report))
-    add(said("Friction"), "friction", *_friction(report))
-    add(said("Fault frequencies"), "frequencies", *_frequencies(report))
-    add(said("Stiffness"), "stiffness", *_stiffness(report))
+    add(said("Loads and ratings"), "loads", _loads(report))
+    add(said("Lives by theory"), "lives", _lives(report))
+    add(said("Clearance in operation"), "clearance", _clearance(report))
+    sections.append(_ring_and_rosettes(report))
+    add(said("Rows and preload"), "rows", _rows(report))
+    sections += [_distribution(report, case) for case in report.cases if case.converged]
+    add(said("Ball loads side by side"), "ball_loads", _ball_loads(report))
+    add(said("Contact stresses"), "contacts", _contacts(report))
+    add(said("Lubricant film"), "film", _film(report))
+    add(said("Friction"), "friction", _friction(report))
+    add(said("Fault frequencies"), "frequencies", _frequencies(report))
+    add(said("Stiffness"), "stiffness", _stiffness(report))
     missing = _missing(report)
-    if missing:
-        add(said("Not calculated"), "missing", Notes(missing))
+    add(said("Not calculated"), "missing", (Notes(missing),) if missing else ())
     return sections
 
 
@@ -683,7 +688,7 @@ def _loads(report: Report) -> tuple[Table, ...]:
         _Row(said("dynamic equivalent load P"), f"{life}.loads.equivalent", ".4 N"),
         _Row(said("radial load factor X"), f"{life}.loads.radial_factor"),
         _Row(said("axial load factor Y"), f"{life}.loads.axial_factor"),
-        _Row(said("limit of F_a/F_r, e"), f"{life}.loads.load_ratio_limit"),
+        _Row(said("axial load limit e"), f"{life}.loads.load_ratio_limit"),
         _Row(said("static equivalent load P_0"), f"{life}.loads.static_equivalent", ".4 N"),
         _Row(said("load of the reference life P_ref"), "extremes.reference_load", ".4 N"),
     ]
@@ -709,11 +714,14 @@ def _rating_sources(report: Report) -> tuple[str, ...]:
             source = _rating_source(case, name)
             if source:
                 found.setdefault(source, {}).setdefault(case.name, []).append(symbol)
+    rated = sum(case.analysis.life is not None for case in report.cases)
     legends = []
     for source, cases in found.items():
-        alike = len({tuple(own) for own in cases.values()}) == 1
+        alike = len(cases) == rated and len({tuple(own) for own in cases.values()}) == 1
         ratings = "; ".join(
-            ", ".join(own) if alike else f"{', '.join(own)} ({name})"
+            ", ".join(own)
+            if alike
+            else said("{ratings} of case {name}", ratings=", ".join(own), name=name)
             for name, own in list(cases.items())[: 1 if alike else None]
         )
         legends.append(said("{ratings}: {source}", ratings=ratings, source=source))
@@ -741,27 +749,11 @@ def _rating_source(case: CaseReport, name: str) -> str:
 
 # --- lives ----------------------------------------------------------------------------------------
 
-_THEORIES: Final = {
-    "iso281": marked("ISO 281, basic"),
-    "iso281_modified": marked("ISO 281, modified"),
-    "iso281_1990": marked("ISO 281:1990, adjusted"),
-    "iso16281": marked("ISO/TS 16281, basic"),
-    "iso16281_modified": marked("ISO/TS 16281, modified"),
-    "ioannides_harris": marked("Ioannides and Harris"),
-    "l_able": marked("NSK, L_able"),
-    "tallian": marked("Tallian's form"),
-}
-
-
-def theory_name(theory: str) -> str:
-    """Return what a theory of life is called in a table."""
-    return said(_THEORIES.get(theory, theory))
-
 
 def _lives(report: Report) -> list[Table | Statement]:
     theories = [
         name
-        for name in _THEORIES
+        for name in THEORIES
         if any(
             case.analysis.life is not None and name in case.analysis.life.theories
             for case in report.cases
@@ -795,7 +787,7 @@ def _hours_row(report: Report, label: str, path: str) -> _Row:
     """Hours, or in words those beyond what fatigue decides."""
     hours = [case.number(path) for case in report.cases]
     if all(own is None or own <= _LONGEST_LIFE for own in hours):
-        return _Row(label, path, unit="h")
+        return _Row(label, path, ".4r", unit="h")
     texts = tuple("" if own is None else _hours_text(own) for own in hours)
     return _Row(label, unit="h", texts=texts)
 
@@ -803,7 +795,7 @@ def _hours_row(report: Report, label: str, path: str) -> _Row:
 def _hours_text(hours: float) -> str:
     if hours > _LONGEST_LIFE:
         return said("> {hours}", hours=int(_LONGEST_LIFE))
-    return said("{hours:.4}", hours=hours)
+    return said("{hours:.4r}", hours=hours)
 
 
 def _life_legends() -> tuple[str, ...]:
@@ -834,7 +826,7 @@ def _theory_table(case: CaseReport, theories: Sequence[str]) -> Table:
         Column(
             head="10⁶ rev",
             values=[
-                Number(nan) if own is None else Number(own, ".2e" if own >= 1e6 else ".4")
+                Number(nan) if own is None else Number(own, ".2e" if own >= 1e6 else ".4r")
                 for own in millions
             ],
             key="life",
@@ -851,7 +843,7 @@ def _theory_table(case: CaseReport, theories: Sequence[str]) -> Table:
                 if own is None
                 else _hours_text(own)
                 if own > _LONGEST_LIFE
-                else Number(own, ".4")
+                else Number(own, ".4r")
                 for name, own in zip(theories, hours, strict=True)
             ],
             key="hours",
@@ -973,12 +965,13 @@ def _place_of(case: CaseReport, step: str) -> int | None:
 
 def _chain(case: CaseReport) -> Table:
     """The chain of clearances of one case, with what went into the fits."""
-    labels, units, paths = [], [], []
+    labels, units, paths, sources = [], [], [], []
     tones: list[Tone] = []
     for place, step in enumerate(case.clearance.steps):
         labels.append(said(_STEPS.get(step.name, step.name)))
         units.append("µm")
         paths.append(f"clearance.steps.{place}.change")
+        sources.append(step.source.text)
         tones.append("")
         for name, label, unit in _DETAILS:
             values = step.details.get(name)
@@ -986,10 +979,12 @@ def _chain(case: CaseReport) -> Table:
                 labels.append("  " + said(label))
                 units.append(unit)
                 paths.append(f"clearance.steps.{place}.details.{name}")
+                sources.append("")
                 tones.append("faint")
     labels.append(said("in operation"))
     units.append("µm")
     paths.append("clearance")
+    sources.append("")
     tones.append("strong")
     heads = (said("minimum"), said("mean"), said("maximum"))
     columns = [
@@ -1008,6 +1003,7 @@ def _chain(case: CaseReport) -> Table:
             )
             for at, head in enumerate(heads)
         ),
+        Column(head=said("source"), values=sources, key="source", tone="faint"),
         Column(head="path", values=paths, key="path", only_in_files=True),
     ]
     return Table(columns=tuple(columns), key=f"clearance_{case.name}", rule=True)
@@ -1081,30 +1077,32 @@ def _rows(report: Report) -> tuple[Table, ...]:
     return _tables(report, groups, "set")
 
 
-def _distribution(report: Report, case: CaseReport) -> list[Section]:
-    """The loads of the balls as a picture and as a table."""
-    solved = case.analysis.solved
-    many = len(report.cases) > 1
-    heading = (
-        said("Load distribution, case {name}", name=case.name)
-        if many
-        else said("Load distribution")
-    )
-    caption = (
-        said("Ball loads round the bearing, seen from +x, case {name}", name=case.name)
-        if many
-        else said("Ball loads round the bearing, seen from +x")
-    )
-    figure = Figure(caption=caption, draw=lambda: _rosette(case), key=f"rosette_{case.name}")
-    table = replace(balls_table(solved), key=f"balls_{case.name}")
-    return [Section(heading, (figure, table), f"distribution_{case.name}")]
+def _ring_and_rosettes(report: Report) -> Beside:
+    """The ring and the loads round it; of several cases the rosettes below the ring's table."""
+    ring = Section(said("Displacements and loads of the inner ring"), _ring(report), "ring")
+    pictures = tuple(_rosette(report, case) for case in report.cases if case.converged)
+    if len(report.cases) == 1:
+        return Beside((ring,), pictures, key="ring")
+    return Beside((ring, *pictures[::2]), pictures[1::2], key="ring")
 
 
-def _rosette(case: CaseReport) -> Picture:
-    from rolamento.plots.balls import load_rosette
-    from rolamento.plots.frame import figure_of
+def _rosette(report: Report, case: CaseReport) -> Section:
+    found = rosette_section(case.analysis.solved)
+    figure = found.blocks[0]
+    assert isinstance(figure, Figure)
+    heading = found.heading
+    if len(report.cases) > 1:
+        heading = said("{what}, case {name}", what=heading, name=case.name)
+    return Section(heading, (replace(figure, key=f"rosette_{case.name}"),), f"rosette_{case.name}")
 
-    return figure_of(load_rosette(case.analysis.solved))
+
+def _distribution(report: Report, case: CaseReport) -> Section:
+    """The loads of the balls, a line each."""
+    heading = said("Load distribution")
+    if len(report.cases) > 1:
+        heading = said("{what}, case {name}", what=heading, name=case.name)
+    table = replace(balls_table(case.analysis.solved), key=f"balls_{case.name}")
+    return Section(heading, (table,), f"distribution_{case.name}")
 
 
 def _ball_loads(report: Report) -> tuple[Table, ...]:
@@ -1120,28 +1118,86 @@ def _ball_loads(report: Report) -> tuple[Table, ...]:
     return _tables(report, [("", rows)], "ball_loads", legends=(said("Load at the inner race"),))
 
 
+_OF_CONTACTS: Final = (
+    ("max_pressure", marked("maximum contact pressure"), ".4 MPa"),
+    ("ball", marked("at ball number"), ".4"),
+    ("azimuth", marked("azimuth of this ball"), ".4 °"),
+    ("contact_angle", marked("contact angle there"), ".4 °"),
+    ("semi_major", marked("ellipse, semi-major"), ".4 mm"),
+    ("semi_minor", marked("ellipse, semi-minor"), ".4 mm"),
+    ("deflection", marked("approach"), ".4 µm"),
+    ("max_shear", marked("maximum shear stress"), ".4 MPa"),
+    ("max_shear_depth", marked("depth of the maximum shear stress"), ".4 mm"),
+    ("orthogonal_shear", marked("orthogonal shear stress"), ".4 MPa"),
+    ("orthogonal_shear_depth", marked("depth of the orthogonal shear stress"), ".4 mm"),
+    ("load", marked("maximum contact load"), ".5 N"),
+    ("spin_to_roll", marked("maximum spin-to-roll ratio"), ".4f"),
+)
+_OF_FILMS: Final = (
+    ("central_thickness", marked("central film thickness h_c"), ".3 µm"),
+    ("minimum_thickness", marked("minimum film thickness h_0"), ".3 µm"),
+    ("film_parameter", marked("film parameter λ"), ".3"),
+    ("entrainment_speed", marked("entrainment speed"), ".3 m/s"),
+    ("thermal_factor", marked("thermal factor"), ".3 %"),
+    ("starvation_factor", marked("starvation factor"), ".3 %"),
+)
+"""Of the contacts of a race: name in the extremes, label, form."""
+
+
 def _contacts(report: Report) -> tuple[Table, ...]:
-    races = {"inner": said("Inner race"), "outer": said("Outer race")}
-    groups: list[_Group] = []
-    for race in RACES:
-        own = f"extremes.{race}_"
-        rows = [
-            _Row(said("maximum contact pressure"), f"{own}max_pressure", ".4 MPa"),
-            _Row(said("at the ball of number"), f"{own}ball", ".4"),
-            _Row(said("azimuth of this ball"), f"{own}azimuth", ".4 °"),
-            _Row(said("contact angle there"), f"{own}contact_angle", ".4 °"),
-            _Row(said("ellipse, semi-major"), f"{own}semi_major", ".4 mm"),
-            _Row(said("ellipse, semi-minor"), f"{own}semi_minor", ".4 mm"),
-            _Row(said("approach"), f"{own}deflection", ".4 µm"),
-            _Row(said("maximum shear stress"), f"{own}max_shear", ".4 MPa"),
-            _Row(said("its depth"), f"{own}max_shear_depth", ".4 mm"),
-            _Row(said("orthogonal shear stress"), f"{own}orthogonal_shear", ".4 MPa"),
-            _Row(said("its depth"), f"{own}orthogonal_shear_depth", ".4 mm"),
-            _Row(said("maximum contact load"), f"{own}load", ".5 N"),
-            _Row(said("maximum spin-to-roll ratio"), f"{own}spin_to_roll", ".3f"),
+    heads: dict[Race, str] = {"inner": said("Inner race"), "outer": said("Outer race")}
+    return _by_race(report, _OF_CONTACTS, heads, "contacts")
+
+
+def _by_race(
+    report: Report, rows: Sequence[tuple[str, str, str]], heads: Mapping[Race, str], key: str
+) -> tuple[Table, ...]:
+    """Numbers of both races: of one case beside each other, of several below each other."""
+    if len(report.cases) > 1:
+        groups = [
+            (
+                head,
+                [_Row(said(label), f"extremes.{race}_{name}", form) for name, label, form in rows],
+            )
+            for race, head in heads.items()
         ]
-        groups.append((races[race], rows))
-    return _tables(report, groups, "contacts")
+        return _tables(report, groups, key)
+    case = report.cases[0]
+    found = [
+        row
+        for row in rows
+        if any(case.number(f"extremes.{race}_{row[0]}") is not None for race in heads)
+    ]
+    columns = [
+        Column(head=said("quantity"), values=[said(row[1]) for row in found], key="quantity"),
+        Column(
+            head=said("unit"),
+            values=[row[2].partition(" ")[2] for row in found],
+            key="unit",
+            tone="faint",
+        ),
+        *(
+            Column(
+                head=head,
+                values=[_number(case, f"extremes.{race}_{name}", form) for name, _, form in found],
+                key=race,
+                align="right",
+            )
+            for race, head in heads.items()
+        ),
+        Column(
+            head="path",
+            values=[f"extremes.*_{row[0]}" for row in found],
+            key="path",
+            only_in_files=True,
+        ),
+    ]
+    return (Table(columns=tuple(columns), key=key, rule=True),)
+
+
+def _number(case: CaseReport, path: str, form: str) -> Number:
+    value = case.number(path)
+    return Number(nan if value is None else value, _bracketed(form))
 
 
 # --- film, friction, frequencies, stiffness -------------------------------------------------------
@@ -1159,25 +1215,14 @@ def _film(report: Report) -> tuple[Table, ...]:
         _Row(said("required viscosity ν_1"), f"{film}.reference_viscosity", ".4 mm²/s"),
         _Row(said("viscosity ratio κ"), f"{film}.viscosity_ratio", ".3"),
     ]  # fmt: skip
-    groups: list[_Group] = [(said("Lubricant"), oil)]
-    heads = {
-        "inner": said("Thinnest film at the inner race"),
-        "outer": said("Thinnest film at the outer race"),
-    }
-    for race in RACES:
-        own = f"extremes.{race}_"
-        rows = [
-            _Row(said("central film thickness h_c"), f"{own}central_thickness", ".3 µm"),
-            _Row(said("minimum film thickness h_0"), f"{own}minimum_thickness", ".3 µm"),
-            _Row(said("film parameter λ"), f"{own}film_parameter", ".3"),
-            _Row(said("entrainment speed"), f"{own}entrainment_speed", ".3 m/s"),
-            _Row(said("thermal factor"), f"{own}thermal_factor", ".3 %"),
-            _Row(said("starvation factor"), f"{own}starvation_factor", ".3 %"),
-        ]
-        groups.append((heads[race], rows))
     if not any(case.analysis.film is not None for case in report.cases):
         return ()
-    return _tables(report, groups, "film")
+    heads: dict[Race, str] = {
+        "inner": said("Thinnest film, inner race"),
+        "outer": said("Thinnest film, outer race"),
+    }
+    tables = _tables(report, [(said("Lubricant"), oil)], "oil")
+    return (*tables, *_by_race(report, _OF_FILMS, heads, "film"))
 
 
 def _lubricant(case: CaseReport) -> str:
@@ -1196,21 +1241,22 @@ _LOSSES: Final = {
 def _friction(report: Report) -> tuple[Table, ...]:
     friction = "analysis.friction"
     used = tuple(
-        "" if case.analysis.friction is None else torque_name(case.analysis.friction.model)
+        "" if case.analysis.friction is None else torque_model_name(case.analysis.friction.model)
         for case in report.cases
     )
+    torque, power = _torque_form(report), _power_form(report)
     whole = [
         _Row(said("coefficient of friction μ"), f"{friction}.friction_coefficient"),
         _Row(said("model of the contacts"), texts=used),
-        _Row(said("running torque"), f"{friction}.torque", ".4 N·mm"),
-        _Row(said("starting torque"), f"{friction}.starting_torque", ".4 N·mm"),
-        _Row(said("friction power"), f"{friction}.power", ".4 W"),
+        _Row(said("running torque"), f"{friction}.torque", torque),
+        _Row(said("starting torque"), f"{friction}.starting_torque", torque),
+        _Row(said("friction power"), f"{friction}.power", power),
     ]
     torques = [
-        _Row(said(label), f"{friction}.torque_by_source.{name}", ".4 N·mm")
+        _Row(said(label), f"{friction}.torque_by_source.{name}", torque)
         for name, label in _LOSSES.items()
     ]
-    heats = [_Row(said(label), f"extremes.heat_{name}", ".4 W") for name, label in _LOSSES.items()]
+    heats = [_Row(said(label), f"extremes.heat_{name}", power) for name, label in _LOSSES.items()]
     names = dict.fromkeys(
         name
         for case in report.cases
@@ -1218,14 +1264,14 @@ def _friction(report: Report) -> tuple[Table, ...]:
         for name in case.analysis.friction.models
     )
     models = [
-        _Row(torque_name(name), f"{friction}.models.{name}.torque", ".4 N·mm") for name in names
+        _Row(torque_model_name(name), f"{friction}.models.{name}.torque", torque) for name in names
     ]
     rolling = [
         _Row(said("cage speed"), "analysis.rolling.cage_speed", ".5 rpm"),
         _Row(said("cage slip against outer raceway control"), "analysis.rolling.skid", ".3 %"),
-        _Row(said("torque on the shaft"), "analysis.rolling.inner_torque", ".4 N·mm"),
-        _Row(said("torque on the housing"), "analysis.rolling.outer_torque", ".4 N·mm"),
-        _Row(said("power lost in the contacts"), "analysis.rolling.power", ".4 W"),
+        _Row(said("torque on the shaft"), "analysis.rolling.inner_torque", torque),
+        _Row(said("torque on the housing"), "analysis.rolling.outer_torque", torque),
+        _Row(said("power lost in the contacts"), "analysis.rolling.power", power),
     ]
     groups = [
         (said("Friction of the contacts"), whole),
@@ -1240,33 +1286,25 @@ def _friction(report: Report) -> tuple[Table, ...]:
     return _tables(report, groups, "friction", legends=(legend,))
 
 
-def torque_name(model: str) -> str:
-    """Return what a torque model is called in a table."""
-    from rolamento.friction.models import TORQUE_MODELS
-
-    known = TORQUE_MODELS.get(model)
-    return model if known is None else said(known.title)
+def _torque_form(report: Report) -> str:
+    paths = ("analysis.friction.torque", "analysis.rolling.inner_torque")
+    return _readable(report, paths, ("N·m", "N·mm", "µN·m"))
 
 
-_REASONS: Final = {
-    "inertia": marked("forces of inertia on the balls are not negligible"),
-    "full_film": marked("an oil film separates the surfaces: friction is not Coulomb's"),
-    "partial_film": marked("an oil film carries part of the load: μ is an effective one"),
-    "no_film": marked("asperities carry the load, and the model is for lubricated bearings"),
-    "other_angle": marked("the maker's constants are for another contact angle"),
-    "at_rest": marked("at rest: the torque is that of the first motion"),
-    "no_result": marked("the model has no result"),
-}
+def _power_form(report: Report) -> str:
+    paths = ("analysis.friction.power", "analysis.rolling.power")
+    return _readable(report, paths, ("W", "mW", "µW"))
 
 
-def _friction_reason(name: str) -> str:
-    return said(_REASONS.get(name, name))
+def _readable(report: Report, paths: Sequence[str], units: Sequence[str]) -> str:
+    """The largest unit of which the greatest number has at least a tenth, else the last."""
+    numbers = [abs(case.number(path) or 0.0) for case in report.cases for path in paths]
+    most = max(numbers)
+    found = (unit for unit in units if float(in_unit(most, unit)) >= _READABLE)
+    return f".4 {next(found, units[-1] if most else units[0])}"
 
 
-def _is_remark(name: str) -> bool:
-    from rolamento.friction.model import REMARKS
-
-    return name in REMARKS
+_READABLE: Final = 0.1
 
 
 _LINES: Final = {
@@ -1280,6 +1318,8 @@ _LINES: Final = {
 
 def _frequencies(report: Report) -> tuple[Table, ...]:
     path = "analysis.frequencies"
+    if len(report.cases) == 1:
+        return _frequency_table(report.cases[0])
     shaft = [_Row(said("shaft frequency"), f"{path}.shaft_frequency", ".5 Hz")]
     hertz = [
         _Row(said(label), f"{path}.{name}.frequency", ".5 Hz") for name, label in _LINES.items()
@@ -1291,6 +1331,44 @@ def _frequencies(report: Report) -> tuple[Table, ...]:
         (said("Orders of the shaft"), orders),
     ]
     return _tables(report, groups, "frequencies")
+
+
+def _frequency_table(case: CaseReport) -> tuple[Table, ...]:
+    """Frequencies of one case with their orders."""
+    path = "analysis.frequencies"
+    if case.analysis.frequencies is None:
+        return ()
+    names = list(_LINES)
+    columns = (
+        Column(head="", values=[said(_LINES[name]) for name in names], key="line"),
+        Column(
+            head=said("frequency"),
+            values=[case.number(f"{path}.{name}.frequency") for name in names],
+            unit="Hz",
+            key="frequency",
+            figures=5,
+            most=6,
+        ),
+        Column(
+            head=said("order"),
+            values=[case.number(f"{path}.{name}.order") for name in names],
+            unit="–",
+            key="order",
+            figures=5,
+            most=4,
+        ),
+        Column(
+            head="path",
+            values=[f"{path}.{name}" for name in names],
+            key="path",
+            only_in_files=True,
+        ),
+    )
+    legend = said(
+        "Orders are multiples of the shaft frequency, {frequency:.5 Hz}.",
+        frequency=case.number(f"{path}.shaft_frequency") or 0.0,
+    )
+    return (Table(columns=columns, key=f"frequencies_{case.name}", legends=(legend,), rule=True),)
 
 
 def _stiffness(report: Report) -> list[Table]:
@@ -1324,7 +1402,7 @@ def _stiffness(report: Report) -> list[Table]:
 _CHECKS: Final[Mapping[str, tuple[str, str]]] = {
     "pressure": (marked("contact pressure, static limit (ISO 76)"), ".4 [MPa]"),
     "tilt": (marked("tilt of the rings, small angles"), ".3 [°]"),
-    "speed": (marked("speed factor n·d_m"), ".3"),
+    "speed": (marked("speed factor n·d_m"), ".3 [10⁶ mm·rpm]"),
     "load": (marked("equivalent load over dynamic rating P/C"), ".3"),
     "reference_load": (marked("reference load over dynamic rating P_ref/C"), ".3"),
     "film_U": (marked("Hamrock–Dowson, speed parameter U"), ".1e"),
@@ -1359,7 +1437,7 @@ def _validity(report: Report) -> list[Section]:
 def _check_table(case: CaseReport) -> Table:
     checks = [check for check in case.checks if check.name in _CHECKS]
     forms = [_CHECKS[check.name][1] for check in checks]
-    units = {"pressure": "MPa", "tilt": "°", "speed": "mm/min"}
+    units = {"pressure": "MPa", "tilt": "°", "speed": "10⁶ mm·rpm"}
 
     def column(name: str, head: str) -> Column:
         values: list[CellContent] = []
@@ -1402,7 +1480,7 @@ def _check_table(case: CaseReport) -> Table:
 def _life_validity(report: Report) -> tuple[Table, ...]:
     """Which theory is valid for which case, and what refuses or bounds it."""
     rows, verdicts = [], []
-    for name in _THEORIES:
+    for name in THEORIES:
         own = [_reasoned(case, name) for case in report.cases]
         if any(own):
             rows.append(theory_name(name))
@@ -1414,7 +1492,7 @@ def _reasoned(case: CaseReport, theory: str) -> str:
     life = case.analysis.life
     if life is None or theory not in life.theories:
         return ""
-    notes = [_note(note) for note in life.theories[theory].notes_of(0)]
+    notes = life.theories[theory].notes_of(0)
     why = [note.text for note in notes if note.key in OUTSIDE | BOUNDS]
     verdict = _verdict(case, theory)
     return said("{verdict}: {why}", verdict=verdict, why=" ".join(why)) if why else verdict
@@ -1428,7 +1506,7 @@ def _friction_validity(report: Report) -> tuple[Table, ...]:
         for found in case.analysis.friction.validity
     )
     verdicts = [[_friction_verdict(case, name) for case in report.cases] for name in names]
-    labels = [torque_name(name) for name in names]
+    labels = [torque_model_name(name) for name in names]
     return _verdict_table(report, said("model"), labels, verdicts, "friction_validity")
 
 
@@ -1439,9 +1517,9 @@ def _friction_verdict(case: CaseReport, model: str) -> str:
     )  # fmt: skip
     if found is None:
         return ""
-    why = [_friction_reason(name) for name, where in found.notes.items() if where[0]]
+    why = [note.text for note in found.notes_of(0)]
     verdict = said("yes") if found.valid[0] else said("no")
-    return said("{verdict}: {why}", verdict=verdict, why="; ".join(why)) if why else verdict
+    return said("{verdict}: {why}", verdict=verdict, why=" ".join(why)) if why else verdict
 
 
 def _verdict_table(

@@ -7,15 +7,18 @@ steps may load different races and rows.
 
 from __future__ import annotations
 
+import csv
 import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from io import StringIO
 from math import isfinite
-from typing import Final, Literal
+from typing import Any, Final, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
+from rolamento._json import dumps
 from rolamento._tables import Table, read_table
 from rolamento.case import Case
 from rolamento.case.life_model import LifeModel
@@ -32,7 +35,7 @@ from rolamento.numerics import BoolArray, FloatArray
 from rolamento.solution import solve
 from rolamento.studies.fields import Field, Value, read_field, refuse_rivals
 from rolamento.studies.solving import CONVERGED, INVALID_INPUT, array_fields, base_case
-from rolamento.tasks.life import CaseSource, TableSource, case_of, factor_table
+from rolamento.tasks.life import SCHEMA, CaseSource, TableSource, case_of, factor_table
 from rolamento.tasks.life_over import LifeRows, lives_of_rows
 from rolamento.words import said
 
@@ -119,6 +122,16 @@ class DutyLife:
     valid: bool
     below: bool
 
+    def to_mapping(self) -> dict[str, Any]:
+        """Give the life as plain values; an endless one as None beside "endless"."""
+        return {
+            "life": self.life,
+            "hours": self.hours,
+            "endless": bool(np.isposinf(self.life)),
+            "holds": self.valid,
+            "below": self.below,
+        }
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class SpectrumLife:
@@ -186,6 +199,87 @@ class SpectrumLife:
         if self.required_life is None or not hours_for_ninety > 0.0:
             return None
         return float(reliability_of(self.required_life / _HOUR / hours_for_ninety, edition))
+
+    def to_json(self) -> str:
+        """Return all of it as one JSON object: SI units, hours, millions of revolutions."""
+        leading = self.headline
+        return dumps(
+            {
+                "schema": SCHEMA,
+                "kind": "life_spectrum",
+                "title": self.case.title,
+                "reliability": self.reliability,
+                "mean_speed": self.mean_speed,
+                "headline": {
+                    "theory": leading.theory or None,
+                    **leading.to_mapping(),
+                    "step_hours": leading.steps.hours,
+                    "damage": leading.damage,
+                },
+                "theories": {name: _of_theory(own) for name, own in self.theories.items()},
+                "wanted_life": None
+                if self.required_life is None
+                else {
+                    "life": self.required_life,
+                    "reliability": self.reliability_of_required(),
+                    "below": leading.below,
+                },
+                "steps": {
+                    "status": self.status,
+                    "time_share": self.time_shares,
+                    "revolution_share": self.revolution_shares,
+                    "values": self.steps.values,
+                },
+                "case": self.case.to_mapping(),
+            },
+            indent=2,
+        )
+
+
+def _of_theory(own: DutyLife) -> dict[str, Any]:
+    assert isinstance(own.steps, Life)
+    return {
+        **own.to_mapping(),
+        "notes": {key: where for key, where in own.steps.notes.items() if np.any(where)},
+        "step_life": own.steps.life,
+        "step_hours": own.steps.hours,
+        "damage": own.damage,
+    }
+
+
+def spectrum_csv(found: SpectrumLife) -> str:
+    """Return the steps, one a line below a header that names the units (RFC 4180)."""
+    text = StringIO(newline="")
+    writer = csv.writer(text)
+    theories = list(found.theories)
+    writer.writerow(
+        [
+            "step",
+            "status",
+            "time_share",
+            "revolution_share",
+            *found.steps.cells,
+            *(f"{name}_h" for name in theories),
+            *(f"{name}_damage" for name in theories),
+        ]
+    )
+    for step in range(len(found.steps)):
+        writer.writerow(
+            [
+                step + 1,
+                str(found.status[step]),
+                _cell(found.time_shares[step]),
+                _cell(found.revolution_shares[step]),
+                *(cells[step] for cells in found.steps.cells.values()),
+                *(_cell(own.steps.hours[step]) for own in found.theories.values()),
+                *(_cell(own.damage[step]) for own in found.theories.values()),
+            ]
+        )
+    return text.getvalue()
+
+
+def _cell(value: float) -> str:
+    return f"{value:.10g}" if isfinite(value) else ""
 
 
 def life_under(

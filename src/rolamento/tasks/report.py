@@ -29,7 +29,7 @@ from rolamento.lubrication.film_thickness import COMPUTED_RANGE
 from rolamento.notes import SPEED_LIMIT, STATIC_PRESSURE_LIMIT, TILT_LIMIT
 from rolamento.solved import RACES
 from rolamento.tasks.bearing import BearingLike, case_of, is_designation
-from rolamento.units import MILLIMETRE, Dimension, rpm_of
+from rolamento.units import Dimension
 
 __all__ = [
     "MOST_CASES",
@@ -547,7 +547,7 @@ def _checks(analysis: Analysis) -> Iterator[Check]:
     yield Check("tilt", 0.0, tilt, high=TILT_LIMIT)
     speed = max(abs(float(solved.field(f"duty.{race}_speed")[0])) for race in RACES)
     pitch = float(solved.rows.pitch_diameter[0].max())
-    yield Check("speed", 0.0, float(rpm_of(speed)) * pitch / MILLIMETRE, high=SPEED_LIMIT)
+    yield Check("speed", 0.0, speed * pitch, high=SPEED_LIMIT)
     if analysis.life is not None:
         loads, ratings = analysis.life.loads, analysis.life.ratings
         load, rating = float(loads.dynamic[0]), float(ratings.dynamic_of_set[0])
@@ -622,8 +622,13 @@ def _paths(found: Any, path: str) -> Iterator[str]:
     elif isinstance(found, list) and path.startswith(_COMPARED_LISTS):
         for index, value in enumerate(found):
             yield from _paths(value, f"{path}{index}.")
-    elif isinstance(found, int | float) and not isinstance(found, bool):
+    elif isinstance(found, int | float) and not isinstance(found, bool) and _compares(path):
         yield path[:-1]
+
+
+def _compares(path: str) -> bool:
+    """Of the balls, only the loads: the rest would be a table of its own."""
+    return not path.startswith("analysis.balls.") or path.endswith(".load.")
 
 
 _OF_FILM: Final = (
@@ -631,5 +636,7 @@ _OF_FILM: Final = (
     "thermal_factor", "starvation_factor",
 )  # fmt: skip
 _COMPARED: Final = ("extremes", "clearance", "analysis")
-_COMPARED_LISTS: Final = ("analysis.stiffness.",)
+_COMPARED_LISTS: Final = (
+    "analysis.stiffness.", "analysis.rows.", "analysis.balls.", "clearance.steps.",
+)  # fmt: skip
 _NOT_COMPARED: Final = frozenset({"schema", "residual", "iterations", "row", "ball", "notes"})

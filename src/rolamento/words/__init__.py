@@ -14,6 +14,7 @@ from rolamento.words.note import Note
 from rolamento.words.speaking import (
     counted,
     language,
+    language_asked,
     language_of,
     languages,
     manner,
@@ -34,6 +35,7 @@ __all__ = [
     "decimals_for",
     "in_unit",
     "language",
+    "language_asked",
     "language_of",
     "languages",
     "manner",
