@@ -489,8 +489,8 @@ def _inputs(report: Report) -> list[Section]:
     ]
     rest = _input_table(report, equal, [0], "inputs_in_common", sources)
     return [
-        Section(said("Inputs that differ"), tuple(same), key="differing_inputs"),
-        Section(said("Inputs in common"), (*rest, *sources.blocks()), key="common_inputs"),
+        Section(said("Inputs that differ"), tuple(same), key="differing_inputs", level=3),
+        Section(said("Inputs in common"), (*rest, *sources.blocks()), key="common_inputs", level=3),
     ]
 
 
@@ -638,12 +638,12 @@ def _results(report: Report) -> list[Section | Beside]:
 
     def add(heading: str, key: str, blocks: Sequence[Block]) -> None:
         if blocks:
-            sections.append(Section(heading, tuple(blocks), key))
+            sections.append(Section(heading, tuple(blocks), key, level=3))
 
     add(said("Loads and ratings"), "loads", _loads(report))
     add(said("Lives by theory"), "lives", _lives(report))
     add(said("Clearance in operation"), "clearance", _clearance(report))
-    sections.append(_ring_and_rosettes(report))
+    sections += _ring_and_rosettes(report)
     add(said("Rows and preload"), "rows", _rows(report))
     sections += [_distribution(report, case) for case in report.cases if case.converged]
     add(said("Ball loads side by side"), "ball_loads", _ball_loads(report))
@@ -1077,13 +1077,15 @@ def _rows(report: Report) -> tuple[Table, ...]:
     return _tables(report, groups, "set")
 
 
-def _ring_and_rosettes(report: Report) -> Beside:
-    """The ring and the loads round it; of several cases the rosettes below the ring's table."""
-    ring = Section(said("Displacements and loads of the inner ring"), _ring(report), "ring")
+def _ring_and_rosettes(report: Report) -> list[Section | Beside]:
+    """The ring beside the loads round it; of several cases the rosettes below the ring's table."""
+    ring = Section(said("Displacements and loads of the inner ring"), _ring(report), "ring", 3)
     pictures = tuple(_rosette(report, case) for case in report.cases if case.converged)
     if len(report.cases) == 1:
-        return Beside((ring,), pictures, key="ring")
-    return Beside((ring, *pictures[::2]), pictures[1::2], key="ring")
+        return [Beside((ring,), pictures, key="ring")]
+    if len(pictures) < 2:
+        return [ring, *pictures]
+    return [ring, Beside(pictures[::2], pictures[1::2], key="rosettes")]
 
 
 def _rosette(report: Report, case: CaseReport) -> Section:
@@ -1093,7 +1095,9 @@ def _rosette(report: Report, case: CaseReport) -> Section:
     heading = found.heading
     if len(report.cases) > 1:
         heading = said("{what}, case {name}", what=heading, name=case.name)
-    return Section(heading, (replace(figure, key=f"rosette_{case.name}"),), f"rosette_{case.name}")
+    return Section(
+        heading, (replace(figure, key=f"rosette_{case.name}"),), f"rosette_{case.name}", 3
+    )
 
 
 def _distribution(report: Report, case: CaseReport) -> Section:
@@ -1102,7 +1106,7 @@ def _distribution(report: Report, case: CaseReport) -> Section:
     if len(report.cases) > 1:
         heading = said("{what}, case {name}", what=heading, name=case.name)
     table = replace(balls_table(case.analysis.solved), key=f"balls_{case.name}")
-    return Section(heading, (table,), f"distribution_{case.name}")
+    return Section(heading, (table,), f"distribution_{case.name}", level=3)
 
 
 def _ball_loads(report: Report) -> tuple[Table, ...]:
@@ -1424,13 +1428,13 @@ def _validity(report: Report) -> list[Section]:
             if many
             else said("Limits of the models")
         )
-        sections.append(Section(heading, (_check_table(case),), f"limits_{case.name}"))
+        sections.append(Section(heading, (_check_table(case),), f"limits_{case.name}", level=3))
     life = _life_validity(report)
     if life:
-        sections.append(Section(said("Theories of life"), life, "life_validity"))
+        sections.append(Section(said("Theories of life"), life, "life_validity", level=3))
     friction = _friction_validity(report)
     if friction:
-        sections.append(Section(said("Models of friction"), friction, "friction_validity"))
+        sections.append(Section(said("Models of friction"), friction, "friction_validity", level=3))
     return sections
 
 
