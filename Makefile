@@ -49,4 +49,4 @@ dev:
 
 clean:
 	rm -rf .venv .mypy_cache .pytest_cache .ruff_cache .hypothesis
-	find src tests benchmarks -name __pycache__ -type d -prune -exec rm -rf {} +
+	find src reproductions tests benchmarks -name __pycache__ -type d -prune -exec rm -rf {} +

@@ -21,7 +21,7 @@ case "${1:-}" in
 esac
 
 # From which description the environment was made.
-stamp=$(cat pyproject.toml constraints.txt scripts/setup.sh | cksum)
+stamp=$(cat pyproject.toml reproductions/pyproject.toml constraints.txt scripts/setup.sh | cksum)
 
 if [ -n "${PYTHON:-}" ]; then
     set -- "$1" "$PYTHON"
@@ -96,7 +96,7 @@ if ! in_place || ! recent_enough "$venv/bin/python"; then
 fi
 echo "Installing Rolamento and what it needs (a minute or two, once) …"
 "$venv/bin/python" -m pip install --disable-pip-version-check --quiet \
-    --constraint constraints.txt --editable "$what" >"$log" 2>&1 \
+    --constraint constraints.txt --editable "$what" --editable ./reproductions >"$log" 2>&1 \
     || fail "the installation failed (the whole story is in $log); it needs the network, \
 or a package index that pip is set up for."
 echo "$stamp" >"$venv/$target.stamp"

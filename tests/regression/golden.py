@@ -210,8 +210,6 @@ def _is_note(value: Any) -> bool:
 
 
 def _is_prose(value: Any) -> bool:
-    if isinstance(value, dict):  # a note, which was a sentence
-        return value.keys() == {"key", "text", "values"}
     return isinstance(value, str) and bool(_PROSE.search(value))
 
 

@@ -85,7 +85,7 @@ def test_numpy_numbers_are_numbers() -> None:
         ({"inner_shoulder_height": 0.012}, "less than the ball radius, 11.11 mm"),
         ({"outer_shoulder_height": 0.0}, "greater than 0 mm"),
         ({"ring_material": "101Cr6"}, "did you mean 100Cr6"),
-        ({"ring_material": 207e9}, "must be a name \(material\) or a table"),
+        ({"ring_material": 207e9}, r"must be a name \(material\) or a table"),
         ({"ball_material": {"density": 3240.0}}, "ball_material.youngs_modulus: is missing"),
     ],
 )

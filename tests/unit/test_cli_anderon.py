@@ -15,18 +15,18 @@ from typing import Any
 
 import numpy as np
 import pytest
-from typer.testing import CliRunner
-
-from rolamento import tasks
-from rolamento.cli.anderon import _full_scales_of as full_scales_of
-from rolamento.cli.app import app
-from rolamento.plots.anderon import noise_bands, noise_figure
 from rolamento.report.anderon import (
     CSV_COLUMNS,
     noise_json,
     noise_report,
     noise_statement,
 )
+from typer.testing import CliRunner
+
+from rolamento import tasks
+from rolamento.cli.anderon import _full_scales_of as full_scales_of
+from rolamento.cli.app import app
+from rolamento.plots.anderon import noise_bands, noise_figure
 from rolamento.report.language import PORTUGUESE
 from rolamento.tasks import noise as noise_task
 from rolamento.tasks.noise import FullScale, MeasuredNoise, NoiseResult

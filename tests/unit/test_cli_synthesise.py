@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 import pytest
 import typer
+from rolamento.report.synthesis import synthesis_report
 from typer.testing import CliRunner
 
 from rolamento import Bearing, load_case
@@ -23,7 +24,6 @@ from rolamento.cli.quantities import fields_of, number_of
 from rolamento.errors import InputError
 from rolamento.plots.vibration_modulation import envelope_depths, modulation_figure
 from rolamento.report import synthesis as page
-from rolamento.report.synthesis import synthesis_report
 from rolamento.solution import solve
 from rolamento.tasks.bearing import case_of, has_load, is_designation
 from rolamento.tasks.synthesis import SynthesisResult

@@ -8,6 +8,10 @@ from typing import Any
 
 import numpy as np
 import pytest
+from rolamento.report.life import life_report
+from rolamento.report.life_curves import curves_report
+from rolamento.report.life_spectrum import spectrum_report
+from rolamento.report.shaft import shaft_report
 from tests.one_case import keys
 
 from rolamento import (
@@ -30,10 +34,6 @@ from rolamento.life import (
     sensitivity,
 )
 from rolamento.life.record import BOUNDS, OUTSIDE
-from rolamento.report.life import life_report
-from rolamento.report.life_curves import curves_report
-from rolamento.report.life_spectrum import spectrum_report
-from rolamento.report.shaft import shaft_report
 from rolamento.report.terminal import terminal_report
 from rolamento.solution import solve
 from rolamento.studies.ranges import read_range

@@ -320,7 +320,7 @@ def test_over_a_field_where_some_points_have_no_result(run: Run) -> None:
         (("life.filter_size=12 um",), "life.filter_ratio: is missing; filter_size needs it"),
         (("life.filter_size=90 um", "life.filter_ratio=2"), "is coarser than the last filter"),
         (("life.grease_cleanliness=norml",), "must be one of high, normal"),
-        (("life.contamination=0.5", "life.grease_cleanliness=high"), "cannot be combined with contam"),
+        (("life.contamination=0.5", "life.grease_cleanliness=high"), "cannot be combined with con"),
         (("life.contamination=2",), "must be at least 0 and at most 1"),
         (("life.clealiness=x",), "did you mean cleanliness?"),
         (("life.dynamic_rating=20",), "needs a unit"),

@@ -7,6 +7,7 @@ import json
 import numpy as np
 import pytest
 from rolamento.plots.life_words import life_words
+from rolamento.report.life_words import LIFE_WORDS
 from tests.one_case import keys
 
 from rolamento import Bearing, Case, Displacement, Duty, InputError, Load
@@ -24,7 +25,6 @@ from rolamento.life.record import OUTSIDE
 from rolamento.life.theories import THEORIES
 from rolamento.lubrication import film as film_of
 from rolamento.lubrication.oil_state import viscosity_ratio
-from rolamento.report.life_words import LIFE_WORDS
 from rolamento.solution import solve
 from rolamento.words.sentences import sentences
 

@@ -11,6 +11,7 @@ import pytest
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import to_hex
+from rolamento.plots.life_words import LifeWords, life_words
 
 from rolamento import (
     Bearing,
@@ -35,7 +36,6 @@ from rolamento.plots.life import (
     theory_look,
     what_helps,
 )
-from rolamento.plots.life_words import LifeWords, life_words
 from rolamento.plots.over_field import decades, short_label
 from rolamento.plots.style import new_figure
 from rolamento.plots.words import ENGLISH, PORTUGUESE

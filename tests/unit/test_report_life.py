@@ -11,14 +11,6 @@ from string import Formatter
 from typing import Any
 
 import pytest
-from tests.one_case import keys, said
-
-from rolamento import Case, analyse, load_case, override
-from rolamento.document.medium import Medium
-from rolamento.life import LifeSummary, conditions_of, life, sensitivity
-from rolamento.life.record import OUTSIDE
-from rolamento.life.sensitivity import CHANGES
-from rolamento.report.language import ENGLISH, PORTUGUESE, Words
 from rolamento.report.life import life_report
 from rolamento.report.life_curves import curves_report
 from rolamento.report.life_spectrum import spectrum_report
@@ -30,8 +22,16 @@ from rolamento.report.life_statement import (
     percent,
 )
 from rolamento.report.life_words import LIFE_WORDS
-from rolamento.report.page import Page
 from rolamento.report.shaft import shaft_report
+from tests.one_case import keys, said
+
+from rolamento import Case, analyse, load_case, override
+from rolamento.document.medium import Medium
+from rolamento.life import LifeSummary, conditions_of, life, sensitivity
+from rolamento.life.record import OUTSIDE
+from rolamento.life.sensitivity import CHANGES
+from rolamento.report.language import ENGLISH, PORTUGUESE, Words
+from rolamento.report.page import Page
 from rolamento.report.terminal import terminal_report
 from rolamento.solution import solve
 from rolamento.solved import Solved

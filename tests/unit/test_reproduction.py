@@ -8,12 +8,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from tests.reproduced import english, find, portuguese
 
 from rolamento.status import STATUS_NAMES
-from rolamento_reproductions import computed, find
-from rolamento_reproductions.page import REASONS
 from rolamento_reproductions.record import Agreement, Cell, Curves, Figure, Floats, Section, Table
-from rolamento_reproductions.writing import figure_csv, table_csv
+from rolamento_reproductions.text import templates
+from rolamento_reproductions.writing import computed, figure_csv, table_csv
 
 GALLERY = Path(__file__).resolve().parents[2] / "docs" / "gallery" / "radaelli-2013"
 COUNT = 16  # balls of the 218
@@ -81,10 +81,10 @@ def test_both_languages_are_spoken(sections: tuple[Section, ...]) -> None:
             texts = [item.caption, item.source, *item.notes]
             texts += [t for claim in item.claims for t in (claim.statement, claim.finding)]
             for text in texts:
-                assert text.en
-                assert text.pt
-            assert item.caption.en != item.caption.pt
-            assert item.source.en != item.source.pt
+                assert english(text)
+                assert portuguese(text)
+            assert english(item.caption) != portuguese(item.caption)
+            assert english(item.source) != portuguese(item.source)
 
 
 # --- tables -----------------------------------------------------------------
@@ -145,7 +145,8 @@ def test_digits_that_are_cut(printed: str, value: float, agreement: Agreement) -
 
 
 def test_every_status_has_words() -> None:
-    assert set(REASONS) == set(STATUS_NAMES.values()) - {"converged"}
+    reasons = {key.removeprefix("reason.") for key in templates("", "en") if "reason." in key}
+    assert reasons == set(STATUS_NAMES.values()) - {"converged"}
 
 
 @pytest.mark.parametrize(

@@ -20,10 +20,11 @@ import numpy as np
 import pytest
 import typer
 from matplotlib.figure import Figure as Picture
+from tests.reproduced import english, find, portuguese, spoken
 from typer.testing import CliRunner
 
 from rolamento.cli.reproduce import reproduce
-from rolamento_reproductions import computed, find, open_folder, write
+from rolamento.document import html, markdown
 from rolamento_reproductions.campanha_2008.contact import contact_numbers, shear_numbers
 from rolamento_reproductions.campanha_2008.film import film_numbers
 from rolamento_reproductions.campanha_2008.inputs import NONE, Number, said_like
@@ -33,15 +34,17 @@ from rolamento_reproductions.campanha_2008.rating import nsk_numbers, rating_num
 from rolamento_reproductions.campanha_2008.surfaces import anderon_speed
 from rolamento_reproductions.campanha_2008.weibull import lives_of_tests
 from rolamento_reproductions.drawing import drawn, rendered
-from rolamento_reproductions.page import (
-    html,
-    index_page,
-    markdown,
-    summary,
-)
+from rolamento_reproductions.page import index_page, summary
 from rolamento_reproductions.record import Cell, Curves, Figure, Floats, Section, Table
-from rolamento_reproductions.text import Language, Text
-from rolamento_reproductions.writing import figure_csv, file_names, table_csv
+from rolamento_reproductions.text import Text
+from rolamento_reproductions.writing import (
+    computed,
+    figure_csv,
+    file_names,
+    open_folder,
+    table_csv,
+    write,
+)
 
 NAME = "campanha-2008"
 GALLERY = Path(__file__).resolve().parents[2] / "docs" / "gallery" / NAME
@@ -102,16 +105,16 @@ def numbers() -> dict[str, Number]:
 
 
 @pytest.fixture(scope="module")
-def pictures(figures: dict[str, Figure]) -> Callable[[str, Language], Picture]:
+def pictures(figures: dict[str, Figure]) -> Callable[[str, str], Picture]:
     """Give the drawing of a figure, made once for all tests."""
-    return cache(lambda number, language: drawn(figures[number], language))
+    return cache(lambda number, language: spoken(language, lambda: drawn(figures[number])))
 
 
 @pytest.fixture(scope="module")
 def folder(sections: tuple[Section, ...], tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Give a folder that everything was written to once."""
     place, source = tmp_path_factory.mktemp(NAME), find(NAME)
-    write(source, sections, open_folder(str(place), source), language="pt", pictures="png")
+    write(source, sections, open_folder(str(place), source), pictures="png")
     return place
 
 
@@ -149,16 +152,16 @@ def test_both_languages_are_spoken(sections: tuple[Section, ...]) -> None:
             if isinstance(item, Table):
                 read = [c for c in item.columns if c.sentences]
                 texts += [cell for c in read for cell in c.cells if isinstance(cell, Text)]
-            same = [text.en for text in texts if text.en == text.pt]
+            same = [english(text) for text in texts if english(text) == portuguese(text)]
             assert all(len(text) < 20 or text.startswith(("U = ", "1/β")) for text in same), same
-            assert not any("{" in text.en or "{" in text.pt for text in texts)
-            assert not any("nan" in text.en.split() for text in texts)
+            assert not any("{" in english(text) or "{" in portuguese(text) for text in texts)
+            assert not any("nan" in english(text).split() for text in texts)
 
 
 def test_every_number_has_a_reason(numbers: dict[str, Number]) -> None:
     for number in numbers.values():
-        assert number.reason.en.endswith(".")
-        assert number.right_text.en
+        assert english(number.reason).endswith(".")
+        assert english(number.right_text)
 
 
 # --- printed numbers --------------------------------------------------------
@@ -278,7 +281,7 @@ def test_each_choice_in_the_film(tables: dict[str, Table]) -> None:
     assert share[1] * share[2] * share[3] == pytest.approx(share[4], abs=2e-3)
     first = next(c for c in tables["K"].columns if c.name == "reason").cells[0]
     assert isinstance(first, Text)
-    assert f"{100.0 * (1.0 - share[2]):.0f} % thinner" in first.en
+    assert f"{100.0 * (1.0 - share[2]):.0f} % thinner" in english(first)
 
 
 def test_printed_speed_is_the_sum_of_both_surfaces(numbers: dict[str, Number]) -> None:
@@ -396,12 +399,12 @@ def test_balls_one_by_one_lie_near_the_ring(figures: dict[str, Figure]) -> None:
 
 
 def test_clearance_costs_five_to_ten_per_cent(numbers: dict[str, Number]) -> None:
-    assert numbers["reduction"].right_text.en == "5 to 10"
+    assert english(numbers["reduction"].right_text) == "5 to 10"
     assert numbers["reduction"].choices == pytest.approx(20.0, abs=0.05)
 
 
 def test_the_mistaken_clearance_costs_the_same_everywhere(figures: dict[str, Figure]) -> None:
-    note = figures["4.1.4"].notes[0].en
+    note = english(figures["4.1.4"].notes[0])
     assert "20.8, 20.8 and 20.8 %" in note
     assert "5^(2/3) = 2.924" in note
 
@@ -435,7 +438,7 @@ def test_depth_of_the_maximum_shear(numbers: dict[str, Number]) -> None:
 
     assert 0.5 * minor(LOAD, 0.52) == pytest.approx(minor(LOAD / 8.0, 0.52), rel=1e-12)
     assert numbers["depth"].choices == pytest.approx(0.5 * minor(LOAD, 0.52), rel=1e-6)
-    right = [float(word) for word in numbers["depth"].right_text.en.split(" to ")]
+    right = [float(word) for word in english(numbers["depth"].right_text).split(" to ")]
     assert right == pytest.approx(
         [0.782 * minor(6045.0, 0.505), 0.782 * minor(6251.0, 0.505)], 4e-3
     )
@@ -582,11 +585,11 @@ def test_a_life_is_contradicted_where_the_interval_leaves_one_outside(
 def test_what_is_told_of_the_lives(figures: dict[str, Figure], tables: dict[str, Table]) -> None:
     """The early failure under the printed line; the lives that agree, and those that do not."""
     early = 1.0 - np.exp(-14.0 * (38.2 / 432.02) ** 4.015)
-    assert f"{100.0 * early:.2f} % of such tests" in figures["4.1.1"].notes[0].en
-    told = tables["E.2"].claims[0].finding.en
+    assert f"{100.0 * early:.2f} % of such tests" in english(figures["4.1.1"].notes[0])
+    told = english(tables["E.2"].claims[0].finding)
     assert "admit 43 to 257 h: 57.8, 151.2 and 189 h, not 41 h (p = 0.09)" in told
     assert "do not admit 17 and 57.8 h, and 69 h by one β" in told
-    assert "57,8; 151,2 e 189 h" in tables["E.2"].claims[0].finding.pt
+    assert "57,8; 151,2 e 189 h" in portuguese(tables["E.2"].claims[0].finding)
 
 
 def test_the_printed_likelihood_equation_has_no_solution() -> None:
@@ -631,7 +634,7 @@ def test_clearances_by_condition(figures: dict[str, Figure]) -> None:
         points = column(of, name)
         assert np.isfinite(points).sum() == 10
         assert np.nanmean(points) == pytest.approx(mean)
-        assert any(f"{mean:.1f}" in line.label.en for line in lines_of(of) if line.label)
+        assert any(f"{mean:.1f}" in english(line.label) for line in lines_of(of) if line.label)
     at_180 = column(of, "condition_I")[column(of, "time") == 180.0]
     assert sorted(at_180[np.isfinite(at_180)]) == [45.0, 47.0]
 
@@ -694,7 +697,7 @@ def lines_of(figure: Figure) -> tuple[Any, ...]:
 @pytest.mark.parametrize("number", FIGURES)
 @pytest.mark.parametrize("language", ["en", "pt"])
 def test_legends_lie_within_the_picture(
-    number: str, language: Language, pictures: Callable[[str, Language], Picture]
+    number: str, language: str, pictures: Callable[[str, str], Picture]
 ) -> None:
     picture = pictures(number, language)
     picture.draw_without_rendering()
@@ -708,7 +711,7 @@ def test_legends_lie_within_the_picture(
 def test_lines_drawn_are_the_data(
     number: str,
     figures: dict[str, Figure],
-    pictures: Callable[[str, Language], Picture],
+    pictures: Callable[[str, str], Picture],
 ) -> None:
     of = figures[number]
     data = list(csv.DictReader(io.StringIO(figure_csv(of))))
@@ -722,7 +725,7 @@ def test_lines_drawn_are_the_data(
 
 
 def test_measurements_are_joined_and_marked(
-    pictures: Callable[[str, Language], Picture],
+    pictures: Callable[[str, str], Picture],
 ) -> None:
     """Figure 4.3.2: a line and its markers for each bearing."""
     found = [list(np.asarray(one.get_ydata())) for one in pictures("4.3.2", "en").axes[0].lines]
@@ -731,7 +734,7 @@ def test_measurements_are_joined_and_marked(
 
 
 def test_pictures_are_the_same_bytes(figures: dict[str, Figure], folder: Path) -> None:
-    once = rendered(figures["4.3.3"], ("png",), "pt")["png"]
+    once = spoken("pt", lambda: rendered(figures["4.3.3"], ("png",)))["png"]
     assert (folder / f"{figures['4.3.3'].stem}.png").read_bytes() == once
 
 
@@ -755,8 +758,8 @@ class Reader(HTMLParser):
 
 
 @pytest.mark.parametrize("language", ["en", "pt"])
-def test_page(language: Language, sections: tuple[Section, ...]) -> None:
-    page = html(index_page(find(NAME), sections, ("png",)), language)
+def test_page(language: str, sections: tuple[Section, ...]) -> None:
+    page = spoken(language, lambda: html(index_page(find(NAME), sections, ("png",))))
     reader = Reader()
     reader.feed(page)
     assert reader.open == []
@@ -764,16 +767,16 @@ def test_page(language: Language, sections: tuple[Section, ...]) -> None:
     assert "td.sentence" in page
     head = "with the author's choices" if language == "en" else "com as escolhas do autor"
     assert page.count(head.replace("'", "&#x27;")) >= 7
-    text = markdown(index_page(find(NAME), sections, ("png",)), language)
+    text = spoken(language, lambda: markdown(index_page(find(NAME), sections, ("png",))))
     rows = [line for line in text.splitlines() if line.startswith("|")]
     assert any(head in row for row in rows)
     assert "| 0.085 | 0.08507 | 0.106 |".replace(".", "," if language == "pt" else ".") in text
 
 
 def test_summary(sections: tuple[Section, ...]) -> None:
-    lines = [line.en for line in summary(sections)]
-    assert lines[0] == "8 figures, 19 tables."
-    assert lines[1].startswith("Of 80 printed numbers 73 are")
+    lines = [english(line) for line in summary(sections)]
+    assert lines[0] == "Figures: 8; tables: 19."
+    assert lines[1].startswith("Of 80 printed numbers, 73 are")
 
 
 def test_folder(folder: Path) -> None:

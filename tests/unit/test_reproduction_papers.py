@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
+from functools import partial
 from html.parser import HTMLParser
 from pathlib import Path
 from typing import Any
@@ -12,22 +13,15 @@ import numpy as np
 import pytest
 import typer
 from matplotlib.axes import Axes
+from tests.reproduced import english, find, portuguese, spoken
 from typer.testing import CliRunner
 
 from rolamento.cli.reproduce import reproduce
+from rolamento.document import Statement, html, markdown
 from rolamento.friction.slip import rolling_lines
-from rolamento_reproductions import computed, find, open_folder, write
 from rolamento_reproductions.braga_almeida.speeds import ball
 from rolamento_reproductions.drawing import drawn, rendered
-from rolamento_reproductions.page import (
-    Claims,
-    Frame,
-    html,
-    index_page,
-    markdown,
-    misprints_page,
-    summary,
-)
+from rolamento_reproductions.page import index_page, misprints_page, summary
 from rolamento_reproductions.record import (
     Curves,
     Errata,
@@ -40,8 +34,16 @@ from rolamento_reproductions.record import (
     power_text,
     residual,
 )
-from rolamento_reproductions.text import Text, formula
-from rolamento_reproductions.writing import errata_csv, figure_csv, file_names, table_csv
+from rolamento_reproductions.text import Text, formula, same
+from rolamento_reproductions.writing import (
+    computed,
+    errata_csv,
+    figure_csv,
+    file_names,
+    open_folder,
+    table_csv,
+    write,
+)
 
 NAMES = ("ricci-fleury", "braga-almeida")
 FIGURES = {
@@ -108,8 +110,8 @@ def test_both_languages_are_spoken(items: dict[str, Any]) -> None:
         else:
             texts += [t for claim in item.claims for t in (claim.statement, claim.finding)]
         for text in texts:
-            assert text.en != text.pt
-            assert " sin " not in text.pt
+            assert english(text) != portuguese(text)
+            assert " sin " not in portuguese(text)
 
 
 # --- statements -------------------------------------------------------------
@@ -134,18 +136,18 @@ def test_every_statement_ends_as_told(items: dict[str, Any]) -> None:
 
 
 def test_statements_of_theory_are_apart(items: dict[str, Any]) -> None:
-    section = Section(Text("t", "t"), (items["ricci-fleury/figure-08"],))
-    page = index_page(find("ricci-fleury"), (section,), ("svg",))
-    (frame,) = (block for block in page.blocks if isinstance(block, Frame))
-    kinds = [block for block in frame.blocks if isinstance(block, Claims)]
-    assert [len(kind.claims) for kind in kinds] == [2, 6]
-    assert [kind.heading.pt.split()[0] for kind in kinds] == ["O", "O"]
-    assert "theory" in kinds[1].heading.en
+    section = Section(same("t"), (items["ricci-fleury/figure-08"],))
+    page = spoken("en", lambda: index_page(find("ricci-fleury"), (section,), ("svg",)))
+    told = [block for block in page.blocks() if isinstance(block, Statement)]
+    marks = [block.mark or block.text.partition(",")[0] for block in told]
+    first, second = marks.index("What the text says"), marks.index("What theory predicts")
+    assert marks[first + 1 : second] == ["✓"] * 2
+    assert marks[second + 1 : second + 7] == ["✓"] * 6
 
 
 def test_summary_counts_what_there_is(papers: dict[str, tuple[Section, ...]]) -> None:
-    lines = [line.en for line in summary(papers["braga-almeida"])]
-    assert lines[0] == "8 figures, 3 tables."
+    lines = [english(line) for line in summary(papers["braga-almeida"])]
+    assert lines[0] == "Figures: 8; tables: 3."
     assert not any("printed numbers" in line for line in lines)
     assert any(line.startswith("15 misprints") for line in lines)
 
@@ -351,7 +353,9 @@ def test_rounding_is_told_by_the_power_of_ten_above(value: float, power: str) ->
 
 
 def test_formulas_speak_portuguese() -> None:
-    assert formula("sin β − tan α, single") == Text("sin β − tan α, single", "sen β − tg α, single")
+    text = formula("sin β − tan α, single")
+    assert english(text) == "sin β − tan α, single"
+    assert portuguese(text) == "sen β − tg α, single"
 
 
 class Reader(HTMLParser):
@@ -377,14 +381,14 @@ class Reader(HTMLParser):
 @pytest.mark.parametrize("language", ["en", "pt"])
 def test_page_of_misprints(name: str, language: str, items: dict[str, Any]) -> None:
     source, found = find(name), errata(items, name)
-    page = html(misprints_page(source, found), language)  # type: ignore[arg-type]
+    page = spoken(language, lambda: html(misprints_page(source, found)))
     reader = Reader()
     reader.feed(page)
     assert reader.open == []
     assert reader.targets == ["index.html"]
     assert page.count('class="formula"') == 2 * len(found.misprints)
     assert ("sen " in page) == (language == "pt")
-    text = markdown(misprints_page(source, found), language)  # type: ignore[arg-type]
+    text = spoken(language, lambda: markdown(misprints_page(source, found)))
     assert text.count("\n## ") == len(found.misprints) + 2
     rows = [line for line in text.splitlines() if line.startswith("|")]
     assert len(rows) == len(found.misprints) + len(found.valid) + 4
@@ -397,8 +401,8 @@ def test_data_of_misprints(name: str, items: dict[str, Any]) -> None:
     rows = list(csv.DictReader(io.StringIO(errata_csv(found))))
     assert len(rows) == len(found.misprints) + len(found.valid)
     for row, one in zip(rows, found.misprints, strict=False):
-        assert row["printed"] == one.printed.en
-        assert row["corrected"] == one.corrected.en
+        assert row["printed"] == english(one.printed)
+        assert row["corrected"] == english(one.corrected)
         value = one.printed_residual.median
         assert float(row["residual_median"]) == pytest.approx(value, rel=0.06)
         assert one.corrected_residual.maximum < float(row["residual_corrected_below"]) <= 1e-12
@@ -427,7 +431,11 @@ def test_lines_drawn_are_the_data(items: dict[str, Any]) -> None:
             continue
         data = list(csv.DictReader(io.StringIO(figure_csv(item))))
         panel = item.picture.panels[0]
-        lines = [line for line in drawn(item, "pt").axes[0].lines if len(line.get_xdata()) > 2]  # type: ignore[arg-type]
+        lines = [
+            line
+            for line in spoken("pt", partial(drawn, item)).axes[0].lines
+            if len(line.get_xdata()) > 2
+        ]  # type: ignore[arg-type]
         assert len(lines) == len(panel.lines)
         for line, shown in zip(panel.lines, lines, strict=True):
             rows = [
@@ -454,7 +462,7 @@ def test_maps_drawn_are_the_data(
         return filled(self, *args, **keywords)
 
     monkeypatch.setattr(Axes, "contourf", noted)
-    picture = drawn(of, "en")
+    picture = spoken("en", lambda: drawn(of))
     data = list(csv.DictReader(io.StringIO(figure_csv(of))))
     for one, args in zip(of.picture.maps, drawn_fields, strict=True):
         for name, values in zip((of.picture.x, of.picture.y, one.value), args, strict=True):
@@ -466,7 +474,9 @@ def test_maps_drawn_are_the_data(
 
 def test_a_map_gives_the_same_bytes(items: dict[str, Any]) -> None:
     of = figure(items, "braga-almeida/figure-3.01")
-    assert rendered(of, ("png",), "pt") == rendered(of, ("png",), "pt")
+    assert spoken("pt", lambda: rendered(of, ("png",))) == spoken(
+        "pt", lambda: rendered(of, ("png",))
+    )
 
 
 # --- folders and command ----------------------------------------------------

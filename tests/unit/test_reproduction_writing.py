@@ -13,14 +13,16 @@ import numpy as np
 import pytest
 import typer
 from PIL import Image
+from tests.reproduced import both, find, spoken
 from typer.testing import CliRunner, Result
 
-import rolamento_reproductions as reproduction
+from rolamento.cli import reproduce as command
 from rolamento.cli.reproduce import reproduce
-from rolamento.errors import FileError, InputError
-from rolamento_reproductions import computed, find, open_folder, radaelli_2013, write
+from rolamento.document import html, markdown
+from rolamento.errors import FileError
+from rolamento_reproductions import radaelli_2013
 from rolamento_reproductions.drawing import drawn, rendered
-from rolamento_reproductions.page import generator_mark, html, index_page, markdown
+from rolamento_reproductions.page import index_page, kind_of
 from rolamento_reproductions.record import (
     Cell,
     Claim,
@@ -36,8 +38,8 @@ from rolamento_reproductions.record import (
     Table,
     TableColumn,
 )
-from rolamento_reproductions.text import Text, localised, said, same, with_indices
-from rolamento_reproductions.writing import figure_csv, file_names
+from rolamento_reproductions.text import Text, same
+from rolamento_reproductions.writing import computed, figure_csv, file_names, open_folder, write
 
 HOSTILE = same("<script>alert('x')</script> & \"quoted\" |*`[x](y)`")
 X = np.linspace(0.0, 10.0, 11)
@@ -54,8 +56,8 @@ def small_figure(number: str = "1.1", *, gap: bool = False) -> Figure:
         caption=HOSTILE,
         source=same("nowhere"),
         columns=(
-            Series("axial_load", "kN", said("Axial load F_a", "Carga axial F_a"), X),
-            Series("shift", "mm", said("Displacement δ_a", "Deslocamento δ_a"), y / 80.0),
+            Series("axial_load", "kN", both("Axial load F_a", "Carga axial F_a"), X),
+            Series("shift", "mm", both("Displacement δ_a", "Deslocamento δ_a"), y / 80.0),
             Series("status", "", same("status"), tuple(status)),
         ),
         picture=Curves((Panel("axial_load", same("δ_a"), "mm", (Line("shift", 0),)),)),
@@ -82,7 +84,7 @@ def small_section(title: Text) -> Section:
 SMALL = Source(
     name="radaelli-2013",
     title=HOSTILE,
-    reference=said("small", "pequeno"),
+    reference=both("small", "pequeno"),
     remarks=(HOSTILE,),
     parts=(Part(HOSTILE, ("figure-1.01", "table-1.2"), small_section),),
 )
@@ -96,37 +98,6 @@ def written(folder: Path, **options: object) -> Path:
     target = open_folder(str(folder), SMALL)
     write(SMALL, computed(SMALL, quiet), target, **options)  # type: ignore[arg-type]
     return target
-
-
-# --- words ------------------------------------------------------------------
-
-
-def test_numbers_in_two_manners() -> None:
-    text = said("{:,.1f} mm {}", "{:,.1f} mm, {}", -12345.67, 3)
-    assert text.en == "−12\N{NARROW NO-BREAK SPACE}345.7 mm 3"
-    assert text.pt == "−12\N{NARROW NO-BREAK SPACE}345,7 mm, 3"
-    assert said("{:,.0f}", "{:,.0f}", 6000.0).en == "6000"
-    assert said("{:,.0f}", "{:,.0f}", 1234567.0).en.split("\N{NARROW NO-BREAK SPACE}") == [
-        "1",
-        "234",
-        "567",
-    ]
-
-
-def test_words_are_not_read_as_numbers() -> None:
-    inner = said("a.b, c", "á.b, c")
-    assert said("<{}>", "<{}>", inner) == Text("<a.b, c>", "<á.b, c>")
-    assert said("{}", "{}", "x.y").pt == "x.y"
-
-
-def test_localised() -> None:
-    assert localised("-1.5", "pt") == "−1,5"
-    assert localised("1,234,567.5", "en").count("\N{NARROW NO-BREAK SPACE}") == 2
-
-
-def test_indices() -> None:
-    found = with_indices("Σρ_i, |M_g| and Q_max, not_this a_b_c", lambda s, i: f"{s}[{i}]")
-    assert found == "Σρ[i], |M[g]| and Q[max], not_this a_b_c"
 
 
 # --- pages ------------------------------------------------------------------
@@ -156,7 +127,9 @@ class Reader(HTMLParser):
 @pytest.mark.parametrize("language", ["en", "pt"])
 def test_page_is_whole_and_needs_nothing_from_outside(language: str) -> None:
     assert language in ("en", "pt")
-    page = html(index_page(SMALL, [small_section(HOSTILE)], ("svg", "png")), language)  # type: ignore[arg-type]
+    page = spoken(
+        language, lambda: html(index_page(SMALL, [small_section(HOSTILE)], ("svg", "png")))
+    )
     reader = Reader()
     reader.feed(page)
     assert reader.open == []
@@ -171,26 +144,26 @@ def test_page_is_whole_and_needs_nothing_from_outside(language: str) -> None:
 
 
 def test_page_escapes_what_it_is_told() -> None:
-    page = html(index_page(SMALL, [small_section(HOSTILE)], ("svg",)), "en")
+    page = spoken("en", lambda: html(index_page(SMALL, [small_section(HOSTILE)], ("svg",))))
     assert "<script" not in page
     assert "&lt;script&gt;" in page
     assert 'alt="Figure 1.1. &lt;script&gt;alert(&#x27;x&#x27;)' in page
 
 
 def test_markdown_escapes_what_it_is_told() -> None:
-    page = markdown(index_page(SMALL, [small_section(HOSTILE)], ("svg",)), "en")
+    page = spoken("en", lambda: markdown(index_page(SMALL, [small_section(HOSTILE)], ("svg",))))
     assert "<script" not in page
     assert r"\|\*\`\[x\](y)\`" in page
 
 
 def test_pages_show_what_differs_and_what_is_missing() -> None:
     section = Section(same("t"), (small_figure(gap=True), small_table()))
-    page = html(index_page(SMALL, [section], ("svg",)), "en")
+    page = spoken("en", lambda: html(index_page(SMALL, [section], ("svg",))))
     assert 'class="computed differs" title="differs">−2.700<' in page
     assert "Of 2 printed numbers 1 are" in page
     assert "Gaps: 1 of 11 points have no result: there is no equilibrium (1)." in page
     assert "Does not hold." in page
-    text = markdown(index_page(SMALL, [section], ("svg",)), "pt")
+    text = spoken("pt", lambda: markdown(index_page(SMALL, [section], ("svg",))))
     assert "**−2,700**" in text
     assert "Lacunas: 1 de 11 pontos não têm resultado: não há equilíbrio (1)." in text
     assert "Não se confirma." in text
@@ -200,7 +173,7 @@ def test_page_of_the_real_one_is_whole() -> None:
     source = find("radaelli-2013")
     sections = computed(source, quiet)
     reader = Reader()
-    reader.feed(html(index_page(source, sections, ("svg", "png")), "pt"))
+    reader.feed(spoken("pt", lambda: html(index_page(source, sections, ("svg", "png")))))
     assert reader.open == []
     assert reader.tags.count("img") == 32
     assert reader.tags.count("table") == 4
@@ -227,7 +200,7 @@ def test_what_is_drawn_is_what_is_written(number: str) -> None:
     data = {
         column.name: [row[header.index(column.header)] for row in rows] for column in figure.columns
     }
-    picture = drawn(figure, "en")
+    picture = spoken("en", lambda: drawn(figure))
     for panel, axes in zip(figure.picture.panels, picture.axes, strict=True):
         lines = [line for line in axes.lines if len(np.asarray(line.get_xdata())) > 2]
         for line in panel.lines:
@@ -255,7 +228,7 @@ def test_what_is_drawn_is_what_is_written(number: str) -> None:
 
 
 def test_gaps_are_not_drawn_over() -> None:
-    picture = drawn(small_figure(gap=True), "en")
+    picture = spoken("en", lambda: drawn(small_figure(gap=True)))
     line = picture.axes[0].lines[0]
     assert np.isnan(np.asarray(line.get_ydata())[3])
 
@@ -264,11 +237,11 @@ def test_a_figure_without_any_result_is_an_empty_frame() -> None:
     figure = small_figure()
     nothing = Series("shift", "mm", same("δ_a"), np.full(X.size, np.nan))
     empty = replace(figure, columns=(figure.columns[0], nothing, figure.columns[2]))
-    assert b"<svg" in rendered(empty, ("svg",), "en")["svg"]
+    assert b"<svg" in spoken("en", lambda: rendered(empty, ("svg",)))["svg"]
 
 
 def test_labels_speak_the_language() -> None:
-    axes = drawn(small_figure(), "pt").axes[0]
+    axes = spoken("pt", lambda: drawn(small_figure())).axes[0]
     assert axes.get_xlabel() == "Carga axial $F_{a}$ (kN)"
     drawn_ticks = [axes.yaxis.get_major_formatter()(tick, None) for tick in axes.get_yticks()]
     assert any("," in text for text in drawn_ticks)
@@ -276,7 +249,9 @@ def test_labels_speak_the_language() -> None:
 
 
 def test_the_same_figure_gives_the_same_bytes() -> None:
-    first, second = (rendered(small_figure(), ("svg", "png"), "en") for _ in range(2))
+    first, second = (
+        spoken("en", lambda: rendered(small_figure(), ("svg", "png"))) for _ in range(2)
+    )
     assert first == second
     assert b"<svg" in first["svg"]
     with Image.open(io.BytesIO(first["png"])) as image:
@@ -295,7 +270,7 @@ def test_balls_in_their_places() -> None:
         ),
         picture=Positions(20.0, 100.0),
     )
-    axes = drawn(figure, "pt").axes[0]
+    axes = spoken("pt", lambda: drawn(figure)).axes[0]
     texts = {text.get_text(): text.get_position() for text in axes.texts}
     assert texts["1"] == pytest.approx((0.0, 50.0))
     angle = np.radians(112.5)
@@ -309,7 +284,7 @@ def test_balls_in_their_places() -> None:
 def test_writes_known_names_only(tmp_path: Path) -> None:
     folder = written(tmp_path / "new" / "one")
     assert {path.name for path in folder.iterdir()} == set(file_names(SMALL))
-    assert generator_mark(SMALL.name) in (folder / "index.html").read_text("utf-8")
+    assert f'content="rolamento {kind_of(SMALL)}"' in (folder / "index.html").read_text("utf-8")
 
 
 def test_writes_again_over_its_own(tmp_path: Path) -> None:
@@ -397,7 +372,7 @@ def small(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
 def test_without_a_name_it_lists() -> None:
     result = run()
     assert result.exit_code == 0
-    assert result.stdout.startswith("radaelli-2013\n    Radaelli (2013), master's dissertation")
+    assert "radaelli-2013\n    Radaelli (2013), master's dissertation" in result.stdout
     assert "dissertação" in run("--lang", "pt").stdout
 
 
@@ -405,16 +380,22 @@ def test_an_unknown_name() -> None:
     result = run("radaeli_2013")
     assert result.exit_code == 2
     assert "did you mean radaelli-2013?" in result.stderr
-    assert "known: radaelli-2013" in run("harris").stderr
-    with pytest.raises(InputError):
-        reproduction.find("../radaelli-2013")
+    assert "known here: braga-almeida" in run("harris").stderr
+    assert run("../radaelli-2013").exit_code == 2
+
+
+def test_without_a_package_it_says_how_to_get_one(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(command, "entry_points", lambda group: ())
+    result = run()
+    assert result.exit_code == 2
+    assert "pip install rolamento-reproductions" in result.stderr
 
 
 @pytest.mark.usefixtures("small")
 def test_it_writes_a_folder_of_that_name() -> None:
     result = run("radaelli-2013")
     assert result.exit_code == 0
-    assert result.stdout.splitlines()[0] == "1 figures, 1 tables."
+    assert result.stdout.splitlines()[0] == "Figures: 1; tables: 1."
     assert result.stdout.endswith(os.path.join("radaelli-2013", "index.html") + "\n")
     assert result.stderr == ""
     assert Path("radaelli-2013/figure-1.01.svg").exists()
@@ -424,7 +405,7 @@ def test_it_writes_a_folder_of_that_name() -> None:
 def test_options() -> None:
     result = run("radaelli-2013", "--output", "x", "--lang", "pt", "--pictures", "png")
     assert result.exit_code == 0
-    assert "1 figuras" in result.stdout
+    assert "Figuras: 1;" in result.stdout
     assert sorted(os.listdir("x")) == [
         "figure-1.01.csv",
         "figure-1.01.png",
@@ -453,9 +434,9 @@ def test_a_person_at_a_terminal_sees_progress(monkeypatch: pytest.MonkeyPatch) -
 
     monkeypatch.setenv("TERM", "xterm")
     monkeypatch.setattr(sys, "stderr", Terminal())
-    with _progress_bar("en") as progress:
-        progress(1, 4, said("Ball loads", "Cargas"))
-        progress(4, 4, said("Done", "Pronto"))
+    with _progress_bar() as progress:
+        progress(1, 4, both("Ball loads", "Cargas"))
+        progress(4, 4, both("Done", "Pronto"))
     assert "4/4" in sys.stderr.getvalue()  # type: ignore[attr-defined]
 
 

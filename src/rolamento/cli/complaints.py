@@ -63,9 +63,8 @@ def _message(error: Any) -> str:
         rule = _rule(error.param) or error.message
         return said("Invalid value for {name}: {rule}.", name=_name(error.param), rule=rule)
     if isinstance(error, _CLICK.BadOptionUsage):
-        flags = [
-            one for one in error.ctx.command.get_params(error.ctx) if getattr(one, "is_flag", False)
-        ]
+        options = error.ctx.command.get_params(error.ctx)
+        flags = [one for one in options if getattr(one, "is_flag", False)]
         if any(error.option_name in one.opts for one in flags):
             return said("Option {name} takes no value.", name=error.option_name)
         return said("Option {name} needs a value.", name=error.option_name)

@@ -6,18 +6,33 @@ import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from enum import StrEnum
-from typing import TYPE_CHECKING, Annotated
+from importlib.metadata import EntryPoint, entry_points
+from typing import Annotated, Final, Protocol
 
 import typer
 
-from rolamento.cli.common import plain_endings, words_of
+from rolamento.cli.common import plain_endings
 from rolamento.cli.options import LanguageOption
 from rolamento.cli.streams import print_text
+from rolamento.errors import InputError, nearest
+from rolamento.words import said
 
-if TYPE_CHECKING:
-    from rolamento_reproductions.record import Section
-    from rolamento_reproductions.text import Language as Code
-    from rolamento_reproductions.text import Text
+GROUP: Final = "rolamento.reproductions"
+"""Entry points by which packages offer publications, each a `Reproduction`."""
+
+Progress = Callable[[int, int, object], None]
+_LONGEST_TEXT: Final = 40
+
+
+class Reproduction(Protocol):
+    """A publication that a package can compute anew; its texts are said by `str`."""
+
+    @property
+    def reference(self) -> object:
+        """Source, and what is in it."""
+
+    def reproduce(self, folder: str, pictures: str, progress: Progress) -> list[str]:
+        """Write it to a folder, its own if ``""``; return lines on what came out."""
 
 
 class Pictures(StrEnum):
@@ -33,7 +48,7 @@ def reproduce(
         str | None,
         typer.Argument(
             metavar="NAME",
-            help="What to reproduce, such as radaelli-2013; without it, what there is.",
+            help="What to reproduce, such as radaelli-2013; without it, a list of what there is.",
         ),
     ] = None,
     output: Annotated[
@@ -47,54 +62,46 @@ def reproduce(
     ] = Pictures.both,
     lang: LanguageOption = None,
 ) -> None:
-    """Write every figure and table of a publication anew.
+    """Compute every figure and table of a publication anew.
 
-    Computed by this program, with an index page.
+    Writes pictures, data and an index page to a folder.
     """
     with plain_endings(lang):
-        code: Code = "pt" if words_of(lang).code == "pt" else "en"
+        found = {point.name: point for point in entry_points(group=GROUP)}
+        if not found:
+            raise InputError(
+                said(
+                    "no reproductions are installed; they are a package of their own:"
+                    " pip install rolamento-reproductions (in a checkout: pip install"
+                    " ./reproductions)"
+                )
+            )
         if name is None:
-            print_text(_list_of_sources(code))
+            texts = [f"{key}\n    {_loaded(found[key]).reference}\n" for key in sorted(found)]
+            print_text("".join(texts))
             return
-        _write_reproduction(name, output, pictures, code)
+        if name not in found:
+            near = nearest(name, found)
+            advice = (
+                said("did you mean {name}?", name=near)
+                if near
+                else said("known here: {names}", names=", ".join(sorted(found)))
+            )
+            raise InputError(said("cannot be reproduced; {advice}", advice=advice), value=name)
+        if output == "":
+            raise InputError(said("is not a possible folder name"), value=output, example=name)
+        with _progress_bar() as progress:
+            lines = _loaded(found[name]).reproduce(output or "", pictures.value, progress)
+        print_text("\n".join(lines) + "\n")
 
 
-def _write_reproduction(name: str, output: str | None, pictures: Pictures, code: Code) -> None:
-    """Compute and write what a name stands for, and say where it lies."""
-    from rolamento_reproductions import computed, find, open_folder, write
-    from rolamento_reproductions.writing import PAGE
-
-    source = find(name)
-    folder = open_folder(source.name if output is None else output, source)
-    with _progress_bar(code) as progress:
-        sections = computed(source, progress)
-        write(
-            source,
-            sections,
-            folder,
-            language=code,
-            pictures=pictures.value,
-            progress=progress,
-        )
-    print_text(_summary_and_page(sections, str(folder / PAGE), code))
-
-
-def _list_of_sources(code: Code) -> str:
-    """List what can be reproduced, with the source and what is in it."""
-    from rolamento_reproductions import NAMES, find
-
-    return "".join(f"{name}\n    {find(name).reference.speak(code)}\n" for name in NAMES)
-
-
-def _summary_and_page(sections: tuple[Section, ...], page: str, code: Code) -> str:
-    from rolamento_reproductions.page import summary
-
-    lines = [text.speak(code) for text in summary(sections)]
-    return "\n".join([*lines, page]) + "\n"
+def _loaded(point: EntryPoint) -> Reproduction:
+    reproduction: Reproduction = point.load()
+    return reproduction
 
 
 @contextmanager
-def _progress_bar(code: Code) -> Iterator[Callable[[int, int, Text], None]]:
+def _progress_bar() -> Iterator[Progress]:
     """Show on standard error how far it is, if a person is there to see it."""
     if sys.stderr is None or not sys.stderr.isatty():
         yield lambda done, total, what: None
@@ -114,9 +121,9 @@ def _progress_bar(code: Code) -> Iterator[Callable[[int, int, Text], None]]:
     with Progress(*columns, console=console, transient=True) as shown:
         task = shown.add_task("", total=None)
         yield lambda done, total, what: shown.update(
-            task, completed=done, total=total, description=_short(what.speak(code))
+            task, completed=done, total=total, description=_short(str(what))
         )
 
 
 def _short(text: str) -> str:
-    return text if len(text) <= 40 else text[:39] + "…"
+    return text if len(text) <= _LONGEST_TEXT else text[: _LONGEST_TEXT - 1] + "…"

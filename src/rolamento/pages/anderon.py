@@ -23,9 +23,9 @@ from rolamento.document import (
 )
 from rolamento.vibration.anderon import BANDS, velocity_of_anderons
 from rolamento.vibration.anderon_trend import AnderonTrend, BandTrend
-from rolamento.words import ABSENT, manner, marked, said
+from rolamento.words import ABSENT, manner, marked, said, said_in
 from rolamento.words.naming import one_line
-from rolamento.words.sentences.noise import BANDS as NAMES
+from rolamento.words.sentences.noise import band_name
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure as Picture
@@ -39,12 +39,6 @@ _TONES: Final[dict[str, Tone]] = {
     "rejected": "bad-strong",
     "not_measured": "warning-strong",
     "none": "faint",
-}
-_VERDICTS: Final = {
-    "accepted": marked("accepted"),
-    "rejected": marked("rejected"),
-    "not_measured": marked("not measured"),
-    "none": marked("no verdict"),
 }
 _QUANTITIES: Final = {
     "velocity": marked("velocity"),
@@ -108,7 +102,7 @@ def _rejections(found: NoiseResult) -> Iterable[str]:
     one, acceptance = found.measured[0], found.acceptances[0]
     limits = found.limits_of(one)
     for name in acceptance.rejected if acceptance else ():
-        value, band = one.noise.of(name).anderons, said(NAMES[name])
+        value, band = one.noise.of(name).anderons, band_name(name)
         if isfinite(value):
             yield said(
                 "{band} band with {value:.3} anderon, the limit is {limit:.3}",
@@ -158,7 +152,7 @@ def _bands(found: NoiseResult) -> Section:
     one, scales = found.measured[0], found.scales_of(found.measured[0])
     bands = one.noise.bands
     columns = [
-        Column(head="", values=[said(NAMES[band.name]) for band in bands], key="band"),
+        Column(head="", values=[band_name(band.name) for band in bands], key="band"),
         Column(
             head=said("band"),
             values=["–".join(manner().fixed(edge, 0) for edge in band.band) for band in bands],
@@ -184,7 +178,7 @@ def _bands(found: NoiseResult) -> Section:
         said(
             "{factor:.3f [µm/s]} ({band})",
             factor=velocity_of_anderons(1.0, edges, one.noise.speed),
-            band=said(NAMES[name]),
+            band=band_name(name),
         )
         for name, edges in BANDS.items()
     )
@@ -199,6 +193,15 @@ def _bands(found: NoiseResult) -> Section:
     return Section(said("Bands"), (table,), key="bands")
 
 
+def _verdict(verdict: str) -> str:
+    return {
+        "accepted": said_in("noise", "accepted"),
+        "rejected": said_in("noise", "rejected"),
+        "not_measured": said_in("noise", "not measured"),
+        "none": said_in("noise", "no verdict"),
+    }[verdict]
+
+
 def _verdicts(found: NoiseResult) -> Iterable[Column]:
     """Compare the bands of the only signal with their full scales."""
     one, scales = found.measured[0], found.scales_of(found.measured[0])
@@ -207,7 +210,7 @@ def _verdicts(found: NoiseResult) -> Iterable[Column]:
     verdicts = [found.verdict_of(0, band.name) for band in bands]
     yield Column(head=said("full scale"), values=full, form=".4", key="full_scale")
     yield Column(
-        head=said("of it"),
+        head=said("of full scale"),
         values=[band.anderons / scale for band, scale in zip(bands, full, strict=True)],
         unit="%",
         form=".1f [%]",
@@ -218,7 +221,7 @@ def _verdicts(found: NoiseResult) -> Iterable[Column]:
     )
     yield Column(
         head=said("verdict"),
-        values=[said(_VERDICTS[verdict]) for verdict in verdicts],
+        values=[_verdict(verdict) for verdict in verdicts],
         tones=[_TONES[verdict] for verdict in verdicts],
         key="verdict",
     )
@@ -243,7 +246,7 @@ def _signals(found: NoiseResult) -> Section:
         ),
         *(
             Column(
-                head=said(NAMES[name]),
+                head=band_name(name),
                 values=[one.noise.of(name).anderons for one in found.measured],
                 figures=3,
                 key=name,
@@ -252,7 +255,7 @@ def _signals(found: NoiseResult) -> Section:
         ),
         Column(
             head=said("verdict"),
-            values=[said(_VERDICTS[verdict]) for verdict in found.verdicts],
+            values=[_verdict(verdict) for verdict in found.verdicts],
             tones=[_TONES[verdict] for verdict in found.verdicts],
             key="verdict",
         ),
@@ -267,7 +270,7 @@ def _over_time(trend: AnderonTrend) -> list[Section]:
         return []
     times = ((said("from"), "rejected_after"), (said("to"), "rejected_by"))
     columns = (
-        Column(head="", values=[said(NAMES[band.name]) for band in bands], key="band"),
+        Column(head="", values=[band_name(band.name) for band in bands], key="band"),
         Column(
             head=said("first"), values=[band.anderons[0] for band in bands], form=".3", key="first"
         ),
@@ -283,7 +286,7 @@ def _over_time(trend: AnderonTrend) -> list[Section]:
             key="growth_per_100_h",
         ),
         Column(
-            head=said("rejected"),
+            head=said_in("noise", "rejected"),
             values=[_rejected(band) for band in bands],
             unit="h",
             align="right",

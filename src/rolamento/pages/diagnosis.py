@@ -23,7 +23,7 @@ from rolamento.document import (
 from rolamento.pages.frequencies import balls_of, contact_angle, failure
 from rolamento.vibration.diagnosis import DAMAGE, SEVERE, ComponentVerdict, Diagnosis
 from rolamento.vibration.frequencies import FaultFrequencies
-from rolamento.words import ABSENT, manner, marked, said
+from rolamento.words import ABSENT, manner, said, said_in
 from rolamento.words.naming import one_line, part_name
 
 if TYPE_CHECKING:
@@ -48,13 +48,6 @@ _TONES: Final[dict[str, Tone]] = {
     "watch": "warning",
     "nothing_found": "good",
     "not_tested": "faint",
-}
-_VERDICTS: Final = {
-    "fault": marked("damaged"),
-    "undecided": marked("undecided"),
-    "watch": marked("watch"),
-    "nothing_found": marked("nothing"),
-    "not_tested": marked("not tested"),
 }
 _KILO: Final = 1e-3
 
@@ -237,42 +230,42 @@ def _parts(diagnosis: Diagnosis) -> Section:
     columns = (
         Column(head="", values=[part_name(part.component) for part in parts], key="part"),
         Column(
-            head=said("expected"),
+            head=said_in("frequency", "expected"),
             values=[part.nominal_order * diagnosis.shaft_frequency for part in parts],
             unit="Hz",
             form=".2f [Hz]",
             key="expected",
         ),
         Column(
-            head=said("found"),
+            head=said_in("frequency", "found"),
             values=[part.frequency for part in parts],
             unit="Hz",
             form=".2f [Hz]",
             key="found",
         ),
         Column(
-            head=said("deviation"),
+            head=said_in("column", "deviation"),
             values=[part.deviation for part in parts],
             unit="%",
             form=".2f [%]",
             key="deviation",
         ),
         Column(
-            head=said("depth"),
+            head=said_in("column", "depth"),
             values=[part.depth for part in parts],
             unit="%",
             form=".0f [%]",
             key="depth",
         ),
         Column(
-            head=said("evidence"),
+            head=said_in("column", "evidence"),
             values=[part.evidence for part in parts],
             form=".1f",
             key="evidence",
         ),
         Column(
             head=said("verdict"),
-            values=[said(_VERDICTS[part.verdict]) for part in parts],
+            values=[_verdict_of(part) for part in parts],
             tones=[_TONES[part.verdict] for part in parts],
             key="verdict",
         ),
@@ -298,6 +291,16 @@ def _parts(diagnosis: Diagnosis) -> Section:
     )
     table = Table(columns=columns, key="parts", legends=tuple(_legend(diagnosis)))
     return Section(said("Parts"), (table,), key="parts")
+
+
+def _verdict_of(part: ComponentVerdict) -> str:
+    return {
+        "fault": said_in("part", "damaged"),
+        "undecided": said_in("part", "undecided"),
+        "watch": said_in("part", "watch"),
+        "nothing_found": said_in("part", "nothing"),
+        "not_tested": said_in("part", "not tested"),
+    }[part.verdict]
 
 
 def _band(part: ComponentVerdict) -> str:

@@ -22,7 +22,7 @@ from rolamento.pages.given import reason
 from rolamento.solved import Solved
 from rolamento.vibration.frequencies import FAULTS, FaultFrequencies, LineName
 from rolamento.vibration.frequency_band import Alternative
-from rolamento.words import marked, said
+from rolamento.words import marked, said, said_in
 from rolamento.words.naming import PARTS, part_name
 
 if TYPE_CHECKING:
@@ -164,7 +164,11 @@ def _band(one: FaultFrequencies) -> list[Column]:
 
 def _spread(one: FaultFrequencies) -> list[Column]:
     """Orders over the loaded balls."""
-    heads = (("minimum", said("minimum")), ("mean", said("mean")), ("maximum", said("maximum")))
+    heads = (
+        ("minimum", said_in("order", "minimum")),
+        ("mean", said_in("order", "mean")),
+        ("maximum", said_in("order", "maximum")),
+    )
     return [
         Column(
             head=head,
@@ -223,8 +227,8 @@ def _harmonics(found: FrequencyResult) -> Section:
 def _alternatives(alternatives: Sequence[Alternative]) -> Section:
     orders: tuple[tuple[LineName, str], ...] = (
         ("cage", said("cage")),
-        ("ball_pass_outer", said("outer")),
-        ("ball_pass_inner", said("inner")),
+        ("ball_pass_outer", said_in("race", "outer")),
+        ("ball_pass_inner", said_in("race", "inner")),
         ("ball_spin_twice", said("ball")),
     )
     columns = (

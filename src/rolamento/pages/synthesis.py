@@ -24,7 +24,7 @@ from rolamento.document import (
 )
 from rolamento.pages.frequencies import balls_of, contact_angle
 from rolamento.vibration.synthesis import Fault, SwingingSpeed, WanderingSpeed
-from rolamento.words import counted, manner, marked, said
+from rolamento.words import counted, manner, marked, said, said_in
 from rolamento.words.naming import PARTS, listed, one_line, part_name, the_part
 
 if TYPE_CHECKING:
@@ -175,7 +175,7 @@ def _modes(found: SynthesisResult) -> str:
 def _noise(found: SynthesisResult) -> str:
     noise, level = found.recipe.noise, found.made.truth.noise_level
     if noise is None or level == 0.0:
-        return said("none")
+        return said_in("noise", "none")
     colour = said(_NOISES[noise.colour])
     values = {"colour": colour, "level": _written_number(level), "ratio": noise.ratio}
     if noise.ratio is None:

@@ -22,7 +22,7 @@ from rolamento.plots.frame import (
 from rolamento.plots.style import INNER, OUTER, new_figure, styled
 from rolamento.plots.words import plot_words
 from rolamento.words import language, said
-from rolamento.words.sentences.noise import BANDS
+from rolamento.words.sentences.noise import band_name
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -101,8 +101,9 @@ def noise_trend_figure(trend: Trend, *, limits: Mapping[BandName, float] | None 
         Anderons by band up to which noise is accepted.
     """
     from rolamento.plots.trend import trend_figure
+    from rolamento.vibration.anderon import BANDS
 
-    translated = replace(trend, quantities=tuple(said(name) for name in BANDS.values()))
+    translated = replace(trend, quantities=tuple(map(band_name, BANDS)))
     figure = trend_figure(translated)
     with styled():
         named = False
@@ -151,5 +152,5 @@ def _frame(axes: Axes, noise: Noise, sizes: Sequence[float]) -> None:
     for band in noise.bands:
         low, high = band.band
         axes.axvline(low, color=GREY, linewidth=0.7, zorder=1.5)
-        axes.text(sqrt(low * high), 0.985, said(BANDS[band.name]), va="top", ha="center",
+        axes.text(sqrt(low * high), 0.985, band_name(band.name), va="top", ha="center",
                   fontsize=8.0, color=GREY, transform=axes.get_xaxis_transform())  # fmt: skip

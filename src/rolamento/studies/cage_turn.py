@@ -13,7 +13,7 @@ import os
 from dataclasses import dataclass
 from functools import reduce
 from math import gcd, pi
-from typing import Final, Literal
+from typing import Any, Final, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -206,6 +206,45 @@ class CageTurn:
         duty = self.case.duty
         fastest = max(abs(duty.inner_speed), abs(duty.outer_speed))
         return abs(self.cage_speed.mean) > _STANDSTILL * fastest
+
+    def to_mapping(self) -> dict[str, Any]:
+        """Give everything as plain mappings and arrays in SI units."""
+        speed = self.cage_speed
+        return {
+            "schema": SCHEMA,
+            "kind": "cage_turn",
+            "title": self.case.title,
+            "status": {"converged": self.converged, "codes": self.status.tolist()},
+            "period": self.period,
+            "angle": self.angle,
+            "time": self.time,
+            "cage_speed": {"mean": speed.mean, "least": speed.minimum, "greatest": speed.maximum},
+            "passage_frequency": self.passage_frequency,
+            "orders": self.orders.tolist(),
+            "frequencies": self.frequencies,
+            "displacement": self._variation_mapping("displacement"),
+            "load": self._variation_mapping("load"),
+            "stiffness": self._variation_mapping("stiffness"),
+            "balls": [
+                {
+                    "row": history.row,
+                    "azimuth": history.azimuth,
+                    "inner": history.inner.to_mapping(),
+                    "outer": history.outer.to_mapping(),
+                }
+                for history in self.histories
+            ],
+        }
+
+    def _variation_mapping(self, quantity: Compared) -> dict[str, Any]:
+        variation = self.variation(quantity)
+        return {
+            "values": getattr(self.solved, quantity).array,
+            "mean": variation.mean,
+            "peak_to_peak": variation.peak_to_peak,
+            "amplitude": np.abs(variation.harmonics),
+            "phase": np.angle(variation.harmonics),
+        }
 
     def variation(self, quantity: Compared) -> Variation:
         """Return mean, peak to peak and harmonics of displacement, load or stiffness.

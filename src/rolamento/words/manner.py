@@ -47,6 +47,7 @@ UNITS: Final[dict[str, tuple[float, float]]] = {
     "mm³": (1e9, 0.0),
     "rad": (1.0, 0.0),
     "mrad": (1e3, 0.0),
+    "µrad": (1e6, 0.0),
     "°": (180.0 / pi, 0.0),
     "rad/s": (1.0, 0.0),
     "rpm": (30.0 / pi, 0.0),

@@ -6,25 +6,28 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, Final
 
 from rolamento.words.naming import listed, part_name
-from rolamento.words.speaking import marked, said
+from rolamento.words.speaking import marked, said, said_in
 
 if TYPE_CHECKING:
     from rolamento.words.sentences import Sentence
 
-__all__ = ["BANDS", "SENTENCES"]
+__all__ = ["SENTENCES", "band_name"]
 
-BANDS: Final[Mapping[str, str]] = {
-    "low": marked("low"),
-    "medium": marked("medium"),
-    "high": marked("high"),
-}
+
+def band_name(band: str) -> str:
+    """Return the name of a band of noise: low, medium, high."""
+    return {
+        "low": said_in("band", "low"),
+        "medium": said_in("band", "medium"),
+        "high": said_in("band", "high"),
+    }[band]
 
 
 def _incomplete(values: Mapping[str, Any]) -> str:
     return said(
         "The sampling rate of {rate:.6 Hz} is too low for: {bands}.",
         rate=values["rate"],
-        bands=", ".join(said(BANDS[band]) for band in values["bands"]),
+        bands=", ".join(map(band_name, values["bands"])),
     )
 
 
