@@ -9,7 +9,6 @@ from collections.abc import Callable, Mapping
 from contextlib import suppress
 from typing import TYPE_CHECKING, Any, Final, TextIO
 
-from rolamento._json import dumps
 from rolamento._writing import write_text
 from rolamento.document.medium import Medium
 from rolamento.errors import FileError, printable
@@ -75,6 +74,8 @@ def put(text: str, path: str) -> None:
 
 def put_json(mapping: Mapping[str, Any], path: str) -> None:
     """Write a result for a program as one JSON object, as `put`."""
+    from rolamento._json import dumps
+
     put(dumps(mapping, indent=2) + "\n", path)
 
 
