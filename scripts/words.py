@@ -12,6 +12,7 @@ from __future__ import annotations
 import argparse
 import re
 import sys
+import tomllib
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Final
@@ -43,24 +44,36 @@ def template() -> Catalog:
         SOURCE, method_map=[("**.py", "python")], keywords=KEYWORDS
     ):
         catalogue.add(message, context=context)
-    for message in of_commands():
-        catalogue.add(message)
+    for message, context in (*of_commands(), *of_data()):
+        catalogue.add(message, context=context)
     catalogue.add(".", context="decimal mark")
     return catalogue
 
 
-def of_commands() -> Iterator[str]:
-    """Return what the help of the commands says."""
+def of_commands() -> Iterator[tuple[str, str | None]]:
+    """Return what the help of the commands says, each with its context."""
     from typer.main import get_command
 
     from rolamento.cli.app import app
+    from rolamento.cli.grouped_help import METAVAR
 
     pending = [get_command(app)]
     while pending:
         command = pending.pop()
-        yield from (text for text in (command.help, command.epilog) if text)
-        yield from (one.help for one in command.params if getattr(one, "help", None))
+        texts = [command.help, command.epilog, *command.groups]
+        texts += [getattr(one, "help", None) for one in command.params]
+        yield from ((text, None) for text in texts if text)
+        marks = [command.options_metavar, getattr(command, "subcommand_metavar", None)]
+        marks += [getattr(one, "metavar", None) for one in command.params]
+        yield from ((mark, METAVAR) for mark in marks if mark)
         pending += getattr(command, "commands", {}).values()
+
+
+def of_data() -> Iterator[tuple[str, str | None]]:
+    """Return what stands in data files and is said, each with its context."""
+    with (SOURCE / "data" / "designations.toml").open("rb") as file:
+        for kind in tomllib.load(file)["type"]:
+            yield from ((kind[name], None) for name in ("name", "advice") if name in kind)
 
 
 def translated(language: str, *, parts: bool = True) -> Catalog:

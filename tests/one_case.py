@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import fields, is_dataclass
 from types import SimpleNamespace
 from typing import Any
@@ -9,6 +10,7 @@ from typing import Any
 from rolamento.case import Case
 from rolamento.solution import solve
 from rolamento.solved import RingDisplacement, RingLoad, Solved
+from rolamento.words import Note, speaking
 
 
 def one(solved: Solved) -> SimpleNamespace:
@@ -43,3 +45,14 @@ def _tree(value: Any) -> Any:
 def solve_one(case: Case) -> SimpleNamespace:
     """Solve a single case."""
     return one(solve(case))
+
+
+def keys(notes: Iterable[Note]) -> set[str]:
+    """The keys of notes."""
+    return {note.key for note in notes}
+
+
+def said(note: Note | None, language: str = "en") -> str:
+    """A note in a language; nothing for none."""
+    with speaking(language):
+        return "" if note is None else note.text

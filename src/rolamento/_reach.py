@@ -7,6 +7,7 @@ from numpy.typing import ArrayLike
 
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
+from rolamento.words import said
 
 __all__ = ["in_reach", "numbers"]
 
@@ -23,7 +24,7 @@ def numbers(value: ArrayLike, field: str) -> FloatArray:
         return np.asarray(value, dtype=np.float64)
     except (TypeError, ValueError):
         raise InputError(
-            "must be a number, or an array of them",
+            said("must be a number or an array of numbers"),
             field=field,
             value=value,
             example=f"{field} = 1.0",
@@ -55,10 +56,11 @@ def in_reach(
     low = array < least if least_too else array <= least
     outside = low | (array > most)
     if np.any(outside):
-        start = "from" if least_too else "above"
-        end = f" {unit}" if unit else ""
+        limits = {"least": least, "most": most, "unit": f" {unit}" if unit else ""}
         raise InputError(
-            f"must be {start} {least:g} to {most:g}{end}",
+            said("must be from {least:.6g} to {most:.6g}{unit}", **limits)
+            if least_too
+            else said("must be greater than {least:.6g} and at most {most:.6g}{unit}", **limits),
             field=field,
             value=float(array[outside].flat[0]),
         )

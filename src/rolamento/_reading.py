@@ -16,6 +16,7 @@ from collections.abc import Callable, Iterator
 from typing import Any, Final, Literal, NoReturn, TypeVar
 
 from rolamento.errors import FileError, shown
+from rolamento.words import said
 
 __all__ = [
     "STANDARD_INPUT",
@@ -111,19 +112,19 @@ def parse_mapping(text: str, text_format: TextFormat, source: str) -> dict[str, 
         key, or does not hold a table.
     """
     if not text.strip():
-        raise FileError("is empty; it should hold a case", source=source)
+        raise FileError(said("is empty; a case is expected"), source=source)
     parse = _parsed_json if text_format == "json" else _parsed_toml
     try:
         mapping = parse(text)
     except FileError as error:
         raise error.with_details(source=source) from None
     except RecursionError:
-        raise FileError("is nested too deep to be a case", source=source) from None
+        raise FileError(said("is nested too deeply for a case"), source=source) from None
     except ValueError as error:
         raise _syntax_error(error, text, source) from None
     if not isinstance(mapping, dict):
         raise FileError(
-            "must hold a table (an object, in JSON)",
+            said("must contain a table (an object in JSON)"),
             source=source,
             example='{"bearing": {…}, "duty": {…}}',
         )
@@ -137,46 +138,48 @@ def _attempt(action: Callable[[], Result], source: str) -> Result:
         raise
     except OSError as error:
         reason = (error.strerror or str(error)).lower()
-        raise FileError(f"cannot be opened: {reason}", source=source) from None
+        raise FileError(said("cannot be opened: {reason}", reason=reason), source=source) from None
     except (TypeError, ValueError):
-        raise FileError("is not a possible file name", source=source) from None
+        raise FileError(said("is not a valid file name"), source=source) from None
 
 
 def _regular_file(source: str, most: int, what: str) -> bytes:
     kind = os.stat(source).st_mode
     if stat.S_ISDIR(kind):
-        raise FileError(f"is a directory; give {what}", source=source)
+        raise FileError(said("is a directory; give {what}", what=what), source=source)
     if not stat.S_ISREG(kind):
-        raise FileError("is not a regular file; use - for standard input", source=source)
+        raise FileError(said("is not a regular file; use - for standard input"), source=source)
     with open(source, "rb") as file:
         return file.read(most + 1)
 
 
 def _standard_input(most: int) -> bytes:
     if sys.stdin is None:
-        raise FileError("is closed", source=STANDARD_INPUT)
+        raise FileError(said("is closed"), source=STANDARD_INPUT)
     return sys.stdin.buffer.read(most + 1)
 
 
 def _decoded(content: bytes, source: str) -> str:
     if len(content) > _LARGEST_FILE:
-        raise FileError("is larger than 1 MB; a case is a page of text", source=source)
+        raise FileError(said("is larger than 1 MB, too large for a case"), source=source)
     wrong = _ENCODING_MARKS.get(content[:2])
     if wrong:
-        raise FileError(f"is {wrong} text; save it as UTF-8", source=source)
+        raise FileError(said("is {encoding} text; save it as UTF-8", encoding=wrong), source=source)
     if b"\0" in content:
-        raise FileError("is a binary file; a case is TOML or JSON text", source=source)
+        raise FileError(said("is a binary file; a case is TOML or JSON text"), source=source)
     try:
         return content.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         line = content.count(b"\n", 0, error.start) + 1
-        raise FileError("is not UTF-8 text", source=source, line=line) from None
+        raise FileError(said("is not UTF-8 text"), source=source, line=line) from None
 
 
 def _parsed_toml(text: str) -> object:
     for number, line in enumerate(text.split("\n"), start=1):
         if line.count(".") > _MOST_DOTS and not line.lstrip().startswith("#"):
-            raise FileError(f"has more than {_MOST_DOTS} dots in one line", line=number)
+            raise FileError(
+                said("has more than {most} dots in one line", most=_MOST_DOTS), line=number
+            )
     return tomllib.loads(text)
 
 
@@ -190,26 +193,28 @@ def _without_repetition(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
         seen: set[str] = set()
         for name, _ in pairs:
             if name in seen:
-                raise FileError(f"gives the key {shown(name)} twice")
+                raise FileError(said("gives the key {name} twice", name=shown(name)))
             seen.add(name)
     return mapping
 
 
 def _refused(constant: str) -> NoReturn:
-    raise FileError(f"holds {constant}, which is not a number")
+    raise FileError(said("contains {constant}, which is not a number", constant=constant))
 
 
 def _syntax_error(error: ValueError, text: str, source: str) -> FileError:
     """Return a parser's complaint with its line number taken out of the sentence."""
     if isinstance(error, json.JSONDecodeError):
-        rule = f"is not valid JSON: {error.msg.lower()}"
+        rule = said("is not valid JSON: {reason}", reason=error.msg.lower())
         return FileError(rule, source=source, line=error.lineno)
     if not isinstance(error, tomllib.TOMLDecodeError):  # the interpreter's limit on digits
-        return FileError("holds a number with too many digits", source=source)
+        return FileError(said("contains a number with too many digits"), source=source)
     reason, _, place = str(error).partition(" (at ")
     number = re.match(r"line (\d+)", place)
     line = int(number[1]) if number else text.rstrip().count("\n") + 1
-    return FileError(f"is not valid TOML: {reason[:150].lower()}", source=source, line=line)
+    return FileError(
+        said("is not valid TOML: {reason}", reason=reason[:150].lower()), source=source, line=line
+    )
 
 
 # --- where in a text a key stands -----------------------------------------------------------------

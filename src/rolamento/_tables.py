@@ -17,6 +17,7 @@ from typing import Any, Final, Literal, get_args
 
 from rolamento._reading import STANDARD_INPUT, read_bytes
 from rolamento.errors import ABSENT, FileError, InputError
+from rolamento.words import said
 
 __all__ = [
     "DecimalMark",
@@ -111,8 +112,12 @@ class Numerals:
                 f'"# {_MARK}: comma" above the table'
             )
         raise InputError(
-            f"is {point} if the point is a decimal one, and {comma} if it parts thousands, and the"
-            " table does not tell",
+            said(
+                "is {point} if the point is the decimal mark and {comma} if it "
+                "separates thousands; the table does not tell which",
+                point=point,
+                comma=comma,
+            ),
             field=field,
             value=self.doubt,
             example=example,
@@ -198,8 +203,8 @@ class Table:
         InputError
             If nothing tells, and it matters; or the mark is none.
         """
-        said = self.said.get(_MARK) if mark is None else mark
-        chosen = None if said is None else checked_mark(said, self.source)
+        given = self.said.get(_MARK) if mark is None else mark
+        chosen = None if given is None else checked_mark(given, self.source)
         leads = (_lead(row[column]) for row in self.rows for column in columns)
         found = numerals_of(leads, commas=self.separator != ",", mark=chosen)
         if found.doubt:
@@ -262,7 +267,7 @@ def checked_mark(mark: object, source: str = "") -> DecimalMark:
     word = mark.strip().casefold() if isinstance(mark, str) else None
     if word not in known:
         raise InputError(
-            f"must be {' or '.join(get_args(DecimalMark))}",
+            said("must be one of {known}", known=", ".join(get_args(DecimalMark))),
             field="decimal_mark",
             value=ABSENT if mark is None else mark,
             example='decimal_mark="comma"',
@@ -290,11 +295,11 @@ def table_text(path: str | os.PathLike[str]) -> tuple[str, str]:
     source = STANDARD_INPUT if source == "-" else source
     content = read_bytes(path, _LARGEST, "a table in CSV")
     if len(content) > _LARGEST:
-        raise FileError(f"is larger than {_LARGEST // 1_000_000} MB", source=source)
+        raise FileError(said("is larger than {most} MB", most=_LARGEST // 1_000_000), source=source)
     if content[:2] in (b"\xff\xfe", b"\xfe\xff"):
-        raise FileError("is UTF-16 text; save it as CSV in UTF-8", source=source)
+        raise FileError(said("is UTF-16 text; save it as CSV in UTF-8"), source=source)
     if b"\0" in content:
-        raise FileError("is a binary file; save the table as CSV", source=source)
+        raise FileError(said("is a binary file; save the table as CSV"), source=source)
     try:
         return content.decode("utf-8-sig"), source
     except UnicodeDecodeError:
@@ -322,34 +327,34 @@ def parse_table(
     FileError
         If it is no such table, or is too large.
     """
-    said: dict[str, str] = {}
+    told: dict[str, str] = {}
     found: list[tuple[int, tuple[str, ...]]] = []
     separator = ","
     for number, line in enumerate(text.replace("\r\n", "\n").replace("\r", "\n").split("\n"), 1):
         if len(line) > _LONGEST_LINE:
-            rule = f"is longer than {_LONGEST_LINE} characters"
+            rule = said("is longer than {most} characters", most=_LONGEST_LINE)
             raise FileError(rule, source=source, line=number)
         if line.lstrip().startswith("#"):
             name, colon, value = line.lstrip("# \t").partition(":")
             if colon and not found:
-                said.setdefault(name.strip().casefold(), value.strip()[:_LONGEST_CELL])
+                told.setdefault(name.strip().casefold(), value.strip()[:_LONGEST_CELL])
             continue
         if not line.strip(" \t;,"):
             continue
         if not found:
             separator = next((mark for mark in ";\t" if mark in line), ",")
         if len(found) > most_rows:
-            raise FileError(f"holds more than {most_rows} rows", source=source)
+            raise FileError(said("has more than {most} rows", most=most_rows), source=source)
         found.append((number, _cells(line, separator, source, number)))
         _check_row(found, separator, source)
     if not found:
-        raise FileError("holds no table", source=source, example=example)
+        raise FileError(said("contains no table"), source=source, example=example)
     (header_line, header), *rows = found
     if len(rows) < least_rows:
-        raise FileError("has a header and no rows below it", source=source, example=example)
+        raise FileError(said("has a header but no rows"), source=source, example=example)
     return Table(
         source,
-        said,
+        told,
         header,
         header_line,
         tuple(cells for _, cells in rows),
@@ -362,7 +367,7 @@ def _cells(line: str, separator: str, source: str, number: int) -> tuple[str, ..
     try:
         cells = next(csv.reader([line], delimiter=separator, strict=True))
     except (csv.Error, StopIteration):
-        rule = "is not a line of a CSV table; look for a lone quotation mark"
+        rule = said("is not a line of a CSV table; check for an unmatched quotation mark")
         raise FileError(rule, source=source, line=number) from None
     return tuple(cell.strip() for cell in cells)
 
@@ -372,11 +377,19 @@ def _check_row(found: Sequence[tuple[int, tuple[str, ...]]], separator: str, sou
     line, cells = found[-1]
     header = found[0][1]
     if len(cells) > _MOST_COLUMNS:
-        raise FileError(f"has more than {_MOST_COLUMNS} columns", source=source, line=line)
+        raise FileError(
+            said("has more than {most} columns", most=_MOST_COLUMNS), source=source, line=line
+        )
     if max(map(len, cells)) > _LONGEST_CELL:
-        rule = f"has a cell of more than {_LONGEST_CELL} characters"
+        rule = said("has a cell of more than {most} characters", most=_LONGEST_CELL)
         raise FileError(rule, source=source, line=line)
     if len(cells) != len(header):
-        advice = "; with decimal commas part the cells by semicolons" if separator == "," else ""
-        rule = f"has {len(cells)} cells where the header has {len(header)}{advice}"
+        numbers = {"count": len(cells), "columns": len(header)}
+        rule = said("has {count} cells where the header has {columns}", **numbers)
+        if separator == ",":
+            rule = said(
+                "has {count} cells where the header has {columns}; with decimal commas, separate"
+                " the cells by semicolons",
+                **numbers,
+            )
         raise FileError(rule, source=source, line=line)

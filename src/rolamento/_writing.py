@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import Final
 
 from rolamento.errors import FileError
+from rolamento.words import said
 
 __all__ = ["UNFINISHED", "check_space", "write_bytes", "write_text", "written_whole"]
 
@@ -62,16 +63,16 @@ def written_whole(
         yield unfinished
         _put_in_place(unfinished, target, new)
     except FileExistsError:
-        raise FileError("exists already; choose another name", source=source) from None
+        raise FileError(said("already exists; choose another name"), source=source) from None
     except FileError as error:
         raise error if error.source else error.with_details(source=source) from None
     except OSError as error:
         reason = (error.strerror or str(error)).lower()
-        raise FileError(f"cannot be written: {reason}", source=source) from None
+        raise FileError(said("cannot be written: {reason}", reason=reason), source=source) from None
     except ValueError as error:
         if "null" not in str(error):
             raise
-        raise FileError("is not a possible file name", source=source) from None
+        raise FileError(said("is not a valid file name"), source=source) from None
     finally:
         if unfinished is not None:
             with suppress(OSError):
@@ -124,7 +125,11 @@ def check_space(needed: int, path: Path) -> None:
         return
     if needed > free:
         raise FileError(
-            f"cannot be written: it takes {_megabytes(needed)}, and {_megabytes(free)} are free",
+            said(
+                "cannot be written: it needs {needed}, and {free} are free",
+                needed=_megabytes(needed),
+                free=_megabytes(free),
+            ),
             source=str(path),
         )
 
@@ -138,7 +143,7 @@ def _takes_a_place(target: Path, new: bool) -> bool:
     if new:
         raise FileExistsError
     if stat.S_ISDIR(mode):
-        raise FileError("is a directory; give a file")
+        raise FileError(said("is a directory; give a file"))
     if not stat.S_ISREG(mode):
         return False
     if not os.access(target, os.W_OK):  # renaming would not ask

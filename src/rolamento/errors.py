@@ -18,12 +18,15 @@ import re
 from collections.abc import Iterable
 from typing import Any, Final, Self
 
+from rolamento.words import marked, said
+
 __all__ = [
     "FileError",
     "InputError",
     "RolamentoError",
     "UnitError",
     "UnknownKeyError",
+    "guess",
     "nearest",
     "printable",
     "shown",
@@ -33,6 +36,14 @@ _LONGEST_VALUE: Final = 60
 _ACTING: Final = re.compile(
     "[\x00-\x08\x0b-\x1f\x7f-\x9f\u200e\u200f\u2028-\u202e\u2066-\u2069\ud800-\udfff]"
 )
+
+
+_STREAMS: Final = (
+    marked("standard input"),
+    marked("standard output"),
+    marked("standard error"),
+)
+"""Sources that are no files."""
 
 
 class _Absent:
@@ -64,9 +75,10 @@ class InputError(RolamentoError, ValueError):
     Parameters
     ----------
     rule
-        The rule that was broken, as the end of a sentence.
+        The rule that was broken, as the end of a sentence; `said` where it is raised.
     field
-        Dotted name of the field, such as ``"bearing.ball_diameter"``.
+        Dotted name of the field, such as ``"bearing.ball_diameter"``, or words in English that are
+        `marked`, such as ``"number of samples"``.
     value
         What was given; shown shortened and with control characters escaped.
     example
@@ -96,17 +108,20 @@ class InputError(RolamentoError, ValueError):
         self.line = line
 
     def __str__(self) -> str:
-        example = f" (example: {self.example})" if self.example else ""
-        subject = f"{self._subject()}: " if self._subject() else ""
-        return printable(f"{self._place()}{subject}{self.rule}{example}")
+        parts = [part for part in (self._place(), self._subject(), self.rule) if part]
+        text = ": ".join(parts)
+        if self.example:
+            text += " " + said("(example: {example})", example=self.example)
+        return printable(text)
 
     def _place(self) -> str:
-        line = "" if self.line is None else f"line {self.line}"
-        place = ", ".join(part for part in (_escaped(self.source), line) if part)
-        return f"{place}: " if place else ""
+        source = said(self.source) if self.source in _STREAMS else _escaped(self.source)
+        line = "" if self.line is None else said("line {line}", line=str(self.line))
+        return ", ".join(part for part in (source, line) if part)
 
     def _subject(self) -> str:
-        field = _shortened(_escaped(self.field), 2 * _LONGEST_VALUE)
+        named = said(self.field) if " " in self.field else self.field
+        field = _shortened(_escaped(named), 2 * _LONGEST_VALUE)
         if self.value is ABSENT:
             return field
         return f"{field} = {shown(self.value)}" if field else shown(self.value)
@@ -147,15 +162,15 @@ class UnitError(InputError):
 def shown(value: object) -> str:
     """Return a value as one short line of printable text, whatever the value is."""
     if isinstance(value, dict):
-        return "a table"
+        return said("a table")
     if isinstance(value, list | tuple | set):
-        return "a list"
+        return said("a list")
     if isinstance(value, str):
         return f'"{_shortened(_escaped(value), _LONGEST_VALUE)}"'
     if isinstance(value, bool):
         return str(value).lower()
     if isinstance(value, int) and value.bit_length() > 200:
-        return "a very long whole number"
+        return said("a very long integer")
     return _shortened(_escaped(str(value)), _LONGEST_VALUE)
 
 
@@ -174,6 +189,15 @@ def nearest(word: str, known: Iterable[str]) -> str:
     # A bounded word: the matching is quadratic in its length.
     found = difflib.get_close_matches(word[:_LONGEST_VALUE].casefold(), by_folded, n=1, cutoff=0.6)
     return by_folded[found[0]] if found else ""
+
+
+def guess(word: str, known: Iterable[str]) -> str:
+    """Return what to say of a word that is not known: the known one most like it, or all."""
+    known = tuple(known)
+    near = nearest(word, known)
+    if near:
+        return said("did you mean {near}?", near=near)
+    return said("known: {known}", known=", ".join(known))
 
 
 def _shortened(text: str, longest: int) -> str:

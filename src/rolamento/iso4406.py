@@ -10,6 +10,7 @@ import re
 from typing import Final
 
 from rolamento.errors import InputError
+from rolamento.words import said
 
 __all__ = ["cleanliness_numbers"]
 
@@ -30,8 +31,10 @@ def cleanliness_numbers(code: str) -> tuple[int | None, int, int]:
     found = _CODE.fullmatch(str(code)[:_LONGEST].strip())
     if found is None:
         raise InputError(
-            "is not an ISO 4406 code: three numbers for particles from 4, 6 and 14 µm, of which"
-            " the first may be -",
+            said(
+                "is not an ISO 4406 code: three numbers for particles from 4, 6 and 14 "
+                "µm; the first may be -"
+            ),
             field="cleanliness",
             value=code,
             example=_EXAMPLE,
@@ -41,14 +44,14 @@ def cleanliness_numbers(code: str) -> tuple[int | None, int, int]:
     given = [number for number in numbers if number is not None]
     if max(given) > _GREATEST_NUMBER:
         raise InputError(
-            f"has a number beyond {_GREATEST_NUMBER}, the last of the scale",
+            said("has a number above {most}, the end of the scale", most=_GREATEST_NUMBER),
             field="cleanliness",
             value=code,
             example=_EXAMPLE,
         )
     if given != sorted(given, reverse=True):
         raise InputError(
-            "has numbers that rise: there cannot be more large particles than small ones too",
+            said("has increasing numbers: there cannot be more large particles than small ones"),
             field="cleanliness",
             value=code,
             example=_EXAMPLE,

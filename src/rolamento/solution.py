@@ -18,6 +18,7 @@ from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.numerics.threads import thread_count
 from rolamento.solved import Solved
+from rolamento.words import Note, said
 
 __all__ = ["solve"]
 
@@ -32,7 +33,7 @@ def solve(
     """Find the internal state of a bearing: Jones-Harris equilibrium, five degrees of freedom.
 
     Rows that share a bearing share one rigid inner ring. Never raises for a duty that has no
-    solution: the status of the case tells, with advice, and its numbers are NaN. A case with a
+    solution: the status of the case says so, with advice, and its numbers are NaN. A case with a
     mounting is solved with the clearance in operation of each case, that of its temperatures,
     speeds and whatever else varies: `Solved.case` is the case that it comes to.
 
@@ -71,7 +72,7 @@ def solve(
     if not isinstance(case, Case):
         if not isinstance(case, str | os.PathLike):
             raise InputError(
-                "must be a Case, or the path of its file",
+                said("must be a Case or the path of a case file"),
                 field="case",
                 value=type(case).__name__,
                 example='rolamento.solve("case.toml")',
@@ -104,7 +105,7 @@ def _solve_many(case: Case, given: Mapping[str, ArrayLike], threads: int | None)
 
 
 def _solve_one(case: Case) -> Solved:
-    notes: tuple[str, ...] = ()
+    notes: tuple[Note, ...] = ()
     if case.mounting is not None:
         from rolamento.clearance import clearance_notes, clearance_of_case, operating_case
 

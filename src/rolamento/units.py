@@ -17,6 +17,7 @@ from importlib import resources
 from typing import TYPE_CHECKING, Any, Final, Literal, NamedTuple
 
 from rolamento.errors import UnitError, nearest, shown
+from rolamento.words import marked, said
 
 if TYPE_CHECKING:
     import pint
@@ -31,6 +32,7 @@ __all__ = [
     "ZERO_CELSIUS",
     "Dimension",
     "from_si",
+    "name_of",
     "readable",
     "rpm_of",
     "to_si",
@@ -70,6 +72,23 @@ Dimension = Literal[
     "thermal_expansion",
     "time",
 ]
+
+_NAMES: Final[dict[Dimension, str]] = {
+    "length": marked("length"),
+    "angle": marked("angle"),
+    "angular_speed": marked("angular speed"),
+    "force": marked("force"),
+    "moment": marked("moment"),
+    "stress": marked("stress"),
+    "density": marked("density"),
+    "temperature": marked("temperature"),
+    "kinematic_viscosity": marked("kinematic viscosity"),
+    "dynamic_viscosity": marked("dynamic viscosity"),
+    "pressure_viscosity_coefficient": marked("pressure-viscosity coefficient"),
+    "thermal_conductivity": marked("thermal conductivity"),
+    "thermal_expansion": marked("thermal expansion"),
+    "time": marked("time"),
+}
 
 SI_UNIT: Final[dict[Dimension, str]] = {
     "length": "m",
@@ -185,13 +204,15 @@ def to_si(text: str, dimension: Dimension) -> float:
         If the text is not a finite number followed by a unit of that quantity.
     """
     if len(text) > _LONGEST_TEXT:
-        raise UnitError(f"must be at most {_LONGEST_TEXT} characters long", value=text)
+        raise UnitError(
+            said("must be at most {most} characters long", most=_LONGEST_TEXT), value=text
+        )
     number, unit_text = _split(text, dimension)
     unit = _unit(unit_text, dimension)
     try:
         return float(_exact(number) * unit.scale + unit.offset)
     except OverflowError:
-        raise UnitError("is beyond the numbers of this machine", value=text) from None
+        raise UnitError(said("is beyond the range of floating-point numbers"), value=text) from None
 
 
 def from_si(value: float, dimension: Dimension) -> str:
@@ -270,20 +291,22 @@ def _split(text: str, dimension: Dimension) -> tuple[str, str]:
     match = _QUANTITY.fullmatch(stripped)
     if match is None:
         raise UnitError(
-            f"must be a finite number and a unit of {_name(dimension)}",
+            said(
+                "must be a finite number with a unit of {dimension}", dimension=name_of(dimension)
+            ),
             value=text,
             example=_example(dimension),
         )
     number, unit = match[1], match[2]
     if not unit:
         raise UnitError(
-            f"needs its unit: this is {_article(dimension)} {_name(dimension)}",
+            said("needs a unit of {dimension}", dimension=name_of(dimension)),
             value=text,
             example=f'"{number} {_usual_units(dimension)[0]}"',
         )
     if unit.startswith(","):
         raise UnitError(
-            "takes a decimal point, not a comma", value=text, example=_example(dimension)
+            said("needs a decimal point, not a comma"), value=text, example=_example(dimension)
         )
     return number, unit
 
@@ -369,19 +392,31 @@ def _pint_name(unit: str) -> str:
 
 def _unknown(name: str, dimension: Dimension) -> UnitError:
     usual = _usual_units(dimension)
-    near = nearest(name, usual)
-    guess = f"; did you mean {near}?" if near else ""
-    return UnitError(
-        f"{shown(name)} is not a known unit{guess}"
-        f" ({_article(dimension)} {_name(dimension)} takes {', '.join(usual)} …)",
-        example=_example(dimension),
+    known = {
+        "name": shown(name),
+        "near": nearest(name, usual),
+        "dimension": name_of(dimension),
+        "usual": ", ".join(usual),
+    }
+    rule = (
+        said(
+            "{name} is not a known unit; did you mean {near}? (units of {dimension}: {usual} …)",
+            **known,
+        )
+        if known["near"]
+        else said("{name} is not a known unit (units of {dimension}: {usual} …)", **known)
     )
+    return UnitError(rule, example=_example(dimension))
 
 
 def _wrong_dimension(text: str, dimension: Dimension) -> UnitError:
     return UnitError(
-        f"{shown(text)} is not a unit of {_name(dimension)}"
-        f" (which takes {', '.join(_usual_units(dimension))} …)",
+        said(
+            "{text} is not a unit of {dimension} (units of {dimension}: {known} …)",
+            text=shown(text),
+            dimension=name_of(dimension),
+            known=", ".join(_usual_units(dimension)),
+        ),
         example=_example(dimension),
     )
 
@@ -394,12 +429,9 @@ def _example(dimension: Dimension) -> str:
     return f'"{_EXAMPLE_NUMBERS.get(dimension, "10")} {_usual_units(dimension)[0]}"'
 
 
-def _name(dimension: Dimension) -> str:
-    return dimension.replace("_", " ")
-
-
-def _article(dimension: Dimension) -> str:
-    return "an" if dimension[0] in "aeiou" else "a"
+def name_of(dimension: Dimension) -> str:
+    """Return what a quantity is called, as it is said."""
+    return said(_NAMES[dimension])
 
 
 _EXAMPLE_NUMBERS: Final[dict[Dimension, str]] = {

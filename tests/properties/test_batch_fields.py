@@ -313,7 +313,7 @@ def test_coefficient_and_drag_move_friction_controlled_balls() -> None:
 
 
 def test_a_coefficient_belongs_to_a_lubricant() -> None:
-    with pytest.raises(InputError, match="belongs to a lubricant"):
+    with pytest.raises(InputError, match="is a property of a lubricant, and this case has none"):
         solve(CASES["plain"], {"lubricant.friction_coefficient": [0.1, 0.2]})
 
 

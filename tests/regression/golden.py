@@ -51,10 +51,12 @@ GOLDEN: Final = HERE / "golden"
 TOLERANCE: Final = 1e-12
 """Of the scale of a number: the greatest of its family (`_family`)."""
 
-_LEFT_OUT: Final = frozenset(  # what was given, how it was solved, and `computed - printed`
-    {"case", "title", "schema", "version", "residual", "imbalance", "iterations", "notes",
-     "difference"}
+_LEFT_OUT: Final = frozenset(  # what was given and said, how it was solved, `computed - printed`
+    {"case", "title", "schema", "version", "residual", "imbalance", "iterations", "difference",
+     "notes", "reading_notes", "advice", "statement", "reasons", "doubts"}
 )  # fmt: skip
+_KEYED: Final = frozenset({"reason", "reasons", "warnings"})
+"""Whose notes are kept, by their keys."""
 _LONGEST_SERIES: Final = 48
 _LONGEST_TABLE: Final = 24
 _NAMES: Final = frozenset({"name", "quantity", "unit", "method", "change"})
@@ -178,10 +180,13 @@ def _cell(text: str) -> float | str | None:
 def kept(value: Any) -> Any:
     """Return numbers, truths and words; long lists thinned, with mean and root mean square."""
     if isinstance(value, dict):
+        if _is_note(value):
+            return value["key"]
         return {
             name: kept(part)
             for name, part in _with_parts(value).items()
             if name not in _LEFT_OUT and not _is_prose(part)
+            if name in _KEYED or not _is_note(part)
         }
     if isinstance(value, list):
         parts = [kept(part) for part in value if not _is_prose(part)]
@@ -198,6 +203,10 @@ def _with_parts(value: dict[str, Any]) -> dict[str, Any]:
     amplitude, phase = (np.array(value[name], float) for name in ("amplitude", "phase"))
     waves = {"cosine": amplitude * np.cos(phase), "sine": amplitude * np.sin(phase)}
     return others | {name: part.tolist() for name, part in waves.items()}
+
+
+def _is_note(value: Any) -> bool:
+    return isinstance(value, dict) and value.keys() == {"key", "text", "values"}
 
 
 def _is_prose(value: Any) -> bool:
@@ -352,7 +361,7 @@ def _path(name: str) -> Path:
 
 
 def _load(name: str) -> Any:
-    return json.loads(_path(name).read_text(encoding="utf-8"))
+    return kept(json.loads(_path(name).read_text(encoding="utf-8")))
 
 
 def _save(name: str, value: Any) -> None:

@@ -61,10 +61,10 @@ def test_numpy_numbers_are_numbers() -> None:
     [
         ({"ball_count": 18}, "ball_count = 18: balls of 22.23 mm do not fit .* room for 17"),
         ({"ball_count": 2}, "ball_count = 2: must be at least 3"),
-        ({"ball_count": 16.0}, "ball_count = 16.0: must be a whole number"),
-        ({"ball_count": "16"}, 'ball_count = "16": must be a whole number'),
-        ({"ball_count": True}, "ball_count = true: must be a whole number"),
-        ({"ball_count": 10**5000}, "a very long whole number: must be at most 500"),
+        ({"ball_count": 16.0}, "ball_count = 16.0: must be an integer"),
+        ({"ball_count": "16"}, 'ball_count = "16": must be an integer'),
+        ({"ball_count": True}, "ball_count = true: must be an integer"),
+        ({"ball_count": 10**5000}, "a very long integer: must be at most 500"),
         ({"ball_diameter": -0.02}, "ball_diameter = -0.02: must be at least 0.01 mm"),
         ({"ball_diameter": 0}, "must be at least 0.01 mm and at most 1 m"),
         ({"ball_diameter": float("nan")}, "ball_diameter = nan: must be a finite number"),
@@ -78,14 +78,14 @@ def test_numpy_numbers_are_numbers() -> None:
         ({"inner_conformity": 0.5}, "inner_conformity = 0.5: must be at least 0.501"),
         ({"outer_conformity": 1.1}, "at most 1"),
         ({"outer_conformity": "0.52"}, "must be a number"),
-        ({"diametral_clearance": 1e-5}, "beside the contact angle"),
+        ({"diametral_clearance": 1e-5}, "cannot be combined with the contact angle: each follows"),
         ({"contact_angle": None}, "give the contact angle or the diametral clearance"),
         ({"contact_angle": None, "diametral_clearance": 0.01}, "less than 2.063 mm"),
         ({"contact_angle": None, "diametral_clearance": -0.001}, "greater than -0.2579 mm"),
         ({"inner_shoulder_height": 0.012}, "less than the ball radius, 11.11 mm"),
         ({"outer_shoulder_height": 0.0}, "greater than 0 mm"),
         ({"ring_material": "101Cr6"}, "did you mean 100Cr6"),
-        ({"ring_material": 207e9}, "the name of a material, or a table"),
+        ({"ring_material": 207e9}, r"must be a name \(material\) or a table"),
         ({"ball_material": {"density": 3240.0}}, "ball_material.youngs_modulus: is missing"),
     ],
 )
@@ -103,7 +103,7 @@ def test_every_refusal_of_a_value_shows_an_example() -> None:
 
 
 def test_a_missing_unit_and_a_misspelt_key_have_their_own_exceptions() -> None:
-    with pytest.raises(UnitError, match="needs its unit"):
+    with pytest.raises(UnitError, match="needs a unit"):
         Bearing(**{**GEOMETRY, "ball_diameter": "22.23"})
     with pytest.raises(UnknownKeyError, match="did you mean ball_diameter"):
         Bearing(**GEOMETRY, ball_diametre=0.02)

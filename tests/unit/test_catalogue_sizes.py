@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from tests.one_case import said
 
 from rolamento import (
     Bearing,
@@ -24,7 +25,7 @@ from rolamento.case import case_to_json, case_to_toml
 from rolamento.case.case import _with_catalogue_sizes
 from rolamento.clearance import class_clearance, clearance_of_case
 from rolamento.life import conditions_of, life
-from rolamento.report.language import PORTUGUESE
+from rolamento.words import Note
 
 TEXT = textwrap.dedent(
     """
@@ -65,7 +66,7 @@ def test_sizes_may_be_given_if_they_are_the_same() -> None:
 @pytest.mark.parametrize(
     ("given", "said"),
     [
-        ('bore = "30 mm"', 'mounting.bore = "30 mm": must be 25 mm, that of 6305/C3'),
+        ('bore = "30 mm"', 'mounting.bore = "30 mm": must be 25 mm, the value of 6305/C3'),
         ('outside_diameter = "72 mm"', 'mounting.outside_diameter = "72 mm": must be 62 mm'),
     ],
 )
@@ -166,7 +167,7 @@ def test_a_mounted_designation_starts_from_its_class() -> None:
     first = clearance_of_case(case("6305/C3")).steps[0]
     band = class_clearance(0.025, "C3")
     assert first.clearance == pytest.approx((band.low, band.middle, band.high))
-    assert "C3" in first.source
+    assert first.source.values["name"] == "C3"
     given = clearance_of_case(case("6305/C3", mounting='clearance_class = "C4"')).steps[0]
     assert given.clearance[1] == pytest.approx(class_clearance(0.025, "C4").middle)
     own = clearance_of_case(case("6305/C3", bearing='diametral_clearance = "0.02 mm"')).steps[0]
@@ -202,13 +203,10 @@ def test_the_static_rating_is_for_steel_balls() -> None:
 
 
 def test_inferred_balls_are_a_note() -> None:
-    notes = [note for note in solve(case()).notes[0] if "inferred" in note]
-    assert notes == [
-        "The balls of 6305/C3 are not published, but inferred from its ratings; no other standard"
-        " balls reproduce them."
-    ]
-    portuguese = PORTUGUESE.note(notes[0])
-    assert portuguese.startswith("As esferas de 6305/C3 não são publicadas")
+    (note,) = (note for note in solve(case()).notes[0] if note.key.startswith("geometry"))
+    assert note == Note("geometry_estimated_uniquely", {"designation": "6305/C3"})
+    assert "no other standard ball size reproduces them" in note.text
+    assert said(note, "pt").startswith("A geometria interna do 6305/C3 não é publicada")
 
 
 def test_published_or_given_balls_are_none() -> None:
@@ -221,11 +219,11 @@ def test_published_or_given_balls_are_none() -> None:
     ):  # fmt: skip
         state = solve(Case(bearing=own, duty=Duty(load=Load(fx=500.0))))
         assert state.converged.all()
-        assert not [note for note in state.notes[0] if "inferred" in note]
+        assert not [note for note in state.notes[0] if note.key.startswith("geometry")]
 
 
 def test_the_note_counts_the_alternatives(examples: Path) -> None:
     state = solve(Case(bearing=Bearing.named("6205"), duty=Duty(load=Load(fz=500.0))))
-    (note,) = (note for note in state.notes[0] if "inferred" in note)
-    assert note.startswith("The balls of 6205 are not published")
-    assert PORTUGUESE.note(note) != note
+    (note,) = (note for note in state.notes[0] if note.key == "geometry_estimated")
+    assert note.values["designation"] == "6205"
+    assert said(note, "pt") != said(note)

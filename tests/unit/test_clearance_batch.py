@@ -154,7 +154,7 @@ def test_what_does_not_go_together(text: str, values: dict[str, Any], field: str
 
 def test_without_a_mounting_there_is_nothing_to_vary() -> None:
     case = parse_case(DEEP).replace(mounting=None, temperature=None)
-    with pytest.raises(InputError, match="acts by way of the"):
+    with pytest.raises(InputError, match="takes effect through"):
         solve(case, {"temperature.inner_ring": [350.0]})
 
 

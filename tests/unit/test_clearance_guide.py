@@ -40,7 +40,7 @@ def test_the_table_of_steps() -> None:
         assert rows[step.name] == pytest.approx([1e6 * c for c in step.change], abs=0.05)
     limits = [1e6 * value for value in (found.minimum, found.mean, found.maximum)]
     assert rows["in operation"] == pytest.approx(limits, abs=0.05)
-    assert found.warnings == ("interference_at_minimum",)
+    assert [note.key for note in found.warnings] == ["interference_at_minimum"]
 
 
 def test_every_key_of_the_mounting_is_explained() -> None:

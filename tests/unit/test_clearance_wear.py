@@ -81,7 +81,7 @@ def test_the_unit_of_time_does_not_matter() -> None:
         ([0, 1], [1e-5, 2e-5], "running_in", "at least 3 different values"),
         ([0, 1, 1, 0], [1e-5, 2e-5, 2e-5, 1e-5], "running_in", "at least 3 different"),
         ([0, 1, 2], [1e-5, 2e-5], "running_in", "as long as the times"),
-        ([0, 1, -2], [1e-5, 2e-5, 3e-5], "running_in", "not less than 0"),
+        ([0, 1, -2], [1e-5, 2e-5, 3e-5], "running_in", "must be finite and not negative"),
         ([0, 1, 2], [1e-5, float("nan"), 3e-5], "running_in", "must be finite"),
         ([0, 1, 2], [1e-5, 2e-5, 3e-5], "linear", "must be one of running_in"),
     ],

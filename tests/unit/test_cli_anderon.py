@@ -15,18 +15,18 @@ from typing import Any
 
 import numpy as np
 import pytest
-from typer.testing import CliRunner
-
-from rolamento import tasks
-from rolamento.cli.anderon import _full_scales_of as full_scales_of
-from rolamento.cli.app import app
-from rolamento.plots.anderon import noise_bands, noise_figure
 from rolamento.report.anderon import (
     CSV_COLUMNS,
     noise_json,
     noise_report,
     noise_statement,
 )
+from typer.testing import CliRunner
+
+from rolamento import tasks
+from rolamento.cli.anderon import _full_scales_of as full_scales_of
+from rolamento.cli.app import app
+from rolamento.plots.anderon import noise_bands, noise_figure
 from rolamento.report.language import PORTUGUESE
 from rolamento.tasks import noise as noise_task
 from rolamento.tasks.noise import FullScale, MeasuredNoise, NoiseResult
@@ -325,7 +325,7 @@ class TestSeveral:
         assert run(*both)[0] == 0
         code, _, err = run(*both, "--hours", "1,2")
         assert code == 2
-        assert "must be in anderons, as the speeds of the signals differ" in err
+        assert "must be in anderons, since the signals have different speeds" in err
 
 
 class TestOutputs:
@@ -374,21 +374,30 @@ REFUSED: list[tuple[tuple[str, ...], str]] = [
     (("t60.npz", "--unit", "um/s", "--accepted", "nan"), "--accepted: nan: must be"),
     (("t60.npz", "--unit", "um/s", "--full-scale", "mid=3"), "with a BAND of low, medium, high"),
     (("t60.npz", "--unit", "um/s", "--full-scale", "low"), "with a BAND of low, medium, high"),
-    (("t60.npz", "--unit", "um/s", "--full-scale", "low=-3"), "must be a number of anderons"),
-    (("t60.npz", "--unit", "um/s", "--full-scale", "low=3 m"), "must be a number of anderons"),
+    (
+        ("t60.npz", "--unit", "um/s", "--full-scale", "low=-3"),
+        "must be a positive number of anderons, or a velocity in",
+    ),
+    (
+        ("t60.npz", "--unit", "um/s", "--full-scale", "low=3 m"),
+        "must be a positive number of anderons, or a velocity in",
+    ),
     (("t60.npz", "--unit", "um/s", "--full-scale", "low=1,low=2"), "is given twice"),
     (("t60.npz", "t120.npz", "--unit", "um/s", "--hours", "1"), "for each signal, here 2"),
     (("t60.npz", "--unit", "um/s", "--hours", "-1"), "from 0 on"),
     (("t60.npz", "t120.npz", "--unit", "um/s", "--plot", "a.png"), "--plot: needs the hours"),
     (("t60.npz", "--unit", "um/s", "--record", "a.csv"), "--record: needs the hours"),
-    (("t60.npz", "--unit", "um/s", "--plot", "a.gif"), "must end in .png"),
-    (("t60.npz", "--unit", "um/s", "--csv", "t60.npz"), "is the file of a signal itself"),
+    (("t60.npz", "--unit", "um/s", "--plot", "a.gif"), "must end in one of .png"),
+    (
+        ("t60.npz", "--unit", "um/s", "--csv", "t60.npz"),
+        "is one of the signal files; choose another name",
+    ),
     (("t60.npz", "--unit", "um/s", "--csv", "a", "--json", "a"), "only one of"),
     (("t60.npz", "--unit", "um/s", "--bearing", "a\nb"), "--bearing: "),
     (("t60.npz", "--unit", "um/s", "--duration", "0.2"), "must be at least 0.5 s"),
     (("t60.npz", "--unit", "um/s", "--start", "9"), "must lie before the end"),
     (("still.npy", "--unit", "um/s", "--rate", "1e9"), "the bands end at 10 kHz"),
-    (("t60.npz",) * 501, "must be 1 to 500 files"),
+    (("t60.npz",) * 501, "must be from 1 to 500 files"),
 ]
 
 
@@ -413,7 +422,7 @@ def test_full_scales() -> None:
 def test_hours_that_are_none(run: Run, text: str) -> None:
     code, _, err = run("t60.npz", "t120.npz", "--unit", "um/s", "--hours", text)
     assert code == 2
-    assert "must be a number of hours from 0 on for each signal, here 2" in err
+    assert "must be a number of hours, not negative, for each signal, here 2" in err
 
 
 # --- page and picture of a record ------------------------------------------------------------

@@ -159,7 +159,7 @@ def test_tracking_a_short_record_is_refused_before_it_is_read(
     code, _, error = run("a.npy", "--speed", "600 rpm", "--rate", "12000", "--track")
     assert code == 2
     assert "50 revolutions" in error
-    assert "must be at least 96 revolutions of the shaft at its nominal speed, 9.6 s" in error
+    assert "must be at least 96 shaft revolutions at the nominal speed, 9.6 s" in error
 
 
 def test_decimal_marks_are_asked_about(run: Run) -> None:
@@ -172,4 +172,4 @@ def test_decimal_marks_are_asked_about(run: Run) -> None:
     Path("a.csv").write_text(f"load;speed\n{rows}\n", "utf-8")
     assert run(*known)[0] == 2
     assert run(*known, "--decimal-mark", "comma")[0] in (0, 1)
-    assert "must be point or comma" in run(*known, "--decimal-mark", "x")[2]
+    assert "must be one of point, comma" in run(*known, "--decimal-mark", "x")[2]

@@ -9,14 +9,14 @@ from pathlib import Path
 
 import pytest
 import typer
+from rolamento.report.frequencies import CSV_COLUMNS, frequencies_report
+from rolamento.report.frequencies_words import FREQUENCY_WORDS
 from typer.testing import CliRunner, Result
 
 from rolamento import Bearing, load_case
 from rolamento.cli.frequencies import frequencies
 from rolamento.cli.optional_value import JsonCommand
 from rolamento.document.medium import Medium
-from rolamento.report.frequencies import CSV_COLUMNS, frequencies_report
-from rolamento.report.frequencies_words import FREQUENCY_WORDS
 from rolamento.report.language import LANGUAGES, words_for
 from rolamento.solution import solve
 from rolamento.tasks.frequencies import FrequencyResult

@@ -102,12 +102,12 @@ def test_none_with_a_result(run: Run) -> None:
     [
         ((), "STUDY: is missing"),
         (("none.toml",), "cannot be opened"),
-        (("case.toml",), "bearing: is not a known key"),
+        (("case.toml",), "bearing: is an unknown key"),
         (("study.toml", "-o", "out.txt"), "must end in"),
         (("study.toml", "-o", "study.toml"), "is the study file itself"),
-        (("study.toml", "-o", "./case.toml"), "is the study's case file; choose another name"),
+        (("study.toml", "-o", "./case.toml"), "is the case file of the study; choose another name"),
         (("study.toml", "-o", "none/out.nc"), "no such directory"),
-        (("study.toml", "--set", "duty.load.fy=1"), "needs its unit"),
+        (("study.toml", "--set", "duty.load.fy=1"), "needs a unit"),
         (("study.toml", "--set", "duty.lod.fy=1 N"), "did you mean load"),
     ],
 )
@@ -123,7 +123,10 @@ def test_a_sweep_does_not_write_over_its_case(run: Run) -> None:
     Path("case.csv").write_bytes(Path("case.toml").read_bytes())
     Path("study.toml").write_text(STUDY.replace("case.toml", "case.csv"), "utf-8")
     result = run("study.toml", "-o", "./case.csv")
-    assert (result.exit_code, "is the study's case file" in result.stderr) == (2, True)
+    assert (
+        result.exit_code,
+        "is the case file of the study; choose another name" in result.stderr,
+    ) == (2, True)
     assert Path("case.csv").read_bytes() == Path("case.toml").read_bytes()
 
 

@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 import pytest
 import typer
+from rolamento.report.synthesis import synthesis_report
 from typer.testing import CliRunner
 
 from rolamento import Bearing, load_case
@@ -23,7 +24,6 @@ from rolamento.cli.quantities import fields_of, number_of
 from rolamento.errors import InputError
 from rolamento.plots.vibration_modulation import envelope_depths, modulation_figure
 from rolamento.report import synthesis as page
-from rolamento.report.synthesis import synthesis_report
 from rolamento.solution import solve
 from rolamento.tasks.bearing import case_of, has_load, is_designation
 from rolamento.tasks.synthesis import SynthesisResult
@@ -200,7 +200,9 @@ class TestFiles:
             found = read_signal(tmp_path / name, unit="m/s^2")
             assert found.rate == pytest.approx(1000.0 / 3.0, rel=1e-11)
             assert np.isnan(found.mean_speed)
-        with pytest.raises(InputError, match="whole number of Hz in a WAV"):
+        with pytest.raises(
+            InputError, match="must be an integer number of Hz in a WAV file; other"
+        ):
             write_signal(signal, str(tmp_path / "a.wav"))
 
     def test_wav_is_what_others_read(self, tmp_path: Path) -> None:
@@ -391,12 +393,12 @@ class TestPage:
 FAULT = (*KNOWN, "--fault", "inner_race", "-o", "a.npz")
 REFUSED: list[tuple[tuple[str, ...], str]] = [
     ((*KNOWN, "-o", "a.npz"), "would be silent"),
-    ((*KNOWN, "--fault", "ball", "-o", "a.mp3"), "must end in .wav, .csv, .npz"),
-    ((*KNOWN, "--fault", "ball", "-o", "-"), "must end in .wav, .csv, .npz"),
+    ((*KNOWN, "--fault", "ball", "-o", "a.mp3"), "must end in one of .wav, .csv, .npz"),
+    ((*KNOWN, "--fault", "ball", "-o", "-"), "must end in one of .wav, .csv, .npz"),
     ((*KNOWN, "--fault", "ball", "-o", "none/a.npz"), "none/a.npz: cannot be written"),
     ((*FAULT, "--truth", "a.npz"), "only one of --output and --truth"),
     (("fan.toml", "--fault", "ball", "-o", "a.npz", "--truth", "fan.toml"), "the case file itself"),
-    (("6205", "--fault", "ball", "-o", "a.npz"), "--speed: is missing: nothing turns"),
+    (("6205", "--fault", "ball", "-o", "a.npz"), "--speed: is missing: nothing rotates"),
     ((*FAULT, "--outer-speed", "1797 rpm"), "is that of both rings"),
     ((*FAULT, "--speed", "1797"), "--speed: "),
     ((*FAULT, "--speed", "1e9 rpm"), "--speed: "),
@@ -406,7 +408,7 @@ REFUSED: list[tuple[tuple[str, ...], str]] = [
     ((*FAULT, "--fault", "ball,jiter=1"), "perhaps jitter"),
     ((*FAULT, "--fault", "ball,jitter=1"), "--fault: jitter = 1.0: must be from 0 to 0.2"),
     ((*FAULT, "--fault", "ball,jitter=inf"), "--fault: jitter = "),
-    ((*FAULT, "--fault", "ball,azimuth=90"), "needs its unit"),
+    ((*FAULT, "--fault", "ball,azimuth=90"), "needs a unit"),
     ((*FAULT, "--fault", "ball,jitter=0.1,jitter=0.1"), "is given twice"),
     ((*FAULT, *("--fault", "ball") * 21), "20 at most"),
     ((*FAULT, "--jitter", "3"), "--fault: jitter = 3.0"),
@@ -424,7 +426,7 @@ REFUSED: list[tuple[tuple[str, ...], str]] = [
     ((*FAULT, "--load-turns", "1e9"), "--load-turns: "),
     ((*FAULT, "--mode", "9 kHz"), "--mode: frequency = 9000.0: must be below half"),
     ((*FAULT, "--mode", "fast"), "--mode: frequency = "),
-    ((*FAULT, "--path", "far"), "must be KEY=VALUE, with a KEY of sensor_azimuth, far_gain"),
+    ((*FAULT, "--path", "far"), "must be KEY=VALUE; KEY is one of sensor_azimuth, far_gain"),
     ((*FAULT, "--path", "far_gain=2"), "--path: far_gain = 2.0"),
     ((*FAULT, "--swing", "2"), "--swing: depth = 2.0"),
     ((*FAULT, "--swing", "0.1", "--wander", "0.1"), "not both"),
@@ -442,7 +444,7 @@ REFUSED: list[tuple[tuple[str, ...], str]] = [
     ((*FAULT, "--duration", "soon"), "--duration: "),
     ((*FAULT, "--rate", "6 kHz"), "--mode: frequency = 3500.0: must be below half"),
     ((*FAULT, "--rate", "-1"), "--rate: -1.0"),
-    ((*KNOWN, "--fault", "ball", "--rate", "12000.5", "-o", "a.wav"), "must be a whole number"),
+    ((*KNOWN, "--fault", "ball", "--rate", "12000.5", "-o", "a.wav"), "must be an integer"),
     ((*FAULT, "--duration", "1600 s", *("--mode", "3 kHz") * 40), "would take too long"),
     ((*FAULT, "--fault", "x" * 2000), "at most 1000 characters"),
 ]  # fmt: skip

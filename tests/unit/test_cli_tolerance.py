@@ -225,7 +225,10 @@ def test_without_any_result_the_exit_code_says_so(run: Run) -> None:
         (("result.nc", "--plot", "x.gif"), "must end in .png, .svg or .pdf"),
         (("result.nc", "--json", "result.nc"), "is the study itself"),
         (("sweep.nc",), "has no scatter"),
-        (("axes.nc", "--plot", "x.png"), "has axes beside its samples"),
+        (
+            ("axes.nc", "--plot", "x.png"),
+            "has axes besides its samples; a figure of tolerance bands",
+        ),
     ],
 )
 def test_wrong_input_is_one_message(run: Run, arguments: tuple[str, ...], words: str) -> None:

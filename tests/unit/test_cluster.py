@@ -175,7 +175,10 @@ def test_the_command_says_what_is_wrong(
     study = tmp_path / "study.toml"
     study.write_text(STUDY, encoding="utf-8")
     arguments = ["sweep", str(study), "-o", str(tmp_path / "r.nc"), "--scheduler", "127.0.0.1:9"]
-    for more, said in ((["--threads", "2"], "beside --scheduler"), ([], "cannot be reached")):
+    for more, said in (
+        (["--threads", "2"], "cannot be combined with --scheduler: the cluster has its"),
+        ([], "cannot be reached"),
+    ):
         with pytest.raises(SystemExit) as end:
             app([*arguments, *more])
         assert end.value.code == 2

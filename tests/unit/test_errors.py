@@ -32,11 +32,11 @@ def test_what_is_not_known_is_left_out() -> None:
 
 
 def test_details_are_filled_in_on_a_copy() -> None:
-    error = UnitError("needs its unit", value="5")
+    error = UnitError("needs a unit", value="5")
     located = error.with_details(field="bearing.ball_diameter", source="a.toml", line=3)
     assert isinstance(located, UnitError)
-    assert str(located) == 'a.toml, line 3: bearing.ball_diameter = "5": needs its unit'
-    assert str(error) == '"5": needs its unit'
+    assert str(located) == 'a.toml, line 3: bearing.ball_diameter = "5": needs a unit'
+    assert str(error) == '"5": needs a unit'
 
 
 def test_errors_cross_processes() -> None:
@@ -52,7 +52,7 @@ def test_errors_cross_processes() -> None:
         ("\ud800", '"\\ud800"'),
         ("x" * 1000, '"' + "x" * 59 + '…"'),
         (True, "true"),
-        pytest.param(10**5000, "a very long whole number", id="long"),
+        pytest.param(10**5000, "a very long integer", id="long"),
         ({"a": 1}, "a table"),
         ([1], "a list"),
         (1.5, "1.5"),

@@ -297,11 +297,11 @@ def test_no_loaded_ball_drives_the_cage(radial: Case) -> None:
 def test_one_case_of_several_has_frequencies(radial: Case) -> None:
     speeds = [100.0, 200.0]
     solved = solve(radial, inner_speed=speeds)
-    with pytest.raises(InputError, match="must be one case"):
+    with pytest.raises(InputError, match="must be a single case"):
         frequencies_of(solved)
     found = [frequencies_of(solved[i]) for i in range(2)]
     assert [one.inner_speed for one in found] == speeds
-    with pytest.raises(InputError, match="must be what"):
+    with pytest.raises(InputError, match="must be the result of rolamento"):
         frequencies_of(radial)  # type: ignore[arg-type]
 
 

@@ -11,7 +11,6 @@ import rolamento as ro
 from rolamento import Case
 from rolamento.errors import InputError
 from rolamento.friction import CONTACT_MODELS, MachineBearing, friction
-from rolamento.friction.model import REASONS
 from rolamento.friction.skf import SkfConstants
 from rolamento.solution import solve
 from rolamento.solved import Solved
@@ -57,7 +56,7 @@ def test_mapping_is_plain_json(slow: Solved, case_218: Case) -> None:
     assert len(read["heat"]["spin"]["inner"]) == 16
     assert read["friction_coefficient"] == 0.1
     assert read["models"]["skf"]["holds"] is False
-    assert read["models"]["skf"]["reasons"] == ["no_film"]
+    assert read["models"]["skf"]["reasons"][0]["key"] == "no_film"
     unsolved = solve(ro.override(case_218, ["duty.load.fx=-20 kN"]))
     none = friction(unsolved, friction_coefficient=0.1).to_mapping()
     assert none["torque"] is None
@@ -97,7 +96,7 @@ def test_film_decides(slow: Solved, film: float, regime: str, holding: set[str])
     assert found.regime[0] == regime
     assert set(found.valid_models()) == holding
     for validity in found.validity:
-        assert set(validity.notes) <= set(REASONS)
+        assert all(note.text.endswith(".") for note in validity.notes_of())
 
 
 def test_film_of_every_case_of_a_batch(case_218: Case) -> None:
@@ -106,7 +105,7 @@ def test_film_of_every_case_of_a_batch(case_218: Case) -> None:
     assert list(found.regime) == ["boundary", "full_film", "unknown"]
     (validity,) = found.validity
     assert list(validity.valid) == [True, False, True]
-    assert list(validity.notes["at_rest"]) == [False, False, True]
+    assert list(validity.notes["torque_at_rest"]) == [False, False, True]
     assert found.power[2] == 0.0
     assert found.torque[2] > 0.0
 
@@ -128,7 +127,7 @@ def test_unsolved_state_has_no_torque(case_218: Case) -> None:
     assert np.isnan(found.torque).all()
     assert np.isnan(found.power).all()
     assert found.valid_models() == ()
-    assert all(validity.notes["no_result"].all() for validity in found.validity)
+    assert all(validity.notes["torque_unknown"].all() for validity in found.validity)
 
 
 def test_frictionless_bearing_loses_only_by_hysteresis(slow: Solved) -> None:

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from tests.one_case import keys
 
 import rolamento
 from rolamento import load_case
@@ -96,7 +97,7 @@ def test_tallian_without_factors_of_its_own_is_the_reference_life() -> None:
     found = lives_of_6305(tallian_subsurface=TallianFactors())
     assert found["tallian"].life == pytest.approx(found["iso16281"].life, rel=1e-12)
     assert found["tallian"].valid[0]
-    assert {"factors_of_the_user", "surface_left_out"} <= set(found["tallian"].notes_of())
+    assert {"factors_of_the_user", "surface_left_out"} <= keys(found["tallian"].notes_of())
     assert "tallian" not in lives_of_6305().theories
 
 
@@ -128,7 +129,7 @@ def test_tallian_adds_the_risk_from_the_surface() -> None:
     alike = lives_of_6305(tallian_surface=TallianFactors(**surface))["tallian"]
     assert both.life[0] < below.life[0]
     assert alike.life[0] < below.life[0]
-    assert "surface_left_out" not in both.notes_of()
+    assert "surface_left_out" not in keys(both.notes_of())
 
 
 def test_tallian_for_another_reliability() -> None:

@@ -110,7 +110,7 @@ def test_ways_to_give_two_viscosities_agree() -> None:
         ({"kind": "wet"}, "kind", "one of"),
         ({"friction_coefficient": 0.0}, "friction_coefficient", "greater than 0"),
         ({"pressure_viscosity": "20 1/GPa", "pressure_viscosity_method": "wooster"},
-         "pressure_viscosity", "give one"),
+         "pressure_viscosity", "cannot be combined with"),
         ({"minimum_temperature": "80 degC", "maximum_temperature": "20 degC"},
          "minimum_temperature", "less than"),
         ({"viscosity_41": "68 cSt"}, "viscosity_41", "did you mean viscosity_40"),

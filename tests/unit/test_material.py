@@ -31,7 +31,9 @@ def test_the_named_materials_of_the_field_are_there() -> None:
 
 
 def test_an_unknown_name_is_refused_with_the_nearest_one() -> None:
-    with pytest.raises(InputError, match='"Si3N5": is not a known material; did you mean Si3N4'):
+    with pytest.raises(
+        InputError, match=r'"Si3N5": is an unknown name \(material\); did you mean Si3N4'
+    ):
         Material.named("Si3N5")
     with pytest.raises(InputError, match="known: 100Cr6, 440C, M50, Si3N4"):
         Material.named("wood of the forest")

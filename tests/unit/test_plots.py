@@ -322,7 +322,7 @@ def test_what_is_no_solved_case_is_refused(
 ) -> None:
     with pytest.raises(InputError, match=r"must be what rolamento\.solve returns"):
         draw(case_218)
-    with pytest.raises(InputError, match="must be of one case"):
+    with pytest.raises(InputError, match="must be a single case"):
         draw(state[[0, 0]])
     with pytest.raises(InputError, match="axes"):
         draw(state, axes=3)
@@ -647,8 +647,8 @@ def spoilt(state: Solved, change: Callable[[dict[str, Any]], object]) -> dict[st
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        (lambda m: m.pop("schema"), "is not the JSON of a state"),
-        (lambda m: m.pop("balls"), "is not the JSON of a state"),
+        (lambda m: m.pop("schema"), "is not the JSON of a solved state"),
+        (lambda m: m.pop("balls"), "is not the JSON of a solved state"),
         (lambda m: m.update(schema=2), "schema = 2: is of another release"),
         (lambda m: m.update(schema=True), "is of another release"),
         (lambda m: m.update(balls=[]), "balls = a list: must be a list of at least 1"),
@@ -680,7 +680,9 @@ def test_spoilt_states_are_refused(
 
 
 def test_a_case_file_is_told_to_be_solved_first(examples: Path) -> None:
-    with pytest.raises(FileError, match="has to be solved first") as refused:
+    with pytest.raises(
+        FileError, match="is not the JSON of a solved state; solve a case first"
+    ) as refused:
         Solved.read(examples / "218_combined.toml")
     assert "218_combined.toml" in str(refused.value)
     assert "rolamento solve" in str(refused.value)

@@ -11,6 +11,7 @@ import pytest
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import to_hex
+from rolamento.plots.life_words import LifeWords, life_words
 
 from rolamento import (
     Bearing,
@@ -35,7 +36,6 @@ from rolamento.plots.life import (
     theory_look,
     what_helps,
 )
-from rolamento.plots.life_words import LifeWords, life_words
 from rolamento.plots.over_field import decades, short_label
 from rolamento.plots.style import new_figure
 from rolamento.plots.words import ENGLISH, PORTUGUESE
@@ -392,7 +392,9 @@ def test_under_axial_load_there_is_no_clearance_to_tell(case: Case) -> None:
 
 def test_a_load_zone_is_that_of_radial_contact(bearing_218: Bearing, case: Case) -> None:
     angular = case.replace(bearing=bearing_218, duty=Duty(inner_speed=50.0, load=Load(fx=5e3)))
-    with pytest.raises(InputError, match="needs a single bearing of radial contact"):
+    with pytest.raises(
+        InputError, match="needs a single radial-contact bearing given by its clearance"
+    ):
         lives_over_zone(solve(angular))
 
 

@@ -189,7 +189,7 @@ def test_values_in_steady_ratios_get_a_logarithmic_axis() -> None:
         ("max_iner_max_pressure", "", "did you mean max_inner_max_pressure?"),
         ("status", "", 'variable = "status": is not in the study'),
         ("fx", "", "is not in the study; did you mean x?"),
-        ("torque", "", "known here: x, max_inner_max_pressure, inner_load"),
+        ("torque", "", "known: x, max_inner_max_pressure, inner_load"),
         ("x", "fz", "is not an axis of x; it has fx, inner_speed"),
         ("inner_load", "", "varies along fx, inner_speed, ball; a figure shows one or two axes"),
     ],
@@ -386,7 +386,7 @@ def test_huge_studies_are_refused() -> None:
 
 def test_an_axis_that_is_not_a_number_is_refused() -> None:
     study = sweep().assign_coords(fx=("fx", [np.nan, 1.0, 2.0, 3.0, 4.0, 5.0]))
-    with pytest.raises(InputError, match="fx: holds what is not a number"):
+    with pytest.raises(InputError, match="fx: contains something that is not a number"):
         study_lines(study, "x")
 
 

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from rolamento.plots.vibration_words import vibration_words
 
 from rolamento import Bearing
 from rolamento.plots.saving import save_figure
@@ -24,7 +25,6 @@ from rolamento.plots.vibration import (
     waveform,
     waveform_figure,
 )
-from rolamento.plots.vibration_words import vibration_words
 from rolamento.vibration.diagnosis import Diagnosis, FaultOrders, diagnose
 from rolamento.vibration.frequencies import nominal_frequencies
 from rolamento.vibration.signal import Signal

@@ -12,13 +12,13 @@ from matplotlib.lines import Line2D
 
 from rolamento.plots.saving import save_figure
 from rolamento.plots.weibull import (
+    FITS,
     contour_figure,
     likelihood_contour,
     weibull_figure,
     weibull_paper,
 )
 from rolamento.plots.weibull_plan import chance_of_passing, cost_of_precision
-from rolamento.plots.weibull_words import weibull_plot_words
 from rolamento.weibull import (
     FIT_METHODS,
     Band,
@@ -36,6 +36,7 @@ from rolamento.weibull import (
     published_life_test,
     summarise,
 )
+from rolamento.words import speaking
 
 SAMPLES = 300
 
@@ -104,7 +105,7 @@ def test_the_fit_is_a_straight_line_with_the_shape_as_slope(lieblein: LifeTest) 
 
 def test_all_methods_are_drawn_of_one_group(lieblein: LifeTest) -> None:
     axes = weibull_paper(summary(lieblein, methods=FIT_METHODS))
-    said = weibull_plot_words("en").fits
+    said = FITS
     assert {said[name] for name in FIT_METHODS[1:]} <= set(labels(axes))
     curved = next(one for one in axes.get_lines() if one.get_label() == said["three_parameter"])
     x, y = np.log(np.asarray(curved.get_xdata())), np.asarray(curved.get_ydata())
@@ -212,13 +213,14 @@ def test_chances_of_passing_are_those_of_the_plans() -> None:
     for line, one in zip(axes.get_lines(), plans, strict=False):
         x, y = np.asarray(line.get_xdata()), np.asarray(line.get_ydata())
         np.testing.assert_allclose(y, 100.0 * one.chance_of_passing(x))
-    assert labels(axes)[0] == "10 × 1684 h, 0 may fail"
+    assert labels(axes)[0] == "10 × 1684 h, 0 failures allowed"
     assert chance_of_passing([demonstrate(1.0, shape=1.5, bearings=1, time=0.1)], "h").texts
 
 
 def test_costs_are_those_of_the_plans() -> None:
     plans = plans_for_ratio(5.0, shape=1.5, life=1000.0, samples=SAMPLES)
-    axes = cost_of_precision(plans, "h", language="pt")
+    with speaking("pt"):
+        axes = cost_of_precision(plans, "h")
     shown = [
         float(y) for container in axes.containers for y in np.asarray(container[0].get_ydata())
     ]
@@ -281,9 +283,10 @@ def test_figures_speak_both_languages(campanha: LifeTest, language: str, tmp_pat
     drawn = bands(found), regions(found)
     contents = []
     for _ in range(2):  # the same data give the same bytes
-        paper = weibull_figure(found, drawn[0], language)
+        with speaking(language):
+            paper, contour = weibull_figure(found, drawn[0]), contour_figure(found, drawn[1])
         save_figure(paper, tmp_path / "paper.svg")
-        save_figure(contour_figure(found, drawn[1], language), tmp_path / "contour.svg")
+        save_figure(contour, tmp_path / "contour.svg")
         contents.append([(tmp_path / f"{name}.svg").read_bytes() for name in ("paper", "contour")])
     assert contents[0] == contents[1]
     (axes,) = paper.get_axes()

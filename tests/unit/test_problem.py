@@ -65,7 +65,7 @@ def test_loads_free_and_displacements_hold(case_218: Case) -> None:
         ({"fx": [1.0, 2.0], "fz": [1.0]}, "one length"),
         ({"fx": [[1.0]]}, "one-dimensional"),
         ({"f_x": [1.0]}, "fx"),
-        ({"x": [0.0], "fx": [1.0]}, "a case takes one of them"),
+        ({"x": [0.0], "fx": [1.0]}, "cannot be combined with"),
     ],
 )
 def test_a_batch_refuses(case_218: Case, fields: dict, words: str) -> None:

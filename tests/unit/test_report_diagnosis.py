@@ -16,9 +16,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-
-from rolamento import Bearing, Case, Duty, Load
-from rolamento.document.medium import Medium
 from rolamento.report.diagnosis import (
     CSV_COLUMNS,
     diagnosis_csv,
@@ -33,6 +30,9 @@ from rolamento.report.diagnosis_sentences import (
     said_statements,
 )
 from rolamento.report.diagnosis_words import DIAGNOSIS_WORDS
+
+from rolamento import Bearing, Case, Duty, Load
+from rolamento.document.medium import Medium
 from rolamento.report.language import LANGUAGES, words_for
 from rolamento.solution import solve
 from rolamento.status import NOT_CONVERGED

@@ -9,17 +9,18 @@ from math import pi
 
 import numpy as np
 import pytest
+from tests.one_case import said
 
 from rolamento import Bearing, Case, Duty, Load, Lubricant, Model
 from rolamento.document.medium import Medium
+from rolamento.document.terminal import terminal
 from rolamento.notes import SKID_LIMIT, _friction_alone
-from rolamento.report.language import ENGLISH, PORTUGUESE, Words
-from rolamento.report.sentences import portuguese_sentence
-from rolamento.report.terminal import terminal_report
+from rolamento.pages.state import state_page
 from rolamento.solution import solve
 from rolamento.solved import Solved
+from rolamento.words import speaking
 
-BOTH = pytest.mark.parametrize("words", [ENGLISH, PORTUGUESE], ids=["en", "pt"])
+BOTH = pytest.mark.parametrize("language", ["en", "pt"])
 HEADINGS = {"en": "Motion under friction", "pt": "Movimento sob atrito"}
 
 
@@ -62,14 +63,15 @@ def solved(
     )
 
 
-def plain(state: Solved, words: Words = ENGLISH, width: int = 80) -> str:
-    return terminal_report(state, words, Medium(width=width))
+def plain(state: Solved, language: str = "en", width: int = 80) -> str:
+    with speaking(language):
+        return terminal(state_page(state), Medium(width=width))
 
 
-def part(state: Solved, words: Words = ENGLISH) -> list[str]:
+def part(state: Solved, language: str = "en") -> list[str]:
     """The lines of the part, from its heading to the next empty line after its table."""
-    lines = plain(state, words).splitlines()
-    first = lines.index(HEADINGS[words.code])
+    lines = plain(state, language).splitlines()
+    first = lines.index(HEADINGS[language])
     table = next(i for i in range(first, len(lines)) if lines[i] == "")
     last = next((i for i in range(table + 1, len(lines)) if lines[i] == ""), len(lines))
     return lines[first:last]
@@ -121,58 +123,58 @@ def test_every_ball_has_its_motion() -> None:
 
 @BOTH
 @pytest.mark.parametrize("width", [80, 120])
-def test_no_line_is_too_wide(words: Words, width: int) -> None:
-    lines = plain(solved(drag=0.05), words, width).splitlines()
+def test_no_line_is_too_wide(language: str, width: int) -> None:
+    lines = plain(solved(drag=0.05), language, width).splitlines()
     assert max(map(len, lines)) == width
     assert all(line == line.rstrip() for line in lines)
 
 
 @BOTH
-def test_only_friction_control_has_the_part(words: Words) -> None:
-    assert HEADINGS[words.code] in plain(solved(), words)
-    assert HEADINGS[words.code] not in plain(solved(control="outer"), words)
+def test_only_friction_control_has_the_part(language: str) -> None:
+    assert HEADINGS[language] in plain(solved(), language)
+    assert HEADINGS[language] not in plain(solved(control="outer"), language)
     alike = solved(outer=10_000.0)
     assert alike.rolling is None
-    assert HEADINGS[words.code] not in plain(alike, words)
+    assert HEADINGS[language] not in plain(alike, language)
 
 
 @BOTH
-def test_a_cage_that_leads_is_said_to_lead(words: Words) -> None:
+def test_a_cage_that_leads_is_said_to_lead(language: str) -> None:
     state = solved(fx=11e3, mu=0.005, fz=0.0)
     assert state.rolling is not None
     assert state.rolling.skid[0] < -SKID_LIMIT
-    text = " ".join(part(state, words))
-    assert {"en": "ahead of", "pt": "à frente"}[words.code] in text
-    note = next(note for note in state.notes[0] if note.startswith("The cage runs"))
-    assert "ahead of" in note
-    assert words.note(note) in " ".join(plain(state, words).split())
+    text = " ".join(part(state, language))
+    assert {"en": "ahead of", "pt": "acima dos"}[language] in text
+    note = next(note for note in state.notes[0] if note.key == "cage_skids")
+    assert "faster than" in note.text
+    assert said(note, language) in " ".join(plain(state, language).split())
 
 
 @BOTH
-def test_notes_of_friction_are_said_in_both_languages(words: Words) -> None:
+def test_notes_of_friction_are_said_in_both_languages(language: str) -> None:
     states = [solved(), solved(fx=11e3, mu=0.005, fz=0.0), solved(outer=10_000.0)]
-    marks = ("spin at both races", "The cage runs", "friction has nothing to decide")
+    marks = ("spin_at_both_races", "cage_skids", "friction_control_at_rest")
     for state, mark in zip(states, marks, strict=True):
-        note = next(note for note in state.notes[0] if mark in note)
-        assert (words.note(note) == note) == (words is ENGLISH)
+        note = next(note for note in state.notes[0] if note.key == mark)
+        assert (said(note, language) == note.text) == (language == "en")
 
 
 @BOTH
-def test_advice_when_friction_does_not_settle(words: Words) -> None:
+def test_advice_when_friction_does_not_settle(language: str) -> None:
     state = solved(drag=1e4)
     assert state.status.code[0] == "not_converged"
-    advice = words.advice(state)
+    advice = said(state.advice[0], language)
     assert "model.mesh" in advice
     assert "lubricant.friction_coefficient" in advice
-    assert (advice == state.advice[0]) == (words is ENGLISH)
+    assert (advice == said(state.advice[0])) == (language == "en")
 
 
 @pytest.mark.parametrize("residual", [1e-12, 3e-2])
 def test_advice_says_what_is_missing(residual: float) -> None:
     """A residual as small as a solution's is not what stands in the way."""
     advice = _friction_alone(residual)
-    assert ("residual" in advice) == (residual > 1e-6)
-    assert portuguese_sentence(advice) != advice
+    assert ("residual" in advice.text) == (residual > 1e-6)
+    assert said(advice, "pt") != said(advice)
 
 
 def test_a_ball_that_nothing_touches_has_dashes() -> None:

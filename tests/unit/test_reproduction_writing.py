@@ -336,7 +336,7 @@ def test_a_link_is_replaced_not_followed(tmp_path: Path) -> None:
 
 def test_a_file_is_no_folder(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("mine", encoding="utf-8")
-    with pytest.raises(FileError, match="is a file"):
+    with pytest.raises(FileError, match="is one of the input files; choose another name"):
         open_folder(str(tmp_path / "file"), SMALL)
     with pytest.raises(FileError, match="cannot be written"):
         open_folder(str(tmp_path / "file" / "below"), SMALL)

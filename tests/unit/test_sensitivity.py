@@ -281,9 +281,12 @@ def test_a_study_is_run_for_its_indices(examples: Path) -> None:
 @pytest.mark.parametrize(
     ("changes", "words"),
     [
-        ({"scatter": None}, "are of scattered fields"),
-        ({"axes": (1,)}, "one point at a time"),
-        ({"outputs": ("inner_load",)}, "one for each ball"),
+        ({"scatter": None}, "is missing: Sobol's indices need scattered fields"),
+        ({"axes": (1,)}, "must be left out for Sobol's indices, which are of one point"),
+        (
+            {"outputs": ("inner_load",)},
+            "is one value for each ball; Sobol's indices are for outputs",
+        ),
     ],
 )
 def test_a_study_of_another_kind_is_refused(

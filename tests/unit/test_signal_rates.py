@@ -163,7 +163,7 @@ def test_decimal_marks_that_are_asked_about(tmp_path: Path) -> None:
         channels_of(path)
     path.write_text("# decimal mark: comma\nload;speed\n" + "7;1.234\n" * 9 + "8;9\n", "utf-8")
     assert read_signal(path, channel=2, rate=1.0).samples[0] == 1234.0
-    with pytest.raises(InputError, match='decimal_mark = "dot": must be point or comma'):
+    with pytest.raises(InputError, match='decimal_mark = "dot": must be one of point, comma'):
         read_signal(path, channel=2, rate=1.0, decimal_mark="dot")
     path.write_text("load;speed\n" + "7;12.5\n" * 9 + "8;9\n", "utf-8")
     with pytest.raises(InputError, match="is not a number"):

@@ -447,17 +447,17 @@ def stereo(tmp_path: Path) -> Path:
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        ({}, r'channel: is to be chosen, by name or number: 1 left, 2 right .*channel="left"'),
+        ({}, r"channel: must be chosen, by name or number: 1 left, 2 right .*channel=\"left\""),
         ({"channel": "rigth"}, 'channel = "rigth": is not one.*1 left, 2 right.*channel="right"'),
         ({"channel": 3}, "channel = 3"),
         ({"channel": True}, "channel = true"),
-        ({"channel": 1, "rate": -1.0}, "rate = -1.0: must be a number over 0"),
+        ({"channel": 1, "rate": -1.0}, "rate = -1.0: must be a number greater than 0"),
         ({"channel": 1, "rate": float("nan")}, "rate = nan"),
         ({"channel": 1, "unit": "g", "quantity": "velocity"}, 'unit = "g": is not a unit of vel'),
         ({"channel": 1, "quantity": "velocity"}, "unit: of the samples is not in the file"),
         ({"channel": 1, "quantity": "speed"}, "unit|quantity"),
         ({"channel": 1, "unit": 5}, "unit = 5: must be text"),
-        ({"channel": 1, "start": 1.0}, "start = 1.0: must lie before the end of the file, 0.125 s"),
+        ({"channel": 1, "start": 1.0}, "start = 1.0: must be before the end of the file, 0.125 s"),
         ({"channel": 1, "start": -1.0}, "start = -1.0"),
         ({"channel": 1, "duration": 9.0}, "duration = 9.0: must lie .* the 0.125 s that follow"),
         ({"channel": 1, "duration": 0.0}, "duration = 0.0"),
@@ -485,7 +485,7 @@ def test_samples_that_are_no_signal(tmp_path: Path) -> None:
     with open_signal(file, rate=RATE) as opened:
         assert [len(block.samples) for block in opened.blocks(60)] == [60, 40]
     np.save(file, np.zeros(0))
-    with pytest.raises(FileError, match="holds no samples"):
+    with pytest.raises(FileError, match="has no samples"):
         read_signal(file, rate=RATE)
     wrong = SAMPLES.copy()
     wrong[[700, 900]] = np.nan, np.inf
@@ -504,7 +504,7 @@ def test_samples_that_are_no_signal(tmp_path: Path) -> None:
     [
         ("a.wav", b"not a wav", "is not the WAV file that its name says"),
         ("a.mat", b"MATLAB 4?", "is not a MATLAB file of version 5 to 7.3"),
-        ("a.jpg", b"\xff\xd8\xff", "is of no format that is read: WAV"),
+        ("a.jpg", b"\xff\xd8\xff", "is not of a format that can be read: WAV"),
         ("a.csv", b"\xff\xfea\0", "is UTF-16 text"),
         ("a.csv", b"1,2\n\0\0", "is a binary file"),
         ("a.h5", b"", "is empty"),

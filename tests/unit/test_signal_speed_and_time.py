@@ -201,7 +201,7 @@ def arrays(tmp_path: Path) -> Path:
         ({"speed_channel": "speed", "speed_unit": 5}, "speed_unit = 5: must be one of rpm"),
         (
             {"speed_unit": "rpm"},
-            'speed_unit = "rpm": is that of a speed_channel, and none is given',
+            'speed_unit = "rpm": needs a speed_channel, and none is given',
         ),
         ({"speed_channel": "wrong_rpm"}, r"speed = nan: 1 of 1200 samples are not finite.* 40 "),
         ({"speed_channel": "great_rpm"}, r"speed = .*must be finite numbers of a size up to 1e.07"),

@@ -82,7 +82,8 @@ def test_a_lost_case_holds_no_number(four: Solved) -> None:
     numbers = (lost.stiffness.array, lost.inner.load, lost.outer.max_pressure, lost.rows.load)
     for array in (*lost.displacement, *lost.load, *numbers, lost.elements.orbital_speed):
         assert np.isnan(array).all()
-    assert "duty.load.fx" in (lost.advice[0] or "")
+    assert lost.advice[0] is not None
+    assert lost.advice[0].key == "unsupported_axially"
     assert lost.notes == ((),)
     assert [advice is None for advice in four.advice] == [True, True, True, False]
 
@@ -249,7 +250,9 @@ def test_a_file_of_json(case: Case, tmp_path: Path) -> None:
         (("stiffness",), [[1.0]], "stiffness"),
         (("rows",), [], "rows"),
         (("rows", 0, "modulus"), "steel", "rows.0.modulus"),
-        (("notes",), [1], "notes"),
+        (("notes",), [1], "notes.0"),
+        (("notes",), [{"key": 1, "text": "", "values": {}}], "notes.0.key"),
+        (("notes",), [{"key": "overspeed", "text": ""}], "notes.0.values"),
         (("case",), 5, "case"),
         (("case", "bearing", "ball_count"), 1, "case.bearing.ball_count"),
         (("varied",), {"duty.load.fz": [1.0, 2.0]}, "varied.duty.load.fz"),
@@ -274,7 +277,7 @@ def test_what_is_no_result_at_all(tmp_path: Path) -> None:
         Solved.from_json("[1, 2]")
     toml = tmp_path / "case.toml"
     toml.write_text("title = 1", encoding="utf-8")
-    with pytest.raises(FileError, match="has to be solved first"):
+    with pytest.raises(FileError, match="is not the JSON of a solved state; solve a case first"):
         Solved.read(toml)
 
 

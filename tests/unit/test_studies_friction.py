@@ -190,7 +190,7 @@ def test_coefficient_and_temperature_are_scattered(oiled: Case) -> None:
         ("friction_power_jones_full", {"lubricant": None}, "a coefficient of friction"),
         ("max_inner_spin_loss", {"lubricant": "ISO VG 68"}, "a coefficient of friction"),
         ("rolling_resistance_torque", {"temperature": None}, "lubricant's temperature"),
-        ("cage_speed", {}, "balls that friction controls"),
+        ("cage_speed", {}, "friction control of the balls"),
     ],
 )
 def test_what_an_output_needs_is_asked_for(

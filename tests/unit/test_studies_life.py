@@ -355,7 +355,9 @@ def test_a_case_that_can_have_no_life_is_refused(case: Case, bearing_218: Bearin
     plain = {"ball_count": 3, "ball_diameter": 0.03, "pitch_diameter": 0.06}
     groove = {"diametral_clearance": 1e-5, "inner_conformity": 0.52, "outer_conformity": 0.53}
     odd = case.replace(bearing=Bearing(**plain, **groove))
-    with pytest.raises(InputError, match="outside the standard's table") as caught:
+    with pytest.raises(
+        InputError, match="is missing: the geometry is outside the table of the"
+    ) as caught:
         over(odd, "duty.load.fz", FZ, "life_hours")
     assert caught.value.field.endswith("life.dynamic_rating")
     rated = odd.replace(life={**TABLE, "dynamic_rating": 30e3})

@@ -385,7 +385,9 @@ class TestToFile:
 
     def test_a_file_in_the_place_of_the_folder(self, study: Study, tmp_path: Path) -> None:
         (tmp_path / "result.nc.parts").write_text("mine")
-        with pytest.raises(FileError, match="no folder; move it away, or give another name"):
+        with pytest.raises(
+            FileError, match="is where parts of the result are kept, and is not a folder;"
+        ):
             run_to_file(study, self.file(tmp_path), restart=True)
         assert (tmp_path / "result.nc.parts").read_text() == "mine"
 

@@ -86,7 +86,9 @@ def test_a_life_test_of_a_spreadsheet_is_asked_about(run: Run) -> None:
     Path("vidas.csv").write_text(THOUSANDS, "utf-8")
     code, out, error = run("weibull", "vidas.csv")
     assert (code, out) == (2, "")
-    assert 'vidas.csv, line 2: vida (h) = "12.500": is 12.5 if the point is a decimal one' in error
+    assert (
+        'vidas.csv, line 2: vida (h) = "12.500": is 12.5 if the point is the decimal mark' in error
+    )
     assert "and 12500 if it parts thousands" in error
     assert "--decimal-mark point for 12.5, --decimal-mark comma for 12500" in error
     for mark, last in (("comma", "15000"), ("point", "15")):
@@ -97,7 +99,7 @@ def test_a_life_test_of_a_spreadsheet_is_asked_about(run: Run) -> None:
     code, out, _ = run("weibull", "vidas.csv", "--samples", "100", "--json")
     assert (code, json.loads(out)["failures"]) == (0, 2)
     assert (
-        '--decimal-mark = "dot": must be point or comma'
+        '--decimal-mark = "dot": must be one of point, comma'
         in run("weibull", "vidas.csv", "--decimal-mark", "dot")[2]
     )
 
@@ -177,11 +179,13 @@ def test_columns_by_choice() -> None:
     chosen = parse_life_test(text, time="Horas no ensaio", status="falha")
     assert (list(chosen.times), list(chosen.failed)) == ([10.0, 20.0], [False, True])
     assert chosen.unit == "h"
-    with pytest.raises(InputError, match="hours: is not a column of the file; there are: tempo"):
+    with pytest.raises(
+        InputError, match="hours: is not a column of the file; the columns are tempo"
+    ):
         parse_life_test(text, time="hours")
-    with pytest.raises(InputError, match=r"is chosen for two things"):
+    with pytest.raises(InputError, match=r"is chosen for two purposes"):
         parse_life_test(text, time="estado", status="estado")
-    with pytest.raises(InputError, match=r'is there twice.*time="hours"'):
+    with pytest.raises(InputError, match=r"occurs twice.*time=\"hours\""):
         parse_life_test("time,hours\n1,1\n")
     with pytest.raises(InputError, match="did you mean status"):  # a slip is no other column
         parse_life_test("time,statsu,zz\n1,f,1\n")

@@ -80,7 +80,7 @@ REFUSED: list[tuple[dict[str, Any], str, str]] = [
     ({"speed_channel": "n", "speed": 10.0}, "speed", "is a steady speed, and speed_channel=…"),
     ({"angle": "wide"}, "angle", "number"),
     ({"outer_speed": SPEED, "speed": SPEED}, "outer_speed", "no ball rolls"),
-    ({"start": 9.0}, "start", "must lie before the end of the signal, 4 s"),
+    ({"start": 9.0}, "start", "must be before the end of the signal, 4 s"),
     ({"start": -1.0}, "start", "must be at least 0"),
     ({"duration": 9.0}, "duration", "which lasts 4 s"),
     ({"channel": "z"}, "channel", "no channel"),

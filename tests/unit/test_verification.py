@@ -16,6 +16,8 @@ from typing import Any
 
 import pytest
 import typer
+from rolamento.report.verification import COMMAND, cells, verification_page, verification_report
+from rolamento.report.verification_words import VERIFICATION_WORDS
 from typer.testing import CliRunner
 
 from rolamento.cli.optional_value import JsonCommand, with_values
@@ -23,8 +25,6 @@ from rolamento.cli.verify import verify
 from rolamento.document.medium import Medium
 from rolamento.errors import InputError
 from rolamento.report.language import LANGUAGES, PORTUGUESE, Words
-from rolamento.report.verification import COMMAND, cells, verification_page, verification_report
-from rolamento.report.verification_words import VERIFICATION_WORDS
 from rolamento.verification import Check, Source, Verification, registry, run, sources
 from rolamento.verification.check import cut, half_unit, rounded
 
@@ -421,7 +421,7 @@ def test_the_page_may_go_to_standard_output(command: Command) -> None:
     [
         (
             ("--source", "harris"),
-            r'source = "harris": is not a known source; did you mean harris_1991',
+            r"source = \"harris\": is an unknown source; did you mean harris_1991",
         ),
         (("--json", "--markdown", "-"), "standard output: only one of --json and --markdown"),
         (("--json", "x", "--markdown", "x"), "x: only one of --json and --markdown"),

@@ -218,7 +218,7 @@ def test_a_faint_band_still_counts() -> None:
 def test_kurtogram_refuses() -> None:
     with pytest.raises(InputError, match="at least 256"):
         kurtogram(Signal(np.ones(100), RATE))
-    with pytest.raises(InputError, match="whole number"):
+    with pytest.raises(InputError, match="integer"):
         kurtogram(Signal(np.arange(1000.0), RATE), 9)
     with pytest.raises(InputError, match="kurtosis or significance"):
         kurtogram(Signal(np.arange(1000.0), RATE)).best("size")  # type: ignore[arg-type]
@@ -282,7 +282,7 @@ def test_numbers_that_are_none(value: Any) -> None:
     with pytest.raises(InputError) as caught:
         averaged_density(Signal(TIME, RATE), value)
     assert caught.value.field == "resolution"
-    assert "must be a number over 0" in str(caught.value)
+    assert "must be a number greater than 0" in str(caught.value)
 
 
 def test_coherence_refuses() -> None:

@@ -20,6 +20,7 @@ from rolamento.weibull import (
     series_reliability,
     system_rating_life,
 )
+from rolamento.words import Note
 
 A = LifeTest([3.0, 5.0, 9.0, 11.0, 4.0])
 B = LifeTest([7.0, 15.0, 12.0, 30.0, 30.0], [1, 1, 1, 1, 0])
@@ -87,10 +88,10 @@ def test_a_group_without_failures() -> None:
     found = compare({"A": A, "N": NOTHING}, "same_life", samples=1000)
     assert found.converged
     assert found.rejected(0.95)  # 11 the longest life there, none of five failed by 30 here
-    assert "censoring_modelled" in found.notes
+    assert Note("censoring_modelled") in found.notes
     shapes = compare({"A": A, "B": B, "N": NOTHING}, "common_shape", samples=200)
     assert shapes.groups == ("A", "B")
-    assert "group_without_failures" in shapes.notes
+    assert Note("group_without_failures") in shapes.notes
     alone = compare({"A": A, "N": NOTHING}, "common_shape")
     assert alone.code == "group_without_fit"
     assert np.isnan(alone.p_value)
@@ -141,7 +142,7 @@ def test_ratio_without_a_common_shape() -> None:
     found = life_ratio({"B": B, "A": A}, common_shape=False, samples=2000)
     expected = maximum_likelihood(B).l10 / maximum_likelihood(A).l10
     assert found.ratio == pytest.approx(expected)
-    assert "approximate" in found.notes
+    assert Note("bounds_approximate") in found.notes
     common = life_ratio({"B": B, "A": A}, samples=2000)
     # a shape known twice as well
     assert found.upper / found.lower > common.upper / common.lower

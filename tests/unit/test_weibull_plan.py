@@ -10,7 +10,6 @@ import pytest
 
 from rolamento.errors import InputError
 from rolamento.weibull import (
-    PLAN_ADVICE,
     LifeTest,
     all_bounds,
     demonstrate,
@@ -19,6 +18,7 @@ from rolamento.weibull import (
     plan_for_ratio,
     plan_of,
 )
+from rolamento.words import Note
 
 
 def lieblein(rank: int, size: int, shape: float, power: int = 1) -> float:
@@ -122,7 +122,7 @@ def test_time_and_bearings_are_inverse(allowed: int) -> None:
         1000.0, shape=1.3, time=by_bearings.time, bearings=16, failures_allowed=allowed
     )
     assert one_less.code == "not_shown"
-    assert one_less.advice == PLAN_ADVICE["not_shown"]
+    assert one_less.advice == Note("plan_not_shown")
     assert 0.0 < one_less.shown < 0.9
 
 
@@ -175,7 +175,7 @@ def test_plans_that_cannot_be_say_why() -> None:
     assert long.code == "too_long"
     assert np.isnan(long.time)
     assert long.to_mapping()["time"] is None
-    assert {many.code, long.code} < set(PLAN_ADVICE)
+    assert (many.advice, long.advice) == (Note("plan_too_many_bearings"), Note("plan_too_long"))
 
 
 @pytest.mark.parametrize(
@@ -303,7 +303,7 @@ def test_what_cannot_be_reached_says_so() -> None:
     assert few.code == "not_reached"
     assert np.isnan(few.ratio)
     assert few.to_mapping()["ratio"] is None
-    assert few.advice == PLAN_ADVICE["not_reached"]
+    assert few.advice == Note("plan_not_reached")
     assert plan_for_ratio(1.01, shape=1.5, samples=100).code == "too_many_failures"
     assert plan_for_ratio(5.0, shape=1.5, groups=1).code == "not_reached"
     one = plan_of(1, 10, shape=1.5)

@@ -12,11 +12,9 @@ import pytest
 
 from rolamento.errors import InputError
 from rolamento.tasks.weibull import (
-    bands_of,
     demonstration_study,
     life_test_study,
     precision_study,
-    regions_of,
     trend_study,
 )
 from rolamento.weibull import (
@@ -24,6 +22,7 @@ from rolamento.weibull import (
     ShapePrior,
     WeibullFit,
     all_bounds,
+    bands_of,
     bounds,
     compare,
     confidence_band,
@@ -39,6 +38,7 @@ from rolamento.weibull import (
     published_text,
     published_trend,
     rank_regression,
+    regions_of,
     series_life,
     series_reliability,
     summarise,

@@ -46,7 +46,7 @@ def test_half_a_file_is_none(old: Path, error: BaseException) -> None:
 
 
 def test_only_a_new_file(old: Path) -> None:
-    with pytest.raises(FileError, match="exists already; choose another name"):
+    with pytest.raises(FileError, match="already exists; choose another name"):
         write_bytes(b"new", old, new=True)
     assert old.read_text("utf-8") == "old"
     write_bytes(b"new", old.with_name("other"), new=True)
@@ -70,7 +70,7 @@ def test_a_file_that_has_come_meanwhile(
             place.write_bytes(b"mine")
             path.write_bytes(b"theirs")
 
-    with pytest.raises(FileError, match="exists already"):
+    with pytest.raises(FileError, match="already exists; choose another name"):
         written()
     assert path.read_bytes() == b"theirs"
 
@@ -104,7 +104,7 @@ def test_pipes_and_devices_are_written_to(old: Path) -> None:
         ("no/such", "no such file or directory"),
         ("result.json/below", "not a directory"),
         (".", "is a directory; give a file"),
-        ("a\0b", "is not a possible file name"),
+        ("a\0b", "is not a valid file name"),
         ("x" * 300, "name too long"),
     ],
 )
@@ -127,7 +127,7 @@ def test_a_file_that_may_not_be_written(old: Path, monkeypatch: pytest.MonkeyPat
 
 def test_room_on_the_disk(old: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     check_space(1, old)
-    with pytest.raises(FileError, match=r"takes 1e\+12 MB, and .* MB are free"):
+    with pytest.raises(FileError, match=r"needs 1e\+12 MB, and .* MB are free"):
         check_space(10**18, old)
 
     def silent(path: Path) -> None:

@@ -17,6 +17,7 @@ from typing import Final
 import numpy as np
 
 from rolamento.errors import FileError, InputError, shown
+from rolamento.words import marked, said
 
 __all__ = [
     "LARGEST_CHUNK",
@@ -71,8 +72,14 @@ def check_declared(declared: int, size: int, source: str) -> None:
     """
     if declared > most_declared(size):
         raise FileError(
-            f"declares {_amount(declared)} and has {_amount(size)}; a file may declare "
-            f"{_RATIO} times its size, or {_amount(_ALWAYS)}; store it without compression",
+            said(
+                "declares {declared} and has {size}; a file may declare {ratio} times "
+                "its size, or {always}; store it without compression",
+                declared=_amount(declared),
+                size=_amount(size),
+                ratio=_RATIO,
+                always=_amount(_ALWAYS),
+            ),
             source=source,
         )
 
@@ -93,7 +100,9 @@ def check_inflated(inflated: int, size: int, source: str) -> None:
         If it does.
     """
     if inflated > LARGEST_WHOLE:
-        raise FileError(f"inflates to more than {_amount(LARGEST_WHOLE)}", source=source)
+        raise FileError(
+            said("inflates to more than {most}", most=_amount(LARGEST_WHOLE)), source=source
+        )
     check_declared(inflated, size, source)
 
 
@@ -108,11 +117,11 @@ def size_of_file(path: str | os.PathLike[str]) -> int:
     with guarded(source := str(path), "file"):
         about = os.stat(path)
         if stat.S_ISDIR(about.st_mode):
-            raise FileError("is a directory; give a signal file", source=source)
+            raise FileError(said("is a directory; give a signal file"), source=source)
         if not stat.S_ISREG(about.st_mode):
-            raise FileError("is not a regular file", source=source)
+            raise FileError(said("is not a regular file"), source=source)
         if about.st_size == 0:
-            raise FileError("is empty; it should hold a signal", source=source)
+            raise FileError(said("is empty; it should hold a signal"), source=source)
     return about.st_size
 
 
@@ -126,9 +135,12 @@ def check_whole(size: int, source: str) -> None:
     """
     if size > LARGEST_WHOLE:
         raise FileError(
-            f"this kind of file is read whole, up to {LARGEST_WHOLE // 2**20} MB; "
-            "store it as WAV, .npy, HDF5 or Parquet, which are read in blocks",
-            field="size in bytes",
+            said(
+                "this kind of file is read whole, up to {most} MB; store it as WAV, "
+                ".npy, HDF5 or Parquet, which are read in blocks",
+                most=LARGEST_WHOLE // 2**20,
+            ),
+            field=marked("size in bytes"),
             value=size,
             source=source,
         )
@@ -146,13 +158,17 @@ def guarded(source: str, kind: str) -> Iterator[None]:
     except InputError as error:
         raise error if error.source else error.with_details(source=source) from None
     except MemoryError:
-        raise FileError("asks for more memory than there is", source=source) from None
+        raise FileError(said("asks for more memory than there is"), source=source) from None
     except Exception as error:  # what a format's library raises is not for us to list
         if isinstance(error, OSError) and error.strerror:  # of the system, not of a library
             reason = _in_short(error.strerror)
-            raise FileError(f"cannot be read: {reason}", source=source) from None
+            raise FileError(
+                said("cannot be read: {reason}", reason=reason), source=source
+            ) from None
         reason = _in_short(str(error) or type(error).__name__)
-        raise FileError(f"is not a readable {kind}: {reason}", source=source) from None
+        raise FileError(
+            said("is not a readable {kind}: {reason}", kind=kind, reason=reason), source=source
+        ) from None
 
 
 def _amount(size: int) -> str:

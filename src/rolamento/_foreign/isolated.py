@@ -20,6 +20,7 @@ import numpy as np
 
 from rolamento._foreign.bounds import MOST_MEMORY, PATIENCE, SLOWEST, guarded
 from rolamento.errors import FileError, InputError
+from rolamento.words import said
 
 __all__ = ["Isolated", "serve"]
 
@@ -57,7 +58,7 @@ class Isolated:
         self._kind = kind
         self._patience = PATIENCE
         if not sys.executable:
-            rule = "needs a Python interpreter of its own to be read"
+            rule = said("needs a Python interpreter of its own to be read")
             raise FileError(rule, source=self._source)
         with guarded(self._source, kind):
             path.open("rb").close()
@@ -93,7 +94,10 @@ class Isolated:
         except Exception:  # a broken pipe, or half an answer
             self.end()
             raise FileError(
-                f"is damaged: the library of this {self._kind} broke off, or came to no end",
+                said(
+                    "is damaged: the library of this {kind} broke off, or came to no end",
+                    kind=self._kind,
+                ),
                 source=self._source,
             ) from None
         except BaseException:  # Ctrl-C between two halves of an answer

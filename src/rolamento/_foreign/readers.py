@@ -22,6 +22,7 @@ from rolamento._foreign.bounds import (
     most_declared,
 )
 from rolamento.errors import FileError
+from rolamento.words import said
 
 __all__ = ["MOST_VARIABLES", "Hdf5Arrays", "MatlabArrays", "NetcdfVariables", "Variable"]
 
@@ -73,7 +74,7 @@ class MatlabArrays:
         top = {name: value for name, value in found.items() if not name.startswith("__")}
         self._arrays = dict(_real_arrays(top, "", 0))
         if len(self._arrays) > MOST_VARIABLES:
-            raise FileError(f"holds more than {MOST_VARIABLES} arrays")
+            raise FileError(said("has more than {most} arrays", most=MOST_VARIABLES))
         inflated = sum(array.nbytes for array in self._arrays.values())
         check_inflated(inflated, size, path)
 
@@ -113,7 +114,9 @@ class Hdf5Arrays:
 
         def visit(name: str, entry: Any) -> None:
             if len(found) + len(groups) > MOST_VARIABLES:
-                raise FileError(f"holds more than {MOST_VARIABLES} groups and data sets")
+                raise FileError(
+                    said("holds more than {most} groups and data sets", most=MOST_VARIABLES)
+                )
             if name.split("/")[0] == "#refs#":
                 return
             numbers, texts = groups[name.rpartition("/")[0]]
@@ -155,7 +158,9 @@ class Hdf5Arrays:
     def _check_chunks(self, data: Any, name: str) -> None:
         if data.chunks and math.prod(data.chunks) * data.dtype.itemsize > self._largest_chunk:
             limit = self._largest_chunk // 2**20
-            raise FileError(f'"{name[:60]}" has chunks of more than {limit} MB')
+            raise FileError(
+                said('"{name}" has chunks of more than {limit} MB', name=name[:60], limit=limit)
+            )
 
     def _attributes(self, entry: Any) -> tuple[dict[str, float], dict[str, str]]:
         """Single numbers and short texts that an object carries."""
@@ -189,7 +194,7 @@ class NetcdfVariables:
     def described(self) -> tuple[dict[str, Any], list[dict[str, Any]]]:
         """Attributes of the file; and name, dims, shape, dtype and attributes of the variables."""
         if len(self._file.variables) > MOST_VARIABLES:
-            raise FileError(f"holds more than {MOST_VARIABLES} variables")
+            raise FileError(said("holds more than {most} variables", most=MOST_VARIABLES))
         variables = [self._described(*named) for named in self._file.variables.items()]
         return _plain_attributes(self._file.attrs), variables
 
@@ -207,10 +212,12 @@ class NetcdfVariables:
         text = kind is str or check_string_dtype(np.dtype(kind)) is not None
         dtype = np.dtype(object if text else kind)
         if not text and (dtype.kind not in "iufb" or dtype.itemsize > 8):
-            raise FileError(f'"{name[:60]}" holds neither numbers nor texts')
+            raise FileError(said('"{name}" holds neither numbers nor texts', name=name[:60]))
         if variable.chunks and math.prod(variable.chunks) * dtype.itemsize > self._largest_chunk:
             limit = self._largest_chunk // 2**20
-            raise FileError(f'"{name[:60]}" has chunks of more than {limit} MB')
+            raise FileError(
+                said('"{name}" has chunks of more than {limit} MB', name=name[:60], limit=limit)
+            )
         return {
             "name": name,
             "dims": tuple(variable.dimensions),
@@ -238,7 +245,9 @@ def _real_arrays(
 def _plain_attributes(attrs: Any) -> dict[str, Any]:
     """Attributes of a NetCDF file: texts, lists of texts, and numbers with their types."""
     if len(attrs) > _MOST_ATTRIBUTES:
-        raise FileError(f"holds more than {_MOST_ATTRIBUTES} attributes in one place")
+        raise FileError(
+            said("holds more than {most} attributes in one place", most=_MOST_ATTRIBUTES)
+        )
     found: dict[str, Any] = {}
     for name, value in attrs.items():
         values = np.asarray(value)
@@ -249,7 +258,7 @@ def _plain_attributes(attrs: Any) -> dict[str, Any]:
         elif values.dtype.kind in "iufb" and values.ndim <= 1:
             found[name] = values[()] if values.ndim == 0 else values
         else:
-            raise FileError(f'"{name[:60]}" is neither numbers nor a text')
+            raise FileError(said('"{name}" is neither numbers nor a text', name=name[:60]))
     return found
 
 

@@ -4,6 +4,6 @@
 one that it asks for and that cannot be had is None with a note, never an exception.
 """
 
-from rolamento.analysis.analysis import NOTES, Analysis, analyse
+from rolamento.analysis.analysis import Analysis, analyse
 
-__all__ = ["NOTES", "Analysis", "analyse"]
+__all__ = ["Analysis", "analyse"]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Final
 
@@ -15,6 +14,7 @@ from rolamento.case import Case
 from rolamento.errors import InputError
 from rolamento.numerics.blocks import in_blocks
 from rolamento.solved import Solved
+from rolamento.words import Note
 
 if TYPE_CHECKING:
     from rolamento.friction import Friction
@@ -24,28 +24,6 @@ if TYPE_CHECKING:
 
 DEFAULT_HYSTERESIS: Final = 0.01
 """Part α_h of the elastic work that the material loses."""
-
-NOTES: Final[Mapping[str, str]] = {
-    "no_temperature": (
-        "No film: the lubricant's temperature is not given (temperature.lubricant)."
-    ),
-    "no_coefficient": (
-        "No friction: the lubricant's coefficient of friction is not given"
-        " (lubricant.friction_coefficient)."
-    ),
-    "life_of_thrust_bearing": (
-        "No life: the theories here are for radial bearings, with a contact angle up to 45°."
-    ),
-    "life_without_rating": (
-        "No life: the geometry lies outside the standard's table (D cos α/d_m from 0.01 to 0.40),"
-        " and no dynamic rating is given (life.dynamic_rating)."
-    ),
-    "l_able_without_viscosity": (
-        "No L_able: the viscosity ratio is not known; it needs a lubricant with its temperature, or"
-        " life.viscosity_ratio."
-    ),
-}
-"""Why a part is missing, by name."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,14 +42,14 @@ class Analysis:
         by every theory that the case allows; None if the case has neither a designation nor a
         [life] table, or no result
     notes
-        names in `NOTES`: why a part is missing that the case seems to ask for
+        why a part is missing that the case seems to ask for
     """
 
     solved: Solved
     film: Film | None = None
     friction: Friction | None = None
     life: LifeSummary | None = None
-    notes: tuple[str, ...] = ()
+    notes: tuple[Note, ...] = ()
 
     @property
     def frequencies(self) -> FaultFrequencies | None:
@@ -83,17 +61,12 @@ class Analysis:
 
         return frequencies_of(self.solved)
 
-    @property
-    def sentences(self) -> tuple[str, ...]:
-        """The notes in words."""
-        return tuple(NOTES[name] for name in self.notes)
-
     def to_mapping(self) -> dict[str, Any]:
         """Give the mapping of a single case with "film", "friction", "life", "frequencies"."""
         mapping = self.solved.to_mapping()
         film = None if self.film is None else self.film.to_mapping()
         friction = None if self.friction is None else self.friction.to_mapping()
-        notes = [*mapping.pop("notes"), *self.sentences]
+        notes = [*mapping.pop("notes"), *(note.to_mapping() for note in self.notes)]
         case = mapping.pop("case")
         life = None if self.life is None else self.life.to_mapping()
         turns = None if self.frequencies is None else self.frequencies.to_mapping()
@@ -194,7 +167,7 @@ def _film_and_friction(
     return in_blocks(of_block, solved, threads)
 
 
-def _missing(solved: Solved) -> tuple[str, ...]:
+def _missing(solved: Solved) -> tuple[Note, ...]:
     """Name what the film and the friction of a lubricated case lack."""
     if solved.case.lubricant is None:
         return ()
@@ -204,10 +177,10 @@ def _missing(solved: Solved) -> tuple[str, ...]:
         "no_temperature": has_oil(solved.case) and not has_film(solved),
         "no_coefficient": not has_friction(solved),
     }
-    return tuple(name for name, lacking in lacks.items() if lacking)
+    return tuple(Note(key) for key, lacking in lacks.items() if lacking)
 
 
-def _life(solved: Solved) -> tuple[LifeSummary | None, tuple[str, ...]]:
+def _life(solved: Solved) -> tuple[LifeSummary | None, tuple[Note, ...]]:
     """Life of the cases, if they ask for one; or why a single one has none."""
     case = solved.case
     if not has_life(case):
@@ -217,17 +190,17 @@ def _life(solved: Solved) -> tuple[LifeSummary | None, tuple[str, ...]]:
     conditions = conditions_of(solved)
     if len(solved) > 1:
         return life(solved, conditions), ()
-    why_not: tuple[str, ...] = ()
+    why_not: tuple[Note, ...] = ()
     if conditions.nsk_cleanliness is not None and not _viscosity_known(conditions):
         conditions = replace(conditions, nsk_cleanliness=None)
-        why_not = ("l_able_without_viscosity",)
+        why_not = (Note("l_able_without_viscosity"),)
     try:
         return life(solved, conditions), why_not
     except InputError as error:
         if error.field == "bearing.contact_angle":
-            return None, ("life_of_thrust_bearing",)
+            return None, (Note("life_of_thrust_bearing"),)
         if error.field == "dynamic_rating":
-            return None, ("life_without_rating",)
+            return None, (Note("life_without_rating"),)
         raise
 
 

@@ -19,6 +19,7 @@ from rolamento.errors import InputError
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.rows.ball.row import BallRow, Traction, ball_row
 from rolamento.rows.row import Row
+from rolamento.words import said
 
 __all__ = ["Cases", "PlacedRow", "spread"]
 
@@ -116,7 +117,7 @@ def spread(
     """
     if case.mounting is not None:
         raise InputError(
-            "is for rolamento.solve, which finds the clearance first",
+            said("is only used by rolamento.solve, which finds the operating clearance first"),
             field="mounting",
             example="rolamento.solve(case)",
         )
@@ -124,7 +125,7 @@ def spread(
     for name in MOUNTED_FIELDS:
         if name in given:
             raise InputError(
-                "acts by way of the [mounting], and this case has none",
+                said("takes effect through [mounting], which this case lacks"),
                 field=name,
                 example='[mounting] with bore = "25 mm" and outside_diameter = "62 mm"',
             )
@@ -190,7 +191,7 @@ def _friction(case: Case, arrays: Mapping[str, FloatArray]) -> tuple[FloatArray,
     name = "lubricant.friction_coefficient"
     if name in arrays and case.lubricant is None:
         raise InputError(
-            "belongs to a lubricant, and this case has none",
+            said("is a property of a lubricant, and this case has none"),
             field=name,
             example='lubricant = "ISO VG 68"',
         )
@@ -210,7 +211,7 @@ def _preload(
             continue
         if len(signs) < 2:
             raise InputError(
-                "needs rows that face each other",
+                said("needs opposed rows"),
                 field=f"bearing.preload.{name}",
                 example='arrangement = "DB"',
             )
@@ -262,7 +263,7 @@ def _position(
         return position
     if bearing.spacing is None:
         raise InputError(
-            "belongs to an arrangement, and this bearing has none",
+            said("applies to an arrangement, and this bearing has none"),
             field="bearing.spacing",
             example='arrangement = "DB"',
         )

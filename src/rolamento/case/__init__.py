@@ -17,6 +17,7 @@ from rolamento.case.lubricant import Lubricant
 from rolamento.case.material import Material
 from rolamento.case.model import Model
 from rolamento.case.mounting import Mounting, SeatMaterial
+from rolamento.case.report import ReportHead
 from rolamento.case.surface import Surface
 from rolamento.case.temperature import Temperature
 
@@ -32,6 +33,7 @@ __all__ = [
     "Material",
     "Model",
     "Mounting",
+    "ReportHead",
     "SeatMaterial",
     "Surface",
     "Temperature",

@@ -11,6 +11,7 @@ from rolamento.case.quantity import Count, Line, Quantity, Ratio, Replaces
 from rolamento.case.record import ByElement, Record, refuse_rivals, replaced
 from rolamento.errors import InputError, UnitError
 from rolamento.units import Dimension, to_si
+from rolamento.words import said
 
 __all__ = [
     "ARRANGEMENTS",
@@ -174,13 +175,16 @@ class Preload(Record):
         given = [name for name in PRELOAD_KINDS if getattr(self, name) is not None]
         if len(given) != 1:
             raise InputError(
-                f"must give exactly one of {', '.join(PRELOAD_KINDS)}",
+                said(
+                    "must give exactly one of {preload_kinds}",
+                    preload_kinds=", ".join(PRELOAD_KINDS),
+                ),
                 value=", ".join(given) or "none",
                 example='preload = { force = "500 N" }',
             )
         if (self.level is None) != (self.designation is None):
             raise InputError(
-                "a level and the designation that it is listed for go together",
+                said("level and designation must be given together"),
                 example='preload = { level = "light", designation = "S 6012 C" }',
             )
         return self
@@ -196,7 +200,7 @@ class Preload(Record):
                 continue
             return {key: text}
         raise InputError(
-            "must be a force or an offset with its unit, or a table",
+            said("must be a force or an offset with its unit, or a table"),
             value=text,
             example='"500 N", "5 um" or { spring = "500 N" }',
         )

@@ -32,6 +32,7 @@ from rolamento.case.quantity import Line, Quantity, Ratio, Replaces, at_the_bord
 from rolamento.case.record import Record
 from rolamento.errors import InputError
 from rolamento.units import Dimension, from_si
+from rolamento.words import said
 
 if TYPE_CHECKING:
     from rolamento.catalogue import CatalogueBearing
@@ -142,7 +143,7 @@ class Bearing(Record):
     designation: Annotated[_Designation | None, Replaces(*_DISPLACED)] = Field(
         None, examples=["6305/C3"]
     )
-    ball_count: BallCount = Field(title="number of balls", examples=[16])
+    ball_count: BallCount = Field(examples=[16])
     ball_diameter: Annotated[
         float, Quantity("length", at_least="0.01 mm", at_most="1 m", varies=True)
     ] = Field(examples=["22.23 mm"])
@@ -152,13 +153,13 @@ class Bearing(Record):
     contact_angle: Annotated[
         Annotated[float, Quantity("angle", at_least="0 deg", below="90 deg", varies=True)] | None,
         Replaces("diametral_clearance"),
-    ] = Field(None, title="free contact angle", examples=["40 deg"])
+    ] = Field(None, examples=["40 deg"])
     diametral_clearance: Annotated[
         Annotated[float, Quantity("length", at_least="-1 m", at_most="1 m", varies=True)] | None,
         Replaces("contact_angle"),
-    ] = Field(None, title="diametral clearance", examples=["0.015 mm"])
-    inner_conformity: _Conformity = Field(title="inner conformity", examples=[0.5232])
-    outer_conformity: _Conformity = Field(title="outer conformity", examples=[0.5232])
+    ] = Field(None, examples=["0.015 mm"])
+    inner_conformity: _Conformity = Field(examples=[0.5232])
+    outer_conformity: _Conformity = Field(examples=[0.5232])
     ring_material: MaterialField = Field(default_factory=lambda: Material.named(DEFAULT_MATERIAL))
     ball_material: MaterialField = Field(default_factory=lambda data: data["ring_material"])
     inner_shoulder_height: _ShoulderHeight | None = Field(None, examples=["4.5 mm"])
@@ -281,7 +282,10 @@ class Bearing(Record):
         """Neighbouring balls touch when D = d_m sin(π/Z)."""
         if self.pitch_diameter <= self.ball_diameter:
             raise InputError(
-                f"must be greater than the ball diameter, {from_si(self.ball_diameter, 'length')}",
+                said(
+                    "must be greater than the ball diameter, {ball_diameter}",
+                    ball_diameter=from_si(self.ball_diameter, "length"),
+                ),
                 field="pitch_diameter",
                 value=from_si(self.pitch_diameter, "length"),
                 example='pitch_diameter = "125.26 mm"',
@@ -290,8 +294,13 @@ class Bearing(Record):
             ratio = self.ball_diameter / self.pitch_diameter
             room = math.floor(math.pi / math.asin(ratio))
             raise InputError(
-                f"balls of {from_si(self.ball_diameter, 'length')} do not fit on a pitch circle"
-                f" of {from_si(self.pitch_diameter, 'length')}: there is room for {room}",
+                said(
+                    "balls of {ball_diameter} do not fit on a pitch circle of "
+                    "{pitch_diameter}: there is room for {room}",
+                    ball_diameter=from_si(self.ball_diameter, "length"),
+                    pitch_diameter=from_si(self.pitch_diameter, "length"),
+                    room=room,
+                ),
                 field="ball_count",
                 value=self.ball_count,
                 example=f"ball_count = {room}" if room >= 3 else "",
@@ -300,13 +309,13 @@ class Bearing(Record):
     def _check_angle_or_clearance(self) -> None:
         if self.contact_angle is None and self.diametral_clearance is None:
             raise InputError(
-                "is missing: give the contact angle or the diametral clearance",
+                said("is missing: give the contact angle or the diametral clearance"),
                 field="contact_angle",
                 example='contact_angle = "40 deg" or diametral_clearance = "0.015 mm"',
             )
         if self.contact_angle is not None and self.diametral_clearance is not None:
             raise InputError(
-                "is given beside the contact angle; each follows from the other, give one",
+                said("cannot be combined with the contact angle: each follows from the other"),
                 field="diametral_clearance",
                 value=from_si(self.diametral_clearance, "length"),
                 example='diametral_clearance = "0.015 mm" without contact_angle',
@@ -320,8 +329,12 @@ class Bearing(Record):
         if not clearance_fits(self.diametral_clearance, groove_distance):
             least, most = (_rounded_length(f * groove_distance) for f in (-0.25, 2.0))
             raise InputError(
-                f"must be greater than {least} and less than {most}"
-                " with these balls and conformities",
+                said(
+                    "must be greater than {least} and less than {most} with these balls "
+                    "and conformities",
+                    least=least,
+                    most=most,
+                ),
                 field="diametral_clearance",
                 value=from_si(self.diametral_clearance, "length"),
                 example='diametral_clearance = "0.015 mm"',
@@ -332,7 +345,10 @@ class Bearing(Record):
             height = getattr(self, name)
             if height is not None and height >= self.ball_diameter / 2:
                 raise InputError(
-                    f"must be less than the ball radius, {_rounded_length(self.ball_diameter / 2)}",
+                    said(
+                        "must be less than the ball radius, {ball_diameter}",
+                        ball_diameter=_rounded_length(self.ball_diameter / 2),
+                    ),
                     field=name,
                     value=from_si(height, "length"),
                     example=f'{name} = "{_rounded_length(0.2 * self.ball_diameter)}"',
@@ -341,7 +357,7 @@ class Bearing(Record):
     def _check_set(self) -> None:
         if self.arrangement is not None and self.rows is not None:
             raise InputError(
-                "is given beside the rows one by one; give one",
+                said("cannot be combined with rows listed one by one"),
                 field="arrangement",
                 value=self.arrangement,
                 example='arrangement = "DB" without rows',
@@ -351,14 +367,14 @@ class Bearing(Record):
                 ("spacing", "arrangement") if self.spacing is None else ("arrangement", "spacing")
             )
             raise InputError(
-                f"is missing beside {beside}",
+                said("is missing; {beside} needs it", beside=beside),
                 field=missing,
                 example='arrangement = "DB" with spacing = "24 mm"',
             )
         signs = {place.sign for place in self.places}
         if self.preload is not None and len(signs) < 2:
             raise InputError(
-                "needs rows that face each other: these all carry load toward one side",
+                said("needs opposed rows: these all carry load in the same direction"),
                 field="preload",
                 example='arrangement = "DB"',
             )

@@ -31,10 +31,12 @@ from rolamento.case.model import Model
 from rolamento.case.mounting import Mounting
 from rolamento.case.quantity import Line, at_the_border
 from rolamento.case.record import Record
+from rolamento.case.report import ReportHead
 from rolamento.case.surface import Surface
 from rolamento.case.temperature import Temperature
 from rolamento.errors import FileError, InputError
 from rolamento.units import from_si
+from rolamento.words import said
 
 __all__ = [
     "Case",
@@ -77,6 +79,8 @@ class Case(Record):
         A `FilmModel`; its defaults if not given.
     life
         A `LifeModel`; ratings, cleanliness and wishes for the life.
+    report
+        A `ReportHead`: project, author, revision and date of a report.
 
     Raises
     ------
@@ -94,6 +98,7 @@ class Case(Record):
     mounting: Mounting | None = Field(None, examples=["[mounting] as a table"])
     film: FilmModel | None = Field(None, examples=["[film] as a table"])
     life: LifeModel | None = Field(None, examples=["[life] as a table"])
+    report: ReportHead | None = Field(None, examples=["[report] as a table"])
 
     @model_validator(mode="before")
     @classmethod
@@ -138,7 +143,7 @@ class Case(Record):
         for key, value in nested.items():
             name = key.replace("__", ".")
             if name in given:
-                raise InputError("is given twice", field=name)
+                raise InputError(said("is given twice"), field=name)
             given[name] = value
         return Case.from_mapping(changed(self._own_mapping(given), given, Case))
 
@@ -163,7 +168,9 @@ class Case(Record):
             shift = getattr(self.duty.displacement, axis)
             if shift is not None and abs(shift) > limit:
                 raise InputError(
-                    f"must be at most the ball diameter, {from_si(limit, 'length')}",
+                    said(
+                        "must be at most the ball diameter, {limit}", limit=from_si(limit, "length")
+                    ),
                     field=f"duty.displacement.{axis}",
                     value=from_si(shift, "length"),
                     example=f'{axis} = "0.01 mm"',
@@ -178,7 +185,7 @@ class Case(Record):
                 warm = getattr(self.temperature, part)
                 if warm is not None:
                     raise InputError(
-                        "is given without [mounting], and has no effect",
+                        said("has no effect without [mounting]"),
                         field=f"temperature.{part}",
                         value=from_si(warm, "temperature"),
                         example='[mounting] with bore = "25 mm" and outside_diameter = "62 mm"',
@@ -192,14 +199,16 @@ class Case(Record):
             return self._without_film()
         if self.bearing.is_set:
             raise InputError(
-                "is available for single bearings; a set takes outer, inner, jones or none",
+                said(
+                    "is available for single bearings only; a set takes outer, inner, jones or none"
+                ),
                 field="model.raceway_control",
                 value="friction",
                 example='raceway_control = "jones"',
             )
         if self.lubricant is None or not self.lubricant.friction_coefficient:
             raise InputError(
-                'is missing, and raceway_control = "friction" rests on it',
+                said('is missing; raceway_control = "friction" needs it'),
                 field="lubricant.friction_coefficient",
                 example='[lubricant] with kind = "dry" and friction_coefficient = 0.1',
             )
@@ -207,7 +216,9 @@ class Case(Record):
             self.lubricant.kind == "dry" or self.lubricant_temperature is None
         ):
             raise InputError(
-                "needs an oil or a grease in [lubricant], and its temperature in [temperature]",
+                said(
+                    "needs an oil or a grease in [lubricant] and its temperature in [temperature]"
+                ),
                 field="model.traction"
                 if self.model.traction == "film"
                 else "model.film_in_contact",
@@ -218,7 +229,7 @@ class Case(Record):
     def _without_film(self) -> Self:
         if self.model.needs_film:
             raise InputError(
-                'is for raceway_control = "friction" only',
+                said('is for raceway_control = "friction" only'),
                 field="model.traction"
                 if self.model.traction == "film"
                 else "model.film_in_contact",
@@ -316,7 +327,9 @@ def save_case(case: Case, path: str | os.PathLike[str]) -> None:
     """
     known_format = format_of_path(path)
     if known_format is None:
-        raise FileError("must end in .toml or .json", source=os.fspath(path), example="case.toml")
+        raise FileError(
+            said("must end in .toml or .json"), source=os.fspath(path), example="case.toml"
+        )
     write_text(case_to_json(case) if known_format == "json" else case_to_toml(case), path)
 
 
@@ -374,7 +387,11 @@ def _check_catalogue_sizes(bearing: Bearing, mounting: Mounting) -> None:
         told, own = getattr(published, name), getattr(mounting, name)
         if not isclose(told, own, rel_tol=_ROUNDING):
             raise InputError(
-                f"must be {from_si(told, 'length')}, that of {bearing.designation}",
+                said(
+                    "must be {told}, the value of {designation}",
+                    told=from_si(told, "length"),
+                    designation=bearing.designation,
+                ),
                 field=f"mounting.{name}",
                 value=from_si(own, "length"),
                 example=f'leave it out, or {name} = "{from_si(told, "length")}"',

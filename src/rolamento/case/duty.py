@@ -10,6 +10,7 @@ from rolamento.case.quantity import Quantity, Replaces
 from rolamento.case.record import Record
 from rolamento.errors import InputError
 from rolamento.units import from_si
+from rolamento.words import said
 
 __all__ = ["AXES", "LOADS", "Displacement", "Duty", "Load"]
 
@@ -50,20 +51,14 @@ class Load(Record):
         If a value is out of range.
     """
 
-    fx: Annotated[_Force | None, Replaces("duty.displacement.x")] = Field(
-        None, title="axial load Fx", examples=["20 kN"]
-    )
-    fy: Annotated[_Force | None, Replaces("duty.displacement.y")] = Field(
-        None, title="radial load Fy", examples=["1 kN"]
-    )
-    fz: Annotated[_Force | None, Replaces("duty.displacement.z")] = Field(
-        None, title="radial load Fz", examples=["15 kN"]
-    )
+    fx: Annotated[_Force | None, Replaces("duty.displacement.x")] = Field(None, examples=["20 kN"])
+    fy: Annotated[_Force | None, Replaces("duty.displacement.y")] = Field(None, examples=["1 kN"])
+    fz: Annotated[_Force | None, Replaces("duty.displacement.z")] = Field(None, examples=["15 kN"])
     my: Annotated[_Moment | None, Replaces("duty.displacement.ry")] = Field(
-        None, title="moment My", examples=["50 N m"]
+        None, examples=["50 N m"]
     )
     mz: Annotated[_Moment | None, Replaces("duty.displacement.rz")] = Field(
-        None, title="moment Mz", examples=["50 N m"]
+        None, examples=["50 N m"]
     )
 
 
@@ -83,21 +78,11 @@ class Displacement(Record):
         If a value is out of range.
     """
 
-    x: Annotated[_Shift | None, Replaces("duty.load.fx")] = Field(
-        None, title="axial displacement x", examples=["0.01 mm"]
-    )
-    y: Annotated[_Shift | None, Replaces("duty.load.fy")] = Field(
-        None, title="radial displacement y", examples=["0.01 mm"]
-    )
-    z: Annotated[_Shift | None, Replaces("duty.load.fz")] = Field(
-        None, title="radial displacement z", examples=["0.01 mm"]
-    )
-    ry: Annotated[_Tilt | None, Replaces("duty.load.my")] = Field(
-        None, title="tilt about y", examples=["0.05 deg"]
-    )
-    rz: Annotated[_Tilt | None, Replaces("duty.load.mz")] = Field(
-        None, title="tilt about z", examples=["0.05 deg"]
-    )
+    x: Annotated[_Shift | None, Replaces("duty.load.fx")] = Field(None, examples=["0.01 mm"])
+    y: Annotated[_Shift | None, Replaces("duty.load.fy")] = Field(None, examples=["0.01 mm"])
+    z: Annotated[_Shift | None, Replaces("duty.load.fz")] = Field(None, examples=["0.01 mm"])
+    ry: Annotated[_Tilt | None, Replaces("duty.load.my")] = Field(None, examples=["0.05 deg"])
+    rz: Annotated[_Tilt | None, Replaces("duty.load.mz")] = Field(None, examples=["0.05 deg"])
 
 
 class Duty(Record):
@@ -124,11 +109,9 @@ class Duty(Record):
         If a value is out of range, or a degree of freedom is given twice.
     """
 
-    inner_speed: _Speed = Field(0.0, title="speed of the inner ring", examples=["10000 rpm"])
-    outer_speed: _Speed = Field(0.0, title="speed of the outer ring", examples=["10000 rpm"])
-    first_ball_azimuth: _Azimuth = Field(
-        0.0, title="azimuth of the first ball", examples=["11.25 deg"]
-    )
+    inner_speed: _Speed = Field(0.0, examples=["10000 rpm"])
+    outer_speed: _Speed = Field(0.0, examples=["10000 rpm"])
+    first_ball_azimuth: _Azimuth = Field(0.0, examples=["11.25 deg"])
     load: Load = Field(default_factory=Load)
     displacement: Displacement = Field(default_factory=Displacement)
 
@@ -138,8 +121,11 @@ class Duty(Record):
             shift, load = getattr(self.displacement, axis), getattr(self.load, name)
             if shift is not None and load is not None:
                 raise InputError(
-                    f"is given beside load.{name}; a degree of freedom takes a load or a"
-                    " displacement, not both",
+                    said(
+                        "cannot be combined with load.{name}: a degree of freedom takes a load "
+                        "or a displacement",
+                        name=name,
+                    ),
                     field=f"displacement.{axis}",
                     value=from_si(shift, "length" if len(axis) == 1 else "angle"),
                     example=f"{axis} without load.{name}",

@@ -2,7 +2,7 @@
 
 Whoever reads, sets, varies, lists or draws a field asks here. What a record does not tell by the
 type of a field stands at the field: `Quantity` says whether it may vary in a batch, `Replaces`
-what it takes the place of, and pydantic's ``title`` its label.
+what it takes the place of; what readers call it stands in `labels`.
 """
 
 from __future__ import annotations
@@ -15,10 +15,12 @@ from typing import Any, Final, Literal, get_args, get_origin
 from pydantic import BaseModel, create_model
 from pydantic.fields import FieldInfo
 
+from rolamento.case.labels import label_of
 from rolamento.case.quantity import Quantity, Ratio
 from rolamento.case.record import Record, example_of, meanings, record_of, replaced
-from rolamento.errors import InputError, UnknownKeyError, nearest
+from rolamento.errors import InputError, UnknownKeyError, guess
 from rolamento.units import SI_UNIT, Dimension, from_si
+from rolamento.words import said, speaking
 
 __all__ = ["OVERRIDE_SOURCE", "Field", "Value", "changed", "fields_of", "overridden"]
 
@@ -116,20 +118,14 @@ class Field:
 
     @property
     def label(self) -> str:
-        """What it is called on an axis, such as ``"radial load Fz"``."""
-        return self._info.title or self.long_name
-
-    @property
-    def is_labelled(self) -> bool:
-        """Whether the record gives it a label of its own."""
-        return self._info.title is not None
+        """What it is called, in the language that is spoken: ``"lubricant temperature"``."""
+        return label_of(self.name)
 
     @property
     def long_name(self) -> str:
-        """The name in words: the field, and the table it stands in."""
-        *tables, leaf = self.name.split(".")
-        words = [leaf, *(["of", tables[-1]] if len(tables) > 1 else [])]
-        return " ".join(words).replace("_", " ")
+        """What it is called in files: its label in English."""
+        with speaking("en"):
+            return self.label
 
     def checked(self, value: object, *, in_file: bool) -> Value:
         """Return a value as the case takes it: a quantity in SI units, a material's name.
@@ -141,7 +137,7 @@ class Field:
         """
         if value is None or isinstance(value, Mapping | list | tuple):
             raise InputError(
-                "must be one value, not a table or a list of values",
+                said("must be a single value, not a table or a list"),
                 field=self.name,
                 value=value,
                 example=self.example,
@@ -257,7 +253,7 @@ def overridden(
         for setting in settings:
             key, equals, text = setting.partition("=")
             if not equals or not key.strip() or len(setting) > _LONGEST_SETTING:
-                raise InputError("must be KEY=VALUE", value=setting, example=_EXAMPLE)
+                raise InputError(said("must be KEY=VALUE"), value=setting, example=_EXAMPLE)
             name = ".".join(part.strip() for part in key.split("."))
             values.pop(name, None)  # the last one counts
             values[name] = _value(text.strip(), _field(name, record))
@@ -345,19 +341,22 @@ def _field(name: str, record: type[Record]) -> Field:
         inside = [other[len(table) :] for other in known if other.startswith(table)]
         here = tuple(dict.fromkeys(other.split(".")[0] for other in inside))
         if part not in here:
-            near = nearest(part, here)
-            all_known = f"known here: {', '.join(here)}" if here else f"{table[:-1]} is not a table"
-            raise UnknownKeyError(
-                f"is not a known key; {f'did you mean {near}?' if near else all_known}",
-                field=name,
-                example=_EXAMPLE,
+            rule = (
+                said("is an unknown key; {guess}", guess=guess(part, here))
+                if here
+                else said("is an unknown key; {table} is not a table", table=table[:-1])
             )
+            raise UnknownKeyError(rule, field=name, example=_EXAMPLE)
         if (leaf := known.get(f"{table}{part}")) is not None and leaf.kind == "list":
-            raise InputError("is a list; give it in the file", field=leaf.name, example=_EXAMPLE)
+            raise InputError(
+                said("is a list; set it in the file"), field=leaf.name, example=_EXAMPLE
+            )
     inside = [other[len(name) + 1 :] for other in known if other.startswith(f"{name}.")]
     here = tuple(dict.fromkeys(other.split(".")[0] for other in inside))
     raise InputError(
-        f"is a table; set one of its fields: {', '.join(here)}", field=name, example=_EXAMPLE
+        said("is a table; set one of its fields: {here}", here=", ".join(here)),
+        field=name,
+        example=_EXAMPLE,
     )
 
 
@@ -395,7 +394,9 @@ def _put(mapping: dict[str, Any], name: str, value: object, record: type[Record]
             if value is None:
                 return
             raise InputError(
-                "is not a table in this case; set it as a whole, or give a table in the file",
+                said(
+                    "is not a table in this case; set it as a whole, or write a table in the file"
+                ),
                 field=here,
                 value=inner,
             )

@@ -10,6 +10,7 @@ from rolamento.case.quantity import Quantity
 from rolamento.case.record import Record
 from rolamento.errors import InputError
 from rolamento.units import from_si
+from rolamento.words import said
 
 __all__ = ["FilmModel", "Starvation", "Supply", "ThermalReduction"]
 
@@ -65,7 +66,11 @@ class FilmModel(Record):
             for name in names:
                 given = getattr(self, name) is not None
                 if given != (self.starvation == choice):
-                    rule = f'belongs to starvation = "{choice}"' if given else "is missing"
+                    rule = (
+                        said('belongs to starvation = "{choice}"', choice=choice)
+                        if given
+                        else said("is missing")
+                    )
                     example = type(self).model_fields[name].examples
                     raise InputError(rule, field=name, example=f'{name} = "{(example or [""])[0]}"')
         self._check_diameters()
@@ -75,7 +80,7 @@ class FilmModel(Record):
         bore, outside = self.bore, self.outside_diameter
         if bore is not None and outside is not None and bore >= outside:
             raise InputError(
-                f"must be greater than the bore, {from_si(bore, 'length')}",
+                said("must be greater than the bore, {bore}", bore=from_si(bore, "length")),
                 field="outside_diameter",
                 value=from_si(outside, "length"),
                 example='outside_diameter = "62 mm"',

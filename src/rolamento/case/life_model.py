@@ -10,6 +10,7 @@ from rolamento.case.quantity import Line, Quantity, Ratio, Replaces
 from rolamento.case.record import Record, refuse_rivals
 from rolamento.errors import InputError
 from rolamento.iso4406 import cleanliness_numbers
+from rolamento.words import said
 
 __all__ = ["DIRT", "LifeModel", "TallianFactors"]
 
@@ -65,9 +66,13 @@ class TallianFactors(Record):
         given = self.failure_rate is not None
         if given != (self.pressure_distribution is not None):
             missing = "pressure_distribution" if given else "failure_rate"
-            raise InputError("is missing beside its fellow", field=missing, example="1.0")
+            raise InputError(
+                said("is missing; surface failures need both factors"), field=missing, example="1.0"
+            )
         if given and self.strength is None:
-            raise InputError("is missing beside failure_rate", field="strength", example="1e-97")
+            raise InputError(
+                said("is missing; failure_rate needs it"), field="strength", example="1e-97"
+            )
         return self
 
 
@@ -177,9 +182,11 @@ class LifeModel(Record):
         if surface is not None and (surface.failure_rate is None or surface.defect_shape != 1.0):
             missing = surface.failure_rate is None
             raise InputError(
-                "is missing: failures from the surface have no factors but the user's"
-                if missing
-                else "is 1 for failures from the surface",
+                (
+                    said("is missing; surface failures have no factors but those given")
+                    if missing
+                    else said("is 1 for surface failures")
+                ),
                 field="tallian_surface." + ("failure_rate" if missing else "defect_shape"),
                 example="1.0",
             )
@@ -192,5 +199,13 @@ class LifeModel(Record):
         if (getattr(self, first) is None) == (getattr(self, second) is None):
             return
         if getattr(self, second) is None:
-            raise InputError(f"is missing beside {first}", field=second, example=second_example)
-        raise InputError(f"is given without {first}", field=second, example=f"{first} = {value}")
+            raise InputError(
+                said("is missing; {first} needs it", first=first),
+                field=second,
+                example=second_example,
+            )
+        raise InputError(
+            said("needs {first}", first=first),
+            field=second,
+            example=f"{first} = {value}",
+        )

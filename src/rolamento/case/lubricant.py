@@ -13,6 +13,7 @@ from rolamento.case.quantity import Line, Quantity, Ratio, Replaces
 from rolamento.case.record import Record
 from rolamento.errors import InputError
 from rolamento.units import from_si
+from rolamento.words import marked, said
 
 __all__ = [
     "DEFAULT_CONDUCTIVITY",
@@ -108,7 +109,7 @@ class Lubricant(NamedRecord):
 
     data_file: ClassVar = "lubricants"
     data_key: ClassVar = "lubricant"
-    called: ClassVar = "lubricant"
+    called: ClassVar = marked("lubricant")
     usual: ClassVar = _EXAMPLE
 
     name: Line = Field("custom", examples=["our gear oil"])
@@ -204,7 +205,9 @@ class Lubricant(NamedRecord):
                 OilPoint(second.temperature, second.viscosity),
             )
         if oil.viscosity_40 is None:
-            raise InputError("has no viscosity: the lubrication is dry", field="lubricant.kind")
+            raise InputError(
+                said("has no viscosity: the lubrication is dry"), field="lubricant.kind"
+            )
         cool = OilPoint(_CENTIGRADE_40, oil.viscosity_40)
         return cool, OilPoint(_CENTIGRADE_100, oil._hot_viscosity(oil.viscosity_40))
 
@@ -232,14 +235,14 @@ class Lubricant(NamedRecord):
     def _check_dry(self) -> None:
         if self.friction_coefficient is None:
             raise InputError(
-                "is missing: dry lubrication has nothing else",
+                said("is missing; dry lubrication is defined by nothing else"),
                 field="friction_coefficient",
                 example="friction_coefficient = 0.17",
             )
         given = [name for name in _WAYS if getattr(self, name) is not None]
         if given:
             raise InputError(
-                'does not go with kind = "dry": there is no oil',
+                said('cannot be combined with kind = "dry": there is no oil'),
                 field=given[0],
                 example=f"{given[0]} left out",
             )
@@ -249,7 +252,7 @@ class Lubricant(NamedRecord):
         if len(given) != 1:
             also = " and ".join(given) or "nothing"
             raise InputError(
-                f"needs one of {', '.join(_WAYS)}, and has {also}",
+                said("needs one of {ways}, and has {also}", ways=", ".join(_WAYS), also=also),
                 field="viscosity_40",
                 example='viscosity_40 = "68 mm^2/s" and viscosity_100 = "8.6 mm^2/s"',
             )
@@ -259,9 +262,9 @@ class Lubricant(NamedRecord):
         wanted = 1 if given == ["viscosity_40"] else 0
         if len(hot) != wanted:
             rule = (
-                "is needed beside viscosity_40, or the viscosity index, and not both"
+                said("is needed with viscosity_40, or else the viscosity index; not both")
                 if wanted
-                else f"does not go with {given[0]}"
+                else said("cannot be combined with {given}", given=given[0])
             )
             raise InputError(
                 rule,
@@ -278,7 +281,7 @@ class Lubricant(NamedRecord):
             raise error.with_details(field="base_oil") from None
         if base.kind != "oil":
             raise InputError(
-                f"must be an oil, and is of the kind {base.kind}",
+                said("must be an oil, and is of kind {kind}", kind=base.kind),
                 field="base_oil",
                 value=name,
                 example=f'base_oil = "{_EXAMPLE}"',
@@ -288,13 +291,16 @@ class Lubricant(NamedRecord):
         cool, hot = self.points
         if cool.temperature == hot.temperature:
             raise InputError(
-                "are both for the same temperature; two are needed",
+                said("are both at the same temperature; two are needed"),
                 field="viscosities",
                 value=from_si(cool.temperature, "temperature"),
             )
         if isnan(hot.viscosity):
             raise InputError(
-                "gives less than 2 mm^2/s at 100 degC or more than at 40 degC; give viscosity_100",
+                said(
+                    "gives less than 2 mm^2/s at 100 degC or more than at 40 degC; give "
+                    "viscosity_100"
+                ),
                 field="viscosity_index",
                 value=self.viscosity_index,
                 example='viscosity_100 = "8.6 mm^2/s"',
@@ -303,7 +309,11 @@ class Lubricant(NamedRecord):
             most = from_si(cool.viscosity, "kinematic_viscosity")
             at = from_si(cool.temperature, "temperature")
             raise InputError(
-                f"must be less than {most}, the viscosity at {at}: an oil thins as it warms",
+                said(
+                    "must be less than {most}, the viscosity at {at}: an oil thins as it warms",
+                    most=most,
+                    at=at,
+                ),
                 field="viscosities" if self.viscosities is not None else "viscosity_100",
                 value=from_si(hot.viscosity, "kinematic_viscosity"),
                 example='viscosity_40 = "68 mm^2/s" and viscosity_100 = "8.6 mm^2/s"',
@@ -311,12 +321,12 @@ class Lubricant(NamedRecord):
 
     def _check_density(self) -> None:
         if self.oil.density is None:
-            raise InputError("is missing", field="density", example='density = "880 kg/m^3"')
+            raise InputError(said("is missing"), field="density", example='density = "880 kg/m^3"')
 
     def _check_pressure_viscosity(self) -> None:
         if self.pressure_viscosity is not None and self.pressure_viscosity_method is not None:
             raise InputError(
-                "is given beside its estimate; give one",
+                said("cannot be combined with its estimate"),
                 field="pressure_viscosity",
                 value=from_si(self.pressure_viscosity, "pressure_viscosity_coefficient"),
                 example="pressure_viscosity without pressure_viscosity_method",
@@ -326,7 +336,7 @@ class Lubricant(NamedRecord):
         least, most = self.minimum_temperature, self.maximum_temperature
         if least is not None and most is not None and least >= most:
             raise InputError(
-                f"must be less than the maximum, {from_si(most, 'temperature')}",
+                said("must be less than the maximum, {most}", most=from_si(most, "temperature")),
                 field="minimum_temperature",
                 value=from_si(least, "temperature"),
                 example='minimum_temperature = "-20 degC"',

@@ -11,6 +11,7 @@ from rolamento.case.quantity import Line, Quantity, Ratio, Replaces
 from rolamento.case.record import Record, refuse_rivals
 from rolamento.errors import InputError
 from rolamento.units import from_si
+from rolamento.words import marked, said
 
 __all__ = ["Mounting", "SeatMaterial"]
 
@@ -47,7 +48,7 @@ class SeatMaterial(NamedRecord):
     """
 
     data_file: ClassVar = "seat_materials"
-    called: ClassVar = "material of seats"
+    called: ClassVar = marked("material of a seat")
     usual: ClassVar = "steel"
 
     name: Line = Field("custom", examples=["AlSi7Mg, supplier's certificate"])
@@ -180,7 +181,7 @@ class Mounting(Record):
         refuse_rivals(self)
         if self.measuring_load is not None and self.measured_clearance is None:
             raise InputError(
-                "is given without the clearance that it shows",
+                said("needs the clearance that was measured"),
                 field="measuring_load",
                 value=from_si(self.measuring_load, "force"),
                 example='measured_clearance = "0.026 mm"',
@@ -202,7 +203,11 @@ class Mounting(Record):
         for field, inner, limit, outer in rules:
             if outer is not None and inner >= outer:
                 raise InputError(
-                    f"must be less than {limit}, {from_si(outer, 'length')}",
+                    said(
+                        "must be less than {limit}, {outer}",
+                        limit=limit,
+                        outer=from_si(outer, "length"),
+                    ),
                     field=field,
                     value=from_si(inner, "length"),
                 )

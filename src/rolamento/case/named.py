@@ -17,6 +17,7 @@ from rolamento._data import toml_of
 from rolamento.case.quantity import Line, at_the_border
 from rolamento.case.record import Record
 from rolamento.errors import InputError, nearest
+from rolamento.words import marked, said
 
 __all__ = ["NamedRecord"]
 
@@ -29,7 +30,7 @@ class NamedRecord(Record):
     """Of rolamento/data, without its ending."""
     data_key: ClassVar[str] = "material"
     """Of the list."""
-    called: ClassVar[str] = "material"
+    called: ClassVar[str] = marked("material")
     """What such a record is of, for messages."""
     usual: ClassVar[str]
     """The name of one, for messages."""
@@ -49,9 +50,16 @@ class NamedRecord(Record):
         if table is not None:
             return _read(cls, table["name"])  # type: ignore[return-value]
         near = nearest(name, cls.names(with_aliases=True))
-        guess = f"did you mean {near}?" if near else f"known: {', '.join(cls.names())}"
+        known = {
+            "kind": said(cls.called),
+            "guess": said("did you mean {near}?", near=near)
+            if near
+            else said("known: {known}", known=", ".join(cls.names())),
+        }
         raise InputError(
-            f"is not a known {cls.called}; {guess}", value=name, example=f'"{cls.usual}"'
+            said("is an unknown name ({kind}); {guess}", **known),
+            value=name,
+            example=f'"{cls.usual}"',
         )
 
     @classmethod
@@ -82,7 +90,9 @@ class NamedRecord(Record):
             return cls.named(value)
         if isinstance(value, cls | Mapping):
             return value
-        raise InputError(f"must be the name of a {cls.called}, or a table", value=value)
+        raise InputError(
+            said("must be a name ({kind}) or a table", kind=said(cls.called)), value=value
+        )
 
     @model_serializer(mode="wrap")
     def _name_or_fields(

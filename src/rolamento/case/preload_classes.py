@@ -12,6 +12,7 @@ from typing import Any, Final, Literal
 from rolamento._data import toml_of
 from rolamento.errors import InputError, nearest
 from rolamento.units import to_si
+from rolamento.words import said
 
 __all__ = ["Level", "listed_designations", "listed_preload"]
 
@@ -42,8 +43,9 @@ def listed_preload(designation: str, level: Level, contact_angle: float | None) 
     if records is None:
         near = nearest(designation, listed_designations())
         raise InputError(
-            "is in no maker's list of preloads"
-            + (f"; did you mean {near}?" if near else "; give the preload as a force"),
+            said("is in no maker's list of preloads; did you mean {near}?", near=near)
+            if near
+            else said("is in no maker's list of preloads; give the preload as a force"),
             field="designation",
             value=designation,
             example='designation = "S 6012 C", or preload = "500 N"',
@@ -52,9 +54,9 @@ def listed_preload(designation: str, level: Level, contact_angle: float | None) 
     for record in records:
         if given is not None and abs(record["angle"] - given) <= _SAME_ANGLE:
             return float(record[level])
-    angles = " or ".join(f"{record['angle']:g} deg" for record in records)
+    angles = ", ".join(f"{record['angle']:g} deg" for record in records)
     raise InputError(
-        f"is listed for a contact angle of {angles} only",
+        said("is listed for contact angles of {angles} only", angles=angles),
         field="designation",
         value=designation,
         example='contact_angle = "15 deg", or preload = "500 N"',

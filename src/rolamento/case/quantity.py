@@ -27,7 +27,8 @@ from pydantic import (
 from pydantic_core import CoreSchema, core_schema
 
 from rolamento.errors import InputError, UnitError
-from rolamento.units import SI_UNIT, Dimension, from_si, to_si
+from rolamento.units import SI_UNIT, Dimension, from_si, name_of, to_si
+from rolamento.words import marked, said
 
 if TYPE_CHECKING:
     import numpy as np
@@ -40,11 +41,21 @@ AT_THE_BORDER: Final = {"border": True}
 
 Relation = Literal["above", "at_least", "below", "at_most"]
 
-_RELATIONS: Final[dict[Relation, tuple[str, Callable[[Any, float], Any]]]] = {
-    "above": ("greater than", operator.gt),
-    "at_least": ("at least", operator.ge),
-    "below": ("less than", operator.lt),
-    "at_most": ("at most", operator.le),
+_RELATIONS: Final[dict[Relation, Callable[[Any, float], Any]]] = {
+    "above": operator.gt,
+    "at_least": operator.ge,
+    "below": operator.lt,
+    "at_most": operator.le,
+}
+_LIMITS: Final[dict[tuple[Relation, ...], str]] = {
+    ("above",): marked("greater than {above}"),
+    ("at_least",): marked("at least {at_least}"),
+    ("below",): marked("less than {below}"),
+    ("at_most",): marked("at most {at_most}"),
+    ("above", "below"): marked("greater than {above} and less than {below}"),
+    ("above", "at_most"): marked("greater than {above} and at most {at_most}"),
+    ("at_least", "below"): marked("at least {at_least} and less than {below}"),
+    ("at_least", "at_most"): marked("at least {at_least} and at most {at_most}"),
 }
 _JSON_SCHEMA: Final[dict[Relation, str]] = {
     "above": "exclusiveMinimum",
@@ -64,14 +75,16 @@ def at_the_border(context: object) -> bool:
 def _checked_bounds(value: float, given: object, bounds: Bounds) -> float:
     """Return the value, with no negative zero, or name the bounds that it breaks."""
     if not math.isfinite(value):
-        raise InputError("must be a finite number", value=given)
-    if any(not _RELATIONS[relation][1](value, limit) for relation, (limit, _) in bounds.items()):
-        raise InputError(f"must be {_limits(bounds)}", value=given)
+        raise InputError(said("must be a finite number"), value=given)
+    if any(not _RELATIONS[relation](value, limit) for relation, (limit, _) in bounds.items()):
+        raise InputError(said("must be {limits}", limits=limits_of(bounds)), value=given)
     return value + 0.0
 
 
-def _limits(bounds: Bounds) -> str:
-    return " and ".join(f"{_RELATIONS[name][0]} {text}" for name, (_, text) in bounds.items())
+def limits_of(bounds: Bounds) -> str:
+    """Return bounds in words; empty if there are none."""
+    texts = {relation: text for relation, (_, text) in bounds.items()}
+    return said(_LIMITS[tuple(bounds)], **texts) if texts else ""
 
 
 def _number_schema(bounds: Bounds) -> dict[str, Any]:
@@ -82,11 +95,11 @@ def _number_schema(bounds: Bounds) -> dict[str, Any]:
 def _number(value: object) -> float:
     """Return a real number as a float; text and booleans are not numbers."""
     if isinstance(value, bool) or not isinstance(value, numbers.Real):
-        raise InputError("must be a number", value=value)
+        raise InputError(said("must be a number"), value=value)
     try:
         return float(value)
     except OverflowError:
-        raise InputError("must be a finite number", value=value) from None
+        raise InputError(said("must be a finite number"), value=value) from None
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,7 +119,7 @@ class Quantity:
     @property
     def limits(self) -> str:
         """The bounds in words; empty if there are none."""
-        return _limits(_bounds(self))
+        return limits_of(_bounds(self))
 
     def allows(self, values: NDArray[np.float64]) -> NDArray[np.bool_]:
         """Tell which of the SI values are finite and within the bounds."""
@@ -136,8 +149,13 @@ class Quantity:
             return _checked_bounds(to_si(value, self.dimension), value, _bounds(self))
         number = _number(value)
         if at_the_border(info.context):
-            name = self.dimension.replace("_", " ")
-            raise UnitError(f"needs its unit: a {name} is written as text with a unit", value=value)
+            raise UnitError(
+                said(
+                    "needs a unit of {dimension}, written as text",
+                    dimension=name_of(self.dimension),
+                ),
+                value=value,
+            )
         return _checked_bounds(number, value, _bounds(self))
 
     def _serialised(self, value: float, info: core_schema.SerializationInfo) -> float | str:
@@ -156,7 +174,7 @@ class Ratio:
     @property
     def limits(self) -> str:
         """The bounds in words; empty if there are none."""
-        return _limits(_bounds(self))
+        return limits_of(_bounds(self))
 
     def allows(self, values: NDArray[np.float64]) -> NDArray[np.bool_]:
         """Tell which of the values are finite and within the bounds."""
@@ -195,7 +213,7 @@ def _within(values: NDArray[np.float64], bounds: Bounds) -> NDArray[np.bool_]:
 
     inside = np.isfinite(values)
     for relation, (limit, _) in bounds.items():
-        inside &= _RELATIONS[relation][1](values, limit)
+        inside &= _RELATIONS[relation](values, limit)
     return inside
 
 
@@ -223,7 +241,7 @@ def _whole_number(value: object) -> object:
 
 def _one_line(text: str) -> str:
     if any(unicodedata.category(character) in {"Cc", "Cs", "Zl", "Zp"} for character in text):
-        raise InputError("must be one line without control characters", value=text)
+        raise InputError(said("must be one line without control characters"), value=text)
     return text
 
 

@@ -23,7 +23,8 @@ from pydantic import (
 from pydantic_core import CoreSchema, ErrorDetails, core_schema
 
 from rolamento.case.quantity import AT_THE_BORDER, Replaces
-from rolamento.errors import ABSENT, InputError, UnknownKeyError, nearest
+from rolamento.errors import ABSENT, InputError, UnknownKeyError, guess
+from rolamento.words import marked, said
 
 __all__ = [
     "ByElement",
@@ -36,22 +37,22 @@ __all__ = [
 ]
 
 _RULES: Final = {
-    "missing": "is missing",
-    "bool_type": "must be true or false",
-    "int_type": "must be a whole number",
-    "string_type": "must be text",
-    "string_unicode": "must be text",
-    "string_too_long": "must be at most {max_length} characters long",
-    "greater_than_equal": "must be at least {ge}",
-    "less_than_equal": "must be at most {le}",
-    "too_short": "must have at least {min_length}, and has {actual_length}",
-    "too_long": "must have at most {max_length}",
-    "tuple_type": "must be a list",
-    "literal_error": "must be one of {expected}",
-    "union_tag_invalid": "must be one of {expected_tags}",
-    "union_tag_not_found": "must be a table",
-    "model_type": "must be a table",
-    "model_attributes_type": "must be a table",
+    "missing": marked("is missing"),
+    "bool_type": marked("must be true or false"),
+    "int_type": marked("must be an integer"),
+    "string_type": marked("must be text"),
+    "string_unicode": marked("must be text"),
+    "string_too_long": marked("must be at most {max_length} characters long"),
+    "greater_than_equal": marked("must be at least {ge:.6g}"),
+    "less_than_equal": marked("must be at most {le:.6g}"),
+    "too_short": marked("must have at least {min_length} entries, and has {actual_length}"),
+    "too_long": marked("must have at most {max_length} entries"),
+    "tuple_type": marked("must be a list"),
+    "literal_error": marked("must be one of {expected}"),
+    "union_tag_invalid": marked("must be one of {expected_tags}"),
+    "union_tag_not_found": marked("must be a table"),
+    "model_type": marked("must be a table"),
+    "model_attributes_type": marked("must be a table"),
 }
 
 
@@ -91,7 +92,7 @@ class Record(BaseModel):
         InputError
             If the text stands for none.
         """
-        raise InputError("must be a table", value=text)
+        raise InputError(said("must be a table"), value=text)
 
     @classmethod
     def __get_pydantic_json_schema__(
@@ -183,7 +184,9 @@ def refuse_rivals(record: BaseModel) -> None:
     for index, name in enumerate(given):
         for before in given[:index]:
             if before in replaced(type(record), name) and name in replaced(type(record), before):
-                raise InputError(f"is given beside {before}; give one", field=name)
+                raise InputError(
+                    said("cannot be combined with {before}", before=before), field=name
+                )
 
 
 @cache
@@ -235,8 +238,15 @@ def _plain_error(error: ValidationError, model: type[BaseModel]) -> InputError:
 
 def _rule(found: ErrorDetails) -> str:
     template = _RULES.get(found["type"])
-    rule = found["msg"] if template is None else template.format(**found.get("ctx", {}))
-    return rule.replace(_TAG, "")
+    if template is None:
+        return found["msg"].replace(_TAG, "")
+    values = found.get("ctx", {})
+    choices = {  # 'one', 'two' or 'three'
+        name: text.replace(_TAG, "").replace("'", "").replace(" or ", ", ")
+        for name, text in values.items()
+        if isinstance(text, str)
+    }
+    return said(template, **{**values, **choices})
 
 
 def _completed(
@@ -252,9 +262,8 @@ def _completed(
 
 def _unknown_key(path: tuple[str, ...], parent: type[BaseModel] | None) -> UnknownKeyError:
     known = list(parent.model_fields) if parent is not None else []
-    near = nearest(path[-1], known)
-    advice = f"did you mean {near}?" if near else f"known here: {', '.join(known)}"
-    return UnknownKeyError(f"is not a known key; {advice}", field=".".join(path))
+    rule = said("is an unknown key; {guess}", guess=guess(path[-1], known))
+    return UnknownKeyError(rule, field=".".join(path))
 
 
 def _model_at(model: type[BaseModel], path: tuple[str, ...]) -> type[BaseModel] | None:

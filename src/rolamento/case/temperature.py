@@ -39,18 +39,12 @@ class Temperature(Record):
         If a value is missing or out of range.
     """
 
-    lubricant: _Celsius | None = Field(
-        None, title="temperature of the lubricant", examples=["70 degC"]
-    )
-    inner_ring: _Celsius | None = Field(
-        None, title="temperature of the inner ring", examples=["75 degC"]
-    )
-    outer_ring: _Celsius | None = Field(
-        None, title="temperature of the outer ring", examples=["68 degC"]
-    )
-    balls: _Celsius | None = Field(None, title="temperature of the balls", examples=["75 degC"])
-    shaft: _Celsius | None = Field(None, title="temperature of the shaft", examples=["75 degC"])
-    housing: _Celsius | None = Field(None, title="temperature of the housing", examples=["60 degC"])
+    lubricant: _Celsius | None = Field(None, examples=["70 degC"])
+    inner_ring: _Celsius | None = Field(None, examples=["75 degC"])
+    outer_ring: _Celsius | None = Field(None, examples=["68 degC"])
+    balls: _Celsius | None = Field(None, examples=["75 degC"])
+    shaft: _Celsius | None = Field(None, examples=["75 degC"])
+    housing: _Celsius | None = Field(None, examples=["60 degC"])
 
     @property
     def of_bearing(self) -> Temperature:

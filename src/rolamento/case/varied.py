@@ -12,8 +12,9 @@ from numpy.typing import ArrayLike, NDArray
 from rolamento.case.case import Case
 from rolamento.case.duty import AXES, LOADS
 from rolamento.case.fields import Field
-from rolamento.errors import InputError, UnknownKeyError, nearest
+from rolamento.errors import InputError, UnknownKeyError, guess
 from rolamento.units import to_si
+from rolamento.words import said
 
 __all__ = [
     "SHORT_NAMES",
@@ -93,17 +94,17 @@ def varied_arrays(values: Any = None, /, **short: Any) -> dict[str, Floats]:
         if field is None or not field.varies:
             known = (*SHORT_NAMES, *batch_fields())
             raise UnknownKeyError(
-                f"is not known; perhaps {nearest(name, known) or 'one of ' + ', '.join(known)}",
+                said("is not a field that can vary; {guess}", guess=guess(name, known)),
                 field=name,
                 example=_EXAMPLE,
             )
         if name in arrays:
-            raise InputError("is given twice", field=name, example=_EXAMPLE)
+            raise InputError(said("is given twice"), field=name, example=_EXAMPLE)
         arrays[name] = _numbers(field, value)
     shapes = {array.shape for array in arrays.values() if array.ndim}
     if len(shapes) > 1 or any(len(shape) != 1 for shape in shapes):
         raise InputError(
-            "must be scalars or one-dimensional arrays of one length",
+            said("must be scalars or one-dimensional arrays of one length"),
             field=", ".join(arrays),
             value=str(sorted(shapes)),
             example=f"{_EXAMPLE}, fz=[0.0, 500.0]",
@@ -135,7 +136,7 @@ def refuse_rivals(names: tuple[str, ...]) -> None:
         for before in names[:index]:
             if before in fields[name].rivals:
                 raise InputError(
-                    f"is given beside {before}; a case takes one of them",
+                    said("cannot be combined with {before}", before=before),
                     field=name,
                     example=f"{name} without {before}",
                 )
@@ -149,7 +150,7 @@ def _columns(values: Any) -> list[tuple[Any, Any]]:
     if hasattr(values, "columns") and hasattr(values, "__getitem__"):
         return [(name, values[name]) for name in values.columns]
     raise InputError(
-        "must be values by the names of fields, or a table whose columns are such names",
+        said("must be values by field names, or a table whose columns are field names"),
         field="values",
         value=type(values).__name__,
         example='{"duty.load.fx": [1e3, 2e3]}',
@@ -183,7 +184,7 @@ def _array(field: Field, value: Any) -> NDArray[Any]:
             return np.array(value, dtype=object)  # NumPy would make texts of the numbers too
         return np.asarray(value)
     except (TypeError, ValueError):  # of lists of different lengths
-        raise _refused(field, value, "must be a number, or a list of numbers") from None
+        raise _refused(field, value, said("must be a number or a list of numbers")) from None
 
 
 def _number(field: Field, value: Any) -> float:
@@ -196,11 +197,11 @@ def _number(field: Field, value: Any) -> float:
         except InputError as error:
             raise error.with_details(field=field.name) from None
     if isinstance(value, bool | str) or not hasattr(value, "__float__"):
-        raise _refused(field, value, "must be a number")
+        raise _refused(field, value, said("must be a number"))
     try:
         return float(value)
     except (TypeError, ValueError, OverflowError):
-        raise _refused(field, value, "must be a finite number") from None
+        raise _refused(field, value, said("must be a finite number")) from None
 
 
 def _refused(field: Field, value: Any, rule: str) -> InputError:

@@ -15,6 +15,7 @@ from typing import Any, Final, Literal, NamedTuple, cast
 from rolamento._data import toml_of
 from rolamento.errors import InputError
 from rolamento.units import MILLIMETRE
+from rolamento.words import said
 
 designation_data = partial(toml_of, "designations")
 """What the parts of designations mean."""
@@ -104,10 +105,16 @@ def _check_bore_code(text: str, series: str, code: int) -> None:
     if _MIN_BORE_CODE <= code <= _MAX_BORE_CODE:
         return
     if code > _MAX_BORE_CODE:
-        rule = f"is no insert bearing: bore codes end at {_MAX_BORE_CODE}"
+        rule = said("is not an insert bearing: bore codes end at {most}", most=_MAX_BORE_CODE)
     else:
-        of_code = "6304" if series == "3" else "6203 or of 6204, by its maker"
-        rule = f"is an insert bearing with the inside of {of_code}: give that"
+        rule = (
+            said("is an insert bearing with the internal geometry of 6304; use that")
+            if series == "3"
+            else said(
+                "is an insert bearing with the internal geometry of 6203 or 6204, "
+                "depending on the maker; use that"
+            )
+        )
     raise InputError(rule, field="designation", value=text, example='designation = "6204"')
 
 
@@ -122,10 +129,13 @@ def other_type(text: str) -> str:
 
 
 def _other_type_sentence(kind: dict[str, Any]) -> str:
-    known = "known are single-row deep-groove and angular-contact ball bearings"
+    name = said(kind["name"])
     if "advice" in kind:
-        return f"is {kind['name']}; {kind['advice']}"
-    return f"is {kind['name']}, a type that is not known here; {known}"
+        return said("is {kind}; {advice}", kind=name, advice=said(kind["advice"]))
+    return said(
+        "is {kind}; the catalogue covers single-row deep-groove and angular-contact ball bearings",
+        kind=name,
+    )
 
 
 ClearanceClass = Literal["C2", "CN", "C3", "C4", "C5"]
@@ -230,7 +240,7 @@ def parse_designation(text: str) -> Designation:
     """
     if not text.strip() or len(text) > _LONGEST:
         raise InputError(
-            f"must be a text of 1 to {_LONGEST} characters",
+            said("must be text of 1 to {most} characters", most=_LONGEST),
             field="designation",
             value=text,
             example='designation = "6205"',
@@ -352,8 +362,11 @@ def _suffixes(groups: list[str], text: str) -> _Suffixes:
             if _CLASS.fullmatch(part):
                 if part not in classes:
                     raise InputError(
-                        f"names no clearance class of ISO 5753-1 with {part}; they are"
-                        " C2, CN, C3, C4 and C5",
+                        said(
+                            "names no clearance class of ISO 5753-1 with {part}; the classes are "
+                            "C2, CN, C3, C4 and C5",
+                            part=part,
+                        ),
                         field="designation",
                         value=text,
                         example='designation = "6205/C3"',

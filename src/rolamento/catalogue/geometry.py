@@ -16,6 +16,7 @@ from rolamento.catalogue.records import CatalogueBearing
 from rolamento.catalogue.search import Catalogue, catalogue
 from rolamento.errors import InputError
 from rolamento.units import MILLIMETRE, from_si
+from rolamento.words import said
 
 Origin = Literal["published", "inferred", "assumed"]
 
@@ -63,10 +64,12 @@ class InternalGeometry:
     def lack_of_play(self) -> str:
         """What a user has to add if neither contact angle nor clearance is known, as a rule."""
         if self.clearance_class is None:
-            return "tells no contact angle: give contact_angle"
-        return (
-            f"has class {self.clearance_class}, and ISO 5753-1 has no range of it for a bore of"
-            f" {from_si(self.bearing.bore, 'length')}: give diametral_clearance"
+            return said("does not define the contact angle: give contact_angle")
+        return said(
+            "has class {class_}, for which ISO 5753-1 has no range at a bore of {bore}: give"
+            " diametral_clearance",
+            class_=self.clearance_class,
+            bore=from_si(self.bearing.bore, "length"),
         )
 
     @property
@@ -152,7 +155,7 @@ def ambiguity_axis(
     kept = [one for one in candidates if one.reproduces or not credible_only]
     kept = kept or list(candidates[:1])
     if not kept:
-        raise InputError("has no candidates", field="candidates")
+        raise InputError(said("has no candidates"), field="candidates")
     return {
         "name": "internal geometry",
         "zipped": {
@@ -185,14 +188,16 @@ def middle_clearance(bore: float, clearance_class: str) -> float | None:
 def _chosen(candidates: tuple[Candidate, ...], rank: int, bearing: CatalogueBearing) -> Candidate:
     if not candidates:
         raise InputError(
-            "has ratings that no standard balls reproduce: give ball_count, ball_diameter and"
-            " pitch_diameter",
+            said(
+                "has ratings that no standard balls reproduce: give ball_count, "
+                "ball_diameter and pitch_diameter"
+            ),
             field="designation",
             value=bearing.designation,
         )
     if not 1 <= rank <= len(candidates):
         raise InputError(
-            f"must be between 1 and {len(candidates)}, the number of candidates",
+            said("must be between 1 and {count}, the number of candidates", count=len(candidates)),
             field="rank",
             value=rank,
         )

@@ -30,6 +30,7 @@ from rolamento.ratings import (
     static_factor_of_grooves,
     static_rating,
 )
+from rolamento.words import said
 
 _INCH: Final = 25.4e-3
 _SAME: Final = 2e-3
@@ -182,8 +183,10 @@ def inferred_geometry(
     """
     if bearing.dynamic_rating is None and bearing.static_rating is None:
         raise InputError(
-            "has no load rating to infer the balls from: give ball_count, ball_diameter and"
-            " pitch_diameter",
+            said(
+                "has no load rating to estimate the balls from: give ball_count, "
+                "ball_diameter and pitch_diameter"
+            ),
             field="designation",
             value=bearing.designation,
         )

@@ -14,8 +14,9 @@ from math import isfinite, pi, radians
 from typing import Any, Final, Literal, get_args
 
 from rolamento._tables import Numerals, parse_table
-from rolamento.errors import FileError, InputError, UnknownKeyError, nearest
+from rolamento.errors import FileError, InputError, UnknownKeyError, guess
 from rolamento.units import Dimension, to_si
+from rolamento.words import said
 
 Kind = Literal["deep_groove", "angular_contact"]
 
@@ -183,10 +184,12 @@ def records_of_toml(text: str, source: str) -> tuple[CatalogueBearing, ...]:
     try:
         data = tomllib.loads(text)
     except (tomllib.TOMLDecodeError, RecursionError, ValueError) as error:
-        raise FileError(f"is not valid TOML: {str(error)[:150].lower()}", source=source) from None
+        raise FileError(
+            said("is not valid TOML: {reason}", reason=str(error)[:150].lower()), source=source
+        ) from None
     tables = data.pop("bearing", None)
     if not isinstance(tables, list) or not all(isinstance(table, dict) for table in tables):
-        raise FileError("holds no [[bearing]]", source=source, example="[[bearing]]")
+        raise FileError(said("contains no [[bearing]]"), source=source, example="[[bearing]]")
     _check_keys(data, _TEXTS[1:], source)
     _check_count(len(tables) - 1, source)
     found = []
@@ -211,19 +214,26 @@ def _bearing_within_reason(
     """Return a record whose figures are within reason."""
     for name in ("designation", "bore", "outside_diameter"):
         if not (texts.get(name) or figures.get(name)):
-            raise InputError("is missing", field=name)
+            raise InputError(said("is missing"), field=name)
     for name, value in figures.items():
         low, high = _LIMITS[name]
         if not (isfinite(value) and low <= value <= high):
-            raise InputError(f"must be between {low:g} and {high:g} in SI", field=name)
+            raise InputError(
+                said("must be between {low:.6g} and {high:.6g} in SI units", low=low, high=high),
+                field=name,
+            )
     balls = figures.get("ball_count")
     if balls is not None and balls != int(balls):
-        raise InputError("must be a whole number", field="ball_count", value=balls)
+        raise InputError(said("must be an integer"), field="ball_count", value=balls)
     if figures["outside_diameter"] <= figures["bore"]:
-        raise InputError("must be greater than the bore", field="outside_diameter")
+        raise InputError(said("must be greater than the bore"), field="outside_diameter")
     kind = texts.get("kind") or ("angular_contact" if "contact_angle" in figures else "deep_groove")
     if kind not in get_args(Kind):
-        raise InputError(f"must be {' or '.join(get_args(Kind))}", field="kind", value=kind)
+        raise InputError(
+            said("must be one of {known}", known=", ".join(get_args(Kind))),
+            field="kind",
+            value=kind,
+        )
     values: dict[str, Any] = dict(figures)
     if balls is not None:
         values["ball_count"] = int(balls)
@@ -240,35 +250,39 @@ def _check_header(header: Sequence[str]) -> None:
     known = (*_TEXTS, *_COLUMNS)
     for name in header:
         if name not in known or header.count(name) > 1:
-            near = nearest(name, known)
-            advice = f"did you mean {near}?" if near else f"known here: {', '.join(known)}"
-            rule = "is there twice" if name in known else f"is not a known column; {advice}"
+            rule = (
+                said("occurs twice")
+                if name in known
+                else said("is an unknown column; {guess}", guess=guess(name, known))
+            )
             raise UnknownKeyError(rule, field=name)
 
 
 def _check_keys(table: Mapping[str, Any], known: tuple[str, ...], source: str) -> None:
     for name in table:
         if name not in known:
-            near = nearest(name, known)
-            advice = f"did you mean {near}?" if near else f"known here: {', '.join(known)}"
-            raise UnknownKeyError(f"is not a known key; {advice}", field=name, source=source)
+            rule = said("is an unknown key; {guess}", guess=guess(name, known))
+            raise UnknownKeyError(rule, field=name, source=source)
 
 
 def _check_count(number: int, source: str) -> None:
     if number >= MAX_BEARINGS:
-        raise FileError(f"holds more than {MAX_BEARINGS} bearings", source=source)
+        raise FileError(
+            said("has more than {most} bearings", most=MAX_BEARINGS),
+            source=source,
+        )
 
 
 def _number_of_cell(cell: str, name: str, numerals: Numerals) -> float:
     value = numerals.number(cell)
     if value is None:
-        raise InputError("must be a number", field=name, value=cell)
+        raise InputError(said("must be a number"), field=name, value=cell)
     return value
 
 
 def _line_of_text(value: object, name: str) -> str:
     if not isinstance(value, str) or len(value) > _LONGEST_TEXT or not value.isprintable():
-        raise InputError("must be one line of text", field=name, value=value)
+        raise InputError(said("must be one line of text"), field=name, value=value)
     return value.strip()
 
 
@@ -278,7 +292,7 @@ def _figure_of_toml(value: object, name: str) -> float:
         return _plain_number(value, name)
     if not isinstance(value, str):
         raise InputError(
-            "needs its unit",
+            said("needs a unit"),
             field=name,
             value=value,
             example=f'{name} = "{_example_quantity(dimension)}"',
@@ -291,7 +305,7 @@ def _figure_of_toml(value: object, name: str) -> float:
 
 def _plain_number(value: object, name: str) -> float:
     if isinstance(value, bool) or not isinstance(value, int | float):
-        raise InputError("must be a number", field=name, value=value)
+        raise InputError(said("must be a number"), field=name, value=value)
     return float(value)
 
 

@@ -23,6 +23,7 @@ from rolamento.catalogue.designation import (
 )
 from rolamento.catalogue.records import CatalogueBearing, records_of_csv, records_of_toml
 from rolamento.errors import FileError, InputError
+from rolamento.words import said
 
 _MOST_RESULTS: Final = 1000
 _NEAREST: Final = 3
@@ -79,7 +80,9 @@ class Catalogue:
             name = os.fspath(path)
             ending = os.path.splitext(name)[1].lower()
             if ending not in (".csv", ".toml"):
-                raise FileError("must end in .csv or .toml", source=name, example="bearings.csv")
+                raise FileError(
+                    said("must end in .csv or .toml"), source=name, example="bearings.csv"
+                )
             if ending == ".csv":
                 added += records_of_csv(*table_text(path))
             else:
@@ -205,10 +208,11 @@ class Catalogue:
         other = other_type(parse_designation(text).name)
         if other:
             raise InputError(other, field="designation", value=text, example='designation = "6205"')
-        near = self.nearest(text)
-        advice = f"; did you mean {' or '.join(near)}?" if near else ""
+        near = ", ".join(self.nearest(text))
         return InputError(
-            f"is in no catalogue{advice}",
+            said("is in no catalogue; did you mean {near}?", near=near)
+            if near
+            else said("is in no catalogue"),
             field="designation",
             value=text,
             example='designation = "6205"',

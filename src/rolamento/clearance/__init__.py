@@ -15,7 +15,6 @@ from rolamento.clearance.measuring_load import (
     usual_measuring_load,
 )
 from rolamento.clearance.operating import (
-    WARNINGS,
     ClearanceSamples,
     OperatingClearance,
     Step,
@@ -44,7 +43,6 @@ from rolamento.clearance.wear import WearFit, WearLaw, fit_wear
 __all__ = [
     "CLEARANCE_CLASSES",
     "MOUNTED_FIELDS",
-    "WARNINGS",
     "Band",
     "ClearanceClass",
     "ClearanceSamples",

@@ -27,6 +27,7 @@ from rolamento.clearance.standards import Band
 from rolamento.errors import InputError
 from rolamento.geometry import free_contact_angle
 from rolamento.numerics import FloatArray
+from rolamento.words import said
 
 _PARTS: Final = ("inner_ring", "outer_ring", "balls", "shaft", "housing")
 MOUNTED_FIELDS: Final = tuple(
@@ -74,7 +75,10 @@ def operating_batch(
     assert case.mounting is not None
     if case.bearing.is_set:
         raise InputError(
-            "is available for single rows: what the fits of a set do to its preload is not",
+            said(
+                "is available for single rows only: the effect of the fits on the "
+                "preload of a set is not modelled"
+            ),
             field="mounting",
         )
     arrays = {name: np.asarray(array, np.float64) for name, array in values.items()}
@@ -126,13 +130,16 @@ def _initial(
     given = mounting.clearance_class or mounting.measured_clearance
     if given and own:
         raise InputError(
-            f"is given, and {min(own)} varies: which is it?",
+            said("is given, and {field} varies: give only one of them", field=min(own)),
             field="clearance_class" if mounting.clearance_class else "measured_clearance",
             value=given,
         )
     if mounting.measured_clearance is not None and varied:
         raise InputError(
-            f"cannot be read back while {varied[0]} varies; give the clearance itself",
+            said(
+                "cannot be traced back while {varied} varies; give the clearance itself",
+                varied=varied[0],
+            ),
             field="measured_clearance",
             example="bearing.diametral_clearance",
         )

@@ -46,6 +46,7 @@ from rolamento.errors import InputError
 from rolamento.geometry import clearance_of_angle, groove_places
 from rolamento.numerics import FloatArray
 from rolamento.units import from_si
+from rolamento.words import marked, said
 
 _WARMEST: Final = 1000.0
 
@@ -200,7 +201,10 @@ def assembly_of(
     """
     if bearing.is_set:
         raise InputError(
-            "is available for single rows: what the fits of a set do to its preload is not",
+            said(
+                "is available for single rows only: the effect of the fits on the "
+                "preload of a set is not modelled"
+            ),
             field="mounting",
         )
     assembly = gathered(bearing, mounting, temperatures, inner_speed, outer_speed)
@@ -331,7 +335,7 @@ class _Rises(NamedTuple):
         for name, value in zip(PartTemperatures.__dataclass_fields__, values, strict=True):
             if not np.all((value > 0.0) & (value <= _WARMEST) | np.isnan(value)):
                 raise InputError(
-                    f"must be above 0 K and at most {_WARMEST:g} K",
+                    said("must be above 0 K and at most {most:.6g} K", most=_WARMEST),
                     field=f"temperature.{name}",
                     value=value,
                     example=f'{name} = "60 degC"',
@@ -341,7 +345,7 @@ class _Rises(NamedTuple):
 
 def _missing_temperature(field: str, beside: str) -> InputError:
     return InputError(
-        f"is missing beside {beside}: the clearance needs both rings",
+        said("is missing; with {beside}, the clearance needs both rings", beside=beside),
         field=f"temperature.{field}",
         example=f'{field} = "60 degC"',
     )
@@ -379,7 +383,7 @@ def _housing_growth(bearing: Any, mounting: Any, speed: ArrayLike) -> Any:
         return 0.0
     if mounting.housing_outside_diameter is None:
         raise InputError(
-            "is missing: how much a turning housing grows depends on it",
+            said("is missing; the expansion of a rotating housing depends on it"),
             field="mounting.housing_outside_diameter",
             example='housing_outside_diameter = "100 mm"',
         )
@@ -397,17 +401,22 @@ def _housing_growth(bearing: Any, mounting: Any, speed: ArrayLike) -> Any:
 
 def _check_rings_between_seats(mounting: Mounting, inner: float, outer: float) -> None:
     for field, value, rule, limit in (
-        ("bore", inner - mounting.bore, "less than the inner raceway's diameter", inner),
+        (
+            "bore",
+            inner - mounting.bore,
+            marked("must be less than the diameter of the inner raceway, {limit}"),
+            inner,
+        ),
         (
             "outside_diameter",
             mounting.outside_diameter - outer,
-            "greater than the outer raceway's diameter",
+            marked("must be greater than the diameter of the outer raceway, {limit}"),
             outer,
         ),
     ):
         if value <= 0.0:
             raise InputError(
-                f"must be {rule}, {from_si(float(f'{limit:.5g}'), 'length')}",
+                said(rule, limit=from_si(float(f"{limit:.5g}"), "length")),
                 field=f"mounting.{field}",
                 value=from_si(getattr(mounting, field), "length"),
             )
@@ -445,7 +454,9 @@ class Chain:
         """Gather it all; InputError as of `operating_clearance`."""
         for field, speed in (("inner_speed", inner_speed), ("outer_speed", outer_speed)):
             if not abs(speed) <= 1e6:
-                raise InputError("must be at most 1e6 rad/s", field=f"duty.{field}", value=speed)
+                raise InputError(
+                    said("must be at most 1e6 rad/s"), field=f"duty.{field}", value=speed
+                )
         warm = PartTemperatures() if temperatures is None else temperatures
         assembly = assembly_of(bearing, mounting, warm, inner_speed, outer_speed)
         try:
@@ -490,7 +501,9 @@ def initial_band(assembly: Assembly, bearing: Bearing) -> tuple[Band, float | No
     given = [n for n in ("clearance_class", "measured_clearance") if getattr(mounting, n)]
     if given and bearing.contact_angle:
         raise InputError(
-            "is for bearings given by their clearance; this one has a contact angle",
+            said(
+                "is for bearings given by their clearance; this one is given by its contact angle"
+            ),
             field=given[0],
             value=getattr(mounting, given[0]),
         )

@@ -57,8 +57,7 @@ from rolamento.contact.hertz import ElasticMaterial
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.units import MILLIMETRE
-
-FIT_SOURCE: Final = "Lamé; Harris 1991, chapter 3"
+from rolamento.words import said
 
 Finish = Literal["ground", "turned"]
 _FINISH_LENGTHS: Final[dict[Finish, float]] = {"ground": 2.0, "turned": 3.0}
@@ -147,8 +146,6 @@ EXPANSION_100CR6: Final = 12.5e-6
 """Coefficient of thermal expansion of bearing steel; 1/K. NSK, Rolling Bearings (catalogue
 E1102), on the internal clearance."""
 
-TEMPERATURE_SOURCE: Final = "free expansion; NSK E1102, chapter 9.2"
-
 
 def clearance_change(
     *,
@@ -227,14 +224,15 @@ def expansion_of(material: Material, field: str) -> float:
     known = toml_of("expansion", "rolamento.clearance")
     if material.name not in known:
         raise InputError(
-            f"is missing: no expansion is on file for {material.name}, only for {', '.join(known)}",
+            said(
+                "is missing: the thermal expansion of {name} is not on file, only that of {known}",
+                name=material.name,
+                known=", ".join(known),
+            ),
             field=field,
             example=f'{field.rpartition(".")[2]} = "12.5e-6 1/K"',
         )
     return float(known[material.name]["expansion"])
-
-
-SPEED_SOURCE: Final = "Timoshenko and Goodier 1970, section 32"
 
 
 class SpinningMaterial(Protocol):

@@ -23,6 +23,7 @@ from rolamento.errors import InputError
 from rolamento.static import radial_load
 from rolamento.static.radial import Distribution
 from rolamento.units import MILLIMETRE, from_si
+from rolamento.words import said
 
 MEASURING_LOAD_SOURCE: Final = "Campanha 2008, table 3.2"
 
@@ -121,9 +122,11 @@ def clearance_from_reading(
     elastic = excess(0.0) + reading
     if reading < elastic:
         raise InputError(
-            "is less than the load alone moves this bearing without clearance,"
-            f" {from_si(float(f'{elastic:.3g}'), 'length')}: it has an interference, which a"
-            " reading does not tell",
+            said(
+                "is less than the elastic approach under the load alone, {deflection}: "
+                "the bearing has an interference, which this reading cannot show",
+                deflection=from_si(float(f"{elastic:.3g}"), "length"),
+            ),
             field="measured_clearance",
             value=from_si(reading, "length"),
             example='measured_clearance = "0.02 mm"',
@@ -140,14 +143,14 @@ def clearance_from_reading(
 def _checked(load: float, clearance: float) -> None:
     if not 0.0 < load <= _GREATEST_LOAD:
         raise InputError(
-            "must be greater than 0 N and at most 1000 kN",
+            said("must be greater than 0 N and at most 1000 kN"),
             field="measuring_load",
             value=load,
             example='measuring_load = "49 N"',
         )
     if not 0.0 <= clearance <= 5.0 * MILLIMETRE:
         raise InputError(
-            "must be at least 0 mm and at most 5 mm",
+            said("must be at least 0 mm and at most 5 mm"),
             field="measured_clearance",
             value=clearance,
             example='measured_clearance = "0.02 mm"',

@@ -1,8 +1,8 @@
 """The clearance in operation, step by step, at its limits and in its scatter.
 
-The chain: clearance before mounting, less what the measuring load shows too much, press fit on the
-shaft, press fit in the housing, expansion, rotation, wear. Each step is a record that tells what it
-adds to the clearance and from what.
+The chain: clearance before mounting, less the excess reading under the measuring load, press fit on
+the shaft, press fit in the housing, expansion, rotation, wear. Each step is a record of what it
+adds to the clearance, with its formula and source.
 
 The limits are those of all tolerances at their worst together: the minimum clearance goes with the
 tightest fits. `sample_clearance` draws the tolerances independently instead.
@@ -22,7 +22,6 @@ from rolamento.case import Case
 from rolamento.case.bearing import Bearing, clearance_fits
 from rolamento.case.mounting import Mounting
 from rolamento.clearance.chain import Assembly, Chain, ChainResult, Temperatures
-from rolamento.clearance.effects import FIT_SOURCE, SPEED_SOURCE, TEMPERATURE_SOURCE
 from rolamento.clearance.measuring_load import usual_measuring_load
 from rolamento.clearance.standards import (
     BEARING_TOLERANCE_SOURCE,
@@ -34,25 +33,8 @@ from rolamento.clearance.standards import (
 from rolamento.errors import InputError
 from rolamento.geometry import ring_geometry
 from rolamento.numerics import FloatArray
-from rolamento.units import MICROMETRE, from_si
-
-WARNINGS: Final[Mapping[str, str]] = {
-    "interference": "The clearance in operation is negative at its mean: the balls are preloaded.",
-    "interference_at_minimum": (
-        "The clearance in operation is negative at its minimum: some bearings are preloaded."
-    ),
-    "inner_ring_loose": (
-        "In operation nothing may be left of the inner ring's interference: it may creep."
-    ),
-    "outer_ring_loose": (
-        "In operation nothing may be left of the outer ring's interference: it may creep."
-    ),
-    "tight_shaft": (
-        "The inner ring's interference may be more than a thousandth of the bore: the ring may"
-        " crack (NTN, Ball and Roller Bearings, chapter 7.3)."
-    ),
-}
-"""What the user should know, by name."""
+from rolamento.units import from_si
+from rolamento.words import Note, said
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,7 +50,7 @@ class Step:
     clearance
         after the step
     formula, source
-        in words
+        by what it is calculated, and from where
     details
         what went into it, SI, at the three limits
     """
@@ -76,8 +58,8 @@ class Step:
     name: str
     change: tuple[float, float, float]
     clearance: tuple[float, float, float]
-    formula: str
-    source: str
+    formula: Note
+    source: Note
     details: Mapping[str, tuple[float, float, float]]
 
 
@@ -94,7 +76,7 @@ class OperatingClearance:
     minimum, mean, maximum
         of the diametral clearance; the mean is that of mean dimensions
     warnings
-        names in `WARNINGS`
+        what to know about it
     """
 
     bearing: Bearing
@@ -102,7 +84,7 @@ class OperatingClearance:
     minimum: float
     mean: float
     maximum: float
-    warnings: tuple[str, ...]
+    warnings: tuple[Note, ...]
 
     def operating_bearing(self, limit: Limit = "mean") -> Bearing:
         """The bearing as it runs: with this clearance, or the contact angle that goes with it.
@@ -120,14 +102,14 @@ class OperatingClearance:
             "minimum": self.minimum,
             "mean": self.mean,
             "maximum": self.maximum,
-            "warnings": list(self.warnings),
+            "warnings": [note.to_mapping() for note in self.warnings],
             "steps": [
                 {
                     "name": step.name,
                     "change": list(step.change),
                     "clearance": list(step.clearance),
-                    "formula": step.formula,
-                    "source": step.source,
+                    "formula": step.formula.to_mapping(),
+                    "source": step.source.to_mapping(),
                     "details": {name: list(values) for name, values in step.details.items()},
                 }
                 for step in self.steps
@@ -147,10 +129,19 @@ def bearing_with_clearance(bearing: Bearing, clearance: float) -> Bearing:
     shown = from_si(float(f"{clearance:.4g}"), "length")
     angular = bearing.contact_angle is not None and bearing.contact_angle > 0.0
     if not clearance_fits(clearance, distance) or (angular and clearance < 0.0):
-        way = "closes" if clearance < 0.0 else "opens too far"
+        if clearance >= 0.0:
+            rule = said("opens the bearing too far: its operating clearance would be {clearance}",
+                        clearance=shown)  # fmt: skip
+        elif angular:
+            rule = said(
+                "closes the bearing: an operating clearance of {clearance} leaves no contact angle",
+                clearance=shown,
+            )
+        else:
+            rule = said("closes the bearing: its operating clearance would be {clearance}",
+                        clearance=shown)  # fmt: skip
         raise InputError(
-            f"{way} the bearing: a clearance of {shown} in operation"
-            + (" leaves no contact angle" if angular and clearance < 0.0 else " is out of reach"),
+            rule,
             field="mounting",
             example='a looser shaft_tolerance, or clearance_class = "C3"',
         )
@@ -208,7 +199,7 @@ def clearance_of_case(case: Case) -> OperatingClearance:
     """
     if case.mounting is None:
         raise InputError(
-            "is missing: without it the bearing runs with its own clearance",
+            said("is missing: without it the bearing runs at its own clearance"),
             field="mounting",
             example='[mounting] with bore = "25 mm" and outside_diameter = "62 mm"',
         )
@@ -253,35 +244,35 @@ def _chain_steps(chain: Chain, result: ChainResult) -> tuple[Step, ...]:
     assembly, mounting = chain.assembly, chain.assembly.mounting
     steps: list[Step] = []
 
-    def add(name: str, change: Any, formula: str, source: str, **details: Any) -> None:
+    def add(name: str, change: Any, formula: str, source: Note, **details: Any) -> None:
         before = np.array(steps[-1].clearance) if steps else np.zeros(3)
         shown = {key: _numbers_at_limits(value) for key, value in details.items()}
         after = _numbers_at_limits(before + change)
-        steps.append(Step(name, _numbers_at_limits(change), after, formula, source, shown))
+        steps.append(Step(name, _numbers_at_limits(change), after, Note(formula), source, shown))
 
     if chain.reading is None:
-        add("initial", result.initial, "P_d before mounting", _origin_of_clearance(assembly))
+        add("initial", result.initial, "step_initial", _origin_of_clearance(assembly))
     else:
-        add("initial", chain.reading, "reading under the measuring load", "measured")
+        add("initial", chain.reading, "step_reading", Note("source_measured"))
         add(
             "measuring_load",
             result.initial - chain.reading,
-            "-2 [δ_r(F) - P_d/2]",
-            "radial equilibrium",
+            "step_measuring_load",
+            Note("source_equilibrium"),
             load=mounting.measuring_load or usual_measuring_load(mounting.bore),
         )
-    tolerances = f"{TOLERANCE_SOURCE}; {BEARING_TOLERANCE_SOURCE}; {FIT_SOURCE}"
+    standards = {"tolerances": TOLERANCE_SOURCE, "bearing": BEARING_TOLERANCE_SOURCE}
     for name, fit, given in (
         ("shaft_fit", result.shaft, mounting.shaft_tolerance),
         ("housing_fit", result.housing, mounting.housing_tolerance),
     ):
         if fit is not None:
-            formula = "-growth of the raceway under p(δ - smoothing + expansion - rotation)"
+            by_tolerances = Note("source_tolerances", standards)
             add(
                 name,
                 fit.change,
-                formula.replace("growth", "shrinkage") if name == "housing_fit" else formula,
-                FIT_SOURCE if given is None else tolerances,
+                f"step_{name}",
+                Note("source_fit") if given is None else by_tolerances,
                 interference=fit.interference,
                 smoothing=fit.smoothing,
                 expansion=fit.expansion,
@@ -293,26 +284,26 @@ def _chain_steps(chain: Chain, result: ChainResult) -> tuple[Step, ...]:
         add(
             "temperature",
             assembly.expansion_change,
-            "α_r (T_e d_e - T_i d_i) - 2 α_b T_b D",
-            TEMPERATURE_SOURCE,
+            "step_temperature",
+            Note("source_temperature"),
             inner_raceway=assembly.inner_raceway,
             outer_raceway=assembly.outer_raceway,
         )
     if assembly.spin_change:
-        add("speed", assembly.spin_change, "growth of the turning raceways", SPEED_SOURCE)
+        add("speed", assembly.spin_change, "step_speed", Note("source_speed"))
     if mounting.wear:
-        add("wear", mounting.wear, "as given", "given")
+        add("wear", mounting.wear, "step_wear", Note("source_given"))
     return tuple(steps)
 
 
-def _origin_of_clearance(assembly: Assembly) -> str:
+def _origin_of_clearance(assembly: Assembly) -> Note:
     named = assembly.mounting.clearance_class or assembly.bearing.clearance_class
     if named is not None:
-        return f"{CLEARANCE_SOURCE}, class {named}"
-    return "the bearing's own"
+        return Note("source_clearance_class", {"standard": CLEARANCE_SOURCE, "name": named})
+    return Note("source_own_clearance")
 
 
-def _warnings(chain: Chain, result: ChainResult, low: float, mean: float) -> tuple[str, ...]:
+def _warnings(chain: Chain, result: ChainResult, low: float, mean: float) -> tuple[Note, ...]:
     found = []
     if mean < 0.0:
         found.append("interference")
@@ -324,19 +315,13 @@ def _warnings(chain: Chain, result: ChainResult, low: float, mean: float) -> tup
     shaft = chain.shaft
     if shaft is not None and shaft.high > _TIGHTEST * chain.assembly.mounting.bore:
         found.append("tight_shaft")
-    return tuple(found)
+    return tuple(map(Note, found))
 
 
-def clearance_notes(found: OperatingClearance) -> tuple[str, ...]:
-    """The clearance in operation and its warnings, in sentences."""
-    low, mean, high = (
-        f"{value / MICROMETRE:.1f}" for value in (found.minimum, found.mean, found.maximum)
-    )
-    told = (
-        f"Mounted, at its temperatures and speeds, the bearing has a diametral clearance of {mean}"
-        f" µm, between {low} and {high} µm with all tolerances at their worst."
-    )
-    return (told, *(WARNINGS[name] for name in found.warnings))
+def clearance_notes(found: OperatingClearance) -> tuple[Note, ...]:
+    """The clearance in operation and its warnings."""
+    limits = {"minimum": found.minimum, "mean": found.mean, "maximum": found.maximum}
+    return (Note("clearance_in_operation", limits), *found.warnings)
 
 
 _MAX_SAMPLES: Final = 1_000_000
@@ -408,13 +393,18 @@ def sample_clearance(
     """
     if isinstance(samples, bool) or not 1 <= samples <= _MAX_SAMPLES:
         raise InputError(
-            f"must be a whole number from 1 to {_MAX_SAMPLES}", field="samples", value=samples
+            said("must be an integer from 1 to {most}", most=_MAX_SAMPLES),
+            field="samples",
+            value=samples,
         )
     if isinstance(seed, bool) or not 0 <= seed < 2**128:
-        raise InputError("must be a whole number, not negative", field="seed", value=seed)
+        raise InputError(said("must be a non-negative integer"), field="seed", value=seed)
     if distribution not in ("normal", "uniform"):
         raise InputError(
-            "must be normal or uniform", field="distribution", value=distribution, example="normal"
+            said("must be normal or uniform"),
+            field="distribution",
+            value=distribution,
+            example="normal",
         )
     chain = Chain.of(bearing, mounting, temperatures, inner_speed, outer_speed)
     draws = _Draws(np.random.default_rng(seed), samples, distribution)

@@ -15,6 +15,7 @@ from typing import Any, Final, Literal, NamedTuple, NoReturn, get_args
 from rolamento._data import toml_of
 from rolamento.errors import InputError
 from rolamento.units import MICROMETRE, MILLIMETRE, from_si
+from rolamento.words import said
 
 Limit = Literal["minimum", "mean", "maximum"]
 
@@ -65,7 +66,12 @@ def step_of(diameter: float, limits: Sequence[float], *, field: str, standard: s
     found = bisect_left(limits, size * (1.0 - _ROUNDING)) - 1
     if not isfinite(size) or not 0 <= found < len(limits) - 1:
         raise InputError(
-            f"is outside {standard}, which goes from over {limits[0]:g} mm to {limits[-1]:g} mm",
+            said(
+                "is outside {standard}, which covers sizes over {above:.6g} mm up to {most:.6g} mm",
+                standard=standard,
+                above=limits[0],
+                most=limits[-1],
+            ),
             field=field,
             value=from_si(diameter, "length") if isfinite(diameter) else diameter,
             example=f'{field} = "25 mm"',
@@ -95,7 +101,7 @@ def class_clearance(bore: float, clearance_class: str) -> Band:
     """
     if clearance_class not in CLEARANCE_CLASSES:
         raise InputError(
-            f"must be one of {', '.join(CLEARANCE_CLASSES)}",
+            said("must be one of {known}", known=", ".join(CLEARANCE_CLASSES)),
             field="clearance_class",
             value=clearance_class,
             example='clearance_class = "C3"',
@@ -106,7 +112,11 @@ def class_clearance(bore: float, clearance_class: str) -> Band:
     if not pair:
         minimum = from_si(data["bore_mm"][step + 1] * MILLIMETRE, "length")
         raise InputError(
-            f"has no range for bores up to {minimum} in {CLEARANCE_SOURCE}",
+            said(
+                "has no range for bores up to {least} in {clearance_source}",
+                least=minimum,
+                clearance_source=CLEARANCE_SOURCE,
+            ),
             field="clearance_class",
             value=clearance_class,
             example='clearance_class = "C3"',
@@ -145,7 +155,7 @@ def _bearing_deviations(ring: str, diameter: float, field: str, tolerance_class:
     if tolerance_class not in data or tolerance_class == "sizes_mm":
         known = ", ".join(name for name in data if name != "sizes_mm")
         raise InputError(
-            f"must be one of {known}",
+            said("must be one of {known}", known=known),
             field="tolerance_class",
             value=tolerance_class,
             example='tolerance_class = "normal"',
@@ -154,7 +164,11 @@ def _bearing_deviations(ring: str, diameter: float, field: str, tolerance_class:
     step = step_of(diameter, data["sizes_mm"], field=field, standard=standard)
     if step >= len(data[tolerance_class]):
         raise InputError(
-            f"has no table for {field} = {from_si(diameter, 'length')} here",
+            said(
+                "has no table for {field} = {diameter}",
+                field=field,
+                diameter=from_si(diameter, "length"),
+            ),
             field="tolerance_class",
             value=tolerance_class,
             example='tolerance_class = "normal"',
@@ -188,7 +202,10 @@ def standard_tolerance(diameter: float, grade: int) -> float:
     grades = toml_of("iso286", "rolamento.clearance")["grades"]
     if str(grade) not in grades:
         raise InputError(
-            f"must be a grade from 1 to {len(grades)}", field="grade", value=grade, example="6"
+            said("must be a grade from 1 to {count}", count=len(grades)),
+            field="grade",
+            value=grade,
+            example="6",
         )
     return _grade_width(grade, _size_step(diameter, "diameter")) * MICROMETRE
 
@@ -285,13 +302,14 @@ def _parsed(tolerance: str, letters: tuple[str, ...], field: str, example: str) 
         or found[2] not in toml_of("iso286", "rolamento.clearance")["grades"]
     ):
         _refuse(
-            f"must be one of {', '.join(letters)} and a grade from 1 to 12",
+            said("must be one of {known} with a grade from 1 to 12", known=", ".join(letters)),
             field,
             tolerance,
             example,
         )
     if found[1] not in {"h", "js", "H", "JS"} and int(found[2]) < _FINEST_SHIFTED:
-        _refuse("has grades 1 and 2 with h, js, H and JS only", field, tolerance, example)
+        rule = said("has grades 1 and 2 for h, js, H and JS only")
+        _refuse(rule, field, tolerance, example)
     return found[1], int(found[2])
 
 
@@ -299,7 +317,8 @@ def _of_j(
     by_grade: dict[str, Any], grade: int, step: int, tolerance: str, field: str, example: str
 ) -> float:
     if str(grade) not in by_grade:
-        _refuse(f"has j with the grades {', '.join(by_grade)} only", field, tolerance, example)
+        rule = said("has j for the grades {grades} only", grades=", ".join(by_grade))
+        _refuse(rule, field, tolerance, example)
     return float(by_grade[str(grade)][step])
 
 

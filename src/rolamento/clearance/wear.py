@@ -23,6 +23,7 @@ from numpy.typing import ArrayLike
 
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
+from rolamento.words import said
 
 WearLaw = Literal["running_in", "running_in_and_steady", "power"]
 _LAWS: Final[tuple[WearLaw, ...]] = get_args(WearLaw)
@@ -199,26 +200,38 @@ def _standard_errors(jacobian: FloatArray, variance: float, active: FloatArray) 
 def _checked(time: ArrayLike, clearance: ArrayLike, law: WearLaw) -> tuple[FloatArray, FloatArray]:
     if law not in _LAWS:
         raise InputError(
-            f"must be one of {', '.join(_LAWS)}", field="law", value=law, example="running_in"
+            said("must be one of {known}", known=", ".join(_LAWS)),
+            field="law",
+            value=law,
+            example="running_in",
         )
     t, c = (np.asarray(values, dtype=np.float64) for values in (time, clearance))
     if t.ndim != 1 or t.shape != c.shape or len(t) > _MOST_POINTS:
         raise InputError(
-            f"must be a list of at most {_MOST_POINTS} numbers, as long as the times",
+            said(
+                "must be a list of at most {most} numbers, as long as the times", most=_MOST_POINTS
+            ),
             field="clearance",
             example="[27e-6, 36e-6, 41e-6]",
         )
     for field, values, allowed in (("time", t, t >= 0.0), ("clearance", c, np.isfinite(c))):
         bad = ~(np.isfinite(values) & allowed)
         if np.any(bad):
-            minimum = " not less than 0" if field == "time" else ""
             raise InputError(
-                f"must be finite numbers{minimum}", field=field, value=float(values[bad][0])
+                said("must be finite and not negative")
+                if field == "time"
+                else said("must be finite numbers"),
+                field=field,
+                value=float(values[bad][0]),
             )
     needed = len(_NAMES[law])
     if len(np.unique(t)) < needed:
         raise InputError(
-            f"must have at least {needed} different values for the law {law}",
+            said(
+                "must have at least {needed} different values for the law {law}",
+                needed=needed,
+                law=law,
+            ),
             field="time",
             value=len(np.unique(t)),
             example="[0, 216e3, 432e3, 648e3]",

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Sequence
 from math import isfinite, nan
 from typing import TYPE_CHECKING, Annotated, ClassVar, Final
 
 import typer
 
-from rolamento.cli.common import NO_RESULT, SOLVED, plain_endings, words_of
-from rolamento.cli.grouped_help import GroupedCommand, Groups
+from rolamento.cli.common import NO_RESULT, SOLVED, plain_endings
+from rolamento.cli.grouped_help import Groups
 from rolamento.cli.option_names import in_options
+from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.options import (
     ChannelOption,
     DurationOption,
@@ -24,12 +24,12 @@ from rolamento.cli.options import (
     plot_option,
 )
 from rolamento.cli.outputs import check_outputs
-from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
+from rolamento.cli.streams import STANDARD_STREAM, complain, put, put_json, show
 from rolamento.cli.table_options import DecimalMarkOption
 from rolamento.errors import InputError
+from rolamento.words import marked, said
 
 if TYPE_CHECKING:
-    from rolamento.report.language import Words
     from rolamento.tasks.noise import FullScale, NoiseResult
     from rolamento.vibration.anderon import BandName
 
@@ -38,7 +38,7 @@ _MOST_SCALE: Final = 1e9
 _SCALE_EXAMPLE: Final = "--full-scale low=30 or --full-scale low='120 um/s'"
 
 
-class AnderonCommand(GroupedCommand):
+class AnderonCommand(JsonCommand):
     """`rolamento anderon`, its help in groups."""
 
     groups: ClassVar[Groups] = {
@@ -128,9 +128,7 @@ def anderon(
         from rolamento import tasks
         from rolamento.cli.quantities import number_given
         from rolamento.cli.waiting import progress_of
-        from rolamento.report.anderon_words import NOISE_WORDS
 
-        words = words_of(lang)
         found = tasks.anderons(
             signals,
             speed=speed,
@@ -145,23 +143,23 @@ def anderon(
             start=number_given(start, "--start", "time", "--start '2 s'") or 0.0,
             duration=number_given(duration, "--duration", "time", "--duration '10 s'"),
             decimal_mark=decimal_mark,
-            stages=lambda stage: progress_of(NOISE_WORDS[words.code].reading),
+            stages=lambda stage: progress_of(said("blocks of the signal")),
         )
         if plot is not None:
-            _draw(found, plot, words.code)
-        _show(found, json, csv, record, words)
+            _draw(found, plot)
+        _show(found, json, csv, record)
     failed = found.measures_nothing or "rejected" in found.verdicts
     raise typer.Exit(NO_RESULT if failed else SOLVED)
 
 
 def _check_outputs(signals: list[str], outputs: dict[str, str | None], hours: str | None) -> None:
     """Refuse outputs that would run into each other or over a signal, or lack the hours."""
-    check_outputs(outputs, *signals, rule="is the file of a signal itself")
+    check_outputs(outputs, *signals, rule=marked("is one of the signal files; choose another name"))
     for option in ("--record", "--plot"):
         several = option == "--record" or len(signals) > 1
         if outputs[option] is not None and several and hours is None:
             raise InputError(
-                "needs the hours of each signal", source=option, example="--hours 60,120,180"
+                said("needs the hours of each signal"), source=option, example="--hours 60,120,180"
             )
 
 
@@ -181,13 +179,13 @@ def _full_scales_of(given: Sequence[str]) -> dict[BandName, FullScale]:
         name = next((band for band in BANDS if band == key.strip().casefold()), None)
         if name is None or not equals:
             raise InputError(
-                f"must be BAND=VALUE, with a BAND of {', '.join(BANDS)}",
+                said("must be BAND=VALUE; BAND is one of {bands}", bands=", ".join(BANDS)),
                 source="--full-scale",
                 value=setting,
                 example=_SCALE_EXAMPLE,
             )
         if name in found:
-            raise InputError("is given twice", source="--full-scale", field=name)
+            raise InputError(said("is given twice"), source="--full-scale", field=name)
         found[name] = _full_scale(text.strip(), name)
     return found
 
@@ -209,7 +207,7 @@ def _full_scale(text: str, name: BandName) -> FullScale:
         value = nan
     if not (isfinite(value) and 0.0 < value / scale <= _MOST_SCALE):
         raise InputError(
-            "must be a number of anderons over 0, or a velocity in um/s, mm/s, m/s or in/s",
+            said("must be a positive number of anderons, or a velocity in um/s, mm/s, m/s or in/s"),
             source="--full-scale",
             field=name,
             value=text,
@@ -226,41 +224,32 @@ def _hours_of(text: str) -> list[float]:
         return [nan]
 
 
-def _draw(found: NoiseResult, plot: str, language: str) -> None:
+def _draw(found: NoiseResult, plot: str) -> None:
     from rolamento.plots.anderon import noise_figure, noise_trend_figure
     from rolamento.plots.saving import save_figure
 
     one = found.measured[0]
     limits = found.limits_of(one)
     if len(found.measured) == 1:
-        figure = noise_figure(one.noise, limits=limits, title=one.title, language=language)
+        figure = noise_figure(one.noise, limits=limits, title=one.title)
     else:
-        from rolamento.report.anderon import noise_record
         from rolamento.weibull import parse_trend
 
-        record = parse_trend(noise_record(found, language))
-        figure = noise_trend_figure(record, limits=limits, language=language)
+        figure = noise_trend_figure(parse_trend(found.record()), limits=limits)
     save_figure(figure, plot)
 
 
-def _show(
-    found: NoiseResult, json: str | None, csv: str | None, record: str | None, words: Words
-) -> None:
-    """Write what was asked for; standard output takes data or the report, not both."""
-    from rolamento.report.anderon import noise_csv, noise_json, noise_record
+def _show(found: NoiseResult, json: str | None, csv: str | None, record: str | None) -> None:
+    """Write what was asked for; standard output takes data or the page, not both."""
+    from rolamento.pages.anderon import anderon_page, noise_statement
 
     if json is not None:
-        put(noise_json(found) + "\n", json)
+        put_json(found.to_mapping(), json)
     if csv is not None:
-        put(noise_csv(found), csv)
+        put(found.bands_csv(), csv)
     if record is not None:
-        put(noise_record(found, words.code), record)
+        put(found.record(), record)
     if STANDARD_STREAM not in (json, csv, record):
-        from rolamento.document.medium import Medium
-        from rolamento.report.anderon import noise_report
-
-        print_text(noise_report(found, words, Medium.of(sys.stdout)))
+        show(anderon_page(found))
     elif "rejected" in found.verdicts:
-        from rolamento.report.anderon import noise_statement
-
-        complain(noise_statement(found, words))
+        complain(noise_statement(found))

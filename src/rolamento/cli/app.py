@@ -32,11 +32,11 @@ from rolamento.cli.options import (
     CaseArgument,
     LanguageOption,
     SettingsOption,
-    csv_option,
     json_option,
 )
-from rolamento.cli.outputs import check_outputs
+from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
 from rolamento.cli.plot import plot
+from rolamento.cli.report import report
 from rolamento.cli.reproduce import reproduce
 from rolamento.cli.streams import STANDARD_STREAM, end_of_output, print_text, put
 from rolamento.cli.sweep import sweep
@@ -55,7 +55,7 @@ if TYPE_CHECKING:
 
 _PROGRAM: Final = "rolamento"
 COMMANDS: Final[Groups] = {
-    "Inside the bearing": ("demo", "solve", "turn", "friction"),
+    "Inside the bearing": ("demo", "solve", "turn", "friction", "report"),
     "Life and life tests": ("life", "weibull", "weibull-plan", "trend"),
     "Vibration": ("frequencies", "diagnose", "synthesise", "anderon"),
     "Catalogue and clearance": ("catalogue", "clearance"),
@@ -106,6 +106,7 @@ def rolamento_command(
         bool,
         typer.Option("--version", help="Show the version.", callback=_print_version, is_eager=True),
     ] = False,
+    lang: LanguageOption = None,
 ) -> None:
     """Ball bearing analysis: what happens inside, and what follows from it.
 
@@ -115,24 +116,26 @@ def rolamento_command(
 
 @app.command(
     cls=JsonCommand,
-    epilog="Examples: solve case.toml --json; solve case.toml --set duty.load.fz='10 kN'.",
+    epilog="Examples: solve case.toml --json; solve case.toml --set duty.load.fz='10 kN';"
+    " solve case.toml --report state.pdf --csv stiffness.csv --table stiffness.",
 )
+@with_outputs
 def solve(
     case: CaseArgument,
     json: Annotated[str | None, json_option("Write the state as JSON, in SI units")] = None,
-    csv: Annotated[str | None, csv_option("Write the table of balls")] = None,
+    outputs: Outputs = NOWHERE,
     settings: SettingsOption = None,
     lang: LanguageOption = None,
 ) -> None:
     """Show the internal state of a bearing under its duty."""
     with plain_endings(lang):
-        check_outputs({"--json": json, "--csv": csv}, case)
+        outputs.check({"--json": json}, case)
         analysis = _analysed(rolamento.load_case(case, settings or ()), lang)
-        _show(analysis, json, csv, lang)
+        _show(analysis, json, outputs, lang)
     raise typer.Exit(SOLVED if analysis.solved.converged[0] else NO_RESULT)
 
 
-@app.command()
+@app.command(cls=JsonCommand)
 def demo(
     write: Annotated[
         str | None,
@@ -152,7 +155,7 @@ def demo(
             write_example(write)
             print_text(words.demo_written.format(path=write, command=_command()) + "\n")
             return
-        _show(_analysed(example_case(), lang), None, None, lang)
+        _show(_analysed(example_case(), lang), None, NOWHERE, lang)
         print_text(_what_next(words))
 
 
@@ -165,30 +168,25 @@ def _analysed(case: rolamento.Case, lang: Language | None) -> rolamento.Analysis
 
 
 def _show(
-    analysis: rolamento.Analysis, json: str | None, csv: str | None, lang: Language | None
+    analysis: rolamento.Analysis, json: str | None, outputs: Outputs, lang: Language | None
 ) -> None:
-    """Write what was asked for; standard output takes data or the report, not both."""
+    """Write what was asked for; standard output takes data or the page, not both."""
+    from rolamento.pages.state import state_page
+
     if json is not None:
         put(analysis.to_json() + "\n", json)
-    if csv is not None:
-        from rolamento.report.balls import ball_csv
-
-        put(ball_csv(analysis.solved), csv)
-    if STANDARD_STREAM not in (json, csv):
-        from rolamento.document.medium import Medium
-        from rolamento.report.terminal import terminal_report
-
-        print_text(
-            terminal_report(analysis.solved, words_of(lang), Medium.of(sys.stdout), analysis)
-        )
-    elif not analysis.solved.converged[0]:
+    outputs.show(lambda: state_page(analysis.solved, analysis), json)
+    if STANDARD_STREAM in (json, outputs.csv) and not analysis.solved.converged[0]:
         complain_of(analysis.solved, lang)
 
 
-app.command(epilog="Examples: sweep study.toml -o result.nc; sweep --list fields.")(sweep)
 app.command(
+    cls=JsonCommand, epilog="Examples: sweep study.toml -o result.nc; sweep --list fields."
+)(sweep)
+app.command(
+    cls=JsonCommand,
     epilog="Examples: plot state.json --kind ellipses -o ellipses.pdf;"
-    " plot sweep.nc --variable stiffness_zz."
+    " plot sweep.nc --variable stiffness_zz.",
 )(plot)
 app.command(
     cls=JsonCommand,
@@ -200,6 +198,11 @@ app.command(
     epilog="Examples: life case.toml --reliability 0.95; life left.toml right.toml;"
     " life case.toml --spectrum steps.csv; life case.toml --over duty.load.fz=1..8kN.",
 )(life)
+app.command(
+    cls=JsonCommand,
+    epilog="Examples: report case.toml -o report.pdf --author 'A. Souza';"
+    " report old.toml new.toml -o comparison.html; report 6305 --set duty.load.fz='2 kN'.",
+)(report)
 app.command(cls=JsonCommand, epilog="Example: clearance case.toml --samples 10000.")(clearance)
 app.command(
     cls=JsonCommand,
@@ -232,7 +235,9 @@ app.command(
 )(trend)
 app.command(cls=JsonCommand, epilog="Example: turn case.toml --plot turn.png.")(turn)
 app.command(cls=JsonCommand, epilog="Example: tolerance scatter.nc --plot bands.png.")(tolerance)
-app.command(epilog="Example: reproduce radaelli-2013 --output radaelli --lang pt.")(reproduce)
+app.command(
+    cls=JsonCommand, epilog="Example: reproduce radaelli-2013 --output radaelli --lang pt."
+)(reproduce)
 app.command(cls=JsonCommand)(verify)
 app.add_typer(catalogue_app, name="catalogue")
 

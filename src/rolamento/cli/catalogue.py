@@ -20,6 +20,7 @@ from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.options import JsonOption, LanguageOption
 from rolamento.cli.streams import STANDARD_STREAM, print_text, put
 from rolamento.errors import InputError
+from rolamento.words import said
 
 if TYPE_CHECKING:
     from rolamento.catalogue import Catalogue, CatalogueBearing, InternalGeometry
@@ -63,7 +64,9 @@ def search(
     """List the bearings whose designation has a text in it."""
     with plain_endings(lang):
         if not 1 <= most <= _MOST_OF_ALL:
-            raise InputError(f"must be between 1 and {_MOST_OF_ALL}", value=most, source="--most")
+            raise InputError(
+                said("must be between 1 and {most}", most=_MOST_OF_ALL), value=most, source="--most"
+            )
         found = _catalogue(files).search(text, most + 1)
         _show_list(found[:most], len(found) <= most, json, lang)
     raise typer.Exit(SOLVED if found else NO_RESULT)
@@ -135,7 +138,7 @@ def _with_ratings(
         except InputError as error:
             raise error.with_details(source=option) from None
         if not 1.0 <= value <= 1e9:
-            raise InputError("must be between 1 N and 1 GN", value=text, source=option)
+            raise InputError(said("must be between 1 N and 1 GN"), value=text, source=option)
         given[name] = value
     sources = {**bearing.sources, **dict.fromkeys(given, "given")}
     own = dataclasses.replace(bearing, f0=None, **given, sources=sources)

@@ -12,7 +12,7 @@ import typer
 
 from rolamento.cli.streams import STANDARD_STREAM, complain
 from rolamento.errors import InputError
-from rolamento.words import language_of, said, speaking
+from rolamento.words import language, languages, said, speaking
 
 if TYPE_CHECKING:
     from rolamento.report.language import Words
@@ -24,17 +24,21 @@ WRONG_INPUT: Final = 2
 INTERRUPTED: Final = 130
 
 
-class Language(StrEnum):
-    """The languages of reports."""
+if TYPE_CHECKING:
 
-    pt = "pt"
-    en = "en"
+    class Language(StrEnum):
+        """The languages that there are catalogues for."""
+
+        en = "en"
+
+else:
+    Language = StrEnum("Language", {code: code for code in languages()})
 
 
 @contextmanager
 def plain_endings(lang: Language | None) -> Iterator[None]:
     """Turn wrong input and Ctrl-C into one line and an exit code; a bug stays a traceback."""
-    with speaking(lang.value if lang else language_of()):
+    with speaking(lang):
         try:
             yield
         except InputError as error:
@@ -61,7 +65,7 @@ def words_of(lang: Language | None) -> Words:
     """Return the words of a language, or of the locale."""
     from rolamento.report.language import words_for
 
-    return words_for(lang.value if lang else None)
+    return words_for(lang or language())
 
 
 def same_file(path: str, other: str) -> bool:

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Annotated, ClassVar, Final
 
 import typer
 
-from rolamento.cli.common import NO_RESULT, SOLVED, Language, plain_endings, words_of
-from rolamento.cli.grouped_help import GroupedCommand, Groups
+from rolamento.cli.common import NO_RESULT, SOLVED, Language, plain_endings
+from rolamento.cli.grouped_help import Groups
 from rolamento.cli.option_names import in_options
+from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.options import (
     ChannelOption,
     DurationOption,
@@ -26,13 +26,13 @@ from rolamento.cli.options import (
     plot_option,
 )
 from rolamento.cli.outputs import check_outputs
-from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
+from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put, put_json, show
 from rolamento.cli.table_options import DecimalMarkOption
 from rolamento.errors import InputError
+from rolamento.words import marked, said
 
 if TYPE_CHECKING:
     from rolamento.cli.waiting import Progress
-    from rolamento.report.language import Words
     from rolamento.tasks.diagnosis import DiagnosisResult, TooShort
     from rolamento.tasks.parameters import Stages
 
@@ -42,7 +42,7 @@ _SLIP: Final = 0.02
 _SPEED_TOLERANCE: Final = "3 %"
 
 
-class DiagnoseCommand(GroupedCommand):
+class DiagnoseCommand(JsonCommand):
     """`rolamento diagnose`, its help in groups."""
 
     groups: ClassVar[Groups] = {
@@ -201,12 +201,13 @@ def diagnose(
     """
     with plain_endings(lang), in_options(diagnose, tolerance="--slip"):
         outputs = {"--json": json, "--csv": csv, "--plot": plot, "--kurtogram": kurtogram}
-        check_outputs(outputs, signal, bearing, rule="is a file that is read")
+        check_outputs(
+            outputs, signal, bearing, rule=marked("is one of the input files; choose another name")
+        )
         from rolamento import tasks
         from rolamento.cli.quantities import number_given
         from rolamento.vibration.diagnosis import DiagnosisSettings
 
-        words = words_of(lang)
         found = tasks.diagnose(
             signal,
             bearing,
@@ -233,13 +234,13 @@ def diagnose(
                 speed_tolerance=_part_of_one(speed_tolerance),
             ),
             settings=settings or [],
-            stages=_stages_shown(words, lang),
+            stages=_stages_shown(lang),
         )
         if isinstance(found, tasks.TooShort):
-            _show_too_short(found, json, words.code)
+            _show_too_short(found, json)
             raise typer.Exit(NO_RESULT)
-        _draw(found, plot, kurtogram, words.code)
-        _show(found, json, csv, words)
+        _draw(found, plot, kurtogram)
+        _show(found, json, csv)
     raise typer.Exit(NO_RESULT if found.verdict in _NO_VERDICT else SOLVED)
 
 
@@ -250,7 +251,7 @@ def _part_of_one(text: str) -> float:
         value = float(number.removesuffix("%"))
     except ValueError:
         raise InputError(
-            "must be a part such as 0.03, or in percent",
+            said("must be a fraction such as 0.03, or a percentage"),
             field="speed_tolerance",
             value=text,
             example=f'speed_tolerance="{_SPEED_TOLERANCE}"',
@@ -258,12 +259,9 @@ def _part_of_one(text: str) -> float:
     return value / 100.0 if number.endswith("%") else value
 
 
-def _stages_shown(words: Words, lang: Language | None) -> Stages:
+def _stages_shown(lang: Language | None) -> Stages:
     """Return what shows at a terminal which stage of a diagnosis takes long, and how far it is."""
     from rolamento.cli.waiting import progress_of, waiting
-    from rolamento.report.diagnosis_words import DIAGNOSIS_WORDS
-
-    said = DIAGNOSIS_WORDS[words.code]
 
     @contextmanager
     def shown(stage: str) -> Iterator[Progress]:
@@ -271,26 +269,27 @@ def _stages_shown(words: Words, lang: Language | None) -> Stages:
             with waiting(lang):
                 yield lambda done, total: None
         else:
-            with progress_of(said.tracking if stage == "tracking" else said.reading) as progress:
+            text = said("blocks of the signal")
+            if stage == "tracking":
+                text = said("blocks of the signal, for the speed")
+            with progress_of(text) as progress:
                 yield progress
 
     return shown
 
 
-def _show_too_short(found: TooShort, json: str | None, language: str) -> None:
+def _show_too_short(found: TooShort, json: str | None) -> None:
     """Write JSON where it was asked for, and say it to the person."""
-    from rolamento.report.diagnosis import too_short_json
-    from rolamento.report.diagnosis_sentences import said_too_short
-
+    text = " ".join(note.text for note in found.statement)
     if json is not None:
-        put(too_short_json(found) + "\n", json)
+        put_json(found.to_mapping(), json)
     if json == STANDARD_STREAM:
-        complain(said_too_short(found, language))
+        complain(text)
     else:
-        print_text(said_too_short(found, language) + "\n")
+        print_text(text + "\n")
 
 
-def _draw(found: DiagnosisResult, plot: str | None, kurtogram: str | None, language: str) -> None:
+def _draw(found: DiagnosisResult, plot: str | None, kurtogram: str | None) -> None:
     if plot is None and kurtogram is None:
         return
     from rolamento.plots.saving import save_figure
@@ -298,28 +297,24 @@ def _draw(found: DiagnosisResult, plot: str | None, kurtogram: str | None, langu
 
     title = f"{found.bearing_name}: {found.title}"
     if plot is not None:
-        figure = diagnosis_figure(found.signal, found.diagnosis, title=title, language=language)
+        figure = diagnosis_figure(found.signal, found.diagnosis, title=title)
         save_figure(figure, plot)
     if kurtogram is not None:
         fault = found.diagnosis.clearest_fault
         band = None if fault is None else fault.band
-        picture = kurtogram_figure(found.signal, band=band, title=title, language=language)
+        picture = kurtogram_figure(found.signal, band=band, title=title)
         save_figure(picture, kurtogram)
 
 
-def _show(found: DiagnosisResult, json: str | None, csv: str | None, words: Words) -> None:
-    """Write what was asked for; standard output takes data or the report, not both."""
-    from rolamento.report.diagnosis import diagnosis_csv, diagnosis_json, diagnosis_report
-
+def _show(found: DiagnosisResult, json: str | None, csv: str | None) -> None:
+    """Write what was asked for; standard output takes data or the page, not both."""
     if json is not None:
-        put(diagnosis_json(found) + "\n", json)
+        put_json(found.to_mapping(), json)
     if csv is not None:
-        put(diagnosis_csv(found), csv)
+        put(found.spectrum_csv(), csv)
     if STANDARD_STREAM not in (json, csv):
-        from rolamento.document.medium import Medium
+        from rolamento.pages.diagnosis import diagnosis_page
 
-        print_text(diagnosis_report(found, words, Medium.of(sys.stdout)))
+        show(diagnosis_page(found))
     elif found.verdict in _NO_VERDICT:
-        from rolamento.report.diagnosis_sentences import said_result
-
-        complain(" ".join(said_result(found, words.code)))
+        complain(" ".join(note.text for note in found.statement))

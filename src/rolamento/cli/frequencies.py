@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import sys
 from typing import TYPE_CHECKING, Annotated, Any, Final
 
 import typer
 
-from rolamento.cli.common import NO_RESULT, SOLVED, plain_endings, words_of
+from rolamento.cli.common import NO_RESULT, SOLVED, plain_endings
 from rolamento.cli.option_names import in_options
 from rolamento.cli.options import (
     BearingArgument,
@@ -20,8 +19,9 @@ from rolamento.cli.options import (
     csv_option,
 )
 from rolamento.cli.outputs import check_outputs
-from rolamento.cli.streams import STANDARD_STREAM, print_text, put
+from rolamento.cli.streams import STANDARD_STREAM, put, put_json, show
 from rolamento.errors import InputError
+from rolamento.words import said
 
 if TYPE_CHECKING:
     from rolamento.tasks.frequencies import FrequencyResult
@@ -91,7 +91,7 @@ def frequencies(
             sidebands=sidebands,
             settings=settings or (),
         )
-        _show(found, json, csv, lang)
+        _show(found, json, csv)
     failed = found.solved is not None and not found.solved.converged[0]
     raise typer.Exit(NO_RESULT if failed else SOLVED)
 
@@ -106,7 +106,10 @@ def _tolerances(given: list[str]) -> Tolerances:
             key, equals, text = setting.partition("=")
             if not equals or key not in _TOLERANCES:
                 raise InputError(
-                    f"must be KEY=VALUE, with a KEY of {', '.join(_TOLERANCES)}",
+                    said(
+                        "must be KEY=VALUE; KEY is one of {tolerances}",
+                        tolerances=", ".join(_TOLERANCES),
+                    ),
                     value=setting,
                     example="speed=0.01",
                 )
@@ -121,20 +124,17 @@ def _part_of_one(key: str, text: str) -> float:
     try:
         return float(text)
     except ValueError:
-        raise InputError("must be a part", field=key, value=text, example=f"{key}=0.01") from None
+        raise InputError(
+            said("must be a fraction"), field=key, value=text, example=f"{key}=0.01"
+        ) from None
 
 
-def _show(found: FrequencyResult, json: str | None, csv: str | None, lang: Any) -> None:
-    from rolamento.document.medium import Medium
-    from rolamento.report.frequencies import (
-        frequencies_csv,
-        frequencies_json,
-        frequencies_report,
-    )
-
+def _show(found: FrequencyResult, json: str | None, csv: str | None) -> None:
     if json is not None:
-        put(frequencies_json(found) + "\n", json)
+        put_json(found.to_mapping(), json)
     if csv is not None:
-        put(frequencies_csv(found), csv)
+        put(found.lines_csv(), csv)
     if STANDARD_STREAM not in (json, csv):
-        print_text(frequencies_report(found, words_of(lang), Medium.of(sys.stdout)))
+        from rolamento.pages.frequencies import frequencies_page
+
+        show(frequencies_page(found))

@@ -36,6 +36,7 @@ from rolamento.cli.over_field import (
 from rolamento.cli.streams import STANDARD_STREAM, print_text, put
 from rolamento.cli.waiting import waiting
 from rolamento.errors import InputError
+from rolamento.words import said
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -92,9 +93,20 @@ def friction(
             solved = _one(chosen, hysteresis, json, lang)
         else:
             curves = _curves(chosen, over, points, log, variants or [], hysteresis, lang)
+            from rolamento.document.medium import Medium
             from rolamento.report import friction_curves
 
-            solved = show_curves(curves, friction_curves, _figure, (json, csv, plot), lang)
+            solved = show_curves(
+                curves,
+                json_text=friction_curves.curves_json,
+                csv_text=friction_curves.curves_csv,
+                page_text=lambda shown: friction_curves.curves_report(
+                    shown, words_of(lang), Medium.of(sys.stdout)
+                ),
+                figure=_figure,
+                outputs=(json, csv, plot),
+                lang=lang,
+            )
     raise typer.Exit(SOLVED if solved else NO_RESULT)
 
 
@@ -111,7 +123,10 @@ def _check(
         for name, given in (("--csv", csv), ("--plot", plot), ("--variant", variants or None)):
             if given is not None:
                 raise InputError(
-                    "needs --over", field=name, value=given, example="--over duty.load.fx=10..200N"
+                    said("needs --over"),
+                    field=name,
+                    value=given,
+                    example="--over duty.load.fx=10..200N",
                 )
     check_variants(variants)
     check_outputs({"--json": json, "--csv": csv, "--plot": plot}, case)
@@ -119,7 +134,9 @@ def _check(
 
 def _check_share(name: str, value: float | None) -> None:
     if value is not None and not 0.0 <= value <= 1.0:
-        raise InputError("must be from 0 to 1", field=name, value=value, example=f"{name} 0.1")
+        raise InputError(
+            said("must be from 0 to 1"), field=name, value=value, example=f"{name} 0.1"
+        )
 
 
 def _with_coefficient(case: rolamento.Case, coefficient: float | None) -> rolamento.Case:
@@ -138,7 +155,7 @@ def _one(case: rolamento.Case, hysteresis: float, json: str | None, lang: Langua
 
     if case.lubricant is None or case.lubricant.friction_coefficient is None:
         raise InputError(
-            "is missing: friction rests on it",
+            said("is missing; the friction calculation needs it"),
             field="lubricant.friction_coefficient",
             example="--coefficient 0.1",
         )
@@ -177,7 +194,7 @@ def _curves(
         ]
 
 
-def _figure(curves: Sequence[FrictionCurve], language: str) -> Figure:
+def _figure(curves: Sequence[FrictionCurve]) -> Figure:
     from rolamento.plots.friction import friction_figure
 
-    return friction_figure(curves, language)
+    return friction_figure(curves)

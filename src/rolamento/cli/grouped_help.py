@@ -1,45 +1,92 @@
-"""Help in groups: commands by what a person wants, options by what they are about."""
+"""Help in the language of its reader, in groups: commands by purpose, options by subject."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any, ClassVar, Final
+import copy
+from collections.abc import Mapping, Sequence
+from typing import Any, ClassVar, Final, TypeVar
 
-from typer.core import TyperGroup
+import typer.core
+from typer.core import TyperCommand, TyperGroup
 
-from rolamento.cli.optional_value import JsonCommand
+from rolamento.cli.complaints import UsageError, complaining
+from rolamento.errors import nearest
+from rolamento.words import language_asked, marked, said, said_in, speaking
 
-__all__ = ["GroupedCommand", "GroupedCommands", "Groups"]
+__all__ = ["METAVAR", "GroupedCommands", "Groups", "SpokenCommand"]
 
 Groups = Mapping[str, tuple[str, ...]]
 """Headings, in their order, and the names below each."""
 
+METAVAR: Final = "metavar"
+"""The context of words that stand for a value, such as FILE."""
+
 _LONGEST: Final = 200
 """Characters of a one-line help, which is wrapped and not cut where it is too long for a line."""
 
+typer.core._ = said  # type: ignore[attr-defined, assignment]  # else it asks the process's own catalogue
+_OF_TYPER: Final = (
+    marked("default: {default}"),
+    marked("required"),
+    marked("Missing command."),
+    marked("Aborted!"),
+    marked("Show this message and exit."),
+)
+"""What Typer says, beside what is said here in its place."""
 
-class GroupedCommand(JsonCommand):
-    """A command whose help shows the options in groups, by the names of their parameters."""
+
+class SpokenCommand(TyperCommand):
+    """A command whose help is said, the options in groups by the names of their parameters."""
 
     groups: ClassVar[Groups] = {}
 
+    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
+        """Parse the arguments, and refuse those that are too many."""
+        ctx.allow_extra_args = True  # to be refused here
+        try:
+            extra = super().parse_args(ctx, args)
+        except UsageError as error:
+            error.ctx = error.ctx or ctx
+            raise
+        if extra:
+            ctx.fail(said("Got unexpected extra arguments: {arguments}", arguments=" ".join(extra)))
+        return extra
+
+    def format_usage(self, ctx: Any, formatter: Any) -> None:
+        """Write how the command is called."""
+        _write_usage(self, ctx, formatter)
+
+    def format_help(self, ctx: Any, formatter: Any) -> None:
+        """Write the help in the language that is spoken."""
+        super(SpokenCommand, _spoken(self)).format_help(ctx, formatter)
+
     def format_options(self, ctx: Any, formatter: Any) -> None:
         """Write the arguments, and the options below their headings."""
-        arguments: dict[str, tuple[str, str]] = {}
-        options: dict[str, tuple[str, str]] = {}
-        for parameter in self.get_params(ctx):
-            record = parameter.get_help_record(ctx)
-            if record is not None:
-                is_argument = parameter.param_type_name == "argument"
-                (arguments if is_argument else options)[str(parameter.name)] = record
-        groups = _grouped(options, self.groups, "Options")
-        _write(formatter, {"Arguments": list(arguments.values()), **groups})
+        _write_options(self, ctx, formatter, {})
 
 
 class GroupedCommands(TyperGroup):
     """A command whose help shows its own commands in groups, with all of the one-line help."""
 
     groups: ClassVar[Groups] = {}
+
+    def main(self, args: Sequence[str] | None = None, *others: Any, **more: Any) -> Any:
+        """Run in the language that the arguments ask for, or else in that of the locale."""
+        with speaking(language_asked(args)), complaining():
+            more["standalone_mode"] = False
+            raise SystemExit(super().main(args, *others, **more) or 0)
+
+    def resolve_command(self, ctx: Any, args: list[str]) -> tuple[str | None, Any, list[str]]:
+        """Find the command that is called, or name the nearest one."""
+        name = args[0]
+        if self.get_command(ctx, name) is None and not name.startswith("-"):
+            near = nearest(name, self.commands)
+            ctx.fail(
+                said("No such command: {name}. Did you mean {near}?", name=name, near=near)
+                if near
+                else said("No such command: {name}.", name=name)
+            )
+        return super().resolve_command(ctx, args)
 
     def list_commands(self, ctx: Any) -> list[str]:
         """Return the names, in the order of the groups."""
@@ -48,14 +95,63 @@ class GroupedCommands(TyperGroup):
         ordered = [name for name in named if name in known]
         return ordered + [name for name in known if name not in named]
 
-    def format_commands(self, ctx: Any, formatter: Any) -> None:
-        """Write the commands below their headings."""
-        records: dict[str, tuple[str, str]] = {}
+    def format_usage(self, ctx: Any, formatter: Any) -> None:
+        """Write how the command is called."""
+        _write_usage(self, ctx, formatter)
+
+    def format_help(self, ctx: Any, formatter: Any) -> None:
+        """Write the help in the language that is spoken."""
+        super(GroupedCommands, _spoken(self)).format_help(ctx, formatter)
+
+    def format_options(self, ctx: Any, formatter: Any) -> None:
+        """Write the options, and the commands below their headings."""
+        commands: dict[str, tuple[str, str]] = {}
         for name in self.list_commands(ctx):
             command = self.get_command(ctx, name)
             if command is not None and not command.hidden:
-                records[name] = name, command.get_short_help_str(_LONGEST)
-        _write(formatter, _grouped(records, self.groups, "Commands"))
+                commands[name] = name, _spoken(command).get_short_help_str(_LONGEST)
+        _write_options(self, ctx, formatter, _grouped(commands, self.groups, marked("Commands")))
+
+
+C = TypeVar("C")
+
+
+def _spoken(shown: C) -> C:
+    """Return a command or a parameter that says its help in the language that is spoken."""
+    copied: Any = copy.copy(shown)
+    for name in ("help", "epilog"):
+        if getattr(copied, name, None):
+            setattr(copied, name, said(getattr(copied, name)))
+    if getattr(copied, "metavar", None):
+        copied.metavar = said_in(METAVAR, copied.metavar)
+    return copied  # type: ignore[no-any-return]
+
+
+def _write_usage(command: Any, ctx: Any, formatter: Any) -> None:
+    pieces = [said_in(METAVAR, command.options_metavar)]
+    for parameter in command.get_params(ctx):
+        pieces += _spoken(parameter).get_usage_pieces(ctx)
+    if isinstance(command, TyperGroup):
+        pieces.append(said_in(METAVAR, command.subcommand_metavar))
+    formatter.write_usage(ctx.command_path, " ".join(pieces), said("Usage: "))
+
+
+def _write_options(
+    command: Any, ctx: Any, formatter: Any, more: Mapping[str, Sequence[tuple[str, str]]]
+) -> None:
+    """Write arguments and options below their headings, then what stands below further ones."""
+    arguments: list[tuple[str, str]] = []
+    options: dict[str, tuple[str, str]] = {}
+    for parameter in command.get_params(ctx):
+        record = _spoken(parameter).get_help_record(ctx)
+        if record is not None and parameter.param_type_name == "argument":
+            arguments.append(record)
+        elif record is not None:
+            options[str(parameter.name)] = record
+    of_command = {} if more else command.groups
+    groups = _grouped(options, of_command, marked("Options"))
+    _write(formatter, {marked("Arguments"): arguments, **groups})
+    _write(formatter, more)
 
 
 def _grouped(
@@ -71,10 +167,10 @@ def _grouped(
     return found
 
 
-def _write(formatter: Any, groups: Mapping[str, list[tuple[str, str]]]) -> None:
+def _write(formatter: Any, groups: Mapping[str, Sequence[tuple[str, str]]]) -> None:
     """Write what stands below each heading, in one column for all of them."""
     width = max((len(name) for group in groups.values() for name, _ in group), default=0)
     for heading, group in groups.items():
         if group:
-            with formatter.section(heading):
+            with formatter.section(said(heading)):
                 formatter.write_dl([(name.ljust(width), text) for name, text in group])

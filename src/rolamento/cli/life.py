@@ -15,7 +15,6 @@ from rolamento.cli.common import (
     complain_of,
     complain_of_points,
     plain_endings,
-    words_of,
 )
 from rolamento.cli.options import LanguageOption, SettingsOption, csv_option, json_option
 from rolamento.cli.outputs import check_outputs
@@ -32,13 +31,15 @@ from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
 from rolamento.cli.table_options import DecimalMarkOption, told_in_options
 from rolamento.cli.waiting import waiting
 from rolamento.errors import InputError
+from rolamento.words import marked, said
+from rolamento.words.reasons import reason
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from matplotlib.figure import Figure
 
-    from rolamento.document.medium import Medium
+    from rolamento.document import Document
     from rolamento.tasks.life_over import LifeCurve
 
 __all__ = ["life"]
@@ -108,9 +109,18 @@ def life(
         tables = {"nsk_table": nsk_table, "decimal_mark": decimal_mark}
         if over is not None:
             curves = _curves(cases[0], over, points, log, variants or [], tables, lang)
-            from rolamento.report import life_curves
+            from rolamento.pages.life_over import life_over_page
+            from rolamento.tasks.life_over import curves_csv, curves_json
 
-            solved = show_curves(curves, life_curves, _figure, (json, csv, plot), lang)
+            solved = show_curves(
+                curves,
+                json_text=curves_json,
+                csv_text=curves_csv,
+                page_text=lambda shown: _text(life_over_page(shown)),
+                figure=_figure,
+                outputs=(json, csv, plot),
+                lang=lang,
+            )
         elif spectrum is not None:
             solved = _spectrum(cases[0], spectrum, tables, json, csv, lang)
         elif len(cases) > 1:
@@ -135,13 +145,15 @@ def _setting_of(reliability: float) -> str:
 def _check(cases: list[str], over: str | None, spectrum: str | None, variants: list[str]) -> None:
     """Refuse what does not go together, before any work."""
     if over is not None and spectrum is not None:
-        raise InputError("is given beside --over; give one", field="--spectrum", value=spectrum)
+        raise InputError(said("cannot be combined with --over"), field="--spectrum", value=spectrum)
     for name, given in (("--over", over), ("--spectrum", spectrum)):
         if given is not None and len(cases) > 1:
-            raise InputError("is for one case, and these are several", field=name, value=given)
+            raise InputError(
+                said("is for a single case; several are given"), field=name, value=given
+            )
     if variants and over is None:
         raise InputError(
-            "needs --over",
+            said("needs --over"),
             field="--variant",
             value=variants[0],
             example="--over duty.load.fz=1..8kN",
@@ -154,23 +166,25 @@ def _check_files(
 ) -> None:
     """Refuse outputs without what they show, or that run into each other or into what is read."""
     if read.count(STANDARD_STREAM) > 1:
-        raise InputError("can be read once", source="standard input")
+        raise InputError(said("can be read only once"), source="standard input")
     outputs = {name: path for name, path in given.items() if path is not None}
     if "--csv" in outputs and over is None and spectrum is None:
-        raise InputError("needs --over or --spectrum", field="--csv", value=outputs["--csv"])
+        raise InputError(said("needs --over or --spectrum"), field="--csv", value=outputs["--csv"])
     if "--plot" in outputs and over is None:
         raise InputError(
-            "needs --over",
+            said("needs --over"),
             field="--plot",
             value=outputs["--plot"],
             example="--over duty.load.fz=1..8kN",
         )
-    check_outputs(given, *read, rule="is read by this command")
+    check_outputs(given, *read, rule=marked("is one of the input files; choose another name"))
     file = outputs.get("--json", "")
     if file.lower().endswith(".toml"):
         raise InputError(
-            "is taken for the FILE of --json; put --json last, or a name that ends in .json"
-            " behind it",
+            said(
+                "is taken as the FILE of --json; put --json last, or follow it with a "
+                "name that ends in .json"
+            ),
             field="--json",
             value=file,
             example="life a.toml b.toml --json",
@@ -181,16 +195,15 @@ def _one(
     case: rolamento.Case, tables: dict[str, str | None], json: str | None, lang: Language | None
 ) -> bool:
     """Show the life of a case; tell whether it has a result."""
-    from rolamento.report.life import life_json, life_report
+    from rolamento.pages.life import life_page
     from rolamento.tasks.life import life_of_case
 
     with told_in_options(), waiting(lang):
         found = life_of_case(case, **tables)
     if json is not None:
-        put(life_json(found.solved, found.life, found.changes) + "\n", json)
+        put(found.to_json() + "\n", json)
     if json != STANDARD_STREAM:
-        words = words_of(lang)
-        print_text(life_report(found.solved, found.life, found.changes, words, _medium()))
+        print_text(_text(life_page(found.solved, found.life, found.changes)))
     elif not found.converged:
         complain_of(found.solved, lang)
     return found.converged
@@ -204,7 +217,7 @@ def _shaft(
     lang: Language | None,
 ) -> bool:
     """Show the lives of several bearings and of all together."""
-    from rolamento.report.shaft import shaft_json, shaft_report
+    from rolamento.pages.shaft import shaft_page
     from rolamento.tasks.life import life_of_shaft
 
     with told_in_options(), waiting(lang):
@@ -212,13 +225,12 @@ def _shaft(
     titles = [own.title for own in cases]
     names = titles if all(titles) and len(set(titles)) == len(titles) else paths
     if json is not None:
-        put(shaft_json(found, names) + "\n", json)
+        put(found.to_json(names) + "\n", json)
     if json != STANDARD_STREAM:
-        print_text(shaft_report(found, names, words_of(lang), _medium()))
+        print_text(_text(shaft_page(found, names)))
     elif not found.converged:
-        words = words_of(lang)
         failed = next(solved for solved in found.bearings if not solved.converged[0])
-        complain(f"{failed.title}: {words.reason(failed)}")
+        complain(f"{failed.title}: {reason(str(failed.status.code[0]))}")
     return found.converged
 
 
@@ -231,18 +243,17 @@ def _spectrum(
     lang: Language | None,
 ) -> bool:
     """Show the life under a duty of several steps."""
-    from rolamento.report.life_spectrum import spectrum_csv, spectrum_json, spectrum_report
-    from rolamento.tasks.life_spectrum import life_under
+    from rolamento.pages.life_spectrum import life_spectrum_page
+    from rolamento.tasks.life_spectrum import life_under, spectrum_csv
 
     with told_in_options(), waiting(lang):
         found = life_under(case, path, **tables)
-    words = words_of(lang)
     if json is not None:
-        put(spectrum_json(found) + "\n", json)
+        put(found.to_json() + "\n", json)
     if csv is not None:
         put(spectrum_csv(found), csv)
     if STANDARD_STREAM not in (json, csv):
-        print_text(spectrum_report(found, words, _medium()))
+        print_text(_text(life_spectrum_page(found)))
     elif not found.converged:
         failed = found.status[(found.status != "converged") & found.taking_part]
         complain_of_points(failed, len(found.steps), lang)
@@ -268,13 +279,14 @@ def _curves(
         return [life_curve(one, chosen, label=label, **tables) for label, one in cases]
 
 
-def _figure(curves: Sequence[LifeCurve], language: str) -> Figure:
+def _figure(curves: Sequence[LifeCurve]) -> Figure:
     from rolamento.plots.life import life_figure
 
-    return life_figure(curves, language)
+    return life_figure(curves)
 
 
-def _medium() -> Medium:
+def _text(page: Document) -> str:
     from rolamento.document.medium import Medium
+    from rolamento.document.terminal import terminal
 
-    return Medium.of(sys.stdout)
+    return terminal(page, Medium.of(sys.stdout))

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from typing import Any, Final
 
-from typer.core import TyperCommand
+from rolamento.cli.grouped_help import SpokenCommand
 
 __all__ = ["JsonCommand", "with_values"]
 
@@ -17,7 +17,7 @@ _OPTION: Final = "--json"
 _LEFT_OUT: Final = "--json=-"
 
 
-class JsonCommand(TyperCommand):
+class JsonCommand(SpokenCommand):
     """A command in which the value of ``--json`` may be left out."""
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:

@@ -62,7 +62,9 @@ SeedOption = Annotated[
 ]
 LanguageOption = Annotated[
     Language | None,
-    typer.Option("--lang", help="Language of the report; by default that of the locale."),
+    typer.Option(
+        "--lang", help="Language of pages, help and messages; by default that of the locale."
+    ),
 ]
 
 # --- a bearing that turns --------------------------------------------------------------------

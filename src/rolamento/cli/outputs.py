@@ -2,20 +2,203 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Final
+import inspect
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, fields
+from functools import wraps
+from typing import TYPE_CHECKING, Annotated, Any, Final, TypeVar
 
+import typer
+
+from rolamento._writing import write_bytes
 from rolamento.cli.common import same_file
-from rolamento.cli.streams import STANDARD_STREAM
+from rolamento.cli.streams import STANDARD_STREAM, put, show
+from rolamento.document.writing import REPORTS, check_ending
 from rolamento.errors import FileError, InputError
+from rolamento.words import marked, said
 
-__all__ = ["check_outputs"]
+if TYPE_CHECKING:
+    from rolamento.document import Document
+
+__all__ = ["NOWHERE", "OUTPUT_OPTIONS", "Outputs", "check_outputs", "with_outputs"]
+
+Result = TypeVar("Result")
 
 _PICTURES: Final = ("--plot", "--contour", "--kurtogram")
+_SEPARATORS: Final = {"comma": ",", "semicolon": ";", "tab": "\t", "bar": "|"}
+_DECIMAL_MARKS: Final = {"point": ".", "comma": ","}
+_ENDINGS: Final = {"--report": REPORTS, "--csv": (".csv", ".tsv", ".txt", ""), "--xlsx": (".xlsx",)}
+
+
+@dataclass(frozen=True, slots=True)
+class Outputs:
+    """Where a page goes besides the terminal, and how its tables are written."""
+
+    report: Annotated[
+        str | None,
+        typer.Option(
+            "--report",
+            metavar="FILE",
+            help="Write the page as a report: a .html, .pdf, .md or .txt file.",
+        ),
+    ] = None
+    csv: Annotated[
+        str | None,
+        typer.Option(
+            "--csv",
+            metavar="FILE",
+            help="Write the main table, or that of --table, as CSV; - is standard output.",
+        ),
+    ] = None
+    xlsx: Annotated[
+        str | None,
+        typer.Option(
+            "--xlsx", metavar="FILE", help="Write all tables as a workbook, one sheet each."
+        ),
+    ] = None
+    table: Annotated[
+        str | None,
+        typer.Option("--table", metavar="NAME", help="Table of --csv, such as stiffness."),
+    ] = None
+    separator: Annotated[
+        str | None,
+        typer.Option(
+            "--separator",
+            metavar="MARK",
+            help="Of --csv: comma, semicolon, tab or bar; comma by default, semicolon where the"
+            " decimal mark is a comma.",
+        ),
+    ] = None
+    decimal: Annotated[
+        str | None,
+        typer.Option(
+            "--decimal", metavar="MARK", help="Decimal mark of --csv: point (default) or comma."
+        ),
+    ] = None
+    si: Annotated[
+        bool,
+        typer.Option("--si", help="SI units in --csv and --xlsx instead of µm, MPa, rpm, °C …"),
+    ] = False
+
+    def files(self) -> dict[str, str | None]:
+        """Return the files by their options, for `check_outputs`."""
+        return {"--report": self.report, "--csv": self.csv, "--xlsx": self.xlsx}
+
+    def check(self, others: Mapping[str, str | None], *read: str | None, **rule: str) -> None:
+        """Refuse options that say nothing, marks that are none, and files as `check_outputs`.
+
+        others: the files of further options.
+
+        Raises
+        ------
+        InputError, FileError
+            For the first that will not do.
+        """
+        for option, value, needed in (
+            ("--table", self.table, self.csv),
+            ("--separator", self.separator, self.csv),
+            ("--decimal", self.decimal, self.csv),
+            ("--si", self.si or None, self.csv or self.xlsx),
+        ):
+            if value is not None and needed is None:
+                raise InputError(said("needs {option}", option="--csv"), source=option)
+        self._marks()
+        check_outputs({**others, **self.files()}, *read, **rule)
+
+    def show(
+        self, page: Callable[[], Document], json: str | None = None, *others: str | None
+    ) -> None:
+        """Write a page where it was asked for, and on the terminal, unless data goes there.
+
+        Parameters
+        ----------
+        page
+            Returns it; not called where nobody asked for it.
+        json, others
+            Where else the command has written data to.
+        """
+        silent = STANDARD_STREAM in (self.csv, json, *others)
+        if silent and not any(self.files().values()):
+            return
+        document = page()
+        if not silent:
+            show(document)
+        self.write(document)
+
+    def write(self, document: Document) -> None:
+        """Write the files that were asked for."""
+        from rolamento.document.tables import to_csv, to_xlsx
+        from rolamento.document.writing import write
+
+        if self.csv is not None:
+            separator, decimal = self._marks()
+            try:
+                text = to_csv(
+                    document, self.table or "", separator=separator, decimal=decimal, si=self.si
+                )
+            except InputError as error:
+                raise error.with_details(source="--table" if self.table else "--csv") from None
+            put(text, self.csv)
+        if self.xlsx is not None:
+            write_bytes(to_xlsx(document, si=self.si), self.xlsx)
+        if self.report is not None:
+            write(document, self.report)
+
+    def _marks(self) -> tuple[str, str]:
+        """Return separator and decimal mark."""
+        decimal = _mark("--decimal", self.decimal or "point", _DECIMAL_MARKS)
+        usual = "semicolon" if decimal == "," else "comma"
+        separator = _mark("--separator", self.separator or usual, _SEPARATORS)
+        if separator == decimal:
+            raise InputError(
+                said("the separator and the decimal mark must differ"),
+                source="--separator",
+                value=separator,
+                example="semicolon",
+            )
+        return separator, decimal
+
+
+def _mark(option: str, given: str, marks: Mapping[str, str]) -> str:
+    """Return a mark that is given by its name or as it is."""
+    if given in marks.values():
+        return given
+    if given not in marks:
+        names = ", ".join(marks)
+        raise InputError(said("must be one of {names}", names=names), source=option, value=given)
+    return marks[given]
+
+
+NOWHERE: Final = Outputs()
+"""Only the terminal."""
+OUTPUT_OPTIONS: Final = tuple(one.name for one in fields(Outputs))
+"""The names of their parameters, for the groups of a help."""
+
+
+def with_outputs(command: Callable[..., Result]) -> Callable[..., Result]:
+    """Give a command the options of `Outputs`, which it takes as one argument, ``outputs``."""
+
+    @wraps(command)
+    def taking_options(**given: Any) -> Result:
+        outputs = Outputs(**{name: given.pop(name) for name in OUTPUT_OPTIONS})
+        return command(**given, outputs=outputs)
+
+    own = inspect.signature(command, eval_str=True).parameters
+    options = inspect.signature(Outputs, eval_str=True).parameters
+    parameters = [
+        one
+        for name, parameter in own.items()
+        for one in (options.values() if name == "outputs" else (parameter,))
+    ]
+    taking_options.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]
+    taking_options.__annotations__ = {one.name: one.annotation for one in parameters}
+    return taking_options
 
 
 def check_outputs(
-    outputs: Mapping[str, str | None], *read: str | None, rule: str = "is the case file itself"
+    outputs: Mapping[str, str | None],
+    *read: str | None,
+    rule: str = marked("is the case file itself; choose another name"),
 ) -> None:
     """Refuse outputs that would run into each other or over what is read, and unknown pictures.
 
@@ -37,15 +220,14 @@ def check_outputs(
     for option, path in given.items():
         if sum(same_file(path, other) for other in given.values()) > 1:
             where = "standard output" if path == STANDARD_STREAM else path
-            raise InputError(f"only one of {_listed(outputs)} can go there", source=where)
+            raise InputError(
+                said("only one of {options} can go there", options=", ".join(outputs)), source=where
+            )
         if path != STANDARD_STREAM and any(other and same_file(path, other) for other in read):
-            raise FileError(f"{rule}; choose another name", source=path)
+            raise FileError(said(rule), source=path)
         if option in _PICTURES:
             from rolamento.plots.saving import check_name
 
             check_name(path)
-
-
-def _listed(options: Mapping[str, str | None]) -> str:
-    *others, last = options
-    return f"{', '.join(others)} and {last}" if others else last
+        if option in _ENDINGS and (option, path) != ("--csv", STANDARD_STREAM):
+            check_ending(path, _ENDINGS[option])

@@ -2,24 +2,22 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Annotated, Final, Protocol, TypeVar
 
 import typer
 
-from rolamento.cli.common import Language, complain_of_points, words_of
+from rolamento.cli.common import Language, complain_of_points
 from rolamento.cli.options import plot_option
 from rolamento.cli.streams import STANDARD_STREAM, print_text, put
 from rolamento.errors import InputError
+from rolamento.words import said
 
 if TYPE_CHECKING:
     import numpy as np
     from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
-    from rolamento.document.medium import Medium
-    from rolamento.report.language import Words
 
 __all__ = [
     "POINTS",
@@ -63,27 +61,6 @@ class Curve(Protocol):
         ...
 
 
-C_contra = TypeVar("C_contra", bound=Curve, contravariant=True)
-
-
-class CurveTexts(Protocol[C_contra]):
-    """A module that writes curves."""
-
-    def curves_json(self, curves: Sequence[C_contra]) -> str:
-        """As one JSON object."""
-        ...
-
-    def curves_csv(self, curves: Sequence[C_contra]) -> str:
-        """As a table."""
-        ...
-
-    def curves_report(
-        self, curves: Sequence[C_contra], words: Words = ..., medium: Medium | None = None
-    ) -> str:
-        """For a person."""
-        ...
-
-
 C = TypeVar("C", bound=Curve)
 
 
@@ -97,14 +74,19 @@ def check_variants(variants: list[str]) -> None:
     """
     if len(variants) > _MOST_VARIANTS:
         raise InputError(
-            f"may be given at most {_MOST_VARIANTS} times", field="--variant", value=len(variants)
+            said("may be given at most {most} times", most=_MOST_VARIANTS),
+            field="--variant",
+            value=len(variants),
         )
 
 
 def show_curves(
     curves: Sequence[C],
-    texts: CurveTexts[C],
-    figure: Callable[[Sequence[C], str], Figure],
+    *,
+    json_text: Callable[[Sequence[C]], str],
+    csv_text: Callable[[Sequence[C]], str],
+    page_text: Callable[[Sequence[C]], str],
+    figure: Callable[[Sequence[C]], Figure],
     outputs: tuple[str | None, str | None, str | None],
     lang: Language | None,
 ) -> bool:
@@ -114,10 +96,8 @@ def show_curves(
     ----------
     curves
         The case's own first, then its variants.
-    texts
-        The module that writes them.
-    figure
-        Draws them in a language; called only if a picture is asked for.
+    json_text, csv_text, page_text, figure
+        Write and draw them; called only for what is asked for.
     outputs
         Files for JSON, a table and a picture; None where nothing is asked for.
     lang
@@ -129,20 +109,17 @@ def show_curves(
         Whether every point has a result.
     """
     json, csv, plot = outputs
-    words = words_of(lang)
     if json is not None:
-        put(texts.curves_json(curves) + "\n", json)
+        put(json_text(curves) + "\n", json)
     if csv is not None:
-        put(texts.curves_csv(curves), csv)
+        put(csv_text(curves), csv)
     if plot is not None:
         from rolamento.plots.saving import save_figure
 
-        save_figure(figure(curves, words.code), plot)
+        save_figure(figure(curves), plot)
     converged = all(curve.converged for curve in curves)
     if STANDARD_STREAM not in (json, csv):
-        from rolamento.document.medium import Medium
-
-        print_text(texts.curves_report(curves, words, Medium.of(sys.stdout)))
+        print_text(page_text(curves))
     elif not converged:
         status = next(curve.status for curve in curves if not curve.converged)
         complain_of_points(status[status != "converged"], len(status), lang)

@@ -11,12 +11,12 @@ from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
     plain_endings,
-    words_of,
 )
 from rolamento.cli.options import LanguageOption
 from rolamento.cli.outputs import check_outputs
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text
 from rolamento.tasks.drawing import Kind, draw
+from rolamento.words import marked, said
 
 
 def plot(
@@ -60,18 +60,19 @@ def plot(
     Ball loads, angles, pressures, ellipses, life, sweeps, distributions.
     """
     with plain_endings(lang):
+        from rolamento.plots.frame import no_result
         from rolamento.plots.saving import check_name, save_figure
-        from rolamento.plots.words import plot_words
 
         target = _default_name(result) if output is None else output
         check_name(target)
-        check_outputs({"--output": target}, result, rule="is the result itself")
-        words = plot_words(words_of(lang).code)
-        drawing = draw(result, kind, variable=variable, over=over, language=words.code)
+        check_outputs(
+            {"--output": target}, result, rule=marked("is the result itself; choose another name")
+        )
+        drawing = draw(result, kind, variable=variable, over=over)
         save_figure(drawing.figure, target)
-        print_text(words.written.format(path=target) + "\n")
+        print_text(said("Wrote {path}", path=target) + "\n")
         if drawing.failure is not None:
-            complain(words.reason(drawing.failure))
+            complain(no_result(drawing.failure))
     raise typer.Exit(SOLVED if drawing.failure is None else NO_RESULT)
 
 

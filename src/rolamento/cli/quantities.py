@@ -9,7 +9,8 @@ from collections.abc import Mapping
 from math import isfinite, nan
 from typing import Any, Final, Literal
 
-from rolamento.errors import InputError, nearest
+from rolamento.errors import InputError, guess
+from rolamento.words import said
 
 __all__ = ["Kind", "fields_of", "number_given", "number_of"]
 
@@ -40,7 +41,7 @@ def number_given(text: str | None, option: str, kind: Kind, example: str) -> flo
     except InputError:
         value = nan
     if not 0.0 <= value <= _MOST:
-        rule = f"must be {_wanted(kind, 'a number from 0 on')}"
+        rule = _rule(kind, least=True)
         raise InputError(rule, source=option, value=text, example=example)
     return value
 
@@ -86,10 +87,10 @@ def _value_of(text: str, option: str, key: str, kind: Kind, example: str) -> Any
         units = {"": 1.0, **_UNITS.get(kind, {})}
         value = float(number) * units[unit]
     except (ValueError, KeyError) as error:
-        rule = error.rule if isinstance(error, InputError) else f"must be {_wanted(kind)}"
+        rule = error.rule if isinstance(error, InputError) else _rule(kind)
         raise InputError(rule, source=option, field=key, value=text, example=example) from None
     if not isfinite(value):
-        rule = f"must be {_wanted(kind)}"
+        rule = _rule(kind)
         raise InputError(rule, source=option, field=key, value=text, example=example)
     return value
 
@@ -109,11 +110,16 @@ def _split(text: str) -> tuple[str, str]:
     return number, unit.strip()
 
 
-def _wanted(kind: Kind, what: str = "a number") -> str:
+def _rule(kind: Kind, *, least: bool = False) -> str:
+    """Return what a value of a kind has to be, from 0 on or whatever its size."""
     if kind == "whole":
-        return "a whole number"
+        return said("must be an integer")
     units = ", ".join(unit for unit in _UNITS.get(kind, {}) if "²" not in unit)
-    return f"{what}, alone or in {units}" if units else what
+    if least:
+        return said("must be a number of at least 0, alone or in {units}", units=units)
+    if units:
+        return said("must be a number, alone or in {units}", units=units)
+    return said("must be a number")
 
 
 def fields_of(
@@ -140,7 +146,11 @@ def fields_of(
         If a key is unknown or given twice, or a value is none.
     """
     if len(text) > _LONGEST:
-        raise InputError(f"must be at most {_LONGEST} characters", source=option, example=example)
+        raise InputError(
+            said("must be at most {most} characters long", most=_LONGEST),
+            source=option,
+            example=example,
+        )
     found: dict[str, Any] = {}
     for place, part in enumerate(text.split(",")):
         key, equals, value = (piece.strip() for piece in part.partition("="))
@@ -149,18 +159,16 @@ def fields_of(
         elif not equals or key not in known:
             _refuse(key, option, known, example)
         if key in found:
-            raise InputError("is given twice", source=option, field=key, example=example)
+            raise InputError(said("is given twice"), source=option, field=key, example=example)
         found[key] = _value_of(value, option, key, known[key], example)
     if first and first not in found:
-        raise InputError("is missing", source=option, field=first, example=example)
+        raise InputError(said("is missing"), source=option, field=first, example=example)
     return found
 
 
 def _refuse(key: str, option: str, known: Mapping[str, Kind], example: str) -> None:
-    near = nearest(key, known)
     raise InputError(
-        f"must be KEY=VALUE, with a KEY of {', '.join(known)}"
-        + (f"; perhaps {near}" if near else ""),
+        said("must be KEY=VALUE with a known KEY; {guess}", guess=guess(key, known)),
         source=option,
         value=key,
         example=example,

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from rolamento.cli.streams import STANDARD_STREAM
 from rolamento.errors import InputError
+from rolamento.words import said
 
 __all__ = ["check_one_given", "data_and_json", "known_example"]
 
@@ -34,7 +35,11 @@ def check_one_given(
         With a command that would do.
     """
     if (data is None) == (example is None):
-        rule = "give a CSV file or --example, not both" if data else "give a CSV file or --example"
+        rule = (
+            said("give a CSV file or --example, not both")
+            if data
+            else said("give a CSV file or --example")
+        )
         raise InputError(rule, field="DATA.csv", example=f"{command} --example {names[0]}")
 
 
@@ -49,7 +54,7 @@ def known_example(example: str, names: Sequence[str]) -> str:
     name = example.casefold().replace("_", "-")
     if name not in names:
         raise InputError(
-            f"must be one of {', '.join(names)}",
+            said("must be one of {known}", known=", ".join(names)),
             source="--example",
             value=example,
             example=names[0],

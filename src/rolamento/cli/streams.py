@@ -5,15 +5,29 @@ from __future__ import annotations
 import os
 import re
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from contextlib import suppress
-from typing import Final, TextIO
+from typing import TYPE_CHECKING, Any, Final, TextIO
 
+from rolamento._json import dumps
 from rolamento._writing import write_text
 from rolamento.document.medium import Medium
 from rolamento.errors import FileError, printable
+from rolamento.words import said
 
-__all__ = ["STANDARD_STREAM", "complain", "end_of_output", "print_data", "print_text", "put"]
+if TYPE_CHECKING:
+    from rolamento.document import Document
+
+__all__ = [
+    "STANDARD_STREAM",
+    "complain",
+    "end_of_output",
+    "print_data",
+    "print_text",
+    "put",
+    "put_json",
+    "show",
+]
 
 STANDARD_STREAM: Final = "-"
 _STANDARD_OUTPUT: Final = "standard output"
@@ -59,6 +73,18 @@ def put(text: str, path: str) -> None:
         write_text(text, path)
 
 
+def put_json(mapping: Mapping[str, Any], path: str) -> None:
+    """Write a result for a program as one JSON object, as `put`."""
+    put(dumps(mapping, indent=2) + "\n", path)
+
+
+def show(document: Document) -> None:
+    """Show a page on standard output, as `print_text`."""
+    from rolamento.document.terminal import terminal
+
+    print_text(terminal(document, Medium.of(sys.stdout)))
+
+
 def complain(text: str) -> None:
     """Write one line to standard error, if there is one."""
     with suppress(FileError):
@@ -86,7 +112,7 @@ def _encoded(text: str, stream: TextIO) -> bytes:
 def _write(stream: TextIO | None, content: Callable[[], bytes], name: str) -> None:
     """Write bytes and see them off: what is left in a buffer fails where nobody can tell."""
     if stream is None:
-        raise FileError("is closed", source=name)
+        raise FileError(said("is closed"), source=name)
     try:
         stream.flush()
         stream.buffer.write(content())
@@ -96,7 +122,7 @@ def _write(stream: TextIO | None, content: Callable[[], bytes], name: str) -> No
     except OSError as error:
         _silence(stream)
         reason = (error.strerror or str(error)).lower()
-        raise FileError(f"cannot be written: {reason}", source=name) from None
+        raise FileError(said("cannot be written: {reason}", reason=reason), source=name) from None
 
 
 def _silence(stream: TextIO) -> None:

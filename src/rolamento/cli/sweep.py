@@ -18,6 +18,7 @@ from rolamento.cli.common import (
 from rolamento.cli.options import LanguageOption, SettingsOption
 from rolamento.cli.streams import complain, print_text
 from rolamento.errors import InputError
+from rolamento.words import said
 
 if TYPE_CHECKING:
     from rolamento.report.language import Words
@@ -75,7 +76,9 @@ def sweep(
             print_text(fields_text() if listed is Listed.fields else outputs_text())
             return
         if study is None:
-            raise InputError("is missing", field="STUDY", example="rolamento sweep study.toml")
+            raise InputError(
+                said("is missing"), field="STUDY", example="rolamento sweep study.toml"
+            )
         from rolamento.cli.sweep_progress import told
         from rolamento.document.medium import Medium
         from rolamento.report.study import study_report
@@ -138,7 +141,7 @@ def outputs_text() -> str:
             f"{name}{'*' if name in DEFAULT_OUTPUTS else ''}",
             output.unit,
             "per ball" if output.per_ball else "",
-            output.long_name,
+            output.label,
         )
         for name, output in catalogue().items()
     ]

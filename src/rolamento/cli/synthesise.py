@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Final
 
 import typer
 
-from rolamento.cli.common import NO_RESULT, SOLVED, complain_of, plain_endings, words_of
-from rolamento.cli.grouped_help import GroupedCommand, Groups
+from rolamento.cli.common import NO_RESULT, SOLVED, complain_of, plain_endings
+from rolamento.cli.grouped_help import Groups
 from rolamento.cli.option_names import in_options
+from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.options import (
     BearingArgument,
     LagOption,
@@ -22,12 +22,12 @@ from rolamento.cli.options import (
 )
 from rolamento.cli.outputs import check_outputs
 from rolamento.cli.quantities import fields_of
-from rolamento.cli.streams import STANDARD_STREAM, print_text
+from rolamento.cli.streams import STANDARD_STREAM, put_json, show
 from rolamento.errors import InputError
+from rolamento.words import said
 
 if TYPE_CHECKING:
     from rolamento.cli.quantities import Kind
-    from rolamento.report.language import Words
     from rolamento.tasks.synthesis import SynthesisResult
     from rolamento.vibration.synthesis import (
         Fault,
@@ -116,7 +116,7 @@ _OPTIONS: Final = {
 _LOADS: Final = ("uniform", "radial", "solved")
 
 
-class SynthesiseCommand(GroupedCommand):
+class SynthesiseCommand(JsonCommand):
     """`rolamento synthesise`, its help in groups."""
 
     groups: ClassVar[Groups] = {
@@ -268,12 +268,10 @@ def synthesise(
         from rolamento import tasks
         from rolamento.cli.quantities import number_of
         from rolamento.cli.waiting import PATIENCE_AT_WORK, waiting
-        from rolamento.report.synthesis_words import SYNTHESIS_WORDS
         from rolamento.vibration.writing import check_signal_name
 
         check_signal_name(output, 0, 1.0)
-        words = words_of(lang)
-        with waiting(lang, SYNTHESIS_WORDS[words.code].making, PATIENCE_AT_WORK):
+        with waiting(lang, said("making the signal"), PATIENCE_AT_WORK):
             planted = [_fault(text, jitter) for text in faults or ()]
             waves = [_waviness(text) for text in waviness or ()]
             harmonics = _harmonics(shaft_harmonics)
@@ -301,19 +299,18 @@ def synthesise(
             if isinstance(found, tasks.Unsolved):
                 complain_of(found.solved, lang)
                 raise typer.Exit(NO_RESULT)
-        _show(found, truth, words)
+        _show(found, truth)
     raise typer.Exit(SOLVED)
 
 
-def _show(found: SynthesisResult, truth: str | None, words: Words) -> None:
-    """Print the report, or the truth if that goes to standard output."""
-    from rolamento.document.medium import Medium
-    from rolamento.report.synthesis import synthesis_report, truth_json
+def _show(found: SynthesisResult, truth: str | None) -> None:
+    """Show the page, or the truth if that goes to standard output."""
+    from rolamento.pages.synthesis import synthesis_page
 
     if truth == STANDARD_STREAM:
-        print_text(truth_json(found) + "\n")
+        put_json(found.truth(), truth)
     else:
-        print_text(synthesis_report(found, words, Medium.of(sys.stdout)))
+        show(synthesis_page(found))
 
 
 # --- parts of a recipe -----------------------------------------------------------------------
@@ -339,7 +336,7 @@ def _noise(
     if snr is None and level is None:
         return None
     if snr is not None and level is not None:
-        raise InputError("give one of --snr and --noise, not both", source="--snr")
+        raise InputError(said("give --snr or --noise, not both"), source="--snr")
     fields: dict[str, Any] = {"colour": colour, "of": "faults" if has_faults else "signal"}
     if level is not None:
         fields["level"] = number_of(level, "--noise", "acceleration", EXAMPLES["--noise"])
@@ -347,8 +344,10 @@ def _noise(
         fields["ratio"] = snr
     else:
         raise InputError(
-            "is a ratio to faults, waviness or harmonics of the shaft, and there are none; for"
-            " noise alone give --noise",
+            said(
+                "is a ratio to faults, waviness or shaft harmonics, and there are "
+                "none; for noise alone give --noise"
+            ),
             source="--snr",
             example=EXAMPLES["--noise"],
         )
@@ -364,7 +363,7 @@ def _speed_profile(
     from rolamento.vibration.synthesis import SwingingSpeed, WanderingSpeed
 
     if swing is not None and wander is not None:
-        raise InputError("give one of --swing and --wander, not both", source="--swing")
+        raise InputError(said("give --swing or --wander, not both"), source="--swing")
     if swing is not None:
         return partial(SwingingSpeed, **{"frequency": 0.3, **_fields_given("--swing", swing)})
     if wander is not None:
@@ -379,7 +378,9 @@ def _load(text: str | None) -> dict[str, Any]:
     fields = _fields_given("--load", text)
     kind = fields.pop("kind")
     if kind not in _LOADS or (fields and kind != "radial"):
-        rule = f"must be one of {', '.join(_LOADS)}; of radial with extent and azimuth"
+        rule = said(
+            "must be one of {known}; radial takes extent and azimuth", known=", ".join(_LOADS)
+        )
         raise InputError(rule, source="--load", value=text, example=EXAMPLES["--load"])
     azimuth = {"load_azimuth": fields.pop("azimuth")} if "azimuth" in fields else {}
     return {"load": kind, **fields, **azimuth}
@@ -417,7 +418,10 @@ def _waviness(text: str) -> Waviness:
     fields = _fields_given("--waviness", text)
     if "amplitude" not in fields:
         raise InputError(
-            "is missing", source="--waviness", field="amplitude", example=EXAMPLES["--waviness"]
+            said("is missing"),
+            source="--waviness",
+            field="amplitude",
+            example=EXAMPLES["--waviness"],
         )
     with _in_option("--waviness"):
         return Waviness.falling(**fields)

@@ -19,6 +19,7 @@ from rolamento.cli.outputs import check_outputs
 from rolamento.cli.streams import STANDARD_STREAM, print_text, put
 from rolamento.cli.waiting import waiting
 from rolamento.errors import InputError
+from rolamento.words import marked, said
 
 if TYPE_CHECKING:
     from rolamento.studies.sensitivity import ToleranceStudy
@@ -56,7 +57,11 @@ def tolerance(
     """
     with plain_endings(lang):
         wanted = _percentiles(percentiles)
-        check_outputs({"--json": json, "--plot": plot}, result, rule="is the study itself")
+        check_outputs(
+            {"--json": json, "--plot": plot},
+            result,
+            rule=marked("is the study itself; choose another name"),
+        )
         with waiting(lang):
             from rolamento.tasks import studies
 
@@ -74,7 +79,7 @@ def _percentiles(text: str | None) -> tuple[float, ...]:
         values = [float(part) for part in text[:2000].split(",")]
     except ValueError:
         raise InputError(
-            "must be numbers with commas between them",
+            said("must be numbers separated by commas"),
             field="--percentiles",
             value=text,
             example="5,50,95",

@@ -7,13 +7,15 @@ from typing import TYPE_CHECKING, Annotated, Any, Final
 
 import typer
 
-from rolamento.cli.common import SOLVED, plain_endings, words_of
+from rolamento._json import dumps
+from rolamento.cli.common import SOLVED, plain_endings
 from rolamento.cli.options import LanguageOption, PlotOption, json_option
 from rolamento.cli.outputs import check_outputs
 from rolamento.cli.shipped_data import check_one_given, data_and_json, known_example
 from rolamento.cli.streams import STANDARD_STREAM, print_text, put
 from rolamento.cli.table_options import DecimalMarkOption, TimeColumnOption, told_in_options
 from rolamento.errors import InputError
+from rolamento.words import marked, said
 
 if TYPE_CHECKING:
     from rolamento.clearance import WearLaw
@@ -67,14 +69,19 @@ def trend(
     """
     with plain_endings(lang):
         data, json = data_and_json(data, example, json)
-        check_outputs({"--json": json, "--plot": plot}, data, rule="is the file of the data itself")
+        check_outputs(
+            {"--json": json, "--plot": plot},
+            data,
+            rule=marked("is the data file itself; choose another name"),
+        )
         check_one_given(data, example, "trend", EXAMPLES)
         if law is not None and law not in LAWS:
-            rule = f"must be one of {', '.join(LAWS)}"
+            rule = said("must be one of {known}", known=", ".join(LAWS))
             raise InputError(rule, source="--law", value=law, example="running-in")
         columns = {"time": time_column, "bearing": bearing_column, "decimal_mark": decimal_mark}
         from rolamento.document.medium import Medium
-        from rolamento.report.trend import trend_json, trend_report
+        from rolamento.document.terminal import terminal
+        from rolamento.pages.trend import trend_page
         from rolamento.tasks.weibull import trend_study
         from rolamento.weibull import published_trend
 
@@ -83,14 +90,13 @@ def trend(
             if example is not None:
                 given = published_trend(known_example(example, EXAMPLES).replace("-", "_"))
             found = trend_study(given, law=None if law is None else LAWS[law], columns=columns)
-        words = words_of(lang)
         if plot is not None:
             from rolamento.plots.saving import save_figure
             from rolamento.plots.trend import trend_figure
 
-            save_figure(trend_figure(found.trend, found.fits, words.code), plot)
+            save_figure(trend_figure(found.trend, found.fits), plot)
         if json is not None:
-            put(trend_json(found) + "\n", json)
+            put(dumps(found.to_mapping(), indent=2) + "\n", json)
         if json != STANDARD_STREAM:
-            print_text(trend_report(found, words, Medium.of(sys.stdout)))
+            print_text(terminal(trend_page(found), Medium.of(sys.stdout)))
     raise typer.Exit(SOLVED)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from typing import TYPE_CHECKING, Annotated, Final
 
 import typer
@@ -14,7 +13,6 @@ from rolamento.cli.common import (
     Language,
     complain_of_points,
     plain_endings,
-    words_of,
 )
 from rolamento.cli.options import (
     CaseArgument,
@@ -25,7 +23,7 @@ from rolamento.cli.options import (
     csv_option,
 )
 from rolamento.cli.outputs import check_outputs
-from rolamento.cli.streams import STANDARD_STREAM, print_text, put
+from rolamento.cli.streams import STANDARD_STREAM, put, put_json, show
 from rolamento.cli.waiting import waiting
 
 if TYPE_CHECKING:
@@ -70,22 +68,22 @@ def _turned(case: rolamento.Case, points: int, lang: Language | None) -> CageTur
 def _show(
     turned: CageTurn, json: str | None, csv: str | None, plot: str | None, lang: Language | None
 ) -> None:
-    """Write what was asked for; standard output takes data or the report, not both."""
-    from rolamento.report.turn import turn_csv, turn_json, turn_report
+    """Write what was asked for; standard output takes data or the page, not both."""
+    from rolamento.pages.turn import turn_page
 
-    words = words_of(lang)
+    page = turn_page(turned)
     if json is not None:
-        put(turn_json(turned) + "\n", json)
+        put_json(turned.to_mapping(), json)
     if csv is not None:
-        put(turn_csv(turned), csv)
+        from rolamento.document.tables import to_csv
+
+        put(to_csv(page), csv)
     if plot is not None:
         from rolamento.plots.cage_turn import cage_turn_figure
         from rolamento.plots.saving import save_figure
 
-        save_figure(cage_turn_figure(turned, words.code), plot)
+        save_figure(cage_turn_figure(turned), plot)
     if STANDARD_STREAM not in (json, csv):
-        from rolamento.document.medium import Medium
-
-        print_text(turn_report(turned, words, Medium.of(sys.stdout)))
+        show(page)
     elif not turned.converged:
         complain_of_points(turned.status[turned.status != "converged"], len(turned), lang)

@@ -9,19 +9,13 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from rolamento.cli.common import (
-    NO_RESULT,
-    SOLVED,
-    Language,
-    plain_endings,
-    words_of,
-)
+from rolamento.cli.common import NO_RESULT, SOLVED, plain_endings
 from rolamento.cli.options import LanguageOption, json_option
 from rolamento.cli.outputs import check_outputs
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
+from rolamento.words import said, speaking
 
 if TYPE_CHECKING:
-    from rolamento.report.language import Words
     from rolamento.verification import Progress, Source, Verification
 
 
@@ -47,62 +41,57 @@ def verify(
     """
     with plain_endings(lang):
         check_outputs({"--json": json, "--markdown": markdown})
-        found = _run(source or (), lang)
-        _write_outputs(found, json, markdown, lang)
+        found = _run(source or ())
+        _write_outputs(found, json, markdown)
     raise typer.Exit(SOLVED if found.passed else NO_RESULT)
 
 
-def _run(names: Sequence[str], lang: Language | None) -> Verification:
+def _run(names: Sequence[str]) -> Verification:
     from rolamento.verification import run
 
     if sys.stderr is None or not sys.stderr.isatty():
         return run(names)
-    with _progress_on_terminal(words_of(lang)) as progress:
+    with _progress_on_terminal() as progress:
         return run(names, progress=progress)
 
 
 @contextmanager
-def _progress_on_terminal(words: Words) -> Iterator[Progress]:
+def _progress_on_terminal() -> Iterator[Progress]:
     """Show on a terminal's standard error which source is at work."""
     from rich.console import Console
 
     from rolamento.document.medium import Medium
-    from rolamento.report.verification_words import VERIFICATION_WORDS
 
-    medium, template = Medium.of(sys.stderr), VERIFICATION_WORDS[words.code].progress
+    medium = Medium.of(sys.stderr)
     with Console(stderr=True, highlight=False, markup=False).status(
         "", spinner="dots" if medium.draws else "line"
     ) as status:
 
         def progress(source: Source, done: int, count: int) -> None:
-            text = template.format(number=done + 1, count=count, name=source.name)
+            text = said(
+                "Verifying {number} of {count}: {name} …",
+                number=done + 1,
+                count=count,
+                name=source.name,
+            )
             status.update(medium.fitted(text))
 
         yield progress
 
 
-def _write_outputs(
-    found: Verification, json: str | None, markdown: str | None, lang: Language | None
-) -> None:
-    """Write what was asked for; standard output takes data or the report, not both."""
+def _write_outputs(found: Verification, json: str | None, markdown: str | None) -> None:
+    """Write what was asked for; standard output takes data or the page, not both."""
+    from rolamento.document.markdown import markdown as as_markdown
+    from rolamento.document.medium import Medium
+    from rolamento.document.terminal import terminal
+    from rolamento.pages.verification import summary, verification_page
+
     if json is not None:
         put(found.to_json() + "\n", json)
     if markdown is not None:
-        from rolamento.report.verification import verification_page
-
-        put(verification_page(found), markdown)
-    words = words_of(lang)
+        with speaking("en"):  # the page of the documentation
+            put(as_markdown(verification_page(found, introduction=True)), markdown)
     if STANDARD_STREAM not in (json, markdown):
-        _print_report(found, words)
+        print_text(terminal(verification_page(found), Medium.of(sys.stdout)))
     elif not found.passed:
-        from rolamento.report.verification import summary
-        from rolamento.report.verification_words import VERIFICATION_WORDS
-
-        complain(summary(found, VERIFICATION_WORDS[words.code]))
-
-
-def _print_report(found: Verification, words: Words) -> None:
-    from rolamento.document.medium import Medium
-    from rolamento.report.verification import verification_report
-
-    print_text(verification_report(found, words, Medium.of(sys.stdout)))
+        complain(summary(found))

@@ -9,13 +9,14 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Final, cast
 
 import typer
 
+from rolamento._json import dumps
 from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
     plain_endings,
-    words_of,
 )
-from rolamento.cli.grouped_help import GroupedCommand, Groups
+from rolamento.cli.grouped_help import Groups
+from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.options import LanguageOption, SeedOption, json_option, plot_option
 from rolamento.cli.outputs import check_outputs
 from rolamento.cli.shipped_data import check_one_given, data_and_json, known_example
@@ -27,9 +28,9 @@ from rolamento.cli.table_options import (
     told_in_options,
 )
 from rolamento.errors import InputError
+from rolamento.words import marked, said
 
 if TYPE_CHECKING:
-    from rolamento.report.language import Words
     from rolamento.weibull import FitMethod, LifeTestSummary, Method, ShapePrior
 
 __all__ = ["WeibullCommand", "weibull"]
@@ -48,7 +49,7 @@ _MAXIMUM_CALCULATED: Final = 8
 _PRIOR: Final = re.compile(r"(?:(lognormal|uniform):)?([^:]{1,30})\.\.([^:]{1,30})")
 
 
-class WeibullCommand(GroupedCommand):
+class WeibullCommand(JsonCommand):
     """`rolamento weibull`, its help in groups."""
 
     groups: ClassVar[Groups] = {
@@ -198,10 +199,9 @@ def weibull(
     with plain_endings(lang):
         data, json = data_and_json(data, example, json)
         outputs = {"--json": json, "--plot": plot, "--contour": contour}
-        check_outputs(outputs, data, rule="is the file of the data itself")
-        words = words_of(lang)
+        check_outputs(outputs, data, rule=marked("is the data file itself; choose another name"))
         if write is not None:
-            print_text(_write_example(data, example, write, words))
+            print_text(_write_example(data, example, write))
             return
         check_one_given(data, example, "weibull", EXAMPLES)
         columns = {
@@ -218,13 +218,15 @@ def weibull(
         calculated = _named_lives(calculated_life or ())
         for option, many in (("--reliability", reliability), ("--time", time)):
             if len(many or ()) > _MAXIMUM_NUMBERS:
-                raise InputError(f"may be given {_MAXIMUM_NUMBERS} times at most", source=option)
+                raise InputError(
+                    said("may be given at most {most} times", most=_MAXIMUM_NUMBERS),
+                    source=option,
+                )
         from rolamento.cli.waiting import progress_of
-        from rolamento.report.weibull_words import WEIBULL_WORDS
-        from rolamento.tasks.weibull import bands_of, life_test_study, regions_of
-        from rolamento.weibull import published_life_test
+        from rolamento.tasks.weibull import life_test_study
+        from rolamento.weibull import bands_of, published_life_test, regions_of
 
-        with progress_of(WEIBULL_WORDS[words.code].working) as progress:
+        with progress_of(said("Simulating tests and fitting them …")) as progress:
             with told_in_options(times="--time", calculated="--calculated-life", only="--only"):
                 given: Any = data
                 if example is not None:
@@ -244,15 +246,15 @@ def weibull(
                 from rolamento.plots.saving import save_figure
                 from rolamento.plots.weibull import weibull_figure
 
-                save_figure(weibull_figure(found, bands_of(found), words.code), plot)
+                save_figure(weibull_figure(found, bands_of(found)), plot)
             if contour is not None:
                 from rolamento.plots.saving import save_figure
                 from rolamento.plots.weibull import contour_figure
 
                 with told_in_options(quantity="--contour-of"):
                     regions = regions_of(found, contour_of)
-                save_figure(contour_figure(found, regions, words.code), contour)
-        _show(found, json, words)
+                save_figure(contour_figure(found, regions), contour)
+        _show(found, json)
     raise typer.Exit(SOLVED if found.has_result else NO_RESULT)
 
 
@@ -260,32 +262,29 @@ def _published_name(example: str) -> str:
     return known_example(example, EXAMPLES).replace("-", "_")
 
 
-def _write_example(data: str | None, example: str | None, path: str, words: Words) -> str:
+def _write_example(data: str | None, example: str | None, path: str) -> str:
     """Write an example's CSV under a new name, and return what to say about it."""
     from rolamento._writing import write_text
-    from rolamento.report.weibull_words import WEIBULL_WORDS
     from rolamento.weibull import published_text
 
     if example is None or data is not None:
-        raise InputError("goes with --example alone", source="--write", value=path)
+        raise InputError(said("goes with --example alone"), source="--write", value=path)
     write_text(published_text(_published_name(example)), path, new=True)
-    return WEIBULL_WORDS[words.code].written.format(path=path) + "\n"
+    return said("Wrote {path}", path=path) + "\n"
 
 
-def _show(found: LifeTestSummary, json: str | None, words: Words) -> None:
-    """Write what was asked for; standard output takes data or the report, not both."""
-    from rolamento.report.weibull import weibull_json, weibull_report
-
+def _show(found: LifeTestSummary, json: str | None) -> None:
+    """Write what was asked for; standard output takes data or the page, not both."""
     if json is not None:
-        put(weibull_json(found) + "\n", json)
+        put(dumps(found.to_mapping(), indent=2) + "\n", json)
     if json != STANDARD_STREAM:
         from rolamento.document.medium import Medium
+        from rolamento.document.terminal import terminal
+        from rolamento.pages.weibull import weibull_page
 
-        print_text(weibull_report(found, words, Medium.of(sys.stdout)))
+        print_text(terminal(weibull_page(found), Medium.of(sys.stdout)))
     elif not found.has_result:
-        from rolamento.report.weibull_sentences import said_advice
-
-        complain(said_advice(found.groups[0].main.code, words.code))
+        complain(str(found.groups[0].main.advice))
 
 
 # --- what the options say --------------------------------------------------------------------
@@ -295,7 +294,10 @@ def _fit_methods(names: Sequence[str], three_parameter: bool) -> tuple[FitMethod
     for name in names:
         if name not in FITS:
             raise InputError(
-                f"must be one of {', '.join(FITS)}", source="--method", value=name, example="ml"
+                said("must be one of {known}", known=", ".join(FITS)),
+                source="--method",
+                value=name,
+                example="ml",
             )
     chosen = [*(names or ("ml", "unbiased", "rrx", "rry"))]
     chosen += ["three-parameter"] if three_parameter else []
@@ -311,11 +313,14 @@ def _bounds_method(name: str | None, shape: float | None) -> Method | None:
     word = name.replace("_", "-")
     if word not in known:
         raise InputError(
-            f"must be one of {', '.join(known)}", source="--bounds", value=name, example=known[0]
+            said("must be one of {known}", known=", ".join(known)),
+            source="--bounds",
+            value=name,
+            example=known[0],
         )
     if shape is not None:
-        raise InputError("does not go with --shape, which has bounds of its own", source="--bounds",
-                         value=name)  # fmt: skip
+        rule = said("cannot be combined with --shape, which has its own bounds")
+        raise InputError(rule, source="--bounds", value=name)
     return cast("Method", word.replace("-", "_"))
 
 
@@ -329,7 +334,7 @@ def _prior_of(text: str) -> ShapePrior:
         match = None
     if match is None:
         raise InputError(
-            "must be LOW..HIGH, what the shape lies between with 90 %; or uniform:LOW..HIGH",
+            said("must be LOW..HIGH, the 90 % range of the shape, or uniform:LOW..HIGH"),
             source="--bayes",
             value=text,
             example="1..2.5",
@@ -343,13 +348,15 @@ def _prior_of(text: str) -> ShapePrior:
 def _named_lives(texts: Sequence[str]) -> dict[str, str]:
     """Calculated lives by their names; those without one are called by what was written."""
     if len(texts) > _MAXIMUM_CALCULATED:
-        rule = f"may be given {_MAXIMUM_CALCULATED} times at most"
+        rule = said("may be given at most {most} times", most=_MAXIMUM_CALCULATED)
         raise InputError(rule, source="--calculated-life")
     lives: dict[str, str] = {}
     for text in texts:
         name, _, life = text.rpartition("=")
         name = name.strip() or text.strip()
         if name in lives:
-            raise InputError("has two lives of one name", source="--calculated-life", value=text)
+            raise InputError(
+                said("gives two lives of the same name"), source="--calculated-life", value=text
+            )
         lives[name] = life
     return lives

@@ -7,11 +7,11 @@ from typing import Annotated, Final
 
 import typer
 
+from rolamento._json import dumps
 from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
     plain_endings,
-    words_of,
 )
 from rolamento.cli.grouped_help import GroupedCommands
 from rolamento.cli.optional_value import JsonCommand
@@ -20,6 +20,7 @@ from rolamento.cli.outputs import check_outputs
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
 from rolamento.cli.table_options import told_in_options
 from rolamento.errors import InputError
+from rolamento.words import said
 
 __all__ = ["app"]
 
@@ -83,7 +84,8 @@ def demonstration(
     with plain_endings(lang):
         check_outputs({"--json": json, "--plot": plot})
         from rolamento.document.medium import Medium
-        from rolamento.report.weibull_plan import demonstration_json, demonstration_report
+        from rolamento.document.terminal import terminal
+        from rolamento.pages.weibull_plan import demonstration_page
         from rolamento.tasks.weibull import demonstration_study
 
         with told_in_options(life="--life", time="--time"):
@@ -96,18 +98,17 @@ def demonstration(
                 confidence=confidence,
                 failures_allowed=failures_allowed,
             )
-        words = words_of(lang)
         if plot is not None:
             from rolamento.plots.saving import save_figure
             from rolamento.plots.weibull_plan import chance_figure
 
-            save_figure(chance_figure([found.plan, *found.beside], found.unit, words.code), plot)
+            save_figure(chance_figure([found.plan, *found.beside], found.unit), plot)
         if json is not None:
-            put(demonstration_json(found) + "\n", json)
+            put(dumps(found.to_mapping(), indent=2) + "\n", json)
         if json != STANDARD_STREAM:
-            print_text(demonstration_report(found, words, Medium.of(sys.stdout)))
+            print_text(terminal(demonstration_page(found), Medium.of(sys.stdout)))
         elif not found.plan.planned:
-            _complain(found.plan.code, words.code)
+            complain(str(found.plan.advice))
     raise typer.Exit(SOLVED if found.plan.planned else NO_RESULT)
 
 
@@ -155,21 +156,24 @@ def precision(
         check_outputs({"--json": json, "--plot": plot})
         sizes = group_size or []
         if (ratio is None) == (failures is None):
-            raise InputError("give --ratio or --failures", source="precision", example="--ratio 5")
+            raise InputError(
+                said("give --ratio or --failures"), source="precision", example="--ratio 5"
+            )
         if ratio is not None and groups is not None and len(sizes) > 1:
-            raise InputError("goes with one --group-size", source="--groups", value=groups)
+            raise InputError(
+                said("goes with a single --group-size"), source="--groups", value=groups
+            )
         if len(sizes) > _MAXIMUM_SIZES:
-            rule = f"may be given {_MAXIMUM_SIZES} times at most"
+            rule = said("may be given at most {most} times", most=_MAXIMUM_SIZES)
             raise InputError(rule, source="--group-size")
-        words = words_of(lang)
         from rolamento.cli.waiting import progress_of
         from rolamento.document.medium import Medium
-        from rolamento.report.weibull_plan import precision_json, precision_report
-        from rolamento.report.weibull_plan_words import PLAN_WORDS
+        from rolamento.document.terminal import terminal
+        from rolamento.pages.weibull_plan import precision_page
         from rolamento.tasks.weibull import precision_study
 
         with (
-            progress_of(PLAN_WORDS[words.code].working) as progress,
+            progress_of(said("Simulating tests …")) as progress,
             told_in_options(life="--life"),
         ):
             found = precision_study(
@@ -186,20 +190,14 @@ def precision(
                 progress=progress,
             )
         if json is not None:
-            put(precision_json(found) + "\n", json)
+            put(dumps(found.to_mapping(), indent=2) + "\n", json)
         if plot is not None:
             from rolamento.plots.saving import save_figure
             from rolamento.plots.weibull_plan import cost_figure
 
-            save_figure(cost_figure(found.plans, found.time_label, words.code), plot)
+            save_figure(cost_figure(found.plans, found.time_label), plot)
         if json != STANDARD_STREAM:
-            print_text(precision_report(found, words, Medium.of(sys.stdout)))
+            print_text(terminal(precision_page(found), Medium.of(sys.stdout)))
         elif not found.planned:
-            _complain(found.plans[0].code, words.code)
+            complain(str(found.plans[0].advice))
     raise typer.Exit(SOLVED if found.planned else NO_RESULT)
-
-
-def _complain(code: str, language: str) -> None:
-    from rolamento.report.weibull_sentences import said_advice
-
-    complain(said_advice(code, language))

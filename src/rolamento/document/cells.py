@@ -1,4 +1,4 @@
-"""What the media share: numbers as texts, what stands where in a table, symbols with an index.
+"""What the media share: numbers as texts, what stands where in a table, symbols and links.
 
 Numbers are written in the language that is spoken (`rolamento.words.speaking`).
 """
@@ -16,9 +16,12 @@ from rolamento.words import ABSENT, aligned, decimals_for, in_unit, manner
 
 __all__ = [
     "PEAK",
+    "address",
     "broken",
     "cell",
     "cells",
+    "characters",
+    "figure_spaced",
     "has_unit_line",
     "indexed",
     "is_numeric",
@@ -34,10 +37,18 @@ __all__ = [
 PEAK: Final = "◂"
 """What stands behind the greatest number of a column."""
 
+_AS_WIDE_AS_DIGIT: Final = "\u2007"
+_AS_WIDE_AS_MARK: Final = "\u2008"
+_LONGEST_LINE: Final = 40
+_BAR: Final = 16
+_MOST_WIDER: Final = 3
+"""Characters by which decimal marks in line may widen a column."""
 _INDEXED: Final = re.compile(
     r"(?<![\w./\\@-])([A-Za-zα-ωΑ-Ωµ])_([A-Za-z0-9]{1,4})(?!\w|[./\\@-]\w|_)"
 )
 """A letter with an index, ``Q_max``; not in the middle of a name or a path."""
+_GROUP: Final = re.compile(r"(?<=\d) (?=\d{3}(?!\d))")
+_SCHEME: Final = re.compile(r"[A-Za-z][A-Za-z0-9+.-]*:")
 
 
 # --- numbers -----------------------------------------------------------------------------------
@@ -47,7 +58,7 @@ def cells(column: Column) -> list[str]:
     """Write the cells of a column: numbers with the same decimals.
 
     Numbers of their own form are padded on the right, so that their decimal marks fall below each
-    other where all characters are of one width.
+    other where all characters are of one width; not where that would take much room.
     """
     if column.form:
         values = [_formed(value, column.form) for value in column.values]
@@ -57,12 +68,20 @@ def cells(column: Column) -> list[str]:
     if any(isinstance(value, Number) for value in column.values):
         own = [not isinstance(value, str) for value in column.values]
         numbers = [text for text, numeric in zip(texts, own, strict=True) if numeric and text]
-        lined = iter(aligned(numbers, manner().mark))
+        lined = iter(_in_line(numbers))
         texts = [
             next(lined) if numeric and text else text
             for text, numeric in zip(texts, own, strict=True)
         ]
-    return [_centred_dash(text, texts) for text in texts]
+    if column.once:
+        texts = ["" if row and text == texts[row - 1] else text for row, text in enumerate(texts)]
+    return [_centred_dash(text, texts) for text in texts] if is_numeric(column) else texts
+
+
+def _in_line(texts: Sequence[str]) -> Sequence[str]:
+    lined = aligned(texts, manner().mark)
+    wider = max(map(len, lined), default=0) - max(map(len, texts), default=0)
+    return lined if wider <= _MOST_WIDER else texts
 
 
 def cell(value: CellContent, unit: str = "", decimals: int = 0) -> str:
@@ -76,6 +95,16 @@ def cell(value: CellContent, unit: str = "", decimals: int = 0) -> str:
     if isinstance(value, bool | int):
         return manner().fixed(float(value), 0)
     return manner().fixed(float(in_unit(value, unit)), decimals)
+
+
+def figure_spaced(text: str) -> str:
+    """Return a number padded on the right by spaces as wide as the digits that it lacks."""
+    bare = text.rstrip(" ")
+    room = len(text) - len(bare)
+    if not room:
+        return text
+    mark = "" if manner().mark in bare else _AS_WIDE_AS_MARK
+    return bare + mark + _AS_WIDE_AS_DIGIT * (room - len(mark))
 
 
 def numbers_of(column: Column) -> list[float]:
@@ -139,6 +168,19 @@ def broken(block: Table, fits: Callable[[Table], bool]) -> Iterator[tuple[str, T
         yield each.heading, replace(whole, columns=part, legends=(each.legend,))
 
 
+def characters(block: Table) -> int:
+    """Return about how many characters a table is wide, its columns two apart."""
+    width = 0
+    for column in block.columns:
+        if column.only_in_files:
+            continue
+        words = max((len(word) for word in column.head.split()), default=0)
+        longest = max((min(len(text), _LONGEST_LINE) for text in cells(column)), default=0)
+        width += 2 + (_BAR if column.bar else max(words, len(column.unit), longest))
+        width += 2 * bool(column.peak)
+    return width
+
+
 def table_of_bars(block: Bars) -> Table:
     """Return labels and numbers of bars as a table."""
     columns = (
@@ -165,11 +207,23 @@ def stands_left(column: Column) -> bool:
     return column.align == "left" or (not column.align and texts and not is_numeric(column))
 
 
-# --- symbols -----------------------------------------------------------------------------------
+# --- texts -------------------------------------------------------------------------------------
+
+
+def address(target: str, *, web_only: bool = False) -> str:
+    """Return where a link leads: to the web or to a file beside the page; else nothing."""
+    if target.lower().startswith(("http://", "https://")):
+        return target
+    elsewhere = _SCHEME.match(target) or target.startswith(("/", "\\"))
+    return "" if elsewhere or web_only else target
 
 
 def indexed(text: str) -> Sequence[tuple[str, str]]:
-    """Part a text into pieces, each with the index that follows it: ``a_ISO`` ``("a", "ISO")``."""
+    """Part a text into pieces, each with the index that follows it: ``a_ISO`` ``("a", "ISO")``.
+
+    The groups of a number stay together.
+    """
+    text = _GROUP.sub("\u00a0", text)
     pieces: list[tuple[str, str]] = []
     end = 0
     for found in _INDEXED.finditer(text):

@@ -95,6 +95,8 @@ class Statement:
         What stands before it, such as ``"✓"``; the lines of the text hang beside it.
     mark_tone
         How the mark is meant, if not as the text.
+    verbatim
+        Whether it is to be copied, such as a command: its lines are not broken.
     """
 
     text: str
@@ -102,6 +104,7 @@ class Statement:
     indent: int = 0
     mark: str = ""
     mark_tone: Tone = ""
+    verbatim: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -129,7 +132,7 @@ class Column:
     Parameters
     ----------
     head
-        A symbol or words.
+        A symbol or words; a line break where a narrow medium begins a new line.
     values
         One a row; numbers in SI.
     unit
@@ -152,6 +155,8 @@ class Column:
         column of bars out, and files have none.
     only_in_files
         Whether the column stands only in what is written to files (CSV, workbook).
+    once
+        Show a text only where it differs from the one above; files have it in every row.
     """
 
     head: str
@@ -167,6 +172,7 @@ class Column:
     peak: Literal["", "maximum", "minimum"] = ""
     bar: bool = False
     only_in_files: bool = False
+    once: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -416,6 +422,18 @@ class Document:
         """Return its blocks from top to bottom."""
         for section in self.parts():
             yield from section.blocks
+
+    def _repr_html_(self) -> str:
+        """Return it as a notebook shows it."""
+        from rolamento.document.html import fragment
+
+        return fragment(self)
+
+    def _repr_markdown_(self) -> str:
+        """Return it as a notebook without HTML shows it."""
+        from rolamento.document.markdown import markdown
+
+        return markdown(self)
 
     def tables(self) -> tuple[Table, ...]:
         """Return the tables that are written to files."""

@@ -39,6 +39,7 @@ from rolamento.friction.slip import (
 from rolamento.friction.traction import ellipse_mesh
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.solved import Solved
+from rolamento.words import marked
 
 _POINTS = 120
 _STEPS = 60
@@ -237,9 +238,8 @@ def _curvature(patch: Patch, motion: RelativeMotion) -> FloatArray:
 
 MODEL: Final = TorqueModel(
     name="harris_1971",
-    title="Harris 1971",
-    short_title="Harris",
-    long_title="Harris's model of 1971",
+    title=marked("Harris 1971"),
+    short_title=marked("Harris"),
     needs=("friction_coefficient",),
     evaluate=lambda setting: harris_1971(setting.solved, setting.friction_coefficient[:, 0]),
     limits=limits_of_dry_friction,

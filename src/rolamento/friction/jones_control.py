@@ -28,6 +28,7 @@ from rolamento.friction.model import (
 from rolamento.friction.traction import EllipseMesh, ellipse_mesh
 from rolamento.numerics import FloatArray
 from rolamento.solved import Solved
+from rolamento.words import marked
 
 
 def jones_control(
@@ -71,9 +72,8 @@ def _allowed_directions(solved: Solved, held: NDArray[np.int64]) -> FloatArray:
 
 MODEL: Final = TorqueModel(
     name="jones_control",
-    title="Jones, raceway control",
-    short_title="Jones ctrl",
-    long_title="Jones's model with raceway control",
+    title=marked("Jones, raceway control"),
+    short_title=marked("Jones ctrl"),
     needs=("friction_coefficient",),
     evaluate=lambda setting: jones_control(
         setting.solved,

@@ -26,6 +26,7 @@ from rolamento.friction.model import (
 )
 from rolamento.friction.traction import EllipseMesh, ellipse_mesh
 from rolamento.solved import Solved
+from rolamento.words import marked
 
 
 def jones_full(
@@ -63,9 +64,8 @@ def jones_full_motion(
 
 MODEL: Final = TorqueModel(
     name="jones_full",
-    title="Jones, full",
-    short_title="Jones full",
-    long_title="Jones's full model",
+    title=marked("Jones, full"),
+    short_title=marked("Jones full"),
     needs=("friction_coefficient",),
     evaluate=lambda setting: jones_full(
         setting.solved, setting.friction_coefficient[:, 0], mesh=setting.mesh

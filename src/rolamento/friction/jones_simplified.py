@@ -25,6 +25,7 @@ from rolamento.friction.model import (
     unit_motion,
 )
 from rolamento.solved import Solved
+from rolamento.words import marked
 
 
 def jones_simplified(
@@ -57,9 +58,8 @@ def jones_simplified(
 
 MODEL: Final = TorqueModel(
     name="jones_simplified",
-    title="Jones, simplified",
-    short_title="Jones simp",
-    long_title="Jones's simplified model",
+    title=marked("Jones, simplified"),
+    short_title=marked("Jones simp"),
     needs=("friction_coefficient",),
     evaluate=lambda setting: jones_simplified(
         setting.solved, setting.friction_coefficient[:, 0], control=setting.control

@@ -20,6 +20,7 @@ from rolamento.kinematics import BallMotion, ball_motion, friction_demand
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.numerics.masked import filled
 from rolamento.solved import Solved
+from rolamento.words import Note, said
 
 if TYPE_CHECKING:
     from rolamento.friction.machine import MachineBearing
@@ -39,21 +40,8 @@ FULL_FILM: Final = 3.0
 BOUNDARY: Final = 1.0
 """Film parameter λ below which the asperities carry the load."""
 
-REASONS: Final[Mapping[str, str]] = {
-    "inertia": "the gyroscopic moment or the centrifugal force on a ball takes more than "
-    f"{INERTIA_SHARE:.0%} of what friction or its load can hold",
-    "full_film": "an oil film keeps the surfaces apart: friction is not Coulomb's",
-    "partial_film": "an oil film carries part of the load: the coefficient of friction is an "
-    "effective one",
-    "no_film": "asperities carry the load, and the model stands for a lubricated bearing",
-    "other_angle": "the maker's constants are for bearings of another contact angle",
-    "at_rest": "nothing turns: the torque is that of the first motion",
-    "no_result": "the state, or the model, has no result",
-}
-"""Why a model is not valid, or not quite, in words."""
-
-REMARKS: Final = ("partial_film", "at_rest")
-"""Those that do not refuse a model."""
+REMARKS: Final = ("partial_film", "torque_at_rest")
+"""Keys of the notes that do not refuse a model."""
 
 
 # --- what a model returns ---------------------------------------------------------------------
@@ -198,14 +186,14 @@ class TorqueModel:
     ----------
     name
         as callers, case files and JSON have it
-    title, short_title, long_title
-        in English: of a row, of a narrow column, within a sentence
+    title, short_title
+        in English: of a row, of a narrow column
     needs
         attributes of `Setting`, or of its machine, that must be known
     evaluate
         the torque; of models of the contacts without hysteresis and oil, which are added to each
     limits
-        the cases in which the model is not valid, or only with a remark, by names of `REASONS`
+        the cases in which the model is not valid, or only with a remark, by keys of notes
     of_contacts
         whether it knows contacts, or else the bearing as a whole
     closed_form
@@ -215,7 +203,6 @@ class TorqueModel:
     name: str
     title: str
     short_title: str
-    long_title: str
     needs: tuple[str, ...]
     evaluate: Callable[[Setting], Torque]
     limits: Callable[[Setting], Mapping[str, BoolArray]]
@@ -228,7 +215,7 @@ class TorqueModel:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ModelValidity:
-    """Whether a model is valid, (cases,); limits: by name of `REASONS` in which cases, (cases,)."""
+    """Whether a model is valid, (cases,); limits: by key of a note in which cases, (cases,)."""
 
     model: str
     valid: BoolArray
@@ -239,13 +226,18 @@ class ModelValidity:
         """The limits that concern at least one case."""
         return {name: where for name, where in self.limits.items() if np.any(where)}
 
+    def notes_of(self, case: int = 0) -> tuple[Note, ...]:
+        """Return why the model is not valid for a case, and the remarks on it."""
+        values = {"inertia": {"share": INERTIA_SHARE}}
+        return tuple(Note(k, values.get(k, {})) for k, where in self.limits.items() if where[case])
+
 
 def validity_of(model: TorqueModel, setting: Setting, converged: BoolArray) -> ModelValidity:
     """Judge a model for every case; converged: whether it found a result."""
     limits = {
         **model.limits(setting),
-        "at_rest": relative_speed(setting.solved) == 0.0,
-        "no_result": ~converged,
+        "torque_at_rest": relative_speed(setting.solved) == 0.0,
+        "torque_unknown": ~converged,
     }
     refused = [where for name, where in limits.items() if name not in REMARKS]
     return ModelValidity(model.name, ~np.any(refused, axis=0), limits)
@@ -329,7 +321,7 @@ def controlling_race(solved: Solved, control: ControlChoice) -> NDArray[np.int64
     """
     if control not in _CONTROLS:
         raise InputError(
-            f"must be one of {', '.join(_CONTROLS)}",
+            said("must be one of {known}", known=", ".join(_CONTROLS)),
             field="control",
             value=control,
             example='control = "jones"',
@@ -391,7 +383,7 @@ def checked_coefficient(value: ArrayLike, name: str, maximum: float = 1.0) -> Fl
     array = checked_numbers(value, name)
     if array.ndim > 1 or not np.all((array >= 0.0) & (array <= maximum)):
         raise InputError(
-            f"must be from 0 to {maximum:g}, one number or one for each case",
+            said("must be from 0 to {most:.6g}, one number or one for each case", most=maximum),
             field=name,
             value=value if array.ndim == 0 else "an array",
             example=f"{name} = 0.1",
@@ -411,7 +403,7 @@ def checked_positive(value: ArrayLike, name: str, *, zero: bool = False) -> Floa
     fine = np.isfinite(array) & ((array >= 0.0) if zero else (array > 0.0))
     if not np.all(fine):
         raise InputError(
-            "must be a number of at least zero" if zero else "must be a number above zero",
+            (said("must be a non-negative number") if zero else said("must be a positive number")),
             field=name,
             value=value if array.ndim == 0 else "an array",
         )
@@ -430,7 +422,7 @@ def checked_numbers(value: ArrayLike, name: str) -> FloatArray:
         return filled(value)
     except (TypeError, ValueError):
         raise InputError(
-            "must be a number, or an array of them",
+            said("must be a number or an array of numbers"),
             field=name,
             value=value if isinstance(value, str) else type(value).__name__,
             example=f"{name} = 0.1",
@@ -447,5 +439,8 @@ def over_cases(value: ArrayLike, name: str, cases: int) -> FloatArray:
     """
     array = checked_numbers(value, name).reshape(-1, 1)
     if len(array) not in (1, cases):
-        raise InputError(f"must be one number, or one for each of the {cases} cases", field=name)
+        raise InputError(
+            said("must be one number, or one for each of the {cases} cases", cases=cases),
+            field=name,
+        )
     return np.broadcast_to(array, (cases, 1))

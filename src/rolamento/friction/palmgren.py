@@ -32,6 +32,7 @@ from rolamento.friction.model import (
     torque_of_parts,
 )
 from rolamento.numerics import FloatArray
+from rolamento.words import marked, said
 
 BearingKind = Literal["deep_groove", "angular_contact"]
 Lubrication = Literal["grease", "oil_mist", "oil_bath", "oil_jet"]
@@ -145,7 +146,9 @@ def palmgren(
     """
     if lubrication not in LUBRICATION_FACTORS[_checked_kind(kind)]:
         known = ", ".join(LUBRICATION_FACTORS[kind])
-        raise InputError(f"must be one of {known}", field="lubrication", value=lubrication)
+        raise InputError(
+            said("must be one of {known}", known=known), field="lubrication", value=lubrication
+        )
     if kind == "angular_contact":
         checked_positive(contact_angle, "contact_angle")
     turning = np.atleast_1d(checked_numbers(speed, "speed"))
@@ -169,7 +172,11 @@ def palmgren(
 
 def _checked_kind(kind: str) -> str:
     if kind not in LOAD_FACTORS:
-        raise InputError(f"must be one of {', '.join(LOAD_FACTORS)}", field="kind", value=kind)
+        raise InputError(
+            said("must be one of {known}", known=", ".join(LOAD_FACTORS)),
+            field="kind",
+            value=kind,
+        )
     return kind
 
 
@@ -192,9 +199,8 @@ def _of_bearing(setting: Setting) -> Torque:
 
 MODEL: Final = TorqueModel(
     name="palmgren",
-    title="Palmgren",
-    short_title="Palmgren",
-    long_title="Palmgren's model",
+    title=marked("Palmgren"),
+    short_title=marked("Palmgren"),
     needs=("machine", "static_load_ratio"),
     evaluate=_of_bearing,
     limits=limits_of_lubricated_bearings,

@@ -37,7 +37,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento._data import toml_of
-from rolamento.errors import InputError, nearest
+from rolamento.errors import InputError, guess
 from rolamento.friction.model import (
     Setting,
     Torque,
@@ -49,6 +49,7 @@ from rolamento.friction.model import (
     torque_of_parts,
 )
 from rolamento.numerics import BoolArray, FloatArray
+from rolamento.words import marked, said
 
 Kind = Literal["deep_groove", "angular_contact"]
 Supply = Literal["grease", "oil_air", "low_oil_bath", "oil_jet"]
@@ -135,7 +136,7 @@ def angular_contact_constants(design: str = "single_row") -> SkfConstants:
     designs = _angular_contact_designs()
     if design not in designs:
         raise InputError(
-            f"must be one of {', '.join(designs)}",
+            said("must be one of {known}", known=", ".join(designs)),
             field="design",
             value=design,
             example='"double_row"',
@@ -176,10 +177,11 @@ def deep_groove_constants(series: str) -> SkfConstants:
     """
     known_series = deep_groove_series()
     if series not in known_series:
-        near = nearest(series, known_series)
-        known = f"did you mean {near}?" if near else f"known: {', '.join(known_series)}"
         raise InputError(
-            f"is not a series of deep-groove ball bearings in SKF's table; {known}",
+            said(
+                "is not a series of deep-groove ball bearings in SKF's table; {guess}",
+                guess=guess(series, known_series),
+            ),
             field="series",
             value=series,
             example='"62"',
@@ -226,7 +228,7 @@ def skf_moment(
     bore = 1e3 * checked_positive(bore_diameter, "bore_diameter")
     outside = 1e3 * checked_positive(outside_diameter, "outside_diameter")
     if not np.all(outside > bore):
-        raise InputError("must exceed the bore diameter", field="outside_diameter")
+        raise InputError(said("must be greater than the bore diameter"), field="outside_diameter")
     nu = 1e6 * checked_positive(kinematic_viscosity, "kinematic_viscosity")
     fr = np.abs(checked_numbers(radial_load, "radial_load"))
     fa = np.abs(checked_numbers(axial_load, "axial_load"))
@@ -273,7 +275,7 @@ def _deep_groove(
     axial = fa > 0.0
     if rating is None and np.any(axial):
         raise InputError(
-            "is needed for a deep-groove bearing with axial load",
+            said("is needed for a deep-groove bearing with axial load"),
             field="static_load_rating",
             example="static_load_rating = 7800.0",
         )
@@ -299,7 +301,9 @@ def _angular_contact(
 
 def _factor_of(table: Mapping[str, float], word: str, field: str) -> float:
     if word not in table:
-        raise InputError(f"must be one of {', '.join(table)}", field=field, value=word)
+        raise InputError(
+            said("must be one of {known}", known=", ".join(table)), field=field, value=word
+        )
     return table[word]
 
 
@@ -341,9 +345,8 @@ def _limits(setting: Setting) -> dict[str, BoolArray]:
 
 MODEL: Final = TorqueModel(
     name="skf",
-    title="SKF",
-    short_title="SKF",
-    long_title="SKF's model",
+    title=marked("SKF"),
+    short_title=marked("SKF"),
     needs=("machine", "constants"),
     evaluate=_of_bearing,
     limits=_limits,

@@ -37,6 +37,7 @@ from rolamento.lubrication.films import film, has_film, oil_of
 from rolamento.numerics import FloatArray
 from rolamento.numerics.blocks import in_blocks
 from rolamento.solved import Solved, refuse_other
+from rolamento.words import said
 
 HYSTERESIS: Final = "hysteresis"
 ROLLING_RESISTANCE: Final = "rolling_resistance"
@@ -108,7 +109,7 @@ class Friction:
                         "torque": self.models[found.model].total[case],
                         "parts": {k: p[case] for k, p in self.models[found.model].parts.items()},
                         "holds": found.valid[case],
-                        "reasons": [name for name, where in found.notes.items() if where[case]],
+                        "reasons": [note.to_mapping() for note in found.notes_of(case)],
                     }
                     for found in self.validity
                 },
@@ -172,7 +173,7 @@ def friction(
     refuse_other(solved, "friction")
     if model not in CONTACT_MODELS:
         raise InputError(
-            f"must be one of {', '.join(CONTACT_MODELS)}",
+            said("must be one of {known}", known=", ".join(CONTACT_MODELS)),
             field="model",
             value=model,
             example='model="jones_full"',
@@ -182,7 +183,7 @@ def friction(
         mu = solved.field("lubricant.friction_coefficient")
         if np.all(np.isnan(mu)) and len(solved):
             raise InputError(
-                "is missing: friction rests on it",
+                said("is missing; the friction calculation needs it"),
                 field="lubricant.friction_coefficient",
                 example="friction_coefficient=0.1",
             )

@@ -32,6 +32,7 @@ from rolamento.friction.model import (
     unit_motion,
 )
 from rolamento.solved import Solved
+from rolamento.words import marked
 
 
 def todd(
@@ -81,9 +82,8 @@ def _of_contacts(setting: Setting) -> Torque:
 
 MODEL: Final = TorqueModel(
     name="todd",
-    title="Todd",
-    short_title="Todd",
-    long_title="Todd's model",
+    title=marked("Todd"),
+    short_title=marked("Todd"),
     needs=("friction_coefficient",),
     evaluate=_of_contacts,
     limits=limits_of_dry_friction,

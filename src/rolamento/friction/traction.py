@@ -24,6 +24,7 @@ from numpy.typing import ArrayLike
 from rolamento.errors import InputError
 from rolamento.friction.slip import Patch, RelativeMotion, Slip, slip_velocity
 from rolamento.numerics import FloatArray
+from rolamento.words import said
 
 _MAXIMUM_POINTS = 2000
 _MIDDLE = 1e-9
@@ -67,7 +68,9 @@ def ellipse_mesh(across: int = 80, along: int = 5) -> EllipseMesh:
     for name, count, minimum in (("across", across, 2), ("along", along, 1)):
         if not minimum <= count <= _MAXIMUM_POINTS:
             raise InputError(
-                f"must be from {minimum} to {_MAXIMUM_POINTS}", field=f"mesh.{name}", value=count
+                said("must be from {least} to {most}", least=minimum, most=_MAXIMUM_POINTS),
+                field=f"mesh.{name}",
+                value=count,
             )
     u, legendre = np.polynomial.legendre.leggauss(across)
     angle = np.arange(1, along + 1) * np.pi / (along + 1)

@@ -11,6 +11,7 @@ from rolamento._data import toml_of
 from rolamento._reach import numbers
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
+from rolamento.words import said
 
 
 def figures() -> dict[str, Any]:
@@ -30,7 +31,7 @@ def positive(value: ArrayLike, field: str, *, zero: bool = False) -> FloatArray:
     low = array < 0.0 if zero else array <= 0.0
     if np.any(low):
         raise InputError(
-            "must be zero or more" if zero else "must be greater than zero",
+            (said("must not be negative") if zero else said("must be positive")),
             field=field,
             value=float(array[low].flat[0]),
         )
@@ -52,7 +53,7 @@ def within(value: ArrayLike, field: str, least: float, most: float, example: str
     outside = ~((array >= least) & (array <= most))
     if np.any(outside):
         raise InputError(
-            f"must be from {least:g} to {most:g}",
+            said("must be from {least:.6g} to {most:.6g}", least=least, most=most),
             field=field,
             value=value if array.ndim == 0 else float(array[outside].flat[0]),
             example=example,

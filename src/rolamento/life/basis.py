@@ -34,6 +34,7 @@ from rolamento.ratings import (
     static_rating,
 )
 from rolamento.solved import Rows, Solved
+from rolamento.words import said
 
 _ROW_SHARE: Final = 0.7
 """C of i equal rows is i^0.7 times that of one."""
@@ -145,7 +146,7 @@ class Basis:
             viscosity_ratio=_viscosity_ratio(rows, speed, given),
             common_notes={
                 **_notes_on_bearing(solved, given),
-                "at_rest": np.asarray(speed == 0.0),
+                "hours_at_rest": np.asarray(speed == 0.0),
                 "thrust_bearing": np.asarray(steep),
                 "no_dynamic_rating": np.isnan(ratings.dynamic_of_set) & ~steep,
                 "reliability_continued": np.full(len(solved), outside),
@@ -274,7 +275,10 @@ def _angle_of_radial(rows: Rows) -> FloatArray:
     steep = angle > MAXIMUM_ANGLE * (1.0 + _SAME)
     if steep.size and np.all(steep.any(axis=1)):
         raise InputError(
-            "is a thrust bearing's: the theories of life here are for radial bearings, up to 45°",
+            said(
+                "is that of a thrust bearing: these life theories are for radial "
+                "bearings, up to 45°"
+            ),
             field="bearing.contact_angle",
             value=f"{float(np.degrees(angle.max())):.4g} deg",
             example='contact_angle = "25 deg"',
@@ -300,8 +304,10 @@ def _ratings(solved: Solved, angle: FloatArray, given: LifeConditions) -> Rating
         static = _rating_or(given.static_rating, static_rating(*shape))
     if dynamic.size and np.all(np.isnan(dynamic)):
         raise InputError(
-            "is missing: the geometry lies outside the standard's table (D cos α/d_m from 0.01 to"
-            " 0.40)",
+            said(
+                "is missing: the geometry is outside the table of the standard (D cos "
+                "α/d_m from 0.01 to 0.40)"
+            ),
             field="dynamic_rating",
             example="dynamic_rating = 20600.0",
         )
@@ -339,7 +345,7 @@ def _rating_or(value: ArrayLike | None, computed: FloatArray) -> FloatArray:
     array = np.asarray(value, dtype=np.float64)
     column = array.reshape(-1, 1) if array.ndim == 1 else array
     if column.ndim > 2 or (column.ndim == 2 and len(column) not in (1, len(computed))):
-        raise InputError("must be one number, or one for each case", field="rating")
+        raise InputError(said("must be one number, or one for each case"), field="rating")
     return np.broadcast_to(column, computed.shape).copy()
 
 
@@ -425,7 +431,10 @@ def over_cases(value: ArrayLike, name: str, cases: int) -> FloatArray:
     """
     array = np.asarray(value, dtype=np.float64)
     if array.shape not in ((), (cases,)):
-        raise InputError(f"must be one number, or one for each of the {cases} cases", field=name)
+        raise InputError(
+            said("must be one number, or one for each of the {cases} cases", cases=cases),
+            field=name,
+        )
     return np.broadcast_to(array, (cases,)).copy()
 
 

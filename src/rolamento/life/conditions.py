@@ -25,6 +25,7 @@ from rolamento.life.reliability import RATING_RELIABILITY, Edition, reliability_
 from rolamento.lubrication.oil_state import oil_state
 from rolamento.numerics import FloatArray
 from rolamento.solved import Solved
+from rolamento.words import said
 
 FatigueLoad = Literal["contacts", "estimate"]
 
@@ -126,7 +127,7 @@ class LifeConditions:
         positive(self.fatigue_limit, "fatigue_limit", zero=True)
         if self.viscosity is not None and self.viscosity_ratio is not None:
             raise InputError(
-                "is given beside the viscosity, from which it follows; give one",
+                said("cannot be combined with the viscosity, from which it follows"),
                 field="viscosity_ratio",
                 example="viscosity_ratio = 1.5",
             )
@@ -135,7 +136,7 @@ class LifeConditions:
         if isinstance(self.fatigue_load_limit, str):
             if self.fatigue_load_limit not in ("contacts", "estimate"):
                 raise InputError(
-                    "must be contacts, estimate or a load",
+                    said("must be contacts, estimate or a load"),
                     field="fatigue_load_limit",
                     value=self.fatigue_load_limit,
                     example='fatigue_load_limit = "contacts"',

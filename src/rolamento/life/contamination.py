@@ -17,10 +17,11 @@ from typing import Any, Final, Literal, get_args
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento.errors import InputError, nearest
+from rolamento.errors import InputError, guess
 from rolamento.iso4406 import cleanliness_numbers
 from rolamento.life._figures import figures, positive
 from rolamento.numerics import FloatArray
+from rolamento.words import said
 
 OilSupply = Literal["circulating", "bath"]
 """Circulating: filtered in the line before the bearing; bath: not, or in a circuit of its own."""
@@ -54,7 +55,7 @@ def class_of_code(code: str, supply: OilSupply) -> ContaminationClass:
     """
     if supply not in get_args(OilSupply):
         raise InputError(
-            f"must be one of {', '.join(get_args(OilSupply))}",
+            said("must be one of {known}", known=", ".join(get_args(OilSupply))),
             field="supply",
             value=supply,
             example='supply = "circulating"',
@@ -66,7 +67,10 @@ def class_of_code(code: str, supply: OilSupply) -> ContaminationClass:
         if six <= most_six and fourteen <= most_fourteen:
             return _class(row, supply)
     raise InputError(
-        f"is dirtier than {rows[-1]['name']}, the last class of the standard for this supply",
+        said(
+            "is dirtier than {rows}, the last class of the standard for this supply",
+            rows=rows[-1]["name"],
+        ),
         field="cleanliness",
         value=code,
         example=_EXAMPLE,
@@ -92,7 +96,7 @@ def class_of_filter(size: float, ratio: float) -> ContaminationClass:
         if micrometres <= row["filter_size"] * (1.0 + 1e-9) and beta >= row["filter_ratio"]:
             return _class(row, "circulating")
     raise InputError(
-        "is coarser than the standard's last filter, β of 75 at 40 µm",
+        said("is coarser than the last filter of the standard, β of 75 at 40 µm"),
         field="filter",
         value=f"β = {beta:g} at {micrometres:g} µm",
         example="β = 200 at 12 µm",
@@ -109,10 +113,8 @@ def class_of_grease(level: str) -> ContaminationClass:
     """
     rows = {row["name"]: row for row in figures()["contamination"]["grease"]}
     if level not in rows:
-        near = nearest(str(level), rows)
-        guess = f"; did you mean {near}?" if near else ""
         raise InputError(
-            f"must be one of {', '.join(rows)}{guess}",
+            said("is an unknown class; {guess}", guess=guess(str(level), rows)),
             field="grease_cleanliness",
             value=level,
             example='grease_cleanliness = "normal"',

@@ -22,6 +22,7 @@ from rolamento._reach import numbers
 from rolamento.errors import InputError
 from rolamento.life._figures import figures, positive
 from rolamento.numerics import FloatArray
+from rolamento.words import said
 
 MAXIMUM_ANGLE: Final = float(np.radians(45.0))
 """Beyond it a bearing is a thrust bearing, with tables of its own."""
@@ -148,7 +149,7 @@ def _angle(contact_angle: ArrayLike) -> FloatArray:
     angle = numbers(contact_angle, "contact_angle")
     if np.any((angle < 0.0) | (angle > MAXIMUM_ANGLE * (1.0 + _ROUNDING))):
         raise InputError(
-            "must be from 0 to 45°: beyond it a thrust bearing, with tables of its own, begins",
+            said("must be from 0 to 45°: above that, the tables for thrust bearings apply"),
             field="contact_angle",
             value=f"{float(np.degrees(np.nanmax(np.abs(angle)))):.4g} deg",
             example='contact_angle = "25 deg"',

@@ -1,7 +1,7 @@
 """Which life leads: one rule for every report, table, figure and output.
 
 The reference life counts every ball; where κ and e_C are known, the modified reference life counts
-oil and dirt too, and leads. A life that knows less never takes its place: what it leaves out is
+oil and dirt too, and leads. A life that includes less never takes its place: what it leaves out is
 what is wrong with the case. Three things may stand in the way of a number:
 
 - κ below 0.1, or e_C of 0: the standard gives no factor. a_ISO does not fall with κ or e_C, and is
@@ -30,6 +30,7 @@ from rolamento.life.iso281_modified import MAXIMUM_RATIO, MINIMUM_RATIO, bounded
 from rolamento.life.iso16281_modified import THEORY as MODIFIED_REFERENCE
 from rolamento.life.record import BOUNDS, OUTSIDE, Life, finite
 from rolamento.numerics import BoolArray, FloatArray
+from rolamento.words import Note
 
 __all__ = ["Headline", "headline_of"]
 
@@ -55,7 +56,7 @@ class Headline:
     below
         whether the number is a bound, and the life less
     reason
-        name in `NOTES`: why it is a bound, or why nothing leads; empty where the life is valid
+        key of a note: why it is a bound, or why nothing leads; empty where the life is valid
     factor
         of the basic reference life: a_1 a_ISO
     """
@@ -74,8 +75,13 @@ class Headline:
         """(cases,): whether there is a life, or a bound of it, to go by."""
         return np.asarray(self.valid | self.below)
 
+    def reason_of(self, case: int = 0) -> Note | None:
+        """Say why it is a bound, or why nothing leads, in one case; None where it is valid."""
+        return Note(str(self.reason[case])) if self.reason[case] else None
+
     def to_mapping(self, case: int = 0) -> dict[str, Any]:
         """Give one case as plain values; NaN as None, endless life as None beside "endless"."""
+        reason = self.reason_of(case)
         return {
             "theory": str(self.theory[case]) or None,
             "reliability": self.reliability,
@@ -84,7 +90,7 @@ class Headline:
             "endless": bool(np.isposinf(self.life[case])),
             "holds": bool(self.valid[case]),
             "below": bool(self.below[case]),
-            "reason": str(self.reason[case]) or None,
+            "reason": None if reason is None else reason.to_mapping(),
         }
 
 

@@ -38,6 +38,7 @@ from rolamento.life.iso16281 import SLOPE, ReferenceLife, system_life
 from rolamento.life.shear_field import FieldMesh, shear_integrals
 from rolamento.life.theory import OF_BEARING, Theory
 from rolamento.numerics import FloatArray
+from rolamento.words import said
 
 if TYPE_CHECKING:
     from rolamento.life.basis import Basis
@@ -106,7 +107,9 @@ def risk_integral(
         For an unknown depth, or a negative limit.
     """
     if depth not in get_args(Depth):
-        raise InputError("must be local or mean", field="depth", value=depth, example='"local"')
+        raise InputError(
+            said("must be local or mean"), field="depth", value=depth, example='"local"'
+        )
     limit = positive(fatigue_limit, "fatigue_limit", zero=True)
     a, b, p0, limit = np.broadcast_arrays(
         contacts.semi_major, contacts.semi_minor, contacts.max_pressure, limit
@@ -240,7 +243,6 @@ def _evaluate(basis: Basis) -> Life:
 
 THEORY: Final = Theory(
     name="ioannides_harris",
-    title="by Ioannides and Harris",
     evaluate=_evaluate,
     validity=OF_BEARING,
     rank=4,

@@ -214,7 +214,6 @@ def _evaluate(basis: Basis) -> Life:
 
 THEORY: Final = Theory(
     name="iso16281",
-    title="basic reference, ISO/TS 16281",
     evaluate=_evaluate,
     validity=(*OF_BEARING, *OF_LOAD),
     rank=2,

@@ -35,7 +35,6 @@ def _evaluate(basis: Basis) -> Life:
 
 THEORY: Final = Theory(
     name="iso16281_modified",
-    title="modified reference, ISO/TS 16281",
     evaluate=_evaluate,
     asked=lambda basis: basis.contamination_factor is not None,
     needs=(VISCOSITY_RATIO, CLEANLINESS),

@@ -84,7 +84,6 @@ def _evaluate(basis: Basis) -> Life:
 
 THEORY: Final = Theory(
     name="iso281",
-    title="basic, ISO 281",
     evaluate=_evaluate,
     validity=(*OF_BEARING, *OF_EQUIVALENT_LOAD),
     rank=3,

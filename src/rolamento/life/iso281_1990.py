@@ -114,7 +114,6 @@ ADJUSTMENT: Final = Need(
 )
 THEORY: Final = Theory(
     name="iso281_1990",
-    title="adjusted, ISO 281:1990",
     evaluate=_evaluate,
     asked=lambda basis: (
         basis.given.material_factor is not None or basis.given.operation_factor is not None

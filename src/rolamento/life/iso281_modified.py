@@ -246,7 +246,6 @@ def _evaluate(basis: Basis) -> Life:
 
 THEORY: Final = Theory(
     name="iso281_modified",
-    title="modified, ISO 281",
     evaluate=_evaluate,
     asked=lambda basis: basis.contamination_factor is not None,
     needs=(VISCOSITY_RATIO, CLEANLINESS),

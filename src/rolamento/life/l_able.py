@@ -39,6 +39,7 @@ from rolamento.life.theory import (
     Theory,
 )
 from rolamento.numerics import BoolArray, FloatArray
+from rolamento.words import said
 
 if TYPE_CHECKING:
     from rolamento.life.basis import Basis
@@ -93,15 +94,22 @@ class FactorTable:
         for name in ("viscosity_ratio", "load_parameter", "factor"):
             array = np.array(positive(getattr(self, name), name))
             if not np.all(np.isfinite(array)) or array.size > _MAXIMUM_POINTS:
-                raise InputError(f"must be at most {_MAXIMUM_POINTS} finite numbers", field=name)
+                raise InputError(
+                    said("must be at most {most} finite numbers", most=_MAXIMUM_POINTS),
+                    field=name,
+                )
             object.__setattr__(self, name, array)
         for name in ("viscosity_ratio", "load_parameter"):
             axis = getattr(self, name)
             if axis.ndim != 1 or axis.size < 2 or not np.all(np.diff(axis) > 0.0):
-                raise InputError("must be at least two numbers that rise", field=name)
+                raise InputError(said("must be at least two increasing numbers"), field=name)
         if self.factor.shape != (self.viscosity_ratio.size, self.load_parameter.size):
             raise InputError(
-                f"must have {self.viscosity_ratio.size} rows of {self.load_parameter.size} numbers",
+                said(
+                    "must have {size} rows of {size_2} numbers",
+                    size=self.viscosity_ratio.size,
+                    size_2=self.load_parameter.size,
+                ),
                 field="factor",
             )
 
@@ -156,7 +164,7 @@ def read_factor_table(
     ]
     if len(loads) < 2 or len(rows) < 2:
         raise FileError(
-            "needs at least two rows (κ) of two columns (load parameters)",
+            said("needs at least two rows (κ) of two columns (load parameters)"),
             source=table.source,
             example=_EXAMPLE,
         )
@@ -175,7 +183,12 @@ def _cell(text: str, source: str, line: int, column: str) -> float:
         value = float("nan")
     if not isfinite(value):
         raise FileError(
-            "must be a number", field=column, value=text, source=source, line=line, example="0.5"
+            said("must be a number"),
+            field=column,
+            value=text,
+            source=source,
+            line=line,
+            example="0.5",
         )
     return value
 
@@ -266,7 +279,9 @@ def life_with_surface(subsurface_life: ArrayLike, surface_factor: ArrayLike) -> 
     """
     f = numbers(surface_factor, "surface_factor")
     if np.any((f <= 0.0) | (f > 1.0)):
-        raise InputError("must be above 0 and at most 1", field="surface_factor", example="0.5")
+        raise InputError(
+            said("must be above 0 and at most 1"), field="surface_factor", example="0.5"
+        )
     return np.asarray(numbers(subsurface_life, "subsurface_life") * f ** (1.0 / SLOPE))
 
 
@@ -285,7 +300,7 @@ def _evaluate(basis: Basis) -> Life:
     given, ratio, ratings = basis.given, basis.viscosity_ratio, basis.ratings
     if ratio is None:
         raise InputError(
-            "is missing: L_able needs the viscosity ratio, or the viscosity",
+            said("is missing: L_able needs the viscosity ratio, or the viscosity"),
             field="viscosity_ratio",
             example="viscosity_ratio = 1.5",
         )
@@ -319,7 +334,6 @@ NSK_CLEANLINESS: Final = Need(
 )
 THEORY: Final = Theory(
     name="l_able",
-    title="L_able of NSK",
     evaluate=_evaluate,
     asked=lambda basis: basis.given.nsk_cleanliness is not None,
     needs=(NSK_CLEANLINESS, VISCOSITY_RATIO),

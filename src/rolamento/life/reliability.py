@@ -23,6 +23,7 @@ from rolamento._reach import numbers
 from rolamento.errors import InputError
 from rolamento.life._figures import positive, within
 from rolamento.numerics import BoolArray, FloatArray
+from rolamento.words import said
 
 Edition = Literal["2007", "1990"]
 
@@ -86,7 +87,7 @@ def outside_print(reliability: ArrayLike, edition: Edition = "2007") -> BoolArra
 def _checked(edition: str) -> str:
     if edition not in get_args(Edition):
         raise InputError(
-            f"must be one of {', '.join(get_args(Edition))}",
+            said("must be one of {known}", known=", ".join(get_args(Edition))),
             field="edition",
             value=edition,
             example='edition = "2007"',

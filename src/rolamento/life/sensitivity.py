@@ -14,20 +14,21 @@ from rolamento.life.conditions import LifeConditions, conditions_of
 from rolamento.life.summary import LifeSummary, life
 from rolamento.solution import solve
 from rolamento.solved import Solved
-
-CHANGES: Final[Mapping[str, str]] = {
-    "less_load": "all forces and moments a tenth smaller",
-    "less_clearance": "diametral clearance 5 µm smaller",
-    "more_clearance": "diametral clearance 5 µm greater",
-    "thicker_oil": "viscosity half as great again, about one ISO VG grade",
-    "cleaner_oil": "contamination factor 0.2 greater, at most 1",
-}
-"""What is changed, by name."""
+from rolamento.words import Note, said
 
 _LOAD: Final = 0.9
 _CLEARANCE: Final = 5e-6
 _VISCOSITY: Final = 1.5
 _CLEANLINESS: Final = 0.2
+
+CHANGES: Final[Mapping[str, float]] = {
+    "less_load": _LOAD - 1.0,
+    "less_clearance": -_CLEARANCE,
+    "more_clearance": _CLEARANCE,
+    "thicker_oil": _VISCOSITY - 1.0,
+    "cleaner_oil": _CLEANLINESS,
+}
+"""By how much each quantity is changed, by the name of the change: relative, m, or absolute."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,9 +43,9 @@ class Change:
     life_ratio: float
 
     @property
-    def sentence(self) -> str:
-        """What is changed."""
-        return CHANGES[self.name]
+    def note(self) -> Note:
+        """What is changed, and by how much."""
+        return Note(self.name, {"change": round(CHANGES[self.name], 9)})
 
 
 def sensitivity(solved: Solved, conditions: LifeConditions | None = None) -> tuple[Change, ...]:
@@ -68,7 +69,7 @@ def sensitivity(solved: Solved, conditions: LifeConditions | None = None) -> tup
     """
     if len(solved) != 1 or solved.varied:
         raise InputError(
-            "must be a single case, from which nothing varied",
+            said("must be a single case in which nothing varies"),
             field="solved",
             value=f"{len(solved)} cases",
             example="sensitivity(rolamento.solve(case))",

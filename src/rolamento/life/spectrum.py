@@ -23,6 +23,7 @@ from rolamento.errors import InputError
 from rolamento.life._figures import positive
 from rolamento.life.iso16281 import SLOPE, system_life
 from rolamento.numerics import FloatArray
+from rolamento.words import said
 
 ROLLER_SLOPE: Final = 9.0 / 8.0
 """Weibull's slope of line contact, for roller bearings on the same shaft."""
@@ -52,12 +53,12 @@ def miner_life(lives: ArrayLike, shares: ArrayLike, *, axis: int = 0) -> FloatAr
     share = positive(shares, "shares", zero=True)
     if share.ndim != 1 or share.size != life.shape[-1]:
         raise InputError(
-            f"must be as many as there are steps, {life.shape[-1]}",
+            said("must be one for each step, {shape}", shape=life.shape[-1]),
             field="shares",
             value=f"{share.size} numbers",
         )
     if not abs(float(share.sum()) - 1.0) <= _SUM:
-        raise InputError("must sum to 1", field="shares", value=float(share.sum()))
+        raise InputError(said("must sum to 1"), field="shares", value=float(share.sum()))
     with np.errstate(divide="ignore", invalid="ignore"):
         damage = np.where(share > 0.0, share / life, 0.0).sum(axis=-1)
         return np.asarray(1.0 / damage)
@@ -76,7 +77,7 @@ def revolution_shares(time_shares: ArrayLike, speeds: ArrayLike) -> FloatArray:
     turned = positive(time_shares, "time_shares", zero=True) * np.abs(numbers(speeds, "speeds"))
     total = turned.sum()
     if not total > 0.0:
-        raise InputError("must not all be zero: nothing turns", field="speeds")
+        raise InputError(said("must not all be zero: nothing rotates"), field="speeds")
     return np.asarray(turned / total)
 
 
@@ -117,7 +118,7 @@ def shaft_life(lives: ArrayLike, *, axis: int = -1, slope: ArrayLike = SLOPE) ->
         return system_life(lives, axis=axis, slope=float(exponents))
     life = np.moveaxis(numbers(lives, "lives"), axis, -1)
     if exponents.shape != life.shape[-1:]:
-        raise InputError("must be one number, or one for each bearing", field="slope")
+        raise InputError(said("must be one number, or one for each bearing"), field="slope")
     return _mixed_life(life, exponents)
 
 

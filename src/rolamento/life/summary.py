@@ -26,6 +26,7 @@ from rolamento.life.reliability import reliability_factor, reliability_of
 from rolamento.life.theories import THEORIES
 from rolamento.numerics import FloatArray
 from rolamento.solved import Solved
+from rolamento.words import said
 
 _HOUR: Final = 3600.0
 _WORTH: Final = 1.5
@@ -198,7 +199,7 @@ def life(
     """
     if not isinstance(solved, Solved):
         raise InputError(
-            "must be what rolamento.solve returned",
+            said("must be the result of rolamento.solve"),
             field="solved",
             value=type(solved).__name__,
             example="life(rolamento.solve(case))",

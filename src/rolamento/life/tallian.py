@@ -31,6 +31,7 @@ from rolamento.life.reliability import RATING_RELIABILITY
 from rolamento.life.spectrum import shaft_life
 from rolamento.life.theory import OF_BEARING, OF_LOAD, Need, Theory
 from rolamento.numerics import BoolArray, FloatArray
+from rolamento.words import said
 
 if TYPE_CHECKING:
     from rolamento.geometry import Race
@@ -51,7 +52,9 @@ def product(factors: TallianFactors) -> float:
     for name in _FACTORS:
         if getattr(factors, name) is None:
             raise InputError(
-                "is missing: no constants of Tallian's form are public", field=name, example="1.0"
+                said("is missing: the constants of Tallian's model are not public"),
+                field=name,
+                example="1.0",
             )
     return float(np.prod([getattr(factors, name) for name in _FACTORS]))
 
@@ -182,7 +185,6 @@ FACTORS: Final = Need(
 )
 THEORY: Final = Theory(
     name="tallian",
-    title="by Tallian's form",
     evaluate=_evaluate,
     asked=lambda basis: (
         basis.given.tallian_subsurface is not None or basis.given.tallian_surface is not None

@@ -1,7 +1,7 @@
 """What a theory of life is: a name, what it needs, where it is valid, and how it is evaluated.
 
-Each theory stands in a file of its own, and in the list of `theories`; its words are in the texts
-of report and plots. Nothing else names them one by one.
+Each theory stands in a file of its own, and in the list of `theories`; its words are in
+`rolamento.words.theories`. Nothing else names them one by one.
 """
 
 from __future__ import annotations
@@ -99,8 +99,6 @@ class Theory:
     ----------
     name
         in JSON, in names of outputs and columns
-    title
-        in words, for lists of outputs
     evaluate
         from what the theories share to a `Life`
     asked
@@ -108,7 +106,7 @@ class Theory:
     needs
         what the case has to supply for it
     validity
-        names of the notes (`record.NOTES`) that refuse it: outside of these it is valid
+        keys of the notes that refuse it: outside of these it is valid
     rank
         by weight, from 0: figures list and colour theories by it
     standard
@@ -124,7 +122,6 @@ class Theory:
     """
 
     name: str
-    title: str
     evaluate: Callable[[Basis], Life]
     validity: tuple[str, ...]
     rank: int

@@ -33,6 +33,7 @@ from rolamento.lubrication.regime import regime_indices, regime_of, regimes
 from rolamento.numerics import FloatArray
 from rolamento.numerics.blocks import in_blocks
 from rolamento.solved import NO_LOAD, RACES, Contacts, Solved, refuse_other
+from rolamento.words import Note, said
 
 ROOM_TEMPERATURE: Final = 293.15
 """K"""
@@ -141,11 +142,11 @@ class Film:
         return np.asarray(np.fmin.reduce(parameters, axis=1))
 
     @property
-    def notes(self) -> tuple[tuple[str, ...], ...]:
-        """What the user should know about the film of each case; a tuple over cases of tuples."""
+    def notes(self) -> tuple[tuple[Note, ...], ...]:
+        """What to know about the film of each case; a tuple over cases of tuples."""
         return tuple(self.notes_of(case) for case in range(len(self)))
 
-    def notes_of(self, case: int = 0) -> tuple[str, ...]:
+    def notes_of(self, case: int = 0) -> tuple[Note, ...]:
         """The notes on one case."""
         return tuple(notes_on(self, case))
 
@@ -175,7 +176,7 @@ class Film:
                     }
                     for element in range(self.row.shape[1])
                 ],
-                "notes": self.notes_of(case),
+                "notes": [note.to_mapping() for note in self.notes_of(case)],
             }
         )
         return mapping
@@ -202,7 +203,7 @@ def film(solved: Solved, *, threads: int | None = None) -> Film:
     lubricant_of(solved.case)
     if "temperature.lubricant" not in solved.varied and solved.case.lubricant_temperature is None:
         raise InputError(
-            "is missing: the film needs the lubricant's temperature",
+            said("is missing: the film needs the lubricant's temperature"),
             field="temperature.lubricant",
             example='[temperature] with lubricant = "70 degC"',
         )
@@ -226,8 +227,10 @@ def lubricant_of(case: Case) -> Lubricant:
     """
     if case.lubricant is None:
         raise InputError(
-            "is missing: without a lubricant or a coefficient of friction there is no film and no"
-            " friction",
+            said(
+                "is missing: without a lubricant or a coefficient of friction there is "
+                "no film and no friction"
+            ),
             field="lubricant",
             example='lubricant = "ISO VG 68"',
         )

@@ -1,12 +1,12 @@
-"""What the user should know about a film: limits passed, assumptions strained.
+"""Notes on a film: limits exceeded, assumptions strained.
 
-A note never changes a number.
+A note never changes a number. Their sentences are in `rolamento.words.sentences.film`.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import isnan
+from math import isfinite
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
@@ -15,7 +15,7 @@ from rolamento.case.lubricant import Lubricant
 from rolamento.lubrication.film_thickness import COMPUTED_RANGE
 from rolamento.lubrication.regime import regime_of
 from rolamento.oil import MINIMUM_VISCOSITY
-from rolamento.units import from_si
+from rolamento.words import Note
 
 if TYPE_CHECKING:
     from rolamento.lubrication.films import Film
@@ -33,20 +33,18 @@ _GROUPS: Final = {
 }
 
 
-def notes_on(film: Film, case: int) -> Iterator[str]:
-    """Return what the user should know about the film of one case."""
+def notes_on(film: Film, case: int) -> Iterator[Note]:
+    """Return the notes on the film of one case."""
     lubricant = film.case.lubricant
     assert lubricant is not None
     if lubricant.kind == "dry":
-        yield (
-            f"Dry lubrication ({lubricant.name}): there is no film, only a coefficient of friction"
-            f" of {lubricant.friction_coefficient:g}."
-        )
+        coefficient = lubricant.friction_coefficient
+        yield Note("film_dry", {"lubricant": lubricant.name, "friction_coefficient": coefficient})
         return
     yield from _temperature(film, case, lubricant)
     yield from _assumptions(film, case, lubricant)
     if np.isinf(film.reference_viscosity[case]):
-        yield "Nothing turns: no film separates the surfaces."
+        yield Note("film_at_rest")
         return
     there = np.isfinite(_of_contacts(film, case, "central_thickness"))
     if there.any():
@@ -60,82 +58,58 @@ def _of_contacts(film: Film, case: int, name: str) -> FloatArray:
     return np.concatenate([getattr(film.inner, name)[case], getattr(film.outer, name)[case]])
 
 
-def _temperature(film: Film, case: int, lubricant: Lubricant) -> Iterator[str]:
+def _temperature(film: Film, case: int, lubricant: Lubricant) -> Iterator[Note]:
     temperature = float(film.temperature[case])
-    at = from_si(temperature, "temperature")
+    known = {"temperature": temperature, "lubricant": lubricant.name}
     oil = lubricant.oil
     minimum, maximum = oil.minimum_temperature, oil.maximum_temperature
     if minimum is not None and temperature < minimum:
-        yield (
-            f"The lubricant is below its range at {at}: {lubricant.name} is for"
-            f" {from_si(minimum, 'temperature')} and more."
-        )
+        yield Note("lubricant_too_cold", {**known, "minimum_temperature": minimum})
     if maximum is not None and temperature > maximum:
-        yield (
-            f"The lubricant is above its range at {at}: {lubricant.name} is for at most"
-            f" {from_si(maximum, 'temperature')}."
-        )
+        yield Note("lubricant_too_hot", {**known, "maximum_temperature": maximum})
     if film.kinematic_viscosity[case] < MINIMUM_VISCOSITY:
-        yield (
-            f"At {at} the oil has less than 2 mm²/s, where the line of ASTM D341 does not hold as"
-            " it is used here."
+        yield Note(
+            "viscosity_extrapolated", {"temperature": temperature, "minimum": MINIMUM_VISCOSITY}
         )
 
 
-def _assumptions(film: Film, case: int, lubricant: Lubricant) -> Iterator[str]:
+def _assumptions(film: Film, case: int, lubricant: Lubricant) -> Iterator[Note]:
     oil, alpha = lubricant.oil, float(film.pressure_viscosity[case])
-    if oil.pressure_viscosity is None:
-        method = "So and Klaus" if oil.pressure_viscosity_method == "so_klaus" else "Wooster"
-        yield (
-            "The pressure-viscosity coefficient is estimated"
-            f" ({alpha * 1e9:.3g} 1/GPa, {method}, for mineral oils)."
-        )
-    if isnan(alpha) or alpha <= 0.0:
-        yield "The estimate of the pressure-viscosity coefficient fails for so thin an oil."
+    if oil.pressure_viscosity is None and isfinite(alpha):
+        method = "so_klaus" if oil.pressure_viscosity_method == "so_klaus" else "wooster"
+        yield Note("pressure_viscosity_estimated", {"pressure_viscosity": alpha, "method": method})
+    if not alpha > 0.0:
+        yield Note("pressure_viscosity_unknown")
     if lubricant.kind == "grease":
-        yield "A grease is reckoned by its base oil, its inlets full; it may starve."
+        yield Note("grease_as_base_oil")
     if film.case.surface is None:
-        yield "Without the roughness of the surfaces there is no film parameter."
+        yield Note("roughness_missing")
 
 
-def _range(film: Film, case: int, there: BoolArray) -> Iterator[str]:
+def _range(film: Film, case: int, there: BoolArray) -> Iterator[Note]:
     """Groups outside of what the formulas were fitted to."""
-    outside = []
+    outside = {}
     for symbol, name in _GROUPS.items():
         values = _of_contacts(film, case, name)[there]
         minimum, maximum = COMPUTED_RANGE[symbol]
         if values.min() < minimum or values.max() > maximum:
-            outside.append(f"{symbol} {values.min():.2g} to {values.max():.2g}")
+            outside[symbol] = [float(values.min()), float(values.max())]
     if outside:
-        yield (
-            "Outside of what Hamrock and Dowson computed, as is usual for rolling bearings: "
-            + ", ".join(outside)
-            + "."
-        )
+        yield Note("outside_hamrock_dowson", outside)
 
 
-def _reductions(film: Film, case: int, there: BoolArray) -> Iterator[str]:
-    for name, cause in (
-        ("thermal_factor", "The heat of shear in the inlet"),
-        ("starvation_factor", "Lack of oil in the inlet"),
-    ):
-        minimum = _of_contacts(film, case, name)[there].min()
+def _reductions(film: Film, case: int, there: BoolArray) -> Iterator[Note]:
+    for name, key in (("thermal_factor", "film_heated"), ("starvation_factor", "film_starved")):
+        minimum = float(_of_contacts(film, case, name)[there].min())
         if minimum < STRONG_REDUCTION:
-            yield f"{cause} leaves only {100.0 * minimum:.0f} % of the film at some contacts."
+            yield Note(key, {"factor": minimum})
 
 
-def _regime(film: Film, case: int, there: BoolArray) -> Iterator[str]:
+def _regime(film: Film, case: int, there: BoolArray) -> Iterator[Note]:
     minimum = float(np.fmin.reduce(_of_contacts(film, case, "film_parameter")[there]))
     regime = regime_of(minimum)
     if regime is not None and regime.name in {"boundary", "adhesive"}:
-        yield (
-            f"Film parameter down to {minimum:.2g}: the asperities carry the load,"
-            " and fatigue is to be expected from the surface"
-            + (", with adhesive wear." if regime.name == "adhesive" else ".")
-        )
-    ratio, needed = film.viscosity_ratio[case], film.reference_viscosity[case]
+        yield Note(f"film_{regime.name}", {"film_parameter": minimum})
+    ratio, needed = float(film.viscosity_ratio[case]), float(film.reference_viscosity[case])
     if ratio < MINIMUM_RATIO:
-        yield (
-            f"Viscosity ratio {ratio:.2g}: the oil is thinner than the bearing needs"
-            f" ({needed * 1e6:.3g} mm²/s)."
-        )
+        yield Note("viscosity_ratio_low", {"viscosity_ratio": ratio, "required_viscosity": needed})

@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 from rolamento._data import toml_of
 from rolamento._reach import in_reach
 from rolamento.errors import InputError
+from rolamento.words import said
 
 Origin = Literal["surface", "subsurface", "undecided"]
 
@@ -96,7 +97,7 @@ def crack_origin(crack_depth: float, greatest_shear_depth: float) -> Origin:
     ratio = crack / shear
     if isnan(ratio):
         field = "crack_depth" if isnan(crack) else "greatest_shear_depth"
-        raise InputError("must be a number", field=field, value="nan")
+        raise InputError(said("must be a number"), field=field, value="nan")
     origins: list[Origin] = [
         record["origin"]
         for record in toml_of("lubrication_regimes")["crack"]

@@ -20,6 +20,7 @@ from numpy.typing import ArrayLike
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.numerics.masked import filled
+from rolamento.words import said
 
 SAMPLING_LENGTHS: Final = 5
 """By ISO 4288."""
@@ -95,8 +96,12 @@ def roughness_of_profile(
     needed = sampling_lengths * points + 2 * margin
     if profile.size < needed:
         raise InputError(
-            f"is too short: {sampling_lengths} sampling lengths and half a cut-off at either end"
-            f" take {needed} points",
+            said(
+                "is too short: {sampling_lengths} sampling lengths and half a cut-off "
+                "at either end need {needed} points",
+                sampling_lengths=sampling_lengths,
+                needed=needed,
+            ),
             field="heights",
             value=profile.size,
         )
@@ -157,15 +162,15 @@ def _checked_heights(heights: ArrayLike) -> FloatArray:
     try:
         profile = filled(heights)
     except (TypeError, ValueError):
-        raise InputError("must be numbers", field="heights") from None
+        raise InputError(said("must be numbers"), field="heights") from None
     if profile.ndim != 1 or not 0 < profile.size <= _MAXIMUM_POINTS:
         raise InputError(
-            f"must be a list of at most {_MAXIMUM_POINTS} heights",
+            said("must be a list of at most {most} heights", most=_MAXIMUM_POINTS),
             field="heights",
             value=str(profile.shape),
         )
     if not np.all(np.isfinite(profile)):
-        raise InputError("must be finite numbers", field="heights")
+        raise InputError(said("must be finite numbers"), field="heights")
     return profile
 
 
@@ -174,25 +179,30 @@ def _check_lengths(
 ) -> None:
     for name, value in (("spacing", spacing), ("cutoff", cutoff)):
         if not _is_positive(value):
-            raise InputError("must be greater than zero", field=name, value=value)
+            raise InputError(said("must be positive"), field=name, value=value)
     if cutoff < _MINIMUM_POINTS * spacing:
         raise InputError(
-            f"must be at least {_MINIMUM_POINTS} times the spacing of the points",
+            said(
+                "must be at least {least} times the point spacing",
+                least=_MINIMUM_POINTS,
+            ),
             field="cutoff",
             value=cutoff,
         )
     if short_cutoff is not None and not (_is_positive(short_cutoff) and short_cutoff < cutoff):
         raise InputError(
-            "must be greater than zero and less than the cut-off",
+            said("must be greater than zero and less than the cut-off"),
             field="short_cutoff",
             value=short_cutoff,
         )
     if not _is_positive(sampling_lengths) or sampling_lengths != int(sampling_lengths):
         raise InputError(
-            "must be a whole number from 1 on", field="sampling_lengths", value=sampling_lengths
+            said("must be a positive integer"),
+            field="sampling_lengths",
+            value=sampling_lengths,
         )
     if form not in (0, 1, 2):
-        raise InputError("must be 0, 1 or 2", field="form", value=form)
+        raise InputError(said("must be 0, 1 or 2"), field="form", value=form)
 
 
 def _is_positive(value: object) -> bool:

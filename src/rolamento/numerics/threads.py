@@ -6,6 +6,7 @@ import operator
 import os
 
 from rolamento.errors import InputError
+from rolamento.words import said
 
 __all__ = ["thread_count"]
 
@@ -26,7 +27,7 @@ def thread_count(threads: int | None) -> int:
         count = 0
     if count < 1:
         raise InputError(
-            "must be a whole number from 1 on, or None for all processors",
+            said("must be a positive integer, or None for all processors"),
             field="threads",
             value=threads,
             example="threads=2",

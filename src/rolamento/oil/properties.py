@@ -24,6 +24,7 @@ from numpy.typing import ArrayLike
 from rolamento._reach import in_reach
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
+from rolamento.words import said
 
 MINIMUM_VISCOSITY: Final = 2e-6
 """m²/s; below it the line needs the terms that are left out, and there is no viscosity index."""
@@ -69,7 +70,7 @@ def astm_d341_line(
     abscissa = np.log10(_temperature(first_temperature, "first_temperature"))
     further = np.log10(_temperature(second_temperature, "second_temperature"))
     if np.any(abscissa == further):
-        raise InputError("must differ from the first", field="second_temperature")
+        raise InputError(said("must differ from the first"), field="second_temperature")
     slope = (one - other) / (further - abscissa)
     return ViscosityLine(np.asarray(one + slope * abscissa), np.asarray(slope))
 

@@ -12,9 +12,10 @@ from rolamento.case.duty import AXES, LOADS, Duty
 from rolamento.document import Entry, KeyValues, Section, Title
 from rolamento.solved import Solved
 from rolamento.units import Dimension, readable
-from rolamento.words import manner, marked, said
+from rolamento.words import manner, said
+from rolamento.words.reasons import reason
 
-__all__ = ["BOTH", "facing", "head", "quantity", "reason", "untitled"]
+__all__ = ["BOTH", "facing", "head", "model_text", "quantity", "reason", "untitled"]
 
 BOTH: Final = "±"
 _PLUS, _MINUS = "+", "−"
@@ -26,7 +27,7 @@ def head(solved: Solved) -> Section:
     entries = (
         Entry(said("bearing"), _bearing(case.bearing)),
         Entry(said("duty"), _duty(case.duty)),
-        Entry(said("model"), _model(case)),
+        Entry(said("model"), model_text(case)),
         *_status(solved),
     )
     given = tuple(entry for entry in entries if entry.content)  # at rest no model matters
@@ -41,21 +42,6 @@ def untitled() -> str:
 def quantity(value: float, dimension: Dimension) -> str:
     """Write a value of a case with its unit, as in a case file; a computed one shorter."""
     return manner().localised(readable(value, dimension)).replace(" deg", "°")
-
-
-def reason(code: str) -> str:
-    """Say why a case has no result."""
-    return said(_REASONS.get(code, code))
-
-
-_REASONS: Final = {
-    "no_equilibrium": marked("there is no equilibrium"),
-    "not_converged": marked("not converged"),
-    "overloaded": marked("overloaded"),
-    "unheld_ball": marked("a ball is not held"),
-    "over_shoulder": marked("a contact lies beyond the shoulder of its groove"),
-    "invalid_input": marked("invalid input"),
-}
 
 
 # --- bearing -----------------------------------------------------------------------------------
@@ -201,7 +187,7 @@ def _imposed(duty: Duty) -> list[str]:
     return given
 
 
-def _model(case: Case) -> str:
+def model_text(case: Case) -> str:
     """Return the choices that matter: at rest, none does."""
     duty, model = case.duty, case.model
     if duty.inner_speed == 0.0 == duty.outer_speed:

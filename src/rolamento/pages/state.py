@@ -41,7 +41,7 @@ if TYPE_CHECKING:
 
     from rolamento.analysis import Analysis
 
-__all__ = ["balls_table", "notes_section", "state_page", "stiffness_section"]
+__all__ = ["balls_table", "notes_section", "rosette", "state_page", "stiffness_section"]
 
 _SHIFTS: Final = 3
 """x, y, z come before the tilts, forces before moments."""
@@ -69,7 +69,7 @@ def state_page(solved: Solved, analysis: Analysis | None = None) -> Document:
     if analysis is not None:
         sections += _what_follows(solved, analysis, notes)
     sections += notes_section(notes)
-    return Document(solved.title or untitled(), tuple(sections), kind="solve")
+    return Document(solved.title or untitled(), tuple(sections), kind="solve", main="balls")
 
 
 def notes_section(notes: Sequence[Note]) -> list[Section]:
@@ -84,7 +84,7 @@ def notes_section(notes: Sequence[Note]) -> list[Section]:
 def _middle(solved: Solved) -> Beside:
     """Show the ring above the heaviest ball, and the rosettes beside them."""
     left = (_ring(solved), _heaviest(solved))
-    return Beside(left, (_rosettes(solved),), key="ring")
+    return Beside(left, (rosette_section(solved),), key="ring")
 
 
 def _ring(solved: Solved) -> Section:
@@ -160,8 +160,25 @@ def stiffness_section(solved: Solved) -> Section:
                 tones=["faint", *tones[:_SHIFTS], "faint", *tones[_SHIFTS:]],
             )
         )
-    table = Table(columns=tuple(columns), key="stiffness", gap=3)
-    return Section(said("Stiffness"), (table,), key="stiffness")
+    table = Table(columns=tuple(columns), gap=3)
+    return Section(said("Stiffness"), (table, _stiffness_file(matrix)), key="stiffness")
+
+
+def _stiffness_file(matrix: list[list[float]]) -> Table:
+    """Return the matrix for files: a load in a row, the units of its two kinds behind it."""
+    count = len(AXES) - _SHIFTS
+    shift = ["N/µm"] * _SHIFTS + ["N·m/mm"] * count
+    tilt = ["N/mrad"] * _SHIFTS + ["N·m/mrad"] * count
+    columns = [Column(head="load", values=LOADS, key="load")]
+    for j, axis in enumerate(AXES):
+        units = shift if j < _SHIFTS else tilt
+        values = [Number(row[j], f"[{unit}]") for row, unit in zip(matrix, units, strict=True)]
+        columns.append(Column(head=axis, values=values, key=axis))
+    columns += [
+        Column(head="unit", values=shift, key="shift_unit"),
+        Column(head="unit", values=tilt, key="tilt_unit"),
+    ]
+    return Table(columns=tuple(columns), key="stiffness", only_in_files=True)
 
 
 def _without_noise(matrix: list[list[float]], row: int, column: int) -> float:
@@ -267,21 +284,32 @@ def _column(
     )
 
 
-_ONLY_IN_FILES: Final = (
+_CONTACT_COLUMNS: Final = (
+    ("load", "N"),
+    ("contact_angle", "°"),
     ("deflection", "µm"),
     ("semi_major", "mm"),
     ("semi_minor", "mm"),
+    ("max_pressure", "MPa"),
     ("mean_pressure", "MPa"),
     ("max_shear", "MPa"),
     ("max_shear_depth", "mm"),
     ("orthogonal_shear", "MPa"),
     ("orthogonal_shear_depth", "mm"),
+    ("spin_to_roll", ""),
+)
+_BALL_COLUMNS: Final = (
+    ("centrifugal_force", "N"),
+    ("gyroscopic_moment", "N·mm"),
+    ("orbital_speed", "rpm"),
+    ("ball_speed", "rpm"),
+    ("attitude", "°"),
 )
 
 
 def balls_section(solved: Solved) -> Section:
     """Show the balls, a line each: their contacts, and their motion where the rings turn."""
-    return Section(said("Balls"), (balls_table(solved),), key="balls")
+    return Section(said("Balls"), (balls_table(solved), all_of_the_balls(solved)), key="balls")
 
 
 def balls_table(solved: Solved) -> Table:
@@ -321,8 +349,7 @@ def balls_table(solved: Solved) -> Table:
         columns += _motion(solved)
     legend = said("Q load, α contact angle, p maximum pressure; i inner, o outer; ◂ maximum")
     return Table(
-        columns=(*columns, *_files_only(solved)),
-        key="balls",
+        columns=tuple(columns),
         legends=(legend,),
         groups=_row_names(solved),
         rule=True,
@@ -352,24 +379,27 @@ def _motion(solved: Solved) -> list[Column]:
     ]
 
 
-def _files_only(solved: Solved) -> list[Column]:
-    """Columns for which a page has no room."""
+def all_of_the_balls(solved: Solved) -> Table:
+    """Return the table of balls that is written to files: all numbers, touching or not."""
+    elements = solved.elements
     columns = [
-        Column(head=name, values=values, unit=unit, key=f"{race}_{name}", only_in_files=True)
+        Column(head="row", values=elements.row.tolist(), key="row"),
+        Column(head="ball", values=list(range(len(elements.row))), key="ball"),
+        Column(head="azimuth", values=elements.azimuth[0].tolist(), unit="°", key="azimuth"),
+    ]
+    columns += [
+        Column(head=name, values=values, unit=unit, key=f"{race}_{name}")
         for race in RACES
-        for name, unit in _ONLY_IN_FILES
+        for name, unit in _CONTACT_COLUMNS
         for values in [getattr(solved.contacts[race], name)[0].tolist()]
     ]
-    rest: tuple[tuple[str, list[CellContent], str], ...] = (
-        ("row", solved.elements.row.tolist(), ""),
-        ("attitude", solved.elements.attitude[0].tolist(), "°"),
-        ("raceway_control", list(control_names(solved)), ""),
-    )
     columns += [
-        Column(head=name, values=values, unit=unit, key=name, only_in_files=True)
-        for name, values, unit in rest
+        Column(head=name, values=getattr(elements, name)[0].tolist(), unit=unit, key=name)
+        for name, unit in _BALL_COLUMNS
     ]
-    return columns
+    control = list(control_names(solved))
+    columns.append(Column(head="raceway_control", values=control, key="raceway_control"))
+    return Table(columns=tuple(columns), key="balls", only_in_files=True)
 
 
 def _row_names(solved: Solved) -> tuple[tuple[int, str], ...]:
@@ -394,7 +424,7 @@ _BITS: Final = ((0x01, 0x08), (0x02, 0x10), (0x04, 0x20), (0x40, 0x80))
 Sketch = list[list[tuple[str, Tone]]]
 
 
-def _rosettes(solved: Solved) -> Section:
+def rosette_section(solved: Solved) -> Section:
     """Draw the inner loads round the bearing, with the axes and the scale: one rosette a row."""
     count = len(solved.rows)
     heading = said("Load rosette") if count == 1 else said("Load rosettes")
@@ -441,20 +471,47 @@ def _rosette(solved: Solved, row: int, rim: float, draws: bool) -> Sketch:
     """Draw one row, as wide as every other."""
     own = solved.elements.row == row
     loads, azimuths = solved.inner.load[0, own], solved.elements.azimuth[0, own]
-    canvas = _Canvas(_HEIGHT, braille=draws)
-    for step in range(16 * _HEIGHT):
-        canvas.dot(1.0, 2.0 * pi * step / (16 * _HEIGHT), loaded=False)
-    for load, azimuth in zip(loads.tolist(), azimuths.tolist(), strict=True):
-        if load > 0.0:
-            canvas.spoke(load / rim, azimuth)
+    drawn = rosette(loads.tolist(), azimuths.tolist(), _HEIGHT, rim=rim, braille=draws)
     width = 2 * _HEIGHT
     lines: Sketch = [[("+z".center(width) + " " * len(_SIDE), "")]]
     if len(solved.rows) > 1:
         lines.insert(0, [(said("row {number}", number=row).center(width) + " " * len(_SIDE), "")])
-    for number, cells in enumerate(canvas.lines()):
+    for number, cells in enumerate(drawn):
         side = _SIDE if number == _HEIGHT // 2 else " " * len(_SIDE)
         lines.append([*cells, (side, "")])
     return lines
+
+
+def rosette(
+    loads: Sequence[float],
+    azimuths: Sequence[float],
+    height: int,
+    *,
+    rim: float,
+    braille: bool = True,
+) -> Sketch:
+    """Draw a spoke for each ball, as long as its load, within a rim.
+
+    Parameters
+    ----------
+    loads
+        Of the balls; what is not a number or not above zero is left out.
+    azimuths
+        Of the balls, in rad.
+    height
+        In lines; the drawing is twice as many characters wide.
+    rim
+        The load at the rim.
+    braille
+        Draw with braille dots, two by four to a character; otherwise with ASCII.
+    """
+    canvas = _Canvas(height, braille=braille)
+    for step in range(16 * height):
+        canvas.dot(1.0, 2.0 * pi * step / (16 * height), loaded=False)
+    for load, azimuth in zip(loads, azimuths, strict=True):
+        if load > 0.0:
+            canvas.spoke(load / rim, azimuth)
+    return canvas.lines()
 
 
 class _Canvas:

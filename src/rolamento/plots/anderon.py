@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import isfinite, sqrt
 from typing import TYPE_CHECKING, Final
 
@@ -21,6 +21,8 @@ from rolamento.plots.frame import (
 )
 from rolamento.plots.style import INNER, OUTER, new_figure, styled
 from rolamento.plots.words import plot_words
+from rolamento.words import language, said
+from rolamento.words.sentences.noise import band_name
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -35,50 +37,16 @@ _PARTS: Final = 8
 _ROOM: Final = 1.6
 
 
-@dataclass(frozen=True, slots=True)
-class _Words:
-    frequency: str
-    anderons: str
-    steps: str
-    level: str
-    limit: str
-    nothing: str
-    bands: Mapping[BandName, str]
-
-
-_WORDS: Final[Mapping[str, _Words]] = {
-    "en": _Words(
-        frequency="Frequency (Hz)",
-        anderons="Noise (anderon)",
-        steps="thirds of octaves",
-        level="level of the band",
-        limit="accepted up to here",
-        nothing="The sampling rate holds none of the bands.",
-        bands={"low": "low", "medium": "medium", "high": "high"},
-    ),
-    "pt": _Words(
-        frequency="Frequência (Hz)",
-        anderons="Ruído (anderon)",
-        steps="terços de oitava",
-        level="nível da faixa",
-        limit="aceito até aqui",
-        nothing="A taxa de amostragem não contém nenhuma das faixas.",
-        bands={"low": "baixa", "medium": "média", "high": "alta"},
-    ),
-}
-
-
 def noise_figure(
     noise: Noise,
     *,
     limits: Mapping[BandName, float] | None = None,
     title: str = "",
-    language: str = "en",
 ) -> Figure:
     """Draw noise over frequency, as `noise_bands`, with a title."""
     with styled():
         figure, axes = new_figure(height=90.0)
-        noise_bands(noise, axes, limits=limits, language=language)
+        noise_bands(noise, axes, limits=limits)
         if title:
             add_title(figure, title)
     return figure
@@ -89,7 +57,6 @@ def noise_bands(
     axes: Axes | None = None,
     *,
     limits: Mapping[BandName, float] | None = None,
-    language: str = "en",
 ) -> Axes:
     """Draw the anderons of thirds of octaves, with the level and the limit of each band.
 
@@ -101,12 +68,10 @@ def noise_bands(
         To draw on; of a new figure if not given.
     limits
         Anderons by band up to which noise is accepted.
-    language
-        ``"en"`` or ``"pt"``.
     """
     from rolamento.vibration.anderon import noise_steps
 
-    shared, words = plot_words(language), _WORDS["pt" if language == "pt" else "en"]
+    shared = plot_words(language())
     with styled():
         axes = new_figure(height=90.0)[1] if axes is None else axes
         levels = [band.anderons for band in noise.bands if isfinite(band.anderons)]
@@ -114,20 +79,18 @@ def noise_bands(
         drawn = np.concatenate([found.anderons for found in steps.values()] or [np.zeros(0)])
         sizes = [value for value in (*levels, *drawn.tolist()) if value > 0.0]
         if not sizes:
-            return empty_frame(axes, words.nothing)
-        _draw(axes, noise, steps, limits or {}, words)
-        label_x(axes, words.frequency, shared)
-        label_y(axes, words.anderons, shared)
-        _frame(axes, noise, [*sizes, *(limits or {}).values()], words)
+            return empty_frame(axes, said("The sampling rate is too low for all of the bands."))
+        _draw(axes, noise, steps, limits or {})
+        label_x(axes, said("Frequency (Hz)"), shared)
+        label_y(axes, said("Noise (anderon)"), shared)
+        _frame(axes, noise, [*sizes, *(limits or {}).values()])
         log_scale(axes, "x", shared)
         log_scale(axes, "y", shared)
         legend_above(axes)
     return axes
 
 
-def noise_trend_figure(
-    trend: Trend, *, limits: Mapping[BandName, float] | None = None, language: str = "en"
-) -> Figure:
+def noise_trend_figure(trend: Trend, *, limits: Mapping[BandName, float] | None = None) -> Figure:
     """Draw the levels of the three bands over running time, with the limit of each.
 
     Parameters
@@ -136,22 +99,19 @@ def noise_trend_figure(
         With the bands, from low to high, as its quantities.
     limits
         Anderons by band up to which noise is accepted.
-    language
-        ``"en"`` or ``"pt"``.
     """
     from rolamento.plots.trend import trend_figure
+    from rolamento.vibration.anderon import BANDS
 
-    words = _WORDS["pt" if language == "pt" else "en"]
-    translated = replace(trend, quantities=tuple(words.bands.values()))
-    figure = trend_figure(translated, language=language)
+    translated = replace(trend, quantities=tuple(map(band_name, BANDS)))
+    figure = trend_figure(translated)
     with styled():
         named = False
-        for axes, name in zip(figure.axes, words.bands, strict=True):
+        for axes, name in zip(figure.axes, BANDS, strict=True):
             limit = (limits or {}).get(name)
             if limit is not None:
-                axes.axhline(
-                    limit, color=OUTER.color, linestyle="--", label="" if named else words.limit
-                )
+                label = "" if named else said("limit of acceptance")
+                axes.axhline(limit, color=OUTER.color, linestyle="--", label=label)
                 axes.set_ylim(top=max(axes.get_ylim()[1], 1.1 * limit))
                 if not named:
                     legend_above(axes)
@@ -164,7 +124,6 @@ def _draw(
     noise: Noise,
     steps: Mapping[BandName, NoiseSteps],
     limits: Mapping[BandName, float],
-    words: _Words,
 ) -> None:
     """Draw steps, levels and limits, each kind named once in the legend."""
     named: set[str] = set()
@@ -178,20 +137,20 @@ def _draw(
         if band.name in steps:
             edges, values = steps[band.name]
             axes.stairs(values, edges, baseline=None, color=INNER.color, linewidth=1.0,
-                        label=label(words.steps))  # fmt: skip
+                        label=label(said("thirds of octaves")))  # fmt: skip
             axes.hlines(band.anderons, *band.band, color="black", linewidth=2.0,
-                        label=label(words.level))  # fmt: skip
+                        label=label(said("level of the band")))  # fmt: skip
         if band.name in limits:
             axes.hlines(limits[band.name], *band.band, color=OUTER.color, linestyle="--",
-                        label=label(words.limit))  # fmt: skip
+                        label=label(said("limit of acceptance")))  # fmt: skip
 
 
-def _frame(axes: Axes, noise: Noise, sizes: Sequence[float], words: _Words) -> None:
+def _frame(axes: Axes, noise: Noise, sizes: Sequence[float]) -> None:
     """Set the limits of the axes, and name the bands along the top."""
     axes.set_xlim(noise.bands[0].band[0], noise.bands[-1].band[1])
     axes.set_ylim(min(sizes) / _ROOM, max(sizes) * _ROOM**2)
     for band in noise.bands:
         low, high = band.band
         axes.axvline(low, color=GREY, linewidth=0.7, zorder=1.5)
-        axes.text(sqrt(low * high), 0.985, words.bands[band.name], va="top", ha="center",
+        axes.text(sqrt(low * high), 0.985, band_name(band.name), va="top", ha="center",
                   fontsize=8.0, color=GREY, transform=axes.get_xaxis_transform())  # fmt: skip

@@ -20,12 +20,13 @@ from rolamento.plots.frame import (
     label_x,
     label_y,
     legend_above,
+    no_result,
     number,
     require_axes,
 )
 from rolamento.plots.style import INNER, OUTER, SERIES, in_style, new_figure, new_polar_figure
-from rolamento.plots.words import ENGLISH, PlotWords
 from rolamento.solved import NO_LOAD, RACES, Solved, refuse_other
+from rolamento.words import said, said_in
 
 Floats = NDArray[np.float64]
 _TURN: Final = 360.0
@@ -35,7 +36,7 @@ _DIRECTIONS: Final = ("0°, +z", "45°", "90°\n+y", "135°", "180°", "225°", 
 
 
 @in_style
-def ball_loads(solved: Solved, axes: Axes | None = None, *, words: PlotWords = ENGLISH) -> Axes:
+def ball_loads(solved: Solved, axes: Axes | None = None) -> Axes:
     """Draw the contact loads of the balls over their azimuth, for each race and row.
 
     Parameters
@@ -44,8 +45,6 @@ def ball_loads(solved: Solved, axes: Axes | None = None, *, words: PlotWords = E
         One case; without a result, a frame that says why is drawn.
     axes
         To draw on; of a new figure if not given.
-    words
-        Language of the labels.
 
     Returns
     -------
@@ -57,35 +56,35 @@ def ball_loads(solved: Solved, axes: Axes | None = None, *, words: PlotWords = E
     InputError
         If this is not one solved case, or the axes are none.
     """
-    return _over_azimuth(solved, axes, "load", None, words.ball_load, words, from_zero=True)
+    return _over_azimuth(solved, axes, "load", None, said("Contact load"), from_zero=True)
 
 
 @in_style
-def contact_angles(solved: Solved, axes: Axes | None = None, *, words: PlotWords = ENGLISH) -> Axes:
+def contact_angles(solved: Solved, axes: Axes | None = None) -> Axes:
     """Draw the loaded contact angles over azimuth, with the free angle where it is given.
 
     Parameters, result and errors as of `ball_loads`; where ball and race do not touch, nothing is
     drawn.
     """
-    axes = _over_azimuth(solved, axes, "contact_angle", DEGREE, words.contact_angle, words)
+    axes = _over_azimuth(solved, axes, "contact_angle", DEGREE, said("Contact angle"))
     bearing = solved.case.bearing
     one = bearing.arrangement is None and bearing.rows is None
     if solved.converged[0] and one and bearing.contact_angle is not None:
         angle = degrees(bearing.contact_angle)
-        axes.axhline(angle, color=GREY, linewidth=0.9, zorder=1.5, label=words.free_angle)
+        axes.axhline(angle, color=GREY, linewidth=0.9, zorder=1.5, label=said("free (unloaded)"))
         legend_above(axes)
     return axes
 
 
 @in_style
-def pressures(solved: Solved, axes: Axes | None = None, *, words: PlotWords = ENGLISH) -> Axes:
+def pressures(solved: Solved, axes: Axes | None = None) -> Axes:
     """Draw the maximum Hertz pressures of the contacts over azimuth.
 
     Parameters, result and errors as of `ball_loads`; where ball and race do not touch, nothing is
     drawn.
     """
-    name, unit = words.max_pressure, MEGAPASCAL
-    return _over_azimuth(solved, axes, "max_pressure", unit, name, words, from_zero=True)
+    name, unit = said("Maximum contact pressure"), MEGAPASCAL
+    return _over_azimuth(solved, axes, "max_pressure", unit, name, from_zero=True)
 
 
 def touching(solved: Solved, race: Race, name: str) -> Floats:
@@ -107,14 +106,19 @@ def check_one_case(solved: Solved, figure: str) -> None:
     refuse_other(solved, f"plots.{figure}")
     if len(solved) != 1:
         raise InputError(
-            "must be of one case", field="solved", value=len(solved), example="solved[0]"
+            said("must be a single case"), field="solved", value=len(solved), example="solved[0]"
         )
 
 
-def race_name(race: Race, row: int, rows: int, words: PlotWords) -> str:
+def race_word(race: Race) -> str:
+    """Name the race in a word."""
+    return said_in("race", "inner") if race == "inner" else said_in("race", "outer")
+
+
+def race_name(race: Race, row: int, rows: int) -> str:
     """Name the race, and the row if there are several."""
-    name = words.inner if race == "inner" else words.outer
-    return name if rows == 1 else f"{name}, {words.row.format(number=row)}"
+    name = race_word(race)
+    return name if rows == 1 else said("{race}, row {number}", race=name, number=row)
 
 
 def row_keywords(race: Race, row: int) -> dict[str, Any]:
@@ -139,7 +143,6 @@ def _over_azimuth(
     quantity: str,
     unit: ReadableUnit | None,
     name: str,
-    words: PlotWords,
     *,
     from_zero: bool = False,
 ) -> Axes:
@@ -147,7 +150,7 @@ def _over_azimuth(
     check_one_case(solved, "ball_loads")
     axes = new_figure()[1] if axes is None else require_axes(axes)
     if not solved.converged[0]:
-        return empty_frame(axes, words.reason(str(solved.status.code[0])))
+        return empty_frame(axes, no_result(str(solved.status.code[0])))
     if unit is None:
         numbers = {race: solved.contacts[race].load[0] for race in RACES}
         unit = readable_unit("N", np.concatenate(list(numbers.values())))
@@ -157,15 +160,15 @@ def _over_azimuth(
     for row, balls in enumerate(rows):
         azimuth = np.mod(DEGREE.of(solved.elements.azimuth[0, balls]), _TURN)
         for race in RACES:
-            label = race_name(race, row, len(rows), words)
+            label = race_name(race, row, len(rows))
             line = _all_round(azimuth, unit.of(numbers[race][balls]))
             axes.plot(*line, label=label, **row_keywords(race, row))
     axes.set_xlim(-_MARGIN, _TURN + _MARGIN)
     axes.set_xticks(np.arange(0.0, _TURN + 1.0, _STEP))
     if from_zero:
         axes.set_ylim(bottom=0.0)
-    label_x(axes, DEGREE.label(words.azimuth), words)
-    label_y(axes, unit.label(name), words)
+    label_x(axes, DEGREE.label(said("Azimuth of the ball")))
+    label_y(axes, unit.label(name))
     legend_above(axes)
     return axes
 
@@ -180,9 +183,7 @@ def _all_round(azimuth: Floats, values: Floats) -> tuple[Floats, Floats]:
 
 
 @in_style
-def load_rosette(
-    solved: Solved, axes: Axes | None = None, *, words: PlotWords = ENGLISH
-) -> PolarAxes:
+def load_rosette(solved: Solved, axes: Axes | None = None) -> PolarAxes:
     """Draw the contact loads around the bearing: +z is up, azimuths run clockwise over +y.
 
     Parameters
@@ -191,8 +192,6 @@ def load_rosette(
         One case; without a result, a frame that says why is drawn.
     axes
         Polar axes to draw on; of a new figure if not given.
-    words
-        Language of the labels.
 
     Returns
     -------
@@ -207,7 +206,7 @@ def load_rosette(
     check_one_case(solved, "load_rosette")
     polar = new_polar_figure()[1] if axes is None else _turned(axes)
     if not solved.converged[0]:
-        empty_frame(polar, words.reason(str(solved.status.code[0])))
+        empty_frame(polar, no_result(str(solved.status.code[0])))
         return polar
     loads = {race: solved.contacts[race].load[0] for race in RACES}
     unit = readable_unit("N", np.concatenate(list(loads.values())))
@@ -215,19 +214,20 @@ def load_rosette(
     for row, balls in enumerate(rows):
         around = np.append(balls, balls[0])
         for race in RACES:
-            label = race_name(race, row, len(rows), words)
+            label = race_name(race, row, len(rows))
             azimuth, load = solved.elements.azimuth[0, around], unit.of(loads[race][around])
             polar.plot(azimuth, load, label=label, **row_keywords(race, row))
     polar.set_thetagrids(np.arange(0.0, 360.0, 45.0), _DIRECTIONS)
     polar.set_rlim(bottom=0.0)
-    polar.set_xlabel(f"{unit.label(words.ball_load)}, {words.seen_from}", labelpad=6.0)
+    label = said("Contact load ({unit}), seen from +x", unit=unit.symbol)
+    polar.set_xlabel(label, labelpad=6.0)
     legend_above(polar)
     larger = unit.of(np.maximum(loads["inner"], loads["outer"]))
-    _number_circles(polar, solved.elements.azimuth[0], larger, words)
+    _number_circles(polar, solved.elements.azimuth[0], larger)
     return polar
 
 
-def _number_circles(axes: PolarAxes, azimuth: Floats, load: Floats, words: PlotWords) -> None:
+def _number_circles(axes: PolarAxes, azimuth: Floats, load: Floats) -> None:
     """Write what the circles stand for where the balls bear least, and clear of what they bear."""
     directions = np.arange(202.5, 562.5, 45.0)
     near = np.cos(azimuth - np.radians(directions)[:, np.newaxis]) > np.cos(np.pi / 4)
@@ -237,15 +237,15 @@ def _number_circles(axes: PolarAxes, azimuth: Floats, load: Floats, words: PlotW
     circles = np.asarray(MaxNLocator(4, steps=[1, 2, 2.5, 5, 10]).tick_values(0.0, rim))
     circles = circles[(circles > 0.0) & (circles <= rim)]
     clear = 2.0 * borne[emptiest]
-    names = [number(circle, words) if circle > clear else "" for circle in circles]
-    axes.set_rgrids(circles, names if any(names) else [number(c, words) for c in circles])
+    names = [number(circle) if circle > clear else "" for circle in circles]
+    axes.set_rgrids(circles, names if any(names) else [number(c) for c in circles])
     axes.set_rlabel_position(directions[emptiest] % 360.0)
 
 
 def _turned(axes: Axes) -> PolarAxes:
     if not isinstance(axes, PolarAxes):
         raise InputError(
-            "must be polar", field="axes", example='figure.add_subplot(projection="polar")'
+            said("must be polar"), field="axes", example='figure.add_subplot(projection="polar")'
         )
     axes.set_theta_zero_location("N")
     axes.set_theta_direction(-1)

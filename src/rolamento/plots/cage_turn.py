@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
@@ -12,6 +10,7 @@ from matplotlib.projections.polar import PolarAxes
 from numpy.typing import NDArray
 
 from rolamento.plots.axes_units import PERCENT, ReadableUnit
+from rolamento.plots.balls import race_name
 from rolamento.plots.frame import (
     GREY,
     PlainNumbers,
@@ -22,13 +21,14 @@ from rolamento.plots.frame import (
     legend_above,
     number,
 )
-from rolamento.plots.style import INNER, MILLIMETRE, OUTER, WIDTH, series, styled
-from rolamento.plots.words import PlotWords, plot_words
+from rolamento.plots.style import INNER, MILLIMETRE, OUTER, WIDTH, Series, series, styled
+from rolamento.words import said
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from rolamento.studies.cage_turn import BallHistory, CageTurn
+    from rolamento.geometry import Race
+    from rolamento.studies.cage_turn import BallHistory, CageTurn, ContactHistory
 
 __all__ = ["cage_turn_figure"]
 
@@ -49,57 +49,7 @@ _STIFFNESS: Final = ReadableUnit("N/µm", 1e-6)
 _FURTHER_ROWS: Final = ("-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (7, 2)))
 
 
-@dataclass(frozen=True, slots=True)
-class _Words:
-    """What the other figures do not say."""
-
-    azimuth: str
-    displacement: str
-    stiffness: str
-    about_mean: str
-    one_ball: str
-    harmonics: str
-    harmonic: str
-    amplitude: str
-    of_frequency: str
-    no_variation: str
-    gap: str
-    no_result: str
-
-
-_WORDS: Final[Mapping[str, _Words]] = {
-    "en": _Words(
-        azimuth="Azimuth of the first ball (°)",
-        displacement="Displacement of the inner ring",
-        stiffness="Stiffness",
-        about_mean="About the mean",
-        one_ball="Load of one ball, once round (kN)",
-        harmonics="Harmonics of the displacement",
-        harmonic="Harmonic of the ball passage",
-        amplitude="Amplitude",
-        of_frequency="\n({frequency} Hz)",
-        no_variation="no variation",
-        gap="not every point has a result",
-        no_result="no point has a result",
-    ),
-    "pt": _Words(
-        azimuth="Azimute da primeira esfera (°)",
-        displacement="Deslocamento do anel interno",
-        stiffness="Rigidez",
-        about_mean="Em torno da média",
-        one_ball="Carga de uma esfera, uma volta (kN)",
-        harmonics="Harmônicos do deslocamento",
-        harmonic="Harmônico da passagem de esferas",
-        amplitude="Amplitude",
-        of_frequency="\n({frequency} Hz)",
-        no_variation="sem variação",
-        gap="nem todo ponto tem resultado",
-        no_result="nenhum ponto tem resultado",
-    ),
-}
-
-
-def cage_turn_figure(turn: CageTurn, language: str = "en") -> Figure:
+def cage_turn_figure(turn: CageTurn) -> Figure:
     """Draw a turn of the cage in four panels.
 
     How the ring moves about its mean place, how its stiffness varies, the load of one ball on its
@@ -110,27 +60,24 @@ def cage_turn_figure(turn: CageTurn, language: str = "en") -> Figure:
     ----------
     turn
         From `rolamento.studies.cage_turn.cage_turn`.
-    language
-        ``"en"`` or ``"pt"``.
     """
-    shared, words = plot_words(language), _WORDS.get(language, _WORDS["en"])
     with styled():
         figure = Figure(figsize=(WIDTH * MILLIMETRE, _HEIGHT * MILLIMETRE))
         grid = figure.add_gridspec(2, 2)
-        _displacements(figure.add_subplot(grid[0, 0]), turn, shared, words)
+        _displacements(figure.add_subplot(grid[0, 0]), turn)
         polar = figure.add_subplot(grid[0, 1], projection="polar")
         assert isinstance(polar, PolarAxes)
-        _ball_load(polar, turn.histories, shared, words)
-        _stiffnesses(figure.add_subplot(grid[1, 0]), turn, shared, words)
-        _harmonics(figure.add_subplot(grid[1, 1]), turn, shared, words)
+        _ball_load(polar, turn.histories)
+        _stiffnesses(figure.add_subplot(grid[1, 0]), turn)
+        _harmonics(figure.add_subplot(grid[1, 1]), turn)
         if turn.case.title:
             add_title(figure, turn.case.title)
     return figure
 
 
-def _displacements(axes: Axes, turn: CageTurn, shared: PlotWords, words: _Words) -> None:
+def _displacements(axes: Axes, turn: CageTurn) -> None:
     if not np.isfinite(turn.solved.displacement.array).any():
-        empty_frame(axes, words.no_result)
+        empty_frame(axes, said("no point has a result"))
         return
     variation = turn.variation("displacement")
     extent = variation.peak_to_peak[:3]
@@ -140,15 +87,15 @@ def _displacements(axes: Axes, turn: CageTurn, shared: PlotWords, words: _Words)
         if turn.converged:
             values = _about(values, variation.mean[index], extent[index])
         _line(axes, turn, unit.of(values), index, name)
-    label = words.about_mean if turn.converged else words.displacement
-    _angle_panel(axes, turn, shared, words, unit.label(label))
-    _level_if_flat(axes, turn.converged and not extent.any(), words)
-    _headed(axes, words.displacement)
+    label = said("About the mean") if turn.converged else said("Displacement of the inner ring")
+    _angle_panel(axes, turn, unit.label(label))
+    _level_if_flat(axes, turn.converged and not extent.any())
+    _headed(axes, said("Displacement of the inner ring"))
 
 
-def _stiffnesses(axes: Axes, turn: CageTurn, shared: PlotWords, words: _Words) -> None:
+def _stiffnesses(axes: Axes, turn: CageTurn) -> None:
     if not np.isfinite(turn.solved.stiffness.array).any():
-        empty_frame(axes, words.no_result)
+        empty_frame(axes, said("no point has a result"))
         return
     variation = turn.variation("stiffness")
     extent, mean = np.diagonal(variation.peak_to_peak)[:3], np.diagonal(variation.mean)[:3]
@@ -158,10 +105,10 @@ def _stiffnesses(axes: Axes, turn: CageTurn, shared: PlotWords, words: _Words) -
         if turn.converged:
             values = _about(values / mean[index], 1.0, extent[index])
         _line(axes, turn, unit.of(values), index, f"{name}–{name}")
-    label = words.about_mean if turn.converged else words.stiffness
-    _angle_panel(axes, turn, shared, words, unit.label(label))
-    _level_if_flat(axes, turn.converged and not extent.any(), words)
-    _headed(axes, words.stiffness)
+    label = said("About the mean") if turn.converged else said("Stiffness")
+    _angle_panel(axes, turn, unit.label(label))
+    _level_if_flat(axes, turn.converged and not extent.any())
+    _headed(axes, said("Stiffness"))
 
 
 def _fitting(units: tuple[ReadableUnit, ...], extents: Floats) -> ReadableUnit:
@@ -182,11 +129,11 @@ def _line(axes: Axes, turn: CageTurn, values: Floats, index: int, name: str) -> 
     axes.plot(angle, np.append(values, values[0]), label=name, **series(index).keywords())
 
 
-def _angle_panel(axes: Axes, turn: CageTurn, shared: PlotWords, words: _Words, label: str) -> None:
+def _angle_panel(axes: Axes, turn: CageTurn, label: str) -> None:
     axes.set_xlim(0.0, float(np.degrees(turn.period)))
     axes.margins(y=0.08)
-    label_x(axes, words.azimuth, shared)
-    label_y(axes, label, shared)
+    label_x(axes, said("Azimuth of the first ball (°)"))
+    label_y(axes, label)
 
 
 def _headed(axes: Axes, title: str) -> None:
@@ -195,55 +142,56 @@ def _headed(axes: Axes, title: str) -> None:
     axes.set_title(title, loc="left", pad=6.0 if axes.get_legend() is None else 20.0)
 
 
-def _level_if_flat(axes: Axes, flat: bool, words: _Words) -> None:
+def _level_if_flat(axes: Axes, flat: bool) -> None:
     """Give what does not vary a scale on which it is a line, with a word beside it."""
     if flat:
         axes.set_ylim(-1.0, 1.0)
         axes.set_yticks([0.0])
-        axes.text(0.5, 0.7, words.no_variation, transform=axes.transAxes, ha="center", color=GREY)
+        axes.text(0.5, 0.7, said("no variation"), transform=axes.transAxes, ha="center", color=GREY)
 
 
-def _ball_load(
-    axes: PolarAxes, histories: tuple[BallHistory, ...], shared: PlotWords, words: _Words
-) -> None:
+def _ball_load(axes: PolarAxes, histories: tuple[BallHistory, ...]) -> None:
     if not any(np.isfinite(history.inner.load).any() for history in histories):
-        empty_frame(axes, words.no_result)
+        empty_frame(axes, said("no point has a result"))
         return
     axes.set_theta_zero_location("N")
     axes.set_theta_direction(-1)
     for history in histories:
-        row = shared.row.format(number=history.row) if len(histories) > 1 else ""
         azimuth = np.append(history.azimuth, history.azimuth[0] + 2.0 * np.pi)
-        for race, line, contact in (
-            (shared.inner, INNER, history.inner),
-            (shared.outer, OUTER, history.outer),
-        ):
+        races: tuple[tuple[Race, Series, ContactHistory], ...] = (
+            ("inner", INNER, history.inner),
+            ("outer", OUTER, history.outer),
+        )
+        for race, line, contact in races:
             look = line.keywords()
             if history.row:  # the race's colour, a line of the row's own
                 look["linestyle"] = _FURTHER_ROWS[(history.row - 1) % len(_FURTHER_ROWS)]
             load = 1e-3 * np.append(contact.load, contact.load[0])
-            axes.plot(azimuth, load, label=f"{race} {row}".strip(), **look)
+            axes.plot(azimuth, load, label=race_name(race, history.row, len(histories)), **look)
     axes.set_ylim(bottom=0.0)
     axes.set_rlabel_position(112.5)
-    axes.yaxis.set_major_formatter(PlainNumbers(shared.decimal_mark))
+    axes.yaxis.set_major_formatter(PlainNumbers())
     axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.1), ncols=2)
-    axes.set_title(words.one_ball, pad=10.0)
+    axes.set_title(said("Load of one ball over a turn (kN)"), pad=10.0)
 
 
-def _harmonics(axes: Axes, turn: CageTurn, shared: PlotWords, words: _Words) -> None:
+def _harmonics(axes: Axes, turn: CageTurn) -> None:
     amplitudes = np.abs(turn.variation("displacement").harmonics[:_MOST_ORDERS, :3])
     if not amplitudes.any() or not turn.converged:
-        empty_frame(axes, words.no_variation if turn.converged else words.gap)
+        empty_frame(
+            axes, said("no variation") if turn.converged else said("not every point has a result")
+        )
     else:
         unit = _fitting(_LENGTHS, amplitudes)
         _bars(axes, unit.of(amplitudes))
-        label_y(axes, unit.label(words.amplitude), shared)
+        label_y(axes, unit.label(said("Amplitude")))
         axes.set_yscale("log")
     frequency = turn.passage_frequency
     known = np.isfinite(frequency)
-    of = words.of_frequency.format(frequency=number(frequency, shared)) if known else ""
-    axes.set_xlabel(words.harmonic + of, parse_math=False)
-    _headed(axes, words.harmonics)
+    label = said("Harmonic of the ball passage")
+    behind = f"\n({number(frequency)} Hz)" if known else ""
+    axes.set_xlabel(label + behind, parse_math=False)
+    _headed(axes, said("Harmonics of the displacement"))
 
 
 def _bars(axes: Axes, amplitudes: Floats) -> None:

@@ -13,11 +13,21 @@ from matplotlib.axes import Axes
 from numpy.typing import ArrayLike, NDArray
 
 from rolamento.errors import InputError
+from rolamento.geometry import Race
 from rolamento.plots.axes_units import DEGREE, RPM, readable_unit
-from rolamento.plots.frame import empty_frame, label_x, label_y, legend_above
+from rolamento.plots.balls import race_word
+from rolamento.plots.frame import (
+    capitalised,
+    empty_frame,
+    label_x,
+    label_y,
+    legend_above,
+    no_result,
+)
 from rolamento.plots.style import INNER, OUTER, in_style, new_figure, series
-from rolamento.plots.words import ENGLISH, PlotWords
 from rolamento.solved import RACES
+from rolamento.studies.names import variable_name
+from rolamento.words import said
 
 Floats = NDArray[np.float64]
 
@@ -38,7 +48,6 @@ def load_displacement(
     *,
     direction: str = "x",
     labels: Sequence[str] = (),
-    words: PlotWords = ENGLISH,
 ) -> Axes:
     """Draw a load over the displacement in its direction.
 
@@ -54,8 +63,6 @@ def load_displacement(
         ``"x"``, ``"y"``, ``"z"``, ``"ry"`` or ``"rz"``.
     labels
         Of the curves in the legend, where there are several.
-    words
-        Language of the labels.
 
     Returns
     -------
@@ -72,18 +79,20 @@ def load_displacement(
     across, up = np.atleast_2d(across), np.atleast_2d(up)
     names = list(labels) or [""] * len(across)
     if len(names) != len(across) or across.ndim > 2:
-        raise InputError(f"must be one for each of {len(across)} curves", field="labels")
+        raise InputError(
+            said("must be one for each of {count} curves", count=len(across)), field="labels"
+        )
     axes = new_figure()[1] if axes is None else axes
     if not np.isfinite(across + up).any():
-        return empty_frame(axes, words.no_result)
+        return empty_frame(axes, no_result())
     tilt = position > 2
     unit_x = readable_unit("rad" if tilt else "m", across)
     unit_y = readable_unit("N*m" if tilt else "N", up)
     for index, name in enumerate(names):
         look = series(index).keywords(markers=across.shape[1] <= MOST_MARKERS)
         axes.plot(unit_x.of(across[index]), unit_y.of(up[index]), label=name or None, **look)
-    label_x(axes, unit_x.label(words.name(direction)), words)
-    label_y(axes, unit_y.label(words.name(_LOADS[position])), words)
+    label_x(axes, unit_x.label(capitalised(variable_name(direction))))
+    label_y(axes, unit_y.label(capitalised(variable_name(_LOADS[position]))))
     legend_above(axes)
     return axes
 
@@ -95,7 +104,6 @@ def stiffness_over_speed(
     axes: Axes | None = None,
     *,
     directions: Sequence[str] = ("x", "y", "z"),
-    words: PlotWords = ENGLISH,
 ) -> Axes:
     """Draw stiffnesses of a bearing over the speed of its inner ring.
 
@@ -110,8 +118,6 @@ def stiffness_over_speed(
         To draw on; of a new figure if not given.
     directions
         Which of ``"x"``, ``"y"``, ``"z"`` (N/m); or of the tilts ``"ry"``, ``"rz"`` (N·m/rad).
-    words
-        Language of the labels.
 
     Returns
     -------
@@ -127,7 +133,7 @@ def stiffness_over_speed(
     tilts = {position > 2 for position in positions}
     if len(tilts) != 1:
         raise InputError(
-            "must be shifts, or tilts: they have different units",
+            said("must be displacements or tilts: they have different units"),
             field="directions",
             value=", ".join(directions),
             example='("x", "z")',
@@ -137,19 +143,23 @@ def stiffness_over_speed(
         up = up[:, positions, positions]
     if across.ndim != 1 or up.shape != (len(across), len(positions)):
         raise InputError(
-            f"must be (cases, 5, 5) or (cases, directions) for {across.size} speeds, is {up.shape}",
+            said(
+                "must be (cases, 5, 5) or (cases, directions) for {size} speeds, is {shape}",
+                size=across.size,
+                shape=up.shape,
+            ),
             field="stiffness",
         )
     axes = new_figure()[1] if axes is None else axes
     if not np.isfinite(up).any():
-        return empty_frame(axes, words.no_result)
+        return empty_frame(axes, no_result())
     unit = readable_unit("N*m/rad" if tilts == {True} else "N/m", up)
     for index, direction in enumerate(directions):
         look = series(index).keywords(markers=len(across) <= MOST_MARKERS)
         axes.plot(RPM.of(across), unit.of(up[:, index]), label=f"{direction}–{direction}", **look)
     _from_zero(axes, up)
-    label_x(axes, RPM.label(words.inner_speed), words)
-    label_y(axes, unit.label(words.stiffness), words)
+    label_x(axes, RPM.label(capitalised(variable_name("inner_speed"))))
+    label_y(axes, unit.label(said("Stiffness")))
     legend_above(axes)
     return axes
 
@@ -160,8 +170,6 @@ def contact_angle_over_speed(
     inner: ArrayLike,
     outer: ArrayLike,
     axes: Axes | None = None,
-    *,
-    words: PlotWords = ENGLISH,
 ) -> Axes:
     """Draw inner and outer contact angles over the speed of the inner ring.
 
@@ -174,8 +182,6 @@ def contact_angle_over_speed(
         greatest of the balls, and a line through their median. NaN where there is no contact.
     axes
         To draw on; of a new figure if not given.
-    words
-        Language of the labels.
 
     Returns
     -------
@@ -192,36 +198,38 @@ def contact_angle_over_speed(
     for name, values in angles.items():
         if across.ndim != 1 or values.ndim not in (1, 2) or len(values) != len(across):
             raise InputError(
-                f"must be (cases,) or (cases, balls) for {across.size} speeds, is {values.shape}",
+                said(
+                    "must be (cases,) or (cases, balls) for {size} speeds, is {shape}",
+                    size=across.size,
+                    shape=values.shape,
+                ),
                 field=name,
             )
     axes = new_figure()[1] if axes is None else axes
     if not any(np.isfinite(values).any() for values in angles.values()):
-        return empty_frame(axes, words.no_result)
+        return empty_frame(axes, no_result())
     for race, look in zip(RACES, (INNER, OUTER), strict=True):
-        _band(axes, RPM.of(across), angles[race], race, look.keywords(), words)
-    label_x(axes, RPM.label(words.inner_speed), words)
-    label_y(axes, DEGREE.label(words.contact_angle), words)
+        _band(axes, RPM.of(across), angles[race], race, look.keywords())
+    label_x(axes, RPM.label(capitalised(variable_name("inner_speed"))))
+    label_y(axes, DEGREE.label(said("Contact angle")))
     legend_above(axes)
     return axes
 
 
-def _band(
-    axes: Axes, x: Floats, values: Floats, race: str, look: Mapping[str, Any], words: PlotWords
-) -> None:
+def _band(axes: Axes, x: Floats, values: Floats, race: Race, look: Mapping[str, Any]) -> None:
     """Draw the middle of the balls' values, and how far they spread."""
-    name = words.inner if race == "inner" else words.outer
+    name = race_word(race)
     table = np.ma.masked_invalid(values.reshape(len(x), -1))
     least, middle, greatest = (
         np.ma.filled(found(table, axis=1).astype(np.float64), np.nan)
         for found in (np.ma.min, np.ma.median, np.ma.max)
     )
     if table.shape[1] > 1:
-        spread = f"{name}, {words.all_balls}"
+        spread = said("{race}, all balls", race=name)
         axes.fill_between(
             x, least, greatest, color=look["color"], alpha=0.18, linewidth=0.0, label=spread
         )
-        name = f"{name}, {words.median}"
+        name = said("{race}, median", race=name)
     axes.plot(x, middle, label=name, **look)
 
 
@@ -235,7 +243,9 @@ def _from_zero(axes: Axes, values: Floats) -> None:
 def _position(direction: str) -> int:
     if direction not in _DIRECTIONS:
         raise InputError(
-            f"must be one of {', '.join(_DIRECTIONS)}", field="direction", value=direction
+            said("must be one of {known}", known=", ".join(_DIRECTIONS)),
+            field="direction",
+            value=direction,
         )
     return _DIRECTIONS.index(direction)
 
@@ -246,4 +256,6 @@ def _together(**arrays: ArrayLike) -> list[Floats]:
     try:
         return [np.array(column) for column in np.broadcast_arrays(*columns)]
     except ValueError:
-        raise InputError(f"must be of one length: {', '.join(arrays)}") from None
+        raise InputError(
+            said("must have the same length: {arrays}", arrays=", ".join(arrays))
+        ) from None

@@ -23,10 +23,18 @@ from rolamento.errors import InputError
 from rolamento.geometry import Race, edge_cosine
 from rolamento.plots.axes_units import DEGREE, MILLIMETRE
 from rolamento.plots.balls import check_one_case, rows_in_order, touching
-from rolamento.plots.frame import GREY, empty_frame, label_y, legend_above, number, require_axes
+from rolamento.plots.frame import (
+    GREY,
+    empty_frame,
+    label_y,
+    legend_above,
+    no_result,
+    number,
+    require_axes,
+)
 from rolamento.plots.style import INNER, OUTER, in_style, new_figure, new_stacked_figure
-from rolamento.plots.words import ENGLISH, PlotWords
 from rolamento.solved import RACES, Solved
+from rolamento.words import said
 
 _FRAME_SHAPE: Final = 3.3
 """Width of the drawing over its height, as it fits two to a page."""
@@ -79,7 +87,6 @@ def contact_ellipses(
     *,
     race: Race = "inner",
     balls: Sequence[int] | None = None,
-    words: PlotWords = ENGLISH,
 ) -> Axes:
     """Draw the contact ellipses of one race to scale, where they lie across the groove.
 
@@ -96,8 +103,6 @@ def contact_ellipses(
         ``"inner"`` or ``"outer"``.
     balls
         Which of the balls, counted from 0; all if not given.
-    words
-        Language of the labels.
 
     Returns
     -------
@@ -113,14 +118,14 @@ def contact_ellipses(
     check_one_case(solved, "contact_ellipses")
     axes = new_figure()[1] if axes is None else require_axes(axes)
     if not solved.converged[0]:
-        return empty_frame(axes, words.reason(str(solved.status.code[0])))
+        return empty_frame(axes, no_result(str(solved.status.code[0])))
     groups = _groups(solved, race, balls)
-    return _draw(axes, groups, race, _scale(groups), words)
+    return _draw(axes, groups, race, _scale(groups))
 
 
 @in_style
 def ellipses_of_both_races(
-    solved: Solved, *, balls: Sequence[int] | None = None, words: PlotWords = ENGLISH
+    solved: Solved, *, balls: Sequence[int] | None = None
 ) -> tuple[Axes, Axes]:
     """Draw the ellipses of the inner race above those of the outer, in a new figure.
 
@@ -129,27 +134,25 @@ def ellipses_of_both_races(
     check_one_case(solved, "ellipses_of_both_races")
     _, (inner, outer) = new_stacked_figure(2)
     if not solved.converged[0]:
-        message = words.reason(str(solved.status.code[0]))
+        message = no_result(str(solved.status.code[0]))
         return empty_frame(inner, message), empty_frame(outer, message)
     groups = {race: _groups(solved, race, balls) for race in RACES}
     scale = _scale([*groups["inner"], *groups["outer"]], races=2)
-    _draw(inner, groups["inner"], "inner", scale, words)
-    _draw(outer, groups["outer"], "outer", scale, words)
+    _draw(inner, groups["inner"], "inner", scale)
+    _draw(outer, groups["outer"], "outer", scale)
     return inner, outer
 
 
-def _draw(
-    axes: Axes, groups: Sequence[list[_Slot]], race: Race, scale: _Scale, words: PlotWords
-) -> Axes:
+def _draw(axes: Axes, groups: Sequence[list[_Slot]], race: Race, scale: _Scale) -> Axes:
     slots = _side_by_side(groups, scale.step)
     _set_frame(axes, slots, scale)
-    handles = _draw_ellipses(axes, slots, race, words)
-    handles += _draw_edges(axes, slots, words)
-    _draw_bar(axes, words)
-    _label(axes, slots, race, words)
+    handles = _draw_ellipses(axes, slots, race)
+    handles += _draw_edges(axes, slots)
+    _draw_bar(axes)
+    _label(axes, slots, race)
     radii = {slot.groove_radius for slot in slots}
     if len(radii) == 1:
-        _angle_axis(axes, radii.pop(), words)
+        _angle_axis(axes, radii.pop())
     legend_above(axes, handles=handles)
     return axes
 
@@ -187,9 +190,11 @@ def _picked(count: int, chosen: Sequence[int] | None) -> Sequence[int]:
         return range(count)
     for index in chosen:
         if not 0 <= index < count:
-            raise InputError(f"must be from 0 to {count - 1}", field="balls", value=index)
+            raise InputError(
+                said("must be from 0 to {count}", count=count - 1), field="balls", value=index
+            )
     if not chosen:
-        raise InputError("must name at least one ball", field="balls", example="[0, 1]")
+        raise InputError(said("must name at least one ball"), field="balls", example="[0, 1]")
     return chosen
 
 
@@ -235,14 +240,12 @@ def _set_frame(axes: Axes, slots: Sequence[_Slot], scale: _Scale) -> None:
     axes.set_aspect("equal", adjustable="box")
 
 
-def _draw_ellipses(
-    axes: Axes, slots: Sequence[_Slot], race: Race, words: PlotWords
-) -> list[Artist]:
+def _draw_ellipses(axes: Axes, slots: Sequence[_Slot], race: Race) -> list[Artist]:
     """Draw the ellipses, those over the edge hatched; return what the legend shows."""
     color = (INNER if race == "inner" else OUTER).color
     kinds: tuple[tuple[bool, dict[str, Any]], ...] = (
-        (False, {"facecolor": color, "label": words.ellipse}),
-        (True, {"facecolor": "white", "hatch": "//////", "label": words.over_edge}),
+        (False, {"facecolor": color, "label": said("contact ellipse")}),
+        (True, {"facecolor": "white", "hatch": "//////", "label": said("ellipse over the edge")}),
     )
     handles: list[Artist] = []
     for over, look in kinds:
@@ -266,7 +269,7 @@ def _draw_ellipses(
     return handles
 
 
-def _draw_edges(axes: Axes, slots: Sequence[_Slot], words: PlotWords) -> list[Artist]:
+def _draw_edges(axes: Axes, slots: Sequence[_Slot]) -> list[Artist]:
     """Draw the bottom of the groove, and its edges below and above each row of balls."""
     axes.axhline(0.0, color=GREY, linewidth=0.8, linestyle=(0, (8, 2, 1, 2)), zorder=1.5)
     margin = -axes.get_xlim()[0]
@@ -279,12 +282,12 @@ def _draw_edges(axes: Axes, slots: Sequence[_Slot], words: PlotWords) -> list[Ar
         ends = [group[0].along - margin, group[-1].along + margin]
         for side in (-edge, edge):
             handles += axes.plot(
-                ends, [side, side], color="black", linewidth=1.2, label=words.groove_edge
+                ends, [side, side], color="black", linewidth=1.2, label=said("edge of the groove")
             )
     return handles[:1]
 
 
-def _draw_bar(axes: Axes, words: PlotWords) -> None:
+def _draw_bar(axes: Axes) -> None:
     """Draw a scale bar of 1, 2 or 5 times a power of ten mm into the room below."""
     (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
     longest = (right - left) / 8.0
@@ -296,7 +299,7 @@ def _draw_bar(axes: Axes, words: PlotWords) -> None:
         ends, [level, level], "k-", linewidth=2.0, solid_capstyle="butt", gid=SCALE_BAR, zorder=4.0
     )
     axes.annotate(
-        f"{number(length, words)} mm",
+        f"{number(length)} mm",
         (start + 0.5 * length, level),
         (0.0, 2.5),
         textcoords="offset points",
@@ -306,22 +309,22 @@ def _draw_bar(axes: Axes, words: PlotWords) -> None:
     )
 
 
-def _label(axes: Axes, slots: Sequence[_Slot], race: Race, words: PlotWords) -> None:
+def _label(axes: Axes, slots: Sequence[_Slot], race: Race) -> None:
     rows = sorted({slot.row for slot in slots})
-    names = [number(float(DEGREE.of(slot.azimuth)) % 360.0, words) for slot in slots]
+    names = [number(float(DEGREE.of(slot.azimuth)) % 360.0) for slot in slots]
     every = ceil(sum(len(name) + 2 for name in names) / _LABEL_CHARACTERS)
     axes.set_xticks([slot.along for slot in slots][::every], names[::every])
     axes.grid(False, axis="x")
-    axes.set_xlabel(f"{DEGREE.label(words.azimuth)}; {words.side_by_side}")
-    across = words.across_inner if race == "inner" else words.across_outer
-    label_y(axes, MILLIMETRE.label(across), words)
+    axes.set_xlabel(said("Azimuth of the ball (°); ellipses to scale, balls side by side"))
+    across = said("Across inner groove") if race == "inner" else said("Across outer groove")
+    label_y(axes, MILLIMETRE.label(across))
     for row in rows if len(rows) > 1 else ():
         begin = min(slot.along for slot in slots if slot.row == row)
-        name = words.row.format(number=row)
+        name = said("row {number}", number=row)
         axes.annotate(name, (begin, 0.03), xycoords=("data", "axes fraction"), fontsize=8.0)
 
 
-def _angle_axis(axes: Axes, radius: float, words: PlotWords) -> None:
+def _angle_axis(axes: Axes, radius: float) -> None:
     """Put the contact angle on the right: distance from the bottom over the groove's radius."""
     degrees_per_mm = DEGREE.factor / radius
 
@@ -334,4 +337,4 @@ def _angle_axis(axes: Axes, radius: float, words: PlotWords) -> None:
     angles = axes.secondary_yaxis("right", functions=(to_angle, from_angle))
     angles.spines["right"].set_visible(True)
     angles.tick_params(labelsize=8.0)
-    angles.set_ylabel(DEGREE.label(words.contact_angle))
+    angles.set_ylabel(DEGREE.label(said("Contact angle")))

@@ -4,18 +4,18 @@ from __future__ import annotations
 
 import re
 import textwrap
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Final
 
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
-from matplotlib.axis import Axis
 from matplotlib.figure import Figure
 from matplotlib.projections.polar import PolarAxes
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter, ScalarFormatter
 
 from rolamento.errors import InputError
-from rolamento.plots.words import PlotWords
+from rolamento.words import manner, said
+from rolamento.words.reasons import reason
 
 GREY: Final = "#707070"
 _THIN_SPACE: Final = "\u2009"
@@ -26,34 +26,63 @@ _CHARACTERS_PER_INCH: Final = 17.0
 _HANDLE_CHARACTERS: Final = 7
 _HALF_LINE: Final = 42
 """Characters of a label of which two stand side by side."""
+_DIGITS: Final = 4
 _LONG_NUMBER: Final = re.compile(r"\d{5,}")
 
 
 class PlainNumbers(ScalarFormatter):
-    """Numbers of ticks with our decimal mark, thousands apart, without an offset."""
+    """Numbers of ticks with the decimal mark that is spoken now, thousands apart, no offset."""
 
-    def __init__(self, mark: str) -> None:
+    def __init__(self) -> None:
         super().__init__(useOffset=False)
         self.set_powerlimits((-4, 7))
-        self._mark = mark
+        self._mark = manner().mark
 
     def __call__(self, x: float, pos: int | None = None) -> str:
         """Write the number of one tick."""
         return _marked(super().__call__(x, pos), self._mark)
 
 
-def number(value: float, words: PlotWords, digits: int = 4) -> str:
-    """Write one number in a legend."""
+def number(value: float, *given: object) -> str:
+    """Write one number in a legend, with as many digits as given; by default four."""
+    digits = next((one for one in given if isinstance(one, int)), _DIGITS)
+    return _written(value, digits, manner().mark)
+
+
+def numbers() -> Callable[[float, object], str]:
+    """Return what writes the numbers of ticks, whatever is spoken when they are drawn."""
+    mark = manner().mark
+    return lambda value, _: _written(value, _DIGITS, mark)
+
+
+def _written(value: float, digits: int, mark: str) -> str:
     text = f"{value:.{digits}g}"
     if "e" in text and 1e-4 <= abs(value) < 1e7:
         text = f"{value:.0f}"
-    return _marked(text.replace("-", "−"), words.decimal_mark)
+    return _marked(text.replace("-", "−"), mark)
 
 
 def _marked(text: str, mark: str) -> str:
     whole, point, rest = text.partition(".")
     grouped = _LONG_NUMBER.sub(lambda found: f"{int(found[0]):,}", whole)
     return grouped.replace(",", _THIN_SPACE) + (mark if point else "") + rest
+
+
+def capitalised(name: str) -> str:
+    """Return a name as the label of an axis begins."""
+    return name[:1].upper() + name[1:]
+
+
+def no_result(code: str = "") -> str:
+    """Say that there is no result, and why."""
+    if not code:
+        return said("No result")
+    return said("No result: {reason}", reason=reason(code))
+
+
+def no_result_count(count: int, total: int) -> str:
+    """Say how many have no result."""
+    return said("no result: {count} of {total}", count=count, total=total)
 
 
 def shown_text(text: str, longest: int = _LONGEST_LABEL) -> str:
@@ -67,29 +96,25 @@ def in_lines(label: str) -> str:
     return "\n".join(textwrap.wrap(shown_text(label), _UPRIGHT_WIDTH))
 
 
-def label_x(axes: Axes, label: str, words: PlotWords) -> None:
+def label_x(axes: Axes, label: str, *_: object) -> None:
     """Label the axis across; what files call things is not read as mathematics."""
     axes.set_xlabel(shown_text(label), parse_math=False)
-    _plain(axes.xaxis, words)
+    axes.xaxis.set_major_formatter(PlainNumbers())
 
 
-def label_y(axes: Axes, label: str, words: PlotWords) -> None:
+def label_y(axes: Axes, label: str, *_: object) -> None:
     """Label the upright axis, likewise."""
     axes.set_ylabel(in_lines(label), parse_math=False)
-    _plain(axes.yaxis, words)
+    axes.yaxis.set_major_formatter(PlainNumbers())
 
 
-def _plain(axis: Axis, words: PlotWords) -> None:
-    axis.set_major_formatter(PlainNumbers(words.decimal_mark))
-
-
-def log_scale(axes: Axes, axis: str, words: PlotWords) -> None:
+def log_scale(axes: Axes, axis: str, *_: object) -> None:
     """Make an axis, "x" or "y", logarithmic, with plain numbers at 1, 2, 5 and so on."""
     getattr(axes, f"set_{axis}scale")("log")
     scaled = getattr(axes, f"{axis}axis")
     scaled.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
     scaled.set_minor_formatter(NullFormatter())
-    scaled.set_major_formatter(FuncFormatter(lambda value, _: number(value, words)))
+    scaled.set_major_formatter(FuncFormatter(numbers()))
 
 
 def legend_above(
@@ -182,7 +207,9 @@ def require(given: object, kind: type, field: str, example: str) -> None:
     """
     if not isinstance(given, kind):
         name = type(given).__name__
-        raise InputError(f"must be a {kind.__name__}", field=field, value=name, example=example)
+        raise InputError(
+            said("must be a {name}", name=kind.__name__), field=field, value=name, example=example
+        )
 
 
 def require_axes(given: Axes) -> Axes:

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
@@ -17,6 +16,7 @@ from rolamento.plots.frame import (
     label_y,
     legend_above,
     log_scale,
+    no_result,
 )
 from rolamento.plots.over_field import (
     across,
@@ -32,8 +32,8 @@ from rolamento.plots.style import (
     series,
     styled,
 )
-from rolamento.plots.variable_names import torque_model_name
-from rolamento.plots.words import plot_words
+from rolamento.studies.names import torque_model_name
+from rolamento.words import said
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -50,86 +50,30 @@ _WIDE: Final = 30.0
 _VARIANTS: Final[tuple[Any, ...]] = ("-", "--", ":", "-.", (0, (5, 1, 1, 1)), (0, (7, 2)))
 
 
-@dataclass(frozen=True, slots=True)
-class _Words:
-    torque: str
-    ratio: str
-    inner: str
-    outer: str
-    faint: str
-    fields: Mapping[str, str]
-
-
-_WORDS: Final[Mapping[str, _Words]] = {
-    "en": _Words(
-        torque="Friction torque",
-        ratio="Spin to roll",
-        inner="inner contact",
-        outer="outer contact",
-        faint="faint: the model is not valid there",
-        fields={
-            "duty.load.fx": "Axial load",
-            "duty.load.fy": "Radial load y",
-            "duty.load.fz": "Radial load",
-            "duty.inner_speed": "Speed of the inner ring",
-            "duty.outer_speed": "Speed of the outer ring",
-            "lubricant.friction_coefficient": "Coefficient of friction",
-            "temperature.lubricant": "Temperature of the lubricant",
-            "bearing.contact_angle": "Free contact angle",
-            "bearing.inner_conformity": "Inner conformity",
-            "bearing.outer_conformity": "Outer conformity",
-        },
-    ),
-    "pt": _Words(
-        torque="Torque de atrito",
-        ratio="Pivotamento sobre rolamento",
-        inner="contato interno",
-        outer="contato externo",
-        faint="claro: o modelo não vale ali",
-        fields={
-            "duty.load.fx": "Carga axial",
-            "duty.load.fy": "Carga radial y",
-            "duty.load.fz": "Carga radial",
-            "duty.inner_speed": "Rotação do anel interno",
-            "duty.outer_speed": "Rotação do anel externo",
-            "lubricant.friction_coefficient": "Coeficiente de atrito",
-            "temperature.lubricant": "Temperatura do lubrificante",
-            "bearing.contact_angle": "Ângulo de contato livre",
-            "bearing.inner_conformity": "Conformidade interna",
-            "bearing.outer_conformity": "Conformidade externa",
-        },
-    ),
-}
-
-
-def friction_figure(curves: Sequence[FrictionCurve], language: str = "en") -> Figure:
+def friction_figure(curves: Sequence[FrictionCurve]) -> Figure:
     """Draw friction over a field: the torque by model, and over a speed the ratios below it.
 
     Parameters
     ----------
     curves
         The case's own first, then its variants; over one field.
-    language
-        ``"en"`` or ``"pt"``.
     """
     shown = curves[0].is_speed and any(curve.controlled is not None for curve in curves)
     with styled():
         if shown:
             figure, (above, below) = new_stacked_figure(2, height=165.0)
-            torque_by_model(curves, above, language=language)
+            torque_by_model(curves, above)
             above.set_xlabel("")
-            spin_to_roll(curves, below, language=language)
+            spin_to_roll(curves, below)
         else:
             figure, above = new_figure(height=105.0)
-            torque_by_model(curves, above, language=language)
+            torque_by_model(curves, above)
         if curves[0].case.title:
             add_title(figure, curves[0].case.title)
     return figure
 
 
-def torque_by_model(
-    curves: Sequence[FrictionCurve], axes: Axes | None = None, *, language: str = "en"
-) -> Axes:
+def torque_by_model(curves: Sequence[FrictionCurve], axes: Axes | None = None) -> Axes:
     """Draw the running torque of all sources by every model; of variants by the one in use.
 
     Parameters
@@ -138,39 +82,33 @@ def torque_by_model(
         As in `friction_figure`.
     axes
         To draw on; of a new figure if not given.
-    language
-        ``"en"`` or ``"pt"``.
     """
-    shared, words = plot_words(language), _WORDS.get(language, _WORDS["en"])
     with styled():
         axes = new_figure()[1] if axes is None else axes
-        lines = list(_lines(curves, language))
+        lines = list(_lines(curves))
         values = np.concatenate([torque for torque, _, _, _ in lines])
         if not np.isfinite(values).any():
-            return empty_frame(axes, shared.no_result)
+            return empty_frame(axes, no_result())
         unit, x = readable_unit("N*m", values), _x(curves[0])
         faint = False
         for torque, valid, name, look in lines:
             faint |= judged_line(axes, x, unit.of(torque), valid, name, look)
-        across(axes, curves[0].field, curves[0].values, words.fields, shared)
+        across(axes, curves[0].field, curves[0].values)
         if _is_wide(values) and is_geometric(curves[0].values):
-            log_scale(axes, "y", shared)
-            axes.set_ylabel(unit.label(words.torque), parse_math=False)
+            log_scale(axes, "y")
+            axes.set_ylabel(unit.label(said("Friction torque")), parse_math=False)
         else:
             axes.set_ylim(bottom=0.0)
-            label_y(axes, unit.label(words.torque), shared)
-        legend_above(axes, title=words.faint if faint else "")
+            label_y(axes, unit.label(said("Friction torque")))
+        legend_above(axes, title=said("faint: the model is not valid there") if faint else "")
     return axes
 
 
-def spin_to_roll(
-    curves: Sequence[FrictionCurve], axes: Axes | None = None, *, language: str = "en"
-) -> Axes:
+def spin_to_roll(curves: Sequence[FrictionCurve], axes: Axes | None = None) -> Axes:
     """Draw the ratios of spin to roll under friction control, of the most loaded ball.
 
     Parameters as of `torque_by_model`.
     """
-    shared, words = plot_words(language), _WORDS.get(language, _WORDS["en"])
     with styled():
         axes = new_figure()[1] if axes is None else axes
         drawn = False
@@ -178,8 +116,8 @@ def spin_to_roll(
             if curve.controlled is None:
                 continue
             ratios = (
-                (words.inner, INNER, curve.controlled.inner_spin_to_roll),
-                (words.outer, OUTER, curve.controlled.outer_spin_to_roll),
+                (said("inner contact"), INNER, curve.controlled.inner_spin_to_roll),
+                (said("outer contact"), OUTER, curve.controlled.outer_spin_to_roll),
             )
             for name, look, values in ratios:
                 drawn |= bool(np.isfinite(values).any())
@@ -191,28 +129,28 @@ def spin_to_roll(
                     label=", ".join(part for part in (name, short_label(curve.label)) if part),
                 )
         if not drawn:
-            return empty_frame(axes, shared.no_result)
-        across(axes, curves[0].field, curves[0].values, words.fields, shared)
+            return empty_frame(axes, no_result())
+        across(axes, curves[0].field, curves[0].values)
         axes.set_ylim(bottom=0.0)
-        label_y(axes, NONE.label(words.ratio), shared)
+        label_y(axes, NONE.label(said("Spin-to-roll ratio")))
         legend_above(axes)
     return axes
 
 
 def _lines(
-    curves: Sequence[FrictionCurve], language: str
+    curves: Sequence[FrictionCurve],
 ) -> list[tuple[Floats, NDArray[np.bool_], str, dict[str, Any]]]:
     """Torque, where it is valid, name and look of every line."""
     own = curves[0]
     lines: list[tuple[Floats, NDArray[np.bool_], str, dict[str, Any]]] = []
     for index, found in enumerate(own.friction.validity):
-        name = torque_model_name(found.model, language)
+        name = torque_model_name(found.model)
         look = series(index).keywords()
         lines.append((own.torque(found.model), found.valid, name, look))
     controlled = own.is_speed and own.controlled is not None
     if controlled:
         torque = own.controlled_torque
-        name = torque_model_name(_CONTROLLED, language)
+        name = torque_model_name(_CONTROLLED)
         look = series(len(lines)).keywords()
         lines.append((torque, own.friction.regime != "full_film", name, look))
     for number, curve in enumerate(curves[1:], start=1):
@@ -222,7 +160,7 @@ def _lines(
             torque, valid = curve.controlled_torque, curve.friction.regime != "full_film"
         else:
             torque, valid = curve.torque(model), curve.friction.validity[0].valid
-        name = f"{torque_model_name(model, language)}, {short_label(curve.label)}"
+        name = f"{torque_model_name(model)}, {short_label(curve.label)}"
         lines.append((torque, np.asarray(valid), name, look))
     return lines
 

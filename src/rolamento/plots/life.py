@@ -19,17 +19,20 @@ from rolamento.plots.axes_units import MEGAPASCAL, read_values
 from rolamento.plots.frame import (
     GREY,
     add_title,
+    capitalised,
     empty_frame,
     label_x,
     label_y,
     legend_above,
     log_scale,
+    no_result,
+    no_result_count,
     number,
 )
-from rolamento.plots.life_words import LifeWords, life_words
 from rolamento.plots.over_field import across, decades, judged_line, short_label
 from rolamento.plots.style import SERIES, new_figure, series, styled
-from rolamento.plots.words import PlotWords, plot_words
+from rolamento.words import said
+from rolamento.words.theories import theory_name
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -76,27 +79,23 @@ _MARGIN: Final = 0.2
 _TICKS: Final = (0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 2.5, 3.0)
 
 
-def life_figure(curves: Sequence[LifeCurve], language: str = "en") -> Figure:
+def life_figure(curves: Sequence[LifeCurve]) -> Figure:
     """Draw life over a field, with the case's title.
 
     Parameters
     ----------
     curves
         The case's own first, then its variants; over one field.
-    language
-        ``"en"`` or ``"pt"``.
     """
     with styled():
         figure, axes = new_figure(height=110.0)
-        lives_by_theory(curves, axes, language=language)
+        lives_by_theory(curves, axes)
         if curves[0].case.title:
             add_title(figure, curves[0].case.title)
     return figure
 
 
-def lives_by_theory(
-    curves: Sequence[LifeCurve], axes: Axes | None = None, *, language: str = "en"
-) -> Axes:
+def lives_by_theory(curves: Sequence[LifeCurve], axes: Axes | None = None) -> Axes:
     """Draw the life by every theory, faintly where it does not hold; of variants what leads.
 
     Lives are in hours, or in millions of revolutions where nothing turns at any point. An endless
@@ -108,34 +107,37 @@ def lives_by_theory(
         As in `life_figure`.
     axes
         To draw on; of a new figure if not given.
-    language
-        ``"en"`` or ``"pt"``.
     """
-    shared, words = plot_words(language), life_words(language)
     with styled():
         axes = new_figure(height=110.0)[1] if axes is None else axes
         own = curves[0]
         turns = own.in_hours
-        lines = list(_lines_of_theories(curves, words))
+        lines = list(_lines_of_theories(curves))
         limits = _limits_of_lives((life, theory) for life, _, theory, _, _ in lines)
         if limits is None:
             endless = any(np.isposinf(life).any() for life, *_ in lines)
-            return empty_frame(axes, words.endless if endless else shared.no_result)
+            return empty_frame(axes, said("fatigue ends no life here") if endless else no_result())
         x, faint = read_values(own.over.field, own.values)[0], False
         for life, valid, _, name, look in lines:
             beyond = not np.any(life < limits[1])
-            shown = words.above.format(name=name) if beyond else name
+            shown = said("{name}, above", name=name) if beyond else name
             faint |= judged_line(axes, x, life, valid, shown, look)
         if turns and own.case.life is not None and own.case.life.wanted_life is not None:
             wanted = own.case.life.wanted_life / _HOUR
-            axes.axhline(wanted, color=GREY, linewidth=0.9, label=words.wanted)
+            axes.axhline(wanted, color=GREY, linewidth=0.9, label=said("required life"))
             limits = min(limits[0], wanted / _ROOM), max(limits[1], wanted * _ROOM)
-        _mark_missing(axes, x, own, shared)
-        across(axes, own.over.field, own.values, words.fields, shared)
-        decades(axes, "y", limits, shared)
-        axes.set_ylabel(words.life if turns else words.revolutions, parse_math=False)
-        legend_above(axes, title=words.faint if faint else "")
+        _mark_missing(axes, x, own)
+        across(axes, own.over.field, own.values)
+        decades(axes, "y", limits)
+        axes.set_ylabel(said("Life (h)") if turns else said("Life (10⁶ rev)"), parse_math=False)
+        legend_above(axes, title=said("faint: the theory is not valid there") if faint else "")
     return axes
+
+
+def _name_of(theory: str) -> str:
+    """Name a theory in a legend, and whether it only gives an upper bound."""
+    name = theory_name(theory)
+    return said("{theory} (upper bound)", theory=name) if THEORIES[theory].bound else name
 
 
 def theory_look(theory: str) -> dict[str, Any]:
@@ -167,25 +169,25 @@ def _limits_of_lives(lives: Iterable[tuple[Floats, str]]) -> tuple[float, float]
 
 
 def _lines_of_theories(
-    curves: Sequence[LifeCurve], words: LifeWords
+    curves: Sequence[LifeCurve],
 ) -> Iterable[tuple[Floats, NDArray[np.bool_], str, str, dict[str, Any]]]:
     """Life, where it is valid, theory, name and look of every line."""
     first = curves[0]
     for theory in _by_rank(first.theories):
-        name, own = words.theories.get(theory, theory), first[theory]
+        name, own = _name_of(theory), first[theory]
         yield first.shown(own), own.valid, theory, name, theory_look(theory)
     for place, curve in enumerate(curves[1:], start=1):
         leading = curve.headline
         names = dict.fromkeys(theory for theory in leading.theory.tolist() if theory)
         look = {"color": "#000000", "linestyle": _VARIANTS[place % len(_VARIANTS)]}
-        theories = " / ".join(words.theories[theory] for theory in names)
+        theories = " / ".join(map(_name_of, names))
         # in the unit of the first, whether this one turns or not
         led = leading.hours if first.in_hours else leading.life
         label = f"{theories}, {short_label(curve.label)}"
         yield led, leading.valid, next(iter(names), REFERENCE.name), label, look
 
 
-def _mark_missing(axes: Axes, x: Floats, curve: LifeCurve, shared: PlotWords) -> None:
+def _mark_missing(axes: Axes, x: Floats, curve: LifeCurve) -> None:
     missing = curve.status != "converged"
     if missing.any():
         axes.plot(
@@ -195,7 +197,7 @@ def _mark_missing(axes: Axes, x: Floats, curve: LifeCurve, shared: PlotWords) ->
             color=GREY,
             linestyle="",
             marker="x",
-            label=shared.no_result_count.format(count=int(missing.sum()), total=len(missing)),
+            label=no_result_count(int(missing.sum()), len(missing)),
         )
 
 
@@ -219,13 +221,11 @@ class BearingTests(NamedTuple):
     failed: ArrayLike
 
 
-def sn_figure(
-    lives: LoadLives, language: str = "en", *, by: By = "load", tests: Sequence[BearingTests] = ()
-) -> Figure:
+def sn_figure(lives: LoadLives, *, by: By = "load", tests: Sequence[BearingTests] = ()) -> Figure:
     """Draw life over load, as `load_over_life`, with the case's title."""
     with styled():
         figure, axes = new_figure(height=115.0)
-        load_over_life(lives, axes, language=language, by=by, tests=tests)
+        load_over_life(lives, axes, by=by, tests=tests)
         if lives.case.title:
             add_title(figure, lives.case.title)
     return figure
@@ -235,7 +235,6 @@ def load_over_life(
     lives: LoadLives,
     axes: Axes | None = None,
     *,
-    language: str = "en",
     by: By = "load",
     tests: Sequence[BearingTests] = (),
 ) -> Axes:
@@ -247,8 +246,6 @@ def load_over_life(
         Of `rolamento.tasks.life_over.lives_over_load`.
     axes
         To draw on; of a new figure if not given.
-    language
-        ``"en"`` or ``"pt"``.
     by
         Upright is P/C ("load"), or the greatest contact pressure ("pressure").
     tests
@@ -256,38 +253,39 @@ def load_over_life(
 
     A line is faint where its theory does not hold; the case itself has a mark on each.
     """
-    shared, words = plot_words(language), life_words(language)
     with styled():
         axes = new_figure(height=115.0)[1] if axes is None else axes
         upright = lives.load if by == "load" else MEGAPASCAL.of(lives.pressure)
         found = {name: record.life for name, record in lives.theories.items()}
         limits = _limits_of_lives((life, name) for name, life in found.items())
         if limits is None or not np.isfinite(upright).any():
-            return empty_frame(axes, shared.no_result)
+            return empty_frame(axes, no_result())
         faint = False
         for theory in _by_rank(found):
-            record, name = lives.theories[theory], words.theories.get(theory, theory)
+            record, name = lives.theories[theory], _name_of(theory)
             faint |= _draw_load(
                 axes, found[theory], upright, record.valid, name, theory_look(theory)
             )
         own = [life[lives.own] for life in found.values()]
         axes.plot(
-            own, np.full(len(own), upright[lives.own]), label=words.own, color=_BLACK,
+            own, np.full(len(own), upright[lives.own]), label=said("this case"), color=_BLACK,
             marker="o", markerfacecolor="white", linestyle="", zorder=3.0,
         )  # fmt: skip
         for place, one in enumerate(tests):
-            _draw_tests(axes, one, place, by, words)
+            _draw_tests(axes, one, place, by)
         if by == "load":
-            axes.axhline(lives.fatigue_load, color=GREY, linewidth=0.9, label=words.fatigue_load)
+            axes.axhline(
+                lives.fatigue_load, color=GREY, linewidth=0.9, label=said("fatigue load limit C_u")
+            )
         ran = np.array(
             [limits[0] * _LOAD_ROOM, *(n for one in tests for n in np.ravel(one.revolutions))]
         )
         least = float(ran[ran > 0.0].min()) / _LOAD_ROOM
-        decades(axes, "x", (least, limits[1]), shared)
-        decades(axes, "y", _upright_limits(lives, upright, by), shared)
-        axes.set_xlabel(words.revolutions, parse_math=False)
-        axes.set_ylabel(_upright_name(lives, by, words), parse_math=False)
-        legend_above(axes, title=words.faint if faint else "")
+        decades(axes, "x", (least, limits[1]))
+        decades(axes, "y", _upright_limits(lives, upright, by))
+        axes.set_xlabel(said("Life (10⁶ rev)"), parse_math=False)
+        axes.set_ylabel(_upright_name(lives, by), parse_math=False)
+        legend_above(axes, title=said("faint: the theory is not valid there") if faint else "")
     return axes
 
 
@@ -304,18 +302,18 @@ def _draw_load(
     return judged_line(axes, life[there], upright[there], valid[there], name, look)
 
 
-def _draw_tests(axes: Axes, tests: BearingTests, place: int, by: By, words: LifeWords) -> None:
+def _draw_tests(axes: Axes, tests: BearingTests, place: int, by: By) -> None:
     look = SERIES[(place + 1) % len(SERIES)]
     ran, load = np.asarray(tests.revolutions, np.float64), np.asarray(tests.load, np.float64)
     upright = load if by == "load" else MEGAPASCAL.of(load)
     failed = np.asarray(tests.failed, np.bool_)
-    for chosen, said, face in (
-        (failed, words.failed, look.color),
-        (~failed, words.standing, "white"),
+    for chosen, ended, face in (
+        (failed, said("failed"), look.color),
+        (~failed, said("suspended"), "white"),
     ):
         if chosen.any():
             axes.plot(
-                ran[chosen], upright[chosen], label=f"{tests.label}: {said}",
+                ran[chosen], upright[chosen], label=f"{tests.label}: {ended}",
                 color=look.color, marker=look.marker, markerfacecolor=face, markersize=5.0,
                 linestyle="", zorder=2.5,
             )  # fmt: skip
@@ -329,18 +327,16 @@ def _upright_limits(lives: LoadLives, upright: Floats, by: By) -> tuple[float, f
     return least / _LOAD_ROOM, most * _LOAD_ROOM
 
 
-def _upright_name(lives: LoadLives, by: By, words: LifeWords) -> str:
+def _upright_name(lives: LoadLives, by: By) -> str:
     if by == "pressure":
-        return MEGAPASCAL.label(words.pressure)
-    return words.reference_load if lives.by_reference else words.load
+        return MEGAPASCAL.label(said("Maximum contact pressure"))
+    return "P/C (ISO/TS 16281)" if lives.by_reference else "P/C (ISO 281)"
 
 
 # --- a_ISO, the load zone, what would help ----------------------------------------------------
 
 
-def aiso_chart(
-    summary: LifeSummary | None = None, axes: Axes | None = None, *, language: str = "en"
-) -> Axes:
+def aiso_chart(summary: LifeSummary | None = None, axes: Axes | None = None) -> Axes:
     """Draw a_ISO over e_C C_u/P for κ from 0.1 to 4, and where solved cases are on it.
 
     Parameters
@@ -349,50 +345,53 @@ def aiso_chart(
         Of `rolamento.life`, of one case or several; without it the chart alone.
     axes
         To draw on; of a new figure if not given.
-    language
-        ``"en"`` or ``"pt"``.
 
     Curves are without additives; a case with them may lie above its curve, at 3 at most.
     ISO 281:2007, 9.3.3: radial ball bearings.
     """
-    shared, words = plot_words(language), life_words(language)
     with styled():
         axes = new_figure(height=110.0)[1] if axes is None else axes
-        points = [] if summary is None else _factors_of(summary, words, shared)
+        points = [] if summary is None else _factors_of(summary)
         limits = _wide_enough([strength for *_, strength, _ in points])
         strength = np.geomspace(*limits, _POINTS)
         for ratio in _RATIOS:
             factor = life_modification_factor(ratio, strength, 1.0, 1.0)
             axes.plot(strength, factor, color=GREY, linewidth=0.8, zorder=1.5)
-            _name_curve(axes, strength, factor, ratio, f"{words.viscosity_ratio} ", shared)
+            _name_curve(axes, strength, factor, ratio, "κ = ")
         for label, marker, colour, x, y in points:
             axes.plot(
                 x, y, label=label, marker=marker, color=colour, linestyle="", markersize=9.0,
                 markerfacecolor="none", markeredgewidth=1.6, zorder=3.0, clip_on=False,
             )  # fmt: skip
-        log_scale(axes, "x", shared)
-        log_scale(axes, "y", shared)
+        log_scale(axes, "x")
+        log_scale(axes, "y")
         axes.set_xlim(*limits)
         axes.set_ylim(_FACTOR[0], _FACTOR[1] * _AISO_ROOM)
         axes.set_xlabel(r"$e_C\,C_u/P$")
         axes.set_ylabel(r"$a_\mathrm{ISO}$")
         if summary is not None and not points:
-            axes.text(0.04, 0.92, words.no_factor, transform=axes.transAxes, parse_math=False)
+            axes.text(
+                0.04,
+                0.92,
+                said("there is no a_ISO for this case"),
+                transform=axes.transAxes,
+                parse_math=False,
+            )
         legend_above(axes)
     return axes
 
 
-def load_zone_figure(life: ZoneLife, language: str = "en") -> Figure:
+def load_zone_figure(life: ZoneLife) -> Figure:
     """Draw life over the load zone, as `life_over_zone`, with the case's title."""
     with styled():
         figure, axes = new_figure(height=95.0)
-        life_over_zone(life, axes, language=language)
+        life_over_zone(life, axes)
         if life.case.title:
             add_title(figure, life.case.title)
     return figure
 
 
-def life_over_zone(life: ZoneLife, axes: Axes | None = None, *, language: str = "en") -> Axes:
+def life_over_zone(life: ZoneLife, axes: Axes | None = None) -> Axes:
     """Draw life over the load zone ε of a radially loaded bearing, and the case's own place.
 
     Parameters
@@ -400,63 +399,59 @@ def life_over_zone(life: ZoneLife, axes: Axes | None = None, *, language: str = 
     life
         Of `rolamento.tasks.life_over.lives_over_zone`; where the case's load is radial, the
         clearance that makes each zone under it stands below.
-    axes, language
+    axes
         As `aiso_chart`.
     """
-    shared, words = plot_words(language), life_words(language)
     with styled():
         axes = new_figure(height=95.0)[1] if axes is None else axes
         axes.plot(life.zone, life.life_ratio, color=SERIES[0].color)
-        axes.axvline(0.5, color=GREY, linewidth=0.9, label=words.no_clearance)
+        axes.axvline(0.5, color=GREY, linewidth=0.9, label=said("no clearance"))
         best, ratio = life.best
-        label = f"{words.best}: ε = {number(best, shared, 2)}, {_times(ratio, shared)}"
+        label = said("longest life: ε = {zone}, {ratio}", zone=number(best, 2), ratio=_times(ratio))
         axes.plot(best, ratio, label=label, **_mark(2))
         if life.own is not None and life.zone[0] <= life.own[0] <= life.zone[-1]:
             own, ratio = life.own
-            label = f"{words.own}: ε = {number(own, shared, 2)}, {_times(ratio, shared)}"
+            label = said("this case: ε = {zone}, {ratio}", zone=number(own, 2), ratio=_times(ratio))
             axes.plot(own, ratio, label=label, **_mark(1))
-        _zone_ticks(axes, life, shared, words)
-        label_y(axes, words.zone_life, shared)
+        _zone_ticks(axes, life)
+        label_y(axes, said("Life over life without clearance"))
         axes.set_xlim(0.0, float(life.zone[-1]))
         axes.set_ylim(0.0, 1.15 * float(np.max(life.life_ratio)))
         legend_above(axes)
     return axes
 
 
-def helps_figure(changes: Sequence[Change], language: str = "en", title: str = "") -> Figure:
+def helps_figure(changes: Sequence[Change], title: str = "") -> Figure:
     """Draw what would help, as `what_helps`, with a title."""
     with styled():
         figure, axes = new_figure(height=24.0 + 9.0 * max(len(changes), 2))
-        what_helps(changes, axes, language=language)
+        what_helps(changes, axes)
         if title:
             add_title(figure, title)
     return figure
 
 
-def what_helps(
-    changes: Sequence[Change], axes: Axes | None = None, *, language: str = "en"
-) -> Axes:
+def what_helps(changes: Sequence[Change], axes: Axes | None = None) -> Axes:
     """Draw a bar for each change: life after it over life before; the most helpful at the top.
 
     Parameters
     ----------
     changes
         Of `rolamento.life.sensitivity`; one without a ratio has a line without a bar.
-    axes, language
+    axes
         As `aiso_chart`.
     """
-    shared, words = plot_words(language), life_words(language)
     with styled():
         axes = new_figure()[1] if axes is None else axes
         ratios = np.array([change.life_ratio for change in changes], dtype=np.float64)
         known = np.isfinite(ratios)
         if not known.any():
-            return empty_frame(axes, shared.no_result)
+            return empty_frame(axes, no_result())
         places = np.arange(len(changes))
         colours = [SERIES[2].color if ratio >= 1.0 else SERIES[1].color for ratio in ratios]
         axes.barh(places, np.where(known, ratios - 1.0, 0.0), _BAR, left=1.0, color=colours)
         for place, ratio in zip(places, ratios, strict=True):
-            text = _times(ratio, shared) if np.isfinite(ratio) else shared.no_result
+            text = _times(ratio) if np.isfinite(ratio) else no_result()
             side = -4 if ratio < 1.0 else 4
             axes.annotate(
                 text, (ratio if np.isfinite(ratio) else 1.0, place), (side, 0),
@@ -464,20 +459,18 @@ def what_helps(
                 fontsize=8.0, parse_math=False,
             )  # fmt: skip
         axes.axvline(1.0, color=GREY, linewidth=0.9)
-        names = [words.changes.get(change.name, change.name) for change in changes]
+        names = [capitalised(change.note.text) for change in changes]
         axes.set_yticks(places, names, parse_math=False)
         axes.invert_yaxis()
         axes.grid(False, axis="y")
         least, most = min(float(ratios[known].min()), 1.0), max(float(ratios[known].max()), 1.0)
         room = _MARGIN * max(most - least, 0.1)
         axes.set_xlim(least - (room if least < 1.0 else 0.0), most + room)
-        label_x(axes, words.life_ratio, shared)
+        label_x(axes, said("Life after the change over life before"))
     return axes
 
 
-def _factors_of(
-    summary: LifeSummary, words: LifeWords, shared: PlotWords
-) -> list[tuple[str, str, str, Floats, Floats]]:
+def _factors_of(summary: LifeSummary) -> list[tuple[str, str, str, Floats, Floats]]:
     """Label, marker, colour, e_C C_u/P and a_ISO of each modified theory; bounds left out."""
     found = []
     for theory in _by_rank(summary.theories):
@@ -492,13 +485,13 @@ def _factors_of(
         there = known & np.isfinite(strength) & (strength > 0.0)
         if not there.any():
             continue
-        label = words.theories[theory]
+        label = _name_of(theory)
         if there.sum() == 1:
             ratio = float(record.factors["viscosity_ratio"][there][0])
-            label += f", {words.viscosity_ratio} {number(ratio, shared, 3)}"
-            label += f", {words.factor} = {number(float(factor[there][0]), shared, 3)}"
+            label += f", κ = {number(ratio, 3)}"
+            label += f", a_ISO = {number(float(factor[there][0]), 3)}"
         if summary.conditions.additives:
-            label += f", {words.with_additives}"
+            label = said("{theory}, with additives", theory=label)
         look = SERIES[THEORIES[theory].rank]
         found.append((label, look.marker, look.color, strength[there], factor[there]))
     return found
@@ -512,15 +505,13 @@ def _wide_enough(strengths: Sequence[Floats]) -> tuple[float, float]:
     return low, _STRENGTH[1] if most <= _STRENGTH[1] else most * 2.0
 
 
-def _name_curve(
-    axes: Axes, strength: Floats, factor: Floats, ratio: float, prefix: str, shared: PlotWords
-) -> None:
+def _name_curve(axes: Axes, strength: Floats, factor: Floats, ratio: float, prefix: str) -> None:
     """Write κ on a curve: where it has room if it is steep, else at its right end."""
     height = _LABELLED.get(ratio, _HIGH)
     steep = float(factor[-1]) > height
     place = int(np.argmax(factor > height)) if steep else len(factor) - 1
     axes.annotate(
-        (prefix if ratio == max(_RATIOS) else "") + number(ratio, shared),
+        (prefix if ratio == max(_RATIOS) else "") + number(ratio),
         (float(strength[place]), float(factor[place])),
         (0.0, 0.0) if steep else (3.0, 0.0),
         textcoords="offset points",
@@ -532,24 +523,26 @@ def _name_curve(
     )
 
 
-def _zone_ticks(axes: Axes, life: ZoneLife, shared: PlotWords, words: LifeWords) -> None:
+def _zone_ticks(axes: Axes, life: ZoneLife) -> None:
     """Number the zones, and below them the clearance that makes each under the case's load."""
     under_load = bool(np.isfinite(life.clearance).all())
 
     def written(zone: float) -> str:
-        above = number(zone, shared)
+        above = number(zone)
         if not under_load:
             return above
         micrometres = round(1e6 * float(np.interp(zone, life.zone, life.clearance)))
-        return f"{above}\n{number(float(micrometres), shared)}"
+        return f"{above}\n{number(float(micrometres))}"
 
     axes.set_xticks(_TICKS, [written(tick) for tick in _TICKS])
-    name = f"{words.zone}\n{words.clearance}" if under_load else words.zone
+    name = said("Load zone ε")
+    if under_load:
+        name = said("Load zone ε\nbelow: diametral clearance under this load (µm)")
     axes.set_xlabel(name, parse_math=False)
 
 
-def _times(ratio: float, shared: PlotWords) -> str:
-    return f"× {number(ratio, shared, 3)}"
+def _times(ratio: float) -> str:
+    return f"× {number(ratio, 3)}"
 
 
 def _mark(index: int) -> dict[str, Any]:

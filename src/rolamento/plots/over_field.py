@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
@@ -10,8 +9,7 @@ from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 from numpy.typing import NDArray
 
 from rolamento.plots.axes_units import NONE, read_values
-from rolamento.plots.frame import label_x, log_scale, number
-from rolamento.plots.words import PlotWords
+from rolamento.plots.frame import capitalised, label_x, log_scale, numbers
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -35,24 +33,19 @@ _LONG: Final = 1e6
 _RAISED: Final = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
-def across(
-    axes: Axes, field: Field, values: Floats, names: Mapping[str, str], words: PlotWords
-) -> None:
-    """Label the axis across with a field, its limits those of the values.
-
-    names: what is said of fields, by their dotted names; others by their own words.
-    """
+def across(axes: Axes, field: Field, values: Floats, *_: object) -> None:
+    """Label the axis across with a field, its limits those of the values."""
     x, symbol = read_values(field, values)
-    known = names.get(field.name, field.label[:1].upper() + field.label[1:])
-    label_x(axes, known if symbol == NONE.symbol else f"{known} ({symbol})", words)
+    known = capitalised(field.label)
+    label_x(axes, known if symbol == NONE.symbol else f"{known} ({symbol})")
     if is_geometric(values):
-        log_scale(axes, "x", words)
+        log_scale(axes, "x")
         if x.max() > _DECADES * x.min() > 0.0:
             axes.xaxis.set_major_locator(LogLocator())
     axes.set_xlim(float(x.min()), float(x.max()))
 
 
-def decades(axes: Axes, axis: str, limits: tuple[float, float], words: PlotWords) -> None:
+def decades(axes: Axes, axis: str, limits: tuple[float, float], *_: object) -> None:
     """Make an axis, "x" or "y", logarithmic between two limits, however many decades there are."""
     getattr(axes, f"set_{axis}scale")("log")
     getattr(axes, f"set_{axis}lim")(*limits)
@@ -62,14 +55,15 @@ def decades(axes: Axes, axis: str, limits: tuple[float, float], words: PlotWords
     scaled.set_major_locator(LogLocator(subs=subs, numticks=_MOST_TICKS))
     scaled.set_minor_locator(LogLocator(subs="auto", numticks=_MOST_TICKS))
     scaled.set_minor_formatter(NullFormatter())
-    scaled.set_major_formatter(FuncFormatter(lambda value, _: _tick(value, words)))
+    plain = numbers()
 
+    def written(value: float, place: object) -> str:
+        power = round(float(np.log10(value)))
+        if value >= _LONG and np.isclose(value, 10.0**power):
+            return "10" + str(power).translate(_RAISED)
+        return plain(value, place)
 
-def _tick(value: float, words: PlotWords) -> str:
-    power = round(float(np.log10(value)))
-    if value >= _LONG and np.isclose(value, 10.0**power):
-        return "10" + str(power).translate(_RAISED)
-    return number(value, words)
+    scaled.set_major_formatter(FuncFormatter(written))
 
 
 def judged_line(

@@ -2,29 +2,22 @@
 
 from __future__ import annotations
 
-import io
 import os
-import warnings
-from typing import Any, Final
+from typing import Final
 
 from matplotlib.axes import Axes
-from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from rolamento._writing import write_bytes
+from rolamento.document.picture import picture_bytes
 from rolamento.errors import FileError
 from rolamento.plots.frame import figure_of
 from rolamento.plots.style import in_style
+from rolamento.words import said
 
 __all__ = ["FORMATS", "check_name", "save_figure"]
 
 FORMATS: Final = ("png", "svg", "pdf")
-# Nothing that tells when or with which release a figure was drawn.
-_METADATA: Final[dict[str, dict[str, Any]]] = {
-    "png": {"Software": None},
-    "svg": {"Date": None, "Creator": "Rolamento"},
-    "pdf": {"CreationDate": None, "Creator": "Rolamento", "Producer": None},
-}
 
 
 @in_style
@@ -45,14 +38,7 @@ def save_figure(figure: Figure | Axes, path: str | os.PathLike[str]) -> None:
     """
     kind = check_name(path)
     drawn = figure if isinstance(figure, Figure) else figure_of(figure)
-    content = io.BytesIO()
-    if drawn.canvas is None:
-        FigureCanvasAgg(drawn)
-    with warnings.catch_warnings():
-        # A title may hold letters that the font lacks; a box stands for them.
-        warnings.filterwarnings("ignore", "Glyph .* missing from font")
-        drawn.savefig(content, format=kind, metadata=_METADATA[kind])
-    write_bytes(content.getvalue(), path)
+    write_bytes(picture_bytes(drawn, kind), path)
 
 
 def check_name(path: str | os.PathLike[str]) -> str:
@@ -66,6 +52,6 @@ def check_name(path: str | os.PathLike[str]) -> str:
     kind = os.path.splitext(os.fspath(path))[1].lower().removeprefix(".")
     if kind not in FORMATS:
         raise FileError(
-            "must end in .png, .svg or .pdf", source=os.fspath(path), example="rosette.pdf"
+            said("must end in .png, .svg or .pdf"), source=os.fspath(path), example="rosette.pdf"
         )
     return kind

@@ -23,10 +23,18 @@ from rolamento.friction.slip import (
 )
 from rolamento.geometry import Race
 from rolamento.plots.axes_units import MILLIMETRE
-from rolamento.plots.frame import PlainNumbers, empty_frame, figure_of, label_x, label_y, number
+from rolamento.plots.frame import (
+    PlainNumbers,
+    empty_frame,
+    figure_of,
+    label_x,
+    label_y,
+    no_result,
+    number,
+)
 from rolamento.plots.style import in_style, new_figure, new_stacked_figure
-from rolamento.plots.words import ENGLISH, PlotWords
 from rolamento.solved import Solved
+from rolamento.words import said
 
 __all__ = ["QUANTITIES", "Quantity", "slip_map", "slip_maps"]
 
@@ -43,29 +51,6 @@ _UNITS: Final[Mapping[str, tuple[float, str]]] = {
     "slip": (1.0, "m/s"),
     "pressure": (1e-6, "MPa"),
     "pressure_slip": (1e-6, "W/mm²"),
-}
-
-_WORDS: Final[Mapping[str, Mapping[str, str]]] = {
-    "en": {
-        "slip": "Slip",
-        "pressure": "Pressure",
-        "pressure_slip": "Pressure times slip",
-        "across": "Across rolling",
-        "along": "Along rolling",
-        "lines": "no slip along rolling",
-        "maximum": "maximum, {value}",
-        "no_contact": "ball and race do not touch",
-    },
-    "pt": {
-        "slip": "Deslizamento",
-        "pressure": "Pressão",
-        "pressure_slip": "Pressão vezes deslizamento",
-        "across": "Transversal ao rolamento",
-        "along": "No sentido do rolamento",
-        "lines": "sem deslizamento no sentido do rolamento",
-        "maximum": "máximo, {value}",
-        "no_contact": "esfera e pista não se tocam",
-    },
 }
 
 
@@ -89,7 +74,6 @@ def slip_map(
     quantity: Quantity = "slip",
     race: Race = "inner",
     ball: int = _HEAVIEST,
-    words: PlotWords = ENGLISH,
 ) -> Axes:
     """Draw slip, pressure or their product over one contact ellipse.
 
@@ -108,8 +92,6 @@ def slip_map(
         ``"inner"`` or ``"outer"``.
     ball
         Counted from 0; the one with the maximum load on this race if not given.
-    words
-        Language of the labels.
 
     Returns
     -------
@@ -124,28 +106,28 @@ def slip_map(
     axes = new_figure(height=62.0)[1] if axes is None else axes
     if quantity not in QUANTITIES:
         raise InputError(
-            f"must be one of {', '.join(QUANTITIES)}", field="quantity", value=quantity
+            said("must be one of {known}", known=", ".join(QUANTITIES)),
+            field="quantity",
+            value=quantity,
         )
     if not solved.converged[0]:
-        return empty_frame(axes, words.reason(str(solved.status.code[0])))
+        return empty_frame(axes, no_result(str(solved.status.code[0])))
     contact = _contact(solved, race, ball)
     if not contact.touches:
-        return empty_frame(axes, _said(words, "no_contact"))
-    _draw(axes, contact, quantity, words)
+        return empty_frame(axes, said("ball and race do not touch"))
+    _draw(axes, contact, quantity)
     return axes
 
 
 @in_style
-def slip_maps(
-    solved: Solved, *, race: Race = "inner", ball: int = _HEAVIEST, words: PlotWords = ENGLISH
-) -> tuple[Axes, ...]:
+def slip_maps(solved: Solved, *, race: Race = "inner", ball: int = _HEAVIEST) -> tuple[Axes, ...]:
     """Draw slip, pressure and their product of one contact below each other, in a new figure.
 
     Parameters and errors as of `slip_map`.
     """
     _, frames = new_stacked_figure(len(QUANTITIES), height=170.0)
     for axes, quantity in zip(frames, QUANTITIES, strict=True):
-        slip_map(solved, axes, quantity=quantity, race=race, ball=ball, words=words)
+        slip_map(solved, axes, quantity=quantity, race=race, ball=ball)
     return frames
 
 
@@ -155,7 +137,12 @@ def _contact(solved: Solved, race: Race, ball: int) -> _Contact:
     if ball == _HEAVIEST:
         ball = int(np.argmax(patch.load[0]))
     if not 0 <= ball < count:
-        raise InputError(f"must be from 0 to {count - 1}", field="ball", value=ball, example="0")
+        raise InputError(
+            said("must be from 0 to {count}", count=count - 1),
+            field="ball",
+            value=ball,
+            example="0",
+        )
 
     def one(array: Floats) -> Floats:
         return np.asarray(array[0, ball : ball + 1])
@@ -166,7 +153,7 @@ def _contact(solved: Solved, race: Race, ball: int) -> _Contact:
     return _Contact(patch.mapped(one), chosen)
 
 
-def _draw(axes: Axes, contact: _Contact, quantity: Quantity, words: PlotWords) -> None:
+def _draw(axes: Axes, contact: _Contact, quantity: Quantity) -> None:
     """Draw the map, the edge of the ellipse, the lines, the arrows and the maximum."""
     a, b = (
         float(MILLIMETRE.of(x)[0]) for x in (contact.patch.semi_major, contact.patch.semi_minor)
@@ -179,19 +166,19 @@ def _draw(axes: Axes, contact: _Contact, quantity: Quantity, words: PlotWords) -
     drawn = axes.contourf(a * u, b * v, values, levels=_LEVELS)
     axes.add_patch(edge)
     drawn.set_clip_path(edge)
-    bar = figure_of(axes).colorbar(drawn, ax=axes, format=PlainNumbers(words.decimal_mark))
-    bar.set_label(f"{_said(words, quantity)} ({unit})")
+    bar = figure_of(axes).colorbar(drawn, ax=axes, format=PlainNumbers())
+    bar.set_label(f"{_name_of(quantity)} ({unit})")
     if quantity != "pressure":
-        _draw_lines(axes, contact, a, b, words)
+        _draw_lines(axes, contact, a, b)
     if quantity == "slip":
         _draw_arrows(axes, contact, a, b)
     if quantity == "pressure_slip":
-        _mark_maximum(axes, contact, a, b, words)
+        _mark_maximum(axes, contact, a, b)
     axes.set_xlim(-1.05 * a, 1.05 * a)
     axes.set_ylim(-1.15 * b, 1.15 * b)
     axes.grid(False)
-    label_x(axes, MILLIMETRE.label(_said(words, "across")), words)
-    label_y(axes, MILLIMETRE.label(_said(words, "along")), words)
+    label_x(axes, MILLIMETRE.label(said("Across rolling")))
+    label_y(axes, MILLIMETRE.label(said("Along rolling")))
     if axes.get_legend_handles_labels()[0]:
         axes.legend(
             loc="lower left",
@@ -201,6 +188,14 @@ def _draw(axes: Axes, contact: _Contact, quantity: Quantity, words: PlotWords) -
             frameon=True,
             borderaxespad=0.2,
         )
+
+
+def _name_of(quantity: Quantity) -> str:
+    return {
+        "slip": said("Slip"),
+        "pressure": said("Pressure"),
+        "pressure_slip": said("Pressure times slip"),
+    }[quantity]
 
 
 def _values(contact: _Contact, quantity: Quantity, u: Floats, v: Floats) -> Floats:
@@ -213,9 +208,9 @@ def _values(contact: _Contact, quantity: Quantity, u: Floats, v: Floats) -> Floa
     return speed if quantity == "slip" else np.asarray(speed * pressure)
 
 
-def _draw_lines(axes: Axes, contact: _Contact, a: float, b: float, words: PlotWords) -> None:
+def _draw_lines(axes: Axes, contact: _Contact, a: float, b: float) -> None:
     lines = rolling_lines(contact.patch, contact.motion)[0]
-    label = _said(words, "lines")
+    label = said("no slip along rolling")
     for line in lines[np.isfinite(lines)]:
         reach = b * float(np.sqrt(1.0 - line**2))
         axes.plot([a * line, a * line], [-reach, reach], "w--", linewidth=1.1, label=label)
@@ -243,10 +238,10 @@ def _draw_arrows(axes: Axes, contact: _Contact, a: float, b: float) -> None:
     )
 
 
-def _mark_maximum(axes: Axes, contact: _Contact, a: float, b: float, words: PlotWords) -> None:
+def _mark_maximum(axes: Axes, contact: _Contact, a: float, b: float) -> None:
     found = maximum_pressure_slip(contact.patch, contact.motion)
     factor, unit = _UNITS["pressure_slip"]
-    value = f"{number(float(factor * found.value[0]), words)} {unit}"
+    value = f"{number(float(factor * found.value[0]))} {unit}"
     axes.plot(
         [a * found.across[0]],
         [b * found.along[0]],
@@ -255,10 +250,6 @@ def _mark_maximum(axes: Axes, contact: _Contact, a: float, b: float, words: Plot
         markersize=6.0,
         markeredgewidth=1.6,
         linestyle="none",
-        label=_said(words, "maximum").format(value=value),
+        label=said("maximum, {value}", value=value),
         zorder=4.0,
     )
-
-
-def _said(words: PlotWords, key: str) -> str:
-    return _WORDS.get(words.code, _WORDS["en"])[key]

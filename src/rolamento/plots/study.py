@@ -16,8 +16,10 @@ from numpy.typing import NDArray
 
 from rolamento.errors import InputError, nearest
 from rolamento.plots.axes_units import NONE, ReadableUnit, readable_unit
-from rolamento.plots.words import PlotWords
+from rolamento.plots.frame import capitalised
+from rolamento.studies.names import variable_name
 from rolamento.studies.study import SAMPLE
+from rolamento.words import said
 
 Floats = NDArray[np.float64]
 
@@ -130,11 +132,11 @@ def most_telling(study: StudyData) -> str:
     """
     known = outputs(study)
     if not known:
-        raise InputError("holds no output that could be drawn", field="data")
+        raise InputError(said("has no output that can be drawn"), field="data")
     return next((name for name in _TELLING if name in known), known[0])
 
 
-def output_of(study: StudyData, name: str, words: PlotWords) -> PlottedVariable:
+def output_of(study: StudyData, name: str) -> PlottedVariable:
     """Return an output, NaN where the status says that there is no result.
 
     Raises
@@ -146,17 +148,17 @@ def output_of(study: StudyData, name: str, words: PlotWords) -> PlottedVariable:
         raise _unknown("variable", name, outputs(study))
     variable = study.data_vars[name]
     if (size := prod(variable.shape)) > _MOST_VALUES:
-        raise InputError(f"is too large for a figure: {size} values", field=name)
+        raise InputError(said("is too large for a figure: {size} values", size=size), field=name)
     if not size:
-        raise InputError("holds no values", field=name)
+        raise InputError(said("has no values"), field=name)
     values = np.array(variable.values, dtype=np.float64)
     values = np.where(_failed(study, variable) | ~np.isfinite(values), np.nan, values)
     kept = [size != 1 for size in values.shape]
     dims = tuple(str(dim) for dim, keep in zip(variable.dims, kept, strict=True) if keep)
-    return _plotted(name, dims, np.squeeze(values), variable, words)
+    return _plotted(name, dims, np.squeeze(values), variable)
 
 
-def axis_of(study: StudyData, name: str, size: int, words: PlotWords) -> PlottedVariable:
+def axis_of(study: StudyData, name: str, size: int) -> PlottedVariable:
     """Return the values along an axis; numbers from 0 where the study does not tell.
 
     An axis along which several inputs vary together is told by the first of them.
@@ -164,15 +166,15 @@ def axis_of(study: StudyData, name: str, size: int, words: PlotWords) -> Plotted
     along = [n for n in inputs(study) if n == name or str(study.coords[n].dims[0]) == name]
     coordinate = study.coords[name if name in along else along[0]] if along else None
     if coordinate is None:
-        label = NONE.label(words.name(name))
+        label = NONE.label(_name(name))
         return PlottedVariable(name, (name,), np.arange(float(size)), label, NONE)
-    column = _input(name if name in along else along[0], coordinate, words)
+    column = _input(name if name in along else along[0], coordinate)
     if not np.isfinite(column.values).all():
-        raise InputError("holds what is not a number", field=name)
+        raise InputError(said("contains something that is not a number"), field=name)
     return column
 
 
-def input_of(study: StudyData, name: str, words: PlotWords) -> PlottedVariable:
+def input_of(study: StudyData, name: str) -> PlottedVariable:
     """Return a varied input, or an output, of a study of samples.
 
     Raises
@@ -182,10 +184,10 @@ def input_of(study: StudyData, name: str, words: PlotWords) -> PlottedVariable:
     """
     known = [n for n in inputs(study) if n != SAMPLE]
     if name in known:
-        return _input(name, study.coords[name], words)
+        return _input(name, study.coords[name])
     if name not in outputs(study):
         raise _unknown("over", name, [*known, *outputs(study)])
-    return output_of(study, name, words)
+    return output_of(study, name)
 
 
 def inputs(study: StudyData) -> list[str]:
@@ -212,13 +214,13 @@ def common_failure(study: StudyData) -> str:
     return worst if known.get(worst) else ""
 
 
-def _input(name: str, coordinate: Variable, words: PlotWords) -> PlottedVariable:
+def _input(name: str, coordinate: Variable) -> PlottedVariable:
     dims = tuple(str(dim) for dim in coordinate.dims)
     values = np.asarray(coordinate.values)
     if _numeric(coordinate):
-        return _plotted(name, dims, values.astype(np.float64), coordinate, words)
+        return _plotted(name, dims, values.astype(np.float64), coordinate)
     texts, places = _positions([str(value)[:60] for value in values.tolist()])
-    label = words.name(name, _long_name(coordinate))
+    label = _name(name, coordinate)
     return PlottedVariable(name, dims, places, label, NONE, texts)
 
 
@@ -230,15 +232,18 @@ def _positions(texts: Sequence[str]) -> tuple[tuple[str, ...], Floats]:
 
 
 def _plotted(
-    name: str, dims: tuple[str, ...], values: Floats, variable: Variable, words: PlotWords
+    name: str, dims: tuple[str, ...], values: Floats, variable: Variable
 ) -> PlottedVariable:
     unit = readable_unit(str(variable.attrs.get("units", "1")), values)
-    label = unit.label(words.name(name, _long_name(variable)))
+    label = unit.label(_name(name, variable))
     return PlottedVariable(name, dims, unit.of(values), label, unit)
 
 
-def _long_name(variable: Variable) -> str:
-    return str(variable.attrs.get("long_name", ""))
+def _name(name: str, variable: Variable | None = None) -> str:
+    """Return what a variable is called: as we know it, else as its file does."""
+    attrs = {} if variable is None else variable.attrs
+    known = variable_name(name, str(attrs.get("field", "")))
+    return capitalised(known or str(attrs.get("long_name", "")) or name.replace("_", " "))
 
 
 def _numeric(variable: Variable) -> bool:
@@ -271,5 +276,10 @@ def _flags(status: Variable) -> dict[str, Any]:
 def _unknown(field: str, name: str, known: Sequence[str]) -> InputError:
     near = nearest(name, known)
     listed = ", ".join(known[:_LISTED]) + (" …" if len(known) > _LISTED else "")
-    advice = f"did you mean {near}?" if near else f"known here: {listed}" if known else ""
-    return InputError(f"is not in the study; {advice}", field=field, value=name)
+    if near:
+        rule = said("is not in the study; did you mean {near}?", near=near)
+    elif known:
+        rule = said("is not in the study; known: {known}", known=listed)
+    else:
+        rule = said("is not in the study")
+    return InputError(rule, field=field, value=name)

@@ -26,6 +26,8 @@ from rolamento.plots.frame import (
     label_y,
     legend_above,
     log_scale,
+    no_result,
+    no_result_count,
     number,
 )
 from rolamento.plots.study import (
@@ -39,8 +41,8 @@ from rolamento.plots.study import (
     output_of,
 )
 from rolamento.plots.style import SERIES, Series, in_style, new_figure, series
-from rolamento.plots.words import ENGLISH, PlotWords
 from rolamento.studies.study import SAMPLE
+from rolamento.words import said
 
 Floats = NDArray[np.float64]
 
@@ -59,7 +61,7 @@ _FEWEST_BINS: Final = 5
 _MOST_BINS: Final = 60
 
 
-def telling_kind(study: StudyData, variable: str = "", words: PlotWords = ENGLISH) -> str:
+def telling_kind(study: StudyData, variable: str = "") -> str:
     """Return how an output shows best: "lines", "map" or "histogram".
 
     Raises
@@ -67,7 +69,7 @@ def telling_kind(study: StudyData, variable: str = "", words: PlotWords = ENGLIS
     InputError
         If there is no such output.
     """
-    column = output_of(study, variable or most_telling(study), words)
+    column = output_of(study, variable or most_telling(study))
     if column.dims == (SAMPLE,):
         return "histogram"
     few = len(column.dims) < 2 or SAMPLE in column.dims or min(column.values.shape) <= MOST_LINES
@@ -81,7 +83,6 @@ def study_lines(
     axes: Axes | None = None,
     *,
     over: str = "",
-    words: PlotWords = ENGLISH,
 ) -> Axes:
     """Draw an output over one axis of a study; of a second axis, a line for each value.
 
@@ -98,8 +99,6 @@ def study_lines(
         To draw on; of a new figure if not given.
     over
         The axis that runs across; if not given the longer one.
-    words
-        Language of the labels.
 
     Returns
     -------
@@ -111,28 +110,28 @@ def study_lines(
     InputError
         If there is no such output or axis, or there would be more lines than can be told apart.
     """
-    table = _table(study, variable, over, words)
+    table = _table(study, variable, over)
     if table.along == SAMPLE and table.other is None:
         raise InputError(
-            "does not go with a study of samples alone", field="kind", value="lines",
+            said("cannot show a study of samples alone"), field="kind", value="lines",
             example="histogram or scatter",
         )  # fmt: skip
     axes = new_figure()[1] if axes is None else axes
     if not np.isfinite(table.values).any():
-        return nothing_to_draw(axes, study, words)
-    x = axis_of(study, table.across, len(table.values), words)
+        return nothing_to_draw(axes, study)
+    x = axis_of(study, table.across, len(table.values))
     title = ""
     if table.other is None:
         _line(axes, x, table.values[:, 0], series(0))
     elif table.other == SAMPLE:
-        _spread(axes, x, table.values, words)
+        _spread(axes, x, table.values)
     else:
-        family = axis_of(study, table.other, table.values.shape[1], words)
-        _family(axes, x, table, family, words)
+        family = axis_of(study, table.other, table.values.shape[1])
+        _family(axes, x, table, family)
         title = family.label
-    _mark_missing(axes, x, table.values, words)
-    _scale(axes, "x", x, words)
-    label_y(axes, table.output.label, words)
+    _mark_missing(axes, x, table.values)
+    _scale(axes, "x", x)
+    label_y(axes, table.output.label)
     legend_above(axes, title=title)
     return axes
 
@@ -144,37 +143,36 @@ def study_map(
     axes: Axes | None = None,
     *,
     over: str = "",
-    words: PlotWords = ENGLISH,
 ) -> Axes:
     """Draw an output over two axes of a study as a map of colours; no result is hatched.
 
     Parameters and errors as of `study_lines`; `over` is the axis that runs across.
     """
-    table = _table(study, variable, over, words)
+    table = _table(study, variable, over)
     if table.other is None or SAMPLE in (table.along, table.other):
         raise InputError(
-            "needs a study with two axes", field="kind", value="map",
+            said("needs a study with two axes"), field="kind", value="map",
             example="lines" if table.other is None else "histogram",
         )  # fmt: skip
     axes = new_figure(height=100.0)[1] if axes is None else axes
     if not np.isfinite(table.values).any():
-        return nothing_to_draw(axes, study, words)
+        return nothing_to_draw(axes, study)
     size_x, size_y = table.values.shape
-    x = axis_of(study, table.across, size_x, words)
-    y = axis_of(study, table.other, size_y, words)
-    _colour(axes, x, y, table, words)
+    x = axis_of(study, table.across, size_x)
+    y = axis_of(study, table.other, size_y)
+    _colour(axes, x, y, table)
     missing = int(np.sum(np.isnan(table.values)))
     axes.grid(False)
     if missing:
         axes.add_patch(Rectangle((0, 0), 1, 1, transform=axes.transAxes, zorder=0.5, **_HATCH))
-        count = words.no_result_count.format(count=missing, total=table.values.size)
+        count = no_result_count(missing, table.values.size)
         legend_above(axes, handles=[Patch(label=count, **_HATCH)])
     return axes
 
 
-def nothing_to_draw(axes: Axes, study: StudyData, words: PlotWords) -> Axes:
+def nothing_to_draw(axes: Axes, study: StudyData) -> Axes:
     """Draw an empty frame with the reason that most cases give."""
-    return empty_frame(axes, words.reason(common_failure(study)))
+    return empty_frame(axes, no_result(common_failure(study)))
 
 
 class _Table(NamedTuple):
@@ -187,17 +185,21 @@ class _Table(NamedTuple):
     across: str
 
 
-def _table(study: StudyData, variable: str, over: str, words: PlotWords) -> _Table:
-    output = output_of(study, variable or most_telling(study), words)
+def _table(study: StudyData, variable: str, over: str) -> _Table:
+    output = output_of(study, variable or most_telling(study))
     dims = output.dims
     if not 1 <= len(dims) <= 2:
-        shape = f"varies along {', '.join(dims)}" if dims else "is of one case"
         raise InputError(
-            f"{shape}; a figure shows one or two axes: select some values first",
+            said(
+                "varies along {dims}; a figure shows one or two axes: select some values first",
+                dims=", ".join(dims),
+            )
+            if dims
+            else said("is of a single case; a figure shows one or two axes"),
             field=output.name,
-            example='study.sel(fx=20e3) or study.isel(ball=0) in Python',
-        )  # fmt: skip
-    along = _axis_named(study, over, output) if over else _longest(study, output, words)
+            example="study.sel(fx=20e3), study.isel(ball=0)",
+        )
+    along = _axis_named(study, over, output) if over else _longest(study, output)
     across = over or along
     if len(dims) == 1:
         return _Table(output, output.values[:, np.newaxis], along, None, across)
@@ -213,17 +215,21 @@ def _axis_named(study: StudyData, name: str, output: PlottedVariable) -> str:
     if axes.get(name) not in output.dims:
         known = [n for n, axis in axes.items() if axis in output.dims]
         raise InputError(
-            f"is not an axis of {output.name}; it has {', '.join(known)}", field="over", value=name
+            said(
+                "is not an axis of {name}; it has {known}", name=output.name, known=", ".join(known)
+            ),
+            field="over",
+            value=name,
         )
     return axes[name]
 
 
-def _longest(study: StudyData, output: PlottedVariable, words: PlotWords) -> str:
+def _longest(study: StudyData, output: PlottedVariable) -> str:
     """Return the axis that best runs across: not samples, not balls, numbers, many of them."""
 
     def rank(dim: str) -> tuple[bool, bool, bool, int]:
         size = output.values.shape[output.dims.index(dim)]
-        texts = axis_of(study, dim, size, words).texts
+        texts = axis_of(study, dim, size).texts
         return dim != SAMPLE, dim != "ball", not texts, size
 
     return max(output.dims, key=rank)
@@ -236,37 +242,39 @@ def _line(
     axes.plot(x.values, values, label=label, **look.keywords(markers=markers))
 
 
-def _family(
-    axes: Axes, x: PlottedVariable, table: _Table, family: PlottedVariable, words: PlotWords
-) -> None:
+def _family(axes: Axes, x: PlottedVariable, table: _Table, family: PlottedVariable) -> None:
     """Draw a line for each value of the other axis."""
     count = table.values.shape[1]
     if count > MOST_LINES:
         raise InputError(
-            f"would draw {count} lines along {table.other}; more than {MOST_LINES} cannot be told"
-            " apart",
+            said(
+                "would draw {count} lines along {other}; more than {most} cannot be told apart",
+                count=count,
+                other=table.other,
+                most=MOST_LINES,
+            ),
             field="kind",
             value="lines",
             example="map",
         )
     for index in range(count):
-        name = _value(family, index, words)
+        name = _value(family, index)
         _line(axes, x, table.values[:, index], series(index), name)
 
 
-def _value(column: PlottedVariable, index: int, words: PlotWords) -> str:
+def _value(column: PlottedVariable, index: int) -> str:
     if column.texts:
         return column.texts[int(column.values[index])]
-    return number(float(column.values[index]), words)
+    return number(float(column.values[index]))
 
 
-def _spread(axes: Axes, x: PlottedVariable, values: Floats, words: PlotWords) -> None:
+def _spread(axes: Axes, x: PlottedVariable, values: Floats) -> None:
     """Draw the median of the samples and a band around it."""
     low, middle, high = (_percentile(values, percent) for percent in (_BAND[0], 50.0, _BAND[1]))
-    band = words.percentile_band.format(least=f"{_BAND[0]:.0f}", most=f"{_BAND[1]:.0f}")
+    band = said("{least} % to {most} %", least=_BAND[0], most=_BAND[1])
     look = series(0)
     axes.fill_between(x.values, low, high, color=look.color, alpha=0.2, linewidth=0.0, label=band)
-    _line(axes, x, middle, look, words.median)
+    _line(axes, x, middle, look, said("median"))
 
 
 def _percentile(values: Floats, percent: float) -> Floats:
@@ -275,7 +283,7 @@ def _percentile(values: Floats, percent: float) -> Floats:
     return np.array([np.percentile(row, percent) if row.size else np.nan for row in rows])
 
 
-def _mark_missing(axes: Axes, x: PlottedVariable, values: Floats, words: PlotWords) -> None:
+def _mark_missing(axes: Axes, x: PlottedVariable, values: Floats) -> None:
     missing = np.isnan(values)
     count = int(missing.sum())
     if count:
@@ -287,18 +295,18 @@ def _mark_missing(axes: Axes, x: PlottedVariable, values: Floats, words: PlotWor
             color=GREY,
             linestyle="",
             marker="x",
-            label=words.no_result_count.format(count=count, total=values.size),
+            label=no_result_count(count, values.size),
         )
 
 
-def _scale(axes: Axes, name: str, column: PlottedVariable, words: PlotWords) -> None:
+def _scale(axes: Axes, name: str, column: PlottedVariable) -> None:
     """Label an axis with what runs along it."""
-    (label_x if name == "x" else label_y)(axes, column.label, words)
+    (label_x if name == "x" else label_y)(axes, column.label)
     axis = axes.xaxis if name == "x" else axes.yaxis
     if column.texts:
         axis.set_ticks(np.arange(float(len(column.texts))), list(column.texts))
     elif _in_ratios(column.values):
-        log_scale(axes, name, words)
+        log_scale(axes, name)
     elif column.unit is NONE and np.array_equal(column.values, np.round(column.values)):
         axis.set_major_locator(MaxNLocator(integer=True))
 
@@ -311,16 +319,14 @@ def _in_ratios(values: Floats) -> bool:
     return bool(np.allclose(ratios, ratios[0], rtol=0.05))
 
 
-def _colour(
-    axes: Axes, x: PlottedVariable, y: PlottedVariable, table: _Table, words: PlotWords
-) -> None:
+def _colour(axes: Axes, x: PlottedVariable, y: PlottedVariable, table: _Table) -> None:
     """Draw the cells, in few colours that the bar tells apart."""
     order_x, order_y = np.argsort(x.values), np.argsort(y.values)
     values = table.values[np.ix_(order_x, order_y)].T
     least, greatest = np.nanmin(values), np.nanmax(values)
     steps = MaxNLocator(_COLOUR_STEPS, steps=[1, 2, 2.5, 5, 10]).tick_values(least, greatest)
-    _scale(axes, "x", x, words)
-    _scale(axes, "y", y, words)
+    _scale(axes, "x", x)
+    _scale(axes, "y", y)
     mesh = axes.pcolormesh(
         _edges(x.values[order_x]),
         _edges(y.values[order_y]),
@@ -332,7 +338,7 @@ def _colour(
     for column, limit in ((x, axes.set_xlim), (y, axes.set_ylim)):
         if not column.texts and column.values.min() < column.values.max():
             limit(column.values.min(), column.values.max())
-    bar: Any = figure_of(axes).colorbar(mesh, ax=axes, format=PlainNumbers(words.decimal_mark))
+    bar: Any = figure_of(axes).colorbar(mesh, ax=axes, format=PlainNumbers())
     bar.set_label(in_lines(table.output.label), parse_math=False)
     bar.ax.tick_params(labelsize=8.0)
 
@@ -360,8 +366,6 @@ def study_histogram(
     study: StudyData,
     variable: str = "",
     axes: Axes | None = None,
-    *,
-    words: PlotWords = ENGLISH,
 ) -> Axes:
     """Draw how an output is distributed over the samples, with median and percentiles.
 
@@ -373,8 +377,6 @@ def study_histogram(
         Name of the output; the most telling one if not given.
     axes
         To draw on; of a new figure if not given.
-    words
-        Language of the labels.
 
     Returns
     -------
@@ -386,11 +388,11 @@ def study_histogram(
     InputError
         If there is no such output, or it does not vary along samples alone.
     """
-    output = _along_samples(study, variable, "histogram", words)
+    output = _along_samples(study, variable, "histogram")
     axes = new_figure()[1] if axes is None else axes
     values = output.values[np.isfinite(output.values)]
     if not values.size:
-        return nothing_to_draw(axes, study, words)
+        return nothing_to_draw(axes, study)
     bins = int(np.clip(np.ceil(2.0 * values.size ** (1.0 / 3.0)), _FEWEST_BINS, _MOST_BINS))
     weights = np.full(values.size, PERCENT.factor / values.size)
     axes.hist(
@@ -401,10 +403,10 @@ def study_histogram(
         edgecolor=series(0).color,
         linewidth=0.6,
     )
-    _draw_percentiles(axes, values, output.unit, words, upright=True)
-    _count_missing(axes, output.values, words)
-    label_x(axes, output.label, words)
-    label_y(axes, PERCENT.label(words.share), words)
+    _draw_percentiles(axes, values, output.unit, upright=True)
+    _count_missing(axes, output.values)
+    label_x(axes, output.label)
+    label_y(axes, PERCENT.label(said("Share of the samples")))
     legend_above(axes)
     return axes
 
@@ -416,21 +418,20 @@ def study_scatter(
     axes: Axes | None = None,
     *,
     over: str = "",
-    words: PlotWords = ENGLISH,
 ) -> Axes:
     """Draw an output of every sample over an input, with median and percentiles of the output.
 
     Parameters and errors as of `study_histogram`; `over` names an input, or another output; the
     first input if not given.
     """
-    output = _along_samples(study, variable, "scatter", words)
-    across = input_of(study, over or _first_input(study), words)
+    output = _along_samples(study, variable, "scatter")
+    across = input_of(study, over or _first_input(study))
     if across.dims != (SAMPLE,):
-        raise InputError("does not vary along the samples", field="over", value=across.name)
+        raise InputError(said("does not vary along the samples"), field="over", value=across.name)
     axes = new_figure()[1] if axes is None else axes
     values = output.values[np.isfinite(output.values)]
     if not values.size:
-        return nothing_to_draw(axes, study, words)
+        return nothing_to_draw(axes, study)
     axes.plot(
         across.values,
         output.values,
@@ -441,22 +442,25 @@ def study_scatter(
         alpha=0.5,
         rasterized=True,
     )
-    _draw_percentiles(axes, values, output.unit, words, upright=False)
-    _count_missing(axes, output.values, words)
-    label_x(axes, across.label, words)
+    _draw_percentiles(axes, values, output.unit, upright=False)
+    _count_missing(axes, output.values)
+    label_x(axes, across.label)
     if across.texts:
         axes.set_xticks(np.arange(float(len(across.texts))), list(across.texts))
-    label_y(axes, output.label, words)
+    label_y(axes, output.label)
     legend_above(axes)
     return axes
 
 
-def _along_samples(study: StudyData, variable: str, kind: str, words: PlotWords) -> PlottedVariable:
-    output = output_of(study, variable or most_telling(study), words)
+def _along_samples(study: StudyData, variable: str, kind: str) -> PlottedVariable:
+    output = output_of(study, variable or most_telling(study))
     if output.dims != (SAMPLE,):
         raise InputError(
-            f"needs an output that varies along samples alone; {output.name} varies along"
-            f" {', '.join(output.dims) or 'nothing'}",
+            said(
+                "needs an output that varies along the samples alone; {name} varies along {dims}",
+                name=output.name,
+                dims=", ".join(output.dims) or "–",
+            ),
             field="kind",
             value=kind,
             example="lines or map",
@@ -469,24 +473,22 @@ def _first_input(study: StudyData) -> str:
     along = (name for name in inputs(study) if tuple(study.coords[name].dims) == (SAMPLE,))
     name = next((name for name in along if name != SAMPLE), "")
     if not name:
-        raise InputError("is missing: the study names no input", field="over")
+        raise InputError(said("is missing: the study names no input"), field="over")
     return name
 
 
-def _draw_percentiles(
-    axes: Axes, values: Floats, unit: ReadableUnit, words: PlotWords, *, upright: bool
-) -> None:
+def _draw_percentiles(axes: Axes, values: Floats, unit: ReadableUnit, *, upright: bool) -> None:
     for percent, style in _PERCENTS:
         value = float(np.percentile(values, percent))
-        name = words.median if percent == 50.0 else f"{percent:.0f} %"
+        name = said("median") if percent == 50.0 else f"{percent:.0f} %"
         draw = axes.axvline if upright else axes.axhline
-        label = f"{name}: {number(value, words)} {unit.symbol}".removesuffix(f" {NONE.symbol}")
+        label = f"{name}: {number(value)} {unit.symbol}".removesuffix(f" {NONE.symbol}")
         draw(value, color="black", linewidth=1.1, linestyle=style, label=label)
 
 
-def _count_missing(axes: Axes, values: Floats, words: PlotWords) -> None:
+def _count_missing(axes: Axes, values: Floats) -> None:
     """Say in the legend how many samples have no result."""
     missing = int(np.isnan(values).sum())
     if missing:
-        label = words.no_result_count.format(count=missing, total=values.size)
+        label = no_result_count(missing, values.size)
         axes.add_line(Line2D([], [], color=GREY, linestyle="", marker="x", label=label))

@@ -25,6 +25,7 @@ from rolamento.plots.style import MILLIMETRE, WIDTH, series, styled
 from rolamento.plots.words import PlotWords, plot_words
 from rolamento.studies.sensitivity import RankCorrelations, ToleranceStudy
 from rolamento.studies.tolerance import FINEST, FLAT, ToleranceBand, ToleranceBands
+from rolamento.words import said
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -89,10 +90,10 @@ def tolerance_figure(study: ToleranceStudy, language: str = "en") -> Figure:
     require(study, ToleranceStudy, "study", "rolamento.tasks.studies.tolerance(file)")
     bands, ranks = study.bands, study.ranks
     if ranks is None:
-        raise InputError("has no scattered input to draw", field="scatter.fields")
+        raise InputError(said("has no scattered input to draw"), field="scatter.fields")
     if bands.without_result.ndim or any(band.axes for band in bands.bands):
         raise InputError(
-            "has axes beside its samples; a figure of tolerance bands is of one point",
+            said("has axes besides its samples; a figure of tolerance bands shows one point"),
             field="axes",
             example="rolamento plot RESULT",
         )

@@ -26,15 +26,16 @@ from rolamento.plots.frame import (
     shown_text,
 )
 from rolamento.plots.style import INNER, Series, new_figure, new_stacked_figure, series, styled
-from rolamento.plots.vibration_words import VibrationWords, vibration_words
 from rolamento.plots.words import PlotWords, plot_words
 from rolamento.vibration.diagnosis import COMPONENTS
+from rolamento.words import language, manner, marked, said
+from rolamento.words.naming import part_name
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from rolamento.vibration.demodulation import Kurtogram
-    from rolamento.vibration.diagnosis import Component, Diagnosis
+    from rolamento.vibration.diagnosis import Component, ComponentVerdict, Diagnosis
     from rolamento.vibration.signal import Signal
 
 
@@ -45,12 +46,16 @@ _PERIODS: Final = 12.0
 """Of a fault that are shown of its waveform."""
 _MOST_MARKS: Final = 200
 _PHASES: Final = 64
+_QUANTITIES: Final = {
+    "acceleration": marked("Acceleration"),
+    "velocity": marked("Velocity"),
+    "displacement": marked("Displacement"),
+    "unknown": marked("Signal"),
+}
 _UNITS: Final = {"m/s^2": "m/s²", "mm/s^2": "mm/s²", "um": "µm", "um/s": "µm/s", "1": ""}
 
 
-def diagnosis_figure(
-    signal: Signal, diagnosis: Diagnosis, *, title: str = "", language: str = "en"
-) -> Figure:
+def diagnosis_figure(signal: Signal, diagnosis: Diagnosis, *, title: str = "") -> Figure:
     """Draw all about a diagnosis: the waveform, the kurtogram, and the envelope's spectrum.
 
     Parameters
@@ -61,29 +66,44 @@ def diagnosis_figure(
         Of it.
     title
         Over the figure.
-    language
-        ``"en"`` or ``"pt"``.
 
     Returns
     -------
     Figure
         Of a fault, the waveform shows a few of its periods, and the kurtogram its band.
     """
-    fault, words = diagnosis.clearest_fault, vibration_words(language)
-    period = span = band = None
-    name = ""
-    if fault is not None:
-        period, band, name = 1.0 / fault.frequency, fault.band, words.parts[fault.component]
-        end = min(_PERIODS * period, signal.duration)
-        span = (0.0, end)
+    fault = diagnosis.clearest_fault
     with styled():
         figure, (first, second, third) = new_stacked_figure(3, height=230.0)
-        waveform(signal, first, period=period, part=name, span=span, band=band, language=language)
-        kurtogram_map(kurtogram_of(signal), second, band=band, language=language)
-        envelope_lines(diagnosis, third, language=language)
+        waveform(signal, first, **_of_fault(signal, fault))
+        kurtogram_map(kurtogram_of(signal), second, band=None if fault is None else fault.band)
+        envelope_lines(diagnosis, third)
         if title:
             add_title(figure, title)
     return figure
+
+
+def impacts_figure(signal: Signal, diagnosis: Diagnosis, *, title: str = "") -> Figure:
+    """Draw the waveform of a diagnosis: of a fault a few periods, with its impacts marked."""
+    with styled():
+        figure, axes = new_figure(height=70.0)
+        waveform(signal, axes, **_of_fault(signal, diagnosis.clearest_fault))
+        if title:
+            add_title(figure, title)
+    return figure
+
+
+def _of_fault(signal: Signal, fault: ComponentVerdict | None) -> dict[str, Any]:
+    """Return what `waveform` shows of a fault."""
+    if fault is None:
+        return {}
+    period = 1.0 / fault.frequency
+    return {
+        "period": period,
+        "part": part_name(fault.component),
+        "span": (0.0, min(_PERIODS * period, signal.duration)),
+        "band": fault.band,
+    }
 
 
 def waveform_figure(
@@ -92,12 +112,11 @@ def waveform_figure(
     period: float | None = None,
     span: tuple[float, float] | None = None,
     title: str = "",
-    language: str = "en",
 ) -> Figure:
     """Draw a waveform, as `waveform`, with a title."""
     with styled():
         figure, axes = new_figure(height=70.0)
-        waveform(signal, axes, period=period, span=span, language=language)
+        waveform(signal, axes, period=period, span=span)
         if title:
             add_title(figure, title)
     return figure
@@ -111,9 +130,8 @@ def waveform(
     part: str = "",
     span: tuple[float, float] | None = None,
     band: tuple[float, float] | None = None,
-    language: str = "en",
 ) -> Axes:
-    """Draw a signal over time, with the blows of a fault marked if its period is given.
+    """Draw a signal over time, with the impacts of a fault marked if its period is given.
 
     Parameters
     ----------
@@ -129,24 +147,22 @@ def waveform(
         To show, from and to; s. By default all.
     band
         Of the envelope that tells where the marks begin; Hz.
-    language
-        ``"en"`` or ``"pt"``.
     """
-    shared, words = plot_words(language), vibration_words(language)
+    shared = plot_words(language())
     with styled():
         axes = new_figure(height=70.0)[1] if axes is None else axes
         first, last = _sample_range(signal, span)
         samples = signal.samples[first:last]
         if samples.size < 2:
-            return empty_frame(axes, words.no_lines)
+            return empty_frame(axes, said("The signal has fewer than two samples here."))
         _draw_waveform(axes, samples, first, signal.rate)
         axes.set_xlim(first / signal.rate, last / signal.rate)
         if period is not None:
-            text = words.period.format(part=part, period=number(1e3 * period, shared))
+            text = said("period, {part}: {period:.4 ms}", part=part, period=period)
             _periods(axes, signal, (first, last), period, band, text)
-        label_x(axes, words.time, shared)
+        label_x(axes, said("Time (s)"), shared)
         unit = _UNITS.get(signal.unit, signal.unit)
-        label_y(axes, words.quantities[signal.quantity] + (f" ({unit})" if unit else ""), shared)
+        label_y(axes, said(_QUANTITIES[signal.quantity]) + (f" ({unit})" if unit else ""), shared)
         legend_above(axes)
     return axes
 
@@ -180,7 +196,7 @@ def _periods(
     band: tuple[float, float] | None,
     text: str,
 ) -> None:
-    """Mark the blows of a fault: a comb that begins where the folded envelope is greatest."""
+    """Mark the impacts of a fault: a comb that begins where the folded envelope is greatest."""
     start, end = place[0] / signal.rate, place[1] / signal.rate
     if not 0.0 < period < end - start or (end - start) / period > _MOST_MARKS:
         return
@@ -194,7 +210,7 @@ def _periods(
 def _phase(
     signal: Signal, place: tuple[int, int], period: float, band: tuple[float, float] | None
 ) -> float:
-    """Time from the first sample to the first blow, to a part of the period."""
+    """Time from the first sample to the first impact, to a part of the period."""
     from dataclasses import replace
 
     from rolamento.vibration.demodulation import analytic_signal
@@ -238,7 +254,6 @@ def kurtogram_figure(
     *,
     band: tuple[float, float] | None = None,
     title: str = "",
-    language: str = "en",
 ) -> Figure:
     """Draw the kurtogram of a signal.
 
@@ -250,12 +265,10 @@ def kurtogram_figure(
         To mark, such as the one that a fault is clearest in; Hz.
     title
         Over the figure.
-    language
-        ``"en"`` or ``"pt"``.
     """
     with styled():
         figure, axes = new_figure(height=95.0)
-        kurtogram_map(kurtogram_of(signal), axes, band=band, language=language)
+        kurtogram_map(kurtogram_of(signal), axes, band=band)
         if title:
             add_title(figure, title)
     return figure
@@ -266,7 +279,6 @@ def kurtogram_map(
     axes: Axes | None = None,
     *,
     band: tuple[float, float] | None = None,
-    language: str = "en",
 ) -> Axes:
     """Draw a kurtogram: a row for each bandwidth, a frame about the band that stands out most.
 
@@ -278,14 +290,12 @@ def kurtogram_map(
         To draw on; of a new figure if not given.
     band
         To mark as well, dashed; Hz.
-    language
-        ``"en"`` or ``"pt"``.
     """
-    shared, words = plot_words(language), vibration_words(language)
+    shared = plot_words(language())
     with styled():
         axes = new_figure(height=95.0)[1] if axes is None else axes
         if found is None:
-            return empty_frame(axes, words.too_short)
+            return empty_frame(axes, said("The signal is too short for a kurtogram."))
         values = found.picture()
         half, rows = 0.5 * found.rate, len(found.levels)
         picture = axes.imshow(
@@ -293,35 +303,33 @@ def kurtogram_map(
             vmin=min(0.0, float(values.min())),
         )  # fmt: skip
         axes.grid(visible=False)
-        _color_bar(axes, picture, words, shared)
-        _label_levels(axes, found, shared, words)
-        label_x(axes, words.frequency, shared)
-        _frames(axes, found, band, shared, words)
+        _color_bar(axes, picture, shared)
+        _label_levels(axes, found, shared)
+        label_x(axes, said("Frequency (Hz)"), shared)
+        _frames(axes, found, band)
     return axes
 
 
-def _color_bar(axes: Axes, picture: object, words: VibrationWords, shared: PlotWords) -> None:
+def _color_bar(axes: Axes, picture: object, shared: PlotWords) -> None:
     bar = figure_of(axes).colorbar(picture, ax=axes, pad=0.02)  # type: ignore[arg-type]
-    bar.set_label(words.kurtosis, parse_math=False)
+    bar.set_label(said("Kurtosis above that of noise"), parse_math=False)
     bar.ax.yaxis.set_major_formatter(lambda value, _: number(value, shared))
     bar.ax.tick_params(labelsize=8.0)
 
 
-def _label_levels(axes: Axes, found: Kurtogram, shared: PlotWords, words: VibrationWords) -> None:
+def _label_levels(axes: Axes, found: Kurtogram, shared: PlotWords) -> None:
     """Number the rows by their bandwidths."""
     step = 1 if len(found.levels) <= 9 else 2
     places = range(0, len(found.levels), step)
     labels = [number(found.levels[place].bandwidth, shared, 4) for place in places]
     axes.set_yticks([place + 0.5 for place in places], labels)
-    axes.set_ylabel(words.bandwidth, parse_math=False)
+    axes.set_ylabel(said("Bandwidth (Hz)"), parse_math=False)
 
 
 def _frames(
     axes: Axes,
     found: Kurtogram,
     band: tuple[float, float] | None,
-    shared: PlotWords,
-    words: VibrationWords,
 ) -> None:
     """Frame the band that stands out most in its row; show the given one across all rows.
 
@@ -330,7 +338,7 @@ def _frames(
     best, rows = found.best("significance"), len(found.levels)
     row = [level.level for level in found.levels].index(best.level)
     low, high = best.band
-    label = words.best_band.format(low=number(low, shared), high=number(high, shared))
+    label = said("stands out most: {low:.4} to {high:.4 Hz}", low=low, high=high)
     frame = Rectangle(
         (low, row), high - low, 1.0, fill=False, edgecolor=_BEST, linewidth=1.6,
         label=shown_text(label), zorder=4.0,
@@ -338,7 +346,7 @@ def _frames(
     axes.add_patch(frame)
     handles: list[Rectangle] = [frame]
     if band is not None:
-        text = words.fault_band.format(low=number(band[0], shared), high=number(band[1], shared))
+        text = said("fault clearest: {low:.4} to {high:.4 Hz}", low=band[0], high=band[1])
         given = Rectangle(
             (band[0], 0.03), band[1] - band[0], rows - 0.06, fill=False, edgecolor=_FAULT,
             linestyle="--", linewidth=1.2, zorder=3.0,
@@ -365,16 +373,15 @@ _RATIOS: Final = np.geomspace(1.0, 1e6, 4000)
 
 
 class _Drawn(NamedTuple):
-    """The line that marks stand on, and the words they get."""
+    """The line that marks stand on, and the decimal mark of their labels."""
 
     hertz: Floats
     level: Floats
-    words: VibrationWords
     mark: str
 
 
 def line_threshold(diagnosis: Diagnosis) -> float:
-    """Power over the mean of the noise from which one line alone is told not to be noise; dB.
+    """Power over the mean of the noise above which a single line is not noise; dB.
 
     All trials of the search are counted, as in the verdict.
     """
@@ -393,13 +400,11 @@ def line_threshold(diagnosis: Diagnosis) -> float:
     return 10.0 * float(np.log10(ratio / mean_over_median(diagnosis.blocks)))
 
 
-def envelope_figure(
-    diagnosis: Diagnosis, *, band: int | None = None, title: str = "", language: str = "en"
-) -> Figure:
+def envelope_figure(diagnosis: Diagnosis, *, band: int | None = None, title: str = "") -> Figure:
     """Draw the spectrum of the squared envelope of a band, as `envelope_lines`, with a title."""
     with styled():
         figure, axes = new_figure(height=95.0)
-        envelope_lines(diagnosis, axes, band=band, language=language)
+        envelope_lines(diagnosis, axes, band=band)
         if title:
             add_title(figure, title)
     return figure
@@ -410,9 +415,8 @@ def envelope_lines(
     axes: Axes | None = None,
     *,
     band: int | None = None,
-    language: str = "en",
 ) -> Axes:
-    """Draw the squared envelope's spectrum in a band, and mark where the bearing tells of damage.
+    """Draw the squared envelope's spectrum in a band, with the frequencies of the bearing.
 
     Parameters
     ----------
@@ -422,9 +426,7 @@ def envelope_lines(
         To draw on; of a new figure if not given.
     band
         Number in `diagnosis.spectra.bands`; by default that of the clearest fault, of the clearest
-        unexplained line if there is none, or else of the best match.
-    language
-        ``"en"`` or ``"pt"``.
+        unexplained peak if there is none, or else of the best match.
 
     Returns
     -------
@@ -432,32 +434,33 @@ def envelope_lines(
         Those given. Found lines have filled marks and their multiples, sidebands hollow ones;
         parts without a finding have the span in which they were looked for.
     """
-    shared, words = plot_words(language), vibration_words(language)
+    shared = plot_words(language())
     with styled():
         axes = new_figure(height=95.0)[1] if axes is None else axes
         place = diagnosis.clearest_band if band is None else band
         above = diagnosis.spectra.above_noise[place]
         known = np.flatnonzero(np.isfinite(above))
         if known.size == 0:
-            return empty_frame(axes, words.no_lines)
+            return empty_frame(axes, said("The signal allows no envelope spectrum."))
         hertz = diagnosis.spectra.order * diagnosis.shaft_frequency
         level = _decibels(above)
         threshold = line_threshold(diagnosis)
         axes.plot(hertz, np.maximum(level, _FLOOR), color="#606060", linewidth=0.6)
-        axes.axhline(0.0, color=GREY, linewidth=0.9, label=words.noise)
-        axes.axhline(threshold, color=GREY, linestyle="--", linewidth=0.9, label=words.threshold)
+        axes.axhline(0.0, color=GREY, linewidth=0.9, label=said("noise, mean"))
+        above_chance = said("above this, a single peak is not noise")
+        axes.axhline(threshold, color=GREY, linestyle="--", linewidth=0.9, label=above_chance)
         top = max(_LEAST_TOP, threshold + 1.0, float(np.nanmax(level))) + _ROOM
         axes.set_ylim(_FLOOR, top)
         axes.set_xlim(0.0, float(hertz[known[-1]]))
-        _mark_shaft(axes, diagnosis, words)
-        drawn = _Drawn(hertz, level, words, shared.decimal_mark)
+        _mark_shaft(axes, diagnosis)
+        drawn = _Drawn(hertz, level, manner().mark)
         for number_of, part in enumerate(COMPONENTS):
             _mark_component(axes, diagnosis, part, series(number_of), drawn)
         _mark_unexplained(axes, diagnosis, drawn)
-        label_x(axes, words.frequency, shared)
-        label_y(axes, words.above_noise, shared)
+        label_x(axes, said("Frequency (Hz)"), shared)
+        label_y(axes, said("Envelope² over noise (dB)"), shared)
         low, high = diagnosis.spectra.bands[place]
-        title = words.in_band.format(low=number(low, shared), high=number(high, shared))
+        title = said("Band {low:.4} to {high:.4 Hz}", low=low, high=high)
         legend_in_columns(axes, title=title)
     return axes
 
@@ -468,7 +471,7 @@ def _decibels(above: Floats) -> Floats:
     return np.where(np.isneginf(level), _FLOOR, level)
 
 
-def _mark_shaft(axes: Axes, diagnosis: Diagnosis, words: VibrationWords) -> None:
+def _mark_shaft(axes: Axes, diagnosis: Diagnosis) -> None:
     """Tick the multiples of the shaft at the foot: they are left out of the search."""
     frequency, end = diagnosis.shaft_frequency, axes.get_xlim()[1]
     if frequency <= 0.0 or end / frequency > 1000.0:
@@ -476,7 +479,8 @@ def _mark_shaft(axes: Axes, diagnosis: Diagnosis, words: VibrationWords) -> None
     places = frequency * np.arange(1, int(end / frequency) + 1)
     axes.plot(
         places, np.full(len(places), 0.015), transform=axes.get_xaxis_transform(), color="black",
-        linestyle="", marker="|", markersize=5.0, label=words.shaft, clip_on=False,
+        linestyle="", marker="|", markersize=5.0, clip_on=False,
+        label=said("multiples of the shaft speed"),
     )  # fmt: skip
 
 
@@ -487,14 +491,14 @@ def _mark_component(
     look: Series,
     drawn: _Drawn,
 ) -> None:
-    hertz, level, words, mark = drawn
-    verdict, name = diagnosis.of(part), words.parts[part]
+    hertz, level, mark = drawn
+    verdict, name = diagnosis.of(part), part_name(part)
     if verdict.band is not None:
         keywords: dict[str, Any] = {"color": look.color, "linestyle": "", "marker": look.marker}
         lines = [(line.frequency, f"{line.multiple:g}×") for line in verdict.lines]
         tops = [_peak_height(place, hertz, level) for place, _ in lines]
         axes.plot(
-            [place for place, _ in lines], tops, **keywords, label=words.found.format(part=name)
+            [place for place, _ in lines], tops, **keywords, label=said("{part}, found", part=name)
         )
         for (place, text), top in zip(lines, tops, strict=True):
             axes.annotate(
@@ -506,13 +510,13 @@ def _mark_component(
             sides = [line.frequency for line in verdict.sidebands]
             axes.plot(
                 sides, [_peak_height(place, hertz, level) for place in sides], **keywords,
-                markerfacecolor="white", label=words.sidebands.format(part=name),
+                markerfacecolor="white", label=said("{part}, sidebands", part=name),
             )  # fmt: skip
     elif verdict.verdict == "nothing_found":
         nominal = verdict.nominal_order * diagnosis.shaft_frequency
         if nominal < axes.get_xlim()[1]:
             axes.axvline(nominal, **look.keywords(), alpha=0.8, linewidth=1.1, zorder=1.5,
-                         label=words.expected.format(part=name))  # fmt: skip
+                         label=said("{part}, expected", part=name))  # fmt: skip
             spread = diagnosis.tolerance * nominal
             axes.axvspan(
                 nominal - spread, nominal + spread, color=look.color, alpha=0.15, linewidth=0.0
@@ -520,14 +524,14 @@ def _mark_component(
 
 
 def _mark_unexplained(axes: Axes, diagnosis: Diagnosis, drawn: _Drawn) -> None:
-    """Point at lines that stand out and belong to nothing that is known."""
+    """Point at peaks that stand out and that nothing explains."""
     places = [line.frequency for line in diagnosis.unexplained]
     tops = [_peak_height(place, drawn.hertz, drawn.level) for place in places]
     if not places:
         return
     axes.plot(
         places, tops, color="black", linestyle="", marker="$?$", markersize=7.0,
-        label=drawn.words.unexplained,
+        label=said("unexplained"),
     )  # fmt: skip
 
 

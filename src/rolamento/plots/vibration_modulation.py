@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from rolamento.plots.frame import add_title, label_x, label_y, legend_above, number
+from rolamento.plots.frame import add_title, label_x, label_y, legend_above
 from rolamento.plots.style import new_stacked_figure, series, styled
 from rolamento.plots.words import PlotWords, plot_words
+from rolamento.words import language, said
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -28,42 +28,6 @@ _MULTIPLES: Final = (1, 2, 3)
 _WIDTH: Final = 0.26
 
 
-@dataclass(frozen=True, slots=True)
-class _Words:
-    time: str
-    acceleration: str
-    amplitude: str
-    frequency: str
-    whole: str
-    part: str
-    multiples: str
-    depth: str
-
-
-_WORDS: Final = {
-    "en": _Words(
-        time="Time (ms)",
-        acceleration="Acceleration (m/s²)",
-        amplitude="amplitude modulated",
-        frequency="frequency modulated",
-        whole="envelope",
-        part="envelope of {low} to {high} Hz",
-        multiples="Multiple of {line} Hz",
-        depth="Line of the envelope over its mean",
-    ),
-    "pt": _Words(
-        time="Tempo (ms)",
-        acceleration="Aceleração (m/s²)",
-        amplitude="modulado em amplitude",
-        frequency="modulado em frequência",
-        whole="envoltória",
-        part="envoltória de {low} a {high} Hz",
-        multiples="Múltiplo de {line} Hz",
-        depth="Linha da envoltória sobre a média",
-    ),
-}
-
-
 def modulation_figure(
     amplitude: Signal,
     frequency: Signal,
@@ -71,7 +35,6 @@ def modulation_figure(
     band: Band,
     *,
     title: str = "",
-    language: str = "en",
 ) -> Figure:
     """Draw two signals with their envelopes, and the lines of these.
 
@@ -85,22 +48,21 @@ def modulation_figure(
         That holds only a part of the second signal; Hz.
     title
         Over the figure.
-    language
-        ``"en"`` or ``"pt"``.
     """
-    shared = plot_words(language)
-    words = _WORDS["pt" if language == "pt" else "en"]
-    cut = words.part.format(low=number(band[0], shared), high=number(band[1], shared))
+    shared = plot_words(language())
+    cut = said("envelope from {low:.4} to {high:.4 Hz}", low=band[0], high=band[1])
+    by_amplitude, by_frequency = said("amplitude modulated"), said("frequency modulated")
+    whole = said("envelope")
     with styled():
         figure, (above, middle, below) = new_stacked_figure(3, height=190.0)
-        _waveform(above, amplitude, line, band, (words.amplitude, words.whole, cut), words, shared)
-        _waveform(middle, frequency, line, band, (words.frequency, words.whole, cut), words, shared)
+        _waveform(above, amplitude, line, band, (by_amplitude, whole, cut), shared)
+        _waveform(middle, frequency, line, band, (by_frequency, whole, cut), shared)
         places = np.arange(len(_MULTIPLES), dtype=np.float64)
         for index, (signal, of_band, name) in enumerate(
             (
-                (amplitude, None, f"{words.amplitude}, {words.whole}"),
-                (frequency, None, f"{words.frequency}, {words.whole}"),
-                (frequency, band, f"{words.frequency}, {cut}"),
+                (amplitude, None, f"{by_amplitude}, {whole}"),
+                (frequency, None, f"{by_frequency}, {whole}"),
+                (frequency, band, f"{by_frequency}, {cut}"),
             )
         ):
             depths = envelope_depths(signal, line, of_band)
@@ -108,8 +70,8 @@ def modulation_figure(
                 places + (index - 1) * _WIDTH, depths, _WIDTH, label=name,
                 color=series(index).color, hatch=("", "..", "//")[index], edgecolor="white",
             )  # fmt: skip
-        label_x(below, words.multiples.format(line=number(line, shared)), shared)
-        label_y(below, words.depth, shared)
+        label_x(below, said("Multiple of {line:.4 Hz}", line=line), shared)
+        label_y(below, said("Peak of the envelope over its mean"), shared)
         below.set_xticks(places, [f"{multiple}×" for multiple in _MULTIPLES])
         legend_above(below)
         if title:
@@ -138,7 +100,6 @@ def _waveform(
     line: float,
     band: Band,
     names: tuple[str, str, str],
-    words: _Words,
     shared: PlotWords,
 ) -> None:
     """Draw a few periods from the middle of a signal, with its envelopes."""
@@ -155,6 +116,6 @@ def _waveform(
             label=names[index + 1],
         )  # fmt: skip
     axes.set_xlim(0.0, float(time[-1]))
-    label_x(axes, words.time, shared)
-    label_y(axes, words.acceleration, shared)
+    label_x(axes, said("Time (ms)"), shared)
+    label_y(axes, said("Acceleration (m/s²)"), shared)
     legend_above(axes)

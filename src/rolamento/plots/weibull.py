@@ -21,14 +21,14 @@ from rolamento.plots.frame import (
     add_title,
     empty_frame,
     legend_in_columns,
+    no_result,
     number,
     shown_text,
 )
 from rolamento.plots.over_field import decades
 from rolamento.plots.style import Series, new_figure, series, styled
-from rolamento.plots.weibull_words import WeibullPlotWords, weibull_plot_words
-from rolamento.plots.words import PlotWords, plot_words
 from rolamento.weibull import EXPONENTS, plot_ordinate, plotting_positions
+from rolamento.words import manner, marked, said
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -45,6 +45,15 @@ if TYPE_CHECKING:
 __all__ = ["contour_figure", "likelihood_contour", "weibull_figure", "weibull_paper"]
 
 Floats = NDArray[np.float64]
+
+FITS: Final[Mapping[str, str]] = {
+    "maximum_likelihood": marked("maximum likelihood"),
+    "unbiased": marked("unbiased shape"),
+    "rank_regression_x_on_y": marked("rank regression, X on Y"),
+    "rank_regression_y_on_x": marked("rank regression, Y on X"),
+    "three_parameter": marked("three parameters"),
+    "fixed_shape": marked("known shape"),
+}
 
 _HEIGHT: Final = 120.0
 _LEGEND_LINE: Final = 4.5
@@ -78,14 +87,12 @@ _SHORT, _TICKS = 4.0, 7
 _RATING_SHAPE: Final = EXPONENTS["ball"]
 
 
-def weibull_figure(
-    summary: LifeTestSummary, bands: Mapping[str, Band] | None = None, language: str = "en"
-) -> Figure:
+def weibull_figure(summary: LifeTestSummary, bands: Mapping[str, Band] | None = None) -> Figure:
     """Draw probability paper, as `weibull_paper`, with the title of the data."""
     entries = len(summary.groups) + len(summary.wanted.calculated) + 4
     with styled():
         figure, axes = new_figure(height=_HEIGHT + _LEGEND_LINE * (entries // 2))
-        weibull_paper(summary, bands, axes, language=language)
+        weibull_paper(summary, bands, axes)
         if summary.test.title:
             add_title(figure, summary.test.title)
     return figure
@@ -95,8 +102,6 @@ def weibull_paper(
     summary: LifeTestSummary,
     bands: Mapping[str, Band] | None = None,
     axes: Axes | None = None,
-    *,
-    language: str = "en",
 ) -> Axes:
     """Draw failures, suspensions, fitted lines and their bounds on probability paper.
 
@@ -109,8 +114,6 @@ def weibull_paper(
         Of `rolamento.weibull.band.confidence_band`, by the names of the groups.
     axes
         To draw on; of a new figure if not given.
-    language
-        ``"en"`` or ``"pt"``.
 
     Returns
     -------
@@ -118,21 +121,20 @@ def weibull_paper(
         Those given. Failures stand at their median ranks; suspended bearings, and failures between
         inspections, which have no rank, at the foot of the frame.
     """
-    shared, words = plot_words(language), weibull_plot_words(language)
     with styled():
         axes = new_figure(height=_HEIGHT)[1] if axes is None else axes
         found = bands or {}
         if not summary.has_result and not summary.test.failures:
-            return empty_frame(axes, shared.no_result)
+            return empty_frame(axes, no_result())
         limits = _limits(summary, found)
         for index, group in enumerate(summary.groups):
-            _draw_group(axes, group, index, found.get(group.name), limits, shared, words)
+            _draw_group(axes, group, index, found.get(group.name), limits)
         if len(summary.groups) == 1:
-            _other_fits(axes, summary.groups[0], limits, words)
-        _mark_calculated(axes, summary, shared, words)
-        decades(axes, "x", limits[0], shared)
-        _percent_axis(axes, limits[1], shared, words)
-        axes.set_xlabel(words.time.format(unit=shown_text(summary.test.unit)), parse_math=False)
+            _other_fits(axes, summary.groups[0], limits)
+        _mark_calculated(axes, summary)
+        decades(axes, "x", limits[0])
+        _percent_axis(axes, limits[1])
+        axes.set_xlabel(said("Time ({unit})", unit=shown_text(summary.test.unit)), parse_math=False)
         legend_in_columns(axes)
     return axes
 
@@ -143,11 +145,9 @@ def _draw_group(
     index: int,
     band: Band | None,
     limits: tuple[tuple[float, float], tuple[float, float]],
-    shared: PlotWords,
-    words: WeibullPlotWords,
 ) -> None:
     look, test = series(index), group.test
-    label: str | None = _label_of(group, shared, words)
+    label: str | None = _label_of(group)
     if group.main.converged:
         axes.plot(*_line(group.main, limits[1]), label=label, zorder=2.5, **look.keywords())
         label = None
@@ -159,17 +159,17 @@ def _draw_group(
         )  # fmt: skip
         label = None
     if band is not None and band.converged:
-        _draw_band(axes, band, look, limits[0], shared, words)
-    _at_the_foot(axes, test, look, index, label, words)
+        _draw_band(axes, band, look, limits[0])
+    _at_the_foot(axes, test, look, index, label)
 
 
-def _label_of(group: GroupSummary, shared: PlotWords, words: WeibullPlotWords) -> str:
+def _label_of(group: GroupSummary) -> str:
     test, fit = group.test, group.main
     name = f"{shown_text(group.name, 24)}: " if group.name else ""
-    failed = words.of_failed.format(failed=test.failures, size=test.size)
+    failed = said("{failed}/{size} failed", failed=test.failures, size=test.size)
     if not fit.converged:
         return f"{name}{failed}"
-    shape, life = number(fit.shape, shared, 3), number(fit.l10, shared, 3)
+    shape, life = number(fit.shape, 3), number(fit.l10, 3)
     return f"{name}β = {shape}, L10 = {life} {shown_text(fit.unit)}, {failed}"
 
 
@@ -184,13 +184,11 @@ def _draw_band(
     band: Band,
     look: Series,
     across: tuple[float, float],
-    shared: PlotWords,
-    words: WeibullPlotWords,
 ) -> None:
     """Fill between the bounds of the lives; where nothing failed, draw the lower ones."""
-    ordinate, confidence = plot_ordinate(band.failed_share), number(100.0 * band.confidence, shared)
+    ordinate, confidence = plot_ordinate(band.failed_share), number(100.0 * band.confidence)
     if band.sides == "lower":
-        label = words.lower_bound.format(confidence=confidence)
+        label = said("lower bound ({confidence} %)", confidence=confidence)
         axes.plot(
             band.lower, ordinate, color=look.color, linestyle=look.linestyle, linewidth=1.0,
             label=label, zorder=2.0,
@@ -200,7 +198,7 @@ def _draw_band(
     lower, upper = (
         np.clip(limit, 0.5 * across[0], 2.0 * across[1]) for limit in (band.lower, band.upper)
     )
-    label = words.bounds.format(confidence=confidence)
+    label = said("{confidence} % bounds", confidence=confidence)
     axes.fill_betweenx(
         ordinate, lower, upper, color=look.color, alpha=0.15, linewidth=0.0, zorder=1.2,
         label=_once(axes, label),
@@ -213,11 +211,10 @@ def _other_fits(
     axes: Axes,
     group: GroupSummary,
     limits: tuple[tuple[float, float], tuple[float, float]],
-    words: WeibullPlotWords,
 ) -> None:
     others = [fit for fit in group.fits[1:] if fit.converged]
     for fit, line in zip(others, _OTHERS, strict=False):
-        name = words.fits.get(fit.method, fit.method)
+        name = said(FITS[fit.method])
         axes.plot(
             *_line(fit, limits[1]), color=GREY, linestyle=line, linewidth=0.9, label=name,
             zorder=2.0,
@@ -230,24 +227,24 @@ def _at_the_foot(
     look: Series,
     index: int,
     label: str | None,
-    words: WeibullPlotWords,
 ) -> None:
     """Mark suspended bearings and failures between inspections along the axis.
 
     label: of the group, where neither line nor points have it.
     """
     height, place = _RUG * (index + 0.6), axes.get_xaxis_transform()
+    suspended_label = said("suspended")
     suspended = np.unique(test.times[~test.failed])
     if suspended.size:
         axes.plot(
             suspended, np.full(suspended.size, height), color=look.color, transform=place,
-            label=_once(axes, f"{label}, {words.suspended}" if label else words.suspended),
+            label=_once(axes, f"{label}, {suspended_label}" if label else suspended_label),
             zorder=2.8, **_SUSPENDED,
         )  # fmt: skip
     between = ~np.isnan(test.lower)
     if between.any():
         ends = np.unique(np.stack([test.lower[between], test.times[between]], axis=1), axis=0)
-        label = _once(axes, words.inspected)
+        label = _once(axes, said("failed between inspections"))
         for row, (first, last) in enumerate(ends[:_MOST_MARKED]):
             axes.plot(
                 [max(first, 1e-3 * last), last], 2 * [height + 0.4 * _RUG * (1 + row % 8)],
@@ -262,12 +259,10 @@ def _once(axes: Axes, label: str) -> str | None:
     return None if label in axes.get_legend_handles_labels()[1] else label
 
 
-def _mark_calculated(
-    axes: Axes, summary: LifeTestSummary, shared: PlotWords, words: WeibullPlotWords
-) -> None:
+def _mark_calculated(axes: Axes, summary: LifeTestSummary) -> None:
     """Mark calculated lives at the share that is to have failed by then."""
     ordinate = summary.wanted.lives[0].log_risk
-    for index, (label, value) in enumerate(_calculated_lives(summary, shared, words)):
+    for index, (label, value) in enumerate(_calculated_lives(summary)):
         axes.plot(
             value, ordinate, marker=_MARKS[index % len(_MARKS)], markersize=9.0, linestyle="",
             color="black", markerfacecolor="white", markeredgewidth=1.1, zorder=4.0, label=label,
@@ -298,41 +293,35 @@ def _limits(
     return (0.8 * min(inside), 1.25 * max(inside)), (float(upright[0]), float(upright[1]))
 
 
-def _percent_axis(
-    axes: Axes, upright: tuple[float, float], shared: PlotWords, words: WeibullPlotWords
-) -> None:
+def _percent_axis(axes: Axes, upright: tuple[float, float]) -> None:
     """Number the upright axis by shares; those of L10 and of the scale are marked."""
     ticks = [p for p in _PERCENTAGES if upright[0] <= plot_ordinate(p / 100.0) <= upright[1]]
     places = plot_ordinate(np.array(ticks) / 100.0)
-    axes.set_yticks(places, [number(tick, shared) for tick in ticks])
+    axes.set_yticks(places, [number(tick) for tick in ticks])
     axes.set_yticks([], minor=True)
     axes.set_ylim(*upright)
-    axes.set_ylabel(words.failed_share, parse_math=False)
+    axes.set_ylabel(said("Failed (%)"), parse_math=False)
     axes.axhline(float(plot_ordinate(0.1)), color=GREY, linewidth=0.7, zorder=1.0)
 
 
-def _calculated_lives(
-    summary: LifeTestSummary, shared: PlotWords, words: WeibullPlotWords
-) -> Iterator[tuple[str, float]]:
+def _calculated_lives(summary: LifeTestSummary) -> Iterator[tuple[str, float]]:
     """Give the calculated lives with their labels."""
-    life = summary.wanted.lives[0].name.replace(".", shared.decimal_mark)
+    life = summary.wanted.lives[0].name.replace(".", manner().mark)
     for name, value in summary.wanted.calculated.items():
-        shown = f"{number(value, shared)} {shown_text(summary.test.unit)}"
+        shown = f"{number(value)} {shown_text(summary.test.unit)}"
         shown = f"{shown_text(name, 24)}, {shown}" if name else shown
-        yield words.calculated.format(life=life, name=shown), value
+        yield said("calculated {life}: {name}", life=life, name=shown), value
 
 
 # --- regions of equal likelihood -------------------------------------------------------------
 
 
-def contour_figure(
-    summary: LifeTestSummary, regions: Mapping[str, LikelihoodRegion], language: str = "en"
-) -> Figure:
+def contour_figure(summary: LifeTestSummary, regions: Mapping[str, LikelihoodRegion]) -> Figure:
     """Draw regions, as `likelihood_contour`, with the title of the data."""
     entries = len(summary.groups) + len(summary.groups[0].fits) + len(summary.wanted.calculated) + 3
     with styled():
         figure, axes = new_figure(height=_CONTOUR_HEIGHT + _LEGEND_LINE * (entries // 2))
-        likelihood_contour(summary, regions, axes, language=language)
+        likelihood_contour(summary, regions, axes)
         if summary.test.title:
             add_title(figure, summary.test.title)
     return figure
@@ -342,8 +331,6 @@ def likelihood_contour(
     summary: LifeTestSummary,
     regions: Mapping[str, LikelihoodRegion],
     axes: Axes | None = None,
-    *,
-    language: str = "en",
 ) -> Axes:
     """Draw the regions within which shape and life lie with 50, 90 and 95 %.
 
@@ -357,8 +344,6 @@ def likelihood_contour(
         quantity.
     axes
         To draw on; of a new figure if not given.
-    language
-        ``"en"`` or ``"pt"``.
 
     Returns
     -------
@@ -366,7 +351,6 @@ def likelihood_contour(
         Those given: the shape across, the life upright, both by their logarithms. Calculated lives
         are lines where the regions are of that life.
     """
-    shared, words = plot_words(language), weibull_plot_words(language)
     with styled():
         axes = new_figure(height=_CONTOUR_HEIGHT)[1] if axes is None else axes
         drawn = [
@@ -375,16 +359,20 @@ def likelihood_contour(
             if group.name in regions and regions[group.name].converged
         ]
         if not drawn:
-            return empty_frame(axes, shared.no_result)
+            return empty_frame(axes, no_result())
         handles: list[Line2D] = []
         for index, group, region in drawn:
-            handles += _draw_region(axes, region, group, index, shared, words)
+            handles += _draw_region(axes, region, group, index)
         if len(summary.groups) == 1:
-            handles += _mark_estimates(axes, drawn[0][1].fits, drawn[0][2], words)
-        handles += _lines_of_calculated(axes, summary, drawn[0][2], shared, words)
-        _set_axes(axes, [region for *_, region in drawn], shared, words, handles)
+            handles += _mark_estimates(axes, drawn[0][1].fits, drawn[0][2])
+        handles += _lines_of_calculated(axes, summary, drawn[0][2])
+        _set_axes(axes, [region for *_, region in drawn], handles)
         all_drawn = all(region.drawn for *_, region in drawn)
-        title = words.drawn if all_drawn else words.chi_square
+        title = (
+            said("regions of equal likelihood, with simulated levels")
+            if all_drawn
+            else said("regions of equal likelihood, for large samples")
+        )
         legend_in_columns(axes, handles, title)
     return axes
 
@@ -394,8 +382,6 @@ def _draw_region(
     region: LikelihoodRegion,
     group: GroupSummary,
     index: int,
-    shared: PlotWords,
-    words: WeibullPlotWords,
 ) -> list[Line2D]:
     """Draw one group's regions, the innermost darkest; return what stands for them."""
     look, levels = series(index), sorted(region.levels)
@@ -421,14 +407,14 @@ def _draw_region(
     return [
         Line2D(
             [], [], linestyle=style, **keywords,
-            label=name + words.region.format(probability=number(100.0 * probability, shared)),
+            label=f"{name}{number(100.0 * probability)} %",
         )
         for probability, style in zip(sorted(region.probabilities), styles, strict=True)
     ]  # fmt: skip
 
 
 def _mark_estimates(
-    axes: Axes, fits: Sequence[WeibullFit], region: LikelihoodRegion, words: WeibullPlotWords
+    axes: Axes, fits: Sequence[WeibullFit], region: LikelihoodRegion
 ) -> list[Line2D]:
     handles: list[Line2D] = []
     for fit in fits:
@@ -439,7 +425,7 @@ def _mark_estimates(
         filled = colour if fit.method == "maximum_likelihood" else "white"
         handles += axes.plot(
             fit.shape, life, marker=marker, color=colour, markerfacecolor=filled, linestyle="",
-            markersize=6.0, label=words.fits[fit.method], zorder=4.0,
+            markersize=6.0, label=said(FITS[fit.method]), zorder=4.0,
         )  # fmt: skip
     return handles
 
@@ -448,14 +434,12 @@ def _lines_of_calculated(
     axes: Axes,
     summary: LifeTestSummary,
     region: LikelihoodRegion,
-    shared: PlotWords,
-    words: WeibullPlotWords,
 ) -> list[Line2D]:
     """Draw calculated lives, where the regions are of the life that they are for."""
     if summary.wanted.lives[0].name != region.quantity.name:
         return []
     handles: list[Line2D] = []
-    for index, (label, value) in enumerate(_calculated_lives(summary, shared, words)):
+    for index, (label, value) in enumerate(_calculated_lives(summary)):
         handles.append(
             axes.axhline(
                 value, color="black", linewidth=1.0, linestyle=_LINES[(index + 1) % len(_LINES)],
@@ -468,8 +452,6 @@ def _lines_of_calculated(
 def _set_axes(
     axes: Axes,
     regions: Sequence[LikelihoodRegion],
-    shared: PlotWords,
-    words: WeibullPlotWords,
     handles: list[Line2D],
 ) -> None:
     shapes = [float(shape) for region in regions for shape in region.shape[[0, -1]]]
@@ -482,21 +464,23 @@ def _set_axes(
     low, high = min(lives) / 3.0, max(lives) * 3.0
     lives += [1.1 * y if y > max(lives) else y / 1.1 for y in upright if low < y < high]
     shapes += [x for x in across if min(shapes) / 2.0 < x < max(shapes) * 2.0]
-    _set_scale(axes, "x", (min(shapes), max(shapes)), shared)
-    _set_scale(axes, "y", (min(lives), max(lives)), shared)
+    _set_scale(axes, "x", (min(shapes), max(shapes)))
+    _set_scale(axes, "y", (min(lives), max(lives)))
     if min(shapes) < _RATING_SHAPE < max(shapes):
-        line = axes.axvline(_RATING_SHAPE, color=GREY, linewidth=0.9, label=words.rating_shape)
+        line = axes.axvline(
+            _RATING_SHAPE, color=GREY, linewidth=0.9, label=said("10/9 of the rating standards")
+        )
         handles.append(line)
     quantity, unit = regions[0].quantity, shown_text(regions[0].fit.unit)
-    axes.set_xlabel(words.shape, parse_math=False)
-    name = quantity.name.replace(".", shared.decimal_mark)
-    label = words.scale if quantity.name == "scale" else words.life
-    axes.set_ylabel(label.format(life=name, unit=unit), parse_math=False)
+    axes.set_xlabel(said("Shape β"), parse_math=False)
+    name = quantity.name.replace(".", manner().mark)
+    label = said("Scale η ({unit})", unit=unit) if quantity.name == "scale" else f"{name} ({unit})"
+    axes.set_ylabel(label, parse_math=False)
 
 
-def _set_scale(axes: Axes, axis: str, limits: tuple[float, float], shared: PlotWords) -> None:
+def _set_scale(axes: Axes, axis: str, limits: tuple[float, float]) -> None:
     """Make an axis logarithmic; a short one has even steps, for it has few round decades."""
-    decades(axes, axis, limits, shared)
+    decades(axes, axis, limits)
     if limits[1] < _SHORT * limits[0]:
         scaled = getattr(axes, f"{axis}axis")
         scaled.set_major_locator(MaxNLocator(_TICKS, steps=[1, 2, 2.5, 5, 10]))

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
@@ -16,12 +15,13 @@ from rolamento.plots.frame import (
     label_x,
     label_y,
     legend_above,
+    no_result,
     number,
     shown_text,
 )
 from rolamento.plots.over_field import decades
 from rolamento.plots.style import new_figure, series, styled
-from rolamento.plots.words import PlotWords, plot_words
+from rolamento.words import counted, said
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -37,56 +37,11 @@ _ASIDE: Final = 0.006
 """Part of the axis by which the schemes stand beside each other."""
 
 
-@dataclass(frozen=True, slots=True)
-class _Words:
-    ratio: str
-    chance: str
-    test: str
-    wanted: str
-    bearings: str
-    duration: str
-    full: str
-    stopped: str
-    sudden: str
-    spread: str
-    cost: str
-
-
-_WORDS: Final[Mapping[str, _Words]] = {
-    "en": _Words(
-        ratio="True life over the one to be shown",
-        chance="Chance of passing (%)",
-        test="{bearings} × {time} {unit}, {allowed} may fail",
-        wanted="just as wanted",
-        bearings="Bearings",
-        duration="Duration ({unit})",
-        full="all fail",
-        stopped="stopped earlier",
-        sudden="sudden death",
-        spread="bars: 90 % of the tests end there; numbers: failures",
-        cost="Tests that are equally precise",
-    ),
-    "pt": _Words(
-        ratio="Vida real sobre a que se quer demonstrar",
-        chance="Chance de aprovação (%)",
-        test="{bearings} × {time} {unit}, {allowed} podem falhar",
-        wanted="exatamente o desejado",
-        bearings="Rolamentos",
-        duration="Duração ({unit})",
-        full="todos falham",
-        stopped="encerrado antes",
-        sudden="morte súbita",
-        spread="barras: 90 % dos ensaios terminam ali; números: falhas",
-        cost="Ensaios igualmente precisos",
-    ),
-}
-
-
-def chance_figure(plans: Sequence[Demonstration], unit: str, language: str = "en") -> Figure:
+def chance_figure(plans: Sequence[Demonstration], unit: str) -> Figure:
     """Draw chances of passing, as `chance_of_passing`, on a figure of their own."""
     with styled():
         figure, axes = new_figure(height=_HEIGHT)
-        chance_of_passing(plans, unit, axes, language=language)
+        chance_of_passing(plans, unit, axes)
     return figure
 
 
@@ -94,8 +49,6 @@ def chance_of_passing(
     plans: Sequence[Demonstration],
     unit: str,
     axes: Axes | None = None,
-    *,
-    language: str = "en",
 ) -> Axes:
     """Draw the chance of passing over the true life, one line a test.
 
@@ -107,41 +60,39 @@ def chance_of_passing(
         Of their times.
     axes
         To draw on; of a new figure if not given.
-    language
-        ``"en"`` or ``"pt"``.
     """
-    shared, words = plot_words(language), _WORDS["pt" if language == "pt" else "en"]
     with styled():
         axes = new_figure(height=_HEIGHT)[1] if axes is None else axes
         planned = [plan for plan in plans if plan.planned]
         if not planned:
-            return empty_frame(axes, shared.no_result)
+            return empty_frame(axes, no_result())
         ratio = np.geomspace(*_RATIOS, _POINTS)
         for index, plan in enumerate(planned):
-            label = words.test.format(
+            label = counted(
+                "{bearings} × {time} {unit}, {n} failure allowed",
+                "{bearings} × {time} {unit}, {n} failures allowed",
+                plan.failures_allowed,
                 bearings=plan.bearings,
-                time=number(plan.time, shared),
+                time=number(plan.time),
                 unit=shown_text(unit, 12),
-                allowed=plan.failures_allowed,
             )
             look = series(index).keywords()
             axes.plot(ratio, 100.0 * plan.chance_of_passing(ratio), label=label, **look)
-        axes.axvline(1.0, color=GREY, linewidth=0.9, label=words.wanted)
-        label_x(axes, words.ratio, shared)
-        label_y(axes, words.chance, shared)
-        decades(axes, "x", _RATIOS, shared)
+        axes.axvline(1.0, color=GREY, linewidth=0.9, label=said("exactly the required life"))
+        label_x(axes, said("True life/required life"))
+        label_y(axes, said("Probability of passing (%)"))
+        decades(axes, "x", _RATIOS)
         axes.set_ylim(0.0, 100.0)
         legend_above(axes)
     return axes
 
 
-def cost_figure(plans: Sequence[LifeTestPlan], unit: str, language: str = "en") -> Figure:
+def cost_figure(plans: Sequence[LifeTestPlan], unit: str) -> Figure:
     """Draw what tests cost, as `cost_of_precision`, with a title."""
-    words = _WORDS["pt" if language == "pt" else "en"]
     with styled():
         figure, axes = new_figure(height=_HEIGHT + 10.0)
-        cost_of_precision(plans, unit, axes, language=language)
-        add_title(figure, words.cost)
+        cost_of_precision(plans, unit, axes)
+        add_title(figure, said("Tests of equal precision"))
     return figure
 
 
@@ -149,8 +100,6 @@ def cost_of_precision(
     plans: Sequence[LifeTestPlan],
     unit: str,
     axes: Axes | None = None,
-    *,
-    language: str = "en",
 ) -> Axes:
     """Draw the duration of tests over the bearings that they take.
 
@@ -162,25 +111,26 @@ def cost_of_precision(
         Of their times.
     axes
         To draw on; of a new figure if not given.
-    language
-        ``"en"`` or ``"pt"``.
     """
-    shared, words = plot_words(language), _WORDS["pt" if language == "pt" else "en"]
     with styled():
         axes = new_figure(height=_HEIGHT)[1] if axes is None else axes
         planned = [plan for plan in plans if plan.planned]
         if not planned:
-            return empty_frame(axes, shared.no_result)
+            return empty_frame(axes, no_result())
         most = max(plan.bearings for plan in planned)
         for index, (scheme, label) in enumerate(
-            (("complete", words.full), ("type_ii", words.stopped), ("sudden_death", words.sudden))
+            (
+                ("complete", said("all fail")),
+                ("type_ii", said("stopped earlier")),
+                ("sudden_death", said("sudden death")),
+            )
         ):
             of_scheme = [plan for plan in planned if plan.scheme == scheme]
             if of_scheme:
                 # beside each other where they take as many bearings
                 _scheme(axes, of_scheme, index, label, _ASIDE * most * (index - 1))
-        _axes(axes, planned, unit, shared, words)
-        legend_above(axes, title=words.spread)
+        _axes(axes, planned, unit)
+        legend_above(axes, title=said("bars: 90 % of the tests end within; numbers: failures"))
     return axes
 
 
@@ -206,12 +156,10 @@ def _scheme(
         )  # fmt: skip
 
 
-def _axes(
-    axes: Axes, plans: Sequence[LifeTestPlan], unit: str, shared: PlotWords, words: _Words
-) -> None:
-    label_x(axes, words.bearings, shared)
-    label_y(axes, words.duration.format(unit=shown_text(unit, 12)), shared)
+def _axes(axes: Axes, plans: Sequence[LifeTestPlan], unit: str) -> None:
+    label_x(axes, said("Bearings"))
+    label_y(axes, said("Duration ({unit})", unit=shown_text(unit, 12)))
     ends = [plan.duration for plan in plans if plan.duration is not None]
     lowest, highest = min(end.lower for end in ends), max(end.upper for end in ends)
-    decades(axes, "y", (lowest / 1.3, highest * 1.3), shared)
+    decades(axes, "y", (lowest / 1.3, highest * 1.3))
     axes.set_xlim(0.0, 1.1 * max(plan.bearings for plan in plans))

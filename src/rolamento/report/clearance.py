@@ -3,20 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Final
 
 from rich.text import Text
 
 from rolamento._json import dumps
-from rolamento.clearance import WARNINGS, ClearanceSamples, OperatingClearance, Step
+from rolamento.clearance import ClearanceSamples, OperatingClearance, Step
 from rolamento.document.medium import Medium
 from rolamento.report.language import ENGLISH, Words
 from rolamento.report.page import Lines, Page, rendered
-from rolamento.report.sentences import portuguese_sentence
 from rolamento.units import MICROMETRE
 
-SCHEMA: Final = 1
+SCHEMA: Final = 2
 PERCENTILES: Final = (0.135, 5.0, 50.0, 95.0, 99.865)
 
 _MEGAPASCAL: Final = 1e6
@@ -34,10 +33,6 @@ class _ClearanceWords:
     moments: str
     preloaded: str
     notes: str
-    formulas: Mapping[str, str] = field(default_factory=dict)
-    """By step; without one the step's own, which is English."""
-    terms: Mapping[str, str] = field(default_factory=dict)
-    """Of the sources."""
 
 
 _WORDS: Final[Mapping[str, _ClearanceWords]] = {
@@ -94,23 +89,6 @@ _WORDS: Final[Mapping[str, _ClearanceWords]] = {
         moments="média {mean} µm, desvio-padrão {deviation} µm",
         preloaded="{share} % têm folga negativa",
         notes="Observações",
-        formulas={
-            "initial": "P_d",
-            "shaft_fit": "−dilatação da pista sob p(δ − alisamento + dilatação − rotação)",
-            "housing_fit": "−contração da pista sob p(δ − alisamento + dilatação − rotação)",
-            "speed": "dilatação das pistas que giram",
-            "wear": "como dado",
-        },
-        terms={
-            "class": "classe",
-            "chapter": "capítulo",
-            "section": "seção",
-            "free expansion": "dilatação livre",
-            "the bearing's own": "a do próprio rolamento",
-            "radial equilibrium": "equilíbrio radial",
-            "measured": "medida",
-            "given": "dado",
-        },
     ),
 }
 
@@ -196,9 +174,7 @@ def _sources(page: Page, said: _ClearanceWords, found: OperatingClearance) -> Li
     lines = [page.heading(said.sources)]
     for step in found.steps:
         label = page.text(f"  {said.steps[step.name]}: ")
-        formula, source = said.formulas.get(step.name, step.formula), step.source
-        for english, other in said.terms.items():
-            source = source.replace(english, other)
+        formula, source = page.words.note(step.formula), page.words.note(step.source)
         lines += page.hanging(label, f"{formula}; {source}", "dim")
     return lines
 
@@ -227,9 +203,6 @@ def _scatter(page: Page, said: _ClearanceWords, samples: ClearanceSamples) -> Li
 
 def _warnings(page: Page, said: _ClearanceWords, found: OperatingClearance) -> Lines:
     lines = [page.heading(said.notes)]
-    for name in found.warnings:
-        sentence = WARNINGS[name]
-        if page.words.code == "pt":
-            sentence = portuguese_sentence(sentence)
-        lines += page.hanging(page.text("  • "), sentence)
+    for note in found.warnings:
+        lines += page.hanging(page.text("  • "), page.words.note(note))
     return lines

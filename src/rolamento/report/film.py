@@ -12,7 +12,6 @@ from rich.text import Text
 
 from rolamento.geometry import Race
 from rolamento.lubrication import Film
-from rolamento.report.film_sentences import said_note
 from rolamento.report.page import Lines, Page
 from rolamento.solved import RACES
 
@@ -130,7 +129,7 @@ def film_parts(page: Page, film: Film) -> list[Lines]:
 
 def film_notes(page: Page, film: Film) -> list[str]:
     """Return what is to be known of the film of a single case, in the page's language."""
-    return [said_note(note, page.words.code) for note in film.notes_of()]
+    return [page.words.note(note) for note in film.notes_of()]
 
 
 def _words(page: Page) -> _Words:

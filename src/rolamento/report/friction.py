@@ -70,8 +70,8 @@ _WORDS: Final[Mapping[str, _Words]] = {
             "partial_film": "partial film: μ effective",
             "no_film": "no film",
             "other_angle": "constants for 40°",
-            "at_rest": "at rest",
-            "no_result": "no result",
+            "torque_at_rest": "at rest",
+            "torque_unknown": "no result",
         },
         at_rest="at rest: no heat",
         legend=(
@@ -106,8 +106,8 @@ _WORDS: Final[Mapping[str, _Words]] = {
             "partial_film": "filme parcial: μ efetivo",
             "no_film": "sem filme",
             "other_angle": "constantes para 40°",
-            "at_rest": "em repouso",
-            "no_result": "sem resultado",
+            "torque_at_rest": "em repouso",
+            "torque_unknown": "sem resultado",
         },
         at_rest="em repouso: sem calor",
         legend=(
@@ -145,7 +145,7 @@ def reason_text(validity: ModelValidity, language: str, case: int = 0) -> str:
         remarks = [said.reasons[name] for name in reasons]
         return "; ".join([said.valid, *remarks])
     refused = [name for name in reasons if name not in REMARKS]
-    refused = ["no_result"] if "no_result" in refused else refused
+    refused = ["torque_unknown"] if "torque_unknown" in refused else refused
     return said.refused + ", ".join(said.reasons[name] for name in refused)
 
 

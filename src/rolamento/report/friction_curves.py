@@ -59,7 +59,7 @@ _WORDS: Final[Mapping[str, _Words]] = {
         reasons={
             "inertia": "inertia counts",
             "full_film": "a full film",
-            "no_result": "no result",
+            "torque_unknown": "no result",
             "no_film": "no film",
             "other_angle": "constants for 40°",
         },
@@ -82,7 +82,7 @@ _WORDS: Final[Mapping[str, _Words]] = {
         reasons={
             "inertia": "a inércia conta",
             "full_film": "filme completo",
-            "no_result": "sem resultado",
+            "torque_unknown": "sem resultado",
             "no_film": "sem filme",
             "other_angle": "constantes para 40°",
         },
@@ -113,7 +113,7 @@ def friction_json(analysis: Analysis) -> str:
     """Return the friction of one case as one JSON object in SI units."""
     whole = analysis.to_mapping()
     kept = {key: whole[key] for key in ("schema", "title", "status", "friction", "notes", "case")}
-    return json_text({"schema": SCHEMA, "kind": "friction", **kept})
+    return json_text({**kept, "kind": "friction"})
 
 
 def curves_report(

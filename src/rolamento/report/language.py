@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
-from rolamento.report.sentences import portuguese_sentence
+from rolamento.words import Note, speaking
 
 if TYPE_CHECKING:
     from rolamento.solved import Solved
@@ -19,14 +19,10 @@ _VARIABLES: Final = ("LC_ALL", "LC_MESSAGES", "LANG")
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Words:
-    """All that is said in one language; `{…}` are filled in by the one who says it.
-
-    `sentence` translates advice and notes, which the engine gives in English.
-    """
+    """All that is said in one language; `{…}` are filled in by the one who says it."""
 
     code: str
     decimal_mark: str
-    sentence: Callable[[str], str]
 
     # head
     untitled: str
@@ -132,17 +128,17 @@ class Words:
     def advice(self, solved: Solved, case: int = 0) -> str:
         """Say what to do about it, or nothing."""
         advice = solved.advice[case]
-        return self.sentence(advice) if advice else ""
+        return self.note(advice) if advice else ""
 
-    def note(self, note: str) -> str:
-        """Say what the engine noted."""
-        return self.sentence(note)
+    def note(self, note: Note) -> str:
+        """Say a note."""
+        with speaking(self.code):
+            return note.text
 
 
 ENGLISH: Final = Words(
     code="en",
     decimal_mark=".",
-    sentence=str,
     untitled="Ball bearing",
     bearing="bearing",
     geometry="{count} balls of {ball}, pitch diameter {pitch}",
@@ -254,7 +250,6 @@ ENGLISH: Final = Words(
 PORTUGUESE: Final = Words(
     code="pt",
     decimal_mark=",",
-    sentence=portuguese_sentence,
     untitled="Rolamento de esferas",
     bearing="rolamento",
     geometry="{count} esferas de {ball}, diâmetro primitivo {pitch}",

@@ -201,12 +201,14 @@ def _what_follows(page: Page, solved: Solved, analysis: Analysis, notes: list[st
 
         parts += friction_parts(page, solved, analysis.friction)
     if analysis.life is not None:
-        from rolamento.report.life import life_notes, life_part
+        from rolamento.document import Document
+        from rolamento.document.terminal import terminal
+        from rolamento.pages.life import life_notes, life_section
 
-        parts.append(life_part(page, solved, analysis.life))
-        notes += life_notes(page, analysis.life)
+        life = Document("", (life_section(solved, analysis.life),), language=page.words.code)
+        text = terminal(life, page.medium)
+        parts.append([Text.from_ansi(line) for line in text.splitlines()])
+        notes += [page.words.note(note) for note in life_notes(analysis.life)]
     if analysis.notes:
-        from rolamento.report.life_sentences import said_analysis_note
-
-        notes += [said_analysis_note(name, page.words.code) for name in analysis.notes]
+        notes += [page.words.note(note) for note in analysis.notes]
     return parts

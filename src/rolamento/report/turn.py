@@ -141,7 +141,7 @@ def _head(page: Page, said: _Words, turn: CageTurn) -> Lines:
         (page.words.status, status, "green" if good else "bold red"),
     ]
     if turn.advice:
-        entries.append((page.words.advice_label, page.words.sentence(turn.advice), ""))
+        entries.append((page.words.advice_label, page.words.note(turn.advice), ""))
     if good:
         entries.insert(1, (said.cage, _cage(page, said, turn), ""))
     return [*page.title(turn.case.title or page.words.untitled), *page.labelled(entries)]

@@ -44,11 +44,14 @@ from rolamento.solved.tables import (
     taken,
 )
 from rolamento.status import STATUS_NUMBERS
+from rolamento.words import Note, said
 
 if TYPE_CHECKING:
     from rolamento.solved.result import Solved
 
-SCHEMA: Final = 1
+SCHEMA: Final = 2
+_FIRST_SCHEMA: Final = 1
+"""Where notes and advice were texts."""
 EXAMPLE: Final = "rolamento solve case.toml --json state.json"
 _LARGEST: Final = 1e20
 _MOST_ROWS: Final = 1000
@@ -56,7 +59,7 @@ _MOST_ROWS: Final = 1000
 
 def mapping_of(solved: Solved) -> dict[str, Any]:
     """The only case of a result as plain values."""
-    status, rows = solved.status, solved.rows
+    status, rows, advice = solved.status, solved.rows, solved.advice[0]
     control = control_names(solved)
     of_race = {
         race: _columns(contacts, (*CONTACT_COLUMNS, *MORE_COLUMNS))
@@ -72,7 +75,7 @@ def mapping_of(solved: Solved) -> dict[str, Any]:
             "converged": bool(status.converged[0]),
             "residual": plain(float(status.residual[0])),
             "iterations": int(status.iterations[0]),
-            "advice": solved.advice[0],
+            "advice": None if advice is None else advice.to_mapping(),
         },
         "displacement": {
             name: plain(float(v[0])) for name, v in solved.displacement._asdict().items()
@@ -103,7 +106,7 @@ def mapping_of(solved: Solved) -> dict[str, Any]:
         ],
         "preload": None if solved.preload is None else plain(asdict(solved.preload)),
         "rolling": _rolling_mapping(solved),
-        "notes": list(solved.notes[0]),
+        "notes": [note.to_mapping() for note in solved.notes[0]],
         "case": solved.case.to_mapping(),
     }
 
@@ -173,8 +176,8 @@ class Pieces:
     rows: Rows
     answer: ReadAnswer
     preload: Preloading | None
-    written_notes: tuple[tuple[str, ...], ...]
-    written_advice: tuple[str | None, ...]
+    written_notes: tuple[tuple[Note, ...], ...]
+    written_advice: tuple[Note | None, ...]
 
 
 def pieces_of(mapping: Mapping[str, Any]) -> tuple[Case, dict[str, FloatArray], Pieces]:
@@ -189,20 +192,24 @@ def pieces_of(mapping: Mapping[str, Any]) -> tuple[Case, dict[str, FloatArray], 
     """
     schema = mapping.get("schema")
     if schema is None or not ("balls" in mapping or "states" in mapping):
-        raise FileError("is not the JSON of a state", example=EXAMPLE)
-    if schema is True or schema != SCHEMA:
-        raise FileError("is of another release: known is 1", field="schema", value=schema)
+        raise FileError(said("is not the JSON of a solved state"), example=EXAMPLE)
+    if schema is True or schema not in (_FIRST_SCHEMA, SCHEMA):
+        raise FileError(
+            said("is of another release; 1 and 2 are known"), field="schema", value=schema
+        )
     case = _case(_value(mapping, "case"))
     one = "balls" in mapping
     states = [mapping] if one else _list(mapping, "states")
     parts = [_state(item, case, "" if one else f"states.{i}.") for i, item in enumerate(states)]
     if len({part.answer.read.elements.azimuth.shape for part in parts}) != 1:
-        raise InputError("must all be of one bearing", field="states")
+        raise InputError(said("must all be of one bearing"), field="states")
     varied = {}
     table = _table(mapping, "varied") if "varied" in mapping else {}
     for name, values in table.items():
         if not isinstance(values, list) or len(values) != len(parts):
-            raise InputError(f"must be a list of {len(parts)} numbers", field=f"varied.{name}")
+            raise InputError(
+                said("must be a list of {count} numbers", count=len(parts)), field=f"varied.{name}"
+            )
         varied[name] = np.array([_number_of(value, f"varied.{name}") for value in values])
     return case, varied, parts[0] if len(parts) == 1 else _after_one_another(parts)
 
@@ -210,7 +217,7 @@ def pieces_of(mapping: Mapping[str, Any]) -> tuple[Case, dict[str, FloatArray], 
 def _state(item: Any, case: Case, at: str) -> Pieces:
     """One case from its mapping; at: where it stands, for messages."""
     if not isinstance(item, dict):
-        raise InputError("must be a table", field=at.rstrip("."), value=item)
+        raise InputError(said("must be a table"), field=at.rstrip("."), value=item)
     status = _table(item, f"{at}status")
     balls = [_entry(ball, f"{at}balls.{j}") for j, ball in enumerate(_list(item, f"{at}balls"))]
     where = [f"{at}balls.{j}" for j in range(len(balls))]
@@ -236,13 +243,15 @@ def _state(item: Any, case: Case, at: str) -> Pieces:
     code = _text(status, f"{at}status.code")
     if code not in STATUS_NUMBERS:
         raise InputError(
-            f"must be one of {', '.join(STATUS_NUMBERS)}", field=f"{at}status.code", value=code
+            said("must be one of {known}", known=", ".join(STATUS_NUMBERS)),
+            field=f"{at}status.code",
+            value=code,
         )
     if _truth(status, f"{at}status.converged") != (code == "converged"):
-        raise InputError("contradicts status.code", field=f"{at}status.converged")
-    notes = _list(item, f"{at}notes", least=0)
-    if not all(isinstance(note, str) for note in notes):
-        raise InputError("must be texts", field=f"{at}notes")
+        raise InputError(said("contradicts status.code"), field=f"{at}status.converged")
+    notes = [
+        _note(note, f"{at}notes.{j}") for j, note in enumerate(_list(item, f"{at}notes", least=0))
+    ]
     advice = status.get("advice")
     return Pieces(
         status=Status(
@@ -259,8 +268,17 @@ def _state(item: Any, case: Case, at: str) -> Pieces:
         answer=ReadAnswer(tables, contacts),
         preload=_preloading_of(item, at),
         written_notes=(tuple(notes),),
-        written_advice=(advice if isinstance(advice, str) else None,),
+        written_advice=(None if advice is None else _note(advice, f"{at}status.advice"),),
     )
+
+
+def _note(given: object, field: str) -> Note:
+    if isinstance(given, str):  # schema 1
+        return Note("text", {"text": given})
+    table = _entry(given, field)
+    key, text = _text(table, f"{field}.key"), _text(table, f"{field}.text")
+    values = _table(table, f"{field}.values")
+    return Note.from_mapping({"key": key, "text": text, "values": values})
 
 
 def _contact_columns(items: list[Mapping[str, Any]], where: list[str]) -> dict[str, FloatArray]:
@@ -273,7 +291,9 @@ def _contact_columns(items: list[Mapping[str, Any]], where: list[str]) -> dict[s
         if name in ("load", "deflection", "semi_major", "semi_minor", "max_pressure"):
             for number, at in zip(numbers, where, strict=True):
                 if number < 0.0:
-                    raise InputError("must not be negative", field=f"{at}.{name}", value=number)
+                    raise InputError(
+                        said("must not be negative"), field=f"{at}.{name}", value=number
+                    )
         columns[name] = np.array([numbers])
     return columns
 
@@ -293,7 +313,7 @@ def _rolling_of(item: Mapping[str, Any], count: int, at: str) -> tuple[Rolling |
         for j, b in enumerate(_list(table, f"{at}rolling.balls"))
     ]
     if len(balls) != count:
-        raise InputError(f"must have {count} balls", field=f"{at}rolling.balls")
+        raise InputError(said("must have {count} balls", count=count), field=f"{at}rolling.balls")
     yaw = [_number(ball, f"{at}rolling.balls.{j}.yaw") for j, ball in enumerate(balls)]
     races = {
         race: RollingContacts(
@@ -330,14 +350,16 @@ def _rolling_of(item: Mapping[str, Any], count: int, at: str) -> tuple[Rolling |
 def _rows_of(item: Mapping[str, Any], at: str, row: IntArray, case: Case) -> Rows:
     given, places = _list(item, f"{at}rows"), case.bearing.places
     if len(given) != len(places):
-        raise InputError(f"must have the {len(places)} rows of the case", field=f"{at}rows")
+        raise InputError(
+            said("must have the {count} rows of the case", count=len(places)), field=f"{at}rows"
+        )
     rows = [
         _row_entry(r, f"{at}rows.{i}", place)
         for i, (r, place) in enumerate(zip(given, places, strict=True))
     ]
     count = np.bincount(row, minlength=len(rows))
     if len(count) != len(rows) or np.any(count == 0) or np.any(np.diff(row) < 0):
-        raise InputError("do not go with the rows of the balls", field=f"{at}rows")
+        raise InputError(said("do not match the rows of the balls"), field=f"{at}rows")
     where = [f"{at}rows.{i}" for i in range(len(rows))]
     load = [[_five(r, f"{w}.load", LOADS) for r, w in zip(rows, where, strict=True)]]
     return Rows(
@@ -403,7 +425,7 @@ def _joined(records: list[Any]) -> Any:
 
 def _case(value: object) -> Case:
     if not isinstance(value, dict):
-        raise InputError("must be a table", field="case", value=value)
+        raise InputError(said("must be a table"), field="case", value=value)
     try:
         return Case.from_mapping(value)
     except InputError as error:
@@ -418,7 +440,7 @@ def _five(item: Mapping[str, Any], at: str, names: tuple[str, ...]) -> list[Floa
 def _matrix(item: Mapping[str, Any], at: str) -> FloatArray:
     lines = _list(item, at)
     if len(lines) != 5 or any(not isinstance(line, list) or len(line) != 5 for line in lines):
-        raise InputError("must be a matrix of 5 by 5", field=at)
+        raise InputError(said("must be a 5 × 5 matrix"), field=at)
     return np.array([[[_number_of(value, at) for value in line] for line in lines]])
 
 
@@ -426,13 +448,13 @@ def _value(item: Mapping[str, Any], field: str) -> Any:
     """What stands under the last name of a dotted field."""
     value = item.get(field.rpartition(".")[2], ABSENT)
     if value is ABSENT:
-        raise InputError("is missing", field=field)
+        raise InputError(said("is missing"), field=field)
     return value
 
 
 def _entry(item: object, field: str) -> Mapping[str, Any]:
     if not isinstance(item, dict):
-        raise InputError("must be a table", field=field, value=item)
+        raise InputError(said("must be a table"), field=field, value=item)
     return item
 
 
@@ -443,29 +465,33 @@ def _table(item: Mapping[str, Any], field: str) -> Mapping[str, Any]:
 def _list(item: Mapping[str, Any], field: str, least: int = 1) -> list[Any]:
     value = _value(item, field)
     if not isinstance(value, list) or len(value) < least:
-        what = "a list" if least == 0 else f"a list of at least {least}"
-        raise InputError(f"must be {what}", field=field, value=value)
+        rule = (
+            said("must be a list")
+            if least == 0
+            else said("must be a list of at least {least}", least=least)
+        )
+        raise InputError(rule, field=field, value=value)
     return value
 
 
 def _text(item: Mapping[str, Any], field: str) -> str:
     value = _value(item, field)
     if not isinstance(value, str):
-        raise InputError("must be text", field=field, value=value)
+        raise InputError(said("must be text"), field=field, value=value)
     return value
 
 
 def _truth(item: Mapping[str, Any], field: str) -> bool:
     value = _value(item, field)
     if not isinstance(value, bool):
-        raise InputError("must be true or false", field=field, value=value)
+        raise InputError(said("must be true or false"), field=field, value=value)
     return value
 
 
 def _row(item: Mapping[str, Any], field: str) -> int:
     value = _value(item, field)
     if isinstance(value, bool) or not isinstance(value, int) or not 0 <= value < _MOST_ROWS:
-        raise InputError("must be the number of a row, from 0", field=field, value=value)
+        raise InputError(said("must be the number of a row, from 0"), field=field, value=value)
     return value
 
 
@@ -478,7 +504,9 @@ def _number_of(value: object, field: str) -> float:
     if value is None:
         return float("nan")
     if isinstance(value, bool) or not isinstance(value, int | float):
-        raise InputError("must be a number or null", field=field, value=value)
+        raise InputError(said("must be a number or null"), field=field, value=value)
     if abs(value) > _LARGEST or not isfinite(value):  # a whole number may be too large for a float
-        raise InputError(f"must be within ±{_LARGEST:g}", field=field, value=value)
+        raise InputError(
+            said("must be within ±{most:.6g}", most=_LARGEST), field=field, value=value
+        )
     return float(value)

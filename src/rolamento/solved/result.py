@@ -43,6 +43,7 @@ from rolamento.solved.tables import (
     taken,
 )
 from rolamento.status import INVALID_INPUT
+from rolamento.words import Note, said
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -87,10 +88,10 @@ class Solved:
     rows: Rows
     answer: Answer
     preload: Preloading | None = None
-    first_notes: tuple[str, ...] = ()
-    """What is to be known before the notes on the equilibrium: the clearance in operation."""
-    written_notes: tuple[tuple[str, ...], ...] | None = None
-    written_advice: tuple[str | None, ...] | None = None
+    first_notes: tuple[Note, ...] = ()
+    """Notes before those on the equilibrium: the clearance in operation."""
+    written_notes: tuple[tuple[Note, ...], ...] | None = None
+    written_advice: tuple[Note | None, ...] | None = None
     """Of a result that was read: what was said of it then."""
 
     # --- cases ----------------------------------------------------------------------------------
@@ -155,7 +156,9 @@ class Solved:
             if value is not None and not hasattr(value, part):
                 near = nearest(name, self.varied) or "duty.inner_speed"
                 raise UnknownKeyError(
-                    "is not a number of the case", field=name, example=f'solved.field("{near}")'
+                    said("is not a quantity of the case"),
+                    field=name,
+                    example=f'solved.field("{near}")',
                 )
             value = None if value is None else getattr(value, part)
         return float("nan") if value is None else float(value)
@@ -229,8 +232,8 @@ class Solved:
     # --- what is said of it ---------------------------------------------------------------------
 
     @cached_property
-    def notes(self) -> tuple[tuple[str, ...], ...]:
-        """What the user should know about each case; a tuple over cases of tuples."""
+    def notes(self) -> tuple[tuple[Note, ...], ...]:
+        """What to know about each case; a tuple over cases of tuples."""
         if self.written_notes is not None:
             return self.written_notes
         if len(self) == 1:
@@ -238,7 +241,7 @@ class Solved:
         return tuple(self[case].notes[0] for case in range(len(self)))
 
     @cached_property
-    def advice(self) -> tuple[str | None, ...]:
+    def advice(self) -> tuple[Note | None, ...]:
         """What a person can do about each case without a result; None where there is one."""
         if self.written_advice is not None:
             return self.written_advice
@@ -311,7 +314,7 @@ class Solved:
         text, source = read_text(path)
         if (format_of_path(path) or format_of_text(text)) != "json":
             raise FileError(
-                "is not the JSON of a state; a case has to be solved first",
+                said("is not the JSON of a solved state; solve a case first"),
                 source=source,
                 example=EXAMPLE,
             )
@@ -364,7 +367,7 @@ class Solved:
             ).rename_axis("case")
         if table not in ("elements", "contacts"):
             raise InputError(
-                "must be cases, elements or contacts",
+                said("must be cases, elements or contacts"),
                 field="table",
                 value=table,
                 example='solved.to_pandas("contacts")',
@@ -449,7 +452,7 @@ def refuse_other(given: object, function: str) -> None:
     """
     if not isinstance(given, Solved):
         raise InputError(
-            "must be what rolamento.solve returns",
+            said("must be the result of rolamento.solve"),
             field="solved",
             value=type(given).__name__,
             example=f"{function}(rolamento.solve(case))",

@@ -22,6 +22,7 @@ from rolamento.geometry import Race, RaceCurvature, race_curvature
 from rolamento.kinematics import SurfaceSpeeds, spin_to_roll, surface_speeds
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.status import CONVERGED, STATUS_NAMES
+from rolamento.words import said
 
 RACES: Final[tuple[Race, Race]] = ("inner", "outer")
 
@@ -90,7 +91,11 @@ class Stiffness:
         load, axis = names
         if load not in LOADS or axis not in AXES:
             raise UnknownKeyError(
-                f"must be one of {', '.join(LOADS)} and one of {', '.join(AXES)}",
+                said(
+                    "must be one of {loads} and one of {axes}",
+                    loads=", ".join(LOADS),
+                    axes=", ".join(AXES),
+                ),
                 field="stiffness",
                 value=f"{load}, {axis}",
                 example='solved.stiffness["fz", "z"]',

@@ -22,6 +22,7 @@ from rolamento.case.quantity import Count, Line, at_the_border
 from rolamento.case.record import Record
 from rolamento.errors import ABSENT, InputError
 from rolamento.studies import fields
+from rolamento.words import said
 
 __all__ = ["MOST_VALUES", "Axis", "Column", "DimensionName", "FieldName"]
 
@@ -41,7 +42,10 @@ def _checked_name(name: str) -> str:
     plain = name.replace(" ", "").replace("_", "").replace("-", "").replace(".", "")
     if name and not (plain.isalnum() and plain.isascii() and name[0].isalpha() and name[-1] != " "):
         raise InputError(
-            "must be letters, digits, spaces, points, hyphens and underscores, a letter first",
+            said(
+                "must be letters, digits, spaces, points, hyphens and underscores, "
+                "beginning with a letter"
+            ),
             value=name,
         )
     return name
@@ -124,7 +128,7 @@ class Axis(Record):
         in_file = at_the_border(info.context)
         if (self.field is None) == (self.zipped is None):
             raise InputError(
-                "must be given, or zipped with several fields; one of them",
+                said("must be given; alternatively, zip several fields"),
                 field="field",
                 value=ABSENT if self.field is None else self.field,
                 example='field = "duty.load.fx"',
@@ -148,7 +152,10 @@ class Axis(Record):
             fields.read_field(name, at="zipped")
             if len(values) != size or not values:
                 raise InputError(
-                    f"must have as many values as the first field, {size}, and at least one",
+                    said(
+                        "must have as many values as the first field, {size}, and at least one",
+                        size=size,
+                    ),
                     field=f"zipped.{name}",
                     value=values,
                 )
@@ -158,7 +165,7 @@ class Axis(Record):
         for name in ("first", "last", "count"):
             if getattr(self, name) is None:
                 raise InputError(
-                    "is missing: give values, or first, last and count",
+                    said("is missing: give values, or first, last and count"),
                     field=name,
                     example='first = "1 kN", last = "45 kN", count = 45',
                 )
@@ -178,12 +185,12 @@ class Axis(Record):
             for name in ("first", "last")
         )
         if isinstance(first, bool | str) or isinstance(last, bool | str):
-            raise InputError("takes no range; give values", field="field", value=field.name)
+            raise InputError(said("takes no range; give values"), field="field", value=field.name)
         if count == 1 and first != last:
-            raise InputError("must be at least 2 for a range", field="count", value=count)
+            raise InputError(said("must be at least 2 for a range"), field="count", value=count)
         if self.spacing == "log" and not first * last > 0.0:
             raise InputError(
-                "must not reach zero in a range with logarithmic spacing",
+                said("must not be zero or change sign in a range with logarithmic spacing"),
                 field="first",
                 value=self.first,
             )
@@ -194,7 +201,7 @@ class Axis(Record):
         whole = np.rint(values)
         if not (np.abs(values - whole) < 1e-9 * np.maximum(np.abs(whole), 1.0)).all():
             raise InputError(
-                "does not lead to whole numbers; give values", field="count", value=count
+                said("does not give integers; give values"), field="count", value=count
             )
         return tuple(int(value) for value in whole)
 

@@ -16,21 +16,21 @@ from rolamento.studies.outputs import Evaluation, Floats, Output
 Get = Callable[[Evaluation], Floats]
 
 _CONTACT: Final = (
-    ("load", "N", "load"),
-    ("contact_angle", "rad", "contact angle under load"),
-    ("deflection", "m", "deflection of ball and groove"),
-    ("semi_major", "m", "semi-axis of the contact ellipse across rolling"),
-    ("semi_minor", "m", "semi-axis of the contact ellipse along rolling"),
-    ("max_pressure", "Pa", "maximum Hertz pressure"),
-    ("mean_pressure", "Pa", "mean Hertz pressure"),
-    ("spin_to_roll", "1", "ratio of spin to roll"),
+    ("load", "N"),
+    ("contact_angle", "rad"),
+    ("deflection", "m"),
+    ("semi_major", "m"),
+    ("semi_minor", "m"),
+    ("max_pressure", "Pa"),
+    ("mean_pressure", "Pa"),
+    ("spin_to_roll", "1"),
 )
 _BALL: Final = (
-    ("centrifugal_force", "N", "centrifugal force on the ball"),
-    ("gyroscopic_moment", "N*m", "gyroscopic moment on the ball, signed"),
-    ("orbital_speed", "rad/s", "speed of the ball about the bearing's axis"),
-    ("ball_speed", "rad/s", "speed of the ball about its own axis, signed"),
-    ("attitude", "rad", "angle of the ball's axis to the bearing's axis"),
+    ("centrifugal_force", "N"),
+    ("gyroscopic_moment", "N*m"),
+    ("orbital_speed", "rad/s"),
+    ("ball_speed", "rad/s"),
+    ("attitude", "rad"),
 )
 _ONLY_LOADED: Final = ("contact_angle", "spin_to_roll")
 """Means nothing at a contact without load, and is left out of what is taken over the balls."""
@@ -50,38 +50,30 @@ def ring_outputs() -> tuple[Output, ...]:
         Output(
             "residual",
             "1",
-            "maximum unbalanced load over the scale of its loads",
             lambda given: given.solved.status.residual,
         ),
         Output(
             "iterations",
             "1",
-            "Newton steps",
             lambda given: given.solved.status.iterations,
             kind="whole",
         ),
-        Output("loaded_balls", "1", "balls that touch the inner race", _loaded_balls),
+        Output("loaded_balls", "1", _loaded_balls),
     )
 
 
 def _displacement(axis: str) -> Output:
-    tilt = len(axis) > 1
-    word = "tilt of the inner ring about" if tilt else "displacement of the inner ring along"
     return Output(
         axis,
-        "rad" if tilt else "m",
-        f"{word} {axis[-1]}",
+        "rad" if len(axis) > 1 else "m",
         lambda given: getattr(given.solved.displacement, axis),
     )
 
 
 def _load(load: str) -> Output:
-    moment = load[0] == "m"
-    word = "moment on the inner ring about" if moment else "force on the inner ring along"
     return Output(
         load,
-        "N*m" if moment else "N",
-        f"{word} {load[-1]}",
+        "N*m" if load[0] == "m" else "N",
         lambda given: getattr(given.solved.load, load),
     )
 
@@ -91,7 +83,6 @@ def _stiffness(load: str, axis: str) -> Output:
     return Output(
         f"stiffness_{AXES[LOADS.index(load)]}{axis}",
         {"N*m/m": "N"}.get(unit, unit),
-        f"derivative of {load} by {axis}",
         lambda given: given.solved.stiffness[load, axis],
     )
 
@@ -106,41 +97,36 @@ def _loaded_balls(given: Evaluation) -> Floats:
 
 def ball_outputs() -> tuple[Output, ...]:
     """Return the outputs of the balls: each by itself, and its maximum, minimum and mean."""
-    azimuth = Output(
-        "azimuth", "rad", "azimuth of the ball", _of_elements("azimuth"), per_ball=True
-    )
+    azimuth = Output("azimuth", "rad", _of_elements("azimuth"), per_ball=True)
     return (azimuth, *_of_contacts(), *_of_balls())
 
 
 def _of_contacts() -> Iterator[Output]:
     for race in RACES:
-        for name, unit, words in _CONTACT:
+        for name, unit in _CONTACT:
             get = _of_race(race, name)
-            yield from family(f"{race}_{name}", unit, f"{words}, {race} race", get, race)
+            yield from family(f"{race}_{name}", unit, get, race)
 
 
 def _of_balls() -> Iterator[Output]:
-    for name, unit, words in _BALL:
-        yield from family(name, unit, words, _of_elements(name), None)
+    for name, unit in _BALL:
+        yield from family(name, unit, _of_elements(name), None)
 
 
 def family(
-    name: str, unit: str, words: str, get: Get, race: Race | None, needs: tuple[str, ...] = ()
+    name: str, unit: str, get: Get, race: Race | None, needs: tuple[str, ...] = ()
 ) -> Iterator[Output]:
     """Make an output per ball, and what is taken of it over the balls.
 
     race: whose loads tell which balls count, for outputs that mean nothing without load.
     """
-    yield Output(name, unit, words, get, per_ball=True, needs=needs)
+    yield Output(name, unit, get, per_ball=True, needs=needs)
     among = race if name.endswith(_ONLY_LOADED) else None
-    over = "loaded balls" if among else "balls"
-    for prefix, word, reduce in _REDUCTIONS:
+    for prefix, reduce in _REDUCTIONS:
         compute = _reduced(get, reduce, among)
         if prefix == "max" and race is not None and name.endswith("_max_pressure"):
             compute = _maximum_pressure(race)
-        yield Output(
-            f"{prefix}_{name}", unit, f"{words}: {word} of the {over}", compute, needs=needs
-        )
+        yield Output(f"{prefix}_{name}", unit, compute, needs=needs)
 
 
 def _of_elements(name: str) -> Get:
@@ -182,9 +168,9 @@ def _mean(values: Floats) -> Floats:
 
 
 _REDUCTIONS: Final = (
-    ("max", "maximum", _maximum),
-    ("min", "minimum", _minimum),
-    ("mean", "mean", _mean),
+    ("max", _maximum),
+    ("min", _minimum),
+    ("mean", _mean),
 )
 
 

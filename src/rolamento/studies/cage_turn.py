@@ -13,7 +13,7 @@ import os
 from dataclasses import dataclass
 from functools import reduce
 from math import gcd, pi
-from typing import Final, Literal
+from typing import Any, Final, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,6 +22,7 @@ from rolamento.case import Case, load_case
 from rolamento.errors import InputError
 from rolamento.solution import solve
 from rolamento.solved import Contacts, Solved
+from rolamento.words import Note, said
 
 Floats = NDArray[np.float64]
 Compared = Literal["displacement", "load", "stiffness"]
@@ -140,7 +141,7 @@ class CageTurn:
     solved: Solved
     angle: Floats
     period: float
-    advice: str | None
+    advice: Note | None
     cage_speed: CageSpeed
     histories: tuple[BallHistory, ...]
 
@@ -206,6 +207,45 @@ class CageTurn:
         fastest = max(abs(duty.inner_speed), abs(duty.outer_speed))
         return abs(self.cage_speed.mean) > _STANDSTILL * fastest
 
+    def to_mapping(self) -> dict[str, Any]:
+        """Give everything as plain mappings and arrays in SI units."""
+        speed = self.cage_speed
+        return {
+            "schema": SCHEMA,
+            "kind": "cage_turn",
+            "title": self.case.title,
+            "status": {"converged": self.converged, "codes": self.status.tolist()},
+            "period": self.period,
+            "angle": self.angle,
+            "time": self.time,
+            "cage_speed": {"mean": speed.mean, "least": speed.minimum, "greatest": speed.maximum},
+            "passage_frequency": self.passage_frequency,
+            "orders": self.orders.tolist(),
+            "frequencies": self.frequencies,
+            "displacement": self._variation_mapping("displacement"),
+            "load": self._variation_mapping("load"),
+            "stiffness": self._variation_mapping("stiffness"),
+            "balls": [
+                {
+                    "row": history.row,
+                    "azimuth": history.azimuth,
+                    "inner": history.inner.to_mapping(),
+                    "outer": history.outer.to_mapping(),
+                }
+                for history in self.histories
+            ],
+        }
+
+    def _variation_mapping(self, quantity: Compared) -> dict[str, Any]:
+        variation = self.variation(quantity)
+        return {
+            "values": getattr(self.solved, quantity).array,
+            "mean": variation.mean,
+            "peak_to_peak": variation.peak_to_peak,
+            "amplitude": np.abs(variation.harmonics),
+            "phase": np.angle(variation.harmonics),
+        }
+
     def variation(self, quantity: Compared) -> Variation:
         """Return mean, peak to peak and harmonics of displacement, load or stiffness.
 
@@ -267,7 +307,7 @@ def cage_turn(
     """
     if not FEWEST_POINTS <= points <= MOST_POINTS:
         raise InputError(
-            f"must be {FEWEST_POINTS} to {MOST_POINTS}",
+            said("must be {least} to {most}", least=FEWEST_POINTS, most=MOST_POINTS),
             field="points",
             value=points,
             example=f"points = {DEFAULT_POINTS}",

@@ -18,6 +18,7 @@ from rolamento._foreign.readers import NetcdfVariables
 from rolamento.errors import FileError
 from rolamento.studies.plan import Layout, Plan, Variable, slabs
 from rolamento.studies.study import SAMPLE
+from rolamento.words import said
 
 __all__ = ["dataset", "load_result"]
 
@@ -67,7 +68,7 @@ def load_result(path: str | os.PathLike[str]) -> xr.Dataset:
     """
     source = os.fspath(path)
     if not Path(source).is_file():
-        raise FileError("cannot be opened: no such file", source=source)
+        raise FileError(said("cannot be opened: no such file"), source=source)
     try:
         with Isolated(NetcdfVariables, Path(source), "NetCDF file") as process:
             loaded = xr.decode_cf(_read(process, source)).load()
@@ -75,9 +76,11 @@ def load_result(path: str | os.PathLike[str]) -> xr.Dataset:
         raise
     except Exception as error:  # whatever xarray makes of variables that do not go together
         reason = type(error).__name__
-        raise FileError(f"is not a readable NetCDF file ({reason})", source=source) from None
+        raise FileError(
+            said("is not a readable NetCDF file ({reason})", reason=reason), source=source
+        ) from None
     if "status" not in loaded or "study" not in loaded.attrs:
-        raise FileError("is not the result of a study", source=source)
+        raise FileError(said("is not the result of a study"), source=source)
     return loaded
 
 
@@ -88,7 +91,8 @@ def _read(process: Isolated, source: str) -> xr.Dataset:
     check_declared(needed, os.path.getsize(source), source)
     if needed > _MOST_BYTES:
         raise FileError(
-            f"holds {needed / 1e9:.1f} GB; xarray.open_dataset reads parts of it", source=source
+            said("has {needed:.1f} GB; xarray.open_dataset reads it in parts", needed=needed / 1e9),
+            source=source,
         )
     variables = {
         found["name"]: xr.Variable(
@@ -108,7 +112,7 @@ def _values(process: Isolated, found: Mapping[str, Any], source: str) -> NDArray
             held = process.ask("values", found["name"], box if found["shape"] else ())
             piece = values[first + run.start : first + run.stop]
             if len(held) != len(piece):
-                raise FileError("ends before its last value", source=source)
+                raise FileError(said("ends before its last value"), source=source)
             piece[:] = held
     return values.reshape(found["shape"])
 

@@ -9,6 +9,7 @@ from typing import Final
 from rolamento.case import Case, varied
 from rolamento.case.fields import Field, Value
 from rolamento.errors import InputError, UnknownKeyError, nearest
+from rolamento.words import said
 
 __all__ = ["Field", "Value", "known_fields", "read_field", "refuse_rivals"]
 
@@ -46,7 +47,7 @@ def read_field(name: str, *, at: str = "field") -> Field:
     if field is not None:
         return field
     raise UnknownKeyError(
-        f"is not a field that can be varied; {_advice(name, known)}",
+        said("is not a field that can be varied; {guess}", guess=_advice(name, known)),
         field=at,
         value=name,
         example='"duty.load.fx"',
@@ -59,7 +60,9 @@ def _advice(name: str, known: Mapping[str, Field]) -> str:
         return f"it is a table with {', '.join(inside)}"
     same_leaf = [other for other, field in known.items() if field.leaf == name]
     near = same_leaf[0] if same_leaf else nearest(name, known)
-    return f"did you mean {near}?" if near else "rolamento sweep --list fields shows all"
+    if near:
+        return said("did you mean {near}?", near=near)
+    return said("rolamento sweep --list fields lists them all")
 
 
 def refuse_rivals(names: tuple[str, ...], *, at: str) -> None:

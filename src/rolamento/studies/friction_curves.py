@@ -23,6 +23,7 @@ from rolamento.solved import Solved
 from rolamento.studies.fields import Field
 from rolamento.studies.ranges import MOST_POINTS, Range, read_range, refuse_many_singles
 from rolamento.studies.solving import array_fields, base_case
+from rolamento.words import said
 
 __all__ = ["MOST_POINTS", "Controlled", "FrictionCurve", "Range", "friction_curve", "read_range"]
 
@@ -129,7 +130,7 @@ def friction_curve(
     mu = None if case.lubricant is None else case.lubricant.friction_coefficient
     if mu is None and over.field.name != _COEFFICIENT:
         raise InputError(
-            "is missing: friction rests on it",
+            said("is missing; the friction calculation needs it"),
             field=_COEFFICIENT,
             example="--coefficient 0.1",
         )

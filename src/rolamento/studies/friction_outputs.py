@@ -32,14 +32,12 @@ def friction_outputs() -> tuple[Output, ...]:
         Output(
             "hysteresis_torque",
             "N*m",
-            "friction torque by elastic hysteresis",
             _source("hysteresis"),
             needs=_COEFFICIENT,
         ),
         Output(
             "rolling_resistance_torque",
             "N*m",
-            "friction torque by the oil at the inlets",
             _source("rolling_resistance"),
             needs=(*_COEFFICIENT, *_OIL),
         ),
@@ -57,7 +55,6 @@ def _of_models() -> Iterator[Output]:
             yield Output(
                 f"friction_{name}_{model}",
                 unit,
-                f"friction {name} by {known.long_title}",
                 _total(model, name),
                 needs=_COEFFICIENT,
                 slow=not known.closed_form,
@@ -66,14 +63,13 @@ def _of_models() -> Iterator[Output]:
 
 def _of_control() -> Iterator[Output]:
     """What friction control finds, where the case is solved with it."""
-    for name, unit, words, attribute in (
-        ("rolling_power", "W", "power lost in the contacts", "power"),
-        ("cage_speed", "rad/s", "speed of the cage", "cage_speed"),
+    for name, unit, attribute in (
+        ("rolling_power", "W", "power"),
+        ("cage_speed", "rad/s", "cage_speed"),
     ):
         yield Output(
             name,
             unit,
-            f"{words} under friction control",
             _of_rolling(attribute),
             needs=("friction control",),
         )
@@ -84,7 +80,6 @@ def _of_contacts() -> Iterator[Output]:
         yield from family(
             f"{race}_spin_loss",
             "W",
-            f"power lost by spin, {race} race",
             _spin_loss(race),
             None,
             _COEFFICIENT,
@@ -92,7 +87,6 @@ def _of_contacts() -> Iterator[Output]:
         yield from family(
             f"{race}_pressure_slip",
             "W/m^2",
-            f"maximum product of pressure and slip, {race} race",
             _pressure_slip(race),
             None,
             (),

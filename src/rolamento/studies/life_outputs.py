@@ -12,6 +12,7 @@ from rolamento.life import LifeSummary, life
 from rolamento.life.theories import THEORIES
 from rolamento.life.theory import CLEANLINESS, REQUIRED_LIFE, VISCOSITY_RATIO
 from rolamento.studies.outputs import Evaluation, Floats, Output
+from rolamento.words import said
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -56,7 +57,7 @@ def refuse_lifeless(case: Case, varied: frozenset[str]) -> None:
     angle = np.array([row.contact_angle or 0.0 for row in rows])
     if np.any(angle > MAXIMUM_ANGLE * (1.0 + 1e-9)):
         raise InputError(
-            "is a thrust bearing's: it has no life by these theories, which go up to 45°",
+            said("is that of a thrust bearing: these life theories go up to 45°"),
             field="case.bearing.contact_angle",
             value=f"{float(np.degrees(angle.max())):.4g} deg",
             example='contact_angle = "25 deg"',
@@ -67,31 +68,32 @@ def refuse_lifeless(case: Case, varied: frozenset[str]) -> None:
     pitch = np.array([row.pitch_diameter for row in rows])
     if np.any(np.isnan(dynamic_factor(diameter * np.cos(angle) / pitch))):
         raise InputError(
-            "is missing: the geometry lies outside the standard's table (D cos α/d_m from 0.01 to"
-            " 0.40)",
+            said(
+                "is missing: the geometry is outside the table of the standard (D cos "
+                "α/d_m from 0.01 to 0.40)"
+            ),
             field="case.life.dynamic_rating",
             example='[life] with dynamic_rating = "20.6 kN"',
         )
 
 
 def _of_theories() -> Iterator[Output]:
-    leading = (_LEADING, "the one that leads: ISO/TS 16281, modified where it can be", _LIFE, False)
+    leading = (_LEADING, _LIFE, False)
     own = (
-        (one.name, one.title, (*_LIFE, *(need.name for need in one.needs)), one.slow)
+        (one.name, (*_LIFE, *(need.name for need in one.needs)), one.slow)
         for one in THEORIES.values()
     )
-    for theory, title, needs, slow in (leading, *own):
+    for theory, needs, slow in (leading, *own):
         end = f"_{theory}" if theory else ""
-        for name, unit, what, attribute in (
-            ("life_hours", _HOURS, "life in hours", "hours"),
-            ("life_revolutions", _REVOLUTIONS, "life in millions of revolutions", "life"),
+        for name, unit, attribute in (
+            ("life_hours", _HOURS, "hours"),
+            ("life_revolutions", _REVOLUTIONS, "life"),
         ):
             compute = _number(_life(theory, attribute), slow)
-            yield Output(f"{name}{end}", unit, f"{what}, {title}", compute, needs=needs, slow=slow)
+            yield Output(f"{name}{end}", unit, compute, needs=needs, slow=slow)
         yield Output(
             f"life_holds{end}",
             "1",
-            f"1 where the life is valid, else 0, {title}",
             _validity(theory, slow),
             kind="whole",
             needs=needs,
@@ -106,52 +108,50 @@ def _bound() -> Output:
             return np.zeros(len(found.solved), np.int32)
         return np.asarray(summary.headline.below & found.solved.converged, np.int32)
 
-    words = "1 where the life that leads is below its number, an upper bound, else 0"
-    return Output("life_below", "1", words, compute, kind="whole", needs=_LIFE)
+    return Output("life_below", "1", compute, kind="whole", needs=_LIFE)
 
 
 def _of_loads() -> Iterator[Output]:
-    for name, unit, words, get in (
-        ("dynamic_rating", "N", "dynamic rating C", lambda s: s.ratings.dynamic_of_set),
-        ("static_rating", "N", "static rating C_0", lambda s: s.ratings.static_of_set),
-        ("fatigue_load_limit", "N", "fatigue load limit C_u", lambda s: s.ratings.fatigue_of_set),
-        ("equivalent_load", "N", "dynamic equivalent load P, ISO 281", lambda s: s.loads.dynamic),
-        ("reference_load", "N", "equivalent load by ISO/TS 16281", lambda s: s.reference_load),
-        ("static_equivalent_load", "N", "static equivalent load P_0", lambda s: s.loads.static),
-        ("static_safety", "1", "static safety S_0 = C_0/P_0", lambda s: s.loads.safety),
-        ("rating_over_load", "1", "C/P, dynamic rating over equivalent load", _rating_over_load),
+    for name, unit, get in (
+        ("dynamic_rating", "N", lambda s: s.ratings.dynamic_of_set),
+        ("static_rating", "N", lambda s: s.ratings.static_of_set),
+        ("fatigue_load_limit", "N", lambda s: s.ratings.fatigue_of_set),
+        ("equivalent_load", "N", lambda s: s.loads.dynamic),
+        ("reference_load", "N", lambda s: s.reference_load),
+        ("static_equivalent_load", "N", lambda s: s.loads.static),
+        ("static_safety", "1", lambda s: s.loads.safety),
+        ("rating_over_load", "1", _rating_over_load),
     ):
-        yield Output(name, unit, words, _number(get), needs=_LIFE)
+        yield Output(name, unit, _number(get), needs=_LIFE)
 
 
 def _of_factors() -> Iterator[Output]:
     factors = (
-        (f"modification_factor_{one.name.removesuffix('_modified')}", one.name, one.title)
+        (f"modification_factor_{one.name.removesuffix('_modified')}", one.name)
         for one in THEORIES.values()
         if CLEANLINESS in one.needs
     )
-    for name, words, get, needs in (
-        ("contamination_factor", "contamination factor e_C", _contamination, _MODIFIED),
-        *((name, f"a_ISO, {title}", _factor(theory), _MODIFIED) for name, theory, title in factors),
+    for name, get, needs in (
+        ("contamination_factor", _contamination, _MODIFIED),
+        *((name, _factor(theory), _MODIFIED) for name, theory in factors),
         (
             "wanted_reliability",
-            "reliability of the required life",
             _reliability_of_required,
             (*_LIFE, REQUIRED_LIFE.name),
         ),
     ):
-        yield Output(name, "1", words, _number(get), needs=needs)
+        yield Output(name, "1", _number(get), needs=needs)
 
 
 def _of_limit() -> Iterator[Output]:
     """What ends the life: numbers, so that they can be drawn over anything."""
-    for name, words, get in (
-        ("inner_risk_share", "part of the inner races in the risk of failure", _inner_share),
-        ("weakest_race_share", "part of the weakest race in the risk", lambda s: s.limit.share),
-        ("weakest_row", "row of the weakest race, counted from 0", _weakest_row),
-        ("weakest_ball", "ball that presses hardest on that race, counted from 0", _weakest_ball),
+    for name, get in (
+        ("inner_risk_share", _inner_share),
+        ("weakest_race_share", lambda s: s.limit.share),
+        ("weakest_row", _weakest_row),
+        ("weakest_ball", _weakest_ball),
     ):
-        yield Output(name, "1", words, _number(get), needs=_LIFE)
+        yield Output(name, "1", _number(get), needs=_LIFE)
 
 
 def _life_if_any(solved: Solved, *, stress_volume: bool) -> LifeSummary | None:

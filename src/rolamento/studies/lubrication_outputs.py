@@ -19,10 +19,10 @@ if TYPE_CHECKING:
 _OIL: Final = ("lubricant", "temperature.lubricant")
 _ROUGH: Final = (*_OIL, "surface")
 _CONTACT: Final = (
-    ("central_film_thickness", "central_thickness", "m", "central film thickness", _OIL),
-    ("minimum_film_thickness", "minimum_thickness", "m", "minimum film thickness", _OIL),
-    ("film_parameter", "film_parameter", "1", "film parameter λ", _ROUGH),
-    ("entrainment_speed", "entrainment_speed", "m/s", "mean speed of the surfaces", _OIL),
+    ("central_film_thickness", "central_thickness", "m", _OIL),
+    ("minimum_film_thickness", "minimum_thickness", "m", _OIL),
+    ("film_parameter", "film_parameter", "1", _ROUGH),
+    ("entrainment_speed", "entrainment_speed", "m/s", _OIL),
 )
 
 
@@ -33,15 +33,13 @@ def lubrication_outputs() -> tuple[Output, ...]:
         Output(
             "film_parameter",
             "1",
-            "film parameter λ: minimum of all contacts",
             lambda given: given.of(_film).minimum_film_parameter,
             needs=_ROUGH,
         ),
-        Output("viscosity_ratio", "1", "viscosity ratio κ", _of_oil("viscosity_ratio"), needs=_OIL),
+        Output("viscosity_ratio", "1", _of_oil("viscosity_ratio"), needs=_OIL),
         Output(
             "kinematic_viscosity",
             "m^2/s",
-            "kinematic viscosity of the lubricant",
             _of_oil("kinematic_viscosity"),
             needs=_OIL,
         ),
@@ -50,9 +48,9 @@ def lubrication_outputs() -> tuple[Output, ...]:
 
 def _of_contacts() -> Iterator[Output]:
     for race in RACES:
-        for name, attribute, unit, words, needs in _CONTACT:
+        for name, attribute, unit, needs in _CONTACT:
             get = _contact(race, attribute)
-            yield from family(f"{race}_{name}", unit, f"{words}, {race} race", get, None, needs)
+            yield from family(f"{race}_{name}", unit, get, None, needs)
 
 
 def _film(solved: Solved) -> Film:

@@ -15,6 +15,8 @@ from numpy.typing import NDArray
 
 from rolamento.analysis.needs import has_life
 from rolamento.errors import InputError, UnknownKeyError, nearest
+from rolamento.studies.names import variable_long_name, variable_name
+from rolamento.words import marked, said
 
 if TYPE_CHECKING:
     from rolamento.case import Case
@@ -66,8 +68,6 @@ class Output:
     unit
         SI, but of lives: ``"h"`` and ``"Mrev"``, millions of revolutions; ``"1"`` of a number
         without one
-    long_name
-        in words
     compute
         from a solved batch: (cases,), or (cases, balls) of an output per ball
     per_ball
@@ -82,12 +82,21 @@ class Output:
 
     name: str
     unit: str
-    long_name: str
     compute: Callable[[Evaluation], NDArray[Any]]
     per_ball: bool = False
     kind: Literal["real", "whole"] = "real"
     needs: tuple[str, ...] = ()
     slow: bool = False
+
+    @property
+    def label(self) -> str:
+        """What it is called, in the language that is spoken."""
+        return variable_name(self.name)
+
+    @property
+    def long_name(self) -> str:
+        """What it is called in files: its label in English."""
+        return variable_long_name(self.name)
 
     @property
     def dtype(self) -> np.dtype[Any]:
@@ -133,8 +142,14 @@ def outputs_of(names: Iterable[str]) -> tuple[Output, ...]:
     for name in names:
         if name not in known:
             near = nearest(name, known)
-            advice = f"did you mean {near}?" if near else "rolamento sweep --list outputs shows all"
-            raise UnknownKeyError(f"is not a known output; {advice}", field="outputs", value=name)
+            advice = (
+                said("did you mean {near}?", near=near)
+                if near
+                else said("rolamento sweep --list outputs lists them all")
+            )
+            raise UnknownKeyError(
+                said("is an unknown output; {advice}", advice=advice), field="outputs", value=name
+            )
         found.append(known[name])
     return tuple(found)
 
@@ -146,19 +161,19 @@ _MISSING: Final[Mapping[str, tuple[str, str]]] = {
         '[temperature] with lubricant = "70 degC" in the case',
     ),
     "surface": (
-        "the roughness of the surfaces",
+        marked("the roughness of the surfaces"),
         '[surface] with inner_roughness = "0.025 um" and the others in the case',
     ),
     "lubricant.friction_coefficient": (
-        "a coefficient of friction of at most 1",
+        marked("a coefficient of friction of at most 1"),
         "[lubricant] with friction_coefficient = 0.1 in the case",
     ),
     "friction control": (
-        "balls that friction controls",
+        marked("friction control of the balls"),
         'model.raceway_control = "friction" in the case',
     ),
     "life": (
-        "a designation or a [life] table",
+        marked("a designation or a [life] table"),
         '[life] with cleanliness = "-/17/14" and oil_supply = "circulating" in the case',
     ),
 }
@@ -181,7 +196,7 @@ def refuse_missing(outputs: Iterable[Output], case: Case, varied: Iterable[str])
                     _MISSING[need] if of_life is None else (of_life.what, of_life.example)
                 )
                 raise InputError(
-                    f"needs {what}, which the case does not have",
+                    said("needs {what}, which the case lacks", what=said(what)),
                     field="outputs",
                     value=output.name,
                     example=example,

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from rolamento.errors import InputError
 from rolamento.studies.fields import Field, read_field
+from rolamento.words import said
 
 __all__ = ["MOST_POINTS", "MOST_SINGLE", "Range", "read_range", "refuse_many_singles"]
 
@@ -51,18 +52,26 @@ def read_range(text: str, points: int = 40, *, log: bool = False) -> Range:
     match = _RANGE.fullmatch(text) if len(text) <= _LONGEST else None
     if match is None:
         raise InputError(
-            "must be FIELD=FIRST..LAST", field="--over", value=text[:_LONGEST], example=_EXAMPLE
+            said("must be FIELD=FIRST..LAST"),
+            field="--over",
+            value=text[:_LONGEST],
+            example=_EXAMPLE,
         )
     if not 2 <= points <= MOST_POINTS:
-        raise InputError(f"must be 2 to {MOST_POINTS}", field="--points", value=points)
+        raise InputError(
+            said("must be 2 to {most}", most=MOST_POINTS), field="--points", value=points
+        )
     name, first, last = (part.strip() for part in match.groups())
     field = read_field(name, at="--over")
     if not field.continuous:
-        raise InputError("takes no range", field="--over", value=name, example=_EXAMPLE)
+        raise InputError(said("takes no range"), field="--over", value=name, example=_EXAMPLE)
     begin, end = _value(field, _with_unit(first, last)), _value(field, last)
     if log and not begin * end > 0.0:
         raise InputError(
-            "must not reach zero with --log", field="--over", value=text, example=_EXAMPLE
+            said("must not be zero or change sign with --log"),
+            field="--over",
+            value=text,
+            example=_EXAMPLE,
         )
     space = np.geomspace if log else np.linspace
     return Range(field, space(begin, end, points).astype(np.float64))
@@ -78,7 +87,10 @@ def refuse_many_singles(points: int) -> None:
     """
     if points > MOST_SINGLE:
         raise InputError(
-            f"must be at most {MOST_SINGLE} for a field whose values need a case each",
+            said(
+                "must be at most {most} for a field of which each value needs a case of its own",
+                most=MOST_SINGLE,
+            ),
             field="--points",
             value=points,
         )
@@ -99,6 +111,6 @@ def _value(field: Field, text: str) -> float:
             given = float(text)
         except ValueError:
             raise InputError(
-                "must be a number", field=field.name, value=text, example=field.example
+                said("must be a number"), field=field.name, value=text, example=field.example
             ) from None
     return float(field.checked(given, in_file=True))

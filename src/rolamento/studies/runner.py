@@ -30,6 +30,7 @@ from rolamento.studies.outputs import Output
 from rolamento.studies.plan import Part, Plan
 from rolamento.studies.store import Store
 from rolamento.studies.study import Study
+from rolamento.words import said
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -101,7 +102,10 @@ def run(
     needed = _bytes_of(plan)
     if needed > _MOST_BYTES:
         raise InputError(
-            f"makes a result of {needed / 1e9:.1f} GB; run_to_file writes it to a file",
+            said(
+                "makes a result of {needed:.1f} GB; run_to_file writes it to a file",
+                needed=needed / 1e9,
+            ),
             field="outputs",
             example="fewer outputs",
         )
@@ -312,7 +316,9 @@ def _assembled(plan: Plan, store: Store, tally: _Tally, result: Path) -> tuple[O
         if error.source != str(store.result):
             raise
         store.result.unlink(missing_ok=True)  # room for whoever is asked to make some
-        kept = f"{error.rule}; what was solved is kept in {store.folder}"
+        kept = said(
+            "{rule}; what was solved is kept in {folder}", rule=error.rule, folder=str(store.folder)
+        )
         raise FileError(kept, source=str(result)) from None
     return spreads.ranges()
 
@@ -377,11 +383,11 @@ def _bytes_of(plan: Plan) -> int:
 def _check_place(result: Path) -> None:
     """Refuse a place that cannot take the result before anything is solved."""
     if result.is_dir():
-        raise FileError("is a directory; give a file", source=str(result))
+        raise FileError(said("is a directory; give a file"), source=str(result))
     if result.exists() and not stat.S_ISREG(result.stat().st_mode):
-        raise FileError("is not a regular file; give another name", source=str(result))
+        raise FileError(said("is not a regular file; give another name"), source=str(result))
     if not result.parent.is_dir():
-        raise FileError("cannot be written: there is no such directory", source=str(result))
+        raise FileError(said("cannot be written: there is no such directory"), source=str(result))
 
 
 def _move(unfinished: Path, result: Path) -> None:
@@ -501,7 +507,7 @@ class PartWriter(Protocol):
 def _check_ending(result: Path) -> None:
     if result.suffix.lower() not in _ENDINGS:
         raise FileError(
-            f"must end in {', '.join(_ENDINGS[:-1])} or {_ENDINGS[-1]}",
+            said("must end in {known}", known=", ".join(_ENDINGS)),
             source=str(result),
             example="result.nc",
         )
@@ -531,4 +537,4 @@ def open_result(
 
 def _unwritable(path: Path, error: OSError) -> FileError:
     reason = (error.strerror or str(error)).lower()
-    return FileError(f"cannot be written: {reason}", source=str(path))
+    return FileError(said("cannot be written: {reason}", reason=reason), source=str(path))

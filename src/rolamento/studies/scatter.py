@@ -30,6 +30,7 @@ from rolamento.errors import InputError
 from rolamento.studies import fields
 from rolamento.studies.axes import FieldName
 from rolamento.units import Dimension, from_si, to_si
+from rolamento.words import said
 
 Floats = NDArray[np.float64]
 
@@ -95,8 +96,11 @@ def factor_of(matrix: Floats) -> Floats:
         elif pivot < -_LEAST_PIVOT or np.abs(column).max() > _LEAST_REST:
             least = float(np.linalg.eigvalsh(matrix).min())
             raise InputError(
-                "contradict each other: no fields can have them all (the matrix is not positive "
-                f"semi-definite: its least eigenvalue is {least:.3g})",
+                said(
+                    "contradict each other: no fields can have them all (the matrix is not "
+                    "positive semi-definite: its least eigenvalue is {least:.3g})",
+                    least=least,
+                ),
                 field="correlations",
             )
         rest[j:, j:] -= np.outer(factor[j:, j], factor[j:, j])
@@ -188,11 +192,17 @@ class Distribution(Record):
         needed = ("mean", "standard_deviation") if normal else ("least", "greatest")
         for name in needed:
             if getattr(self, name) is None:
-                raise InputError(f"is missing for a {self.distribution} distribution", field=name)
+                raise InputError(
+                    said(
+                        "is missing for a {distribution} distribution",
+                        distribution=self.distribution,
+                    ),
+                    field=name,
+                )
         if not normal:
             for name in ("mean", "standard_deviation"):
                 if getattr(self, name) is not None:
-                    raise InputError("has no place in a uniform distribution", field=name)
+                    raise InputError(said("does not apply to a uniform distribution"), field=name)
         return self
 
     def law(self, field: fields.Field, *, in_file: bool) -> Law:
@@ -209,7 +219,7 @@ class Distribution(Record):
         )
         if not low < high:
             raise InputError(
-                "must be greater than least",
+                said("must be greater than least"),
                 field="greatest",
                 value=self.greatest,
             )
@@ -219,7 +229,11 @@ class Distribution(Record):
         spread = _spread(field, self.standard_deviation, in_file)
         if not (low - mean) / spread < FARTHEST or not (high - mean) / spread > -FARTHEST:
             raise InputError(
-                f"lies more than {FARTHEST:g} standard deviations from the mean: nothing is left",
+                said(
+                    "lies more than {most:.6g} standard deviations from the mean: nothing "
+                    "would be left",
+                    most=FARTHEST,
+                ),
                 field="least" if low > mean else "greatest",
                 value=self.least if low > mean else self.greatest,
             )
@@ -255,7 +269,10 @@ def _spread(field: fields.Field, value: object, in_file: bool) -> float:
     if field.dimension is not None and (in_file or isinstance(value, str)):
         if not isinstance(value, str):
             raise InputError(
-                "needs its unit", field="standard_deviation", value=value, example=field.example
+                said("needs a unit"),
+                field="standard_deviation",
+                value=value,
+                example=field.example,
             )
         try:
             spread = difference_in_si(value, field.dimension)
@@ -264,20 +281,20 @@ def _spread(field: fields.Field, value: object, in_file: bool) -> float:
     else:
         spread = _number(value)
     if not (spread > 0.0 and math.isfinite(spread)):
-        raise InputError("must be greater than zero", field="standard_deviation", value=value)
+        raise InputError(said("must be positive"), field="standard_deviation", value=value)
     return spread
 
 
 def difference_in_si(text: str, dimension: Dimension) -> float:
     """Read a difference of two quantities of a dimension."""
     if dimension == "temperature" and not text.rstrip().endswith("K"):
-        raise InputError("must be in K: it is a difference", value=text, example='"2 K"')
+        raise InputError(said("must be in K: it is a difference"), value=text, example='"2 K"')
     return to_si(text, dimension)
 
 
 def _number(value: object) -> float:
     if isinstance(value, bool) or not isinstance(value, int | float):
-        raise InputError("must be a number", field="standard_deviation", value=value)
+        raise InputError(said("must be a number"), field="standard_deviation", value=value)
     return float(value)
 
 
@@ -334,7 +351,7 @@ class Scatter(Record):
         for name, distribution in self.fields.items():
             field = fields.read_field(name, at="fields")
             if not field.continuous:
-                raise InputError("cannot be scattered; use an axis", field=f"fields.{name}")
+                raise InputError(said("cannot be scattered; use an axis"), field=f"fields.{name}")
             try:
                 distribution.law(field, in_file=in_file)
             except InputError as error:
@@ -358,11 +375,13 @@ class Scatter(Record):
             for name in correlation.fields:
                 if name not in order:
                     raise InputError(
-                        f"must be scattered fields: {', '.join(order)}", field=at, value=name
+                        said("must be scattered fields: {order}", order=", ".join(order)),
+                        field=at,
+                        value=name,
                     )
             i, j = (order[name] for name in correlation.fields)
             if i == j or matrix[i, j] != 0.0:
-                raise InputError("must be two fields, and each pair once", field=at)
+                raise InputError(said("must be two fields, each pair once"), field=at)
             matrix[i, j] = matrix[j, i] = correlation.coefficient
         return matrix
 

@@ -30,6 +30,7 @@ from rolamento.studies.tolerance import (
     samples_of,
     tolerance_bands,
 )
+from rolamento.words import said
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -134,10 +135,10 @@ def rank_correlation(dataset: Dataset, *, confidence: float = 0.95) -> RankCorre
     Samples without a result are left out; `tolerance_bands` counts them.
     """
     if not 0.0 < confidence < 1.0:
-        raise InputError("must be between 0 and 1", field="confidence", value=confidence)
+        raise InputError(said("must be between 0 and 1"), field="confidence", value=confidence)
     samples = samples_of(dataset)
     if not samples.inputs:
-        raise InputError("has no scattered input", field="scatter.fields")
+        raise InputError(said("has no scattered input"), field="scatter.fields")
     inputs = _InputRanks(np.stack([one.values for one in samples.inputs]))
     among = _correlation(inputs.among(np.ones(len(samples), dtype=bool)))
     limit = CORRELATED / math.sqrt(max(len(samples) - 1, 1))
@@ -373,21 +374,28 @@ def _check_study(study: Study) -> None:
     from rolamento.studies.outputs import outputs_of
 
     if study.scatter is None:
-        raise InputError("is missing: Sobol's indices are of scattered fields", field="scatter")
+        raise InputError(said("is missing: Sobol's indices need scattered fields"), field="scatter")
     if study.axes:
-        raise InputError("must be left out for Sobol's indices: one point at a time", field="axes")
+        raise InputError(
+            said("must be left out for Sobol's indices, which are of one point"), field="axes"
+        )
     correlated = next((one for one in study.scatter.correlations if one.coefficient != 0.0), None)
     if correlated is not None:
         raise InputError(
-            "are given, but Sobol's indices need independent inputs; use rank correlation, whose"
-            " partial form allows for it",
+            said(
+                "are given, but Sobol's indices need independent inputs; use rank "
+                "correlation, whose partial form allows for it"
+            ),
             field="scatter.correlations",
             value=" and ".join(correlated.fields),
         )
     for output in outputs_of(study.outputs):
         if output.per_ball:
             raise InputError(
-                "is one for each ball; Sobol's indices take outputs of the whole bearing",
+                said(
+                    "is one value for each ball; Sobol's indices are for outputs of the "
+                    "whole bearing"
+                ),
                 field="outputs",
                 value=output.name,
                 example=f"max_{output.name}",
@@ -470,19 +478,27 @@ def sobol_of_model(
 def _check_numbers(samples: int, inputs: int, confidence: float, resamples: int) -> None:
     if samples < 16 or samples & (samples - 1):
         raise InputError(
-            "must be a power of two, at least 16", field="samples", value=samples, example="1024"
+            said("must be a power of two, at least 16"),
+            field="samples",
+            value=samples,
+            example="1024",
         )
     if inputs < 1 or samples * (inputs + 2) > _MOST_RUNS:
         raise InputError(
-            f"make {samples * (inputs + 2)} runs with {inputs} inputs; 1 to {_MOST_RUNS} are run",
+            said(
+                "would need {samples} runs with {inputs} inputs; at most {most} are allowed",
+                samples=samples * (inputs + 2),
+                inputs=inputs,
+                most=_MOST_RUNS,
+            ),
             field="samples",
             value=samples,
             example="1024",
         )
     if not 0.0 < confidence < 1.0:
-        raise InputError("must be between 0 and 1", field="confidence", value=confidence)
+        raise InputError(said("must be between 0 and 1"), field="confidence", value=confidence)
     if not 10 <= resamples <= 10_000:
-        raise InputError("must be 10 to 10000", field="resamples", value=resamples)
+        raise InputError(said("must be from 10 to 10000"), field="resamples", value=resamples)
 
 
 def _design(dimensions: int, samples: int, seed: int) -> Floats:
@@ -514,8 +530,13 @@ def _run(model: Model, names: Sequence[str], draws: Floats) -> tuple[tuple[str, 
     failed = ~np.isfinite(values).all(axis=0)
     if failed.any():
         raise InputError(
-            f"{int(failed.sum())} of {len(failed)} draws have no result, and Sobol's indices need"
-            " all; narrow the distributions, or use rank correlation, which leaves them out",
+            said(
+                "{failed} of {count} draws have no result, and Sobol's indices need "
+                "them all; narrow the distributions, or use rank correlation, which "
+                "leaves them out",
+                failed=int(failed.sum()),
+                count=len(failed),
+            ),
             field="scatter.fields",
         )
     return outputs, values

@@ -17,6 +17,7 @@ import rolamento
 from rolamento._writing import UNFINISHED, write_bytes, written_whole
 from rolamento.errors import FileError, shown
 from rolamento.studies.plan import Part, Plan
+from rolamento.words import said
 
 try:
     import fcntl
@@ -70,8 +71,10 @@ class Store:
         """
         if self.folder.exists() and not self.folder.is_dir():
             raise FileError(
-                "is where parts of the result would be kept, and no folder; move it away, or give "
-                "another name to the result",
+                said(
+                    "is where parts of the result are kept, and is not a folder; move it "
+                    "away, or give the result another name"
+                ),
                 source=str(self.folder),
             )
         self._attempt(lambda: self.folder.mkdir(exist_ok=True))
@@ -82,7 +85,7 @@ class Store:
             try:
                 fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
             except OSError:
-                raise FileError("is in use by another run", source=str(self.folder)) from None
+                raise FileError(said("is in use by another run"), source=str(self.folder)) from None
             yield
 
     def open(self, *, restart: bool = False) -> dict[int, Part]:
@@ -102,8 +105,10 @@ class Store:
             return {}
         if self._found_manifest() != self._manifest():
             raise FileError(
-                "holds parts of another study, or of another version of Rolamento;"
-                " --restart throws them away",
+                said(
+                    "contains parts of another study, or of another version of Rolamento; "
+                    "--restart discards them"
+                ),
                 source=str(self.folder),
             )
         return self._kept()
@@ -189,8 +194,11 @@ class Store:
         foreign = [p.name for p in self._contents() if p.name != _LOCK and not _is_ours(p)]
         if foreign:
             raise FileError(
-                f"holds {shown(foreign[0])}, which Rolamento did not write and does not remove; "
-                "move it away, or give another name to the result",
+                said(
+                    "contains {foreign}, which Rolamento did not write and does not "
+                    "remove; move it away, or give the result another name",
+                    foreign=shown(foreign[0]),
+                ),
                 source=str(self.folder),
             )
 
@@ -238,10 +246,12 @@ class Store:
             return action(*arguments, **options)
         except OSError as error:
             reason = (error.strerror or str(error)).lower()
-            raise FileError(f"cannot be used: {reason}", source=str(self.folder)) from None
+            raise FileError(
+                said("cannot be used: {reason}", reason=reason), source=str(self.folder)
+            ) from None
 
     def _damaged(self, path: Path) -> FileError:
-        return FileError("is damaged; remove it and run the study again", source=str(path))
+        return FileError(said("is damaged; remove it and run the study again"), source=str(path))
 
 
 def _is_ours(path: Path) -> bool:

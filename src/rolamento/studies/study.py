@@ -40,6 +40,7 @@ from rolamento.studies.axes import Axis
 from rolamento.studies.outputs import DEFAULT_OUTPUTS, outputs_of, refuse_missing
 from rolamento.studies.scatter import MOST_CASES, Scatter
 from rolamento.studies.solving import array_fields
+from rolamento.words import said
 
 SAMPLE: Final = "sample"
 """The dimension of scatter."""
@@ -120,10 +121,10 @@ class Study(Record):
         refuse_missing(outputs_of(self.outputs), self.case, self.varied)
         for name in self.outputs:
             if self.outputs.count(name) > 1:
-                raise InputError("stands there twice", field="outputs", value=name)
+                raise InputError(said("occurs twice"), field="outputs", value=name)
         if not self.axes and self.scatter is None:
             raise InputError(
-                "is missing: give axes, a scatter, or both",
+                said("is missing: give axes, a scatter, or both"),
                 field="axes",
                 example='[[axes]] with field = "duty.inner_speed", values = ["0 rpm", "9000 rpm"]',
             )
@@ -136,18 +137,20 @@ class Study(Record):
         varied = self.varied
         for name in varied:
             if varied.count(name) > 1:
-                raise InputError("is varied twice", field=self._place(name), value=name)
+                raise InputError(said("is varied twice"), field=self._place(name), value=name)
         fields.refuse_rivals(varied, at=self._place(varied[-1]))
         for name in self.scatter.fields if self.scatter is not None else ():
             if name not in array_fields():
-                raise InputError("cannot be scattered; use an axis", field=f"scatter.fields.{name}")
+                raise InputError(
+                    said("cannot be scattered; use an axis"), field=f"scatter.fields.{name}"
+                )
 
     def _check_names(self) -> None:
         names = _dimension_names(self)
         for number, name in enumerate(names):
             if name in _RESERVED or name in self.outputs or names.count(name) > 1:
                 raise InputError(
-                    "is the name of something else in the result",
+                    said("is already a name in the result"),
                     field=f"axes.{number}.name",
                     value=name,
                     example='name = "load case"',
@@ -156,14 +159,22 @@ class Study(Record):
     def _check_numbers(self) -> None:
         if self.cases > MOST_CASES:
             raise InputError(
-                f"make {self.cases:.3g} cases; a study has at most {MOST_CASES:.0e}",
+                said(
+                    "give {cases:.3g} cases; a study has at most {most:.0e}",
+                    cases=self.cases,
+                    most=MOST_CASES,
+                ),
                 field="axes" if self.axes else "scatter.count",
             )
         groups = math.prod(axis.size for axis in self.axes if self.is_grouped(axis))
         if groups > MOST_GROUPS:
             raise InputError(
-                f"make {groups} combinations of values that each need a case of their own;"
-                f" at most {MOST_GROUPS}",
+                said(
+                    "give {groups} combinations of values that each need a case of their "
+                    "own; at most {most} are allowed",
+                    groups=groups,
+                    most=MOST_GROUPS,
+                ),
                 field="axes",
             )
 
@@ -322,7 +333,7 @@ def _case_of(mapping: Mapping[str, Any], folder: Path, settings: tuple[str, ...]
             raise error.with_details(source=error.source or given) from None
     if not isinstance(given, dict):
         raise InputError(
-            "must be the name of a case file, or a table",
+            said("must be the name of a case file or a table"),
             field="case",
             value=given,
             example='case = "case.toml"',

@@ -19,6 +19,7 @@ from rolamento.case.bearing import Bearing
 from rolamento.clearance.effects import EXPANSION_100CR6, clearance_change_of_rings
 from rolamento.errors import InputError
 from rolamento.studies.study import SAMPLE
+from rolamento.words import said
 
 if TYPE_CHECKING:
     from xarray import DataArray, Dataset
@@ -103,7 +104,7 @@ def samples_of(dataset: Dataset) -> Samples:
     """
     if SAMPLE not in dataset.sizes or "status" not in dataset:
         raise InputError(
-            "has no scatter: its result has no samples",
+            said("has no scatter: its result has no samples"),
             field="scatter",
             example='[scatter] with count = 1000 and [scatter.fields."duty.load.fx"]',
         )
@@ -114,7 +115,7 @@ def samples_of(dataset: Dataset) -> Samples:
         if name != "status" and SAMPLE in array.dims and array.dtype.kind in "fiu"
     }
     if not outputs:
-        raise InputError("has no output over the samples", field="outputs")
+        raise InputError(said("has no output over the samples"), field="outputs")
     status = status.transpose(..., SAMPLE)
     axes = tuple(str(name) for name in status.dims if name != SAMPLE)
     return Samples(
@@ -256,7 +257,7 @@ def tolerance_bands(
     """
     wanted = checked_percentiles(percentiles)
     if not 0.0 < confidence < 1.0:
-        raise InputError("must be between 0 and 1", field="confidence", value=confidence)
+        raise InputError(said("must be between 0 and 1"), field="confidence", value=confidence)
     samples = samples_of(dataset)
     return ToleranceBands(
         percentiles=wanted,
@@ -279,12 +280,17 @@ def checked_percentiles(percentiles: Sequence[float]) -> tuple[float, ...]:
     wanted = tuple(sorted({float(value) for value in percentiles}))
     if not 1 <= len(wanted) <= _MOST_PERCENTILES:
         raise InputError(
-            f"must be 1 to {_MOST_PERCENTILES} numbers", field="percentiles", value=len(wanted)
+            said("must be 1 to {most} numbers", most=_MOST_PERCENTILES),
+            field="percentiles",
+            value=len(wanted),
         )
     for value in wanted:
         if not 0.0 < value < 100.0:
             raise InputError(
-                "must be between 0 and 100", field="percentiles", value=value, example="5, 50, 95"
+                said("must be between 0 and 100"),
+                field="percentiles",
+                value=value,
+                example="5, 50, 95",
             )
     return wanted
 
@@ -400,14 +406,17 @@ def clearance_from_temperature(
     """
     if bearing.diametral_clearance is None:
         raise InputError(
-            "is needed: a bearing given by its contact angle has no clearance to change",
+            said("is needed: a bearing given by its contact angle has no clearance to change"),
             field="bearing.diametral_clearance",
             example='diametral_clearance = "0.015 mm" instead of contact_angle',
         )
     difference = np.asarray(temperature_difference, dtype=np.float64)
     if not np.all(np.abs(difference) <= _LARGEST_DIFFERENCE):
         raise InputError(
-            f"must be a number of at most {_LARGEST_DIFFERENCE:g} K either way",
+            said(
+                "must be between −{most:.6g} K and {most:.6g} K",
+                most=_LARGEST_DIFFERENCE,
+            ),
             field="temperature_difference",
             value=_worst(difference),
             example="10.0",

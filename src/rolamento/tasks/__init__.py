@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from rolamento.tasks.life_over import LifeCurve, life_curve
     from rolamento.tasks.life_spectrum import DutyLife, SpectrumLife, life_under, read_spectrum
     from rolamento.tasks.noise import FullScale, NoiseResult, anderons
+    from rolamento.tasks.report import CaseReport, Report, report_on
     from rolamento.tasks.studies import Sweep, sweep, tolerance
     from rolamento.tasks.synthesis import SynthesisResult, Unsolved, synthesise
     from rolamento.tasks.weibull import (
@@ -39,6 +40,7 @@ _NAMES_OF_MODULES: Final = {
     "life_over": ("LifeCurve", "life_curve"),
     "life_spectrum": ("DutyLife", "SpectrumLife", "life_under", "read_spectrum"),
     "noise": ("FullScale", "NoiseResult", "anderons"),
+    "report": ("CaseReport", "Report", "report_on"),
     "studies": ("Sweep", "sweep", "tolerance"),
     "synthesis": ("SynthesisResult", "Unsolved", "synthesise"),
     "weibull": (
@@ -57,6 +59,7 @@ _MODULE_OF_NAME: Final = {
 
 __all__ = [
     "CaseLife",
+    "CaseReport",
     "DemonstrationStudy",
     "DiagnosisResult",
     "Drawing",
@@ -67,6 +70,7 @@ __all__ = [
     "LifeCurve",
     "NoiseResult",
     "PrecisionStudy",
+    "Report",
     "ShaftLife",
     "SpectrumLife",
     "Sweep",
@@ -87,6 +91,7 @@ __all__ = [
     "life_under",
     "precision_study",
     "read_spectrum",
+    "report_on",
     "sweep",
     "synthesise",
     "tolerance",

@@ -12,6 +12,7 @@ from rolamento.case.bearing import Bearing
 from rolamento.case.duty import AXES, LOADS, Duty
 from rolamento.errors import InputError
 from rolamento.units import from_si, to_si
+from rolamento.words import said
 
 if TYPE_CHECKING:
     from rolamento.vibration.frequencies import AngleChoice
@@ -136,6 +137,6 @@ def angle_of(given: str | float) -> float | AngleChoice:
     except InputError as error:
         raise error.with_details(field="angle", example=_ANGLE_EXAMPLE) from None
     if not 0.0 <= angle < 0.5 * pi:
-        rule = "must be at least 0 deg and less than 90 deg"
+        rule = said("must be at least 0 deg and less than 90 deg")
         raise InputError(rule, field="angle", value=given, example=_ANGLE_EXAMPLE)
     return angle

@@ -1,17 +1,22 @@
-"""What a file of vibration says of a bearing: at which speed, by which lines, how sure."""
+"""What a vibration record says of a bearing: at which speed, by which peaks, how surely."""
 
 from __future__ import annotations
 
+import csv
 import os
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import asdict, dataclass, replace
 from functools import cached_property
-from math import ceil, inf, isfinite, pi
-from typing import Final, Literal, Unpack
+from io import StringIO
+from math import ceil, inf, isfinite, nan, pi
+from typing import Any, Final, Literal, Unpack
+
+import numpy as np
 
 from rolamento.case import Case
 from rolamento.case.bearing import Bearing
 from rolamento.errors import InputError
+from rolamento.report.plain_data import csv_number
 from rolamento.solution import solve
 from rolamento.solved import Solved
 from rolamento.tasks.bearing import BearingLike, angle_of, at_speeds, case_of, has_load, name_of
@@ -30,9 +35,14 @@ from rolamento.vibration.diagnosis import (
 from rolamento.vibration.diagnosis.blocks import MOST_SAMPLES
 from rolamento.vibration.frequencies import FaultFrequencies, frequencies_of, nominal_frequencies
 from rolamento.vibration.noise_floor import LOWEST_LINE
-from rolamento.vibration.reading import ReadingNote, open_signal
+from rolamento.vibration.reading import open_signal
 from rolamento.vibration.signal import Signal
 from rolamento.vibration.spectrum import Indicators, indicators
+from rolamento.words import Note, said
+
+SCHEMA: Final = 2
+CSV_COLUMNS: Final = ("band_low_Hz", "band_high_Hz", "order", "frequency_Hz", "over_noise_dB")
+"""Of the envelope's spectrum: one line of it in a row."""
 
 Conclusion = Literal["fault", "undecided", "watch", "nothing_found", "no_verdict"]
 
@@ -65,7 +75,7 @@ class DiagnosisResult:
     reading_notes
         how the samples were taken from their file
     choices
-        those of them that tell what was taken for the rate or the speed where it is told twice
+        those of them that say which rate or speed was taken where it is given twice
     speed
         of the shaft; None if all that is known are the frequencies
     solved
@@ -87,8 +97,8 @@ class DiagnosisResult:
     settings: DiagnosisSettings
     signal: Signal
     duration: float
-    reading_notes: tuple[str, ...] = ()
-    choices: tuple[ReadingNote, ...] = ()
+    reading_notes: tuple[Note, ...] = ()
+    choices: tuple[Note, ...] = ()
     speed: ShaftSpeed | None = None
     solved: Solved | None = None
     slip: float | None = None
@@ -137,20 +147,129 @@ class DiagnosisResult:
         return bool(parts) and all(part.verdict != "not_tested" for part in parts)
 
     @property
-    def own_notes(self) -> tuple[str, ...]:
-        """Names of what is to be known beside the engine's notes."""
+    def statement(self) -> tuple[Note, ...]:
+        """What it comes to, sentence by sentence."""
+        if self.speed_lost and not self.still and not self.diagnosis.stated:
+            return (Note("no_speed_no_verdict"),)
+        if self.verdict == "no_verdict" and not self.still:
+            return self._untested()
+        return self.diagnosis.statement(still=self.still)
+
+    def _untested(self) -> tuple[Note, ...]:
+        """Return what could not be tested, why, and that nothing stands out of the rest."""
+        parts = self.diagnosis.components
+        tested = [part.component for part in parts if part.verdict != "not_tested"]
+        untested = [part for part in parts if part.verdict == "not_tested"]
+        reasons = dict.fromkeys(reason for part in untested for reason in part.reasons)
+        if not tested:
+            return (Note("no_part_tested"), *reasons)
+        without = {"parts": [part.component for part in untested]}
+        rest = Note("nothing_in_the_rest", {"parts": tested})
+        return (Note("no_verdict_without", without), *reasons, rest)
+
+    @property
+    def advice(self) -> tuple[Note, ...]:
+        """What to do, and the evidence against the verdict; empty where there is none."""
+        return () if self.verdict == "no_verdict" else self.diagnosis.advice
+
+    @property
+    def notes(self) -> tuple[Note, ...]:
+        """What is to be known: of the diagnosis, and of how it was made."""
+        return (*self.diagnosis.notes, *self._own_notes())
+
+    def _own_notes(self) -> Iterator[Note]:
         faults = [part for part in self.diagnosis.components if part.verdict == "fault"]
-        holds = {
-            "not_a_certificate": self.verdict in ("nothing_found", "watch"),
-            "weak_lines": any(_highest_line(part) < _CLEAR for part in faults),
-            "speed_not_found": self.speed_lost,
-            "no_loaded_frequencies": self.solved is not None
-            and self.frequencies.source != "loaded",
-            "range_not_covered": not self.covers_balls,
-            "other_rows": bool(self.other_rows),
-            "inferred_inside": "inferred" in self.bearing.origins.values(),
+        if self.verdict in ("nothing_found", "watch"):
+            yield Note("not_a_certificate")
+        if any(_highest_line(part) < _CLEAR for part in faults):
+            yield Note("weak_peaks")
+        if self.speed is not None and self.speed.lost:
+            yield self.speed.lost_note
+        if self.solved is not None and self.frequencies.source != "loaded":
+            yield Note("no_loaded_frequencies", {"reason": _why_not_loaded(self.solved)})
+        if not self.covers_balls:
+            yield Note("range_not_covered", {"tolerance": self.settings.tolerance})
+        if self.other_rows:
+            yield Note("other_rows", {"rows": list(self.other_rows)})
+        if "inferred" in self.bearing.origins.values():
+            yield Note("frequencies_of_estimated_geometry")
+
+    def to_mapping(self) -> dict[str, Any]:
+        """Return everything but the spectra as plain data, in SI units and Hz."""
+        diagnosis, signal = self.diagnosis, self.signal
+        return {
+            "schema": SCHEMA,
+            "kind": "diagnosis",
+            "title": self.title,
+            "verdict": self.verdict,
+            "grade": diagnosis.grade,
+            "faults": list(diagnosis.causes),
+            "watched": list(diagnosis.watched),
+            "undecided": [
+                {"component": part, "shaft_frequency": frequency}
+                for part, frequency in diagnosis.undecided
+            ],
+            "statement": _mappings(self.statement),
+            "advice": _mappings(diagnosis.advice),
+            "components": [part.to_mapping() for part in diagnosis.components],
+            "unexplained": [asdict(line) for line in diagnosis.unexplained],
+            "false_alarm": diagnosis.false_alarm,
+            "tolerance": diagnosis.tolerance,
+            "slip": diagnosis.tolerance if self.slip is None else self.slip,
+            "trials": diagnosis.trials,
+            "shaft_frequency": diagnosis.shaft_frequency,
+            "speed_tolerance": self.settings.speed_tolerance,
+            "speed_factor": diagnosis.speed_factor,
+            "speed_source": diagnosis.speed_source,
+            "speed_confirmed": diagnosis.speed_confirmed,
+            "speed": None if self.speed is None else self.speed.to_mapping(),
+            "revolutions": diagnosis.revolutions,
+            "blocks": diagnosis.blocks,
+            "order_resolution": diagnosis.resolution,
+            "bearing": self.bearing_name,
+            "frequencies": self.frequencies.to_mapping(),
+            "state": None if self.solved is None else self.solved.to_mapping()["status"],
+            "signal": {
+                "rate": signal.rate,
+                "duration": self.duration,
+                "quantity": signal.quantity,
+                "unit": signal.unit,
+                "indicators_of_first": signal.duration,
+                "indicators": asdict(self.indicators),
+                "reading_notes": _mappings(self.reading_notes),
+            },
+            "notes": _mappings(self.notes),
         }
-        return tuple(name for name, is_so in holds.items() if is_so)
+
+    def spectrum_csv(self) -> str:
+        """Return the spectrum of the squared envelope in every fault's band, or the best match's.
+
+        One line of the spectrum in a row below a header, lines ending in CR LF.
+        """
+        spectra, diagnosis = self.diagnosis.spectra, self.diagnosis
+        bands = [part.band for part in diagnosis.components if part.band is not None]
+        places = sorted({spectra.bands.index(band) for band in bands if band in spectra.bands})
+        text = StringIO(newline="")
+        writer = csv.writer(text)
+        writer.writerow(CSV_COLUMNS)
+        for place in places or [diagnosis.clearest_band]:
+            low, high = spectra.bands[place]
+            for order, above in zip(spectra.order, spectra.above_noise[place], strict=True):
+                level = 10.0 * float(np.log10(above)) if above > 0.0 else nan
+                numbers = (low, high, order, order * diagnosis.shaft_frequency, level)
+                writer.writerow([csv_number(float(number)) for number in numbers])
+        return text.getvalue()
+
+
+def _mappings(notes: Iterable[Note]) -> list[dict[str, Any]]:
+    return [note.to_mapping() for note in notes]
+
+
+def _why_not_loaded(solved: Solved) -> dict[str, Any]:
+    """Return the note of why a load gives no frequencies."""
+    converged = bool(solved.converged[0])
+    why = Note("no_ball_drives_cage") if converged else Note("no_solution_no_frequencies")
+    return why.to_mapping()
 
 
 _RACES: Final = ("outer_race", "inner_race")
@@ -162,7 +281,7 @@ def _is_still(part: ComponentVerdict) -> bool:
 
 
 def _has(part: ComponentVerdict, reason: str) -> bool:
-    return any(one.name == reason for one in part.reasons)
+    return any(one.key == reason for one in part.reasons)
 
 
 def _highest_line(part: ComponentVerdict) -> float:
@@ -200,6 +319,31 @@ class TooShort:
     def reason(self) -> Literal["shaft_too_slow", "record_too_short"]:
         """Name of what is in the way."""
         return "shaft_too_slow" if self.is_stretch else "record_too_short"
+
+    @property
+    def statement(self) -> tuple[Note, ...]:
+        """What it comes to: that the record is too short, or the shaft too slow for its rate."""
+        times = self.least_revolutions / self.revolutions
+        values = {
+            "revolutions": self.revolutions,
+            "duration": self.duration,
+            "least": self.least_revolutions,
+            "seconds": self.duration * times,
+            "times": times,
+        }
+        return (Note("shaft_too_slow" if self.is_stretch else "record_short", values),)
+
+    def to_mapping(self) -> dict[str, Any]:
+        """Return all of it as plain data."""
+        return {
+            "schema": SCHEMA,
+            "verdict": self.verdict,
+            "statement": _mappings(self.statement),
+            "reason": self.reason,
+            "revolutions": self.revolutions,
+            "least_revolutions": self.least_revolutions,
+            "duration": self.duration,
+        }
 
 
 def diagnose(
@@ -300,7 +444,7 @@ def diagnose(
             settings=wide.settings,
             signal=held.first,
             duration=held.duration,
-            reading_notes=(*source.notes, *(note.text for note in known.choices)),
+            reading_notes=(*source.notes, *known.choices),
             choices=(*source.choices, *known.choices),
             speed=known.shaft,
             solved=solved,
@@ -333,7 +477,7 @@ def _frequencies_sought(
     loaded = has_load(case) and not nominal
     if loaded and angle is not None:
         raise InputError(
-            "goes with the geometry's frequencies; here a load makes the angle",
+            said("goes with the frequencies of the geometry; here the load determines the angle"),
             field="angle",
             value=angle,
             example='nominal=True, angle="free"',
@@ -341,7 +485,7 @@ def _frequencies_sought(
     inner, outer = case.duty.inner_speed, case.duty.outer_speed
     if inner == outer:
         raise InputError(
-            "is that of the inner ring as well: no ball rolls",
+            said("equals that of the inner ring: no ball rolls"),
             field="outer_speed",
             value=f"{rpm_of(outer):.6g} rpm",
             example='outer_speed="0 rpm"',

@@ -8,12 +8,12 @@ from enum import StrEnum
 from typing import TYPE_CHECKING, Final
 
 from rolamento.errors import InputError
+from rolamento.words import said
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from rolamento.plots.words import PlotWords
     from rolamento.solved import Solved
 
 __all__ = ["Drawing", "Kind", "draw"]
@@ -68,7 +68,6 @@ def draw(
     *,
     variable: str | None = None,
     over: str | None = None,
-    language: str = "en",
 ) -> Drawing:
     """Draw a result.
 
@@ -85,8 +84,6 @@ def draw(
         The output of a study to draw.
     over
         The input of a study that runs across the figure.
-    language
-        ``"en"`` or ``"pt"``.
 
     Raises
     ------
@@ -94,18 +91,19 @@ def draw(
         If the file cannot be read, or does not hold what is to be drawn.
     """
     from rolamento.plots.frame import add_title, figure_of
-    from rolamento.plots.words import plot_words
 
     if kind is not None and kind not in list(Kind):
-        raise InputError(f"must be one of {', '.join(Kind)}", field="--kind", value=kind)
-    wanted, words, path = None if kind is None else Kind(kind), plot_words(language), str(result)
+        raise InputError(
+            said("must be one of {known}", known=", ".join(Kind)), field="--kind", value=kind
+        )
+    wanted, path = None if kind is None else Kind(kind), str(result)
     if _is_study(path):
-        axes, title, failure = _of_study(path, wanted, variable or "", over or "", words)
+        axes, title, failure = _of_study(path, wanted, variable or "", over or "")
     else:
         for name, given in (("--variable", variable), ("--over", over)):
             if given is not None:
-                raise InputError("is for studies; this is a state", field=name, value=given)
-        axes, title, failure = _of_state(path, wanted or Kind.rosette, words)
+                raise InputError(said("is for studies; this is a state"), field=name, value=given)
+        axes, title, failure = _of_state(path, wanted or Kind.rosette)
     if title.strip():
         add_title(figure_of(axes), title)
     return Drawing(figure_of(axes), failure)
@@ -123,10 +121,10 @@ def _is_study(path: str) -> bool:
         return named  # whoever reads the whole file tells what is wrong
 
 
-def _of_state(path: str, kind: Kind, words: PlotWords) -> tuple[Axes, str, str | None]:
+def _of_state(path: str, kind: Kind) -> tuple[Axes, str, str | None]:
     """Draw a state; return title and failure too."""
     from rolamento.plots import balls, ellipses
-    from rolamento.plots.frame import empty_frame
+    from rolamento.plots.frame import empty_frame, no_result
     from rolamento.plots.style import new_figure
     from rolamento.solved import Solved
 
@@ -134,11 +132,11 @@ def _of_state(path: str, kind: Kind, words: PlotWords) -> tuple[Axes, str, str |
     failure = None if solved.converged[0] else str(solved.status.code[0])
     _check(kind, _OF_STATES, "the JSON of a state")
     if kind is Kind.ellipses:
-        axes: Axes = ellipses.ellipses_of_both_races(solved, words=words)[0]
+        axes: Axes = ellipses.ellipses_of_both_races(solved)[0]
     elif kind in _OF_LIFE and failure is not None:
-        axes = empty_frame(new_figure()[1], words.reason(failure))
+        axes = empty_frame(new_figure()[1], no_result(failure))
     elif kind in _OF_LIFE:
-        axes = _of_life(kind, solved, words.code)
+        axes = _of_life(kind, solved)
     else:
         drawers = {
             Kind.rosette: balls.load_rosette,
@@ -146,11 +144,11 @@ def _of_state(path: str, kind: Kind, words: PlotWords) -> tuple[Axes, str, str |
             Kind.angles: balls.contact_angles,
             Kind.pressures: balls.pressures,
         }
-        axes = drawers[kind](solved, words=words)
+        axes = drawers[kind](solved)
     return axes, solved.title, failure
 
 
-def _of_life(kind: Kind, solved: Solved, language: str) -> Axes:
+def _of_life(kind: Kind, solved: Solved) -> Axes:
     """Draw the life of a state."""
     from rolamento.analysis.needs import has_life
     from rolamento.life import life, sensitivity
@@ -159,30 +157,32 @@ def _of_life(kind: Kind, solved: Solved, language: str) -> Axes:
 
     if not has_life(solved.case):
         raise InputError(
-            "is missing: figures of life need it, or a bearing with a designation",
+            said("is missing: figures of life need it, or a bearing with a designation"),
             field="case.life",
             example='[life] with cleanliness = "-/17/14" and oil_supply = "circulating"',
         )
     if kind is Kind.sn:
-        return figures.load_over_life(lives_over_load(solved), language=language)
+        return figures.load_over_life(lives_over_load(solved))
     if kind is Kind.zone:
-        return figures.life_over_zone(lives_over_zone(solved), language=language)
+        return figures.life_over_zone(lives_over_zone(solved))
     if kind is Kind.helps:
-        return figures.what_helps(sensitivity(solved), language=language)
+        return figures.what_helps(sensitivity(solved))
     summary = life(solved, stress_volume=False)
     if summary.contamination_factor is None:
         raise InputError(
-            "needs a viscosity ratio, or a lubricant and its temperature, and the cleanliness of "
-            "the oil",
+            said(
+                "needs a viscosity ratio, or a lubricant and its temperature, and the "
+                "oil cleanliness"
+            ),
             field="--kind",
             value=kind.value,
             example="[life] with viscosity_ratio = 1.5 and contamination = 0.5",
         )
-    return figures.aiso_chart(summary, language=language)
+    return figures.aiso_chart(summary)
 
 
 def _of_study(
-    path: str, kind: Kind | None, variable: str, over: str, words: PlotWords
+    path: str, kind: Kind | None, variable: str, over: str
 ) -> tuple[Axes, str, str | None]:
     """Draw a study; return title and failure too."""
     from rolamento.plots import study, sweep
@@ -195,15 +195,17 @@ def _of_study(
         chosen = Kind.scatter
     if chosen is Kind.histogram:
         if over:
-            raise InputError("does not go with a histogram", field="--over", value=over)
-        axes = sweep.study_histogram(data, variable, words=words)
+            raise InputError(
+                said("cannot be combined with a histogram"), field="--over", value=over
+            )
+        axes = sweep.study_histogram(data, variable)
     else:
         drawers = {
             Kind.lines: sweep.study_lines,
             Kind.map: sweep.study_map,
             Kind.scatter: sweep.study_scatter,
         }
-        axes = drawers[chosen](data, variable, over=over, words=words)
+        axes = drawers[chosen](data, variable, over=over)
     has_result = study.has_result(data, variable or study.most_telling(data))
     return (
         axes,
@@ -215,7 +217,11 @@ def _of_study(
 def _check(kind: Kind, possible: tuple[Kind, ...], what: str) -> None:
     if kind not in possible:
         raise InputError(
-            f"does not go with {what}; possible are {', '.join(possible)}",
+            said(
+                "does not suit {what}; possible: {possible}",
+                what=what,
+                possible=", ".join(possible),
+            ),
             field="--kind",
             value=kind.value,
         )

@@ -1,11 +1,13 @@
-"""At which frequencies a bearing tells of damage: by its geometry, and under its load."""
+"""Fault frequencies of a bearing: by its geometry, and under its load."""
 
 from __future__ import annotations
 
+import csv
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
+from io import StringIO
 from math import isfinite
-from typing import Final
+from typing import Any, Final
 
 from rolamento.case.bearing import Bearing
 from rolamento.errors import InputError
@@ -20,14 +22,21 @@ from rolamento.tasks.bearing import (
     name_of,
 )
 from rolamento.tasks.parameters import speed_of
-from rolamento.vibration.frequencies import FaultFrequencies, frequencies_of
+from rolamento.vibration.frequencies import FAULTS, FaultFrequencies, frequencies_of
 from rolamento.vibration.frequency_band import (
     Alternative,
     Tolerances,
     alternatives_of,
     banded_frequencies,
 )
+from rolamento.words import Note, said
 
+SCHEMA: Final = 2
+CSV_COLUMNS: Final = (
+    "source", "row", "line", "harmonic", "sideband", "order", "frequency_Hz", "order_low",
+    "order_high", "frequency_low_Hz", "frequency_high_Hz",
+)  # fmt: skip
+"""The header: low and high are a nominal line's band, or a loaded line's range over the balls."""
 _MOST_HARMONICS: Final = 100
 _MOST_SIDEBANDS: Final = 10
 
@@ -47,7 +56,7 @@ class FrequencyResult:
     loaded, solved
         of the case's load; None without one
     alternatives
-        of an inferred inside
+        of an estimated internal geometry
     harmonics, sidebands
         how many the tables show
     """
@@ -72,6 +81,58 @@ class FrequencyResult:
         """The frequencies to look for: the loaded ones where there are any."""
         loaded = self.loaded
         return self.nominal if loaded is None or not isfinite(loaded.cage.order) else loaded
+
+    @property
+    def notes(self) -> tuple[Note, ...]:
+        """What is to be known of the frequencies, each once."""
+        return tuple(dict.fromkeys(note for one in self.by_source for note in one.notes))
+
+    def to_mapping(self) -> dict[str, Any]:
+        """Return everything as plain data, in SI units and Hz."""
+        tables = {
+            kind: [
+                {key: value for key, value in asdict(line).items() if key != "fault"}
+                for line in self.best.harmonics(kind, self.harmonics, self.sidebands)
+            ]
+            for kind in FAULTS
+        }
+        return {
+            "schema": SCHEMA,
+            "kind": "frequencies",
+            "title": self.title,
+            "nominal": self.nominal.to_mapping(),
+            "loaded": None if self.loaded is None else self.loaded.to_mapping(),
+            "harmonics": tables,
+            "alternatives": [asdict(one) for one in self.alternatives],
+        }
+
+    def lines_csv(self) -> str:
+        """Return lines, harmonics and sidebands, one a row below a header, ending in CR LF."""
+        text = StringIO(newline="")
+        writer = csv.writer(text)
+        writer.writerow(CSV_COLUMNS)
+        for one in self.by_source:
+            shaft = one.shaft_frequency
+            for name, line in one.lines.items():
+                band = line.band
+                ends = (
+                    (line.minimum, line.maximum, shaft * line.minimum, shaft * line.maximum)
+                    if band is None
+                    else (band.order_low, band.order_high, band.frequency_low, band.frequency_high)
+                )
+                numbers = (line.order, line.frequency, *ends)
+                writer.writerow((one.source, one.row, name, 1, 0, *map(_nine_digits, numbers)))
+            for kind, name in FAULTS.items():
+                for extra in one.harmonics(kind, self.harmonics, self.sidebands):
+                    if (extra.harmonic, extra.sideband) != (1, 0):
+                        place = (name, extra.harmonic, extra.sideband)
+                        own = (_nine_digits(extra.order), _nine_digits(extra.frequency))
+                        writer.writerow((one.source, one.row, *place, *own, *[""] * 4))
+        return text.getvalue()
+
+
+def _nine_digits(value: float) -> str:
+    return f"{value:.9g}" if isfinite(value) else ""
 
 
 def fault_frequencies(
@@ -116,7 +177,11 @@ def fault_frequencies(
         ("sidebands", 0, _MOST_SIDEBANDS, sidebands),
     ):
         if not lowest <= value <= highest:
-            raise InputError(f"must be from {lowest} to {highest}", field=name, value=value)
+            raise InputError(
+                said("must be from {least} to {most}", least=lowest, most=highest),
+                field=name,
+                value=value,
+            )
     inner, outer = speed_of(speed, "speed"), speed_of(outer_speed, "outer_speed")
     case = case_of(bearing, settings, inner, outer)
     duty = case.duty

@@ -5,10 +5,11 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
 
+from rolamento._json import dumps
 from rolamento.case import Case, load_case
 from rolamento.errors import InputError
 from rolamento.life import (
@@ -27,10 +28,12 @@ from rolamento.life.spectrum import shaft_life
 from rolamento.numerics import FloatArray
 from rolamento.solution import solve
 from rolamento.solved import Solved
+from rolamento.words import said
 
 __all__ = ["MOST_BEARINGS", "CaseLife", "ShaftLife", "SystemLife", "life_of_case", "life_of_shaft"]
 
 MOST_BEARINGS: Final = 50
+SCHEMA: Final = 2
 _OF_LIFE: Final = ("dynamic_rating", "viscosity_ratio")
 """Fields of the [life] table that the engine names by their last part."""
 
@@ -52,6 +55,27 @@ class CaseLife:
     def converged(self) -> bool:
         """Whether there is a result."""
         return self.life is not None
+
+    def to_json(self) -> str:
+        """Return all of it as one JSON object: SI units, hours, millions of revolutions."""
+        of_case = self.solved.to_mapping()
+        return dumps(
+            {
+                "schema": SCHEMA,
+                "kind": "life",
+                **{name: of_case[name] for name in ("title", "status", "notes", "case")},
+                "life": None if self.life is None else self.life.to_mapping(),
+                "sensitivity": [
+                    {
+                        "change": change.name,
+                        "life_ratio": change.life_ratio,
+                        "what": change.note.to_mapping(),
+                    }
+                    for change in self.changes
+                ],
+            },
+            indent=2,
+        )
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -98,6 +122,15 @@ class SystemLife:
             below=leads and any(own is not None and bool(own.below[0]) for own in lives),
         )
 
+    def to_mapping(self) -> dict[str, Any]:
+        """Give hours and shares as plain values; an endless life as None beside "endless"."""
+        return {
+            "hours": self.hours,
+            "endless": bool(np.isposinf(self.hours)),
+            "holds": self.valid,
+            "risk": self.risk,
+        }
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ShaftLife:
@@ -135,6 +168,38 @@ class ShaftLife:
     def converged(self) -> bool:
         """Whether every bearing has a result."""
         return all(bool(solved.converged[0]) for solved in self.bearings)
+
+    def to_json(self, names: Sequence[str]) -> str:
+        """Return all of it as one JSON object: hours, millions of revolutions.
+
+        names: of the bearings.
+        """
+        leading = self.headline
+        return dumps(
+            {
+                "schema": SCHEMA,
+                "kind": "shaft_life",
+                "reliability": self.reliability,
+                "bearings": [
+                    {
+                        "name": name,
+                        "status": str(solved.status.code[0]),
+                        "life": None if summary is None else summary.to_mapping(),
+                        "case": solved.case.to_mapping(),
+                    }
+                    for name, solved, summary in zip(names, self.bearings, self.lives, strict=True)
+                ],
+                "headline": {
+                    "theories": leading.theories,
+                    "hours": leading.hours,
+                    "holds": leading.valid,
+                    "below": leading.below,
+                    "risk": leading.risk,
+                },
+                "together": {name: own.to_mapping() for name, own in self.theories.items()},
+            },
+            indent=2,
+        )
 
 
 def life_of_case(
@@ -187,13 +252,15 @@ def life_of_shaft(
     """
     if not 2 <= len(cases) <= MOST_BEARINGS:
         raise InputError(
-            f"must be 2 to {MOST_BEARINGS} on one shaft", field="CASE", value=len(cases)
+            said("must be from 2 to {most} on one shaft", most=MOST_BEARINGS),
+            field="CASE",
+            value=len(cases),
         )
     read = [case_of(case) for case in cases]
     reliabilities = {0.9 if case.life is None else case.life.reliability for case in read}
     if len(reliabilities) > 1:
         raise InputError(
-            "must be one for all bearings of a shaft",
+            said("must be the same for all bearings of a shaft"),
             field="life.reliability",
             value=", ".join(f"{value:g}" for value in sorted(reliabilities)),
             example="--reliability 0.9",
@@ -248,7 +315,7 @@ def case_of(source: CaseSource) -> Case:
         return source
     if not isinstance(source, str | os.PathLike):
         raise InputError(
-            "must be a Case, or the path of its file",
+            said("must be a Case or the path of a case file"),
             field="case",
             value=type(source).__name__,
             example='life_of_case("case.toml")',
@@ -270,7 +337,7 @@ def factor_table(
         return None
     if not all(NSK_CLEANLINESS.met(case) for case in cases):
         raise InputError(
-            "is missing: the columns of the table of a_NSK hold it",
+            said("is missing: the columns of the a_NSK table depend on it"),
             field=NSK_CLEANLINESS.name,
             example="--set life.nsk_cleanliness=0.8",
         )

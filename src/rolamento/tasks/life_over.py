@@ -5,13 +5,17 @@ Every theory at every point, and where it is valid.
 
 from __future__ import annotations
 
+import csv
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields
+from io import StringIO
+from math import isfinite, isinf
 from typing import Any, Final, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rolamento._json import dumps
 from rolamento.case import Case
 from rolamento.case.duty import LOADS
 from rolamento.errors import InputError
@@ -27,13 +31,23 @@ from rolamento.static._common import race_stiffness
 from rolamento.studies.fields import Value
 from rolamento.studies.ranges import Range, read_range, refuse_many_singles
 from rolamento.studies.solving import CONVERGED, INVALID_INPUT, array_fields, base_case
-from rolamento.tasks.life import CaseSource, TableSource, case_of, conditions_with, factor_table
+from rolamento.tasks.life import (
+    SCHEMA,
+    CaseSource,
+    TableSource,
+    case_of,
+    conditions_with,
+    factor_table,
+)
+from rolamento.words import said
 
 __all__ = [
     "LifeCurve",
     "LifeRows",
     "LoadLives",
     "ZoneLife",
+    "curves_csv",
+    "curves_json",
     "life_curve",
     "lives_of_rows",
     "lives_over_load",
@@ -129,6 +143,112 @@ class LifeCurve(LifeRows):
     def values(self) -> FloatArray:
         """What it takes, (points,), SI."""
         return self.over.values
+
+    def to_mapping(self) -> dict[str, Any]:
+        """Give all of it as plain values: SI units, hours, millions of revolutions."""
+        leading = self.headline
+        return {
+            "label": self.label,
+            "status": self.status,
+            "headline": {
+                "theory": leading.theory,
+                "hours": leading.hours,
+                "life": leading.life,
+                "holds": leading.valid,
+                "below": leading.below,
+                "reason": leading.reason,
+            },
+            "theories": {
+                name: {
+                    "hours": own.hours,
+                    "life": own.life,
+                    "endless": np.isinf(own.life),
+                    "holds": own.valid,
+                    "below": own.below,
+                    "notes": {key: where for key, where in own.notes.items() if np.any(where)},
+                }
+                for name, own in self.theories.items()
+            },
+            "viscosity_ratio": self.viscosity_ratio,
+            "contamination_factor": self.contamination_factor,
+            "case": self.case.to_mapping(),
+        }
+
+
+def curves_json(curves: Sequence[LifeCurve]) -> str:
+    """Return curves over one field as one JSON object."""
+    first = curves[0]
+    return dumps(
+        {
+            "schema": SCHEMA,
+            "kind": "life_curve",
+            "title": first.case.title,
+            "field": first.field,
+            "unit": first.over.field.unit,
+            "values": first.values,
+            "curves": [curve.to_mapping() for curve in curves],
+        },
+        indent=2,
+    )
+
+
+def curves_csv(curves: Sequence[LifeCurve]) -> str:
+    """Return the points, one a line below a header that names the units (RFC 4180).
+
+    SI units, hours and millions of revolutions; a decimal point, ten significant digits, an empty
+    field for what does not exist, ``inf`` for a life without an end.
+    """
+    text = StringIO(newline="")
+    writer = csv.writer(text)
+    field = curves[0].over.field
+    theories = list(dict.fromkeys(name for curve in curves for name in curve.theories))
+    writer.writerow(
+        [
+            "variant",
+            f"{field.name}_{field.unit}",
+            "status",
+            *(f"{name}_h" for name in theories),
+            *(f"{name}_Mrev" for name in theories),
+            *(f"{name}_holds" for name in theories),
+            "headline_theory",
+            "headline_h",
+            "headline_Mrev",
+            "headline_holds",
+            "headline_below",
+            "viscosity_ratio",
+            "contamination_factor",
+        ]
+    )
+    for curve in curves:
+        records = [curve.theories.get(name) for name in theories]
+        leading = curve.headline
+        for point in range(len(curve)):
+            writer.writerow(
+                [
+                    curve.label,
+                    _life_cell(curve.values[point]),
+                    str(curve.status[point]),
+                    *("" if own is None else _life_cell(own.hours[point]) for own in records),
+                    *("" if own is None else _life_cell(own.life[point]) for own in records),
+                    *(_yes_or_no(own is not None and own.valid[point]) for own in records),
+                    str(leading.theory[point]),
+                    _life_cell(leading.hours[point]),
+                    _life_cell(leading.life[point]),
+                    _yes_or_no(leading.valid[point]),
+                    _yes_or_no(leading.below[point]),
+                    _life_cell(curve.viscosity_ratio[point]),
+                    _life_cell(curve.contamination_factor[point]),
+                ]
+            )
+    return text.getvalue()
+
+
+def _yes_or_no(value: bool) -> str:
+    return "yes" if value else "no"
+
+
+def _life_cell(value: float) -> str:
+    return "inf" if isinf(value) else f"{value:.10g}" if isfinite(value) else ""
 
 
 def life_curve(
@@ -375,7 +495,7 @@ def lives_over_load(solved: Solved, *, points: int = _POINTS) -> LoadLives:
     load = float(_load_over_rating(own, by_reference)[0])
     if not acting or not load > 0.0:
         raise InputError(
-            "is missing: life over load needs forces on the ring",
+            said("is missing: life over load needs forces on the ring"),
             field="case.duty.load",
             example='fz = "10 kN"',
         )
@@ -406,7 +526,7 @@ def lives_over_zone(solved: Solved) -> ZoneLife:
     case, bearing = solved.case, solved.case.bearing
     if bearing.is_set or bearing.contact_angle:
         raise InputError(
-            "needs a single bearing of radial contact, given by its clearance",
+            said("needs a single radial-contact bearing given by its clearance"),
             field="case.bearing",
             example="diametral_clearance in the place of contact_angle",
         )

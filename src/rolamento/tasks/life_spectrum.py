@@ -7,15 +7,18 @@ steps may load different races and rows.
 
 from __future__ import annotations
 
+import csv
 import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from io import StringIO
 from math import isfinite
-from typing import Final, Literal
+from typing import Any, Final, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
+from rolamento._json import dumps
 from rolamento._tables import Table, read_table
 from rolamento.case import Case
 from rolamento.case.life_model import LifeModel
@@ -32,8 +35,9 @@ from rolamento.numerics import BoolArray, FloatArray
 from rolamento.solution import solve
 from rolamento.studies.fields import Field, Value, read_field, refuse_rivals
 from rolamento.studies.solving import CONVERGED, INVALID_INPUT, array_fields, base_case
-from rolamento.tasks.life import CaseSource, TableSource, case_of, factor_table
+from rolamento.tasks.life import SCHEMA, CaseSource, TableSource, case_of, factor_table
 from rolamento.tasks.life_over import LifeRows, lives_of_rows
+from rolamento.words import said
 
 __all__ = ["DutyLife", "DutySteps", "SpectrumLife", "life_under", "read_spectrum"]
 
@@ -118,6 +122,16 @@ class DutyLife:
     valid: bool
     below: bool
 
+    def to_mapping(self) -> dict[str, Any]:
+        """Give the life as plain values; an endless one as None beside "endless"."""
+        return {
+            "life": self.life,
+            "hours": self.hours,
+            "endless": bool(np.isposinf(self.life)),
+            "holds": self.valid,
+            "below": self.below,
+        }
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class SpectrumLife:
@@ -186,6 +200,87 @@ class SpectrumLife:
             return None
         return float(reliability_of(self.required_life / _HOUR / hours_for_ninety, edition))
 
+    def to_json(self) -> str:
+        """Return all of it as one JSON object: SI units, hours, millions of revolutions."""
+        leading = self.headline
+        return dumps(
+            {
+                "schema": SCHEMA,
+                "kind": "life_spectrum",
+                "title": self.case.title,
+                "reliability": self.reliability,
+                "mean_speed": self.mean_speed,
+                "headline": {
+                    "theory": leading.theory or None,
+                    **leading.to_mapping(),
+                    "step_hours": leading.steps.hours,
+                    "damage": leading.damage,
+                },
+                "theories": {name: _of_theory(own) for name, own in self.theories.items()},
+                "wanted_life": None
+                if self.required_life is None
+                else {
+                    "life": self.required_life,
+                    "reliability": self.reliability_of_required(),
+                    "below": leading.below,
+                },
+                "steps": {
+                    "status": self.status,
+                    "time_share": self.time_shares,
+                    "revolution_share": self.revolution_shares,
+                    "values": self.steps.values,
+                },
+                "case": self.case.to_mapping(),
+            },
+            indent=2,
+        )
+
+
+def _of_theory(own: DutyLife) -> dict[str, Any]:
+    assert isinstance(own.steps, Life)
+    return {
+        **own.to_mapping(),
+        "notes": {key: where for key, where in own.steps.notes.items() if np.any(where)},
+        "step_life": own.steps.life,
+        "step_hours": own.steps.hours,
+        "damage": own.damage,
+    }
+
+
+def spectrum_csv(found: SpectrumLife) -> str:
+    """Return the steps, one a line below a header that names the units (RFC 4180)."""
+    text = StringIO(newline="")
+    writer = csv.writer(text)
+    theories = list(found.theories)
+    writer.writerow(
+        [
+            "step",
+            "status",
+            "time_share",
+            "revolution_share",
+            *found.steps.cells,
+            *(f"{name}_h" for name in theories),
+            *(f"{name}_damage" for name in theories),
+        ]
+    )
+    for step in range(len(found.steps)):
+        writer.writerow(
+            [
+                step + 1,
+                str(found.status[step]),
+                _cell(found.time_shares[step]),
+                _cell(found.revolution_shares[step]),
+                *(cells[step] for cells in found.steps.cells.values()),
+                *(_cell(own.steps.hours[step]) for own in found.theories.values()),
+                *(_cell(own.damage[step]) for own in found.theories.values()),
+            ]
+        )
+    return text.getvalue()
+
+
+def _cell(value: float) -> str:
+    return f"{value:.10g}" if isfinite(value) else ""
+
 
 def life_under(
     case: CaseSource,
@@ -250,8 +345,11 @@ def _solved_steps(case: Case, steps: DutySteps, nsk_table: FactorTable | None) -
     single = [values for name, values in steps.values.items() if name not in array_fields()]
     if single and len(set(zip(*single, strict=True))) > _MOST_SINGLE:
         raise InputError(
-            f"needs more than {_MOST_SINGLE} cases of their own; let fewer steps differ in"
-            f" {', '.join(n for n in steps.values if n not in array_fields())}",
+            said(
+                "needs more than {most} cases of their own; let fewer steps differ in {known}",
+                most=_MOST_SINGLE,
+                known=", ".join(n for n in steps.values if n not in array_fields()),
+            ),
             source=steps.source,
         )
     columns: dict[str, Sequence[Value]] = dict(steps.values)
@@ -292,7 +390,7 @@ def _both_shares(steps: DutySteps, speed: FloatArray) -> tuple[FloatArray, Float
     """Shares of time and of revolutions."""
     if not np.any(speed[steps.shares > 0.0] > 0.0):
         raise InputError(
-            "turns in no step: there is no life without rotation",
+            said("is zero in every step: there is no life without rotation"),
             field="duty.inner_speed",
             source=steps.source,
             example='duty.inner_speed = "2000 rpm"',
@@ -302,7 +400,7 @@ def _both_shares(steps: DutySteps, speed: FloatArray) -> tuple[FloatArray, Float
     standing = np.flatnonzero((speed == 0.0) & (steps.shares > 0.0))
     if standing.size:
         raise InputError(
-            "has revolutions, and nothing turns; give shares of the time instead",
+            said("has revolutions, but nothing rotates; give shares of time instead"),
             field="revolutions",
             source=steps.source,
             line=steps.lines[int(standing[0])],
@@ -386,7 +484,11 @@ def read_spectrum(path: str | os.PathLike[str], *, decimal_mark: str | None = No
     total = float(shares.sum())
     if not abs(total - 1.0) <= _ROUNDING:
         raise InputError(
-            "must sum to 1", field=kind, value=f"{total:.4g}", source=table.source, example="0.25"
+            said("must sum to 1"),
+            field=kind,
+            value=f"{total:.4g}",
+            source=table.source,
+            example="0.25",
         )
     fields = _fields(table)
     cells = {
@@ -409,7 +511,10 @@ def _check_header(table: Table) -> None:
     for name in table.header:
         if name and table.header.count(name) > 1:
             raise FileError(
-                "names a column twice", field=name, source=table.source, line=table.header_line
+                said("repeats a column name"),
+                field=name,
+                source=table.source,
+                line=table.header_line,
             )
 
 
@@ -418,9 +523,11 @@ def _kind(table: Table) -> Kind:
     given = [kind for kind in kinds if kind in table.header]
     if len(given) != 1:
         raise FileError(
-            "needs a column named share (of the time) or revolutions (shares of them)"
-            if not given
-            else "has both a column share and a column revolutions; give one",
+            (
+                said("needs a column named share (of time) or revolutions (shares of them)")
+                if not given
+                else said("has both a column share and a column revolutions; give one")
+            ),
             source=table.source,
             line=table.header_line,
             example=_EXAMPLE,
@@ -437,7 +544,7 @@ def _share(table: Table, row: int, column: int) -> float:
     if not (isfinite(value) and 0.0 <= value <= 1.0 + _ROUNDING):
         raise table.placed(
             InputError(
-                "must be from 0 to 1, or from 0 % to 100 %",
+                said("must be from 0 to 1, or from 0 % to 100 %"),
                 field=table.header[column],
                 value=text,
                 example="0.25",
@@ -455,7 +562,7 @@ def _fields(table: Table) -> tuple[Field, ...]:
         for name in names:
             if name in _FIXED:
                 raise InputError(
-                    "is of the whole duty, not of a step; give it in the case",
+                    said("applies to the whole duty, not to a step; set it in the case"),
                     field="column",
                     value=name,
                 )
@@ -481,7 +588,7 @@ def _checked(table: Table, field: Field, cells: Sequence[str]) -> tuple[Value, .
 def _value(field: Field, text: str) -> Value:
     """Read a cell: as text, as a file has quantities and names, else as a number or a truth."""
     if not text:
-        raise InputError("is empty", field=field.name, example=field.example)
+        raise InputError(said("is empty"), field=field.name, example=field.example)
     plain = {"true": True, "false": False}.get(text, _number(text))
     if plain is None or field.dimension is not None:
         return field.checked(text, in_file=True)

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+import csv
 import os
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from functools import cached_property
+from io import StringIO
 from math import isfinite, nan
-from typing import Final, Literal, Unpack
+from typing import Any, Final, Literal, Unpack
 
 import numpy as np
 
 from rolamento.errors import InputError
+from rolamento.report.plain_data import csv_number
 from rolamento.tasks.parameters import Progress, Stages, quietly, speed_of
 from rolamento.tasks.signals import PIECE, Reading
 from rolamento.vibration.anderon import (
@@ -25,9 +28,18 @@ from rolamento.vibration.anderon import (
     measure_noise,
 )
 from rolamento.vibration.anderon_trend import AnderonRecord, AnderonTrend, trend_of
-from rolamento.vibration.reading import ReadingNote, SignalFile, open_signal
+from rolamento.vibration.reading import SignalFile, open_signal
 from rolamento.vibration.signal import Signal
+from rolamento.words import Note, said
+from rolamento.words.naming import one_line
 
+SCHEMA: Final = 2
+CSV_COLUMNS: Final = (
+    "signal", "hours", "band", "low_Hz", "high_Hz", "velocity_um_per_s", "anderons",
+    "full_scale_anderons", "accepted_to_anderons", "verdict",
+)  # fmt: skip
+"""The header of the CSV: one band of one signal in a row."""
+_MICRO: Final = 1e6
 _HIGHEST_RATE: Final = 2e7
 _MOST_HOURS: Final = 1e9
 _MOST_SIGNALS: Final = 500
@@ -73,7 +85,7 @@ class MeasuredNoise:
     reading_notes
         how the samples were taken from their file
     choices
-        those of them that tell what was taken for the rate where it is told twice
+        those of them that say which rate was taken where it is given twice
     """
 
     title: str
@@ -81,25 +93,36 @@ class MeasuredNoise:
     hours: float = nan
     scaled_unit: str = ""
     sensitivity: str = ""
-    reading_notes: tuple[str, ...] = ()
-    choices: tuple[ReadingNote, ...] = ()
+    reading_notes: tuple[Note, ...] = ()
+    choices: tuple[Note, ...] = ()
 
     @property
     def at_test_speed(self) -> bool:
         """Whether the speed is that of the test, as near as the standard wants it."""
-        return "speed_differs" not in self.noise.notes
+        return not self._has("speed_differs")
 
     @property
-    def names_of_notes(self) -> tuple[str, ...]:
-        """What is to be known of it, by names of the words."""
-        names, velocity = list(self.noise.notes), self.noise.velocity
-        if "band_incomplete" not in names and velocity.rate < _CLEAR_OF_FILTER * BANDS["high"][1]:
-            names.append("near_half_rate")
+    def speed_known(self) -> bool:
+        """Whether the signal, or the user, gave the speed."""
+        return not self._has("speed_unknown")
+
+    @property
+    def notes(self) -> tuple[Note, ...]:
+        """What is to be known of it."""
+        notes, velocity = list(self.noise.notes), self.noise.velocity
+        near_half = velocity.rate < _CLEAR_OF_FILTER * BANDS["high"][1]
+        if near_half and not self._has("band_incomplete"):
+            notes.append(Note("near_half_rate", {"rate": velocity.rate}))
         if velocity.quantity != "velocity":
-            names.append(velocity.quantity)
-        names += ["sensitivity"] if self.sensitivity else []
-        names += ["full_scale_one"] if self.scaled_unit else []
-        return tuple(names)
+            notes.append(Note(f"velocity_from_{velocity.quantity}"))
+        if self.sensitivity:
+            notes.append(Note("scaled_by_sensitivity", {"sensitivity": self.sensitivity}))
+        if self.scaled_unit:
+            notes.append(Note("full_scale_one", {"unit": self.scaled_unit}))
+        return tuple(notes)
+
+    def _has(self, key: str) -> bool:
+        return any(note.key == key for note in self.noise.notes)
 
 
 @dataclass(frozen=True, eq=False)
@@ -175,6 +198,72 @@ class NoiseResult:
         ]
         return trend_of(records, self.limits_of(self.measured[0]))[0]
 
+    def to_mapping(self) -> dict[str, Any]:
+        """Return everything as plain data, in SI units, Hz, anderons and hours."""
+        return {
+            "schema": SCHEMA,
+            "kind": "anderon",
+            "bearing": self.bearing,
+            "accepted_part": self.part,
+            "signals": [self._signal(place) for place in range(len(self.measured))],
+            "trend": None if self.trend is None else [asdict(band) for band in self.trend.bands],
+        }
+
+    def _signal(self, place: int) -> dict[str, Any]:
+        one = self.measured[place]
+        scales = self.scales_of(one)
+        bands = [
+            {
+                **asdict(band),
+                "full_scale": scales.get(band.name),
+                "of_full_scale": band.anderons / scales.get(band.name, nan),
+                "verdict": self.verdict_of(place, band.name),
+            }
+            for band in one.noise.bands
+        ]
+        return {
+            "title": one.title,
+            "verdict": self.verdicts[place],
+            "hours": one.hours,
+            "speed": one.noise.speed,
+            "bands": bands,
+            "rate": one.noise.velocity.rate,
+            "duration": one.noise.velocity.duration,
+            "quantity": one.noise.velocity.quantity,
+            "reading_notes": [note.to_mapping() for note in one.reading_notes],
+            "notes": [note.to_mapping() for note in one.notes],
+        }
+
+    def bands_csv(self) -> str:
+        """Return one band of one signal in a row below a header, lines ending in CR LF."""
+        text = StringIO(newline="")
+        writer = csv.writer(text)
+        writer.writerow(CSV_COLUMNS)
+        for place, one in enumerate(self.measured):
+            scales = self.scales_of(one)
+            for band in one.noise.bands:
+                scale = scales.get(band.name, nan)
+                velocity = _MICRO * band.velocity
+                numbers = (*band.band, velocity, band.anderons, scale, self.part * scale)
+                own = (one_line(one.title), csv_number(one.hours), band.name)
+                levels = (csv_number(number) for number in numbers)
+                writer.writerow((*own, *levels, self.verdict_of(place, band.name)))
+        return text.getvalue()
+
+    def record(self) -> str:
+        """Return the anderons over the hours as the CSV that `rolamento trend` reads.
+
+        Only its title is in the language that is spoken.
+        """
+        text = StringIO(newline="")
+        writer = csv.writer(text, lineterminator="\n")
+        text.write(f"# title: {said('Noise of bearing {name}', name=self.bearing)}\n")
+        writer.writerow(("time (h)", "bearing", *(f"{name} (anderon)" for name in BANDS)))
+        for one in self.measured:
+            levels = (csv_number(one.noise.of(name).anderons) for name in BANDS)
+            writer.writerow((csv_number(one.hours), self.bearing, *levels))
+        return text.getvalue()
+
 
 def anderons(
     paths: str | os.PathLike[str] | Sequence[str | os.PathLike[str]],
@@ -221,24 +310,29 @@ def anderons(
     """
     files = [paths] if isinstance(paths, str | os.PathLike) else list(paths)
     if not 1 <= len(files) <= _MOST_SIGNALS:
-        raise InputError(f"must be 1 to {_MOST_SIGNALS} files", field="signals", value=len(files))
+        raise InputError(
+            said("must be 1 to {most} files", most=_MOST_SIGNALS), field="signals", value=len(files)
+        )
     if not bearing.strip() or len(bearing) > _LONGEST_NAME or not bearing.isprintable():
-        rule = f"must be one line of {_LONGEST_NAME} characters at most"
+        rule = said("must be one line of at most {most} characters", most=_LONGEST_NAME)
         raise InputError(rule, field="bearing", value=bearing, example='bearing="9"')
     if not 0.0 < accepted <= 1.0:
-        rule = "must be a part over 0 and up to 1"
+        rule = said("must be a fraction above 0 and at most 1")
         raise InputError(rule, field="accepted", value=accepted, example="accepted=0.4")
     times = [nan] * len(files) if hours is None else list(hours)
     if hours is not None and (
         len(times) != len(files) or not all(0.0 <= time <= _MOST_HOURS for time in times)
     ):
-        rule = f"must be a number of hours from 0 on for each signal, here {len(files)}"
+        rule = said(
+            "must be a number of hours, not negative, for each signal, here {count}",
+            count=len(files),
+        )
         raise InputError(
             rule, field="hours", value=", ".join(map(str, times)), example="hours=[60, 120, 180]"
         )
     inner_speed = speed_of(speed, "speed")
     if inner_speed == 0.0:
-        rule = "must not be 0: a bearing that stands still makes no noise"
+        rule = said("must not be 0: a stationary bearing makes no noise")
         raise InputError(rule, field="speed", example='speed="1800 rpm"')
     measured = []
     for path, time in zip(files, times, strict=True):
@@ -271,17 +365,24 @@ def _noise_of(source: SignalFile, path: str, speed: float | None, progress: Prog
     """Measure a file whose unit is known, at the speed that is given, if one is."""
     if source.quantity == "unknown":
         unit = source.unit
-        rule = f'is "{unit}"' if unit not in ("", "1") else "is not in the file"
         raise InputError(
-            f"{rule}: give that of a velocity, an acceleration or a displacement, or the"
-            " sensitivity of the sensor",
+            said(
+                "is not in the file: give the unit of a velocity, an acceleration or a "
+                "displacement, or the sensitivity of the sensor"
+            )
+            if unit in ("", "1")
+            else said(
+                'is "{unit}": give the unit of a velocity, an acceleration or a '
+                "displacement, or the sensitivity of the sensor",
+                unit=unit,
+            ),
             field="unit",
             example='unit="um/s", unit="m/s^2" or scale="100 mV/g"',
             source=path,
         )
     if source.rate > _HIGHEST_RATE:
         raise InputError(
-            f"must be at most {_HIGHEST_RATE:g} Hz: the bands end at 10 kHz",
+            said("must be at most {most:.6g} Hz: the bands end at 10 kHz", most=_HIGHEST_RATE),
             field="rate",
             value=source.rate,
             source=path,
@@ -311,7 +412,7 @@ def _check_speeds(found: NoiseResult) -> None:
     in_velocity = any(scale.is_velocity for scale in found.full_scales.values())
     if found.trend is not None and in_velocity and max(speeds) > 1.001 * min(speeds):
         raise InputError(
-            "must be in anderons, as the speeds of the signals differ",
+            said("must be in anderons, since the signals have different speeds"),
             field="full_scale",
             example='full_scale={"low": 30.0}',
         )

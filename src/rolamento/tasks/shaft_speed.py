@@ -7,10 +7,10 @@ takes for its revolutions to be miscounted by one.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from itertools import pairwise
-from math import ceil, floor, pi
-from typing import Final, Literal, Protocol
+from math import ceil, floor, nan, pi
+from typing import Any, Final, Literal, Protocol
 
 import numpy as np
 
@@ -20,9 +20,10 @@ from rolamento.tasks.parameters import Progress, renamed
 from rolamento.tasks.signals import AtSpeed
 from rolamento.units import rpm_of
 from rolamento.vibration.order_tracking import revolutions_of
-from rolamento.vibration.reading import ReadingNote, SignalFile, open_signal
+from rolamento.vibration.reading import SignalFile, open_signal
 from rolamento.vibration.shaft_speed import estimate_speed, speed_from_pulses
 from rolamento.vibration.signal import Signal
+from rolamento.words import Note, said
 
 SpeedSource = Literal["given", "file", "case", "channel", "pulses", "vibration"]
 """Who told the speed: whoever asked, the signal's file, the case; or what it was measured from."""
@@ -114,6 +115,27 @@ class ShaftSpeed:
         """Whether it was looked for in the vibration, and not found."""
         return self.tracking is not None and not self.tracking.found
 
+    @property
+    def lost_note(self) -> Note:
+        """Where it was looked for in the vibration, and not found."""
+        tracking = self.tracking
+        assert tracking is not None
+        start, end = tracking.lost or (nan, nan)
+        values = {"start": start, "end": end, "within": tracking.within}
+        return Note("speed_not_found", values | {"nominal": abs(tracking.nominal)})
+
+    def to_mapping(self) -> dict[str, Any]:
+        """Return all of it as plain data, in rad/s."""
+        return {
+            "source": self.source,
+            "mean": self.mean,
+            "minimum": self.minimum,
+            "maximum": self.maximum,
+            "channel": self.channel or None,
+            "pulses_per_revolution": self.pulses,
+            "tracking": None if self.tracking is None else asdict(self.tracking),
+        }
+
 
 @dataclass(frozen=True, slots=True)
 class AskedSpeed:
@@ -150,7 +172,10 @@ class AskedSpeed:
         chosen = [way for way, is_given in ways.items() if is_given]
         if len(chosen) > 1:
             raise InputError(
-                f"is another way to the speed than {chosen[0]}=…: leave one of them out",
+                said(
+                    "gives the speed in another way than {chosen}=…: leave one of them out",
+                    chosen=chosen[0],
+                ),
                 field=chosen[1],
                 example=f"{chosen[0]}=…, or {_EXAMPLE} alone",
             )
@@ -160,14 +185,17 @@ class AskedSpeed:
             ("within", self.within, "track", "track=True, within=0.1"),
         ):
             if value is not None and not ways[needed]:
-                rule = f"goes with {needed}=…, which is missing"
+                rule = said("needs {needed}=…, which is missing", needed=needed)
                 raise InputError(rule, field=parameter, value=value, example=example)
         if self.measured:
             for parameter, speed in (("speed", self.inner), ("outer_speed", self.outer)):
                 if speed is not None:
                     raise InputError(
-                        f"is a steady speed, and {self.measured}=… a measured one of the ring that"
-                        " turns: leave one of them out",
+                        said(
+                            "is a steady speed, but {measured}=… is the measured speed of the "
+                            "rotating ring: leave one of them out",
+                            measured=self.measured,
+                        ),
                         field=parameter,
                         value=f"{rpm_of(speed):.6g} rpm",
                         example=f"{self.measured}=… alone",
@@ -201,7 +229,7 @@ class KnownSpeed:
     inner: float
     outer: float
     at: AtSpeed
-    choices: tuple[ReadingNote, ...] = ()
+    choices: tuple[Note, ...] = ()
 
 
 def known_speed(
@@ -263,29 +291,31 @@ def _steady(asked: AskedSpeed, of_case: Rings, source: SignalFile) -> KnownSpeed
     if inner is None and outer is None:
         raise _missing(source)
     if not inner and not outer:
-        rule = "is that of both rings: a bearing that does not turn tells nothing"
+        rule = said("is that of both rings: a bearing at rest shows nothing")
         raise InputError(rule, field="speed", value="0 rpm", example=_EXAMPLE)
     known = _of_numbers(by, inner or 0.0, outer or 0.0)
     return replace(known, choices=_over_file(known.shaft.mean, of_file)) if by == "given" else known
 
 
-def _over_file(given: float, of_file: float | None) -> tuple[ReadingNote, ...]:
+def _over_file(given: float, of_file: float | None) -> tuple[Note, ...]:
     """Say that the file tells another speed than the one that was given, if it does; rad/s."""
     if of_file is None or abs(abs(given) - abs(of_file)) <= _SAME_SPEED * abs(of_file):
         return ()
-    numbers = {"speed": f"{rpm_of(given):.6g} rpm", "file": f"{rpm_of(of_file):.6g} rpm"}
-    text = "The speed is {speed} as given; the file says {file}.".format(**numbers)
-    return (ReadingNote("speed_over_file", text, numbers),)
+    return (Note("speed_over_file", {"speed": given, "file": of_file}),)
 
 
 def _missing(source: SignalFile) -> InputError:
     """Ask for the speed, and offer the numbers of the file that may be it."""
-    rule, example = "is missing, and neither the file nor the case tells it", _EXAMPLE
+    example = _EXAMPLE
+    rule = said("is missing, and is given neither in the file nor in the case")
     if source.speeds_perhaps:
         entries = [f"{name} = {value:.6g}" for name, value in source.speeds_perhaps.items()]
         name = next(iter(source.speeds_perhaps))
-        rule += f"; its {', '.join(entries[:_MOST_OFFERED])} may be it, in a unit that it does not"
-        rule += " say"
+        rule = said(
+            "is missing, and is given neither in the file nor in the case; "
+            "{numbers} in the file may be it, but without a unit",
+            numbers=", ".join(entries[:_MOST_OFFERED]),
+        )
         example += f', or speed_channel="{name}", speed_unit="Hz"'
     return InputError(rule, field="speed", example=example)
 
@@ -353,7 +383,10 @@ def _one_ring(of_case: Rings, parameter: str) -> Rings:
 
 def _both_turn(parameter: str) -> InputError:
     return InputError(
-        "is the speed of one ring, and both turn: the orders of the bearing would change with it",
+        said(
+            "is the speed of one ring, but both rotate: the orders of the bearing "
+            "would change with it"
+        ),
         field=parameter,
         example='settings=["duty.outer_speed=0 rpm"]',
     )
@@ -366,7 +399,7 @@ def _check_range(shaft: ShaftSpeed, parameter: str) -> None:
         revolutions_of(Signal(np.zeros(2), 1.0, speed=np.array([shaft.minimum, shaft.maximum])))
     except InputError as error:
         raise InputError(
-            f"{error.rule}, with start=… and duration=…",
+            said("{rule}, with start=… and duration=…", rule=error.rule),
             field=parameter,
             value=f"{rpm_of(shaft.minimum):.6g} to {rpm_of(shaft.maximum):.6g} rpm",
             example="start=2, duration=10",
@@ -443,8 +476,13 @@ def of_tacho(source: SignalFile, part: range, channel: str | int, pulses: int) -
         count = min(count, tacho.length - first)
         if count > MOST_TACHO_SAMPLES:
             raise InputError(
-                f"is held in memory, up to {MOST_TACHO_SAMPLES} samples, "
-                f"{MOST_TACHO_SAMPLES / tacho.rate:.6g} s; these are {count}",
+                said(
+                    "is held in memory, up to {most} samples, {most_2:.6g} s; this record "
+                    "has {count}",
+                    most=MOST_TACHO_SAMPLES,
+                    most_2=MOST_TACHO_SAMPLES / tacho.rate,
+                    count=count,
+                ),
                 field="tacho",
                 value=channel,
                 example=f"duration={floor(MOST_TACHO_SAMPLES / tacho.rate)}",
@@ -479,7 +517,7 @@ def _opened_tacho(source: SignalFile, channel: str | int) -> SignalFile:
     if _channel_number(tacho) == _channel_number(source):
         tacho.close()
         raise InputError(
-            "is the channel of the vibration; choose that of the pulses",
+            said("is the vibration channel; choose that of the pulses"),
             field="tacho",
             value=channel,
             example="channel=1, tacho=2",
@@ -487,8 +525,12 @@ def _opened_tacho(source: SignalFile, channel: str | int) -> SignalFile:
     if given["rate"] is not None and tacho.length != source.length:
         tacho.close()
         raise FileError(
-            f"has {tacho.length} samples, and the vibration {source.length}: as the file tells no "
-            "rates, they have to be as many",
+            said(
+                "has {length} samples, and the vibration {length_2}: since the file "
+                "gives no rates, they must be equal",
+                length=tacho.length,
+                length_2=source.length,
+            ),
             field="tacho",
             value=channel,
         )
@@ -505,8 +547,12 @@ def _check_extent(tacho: SignalFile, source: SignalFile, part: range, end: int) 
     # rounding may ask for one sample more than there are
     if end > tacho.length + 1:
         raise FileError(
-            f"ends at {tacho.duration:.6g} s, before the signal that is diagnosed, at "
-            f"{part.stop / source.rate:.6g} s; give a shorter duration=…",
+            said(
+                "ends at {duration:.6g} s, before the analysed signal, at {stop:.6g} "
+                "s; give a shorter duration=…",
+                duration=tacho.duration,
+                stop=part.stop / source.rate,
+            ),
             field="tacho",
             value=tacho.channel.name or None,
         )
@@ -519,10 +565,15 @@ def _speed_of_pulses(signal: Signal, pulses: int, channel: str | int) -> FloatAr
         rule, _, _ = error.rule.partition(";")
         if error.field == "pulses_per_revolution":
             raise error.with_details(field="pulses", example="pulses=1") from None
-        number = f", here {error.value}" if error.field == "number of pulses" else ""
+        if error.field == "number of pulses":
+            rule = said("{rule}, here {count}", rule=rule, count=error.value)
         raise InputError(
-            f"{error.field or 'the pulses'} {rule}{number}; give the channel that holds the pulses,"
-            " or a part of the record with all of them",
+            said(
+                "{what}: {rule}; give the channel with the pulses, or a part of the "
+                "record that has all of them",
+                what=said(error.field or "pulses"),
+                rule=rule,
+            ),
             field="tacho",
             value=channel,
             example="tacho=2, pulses=1",
@@ -554,8 +605,12 @@ def found_in_vibration(
     per_turn = 2.0 * pi * source.rate / abs(nominal)
     if count < _LEAST * per_turn:  # told before anything is read
         raise InputError(
-            f"must be at least {_LEAST:g} revolutions of the shaft at its nominal speed,"
-            f" {_LEAST * per_turn / source.rate:.3g} s",
+            said(
+                "must be at least {least:.6g} shaft revolutions at the nominal speed, "
+                "{least_2:.3g} s",
+                least=_LEAST,
+                least_2=_LEAST * per_turn / source.rate,
+            ),
             source="track",
             field="record",
             value=f"{count / per_turn:.4g} revolutions",
@@ -597,8 +652,13 @@ def _stretches(count: int, per_turn: float) -> list[tuple[int, int]]:
     turns = count / per_turn
     if count > MOST_STRETCH_SAMPLES and room < _LEAST * per_turn:
         raise InputError(
-            f"holds {MOST_STRETCH_SAMPLES} samples in memory at once, and {2.0 * _LEAST:g} "
-            f"revolutions are {2.0 * _LEAST * per_turn:.0f}: give a measured speed",
+            said(
+                "holds {most} samples in memory at once, and {least:.6g} revolutions "
+                "are {least_2:.0f}: give a measured speed",
+                most=MOST_STRETCH_SAMPLES,
+                least=2.0 * _LEAST,
+                least_2=2.0 * _LEAST * per_turn,
+            ),
             field="track",
             example='speed_channel="rpm"',
         )
@@ -613,7 +673,7 @@ def _of_tracking(error: InputError) -> InputError:
     """Say in words of the task what a path of the speed lacks."""
     if error.field == "tolerance":
         return InputError(
-            "must be a part over 0 and up to 0.3",
+            said("must be a fraction above 0 and at most 0.3"),
             field="within",
             value=error.value,
             example="within=0.1",

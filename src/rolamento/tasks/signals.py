@@ -12,6 +12,7 @@ import numpy as np
 from rolamento.errors import InputError
 from rolamento.vibration.reading import SignalFile
 from rolamento.vibration.signal import Signal
+from rolamento.words import said
 
 PIECE: Final = 2**20
 """Samples that are read at a time."""
@@ -64,18 +65,22 @@ def part_of(file: SignalFile, start: float, duration: float | None) -> range:
     InputError
         If the part does not lie within the file.
     """
-    known = f"{file.duration:.6g} s"
     if not start >= 0.0:
-        raise InputError("must be at least 0", field="start", value=start, example="start=2")
+        raise InputError(said("must be at least 0"), field="start", value=start, example="start=2")
     first = round(start * file.rate)
     if first >= file.length:
-        rule = f"must lie before the end of the signal, {known}"
+        rule = said(
+            "must be before the end of the signal, {duration:.6g} s", duration=file.duration
+        )
         raise InputError(rule, field="start", value=f"{start:g} s", example="start=2")
     count = file.length - first
     if duration is not None:
         # a part of a sample more is no more than rounding
         if not 1 <= round(duration * file.rate) <= count + 1:
-            rule = f"must be over 0 and end within the signal, which lasts {known}"
+            rule = said(
+                "must be positive and end within the signal, which lasts {duration:.6g} s",
+                duration=file.duration,
+            )
             raise InputError(rule, field="duration", value=f"{duration:g} s", example="duration=10")
         count = min(round(duration * file.rate), count)
     return range(first, first + count, PIECE)

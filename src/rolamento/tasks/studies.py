@@ -16,6 +16,7 @@ from rolamento.studies.tolerance import (
     PERCENTILES,
     checked_percentiles,
 )
+from rolamento.words import marked, said
 
 if TYPE_CHECKING:
     from rolamento.studies.runner import Executor, Progress, Summary
@@ -75,7 +76,9 @@ def sweep(
     executor = _executor(threads, scheduler)
     if isinstance(study, Study):
         if tuple(settings):
-            raise InputError("go over a study file; change the case of a Study", field="settings")
+            raise InputError(
+                said("apply to a study file; change the case of a Study instead"), field="settings"
+            )
         loaded, target = study, Path(result or "study.nc")
     else:
         name = "study" if os.fspath(study) == _STANDARD_INPUT else Path(study).stem
@@ -94,7 +97,7 @@ def _executor(threads: int | None, scheduler: str | None) -> Executor:
         return local_threads(threads)
     if threads is not None:
         raise InputError(
-            "is given beside --scheduler: the cluster has threads of its own",
+            said("cannot be combined with --scheduler: the cluster has its own threads"),
             field="--threads",
             value=threads,
         )
@@ -108,11 +111,11 @@ def _check_target(target: Path, study: str) -> None:
     if study == _STANDARD_INPUT:  # which is there to be read once
         return
     for path, rule in (
-        (Path(study), "is the study file itself"),
-        (case_file_of(study), "is the study's case file"),
+        (Path(study), marked("is the study file itself; choose another name")),
+        (case_file_of(study), marked("is the case file of the study; choose another name")),
     ):
         if path is not None and os.path.realpath(path) == os.path.realpath(target):
-            raise FileError(f"{rule}; choose another name", source=str(target))
+            raise FileError(said(rule), source=str(target))
 
 
 def tolerance(
@@ -149,7 +152,7 @@ def tolerance(
     if isinstance(study, Study):
         if study.scatter is None:
             raise InputError(
-                "is missing: there is nothing to take percentiles of",
+                said("is missing: there is nothing to take percentiles of"),
                 field="scatter",
                 source=source,
             )
@@ -158,7 +161,7 @@ def tolerance(
         dataset = run(study)
     elif sobol_samples is not None:
         raise InputError(
-            "needs the study file: indices come from runs of their own",
+            said("needs the study file: the indices come from runs of their own"),
             field="--sobol",
             source=source,
             example="rolamento tolerance study.toml --sobol 1024",

@@ -5,17 +5,17 @@ from __future__ import annotations
 import os
 import shlex
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from functools import cached_property
 from math import isfinite, log10, nan, pi, sqrt
-from typing import Final, Literal, NamedTuple
+from typing import Any, Final, Literal, NamedTuple
 
 import numpy as np
 
 from rolamento._writing import write_text
 from rolamento.case.bearing import Bearing
 from rolamento.errors import InputError
-from rolamento.report.synthesis import truth_json
+from rolamento.report.plain_data import json_text
 from rolamento.solution import solve
 from rolamento.solved import Solved
 from rolamento.tasks.bearing import BearingLike, case_of, has_load, name_of
@@ -26,6 +26,7 @@ from rolamento.vibration.synthesis import (
     DEFAULT_MODES,
     Fault,
     FaultTruth,
+    GivenSpeed,
     LoadDistribution,
     Mode,
     Noise,
@@ -39,7 +40,11 @@ from rolamento.vibration.synthesis import (
 )
 from rolamento.vibration.synthesis import synthesise as signal_of
 from rolamento.vibration.writing import check_signal_name, write_signal
+from rolamento.words import Note, said
 
+SCHEMA: Final = 2
+_MOST_IMPACTS: Final = 1_000_000
+"""In a file of truth."""
 MOST_SAMPLES: Final = 20_000_000
 """Of a signal that is made at once: 1.6 GB of memory."""
 _MOST_FAULTS: Final = 20
@@ -148,6 +153,58 @@ class SynthesisResult:
         return self.recipe.speed is None or isinstance(self.recipe.speed, SteadySpeed)
 
     @property
+    def notes(self) -> tuple[Note, ...]:
+        """What is to be known of it."""
+        notes, kinds = [], [one.fault.kind for one in self.faults if not one.impacts]
+        if kinds:
+            notes.append(Note("damage_not_struck", {"parts": list(dict.fromkeys(kinds))}))
+        if any(one.fault.modulation == "frequency" for one in self.faults):
+            notes.append(Note("frequency_modulation"))
+        if "inferred" in self.bearing.origins.values():
+            notes.append(Note("signal_of_estimated_geometry"))
+        return tuple(notes)
+
+    def truth(self) -> dict[str, Any]:
+        """Return the truth and the recipe as plain data, in SI units, Hz and dB.
+
+        Raises
+        ------
+        InputError
+            If it would be very long.
+        """
+        recipe, truth = self.recipe, self.made.truth
+        if sum(len(one.times) for one in truth.faults) > _MOST_IMPACTS:
+            rule = f"would hold more than {_MOST_IMPACTS} impacts"
+            raise InputError(rule, field="truth", value=self.truth_path)
+        return {
+            "schema": SCHEMA,
+            "kind": "synthesis",
+            "bearing": self.name,
+            "file": self.path,
+            "unit": self.made.signal.unit,
+            "rms": self.rms,
+            **truth.to_mapping(),
+            "faults": [{**one.truth.to_mapping(), "to_noise": one.to_noise} for one in self.faults],
+            "recipe": {
+                "faults": [asdict(fault) for fault in recipe.faults],
+                "load": {"kind": self.load, "extent": self.extent},
+                "load_turns": recipe.load_turns,
+                "path": asdict(recipe.path),
+                "modes": [asdict(mode) for mode in recipe.modes],
+                "shaft_harmonics": list(recipe.shaft_harmonics),
+                "waviness": [asdict(one) for one in recipe.waviness],
+                "noise": None if recipe.noise is None else asdict(recipe.noise),
+                "speed": self._speed_profile(),
+            },
+        }
+
+    def _speed_profile(self) -> dict[str, Any]:
+        profile = self.recipe.speed
+        if profile is None or isinstance(profile, GivenSpeed):
+            return {"kind": "SteadySpeed", "speed": float(np.mean(self.made.truth.speed))}
+        return {"kind": type(profile).__name__, **asdict(profile)}
+
+    @property
     def command(self) -> str:
         """How to have the signal diagnosed; what its file tells is left out."""
         words = ["rolamento", "diagnose", self.path, "--bearing", self.source]
@@ -233,7 +290,11 @@ def synthesise(
     inner, outer = case.duty.inner_speed, case.duty.outer_speed
     if inner == outer:
         raise InputError(
-            "is missing: nothing turns" if inner == 0.0 else "is that of both rings: no ball rolls",
+            (
+                said("is missing: nothing rotates")
+                if inner == 0.0
+                else said("is that of both rings: no ball rolls")
+            ),
             field="speed",
             example='speed="1797 rpm"',
         )
@@ -279,7 +340,7 @@ def synthesise(
         path="" if path is None else os.fspath(path),
         truth_path=None if truth_path is None else os.fspath(truth_path),
     )
-    truth = None if truth_path is None else truth_json(found) + "\n"
+    truth = None if truth_path is None else json_text(found.truth()) + "\n"
     if path is not None:
         write_signal(made.signal, path)
     if truth_path is not None and truth is not None:
@@ -297,16 +358,18 @@ def _check_size(
 ) -> None:
     """Refuse what would be silent, or too much for memory."""
     if len(faults) > _MOST_FAULTS:
-        raise InputError(f"may be {_MOST_FAULTS} at most", field="faults", value=len(faults))
+        raise InputError(
+            said("may be at most {most}", most=_MOST_FAULTS), field="faults", value=len(faults)
+        )
     if not (faults or waviness or shaft_harmonics or noise):
         raise InputError(
-            "would be silent: give faults=…, waviness=…, shaft_harmonics=… or noise=…",
+            said("would be silent: give faults=…, waviness=…, shaft_harmonics=… or noise=…"),
             field="signal",
             example="faults=…, noise=…",
         )
     if not duration * rate <= MOST_SAMPLES:
         raise InputError(
-            f"gives more than {MOST_SAMPLES} samples at this rate",
+            said("gives more than {most} samples at this rate", most=MOST_SAMPLES),
             field="duration",
             value=f"{duration:g} s",
             example="duration=10",
@@ -325,11 +388,11 @@ def _distribution(
     if kind == "radial":
         return LoadDistribution.radial(extent=extent, azimuth=azimuth)
     if kind != "solved":
-        rule = "must be one of uniform, radial, solved"
+        rule = said("must be one of uniform, radial, solved")
         raise InputError(rule, field="load", value=kind, example='load="radial"')
     if solved is None:
         raise InputError(
-            "needs a case file with a load", field="load", value=kind, example='load="radial"'
+            said("needs a case file with a load"), field="load", value=kind, example='load="radial"'
         )
     return LoadDistribution.of_solved(solved, row=frequencies.row)
 
@@ -339,14 +402,14 @@ def _check_work(recipe: Recipe) -> None:
     lines = sum(len(waviness_lines(recipe.frequencies, wavy)) for wavy in recipe.waviness)
     waving = recipe.count * (lines + len(recipe.shaft_harmonics))
     if recipe.count * len(recipe.faults) * len(recipe.modes) > _MOST_RINGING:
-        field, what = "duration", "faults and modes"
-    elif waving > _MOST_WAVING:
-        field, what = "waviness", "lines"
-    else:
-        return
-    raise InputError(
-        f"would take too long: {recipe.count} samples with so many {what}", field=field
-    )
+        rule = said(
+            "would take too long: {count} samples with this many faults and modes",
+            count=recipe.count,
+        )
+        raise InputError(rule, field="duration")
+    if waving > _MOST_WAVING:
+        rule = said("would take too long: {count} samples with this many lines", count=recipe.count)
+        raise InputError(rule, field="waviness")
 
 
 def _refuse_silence(made: Synthesis) -> None:
@@ -356,13 +419,15 @@ def _refuse_silence(made: Synthesis) -> None:
     has_ratio = recipe.noise is not None and recipe.noise.ratio is not None
     if recipe.faults and has_ratio and made.truth.noise_level == 0.0 and not struck:
         raise InputError(
-            "is the ratio to faults that make no impact with any force: no ball is pressed where"
-            " they lie, or the signal is too short",
+            said(
+                "is the ratio to faults without any impact: no ball is loaded where "
+                "they are, or the signal is too short"
+            ),
             field="ratio",
             value=recipe.noise.ratio if recipe.noise else None,
         )
     if not made.signal.samples.any():
-        rule = "is silent: no part of it has any strength"
+        rule = said("is silent: no part of it has any amplitude")
         if recipe.faults:
             rule += "; no ball is pressed where the damage lies, or the signal is too short"
         raise InputError(rule, field="signal", example='load="uniform"')

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
@@ -12,19 +12,15 @@ from numpy.typing import ArrayLike
 
 from rolamento.errors import InputError
 from rolamento.weibull import (
-    Band,
     Demonstration,
     Estimand,
     LifeTest,
     LifeTestPlan,
     LifeTestSummary,
-    LikelihoodRegion,
     Trend,
     Wanted,
     alternatives,
-    confidence_band,
     demonstrate,
-    likelihood_region,
     plan_for_ratio,
     plan_of,
     plans_for_ratio,
@@ -34,6 +30,7 @@ from rolamento.weibull import (
     wear_of_each,
 )
 from rolamento.weibull.life_units import life_in, life_with_unit
+from rolamento.words import said
 
 if TYPE_CHECKING:
     from rolamento.clearance.wear import WearFit, WearLaw
@@ -42,11 +39,9 @@ __all__ = [
     "DemonstrationStudy",
     "PrecisionStudy",
     "TrendStudy",
-    "bands_of",
     "demonstration_study",
     "life_test_study",
     "precision_study",
-    "regions_of",
     "trend_study",
 ]
 
@@ -129,8 +124,12 @@ def _only_groups(test: LifeTest, names: Sequence[str]) -> LifeTest:
     known = list(dict.fromkeys(str(name) for name in test.group))
     for name in names:
         if name not in known:
-            there = ", ".join(label for label in known[:10] if label) or "none"
-            rule = f"is no group of the data; there are: {there}"
+            there = ", ".join(label for label in known[:10] if label)
+            rule = (
+                said("is not a group of the data; the groups are {there}", there=there)
+                if there
+                else said("is not a group of the data, which have none")
+            )
             raise InputError(rule, field="only", value=name)
     return test.select(np.isin(test.group, list(names)))
 
@@ -138,32 +137,6 @@ def _only_groups(test: LifeTest, names: Sequence[str]) -> LifeTest:
 def _enough_samples(size: int) -> int:
     """How many tests to draw: those of many bearings take long, and few of them do."""
     return max(min(_SAMPLES, _MAXIMUM_DRAWN // size), _FEWEST_SAMPLES)
-
-
-def bands_of(summary: LifeTestSummary) -> dict[str, Band]:
-    """Bounds of the lives over all reliabilities, by the groups that have any, as was asked for."""
-    asked = summary.wanted
-    return {
-        group.name: confidence_band(
-            group.test,
-            method=asked.bounds,
-            confidence=asked.confidence,
-            samples=asked.samples,
-            seed=asked.seed,
-            shape=asked.shape,
-        )
-        for group in summary.groups
-        if group.bounded
-    }
-
-
-def regions_of(summary: LifeTestSummary, quantity: str = "L10") -> dict[str, LikelihoodRegion]:
-    """Regions of equal likelihood of shape and a life, by the groups."""
-    asked = summary.wanted
-    return {
-        group.name: likelihood_region(group.test, quantity, samples=asked.samples, seed=asked.seed)
-        for group in summary.groups
-    }
 
 
 # --- planned tests ---------------------------------------------------------------------------
@@ -197,8 +170,10 @@ class DemonstrationStudy:
     confidences: tuple[tuple[float, float], ...]
 
     def to_mapping(self) -> dict[str, Any]:
-        """Give the plan as plain values."""
+        """Give the plan as plain values; times in the unit that it names."""
         return {
+            "schema": 2,
+            "kind": "weibull_plan_demonstration",
             "unit": self.unit,
             **self.plan.to_mapping(),
             "chance_of_passing": [
@@ -294,8 +269,10 @@ class PrecisionStudy:
         return any(plan.planned for plan in self.plans)
 
     def to_mapping(self) -> dict[str, Any]:
-        """Give the plans as plain values."""
+        """Give the plans as plain values; times in the unit that they name."""
         return {
+            "schema": 2,
+            "kind": "weibull_plan_precision",
             "unit": self.unit,
             "wanted_ratio": self.ratio,
             "plans": [plan.to_mapping() for plan in self.plans],
@@ -338,9 +315,9 @@ def precision_study(
         For neither or both of ratio and failures, or a number that cannot be.
     """
     if (ratio is None) == (failures is None):
-        raise InputError("or failures must be given, one of them", field="ratio", example="5.0")
+        raise InputError(said("or failures must be given"), field="ratio", example="5.0")
     if ratio is not None and groups is not None and len(group_sizes) > 1:
-        raise InputError("goes with one size of the groups", field="groups", value=groups)
+        raise InputError(said("goes with a single group size"), field="groups", value=groups)
     expected, unit = (1.0, "") if life is None else _life_and_unit(life)
     keywords: dict[str, Any] = {
         "shape": shape, "life": expected, "reliability": reliability,
@@ -371,6 +348,15 @@ class TrendStudy:
 
     trend: Trend
     fits: Mapping[str, WearFit]
+
+    def to_mapping(self) -> dict[str, Any]:
+        """Give the record as plain values; the fits in SI units."""
+        return {
+            "schema": 2,
+            "kind": "trend",
+            **self.trend.to_mapping(),
+            "wear": {name: asdict(fit) for name, fit in self.fits.items()},
+        }
 
 
 def trend_study(

@@ -46,6 +46,7 @@ from rolamento.weibull import (
     published_life_test,
     rank_regression,
 )
+from rolamento.words import Note
 
 STRIBECK: Final = 5.0
 """Z times the heaviest ball's load over the radial load, with usual clearance. Stribeck (1901)."""
@@ -54,12 +55,7 @@ LINE_CONTACT_DEPTH: Final = 0.5
 A_THIRD: Final = 1.0 / 3.0
 """The most by which the exact depth may exceed the printed one, and a printed film be too thin."""
 
-_WHOLE_LOAD: Final = (
-    "The author puts the whole load on one ball, and the maximum shear at half the minor"
-    " semi-axis. The heaviest of 8 balls carries 5/8 of the load, and the exact depth for this"
-    " ellipse is nearly a third greater. Both with the conformity 0.52 of the catalogue, at the"
-    " inner race."
-)
+_WHOLE_LOAD: Final = Note("verify_campanha_whole_load")
 
 
 def inner_contact(load: float) -> HertzContact:
@@ -109,30 +105,12 @@ def _shear_depth() -> Check:
 _ZERO_CELSIUS: Final = 273.15
 _MM2: Final = 1e6
 
-_OTHER_TEMPERATURE: Final = (
-    "The line of ASTM D341 through the oil's two printed viscosities gives 12.89 mm²/s at 84.8 °C;"
-    " at the 83.4 °C of the text it is 4 % more."
-)
-_SUM_OF_SPEEDS: Final = (
-    "The printed formula gives the sum of the two surface speeds; the film rests on their mean,"
-    " half of it."
-)
-_CONVEX_RADIUS: Final = (
-    "As the author has it, the hollow groove taken for a convex one. The film wants the radius of"
-    " the rolling direction, 3.963 mm."
-)
-_CONVEX_ELLIPSE: Final = (
-    "As the author has it: a convex groove, x and y exchanged, an approximate formula. The ratio of"
-    " the true ellipse's axes is 21.6."
-)
-_FILM: Final = (
-    "With the sum of the speeds, the convex groove and the exchanged x and y the printed film comes"
-    " out; the errors nearly cancel. Right is a film a quarter thicker."
-)
-_PARAMETER: Final = (
-    "The film parameter follows the film: with the author's choices the printed one comes out."
-    " Right is a quarter more."
-)
+_OTHER_TEMPERATURE: Final = Note("verify_campanha_other_temperature")
+_SUM_OF_SPEEDS: Final = Note("verify_campanha_sum_of_speeds")
+_CONVEX_RADIUS: Final = Note("verify_campanha_convex_radius")
+_CONVEX_ELLIPSE: Final = Note("verify_campanha_convex_ellipse")
+_FILM: Final = Note("verify_campanha_film")
+_PARAMETER: Final = Note("verify_campanha_parameter")
 
 
 def film_checks() -> Iterator[Check]:
@@ -197,7 +175,7 @@ def _oil_checks() -> Iterator[Check]:
             unit="mm²/s",
             printed=state["viscosity_mm2_s"],
             computed=_viscosity_on_line(line, state["temperature_degC"]),
-            explanation="" if other is None else _OTHER_TEMPERATURE,
+            explanation=None if other is None else _OTHER_TEMPERATURE,
             evidence=None if other is None else _viscosity_on_line(line, other),
             deviation=0.05 * float(state["viscosity_mm2_s"]),
         )
@@ -324,11 +302,7 @@ def _right_speed(film: Mapping[str, Any]) -> float:
     )
 
 
-_NO_NAMES: Final = (
-    "The table does not name its bearings: for each range of bores a usual one that fits is taken,"
-    " with a ball under the load; C2 at both ends of its range, the other classes in the middle of"
-    " theirs. Other bearings of the same range come out up to 2 µm away."
-)
+_NO_NAMES: Final = Note("verify_campanha_no_names")
 
 
 def clearance_checks() -> Iterator[Check]:
@@ -379,10 +353,7 @@ def _clearance_class_limits(printed: Mapping[str, Any]) -> Iterator[Check]:
         )
 
 
-_ROUNDED_GROOVE: Final = (
-    "The author rounds the inner groove's radius to 5.21 mm; the outer conformity is 0.53. The"
-    " standard raises no rating for closer grooves: this factor is theory."
-)
+_ROUNDED_GROOVE: Final = Note("verify_campanha_rounded_groove")
 _BALL_13_32: Final = 25.4 * 13.0 / 32.0
 """mm: 13/32 in, which the text rounds to 10.319 mm."""
 _GROOVE_ROUNDING: Final = 0.5
@@ -431,27 +402,11 @@ _WITH_FIVE: Final = (2, 3, 4, 5, *_FAILED_ALONE)
 _TESTS_OF_II: Final = (6, 7, 8, 9, 10)
 _DEVIATION: Final = 0.4
 """Of the printed life: the most by which the explanations below say that it is too long."""
-_FOUR: Final = (
-    "The text does not say it: exact median ranks, ln ln 1/(1 - F) regressed on ln t, of the four"
-    " failures of procedure II alone."
-)
-_FIVE: Final = (
-    "Printed as the life without test 5, and yet test 5 is in it: the same regression of procedure"
-    " II and test 5 as failures, with tests 2 to 4 as suspensions, once each."
-)
-_AS_IF: Final = (
-    "The same regression, had each of the five tests of condition II ended with a failure. Nothing"
-    " failed in them."
-)
-_ALL_BEARINGS: Final = (
-    "Maximum likelihood of all the bearings that the text names, those that did not fail with the"
-    " time that they ran. The proof: the text's likelihood equations, put right and written for"
-    " tests that did not all fail. Up to 40 % of the printed life is too much."
-)
-_LOWER_BOUND: Final = (
-    "Nothing failed: the ten bearings say no more than that L_10 is not below 78 h, at a confidence"
-    " of 95 % and with the shape 1.5. The proof: (Σt^1.5 ln 0.9/ln 0.05)^(1/1.5)."
-)
+_FOUR: Final = Note("verify_campanha_four")
+_FIVE: Final = Note("verify_campanha_five")
+_AS_IF: Final = Note("verify_campanha_as_if")
+_ALL_BEARINGS: Final = Note("verify_campanha_all_bearings")
+_LOWER_BOUND: Final = Note("verify_campanha_lower_bound")
 
 
 def condition(name: str, *, without: Iterable[int] = ()) -> LifeTest:

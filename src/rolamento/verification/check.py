@@ -21,6 +21,7 @@ from rolamento._json import plain
 from rolamento.case.bearing import Bearing
 from rolamento.case.material import Material
 from rolamento.units import MILLIMETRE
+from rolamento.words import Note
 
 CheckVerdict = Literal["agrees", "explained", "fails"]
 VERDICTS: Final[tuple[CheckVerdict, ...]] = ("agrees", "explained", "fails")
@@ -48,8 +49,8 @@ class Check:
     tolerance
         What the print supports; half a unit of its last digit if not given.
     explanation
-        Why the two differ, or which choice the source does not tell of; empty if there is
-        nothing to explain.
+        Why the two differ, or which choice the source does not state; None if there is nothing to
+        explain.
     evidence
         What proves the explanation: the number that the program gives when it makes the author's
         choice, or, with `corrected`, what the publication's other numbers give.
@@ -66,7 +67,7 @@ class Check:
     printed: str
     computed: float
     tolerance: float = nan
-    explanation: str = ""
+    explanation: Note | None = None
     evidence: float | None = None
     corrected: str = ""
     deviation: float = 0.0
@@ -100,11 +101,11 @@ class Check:
             "difference": self.difference,
             "tolerance": self.tolerance,
             "verdict": self.verdict,
-            "explanation": self.explanation,
             "evidence": self.evidence,
             "corrected": self.corrected or None,
         }
-        return {key: plain(value) for key, value in mapping.items()}
+        explanation = None if self.explanation is None else self.explanation.to_mapping()
+        return {key: plain(value) for key, value in mapping.items()} | {"explanation": explanation}
 
     def _proved(self) -> bool:
         """Tell whether the evidence, if there is any, gives the number that it must give."""

@@ -35,6 +35,7 @@ from rolamento.verification.check import (
     published,
     steel,
 )
+from rolamento.words import Note
 
 PER_MM: Final = 10.0**4.5
 """N/m^1.5 in a N/mm^1.5."""
@@ -168,29 +169,14 @@ def _contact_numbers(bearing: Bearing) -> dict[str, Number]:
 
 SYMBOLS: Final = {"semi_major": "a*", "semi_minor": "b*", "deflection": "δ*"}
 
-_ABSCISSA: Final = "The tolerance includes what the rounding of the printed F(ρ) leaves open."
-_MISPRINT: Final = (
-    "A misprint, three units of the last digit off: the printed a* and b* of the same row give"
-    " 0.9432, as the exact solution does."
-)
-_CUT: Final = "The digits beyond the printed ones are cut off, not rounded."
-_LOW_DEFLECTION: Final = (
-    "By hand: δ* comes out 0.2 to 0.3 % too low, the stiffness 0.4 to 0.8 % too high. Radaelli's"
-    " table gives the number by computer beside it."
-)
-_INTEGRAL_BY_TABLE: Final = (
-    "By hand: the continuous load integral, J_r cut to 0.218. The equilibrium counts the balls"
-    " where they stand."
-)
-_DISPLACEMENT: Final = (
-    "The continuous load integral, and the digits beyond the printed ones cut off. The equilibrium"
-    " counts the balls where they stand."
-)
-_BY_HAND: Final = (
-    "By hand, ended after three iterations (Radaelli's appendix C), whose table gives the number"
-    " by computer beside it."
-)
-_FROM_ANGLE: Final = "Follows from the contact angle of the hand calculation: Q = F_a/(Z sin α)."
+_ABSCISSA: Final = Note("verify_harris_abscissa")
+_MISPRINT: Final = Note("verify_harris_misprint")
+_CUT: Final = Note("verify_harris_cut")
+_LOW_DEFLECTION: Final = Note("verify_harris_low_deflection")
+_INTEGRAL_BY_TABLE: Final = Note("verify_harris_integral_by_table")
+_DISPLACEMENT: Final = Note("verify_harris_displacement")
+_BY_HAND: Final = Note("verify_harris_by_hand")
+_FROM_ANGLE: Final = Note("verify_harris_from_angle")
 
 
 def checks() -> Iterator[Check]:

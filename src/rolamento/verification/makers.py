@@ -22,6 +22,7 @@ from rolamento.life.iso281 import basic_rating_life, hours
 from rolamento.solution import solve
 from rolamento.units import MICROMETRE, RPM
 from rolamento.verification.check import Check, bearing_of, half_unit, published, steel
+from rolamento.words import Note
 
 _RIGIDITY_FIT: Final = 0.01
 """Relative: how well one conformity and one modulus fit the bearings that are compared."""
@@ -36,19 +37,9 @@ _QUANTITIES: Final = {
     "rigidity": "axial rigidity",
     "lift_off": "unloading load",
 }
-_CONFORMITY: Final = (
-    "The conformity and the elastic constants are not published: 0.52 and 208 GPa, for all alike,"
-    " give these bearings within 1 %, which is the tolerance where it is more than half a digit."
-)
-_ROUND: Final = (
-    "One number for all bearings, in steps of 0.05: half a step is the tolerance, or half a digit"
-    " where that is more. It follows from a contact angle that does not change, as under vanishing"
-    " preload. Computed for S 6012 E at light preload, whose contact angle grows under the load."
-)
-_CONSTANT: Final = (
-    "2^(3/2), from a contact angle that does not change, as under vanishing preload. Computed for"
-    " S 6012 E at light preload, whose contact angle grows under the load."
-)
+_CONFORMITY: Final = Note("verify_makers_conformity")
+_ROUND: Final = Note("verify_makers_round")
+_CONSTANT: Final = Note("verify_makers_constant")
 
 
 def bearing(designation: str, **changes: Any) -> Bearing:
@@ -181,10 +172,7 @@ _FACTOR_ATTRIBUTES: Final = {
 }
 """Attribute of `LoadFactors`, and whether of two rows."""
 
-_PAIR: Final = (
-    "SKF rounds 2^0.7 to 1.62 for the rating of a pair. Tolerance: half of the last digit that is"
-    " not zero."
-)
+_PAIR: Final = Note("verify_makers_pair")
 
 
 def life_checks() -> Iterator[Check]:

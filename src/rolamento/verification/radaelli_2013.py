@@ -32,6 +32,7 @@ from rolamento.verification.harris_1991 import (
     bearing_218,
     radial_example,
 )
+from rolamento.words import Note
 
 BALL_QUANTITIES: Final[Mapping[str, Label]] = {
     "outer_angle_deg": Label("α_o", "°"),
@@ -40,39 +41,16 @@ BALL_QUANTITIES: Final[Mapping[str, Label]] = {
     "inner_load_N": Label("Q_i", "N"),
 }
 
-_INTEGRAL: Final = (
-    "The table takes the continuous load integral J_r. The equilibrium counts the balls where they"
-    " stand."
-)
-_FROZEN: Final = (
-    "The table keeps the contact stiffness of the free contact angle. That of the loaded angle"
-    " prints alike."
-)
-_CUT: Final = "The digits beyond the printed ones are cut off, not rounded: 41.4949°."
-_HELD: Final = (
-    "The ring is held axially, x = 0, which the table does not say; the axial load is then a"
-    " reaction of 31.1 kN."
-)
-_TIE: Final = (
-    "A tie: 48.76497° is 48.77° when rounded twice, first to three decimals. The ring is held"
-    " axially, as for the other rows."
-)
-_REACTION: Final = (
-    "The tilt is held; the moment is the reaction, with the circle of the inner groove's centres"
-    " as arm. The gyroscopic moment is signed."
-)
-_AS_RADIAL: Final = (
-    "The static analysis takes contact angle 0 and no clearance. With its own 40°, held axially,"
-    " the bearing moves nearly half as far again, almost as far as at speed: what the text puts"
-    " down to centrifugal force comes almost wholly from the contact angle."
-)
-_WITHOUT_CLEARANCE: Final = "The 209 bearing without clearance."
-_PROPORTION: Final = (
-    "The 209 bearing; both grow with the square of the speed, exactly, at any contact angle."
-)
-_LOADS_GIVEN: Final = (
-    "F_a from 20 to 80 kN, radial load given, tilt zero. The text says approximately."
-)
+_INTEGRAL: Final = Note("verify_radaelli_integral")
+_FROZEN: Final = Note("verify_radaelli_frozen")
+_CUT: Final = Note("verify_radaelli_cut")
+_HELD: Final = Note("verify_radaelli_held")
+_TIE: Final = Note("verify_radaelli_tie")
+_REACTION: Final = Note("verify_radaelli_reaction")
+_AS_RADIAL: Final = Note("verify_radaelli_as_radial")
+_WITHOUT_CLEARANCE: Final = Note("verify_radaelli_without_clearance")
+_PROPORTION: Final = Note("verify_radaelli_proportion")
+_LOADS_GIVEN: Final = Note("verify_radaelli_loads_given")
 
 AS_PUBLISHED: Final = Model(cage="none")
 """Raceway control alone moves the balls."""

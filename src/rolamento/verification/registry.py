@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any, Final
 
 from rolamento._json import dumps
-from rolamento.errors import InputError, nearest
+from rolamento.errors import InputError, guess
 from rolamento.verification.campanha_2008 import checks as campanha_2008_checks
 from rolamento.verification.check import VERDICTS, Check, CheckVerdict, published
 from rolamento.verification.harris_1991 import checks as harris_1991_checks
@@ -16,8 +16,9 @@ from rolamento.verification.makers import life_checks as makers_life_checks
 from rolamento.verification.radaelli_2013 import checks as radaelli_2013_checks
 from rolamento.verification.rigs import case_western_checks, rig_checks
 from rolamento.verification.standards import iso_76_checks, iso_281_checks, iso_16281_checks
+from rolamento.words import said
 
-SCHEMA: Final = 1
+SCHEMA: Final = 2
 
 
 @dataclass(frozen=True, slots=True)
@@ -131,9 +132,10 @@ def _chosen(names: tuple[str, ...]) -> tuple[Source, ...]:
     known = [source.name for source in everything]
     for name in names:
         if name not in known:
-            near = nearest(name, known)
-            guess = f"did you mean {near}?" if near else f"known: {', '.join(known)}"
             raise InputError(
-                f"is not a known source; {guess}", field="source", value=name, example=known[0]
+                said("is an unknown source; {guess}", guess=guess(name, known)),
+                field="source",
+                value=name,
+                example=known[0],
             )
     return tuple(source for source in everything if not names or source.name in names)

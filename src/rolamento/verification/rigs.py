@@ -17,6 +17,7 @@ from typing import Any, Final
 from rolamento.kinematics import ball_motion
 from rolamento.verification.check import Check, half_unit, published
 from rolamento.vibration.frequencies import LineName, line_orders, turns_of
+from rolamento.words import Note
 
 _MULTIPLES: Final = {
     "cage": "cage",
@@ -24,10 +25,7 @@ _MULTIPLES: Final = {
     "inner_race": "inner race",
     "ball": "ball, twice",
 }
-ROUNDED: Final = (
-    "The tolerance includes what the rounding of the printed diameters leaves open; the contact"
-    " angle is zero."
-)
+ROUNDED: Final = Note("verify_rigs_rounded")
 """Explanation of checks that allow for it."""
 
 
@@ -129,5 +127,5 @@ def _rig_check(rig: Mapping[str, Any], line: LineName, printed: str) -> Check:
         printed=printed,
         computed=found,
         tolerance=tolerance if exact else tolerance + room_of_rounding(rig, line),
-        explanation="" if exact else ROUNDED,
+        explanation=None if exact else ROUNDED,
     )

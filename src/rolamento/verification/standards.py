@@ -29,19 +29,15 @@ from rolamento.solution import solve
 from rolamento.static import axial_load
 from rolamento.units import MICROMETRE, MILLIMETRE
 from rolamento.verification.check import Check, bearing_of, half_unit, last_unit, published, steel
+from rolamento.words import Note
 
 _MPA: Final = 1e6
 _STEEP_LOAD: Final = 1.0
 """Relative axial load at steep angles, where it does not matter; MPa."""
-_OF_THE_FACTORS: Final = (
-    "(1 - X)/Y with the printed factors, whose own rounding leaves the last digit open."
-)
+_OF_THE_FACTORS: Final = Note("verify_iso_of_the_factors")
 _HALF_DIGIT: Final = 0.005
 """Of the printed factors."""
-_OF_TWO_ROWS: Final = (
-    "(1 - X_2)/(Y_2 - Y_1) with the printed factors; the tolerance includes what their own rounding"
-    " leaves open."
-)
+_OF_TWO_ROWS: Final = Note("verify_iso_of_two_rows")
 
 
 def iso_281_checks() -> Iterator[Check]:
@@ -101,13 +97,8 @@ def _load_ratio_check(
 
 _GAMMA_OF_ZERO: Final = 1e-12
 """γ in the place of 0, where the closed form begins."""
-_EXACT_HERTZ: Final = (
-    "The load that makes 4200 MPa, by exact Hertz with 207 GPa and 0.3, grooves of 0.52 and 0.53."
-)
-_NOT_ROUNDED: Final = (
-    "By exact Hertz 15.653 with 207 GPa and 0.3: the table's one number that is not the rounded"
-    " one. Tolerance: 0.003 more than half a digit."
-)
+_EXACT_HERTZ: Final = Note("verify_iso_exact_hertz")
+_NOT_ROUNDED: Final = Note("verify_iso_not_rounded")
 _NOT_ROUNDED_ROOM: Final = 0.003
 
 
@@ -138,22 +129,10 @@ _FROZEN_LIFE: Final = 2e-4
 _FROZEN_DEVIATION: Final = 1e-4
 """Relative: the most that the stiffness of the loaded angle may make of it."""
 
-_APPROXIMATE: Final = (
-    "The tolerance is 1e-5 of the number where that is more than half a digit: the reference"
-    " program approximates the elliptic integrals."
-)
-_FROZEN: Final = (
-    "The standard keeps the contact stiffness of the free contact angle, 0°, while the angle rises"
-    " to 13.1°, which makes less than 1e-4 of the number. Tolerance as for radial load."
-)
-_APPROXIMATE_LOADS: Final = (
-    "The program balances its ball loads to some 1e-5, of which the life takes the cube: tolerance"
-    " 1e-4."
-)
-_FROZEN_ANGLE: Final = (
-    "With the contact stiffness of the free contact angle, as the standard keeps it, the balls"
-    " stand 0.0006° steeper and carry less. Tolerance 3e-5: the cube of 1e-5 in the loads."
-)
+_APPROXIMATE: Final = Note("verify_iso_approximate")
+_FROZEN: Final = Note("verify_iso_frozen")
+_APPROXIMATE_LOADS: Final = Note("verify_iso_approximate_loads")
+_FROZEN_ANGLE: Final = Note("verify_iso_frozen_angle")
 
 
 def iso_16281_bearing(clearance_mm: float) -> Bearing:

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from math import isfinite
+from typing import Final
 
 import numpy as np
 
 from rolamento.errors import InputError, shown
 from rolamento.vibration.signal import Signal
+from rolamento.words import marked, said
 
 Band = tuple[float, float]
 """Lower and upper edge of a frequency band; Hz."""
@@ -52,7 +54,7 @@ def checked_count(value: object, field: str, *, least: int, most: int, example: 
     """
     whole = isinstance(value, int | np.integer) and not isinstance(value, bool)
     if not whole or not least <= int(value) <= most:  # type: ignore[call-overload]
-        rule = f"must be a whole number from {least} to {most}"
+        rule = said("must be an integer from {least} to {most}", least=least, most=most)
         raise InputError(rule, field=field, value=value, example=example)
     return int(value)  # type: ignore[call-overload, no-any-return]
 
@@ -71,8 +73,11 @@ def checked_band(band: object, rate: float, field: str = "band") -> Band:
     low, high = map(_as_float, given or (None, None))
     if not 0.0 <= low < high <= 0.5 * rate:
         raise InputError(
-            f"must be a lower and a higher frequency from 0 to half the sampling rate, "
-            f"{0.5 * rate:g} Hz",
+            said(
+                "must be a lower and an upper frequency from 0 to half the sampling "
+                "rate, {rate:.6g} Hz",
+                rate=0.5 * rate,
+            ),
             field=field,
             value=f"({', '.join(shown(edge) for edge in given)})" if given else band,
             example=f"{field} = (2000.0, 4000.0)",
@@ -90,7 +95,7 @@ def require_signal(given: object) -> None:
     """
     if not isinstance(given, Signal):
         raise InputError(
-            "must be a Signal, which has a rate with its samples",
+            said("must be a Signal, samples with their rate"),
             field="signal",
             value=type(given).__name__,
             example="Signal(samples, rate=51200.0)",
@@ -115,7 +120,7 @@ def pieces_of(given: Signal | Iterable[Signal]) -> Iterator[Signal]:
         nothing = False
         yield piece
     if nothing:
-        raise InputError("holds no samples", field="signal")
+        raise InputError(said("has no samples"), field="signal")
 
 
 def require_samples(signal: Signal, least: int, purpose: str) -> None:
@@ -129,8 +134,8 @@ def require_samples(signal: Signal, least: int, purpose: str) -> None:
     require_signal(signal)
     if len(signal.samples) < least:
         raise InputError(
-            f"must be at least {least} for {purpose}",
-            field="number of samples",
+            said("must be at least {least} for {purpose}", least=least, purpose=purpose),
+            field=marked("number of samples"),
             value=len(signal.samples),
         )
 
@@ -145,15 +150,20 @@ def _as_float(value: object) -> float:
         return float("nan")
 
 
+_RULES: Final[dict[tuple[str, ...], str]] = {
+    (): marked("must be a number"),
+    ("above",): marked("must be a number greater than {above:.6g}"),
+    ("least",): marked("must be a number of at least {least:.6g}"),
+    ("most",): marked("must be a number of at most {most:.6g}"),
+    ("above", "most"): marked("must be a number greater than {above:.6g} and at most {most:.6g}"),
+    ("least", "most"): marked("must be a number from {least:.6g} to {most:.6g}"),
+}
+
+
 def _rule(above: float | None, least: float | None, most: float | None) -> str:
-    parts = ["must be a number"]
-    if above is not None:
-        parts.append(f"over {above:g}")
-    if least is not None:
-        parts.append(f"of at least {least:g}")
-    if most is not None:
-        parts.append(f"{'and ' if len(parts) > 1 else ''}up to {most:g}")
-    return " ".join(parts)
+    limits = {"above": above, "least": least, "most": most}
+    given = {name: limit for name, limit in limits.items() if limit is not None}
+    return said(_RULES[tuple(given)], **given)
 
 
 def check_within(
@@ -161,11 +171,16 @@ def check_within(
 ) -> None:
     """Refuse a number that is not between two bounds, both allowed; NaN never is."""
     if not least <= _as_float(value) <= most:
-        span = f"from {least:g} to {most:g}{f' {unit}' if unit else ''}"
-        raise InputError(f"must be {span}", field=field, value=value, example=example)
+        limits = {"least": least, "most": most, "unit": f" {unit}" if unit else ""}
+        raise InputError(
+            said("must be from {least:.6g} to {most:.6g}{unit}", **limits),
+            field=field,
+            value=value,
+            example=example,
+        )
 
 
 def check_count(field: str, count: int, most: int) -> None:
     """Refuse more of something than there may be."""
     if count > most:
-        raise InputError(f"may hold at most {most}", field=field, value=count)
+        raise InputError(said("may have at most {most}", most=most), field=field, value=count)

@@ -37,6 +37,7 @@ from rolamento.numerics import FloatArray
 from rolamento.vibration._checks import Band, checked_band, checked_count, checked_number, pieces_of
 from rolamento.vibration.signal import Quantity, Signal
 from rolamento.vibration.spectrum import Spectrum, averaged_density, axis_of
+from rolamento.words import Note, said
 
 _POWERS: Final[dict[Quantity, float]] = {
     "acceleration": -2.0, "velocity": 0.0, "displacement": 2.0
@@ -89,7 +90,7 @@ def velocity_of(signal: Signal | Iterable[Signal], resolution: float) -> Velocit
     first = next(pieces)
     if first.quantity not in _POWERS:
         raise InputError(
-            "must be velocity, acceleration or displacement",
+            said("must be velocity, acceleration or displacement"),
             field="quantity",
             value=first.quantity,
             example='quantity = "velocity"',
@@ -151,12 +152,15 @@ class _Total:
         """
         first, duration = self.first, self.samples / self.first.rate
         if self.density is None:
-            rule = f"must be at least {1.0 / self.resolution:g} s"
+            rule = said("must be at least {resolution:.6g} s", resolution=1.0 / self.resolution)
             raise InputError(rule, field="duration", value=duration, source=first.title)
         if self.least == self.most:
             raise InputError(
-                f"does not change over {self.samples} samples: no sensor was there, or it is the"
-                " wrong channel",
+                said(
+                    "is constant over {samples} samples: no sensor was connected, or it is "
+                    "the wrong channel",
+                    samples=self.samples,
+                ),
                 field="signal",
                 value=self.least,
                 source=first.title,
@@ -173,7 +177,7 @@ class _Total:
         for name in ("rate", "quantity", "unit"):
             value, wanted = getattr(piece, name), getattr(self.first, name)
             if value != wanted:
-                rule = f"must be that of the first piece, {wanted}"
+                rule = said("must be that of the first piece, {wanted}", wanted=wanted)
                 raise InputError(rule, field=name, value=value, source=piece.title)
 
 
@@ -195,15 +199,6 @@ SPEED: Final = 60.0 * pi
 ACCEPTED: Final = 0.4
 """Of the full scale; Campanha 2008, chapter 2.8."""
 
-NOISE_NOTES: Final[dict[str, str]] = {
-    "speed_unknown": "The signal does not tell the speed; 1800 rpm is assumed.",
-    "speed_differs": (
-        "The speed is not within -2 and +1 % of 1800 rpm, as ISO 15242-2 wants it: anderons are "
-        "reckoned with the actual speed, but bands and limits are those of 1800 rpm."
-    ),
-    "band_incomplete": "The sampling rate does not hold: {bands}.",
-}
-"""Sentences by name; `Noise.sentences` fills them in."""
 _MICROINCH: Final = 25.4e-9
 _SPEED_TOLERANCE: Final = (-0.02 - 1e-9, 0.01 + 1e-9)
 """ISO 15242-2:2015, clause 4.1, and rounding."""
@@ -245,14 +240,14 @@ class Noise:
     bands
         low, medium, high; or those that were asked for
     notes
-        names in `NOISE_NOTES`
+        what a reader should know
     velocity
         of the outer ring, of which the bands are parts
     """
 
     speed: float
     bands: tuple[BandNoise, ...]
-    notes: tuple[str, ...]
+    notes: tuple[Note, ...]
     velocity: Velocity
 
     def of(self, name: BandName) -> BandNoise:
@@ -263,11 +258,6 @@ class Noise:
     def missing(self) -> tuple[BandName, ...]:
         """Bands that the sampling rate does not hold."""
         return tuple(band.name for band in self.bands if not isfinite(band.velocity))
-
-    @property
-    def sentences(self) -> tuple[str, ...]:
-        """The notes in words."""
-        return tuple(NOISE_NOTES[name].format(bands=", ".join(self.missing)) for name in self.notes)
 
 
 class NoiseSteps(NamedTuple):
@@ -325,11 +315,12 @@ def measure_noise(
         held = band[1] <= 0.5 * velocity.rate
         size = _rms_in(velocity.density, band) if held else nan
         measured.append(BandNoise(name, band, size, anderons_of_velocity(size, band, speed)))
-    notes = [] if known else ["speed_unknown"]
+    notes = [] if known else [Note("speed_unknown")]
     if not _SPEED_TOLERANCE[0] <= speed / SPEED - 1.0 <= _SPEED_TOLERANCE[1]:
-        notes.append("speed_differs")
-    if not all(isfinite(band.velocity) for band in measured):
-        notes.append("band_incomplete")
+        notes.append(Note("speed_differs"))
+    missing = [band.name for band in measured if not isfinite(band.velocity)]
+    if missing:
+        notes.append(Note("band_incomplete", {"rate": velocity.rate, "bands": missing}))
     return Noise(speed, tuple(measured), tuple(notes), velocity)
 
 
@@ -405,7 +396,7 @@ def accept(
     names = [band.name for band in noise.bands]
     if not full_scale or not set(full_scale) <= set(names):
         raise InputError(
-            f"must give at least one of {', '.join(names)}, and nothing else",
+            said("must give at least one of {names}, and nothing else", names=", ".join(names)),
             field="full_scale",
             example='full_scale = {"low": 30.0, "medium": 60.0, "high": 60.0}',
         )
@@ -420,14 +411,14 @@ def _velocity_per_anderon(band: Band, speed: float) -> float:
     checked_number(speed, "speed", above=0.0, example="speed = 188.5")
     low, high = checked_band(band, 1e12)
     if low <= 0.0:
-        raise InputError("must begin above 0 Hz", field="band", value=str(band))
+        raise InputError(said("must begin above 0 Hz"), field="band", value=str(band))
     return _MICROINCH * speed * sqrt(log2(high / low))
 
 
 def _check_bands(bands: Mapping[BandName, Band]) -> None:
     for name, band in bands.items():
         if checked_band(band, 1e12, f"bands.{name}")[0] <= 0.0:
-            raise InputError("must begin above 0 Hz", field=f"bands.{name}", value=str(band))
+            raise InputError(said("must begin above 0 Hz"), field=f"bands.{name}", value=str(band))
 
 
 def _rms_in(density: Spectrum, band: Band) -> float:

@@ -12,6 +12,7 @@ import numpy as np
 from rolamento._data import toml_of
 from rolamento.errors import InputError
 from rolamento.vibration.anderon import BANDS, BandName
+from rolamento.words import said
 
 _LETTERS: Final[dict[str, BandName]] = {"L": "low", "M": "medium", "H": "high"}
 _REJECTED: Final = "x"
@@ -102,7 +103,7 @@ def trend_of(
         by_bearing.setdefault(record.bearing, []).append(record)
     for name, limit in (limits or {}).items():
         if name not in BANDS or not limit > 0.0:
-            raise InputError("must be positive, by band", field=f"limits.{name}", value=limit)
+            raise InputError(said("must be positive, by band"), field=f"limits.{name}", value=limit)
     return tuple(
         AnderonTrend(
             bearing,
@@ -135,12 +136,15 @@ def campanha_records() -> tuple[AnderonRecord, ...]:
 def _check_record(record: AnderonRecord) -> None:
     if not isfinite(record.hours) or record.hours < 0.0:
         raise InputError(
-            "must be a number of hours from 0", field="hours", value=record.hours, example="60.0"
+            said("must be a number of hours, not negative"),
+            field="hours",
+            value=record.hours,
+            example="60.0",
         )
     for name, value in record.anderons.items():
         if name not in BANDS or value < 0.0:
             raise InputError(
-                f"must be a number from 0, in one of {', '.join(BANDS)}",
+                said("must be a non-negative number, in one of {bands}", bands=", ".join(BANDS)),
                 field=f"anderons.{name}",
                 value=value,
             )

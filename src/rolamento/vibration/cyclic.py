@@ -47,6 +47,7 @@ from rolamento.vibration._checks import (
 )
 from rolamento.vibration.signal import Signal
 from rolamento.vibration.spectrum import Spectrum, axis_of, bins_of_band
+from rolamento.words import marked, said
 
 _MOST_VALUES: Final = 2**26
 """Of the map, carriers times modulations: half a gigabyte."""
@@ -106,14 +107,19 @@ def cyclic_coherence(signal: Signal, highest: float, window: int = 256) -> Cycli
     step = max(1, min(window // _STEPS_PER_WINDOW, int(rate / (4.0 * highest))))
     blocks = (len(samples) - window) // step + 1
     if len(samples) < 32 * window:
-        rule = f"must be at least {32 * window}, 32 windows"
-        raise InputError(rule, field="number of samples", value=len(samples))
+        rule = said("must be at least {window}, 32 windows", window=32 * window)
+        raise InputError(rule, field=marked("number of samples"), value=len(samples))
     modulations = int(highest * fft.next_fast_len(blocks) * step / rate) + 1
     carriers = window // 2 + 1
     if modulations * carriers > _MOST_VALUES or blocks * carriers > 4 * _MOST_VALUES:
         raise InputError(
-            f"gives a map of {carriers} × {modulations} values; {_MOST_VALUES} are possible; "
-            "shorten the record or the window",
+            said(
+                "gives a map of {carriers} × {modulations} values; at most {most} are "
+                "allowed; shorten the record or the window",
+                carriers=carriers,
+                modulations=modulations,
+                most=_MOST_VALUES,
+            ),
             field="highest",
             value=highest,
         )
@@ -149,7 +155,7 @@ def enhanced_envelope_spectrum(coherence: CyclicCoherence, band: Band | None = N
     edges = (0.0, float(carrier[-1])) if band is None else band
     inside = bins_of_band(carrier, checked_band(edges, 2.0 * float(carrier[-1])))
     if not np.any(inside):
-        rule = f"holds no carrier, which are {carrier[1]:.4g} Hz apart"
+        rule = said("contains no carrier; carriers are {carrier:.4g} Hz apart", carrier=carrier[1])
         raise InputError(rule, field="band", value=str(band))
     return Spectrum(
         axis=coherence.modulation,

@@ -53,6 +53,7 @@ from rolamento.numerics import ComplexArray, FloatArray
 from rolamento.vibration._checks import Band, checked_band, checked_count, require_samples
 from rolamento.vibration.signal import Signal
 from rolamento.vibration.spectrum import EDGE, Spectrum, axis_of, one_sided_amplitudes
+from rolamento.words import said
 
 EnvelopeKind = Literal["squared", "plain"]
 _LEAST_LINES = 4
@@ -128,7 +129,7 @@ def envelope_spectrum(
     """
     if kind not in ("squared", "plain"):
         raise InputError(
-            "must be squared or plain", field="kind", value=kind, example='kind = "squared"'
+            said("must be squared or plain"), field="kind", value=kind, example='kind = "squared"'
         )
     size: FloatArray = np.abs(analytic_signal(signal, band))
     if kind == "squared":
@@ -151,8 +152,11 @@ def _lines(band: Band, rate: float, count: int) -> tuple[int, int]:
     last = min(count // 2, int(np.floor(band[1] * count / rate + EDGE))) + 1
     if last - first < min(_LEAST_LINES, count // 2):
         raise InputError(
-            f"holds fewer than {_LEAST_LINES} of the signal's lines, which are "
-            f"{rate / count:.3g} Hz apart",
+            said(
+                "contains fewer than {least} lines of the signal, which are {rate:.3g} Hz apart",
+                least=_LEAST_LINES,
+                rate=rate / count,
+            ),
             field="band",
             value=str(band),
             example="band = (2000.0, 4000.0)",
@@ -293,7 +297,7 @@ class Kurtogram:
             If the choice is unknown.
         """
         if by not in ("kurtosis", "significance"):
-            rule = "must be kurtosis or significance"
+            rule = said("must be kurtosis or significance")
             raise InputError(rule, field="by", value=by, example='by = "kurtosis"')
         bands = (lv.band(i) for lv in self.levels for i in range(len(lv.kurtosis)))
         return max(bands, key=lambda band: float(getattr(band, by)))

@@ -30,6 +30,7 @@ from rolamento.geometry import ring_geometry
 from rolamento.kinematics import ball_motion
 from rolamento.numerics import FloatArray
 from rolamento.solved import Solved, refuse_other
+from rolamento.words import Note, said
 
 FaultKind = Literal["outer_race", "inner_race", "ball", "cage"]
 LineName = Literal["cage", "ball_pass_outer", "ball_pass_inner", "ball_spin", "ball_spin_twice"]
@@ -51,19 +52,6 @@ FAULTS: Final[dict[FaultKind, LineName]] = {
 }
 """What is damaged, and the line that tells of it."""
 
-NOTES: Final[dict[str, str]] = {
-    "angle_zero": (
-        "The bearing is given by its clearance: contact angle 0, as under radial load. Under"
-        " axial load it is the free contact angle or more."
-    ),
-    "angle_free": "The bearing is given by its clearance: free contact angle, as under axial load.",
-    "at_rest": "Nothing turns: the orders are those of a turning inner ring.",
-    "turns_alike": "Both rings turn alike: no ball rolls.",
-    "no_result": "The case has no solution, and so no loaded frequencies.",
-    "no_loaded_ball": "The inner ring presses on no ball: nothing drives the cage.",
-    "friction": "The cage speed is that of friction control.",
-}
-"""What a user should know about frequencies, by name."""
 _MOST_LINES: Final = 10_000
 
 
@@ -162,7 +150,7 @@ class FaultFrequencies:
         of a set, the frequencies of every row; the record itself is that of the row that carries
         most. Empty for a single row.
     notes
-        names in `NOTES`
+        what a user should know
     """
 
     source: Literal["nominal", "loaded"]
@@ -182,7 +170,7 @@ class FaultFrequencies:
     ball_spin_twice: FaultLine
     row: int = 0
     rows: tuple[FaultFrequencies, ...] = ()
-    notes: tuple[str, ...] = ()
+    notes: tuple[Note, ...] = ()
 
     @property
     def lines(self) -> dict[LineName, FaultLine]:
@@ -255,14 +243,21 @@ class FaultFrequencies:
 
     def to_mapping(self) -> dict[str, Any]:
         """Give the frequencies as plain mappings and lists in SI units, NaN as None."""
-        mapping: dict[str, Any] = plain(asdict(self))
-        return mapping
+        mapping: dict[str, Any] = plain(asdict(replace(self, rows=(), notes=())))
+        return {
+            **mapping,
+            "rows": [row.to_mapping() for row in self.rows],
+            "notes": [note.to_mapping() for note in self.notes],
+        }
 
 
 def _known(kind: FaultKind) -> FaultKind:
     if kind not in FAULTS:
         raise InputError(
-            f"must be one of {', '.join(FAULTS)}", field="kind", value=kind, example="outer_race"
+            said("must be one of {known}", known=", ".join(FAULTS)),
+            field="kind",
+            value=kind,
+            example="outer_race",
         )
     return kind
 
@@ -270,11 +265,17 @@ def _known(kind: FaultKind) -> FaultKind:
 def _check_counts(harmonics: int, sidebands: int) -> None:
     if not 1 <= harmonics <= _MOST_LINES:
         raise InputError(
-            f"must be between 1 and {_MOST_LINES}", field="harmonics", value=harmonics, example="3"
+            said("must be between 1 and {most}", most=_MOST_LINES),
+            field="harmonics",
+            value=harmonics,
+            example="3",
         )
     if sidebands < 0 or harmonics * (2 * sidebands + 1) > _MOST_LINES:
         raise InputError(
-            f"must be at least 0, and give at most {_MOST_LINES} lines with the harmonics",
+            said(
+                "must be at least 0 and give at most {most} lines with the harmonics",
+                most=_MOST_LINES,
+            ),
             field="sidebands",
             value=sidebands,
             example="1",
@@ -321,10 +322,10 @@ class _Shaft(NamedTuple):
         return abs(self.speed) / _TURN
 
     @property
-    def notes(self) -> tuple[str, ...]:
+    def notes(self) -> tuple[Note, ...]:
         if self.speed == 0.0:
-            return ("at_rest",)
-        return ("turns_alike",) if self.inner == self.outer else ()
+            return (Note("orders_at_rest"),)
+        return (Note("rings_turn_alike"),) if self.inner == self.outer else ()
 
 
 def nominal_frequencies(
@@ -386,7 +387,10 @@ def frequencies_of(solved: Solved, *, slip: float = 0.0) -> FaultFrequencies:
     refuse_other(solved, "vibration.frequencies_of")
     if len(solved) != 1:
         raise InputError(
-            "must be one case", field="solved", value=f"{len(solved)} cases", example="solved[0]"
+            said("must be a single case"),
+            field="solved",
+            value=f"{len(solved)} cases",
+            example="solved[0]",
         )
     _check_slip(slip)
     speeds = (float(solved.field(f"duty.{ring}_speed")[0]) for ring in ("inner", "outer"))
@@ -433,7 +437,7 @@ def shaft_of(inner_speed: float | None, outer_speed: float) -> _Shaft:
     for field, value in (("inner_speed", inner_speed), ("outer_speed", outer_speed)):
         if value is not None and not abs(value) <= _MOST_SPEED:
             raise InputError(
-                f"must be a finite number up to {_MOST_SPEED:g} rad/s",
+                said("must be a finite number up to {most:.6g} rad/s", most=_MOST_SPEED),
                 field=field,
                 value=value,
                 example=f"{field} = 188.2",
@@ -458,12 +462,12 @@ def line_orders(turns: Turns, ball_count: int) -> dict[LineName, float]:
 
 def nominal_angle(
     bearing: Bearing, contact_angle: float | AngleChoice
-) -> tuple[float, tuple[str, ...]]:
+) -> tuple[float, tuple[Note, ...]]:
     """Return the contact angle of a plain bearing (rad), and what to say about it."""
     if isinstance(contact_angle, str):
         if contact_angle not in ("zero", "free"):
             raise InputError(
-                "must be zero or free, or an angle in rad",
+                said("must be zero or free, or an angle in rad"),
                 field="contact_angle",
                 value=contact_angle,
                 example='contact_angle = "free"',
@@ -471,11 +475,11 @@ def nominal_angle(
         if bearing.contact_angle is not None:
             return bearing.contact_angle, ()
         if contact_angle == "zero":
-            return 0.0, ("angle_zero",)
-        return ring_geometry(bearing).free_contact_angle, ("angle_free",)
+            return 0.0, (Note("angle_zero"),)
+        return ring_geometry(bearing).free_contact_angle, (Note("angle_free"),)
     if not 0.0 <= contact_angle < _RIGHT_ANGLE:
         raise InputError(
-            "must be at least 0 and less than a right angle, in rad",
+            said("must be at least 0 and less than a right angle, in rad"),
             field="contact_angle",
             value=contact_angle,
             example="contact_angle = 0.26",
@@ -508,7 +512,7 @@ class _Row(NamedTuple):
         angles: tuple[float, float],
         turns: Turns,
         lines: Mapping[LineName, FaultLine],
-        notes: tuple[str, ...],
+        notes: tuple[Note, ...],
     ) -> FaultFrequencies:
         """Put the record together; angles: of the inner and the outer contact."""
         return FaultFrequencies(
@@ -531,10 +535,10 @@ class _Row(NamedTuple):
             notes=notes,
         )
 
-    def without_result(self, note: str) -> FaultFrequencies:
+    def without_result(self, key: str) -> FaultFrequencies:
         """Return the record of a row that has no answer."""
         lines = {name: missing_line() for name in LINES}
-        return self.record((nan, nan), Turns(*self.shaft.ratios, nan, nan), lines, (note,))
+        return self.record((nan, nan), Turns(*self.shaft.ratios, nan, nan), lines, (Note(key),))
 
 
 # --- of a solved case ------------------------------------------------------------------------
@@ -558,9 +562,9 @@ def _loaded_row(solved: Solved, shaft: _Shaft, slip: float, row: int) -> FaultFr
     count = int(solved.rows.element_count[row])
     row_of = _Row("loaded", count, shaft, slip, row)
     if not solved.converged[0]:
-        return row_of.without_result("no_result")
+        return row_of.without_result("no_solution_no_frequencies")
     if not solved.loaded_elements[0, row]:
-        return row_of.without_result("no_loaded_ball")
+        return row_of.without_result("no_ball_drives_cage")
     balls = _loaded_balls(solved, shaft, slip, row)
     inner, outer = shaft.ratios
     turns = Turns(inner, outer, balls.mean(balls.cage), balls.mean(balls.ball))
@@ -573,7 +577,7 @@ def _loaded_row(solved: Solved, shaft: _Shaft, slip: float, row: int) -> FaultFr
         for name, order in line_orders(turns, count).items()
     }
     angles = (balls.mean(balls.inner_angle), balls.mean(balls.outer_angle))
-    friction = () if solved.rolling is None else ("friction",)
+    friction = () if solved.rolling is None else (Note("cage_by_friction"),)
     return row_of.record(angles, turns, lines, (*shaft.notes, *friction))
 
 
@@ -618,5 +622,5 @@ def _spread_line(order: float, orders: Sequence[float], shaft_frequency: float) 
 def _check_slip(slip: float) -> None:
     if not -1.0 <= slip <= 1.0:
         raise InputError(
-            "must be between -1 and 1", field="slip", value=slip, example="slip = 0.01"
+            said("must be between -1 and 1"), field="slip", value=slip, example="slip = 0.01"
         )

@@ -31,6 +31,7 @@ from rolamento.vibration.frequencies import (
     shaft_of,
     turns_of,
 )
+from rolamento.words import said
 
 _RIGHT_ANGLE: Final = 0.5 * pi
 _LEAST_GAP: Final = 1e-9
@@ -76,7 +77,7 @@ class Tolerances:
             value = getattr(self, field)
             if value is not None and not 0.0 <= value <= most:
                 raise InputError(
-                    f"must be at least 0 and at most {most:.4g}",
+                    said("must be at least 0 and at most {most:.4g}", most=most),
                     field=field,
                     value=value,
                     example=f"{field} = 0.0",

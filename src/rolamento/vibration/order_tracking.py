@@ -20,6 +20,7 @@ from rolamento.numerics import FloatArray
 from rolamento.vibration._checks import checked_number, require_signal
 from rolamento.vibration.signal import Quantity, Signal
 from rolamento.vibration.spectrum import Spectrum, axis_of, one_sided_amplitudes
+from rolamento.words import said
 
 _TURN: Final = 2.0 * pi
 _SLOWEST: Final = 1e-3
@@ -116,8 +117,13 @@ def order_tracked(signal: Signal, samples_per_revolution: float | None = None) -
     count = int(revolutions[-1] * per_turn) + 1
     if not 2 <= count <= _MOST_SAMPLES:
         raise InputError(
-            f"gives {count} samples over {revolutions[-1]:g} revolutions; 2 to {_MOST_SAMPLES} are "
-            "possible",
+            said(
+                "gives {count} samples over {revolutions:.6g} revolutions; from 2 to "
+                "{most} are allowed",
+                count=count,
+                revolutions=revolutions[-1],
+                most=_MOST_SAMPLES,
+            ),
             field="samples_per_revolution",
             value=per_turn,
         )
@@ -140,7 +146,7 @@ def order_spectrum(angular: AngularSignal) -> Spectrum:
     """Amplitudes of the lines of a signal over orders of the shaft, in its unit."""
     if not isinstance(angular, AngularSignal):
         raise InputError(
-            "must be an AngularSignal",
+            said("must be an AngularSignal"),
             field="angular",
             value=type(angular).__name__,
             example="order_spectrum(order_tracked(signal))",
@@ -172,7 +178,7 @@ def _turning(signal: Signal) -> FloatArray:
     require_signal(signal)
     if signal.speed is None:
         raise InputError(
-            "is missing: the signal does not tell how fast the shaft turns",
+            said("is missing: the signal has no shaft speed"),
             field="speed",
             example="speed = 188.5",
         )
@@ -181,7 +187,10 @@ def _turning(signal: Signal) -> FloatArray:
     fastest = max(abs(lowest), abs(highest))
     if lowest * highest <= 0.0 or min(abs(lowest), abs(highest)) < _SLOWEST * fastest:
         raise InputError(
-            "must keep one direction and not come near zero; cut the signal where the shaft turns",
+            said(
+                "must keep its direction and stay clear of zero; cut the signal where "
+                "the shaft rotates steadily"
+            ),
             field="speed",
             value=f"{_TURN * lowest:g} to {_TURN * highest:g} rad/s",
         )

@@ -27,6 +27,7 @@ from rolamento.errors import InputError
 from rolamento.numerics import ComplexArray, FloatArray
 from rolamento.vibration._checks import checked_count, checked_number, require_signal
 from rolamento.vibration.signal import Signal
+from rolamento.words import marked, said
 
 _OVERLAP: Final = 4
 """Blocks start a quarter of their length apart; with Hann's window they then add up to a constant,
@@ -96,8 +97,8 @@ def separate(
     checked_number(false_alarm, "false_alarm", above=0.0, most=0.5, example="false_alarm = 0.01")
     if count < lag + 3 * size:
         raise InputError(
-            f"must be at least {lag + 3 * size}, a delay and three blocks",
-            field="number of samples",
+            said("must be at least {lag}, a delay and three blocks", lag=lag + 3 * size),
+            field=marked("number of samples"),
             value=count,
         )
     gain = _gain_of_lines(signal.samples, size, lag, false_alarm)

@@ -36,6 +36,7 @@ from rolamento.vibration._checks import checked_count, checked_number, require_s
 from rolamento.vibration.noise_floor import line_scores, log_gamma_tail
 from rolamento.vibration.order_tracking import order_tracked, revolutions_of
 from rolamento.vibration.signal import Signal
+from rolamento.words import marked, said
 
 Edge = Literal["rising", "falling"]
 _HYSTERESIS: Final = 0.2
@@ -64,7 +65,7 @@ def pulse_times(tacho: Signal, level: float | None = None, edge: Edge = "rising"
         If the edge is unknown or the level is not finite.
     """
     if edge not in ("rising", "falling"):
-        rule = "must be rising or falling"
+        rule = said("must be rising or falling")
         raise InputError(rule, field="edge", value=edge, example='edge = "rising"')
     require_signal(tacho)
     samples = tacho.samples if edge == "rising" else -tacho.samples
@@ -146,8 +147,8 @@ def _crossings(samples: FloatArray, level: float, margin: float) -> FloatArray:
 def _check_pulses(times: FloatArray) -> None:
     if len(times) < _LEAST_PULSES:
         raise InputError(
-            f"must be at least {_LEAST_PULSES}; check the level and the edge",
-            field="number of pulses",
+            said("must be at least {least}; check the level and the edge", least=_LEAST_PULSES),
+            field=marked("number of pulses"),
             value=len(times),
         )
     intervals = np.diff(times)
@@ -155,8 +156,11 @@ def _check_pulses(times: FloatArray) -> None:
     wrong = np.flatnonzero((ratio > _JUMP) | (ratio < 1.0 / _JUMP))
     if len(wrong) > 0:
         raise InputError(
-            f"are uneven near {times[wrong[0] + 1]:.4g} s: one is missing or one too many; check "
-            "the level and the number per revolution",
+            said(
+                "are uneven near {times:.4g} s: one is missing or extra; check the "
+                "level and the number per revolution",
+                times=times[wrong[0] + 1],
+            ),
             field="pulses",
         )
 
@@ -236,7 +240,11 @@ def estimate_speed(
     highest = 1.2 * harmonics * (1.0 + tolerance) * frequency
     if highest > 0.5 * signal.rate:
         raise InputError(
-            f"is too low for {harmonics} harmonics, which need {2.0 * highest:g} Hz",
+            said(
+                "is too low for {harmonics} harmonics, which need {most:.6g} Hz",
+                harmonics=harmonics,
+                most=2.0 * highest,
+            ),
             field="rate",
             value=signal.rate,
         )
@@ -274,8 +282,10 @@ class _Search:
         block = int(_TURNS_PER_BLOCK * signal.rate / frequency)
         if len(signal.samples) < 4 * block:
             raise InputError(
-                f"must be at least {4 * _TURNS_PER_BLOCK} revolutions of the shaft at its nominal "
-                "speed",
+                said(
+                    "must be at least {turns_per_block} shaft revolutions at the nominal speed",
+                    turns_per_block=4 * _TURNS_PER_BLOCK,
+                ),
                 field="record",
                 value=f"{signal.duration * frequency:.3g} revolutions",
             )
@@ -286,8 +296,14 @@ class _Search:
         blocks = 2 * len(signal.samples) // block
         if count > _MOST_CANDIDATES or blocks > _MOST_BLOCKS:
             raise InputError(
-                f"gives {blocks} blocks of {count} candidates; {_MOST_BLOCKS} of "
-                f"{_MOST_CANDIDATES} are possible",
+                said(
+                    "gives {blocks} blocks of {count} candidates; at most {most} of "
+                    "{most_2} are allowed",
+                    blocks=blocks,
+                    count=count,
+                    most=_MOST_BLOCKS,
+                    most_2=_MOST_CANDIDATES,
+                ),
                 field="record",
             )
         candidates = np.linspace(frequency * (1 - tolerance), frequency * (1 + tolerance), count)

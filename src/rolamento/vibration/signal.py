@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from rolamento.errors import InputError, nearest
 from rolamento.numerics import FloatArray
+from rolamento.words import said
 
 Quantity = Literal["acceleration", "velocity", "displacement", "unknown"]
 
@@ -109,7 +110,10 @@ def unit_scale(quantity: Quantity, unit: str) -> float:
         allowed = ", ".join(get_args(Quantity))
         example = nearest(str(quantity), get_args(Quantity)) or "acceleration"
         raise InputError(
-            f"must be one of {allowed}", field="quantity", value=quantity, example=example
+            said("must be one of {known}", known=allowed),
+            field="quantity",
+            value=quantity,
+            example=example,
         )
     _check_text(unit, "unit", "m/s^2")
     if quantity == "unknown":
@@ -117,7 +121,7 @@ def unit_scale(quantity: Quantity, unit: str) -> float:
     known = _SCALES[quantity]
     if unit not in known:
         raise InputError(
-            f"is not a unit of {quantity}: {', '.join(known)}",
+            said("is not a unit of {quantity}: {known}", quantity=quantity, known=", ".join(known)),
             field="unit",
             value=unit,
             example=SI_UNITS[quantity],
@@ -127,7 +131,7 @@ def unit_scale(quantity: Quantity, unit: str) -> float:
 
 def _check_text(text: object, field: str, example: str) -> None:
     if not isinstance(text, str) or len(text) > _LONGEST_TEXT:
-        rule = f"must be text of at most {_LONGEST_TEXT} characters"
+        rule = said("must be text of at most {most} characters", most=_LONGEST_TEXT)
         raise InputError(rule, field=field, value=text, example=example)
 
 
@@ -135,7 +139,7 @@ def _checked_samples(given: ArrayLike) -> FloatArray:
     samples = real_numbers(given, "samples", _SAMPLES_EXAMPLE)
     if samples.ndim != 1 or len(samples) == 0:
         raise InputError(
-            f"must be one row of numbers, and have the shape {samples.shape}",
+            said("must be a single row of numbers, and has the shape {shape}", shape=samples.shape),
             field="samples",
             example=_SAMPLES_EXAMPLE,
         )
@@ -147,7 +151,10 @@ def _checked_rate(rate: object) -> float:
     number = float(rate) if isinstance(rate, int | float | np.number) else float("nan")
     if not 0.0 < number <= _HIGHEST_RATE:
         raise InputError(
-            f"must be a number of samples per second over 0 and up to {_HIGHEST_RATE:g}",
+            said(
+                "must be a positive number of samples per second, up to {most:.6g}",
+                most=_HIGHEST_RATE,
+            ),
             field="rate",
             value=rate,
             example="rate = 51200.0",
@@ -159,7 +166,10 @@ def _checked_speed(given: ArrayLike, count: int) -> FloatArray:
     speed = real_numbers(given, "speed", _SPEED_EXAMPLE)
     if speed.shape not in ((), (count,)):
         raise InputError(
-            f"must be one number or as many as there are samples ({count}), in rad/s",
+            said(
+                "must be one number or one for each sample ({count}), in rad/s",
+                count=count,
+            ),
             field="speed",
             example=_SPEED_EXAMPLE,
         )
@@ -182,7 +192,7 @@ def real_numbers(given: ArrayLike, field: str, example: str) -> FloatArray:
     except (TypeError, ValueError, OverflowError):
         array = None
     if array is None:
-        rule = "must be real numbers: a list, an array or a series of them"
+        rule = said("must be real numbers: a list, an array or a series")
         raise InputError(rule, field=field, value=type(given).__name__, example=example)
     array.flags.writeable = False
     return array
@@ -194,7 +204,11 @@ def _refuse_bad(numbers: FloatArray, maximum: float, field: str, example: str) -
     if not (lowest >= -maximum and highest <= maximum):
         wrong = np.flatnonzero(~(np.abs(np.atleast_1d(numbers)) <= maximum))[0]
         raise InputError(
-            f"must be finite numbers of a size up to {maximum:g}; number {wrong} is not",
+            said(
+                "must be finite numbers of magnitude up to {most:.6g}; number {wrong} is not",
+                most=maximum,
+                wrong=wrong,
+            ),
             field=field,
             value=float(np.atleast_1d(numbers)[wrong]),
             example=example,

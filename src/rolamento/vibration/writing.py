@@ -19,6 +19,7 @@ from rolamento.errors import FileError, InputError
 from rolamento.units import rpm_of
 from rolamento.vibration._checks import require_signal
 from rolamento.vibration.signal import Signal
+from rolamento.words import marked, said
 
 ENDINGS: Final = (".wav", ".csv", ".npz")
 _MOST_ROWS: Final = 5_000_000
@@ -38,10 +39,14 @@ def check_signal_name(path: str | os.PathLike[str], count: int, rate: float) -> 
     path = os.fspath(path)
     ending = os.path.splitext(path)[1].lower()
     if ending not in ENDINGS:
-        raise FileError(f"must end in {', '.join(ENDINGS)}", source=path, example="signal.npz")
+        raise FileError(
+            said("must end in one of {endings}", endings=", ".join(ENDINGS)),
+            source=path,
+            example="signal.npz",
+        )
     if ending == ".wav" and not (rate == round(rate) and rate <= _HIGHEST_WAV_RATE):
         raise InputError(
-            "must be a whole number of Hz in a WAV file; others hold any",
+            said("must be an integer number of Hz in a WAV file; other formats hold any"),
             field="rate",
             value=rate,
             source=path,
@@ -49,8 +54,10 @@ def check_signal_name(path: str | os.PathLike[str], count: int, rate: float) -> 
         )
     if ending == ".csv" and count > _MOST_ROWS:
         raise InputError(
-            f"must be at most {_MOST_ROWS} in a table; a .wav or .npz file holds more",
-            field="number of samples",
+            said(
+                "must be at most {most} in a table; a .wav or .npz file holds more", most=_MOST_ROWS
+            ),
+            field=marked("number of samples"),
             value=count,
             source=path,
             example="signal.npz",

@@ -40,10 +40,10 @@ from rolamento.weibull.estimates import (
     rank_regression,
     three_parameter,
 )
-from rolamento.weibull.fit import ADVICE, NOTES, Estimand, WeibullFit, plot_ordinate
+from rolamento.weibull.fit import Estimand, WeibullFit, plot_ordinate
 from rolamento.weibull.life_test import LifeTest, Scheme
 from rolamento.weibull.likelihood_ratio import LikelihoodRegion, likelihood_region
-from rolamento.weibull.planning import PLAN_ADVICE, Demonstration, alternatives, demonstrate
+from rolamento.weibull.planning import Demonstration, alternatives, demonstrate
 from rolamento.weibull.posterior import Posterior, ShapePrior, posterior
 from rolamento.weibull.precision import (
     FailureTime,
@@ -68,6 +68,8 @@ from rolamento.weibull.summary import (
     GroupSummary,
     LifeTestSummary,
     Wanted,
+    bands_of,
+    regions_of,
     summarise,
 )
 from rolamento.weibull.system import (
@@ -87,12 +89,9 @@ from rolamento.weibull.trend import (
 )
 
 __all__ = [
-    "ADVICE",
     "EXPONENTS",
     "FIT_METHODS",
     "METHODS",
-    "NOTES",
-    "PLAN_ADVICE",
     "PUBLISHED",
     "PUBLISHED_TRENDS",
     "Band",
@@ -127,6 +126,7 @@ __all__ = [
     "against_calculated_life",
     "all_bounds",
     "alternatives",
+    "bands_of",
     "bounds",
     "compare",
     "confidence_band",
@@ -154,6 +154,7 @@ __all__ = [
     "rank_regression",
     "read_life_test",
     "read_trend",
+    "regions_of",
     "series_life",
     "series_reliability",
     "summarise",

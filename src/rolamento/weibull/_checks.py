@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 from rolamento.errors import ABSENT, InputError
 from rolamento.numerics import FloatArray
 from rolamento.numerics.masked import filled
+from rolamento.words import said
 
 MAXIMUM_SAMPLES: Final = 1_000_000
 MAXIMUM_SHAPE: Final = 1000.0
@@ -32,7 +33,7 @@ def numbers(values: Any, field: str, example: str) -> FloatArray:
         pass
     if array is None or values is None or hasattr(values, "columns"):
         raise InputError(
-            "must be numbers: a list, an array or a series of them",
+            said("must be numbers: a list, an array or a series"),
             field=field,
             value=values if values is None or isinstance(values, str | bool) else ABSENT,
             example=example,
@@ -45,7 +46,10 @@ def share(value: object, field: str, example: str = "0.9") -> float:
     number = _scalar(value)
     if not 0.0 < number < 1.0:
         raise InputError(
-            "must be between 0 and 1, both excluded", field=field, value=value, example=example
+            said("must be between 0 and 1, exclusive"),
+            field=field,
+            value=value,
+            example=example,
         )
     return number
 
@@ -56,7 +60,7 @@ def shares(value: ArrayLike, field: str, example: str = "0.9") -> FloatArray:
     bad = ~((array > 0.0) & (array < 1.0))
     if np.any(bad):
         raise InputError(
-            "must be between 0 and 1, both excluded",
+            said("must be between 0 and 1, exclusive"),
             field=field,
             value=value if array.ndim == 0 else float(array[bad].flat[0]),
             example=example,
@@ -69,7 +73,7 @@ def positive(value: object, field: str, example: str) -> float:
     number = _scalar(value)
     if not (0.0 < number < np.inf):
         raise InputError(
-            "must be a number greater than zero", field=field, value=value, example=example
+            said("must be a positive number"), field=field, value=value, example=example
         )
     return number
 
@@ -79,7 +83,10 @@ def shape_of(value: object, field: str = "shape") -> float:
     number = positive(value, field, "1.5")
     if number > MAXIMUM_SHAPE:
         raise InputError(
-            f"must be {MAXIMUM_SHAPE:g} or less", field=field, value=value, example="1.5"
+            said("must be at most {most:.6g}", most=MAXIMUM_SHAPE),
+            field=field,
+            value=value,
+            example="1.5",
         )
     return number
 
@@ -94,7 +101,7 @@ def whole_number(value: object, field: str, least: int, most: int, example: str 
     whole = isinstance(value, int | np.integer) and not isinstance(value, bool)
     if not whole or not least <= int(value) <= most:  # type: ignore[call-overload]
         raise InputError(
-            f"must be a whole number from {least} to {most}",
+            said("must be an integer from {least} to {most}", least=least, most=most),
             field=field,
             value=value,
             example=example or str(max(least, 10) if most >= 10 else least),
@@ -107,7 +114,7 @@ def generator(seed: object) -> np.random.Generator:
     whole = isinstance(seed, int | np.integer) and not isinstance(seed, bool)
     if not whole or not 0 <= int(seed) < 2**128:  # type: ignore[call-overload]
         raise InputError(
-            "must be a whole number, not negative", field="seed", value=seed, example="0"
+            said("must be a non-negative integer"), field="seed", value=seed, example="0"
         )
     return np.random.default_rng(int(seed))  # type: ignore[call-overload]
 
@@ -117,7 +124,10 @@ def one_of(value: object, field: str, allowed: Iterable[str]) -> None:
     words = tuple(allowed)
     if not (isinstance(value, str) and value in words):
         raise InputError(
-            f"must be one of {', '.join(words)}", field=field, value=value, example=words[0]
+            said("must be one of {known}", known=", ".join(words)),
+            field=field,
+            value=value,
+            example=words[0],
         )
 
 

@@ -29,6 +29,7 @@ from rolamento.weibull.likelihood_ratio import (
     likelihood_ratio_limits,
 )
 from rolamento.weibull.sampled import sampled_limits
+from rolamento.words import Note, said
 
 Method = Literal[
     "pivotal",
@@ -70,13 +71,13 @@ class Bounds(Outcome):
     lower, upper
         in the unit of the test, for a life
     code
-        "converged", or why there are none, a key of `fit.ADVICE`
+        "converged", or why there are none, a code that `advice` explains
     unit
         label of a life; empty for a shape or a reliability
     samples, dropped, seed
         tests drawn, how many of them had no fit, and with what they were drawn; 0 without drawing
     notes
-        names in `fit.NOTES`
+        what limits it, each once
     """
 
     quantity: str
@@ -91,7 +92,7 @@ class Bounds(Outcome):
     samples: int = 0
     dropped: int = 0
     seed: int = 0
-    notes: tuple[str, ...] = ()
+    notes: tuple[Note, ...] = ()
 
     @property
     def one_sided_confidence(self) -> float:
@@ -122,7 +123,7 @@ class Bounds(Outcome):
             "samples": self.samples,
             "dropped": self.dropped,
             "seed": self.seed,
-            "notes": list(self.sentences()),
+            "notes": [note.to_mapping() for note in self.notes],
         }
 
 
@@ -189,10 +190,12 @@ def all_bounds(
     """Bounds on many quantities, from the same drawn tests; parameters as of `bounds`."""
     test = LifeTest.of(test)
     if isinstance(quantities, str) or not isinstance(quantities, Iterable):
-        raise InputError("must be a list", field="quantities", example='["shape", "L10"]')
+        raise InputError(said("must be a list"), field="quantities", example='["shape", "L10"]')
     wanted = [Estimand.of(quantity) for quantity in quantities]
     if not 0 < len(wanted) <= _MAXIMUM_QUANTITIES:
-        raise InputError(f"must be 1 to {_MAXIMUM_QUANTITIES}", field="quantities")
+        raise InputError(
+            said("must be from 1 to {most}", most=_MAXIMUM_QUANTITIES), field="quantities"
+        )
     chosen = _chosen_method(test, method, shape)
     one_of(sides, "sides", get_args(Sides))
     tail = 1.0 - share(confidence, "confidence")
@@ -206,7 +209,7 @@ def all_bounds(
     code, drawn, notes = fit.code, (0, 0, 0), fit.notes
     if fit.converged and chosen in _ANALYTIC:
         limits = _analytic_limits(test, fit, chosen, wanted, tails)
-        notes = (*notes, "large_sample_method")
+        notes = (*notes, Note("large_sample_method"))
     elif fit.converged and chosen == "calibrated_likelihood_ratio":
         limits, drawing = calibrated_limits(test, fit, wanted, tails, count, random)
         code, drawn = drawing.code, (drawing.samples, drawing.dropped, int(seed))
@@ -226,7 +229,7 @@ def _chosen_method(test: LifeTest, method: str | None, shape: float | None) -> s
     one_of(method, "method", METHODS)
     if (method == "fixed_shape") != (shape is not None):
         raise InputError(
-            "goes with the method fixed_shape, and that one needs it",
+            said("goes with the method fixed_shape, which needs it"),
             field="shape",
             value=shape,
             example="1.5",
@@ -254,10 +257,10 @@ def _bounds_at_fixed_shape(
     tails: FloatArray,
 ) -> tuple[Bounds, ...]:
     if any(quantity.kind == "shape" for quantity in quantities):
-        raise InputError("has no bounds where it is given", field="shape", value=shape)
+        raise InputError(said("has no bounds where it is given"), field="shape", value=shape)
     fit = fixed_shape(test, shape)
     limits = np.array([fixed_shape_limits(test, shape, q, tails) for q in quantities])
-    notes = ("inspections_shared",) if test.inspected else ()
+    notes = (Note("inspections_shared"),) if test.inspected else ()
     return _bounds_of(
         test,
         fit,
@@ -282,7 +285,7 @@ def _bounds_of(
     limits: FloatArray,
     code: str,
     drawn: tuple[int, int, int],
-    notes: tuple[str, ...],
+    notes: tuple[Note, ...],
 ) -> tuple[Bounds, ...]:
     at = np.array([fit.shape]), np.log([fit.scale])
     records = []
@@ -311,7 +314,7 @@ class Band:
     Attributes
     ----------
     code
-        "converged", or why there is none, a key of `fit.ADVICE`
+        "converged", or why there is none, a code that `advice` explains
     method, confidence, sides
         of the bounds: two-sided, or lower ones where nothing failed
     reliability

@@ -73,6 +73,7 @@ from rolamento.weibull.likelihood import (
 )
 from rolamento.weibull.likelihood_ratio import calibrated_p_value, profile_fall
 from rolamento.weibull.sampled import pivotal_draws
+from rolamento.words import Note, said
 
 Groups = Mapping[str, LifeTest | ArrayLike] | LifeTest
 Hypothesis = Literal["common_shape", "same_life", "homogeneous"]
@@ -98,7 +99,7 @@ class Comparison(Outcome):
     hypothesis
         "common_shape", "same_life" or "homogeneous"
     code
-        "converged", or why there is no result, a key of `fit.ADVICE`
+        "converged", or why there is no result, a code that `advice` explains
     groups
         labels of the groups that were compared
     fits
@@ -114,7 +115,7 @@ class Comparison(Outcome):
     samples, dropped, seed
         tests drawn, how many had no fit, and with what they were drawn
     notes
-        names in `fit.NOTES`
+        what limits it, each once
     """
 
     hypothesis: Hypothesis
@@ -130,7 +131,7 @@ class Comparison(Outcome):
     samples: int = 0
     dropped: int = 0
     seed: int = 0
-    notes: tuple[str, ...] = ()
+    notes: tuple[Note, ...] = ()
 
     def rejected(self, confidence: float = 0.9) -> bool:
         """Whether the data contradict the hypothesis at a confidence."""
@@ -150,7 +151,7 @@ class Comparison(Outcome):
             "samples": self.samples,
             "dropped": self.dropped,
             "seed": self.seed,
-            "notes": list(self.sentences()),
+            "notes": [note.to_mapping() for note in self.notes],
         }
 
 
@@ -180,7 +181,7 @@ def compare(
     one_of(hypothesis, "hypothesis", get_args(Hypothesis))
     count, random = sample_count(samples), generator(seed)
     tests = groups_of(groups)
-    notes: tuple[str, ...] = ()
+    notes: tuple[Note, ...] = ()
     if hypothesis == "common_shape":
         tests, notes = _with_failures(tests)
     fits = tuple(maximum_likelihood(test) for test in tests.values())
@@ -204,9 +205,9 @@ def compare(
         drawn = _statistics_drawn(drawable, shape, log_scales, hypothesis, count, random)
         code = "converged" if len(drawn) >= MINIMUM_FITS else "not_converged"
         if not all(model.exact for model in drawable):
-            notes = (*notes, "censoring_modelled")
+            notes = (*notes, Note("censoring_modelled"))
         if len(drawn) < (1.0 - MANY) * count:
-            notes = (*notes, "many_without_fit")
+            notes = (*notes, Note("many_without_fit"))
     more = int(np.count_nonzero(drawn >= statistic * (1.0 - 1e-12)))
     return Comparison(
         hypothesis,
@@ -240,21 +241,26 @@ def groups_of(groups: Groups, most: int = _MAXIMUM_GROUPS) -> dict[str, LifeTest
         tests = {str(name): LifeTest.of(test) for name, test in groups.items()}
     else:
         raise InputError(
-            "must be tests by their labels, or one test that has groups",
+            said("must be tests by label, or one test that has groups"),
             field="groups",
             example='{"A": [120.5, 88.0], "B": [300.0, 410.0]}',
         )
     if not 2 <= len(tests) <= most:
-        rule = "must be two" if most == 2 else f"must be 2 to {most}"
+        rule = said("must be two") if most == 2 else said("must be 2 to {most}", most=most)
         raise InputError(rule, field="groups", value=len(tests))
     if any(test.inspected for test in tests.values()):
         raise InputError(
-            "must have times of failure, and inspections give none; fit each by maximum likelihood",
+            said(
+                "must have failure times, which inspections do not give; fit each by "
+                "maximum likelihood"
+            ),
             field="groups",
         )
     units = {test.unit for test in tests.values()}
     if len(units) > 1:
-        raise InputError("must have one unit", field="groups", value=", ".join(sorted(units)))
+        raise InputError(
+            said("must have the same unit"), field="groups", value=", ".join(sorted(units))
+        )
     return tests
 
 
@@ -334,10 +340,10 @@ def _statistics_drawn(
     return np.concatenate(parts)
 
 
-def _with_failures(tests: dict[str, LifeTest]) -> tuple[dict[str, LifeTest], tuple[str, ...]]:
+def _with_failures(tests: dict[str, LifeTest]) -> tuple[dict[str, LifeTest], tuple[Note, ...]]:
     """Leave out the groups in which nothing failed."""
     kept = {label: test for label, test in tests.items() if test.failures}
-    return kept, ("group_without_failures",) if len(kept) < len(tests) else ()
+    return kept, (Note("group_without_failures"),) if len(kept) < len(tests) else ()
 
 
 # --- the ratio of two lives -----------------------------------------------------------------------
@@ -356,7 +362,7 @@ class LifeRatio(Outcome):
     common_shape
         whether both were taken to have one shape
     code
-        "converged", or why there is no result, a key of `fit.ADVICE`
+        "converged", or why there is no result, a code that `advice` explains
     shape
         the common one; NaN without
     ratio, lower, upper
@@ -368,7 +374,7 @@ class LifeRatio(Outcome):
     samples, dropped, seed
         tests drawn, how many had no fit, and with what they were drawn
     notes
-        names in `fit.NOTES`
+        what limits it, each once
     """
 
     groups: tuple[str, str]
@@ -384,7 +390,7 @@ class LifeRatio(Outcome):
     samples: int = 0
     dropped: int = 0
     seed: int = 0
-    notes: tuple[str, ...] = ()
+    notes: tuple[Note, ...] = ()
 
     def to_mapping(self) -> dict[str, Any]:
         """Give the ratio as plain values; None where there is no number."""
@@ -399,7 +405,7 @@ class LifeRatio(Outcome):
             "samples": self.samples,
             "dropped": self.dropped,
             "seed": self.seed,
-            "notes": list(self.sentences()),
+            "notes": [note.to_mapping() for note in self.notes],
         }
 
 
@@ -444,7 +450,7 @@ def life_ratio(
     tail = 0.5 * (1.0 - level)
     lower, upper = np.quantile(drawn, [tail, 1.0 - tail], method="inverted_cdf")
     if len(drawn) < (1.0 - MANY) * count:
-        notes = (*notes, "many_without_fit")
+        notes = (*notes, Note("many_without_fit"))
     sides = min(int(np.sum(drawn <= 0.0)), int(np.sum(drawn >= 0.0)))
     with np.errstate(over="ignore"):
         ratio, low, high = np.exp([log_ratio, lower, upper])
@@ -466,7 +472,7 @@ def life_ratio(
     )
 
 
-_DrawnRatio = tuple[str, float, float, FloatArray, tuple[str, ...]]
+_DrawnRatio = tuple[str, float, float, FloatArray, tuple[Note, ...]]
 _NOTHING = np.array([])
 
 
@@ -494,7 +500,7 @@ def _ratio_at_common_shape(
     pivot = fits.shape[good] * (fits.log_scale[0, good] - fits.log_scale[1, good] - log_ratio)
     if len(pivot) < MINIMUM_FITS:
         return "not_converged", np.nan, np.nan, _NOTHING, ()
-    notes = () if all(model.exact for model in drawable) else ("censoring_modelled",)
+    notes = () if all(model.exact for model in drawable) else (Note("censoring_modelled"),)
     return "converged", shape, log_ratio, np.asarray(log_ratio - pivot / shape), notes
 
 
@@ -506,7 +512,7 @@ def _ratio_at_own_shapes(
     random: np.random.Generator,
 ) -> _DrawnRatio:
     quantity = Estimand.life(reliability)
-    logs, estimates, notes = [], [], ["approximate"]
+    logs, estimates, notes = [], [], [Note("bounds_approximate")]
     for test in (first, second):
         fit = maximum_likelihood(test)
         if not fit.converged:
@@ -562,7 +568,7 @@ class CalculatedLife:
         return self.observed.code
 
     @property
-    def advice(self) -> str | None:
+    def advice(self) -> Note | None:
         """What a person can do, where there is none."""
         return self.observed.advice
 
@@ -615,7 +621,10 @@ def against_calculated_life(
     quantity = Estimand.life(share(reliability, "reliability"))
     if method is not None and method not in VERDICT_METHODS:
         raise InputError(
-            f"must be one of {', '.join(VERDICT_METHODS)} for a verdict",
+            said(
+                "must be one of {known} for a verdict",
+                known=", ".join(VERDICT_METHODS),
+            ),
             field="method",
             value=method,
             example="pivotal",

@@ -34,6 +34,7 @@ from rolamento.weibull.likelihood import (
     fits_of,
     joined,
 )
+from rolamento.words import Note
 
 MAXIMUM_BLOCKS: Final = 20_000
 _AT_ONCE: Final = 100_000
@@ -54,35 +55,35 @@ class Drawing:
     samples, dropped
         drawn tests, and how many of them had no fit and are left out
     notes
-        names in `fit.NOTES`
+        what limits it, each once
     """
 
     code: str
     samples: int = 0
     dropped: int = 0
-    notes: tuple[str, ...] = ()
+    notes: tuple[Note, ...] = ()
 
     @classmethod
     def of(cls, model: Model, samples: int, dropped: int) -> Self:
         """Note what was modelled, and what was left out."""
         if model.exact:
-            return cls._noted(samples, dropped, "")
+            return cls._noted(samples, dropped, None)
         inspected = isinstance(model, Inspected)
         note = "inspections_shared" if inspected else "censoring_modelled"
-        return cls._noted(samples, dropped, note)
+        return cls._noted(samples, dropped, Note(note))
 
     @classmethod
     def resampled(cls, samples: int, dropped: int) -> Self:
         """Note what was left out of a plain bootstrap."""
-        return cls._noted(samples, dropped, "large_sample_method")
+        return cls._noted(samples, dropped, Note("large_sample_method"))
 
     @classmethod
-    def _noted(cls, samples: int, dropped: int, note: str) -> Self:
+    def _noted(cls, samples: int, dropped: int, note: Note | None) -> Self:
         if samples - dropped < MINIMUM_FITS:
             return cls("not_converged")
         notes = (note,) if note else ()
         if dropped > MANY * samples:
-            notes = (*notes, "many_without_fit")
+            notes = (*notes, Note("many_without_fit"))
         return cls("converged", samples, dropped, notes)
 
 

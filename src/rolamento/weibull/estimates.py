@@ -59,6 +59,7 @@ from rolamento.weibull.likelihood import (
     fits_of,
     maximise,
 )
+from rolamento.words import Note, said
 
 Ranks = Literal["median", "benard"]
 Regression = Literal["x_on_y", "y_on_x"]
@@ -123,7 +124,7 @@ def _fitted(test: LifeTest, method: str, shape: float, scale: float, **more: flo
     """Give the record of a fit to a test, with its likelihood and what to note."""
     location = more.get("location", 0.0)
     value = log_likelihood(test, shape, scale, location)
-    notes = ("few_failures",) if test.failures < FEW else ()
+    notes = (Note("few_failures"),) if test.failures < FEW else ()
     return WeibullFit(
         method,
         "converged",
@@ -299,8 +300,8 @@ def three_parameter(test: LifeTest | ArrayLike) -> WeibullFit:
     shape, scale = _shape_and_scale(test, location)
     fit = _fitted(test, _METHOD, shape, scale, location=location)
     if location == 0.0:
-        fit = fit.with_notes("location_at_zero")
-    return fit.with_notes("likelihood_unbounded") if _unbounded(test, first) else fit
+        fit = fit.with_notes(Note("location_at_zero"))
+    return fit.with_notes(Note("likelihood_unbounded")) if _unbounded(test, first) else fit
 
 
 def _best_location(test: LifeTest, grid: FloatArray, value: FloatArray) -> float | None:
@@ -420,7 +421,9 @@ def plotting_positions(test: LifeTest | ArrayLike, ranks: Ranks = "median") -> P
     test = LifeTest.of(test)
     if test.inspected:
         raise InputError(
-            "ranks need times of failure, and inspections give none; fit by maximum likelihood",
+            said(
+                "ranks need failure times, which inspections do not give; fit by maximum likelihood"
+            ),
             field="lower",
         )
     order = np.lexsort((~test.failed, test.times))
@@ -442,7 +445,7 @@ def median_rank(rank: ArrayLike, size: int, ranks: Ranks = "median") -> FloatArr
     i = numbers(rank, "rank", "[1, 2, 3]")
     n = whole_number(size, "size", 1, MAXIMUM_UNITS)
     if np.any(~((i > 0.0) & (i <= n))):
-        raise InputError("must be above 0, and the size at most", field="rank", example="1")
+        raise InputError(said("must be above 0 and at most the size"), field="rank", example="1")
     if ranks == "benard":
         return np.asarray((i - 0.3) / (n + 0.4))
     from scipy.special import betaincinv
@@ -492,5 +495,5 @@ def rank_regression(
     fit = _fitted(test, method, shape, scale, correlation=xy / (xx * yy) ** 0.5)
     early = ~test.failed & (test.times < test.times[test.failed].min())
     if 2 * int(test.counts[early].sum()) > test.suspensions > 0:
-        return fit.with_notes("suspensions_early")
+        return fit.with_notes(Note("suspensions_early"))
     return fit

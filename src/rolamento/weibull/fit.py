@@ -8,7 +8,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from math import exp, gamma, isfinite
 from typing import Any, Final, Literal, Self
@@ -20,80 +19,7 @@ from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.weibull._checks import finite_or_none, numbers, positive, share, shares
 from rolamento.weibull.life_test import MAXIMUM_TIME, LifeTest
-
-ADVICE: Final[Mapping[str, str]] = {
-    "no_failures": (
-        "Nothing failed: the test bounds the life from below only. With a shape from experience,"
-        " fixed_shape and the bounds of that name tell how long at least the bearings live."
-    ),
-    "one_failure": (
-        "One failure tells no shape. Take a shape from experience (fixed_shape), a prior for it"
-        " (posterior), or test on."
-    ),
-    "no_spread": (
-        "All failures could have come at one time, and no bearing ran longer: any steeper line fits"
-        " better. Inspect more often, test on, or take a shape from experience (fixed_shape)."
-    ),
-    "no_maximum": (
-        "The likelihood has no maximum inside its range. With three parameters it grows without"
-        " bound as the location nears the first failure: fit two. With two, the inspections say"
-        " that fewer fail as time goes on: look for a mixture of early failures and others."
-    ),
-    "not_converged": "The search for the maximum did not end; look for slips in the data.",
-    "not_modelled": (
-        "Exact times of failure beside inspected ones: what else could have been seen cannot be"
-        " drawn from these data. Take the likelihood ratio or the bootstrap."
-    ),
-    "too_large": (
-        "The test has too many bearings to draw it again and again; take the likelihood ratio,"
-        " which holds for so many."
-    ),
-    "no_mean": (
-        "The mean of the shape does not exist for two failures, nor where the clock could have left"
-        " so few: take the median."
-    ),
-    "group_without_fit": (
-        "A group has no fit of its own: nothing failed in it, or its failures have no spread. Leave"
-        " it out, or compare the lives at a common shape (same_life)."
-    ),
-}
-"""What a person can do, by the code of a status."""
-
-NOTES: Final[Mapping[str, str]] = {
-    "location_at_zero": (
-        "The likelihood is greatest without a time free of failures: these are the two parameters'"
-        " numbers."
-    ),
-    "likelihood_unbounded": (
-        "As the location nears the first failure the likelihood grows without bound, which tells"
-        " nothing; the maximum before that is taken."
-    ),
-    "few_failures": ("Fewer than five failures: shape and life are hardly known; see the bounds."),
-    "suspensions_early": (
-        "Most suspensions come before the first failure: ranks know of them only by their order;"
-        " maximum likelihood uses their times."
-    ),
-    "censoring_modelled": (
-        "The suspensions of failed bearings that were not seen are drawn from those that were"
-        " (Kaplan-Meier); the bounds are approximate."
-    ),
-    "inspections_shared": (
-        "All bearings are taken to be inspected at all the times of the data; the bounds are"
-        " approximate."
-    ),
-    "many_without_fit": (
-        "More than a tenth of the drawn samples have no fit and are left out: the bounds hold only"
-        " for tests that do have one, and are too narrow."
-    ),
-    "large_sample_method": (
-        "This method is for many failures: with few its bounds are too narrow by far."
-    ),
-    "approximate": "No exact method is known for this; the bounds are approximate.",
-    "group_without_failures": (
-        "Nothing failed in a group: it has no shape and is left out where only shapes are compared."
-    ),
-}
-"""What each note says."""
+from rolamento.words import Note, said
 
 
 class Outcome:
@@ -102,14 +28,14 @@ class Outcome:
     Attributes
     ----------
     code
-        "converged", or a key of `ADVICE`
+        "converged", or why there is no result
     notes
-        names in `NOTES`
+        what limits the result, each once
     """
 
     __slots__ = ()
     code: str
-    notes: tuple[str, ...]
+    notes: tuple[Note, ...]
 
     @property
     def converged(self) -> bool:
@@ -117,17 +43,22 @@ class Outcome:
         return self.code == "converged"
 
     @property
-    def advice(self) -> str | None:
+    def advice(self) -> Note | None:
         """What a person can do, where there is no result."""
-        return ADVICE.get(self.code)
+        return advice_on(self.code)
 
     def status(self) -> dict[str, Any]:
         """Give the status as plain values."""
-        return {"code": self.code, "converged": self.converged, "advice": self.advice}
+        return {
+            "code": self.code,
+            "converged": self.converged,
+            "advice": None if self.advice is None else self.advice.to_mapping(),
+        }
 
-    def sentences(self) -> tuple[str, ...]:
-        """Say the notes."""
-        return tuple(NOTES[name] for name in self.notes)
+
+def advice_on(code: str) -> Note | None:
+    """Return what a person can do, by the code of a status; nothing where there is a result."""
+    return None if code == "converged" else Note(f"weibull_{code}")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -165,7 +96,7 @@ class WeibullFit(Outcome):
     size: int = 0
     unit: str = "h"
     correlation: float = np.nan
-    notes: tuple[str, ...] = ()
+    notes: tuple[Note, ...] = ()
 
     @classmethod
     def without(cls, test: LifeTest, method: str, code: str) -> Self:
@@ -217,7 +148,7 @@ class WeibullFit(Outcome):
         with np.errstate(over="ignore"):
             return np.asarray(self.location + self.scale * np.exp(ordinate / self.shape))
 
-    def with_notes(self, *notes: str) -> Self:
+    def with_notes(self, *notes: Note) -> Self:
         """Return the same fit with more notes."""
         return replace(self, notes=tuple(dict.fromkeys((*self.notes, *notes))))
 
@@ -235,7 +166,7 @@ class WeibullFit(Outcome):
             "failures": self.failures,
             "size": self.size,
             "unit": self.unit,
-            "notes": list(self.sentences()),
+            "notes": [note.to_mapping() for note in self.notes],
         }
 
 
@@ -285,8 +216,10 @@ class Estimand:
         if match and match[1] in "Rr" and 0.0 < number <= MAXIMUM_TIME:
             return cls.reliability(number)
         raise InputError(
-            "must be shape, scale, a life such as L10 (of the 10 % that fail first), or a"
-            " reliability at a time such as R100",
+            said(
+                "must be shape, scale, a life such as L10 (10 % failed), or a "
+                "reliability at a time such as R100"
+            ),
             field="quantity",
             value=written,
             example="L10",

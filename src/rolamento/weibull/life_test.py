@@ -20,6 +20,7 @@ from numpy.typing import ArrayLike, NDArray
 from rolamento.errors import InputError
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.weibull._checks import numbers
+from rolamento.words import marked, said
 
 Scheme = Literal["complete", "type_ii", "sudden_death", "type_i", "multiple", "interval"]
 TextArray = NDArray[np.str_]
@@ -222,7 +223,7 @@ class LifeTest:
         )
         if which.ndim != 1 or not inside or (mask and len(which) != len(self)):
             raise InputError(
-                "must be a mask, one entry a row, or the numbers of rows",
+                said("must be a mask, one entry per row, or row numbers"),
                 field="rows",
                 example="[0, 2]",
             )
@@ -243,7 +244,9 @@ class LifeTest:
         """Part the test by its groups, in the order in which they appear."""
         names = dict.fromkeys(str(name) for name in self.group)
         if len(names) > MAXIMUM_GROUPS:
-            raise InputError(f"has more than {MAXIMUM_GROUPS} groups", field="group")
+            raise InputError(
+                said("has more than {most} groups", most=MAXIMUM_GROUPS), field="group"
+            )
         return {name: self.select(self.group == name) for name in names}
 
     def _rigs_all_failed(self) -> bool:
@@ -260,7 +263,9 @@ def _times_of(values: ArrayLike) -> FloatArray:
     array = numbers(values, "times", _EXAMPLE)
     if array.ndim != 1 or not 1 <= len(array) <= MAXIMUM_ROWS:
         raise InputError(
-            f"must be a list of 1 to {MAXIMUM_ROWS} numbers", field="times", example=_EXAMPLE
+            said("must be a list of 1 to {most} numbers", most=MAXIMUM_ROWS),
+            field="times",
+            example=_EXAMPLE,
         )
     return array
 
@@ -271,7 +276,7 @@ def _flags_of(values: ArrayLike, rows: int) -> BoolArray:
     if array.dtype != np.bool_ and not (
         array.dtype.kind in "iuf" and np.all((array == 0) | (array == 1))
     ):
-        raise InputError("must be true or false, one a row", field="failed", example=_FLAGS)
+        raise InputError(said("must be true or false, one per row"), field="failed", example=_FLAGS)
     return _spread(array.astype(np.bool_), "failed", rows)
 
 
@@ -281,14 +286,17 @@ def _counts_of(values: ArrayLike, rows: int, field: str = "counts") -> IntArray:
     bad = ~((array >= 1.0) & (array <= MAXIMUM_UNITS) & (array == np.floor(array)))
     if np.any(bad):
         raise InputError(
-            f"must be whole numbers from 1 to {MAXIMUM_UNITS}",
+            said("must be integers from 1 to {most}", most=MAXIMUM_UNITS),
             field=field,
             value=float(array[bad].flat[0]),
             example="[1, 1, 4]",
         )
     counts = _spread(array, field, rows).astype(np.int64)
     if counts.sum() > MAXIMUM_UNITS:
-        raise InputError(f"must be {MAXIMUM_UNITS} bearings at most, all together", field=field)
+        raise InputError(
+            said("must be at most {most} bearings in total", most=MAXIMUM_UNITS),
+            field=field,
+        )
     return counts
 
 
@@ -306,7 +314,9 @@ def _label_of(value: object, field: str) -> str:
     text = str(value).strip()
     if len(text) > LONGEST_LABEL or not text.isprintable():
         raise InputError(
-            f"must be one line of {LONGEST_LABEL} characters at most", field=field, value=text
+            said("must be one line of at most {most} characters", most=LONGEST_LABEL),
+            field=field,
+            value=text,
         )
     return text
 
@@ -318,7 +328,7 @@ def _entries(values: ArrayLike, field: str, example: str) -> NDArray[Any]:
     except ValueError:  # lists in lists of several lengths
         array = np.array(None)
     if hasattr(values, "columns") or array.ndim > 1 or (array.ndim == 0 and array[()] is None):
-        raise InputError("must be a list, one entry a row", field=field, example=example)
+        raise InputError(said("must be a list, one entry per row"), field=field, example=example)
     return array
 
 
@@ -328,7 +338,9 @@ def _spread(array: NDArray[Any], field: str, rows: int) -> NDArray[Any]:
         return np.full(rows, array[()])
     if array.shape != (rows,):
         raise InputError(
-            f"must be as long as the times, which are {rows}", field=field, value=array.shape
+            said("must be as long as the times, {rows}", rows=rows),
+            field=field,
+            value=array.shape,
         )
     return array
 
@@ -338,7 +350,7 @@ def _check_times(times: FloatArray, failed: BoolArray, lower: FloatArray) -> Non
     bad = ~((times >= MINIMUM_TIME) & (times <= MAXIMUM_TIME))
     if np.any(bad):
         raise InputError(
-            "must be finite numbers above zero; leave out a bearing that never ran",
+            said("must be finite and positive; leave out a bearing that never ran"),
             field="times",
             value=float(times[bad][0]),
             example=_EXAMPLE,
@@ -347,7 +359,7 @@ def _check_times(times: FloatArray, failed: BoolArray, lower: FloatArray) -> Non
     bad = given & ~((lower >= 0.0) & (lower < times) & failed)
     if np.any(bad):
         raise InputError(
-            "must lie below the time of its row, and only a failed bearing has one",
+            said("must be below the time of its row, and only a failed bearing has one"),
             field="lower",
             value=float(lower[bad][0]),
             example="lower = [100.0], times = [150.0]",
@@ -369,14 +381,19 @@ def _check_rigs(
     failures = np.bincount(which, weights=(counts * failed)[labelled])
     inspected = np.bincount(which, weights=~np.isnan(lower[labelled]))
     for wrong, what in (
-        (first < last, "ends at several times"),
-        (failures > 1.0, "has several failures"),
-        (inspected > 0.0, "has a failure found at an inspection"),
+        (first < last, marked("ends at several times; {rest}")),
+        (failures > 1.0, marked("has several failures; {rest}")),
+        (inspected > 0.0, marked("has a failure found at an inspection; {rest}")),
     ):
         if np.any(wrong):
             raise InputError(
-                f"{what}, and a rig ends as one, at its first failure; leave the rig out where its"
-                " bearings ran on",
+                said(
+                    what,
+                    rest=said(
+                        "a rig ends as one, at its first failure: leave the rig out where its"
+                        " bearings ran on"
+                    ),
+                ),
                 field="rig",
                 value=str(names[wrong][0]),
             )

@@ -7,6 +7,7 @@ from typing import Final
 
 from rolamento.errors import InputError
 from rolamento.weibull._checks import positive
+from rolamento.words import said
 
 _WRITTEN: Final = re.compile(r"\s*([+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d{1,3})?)\s*(.*?)\s*")
 _LONGEST: Final = 100
@@ -34,11 +35,11 @@ def life_with_unit(text: object, field: str, example: str = "1000 h") -> tuple[f
         match = _WRITTEN.fullmatch(text)
     rule = ""
     if match is None:
-        rule = "must be a number with its unit"
+        rule = said("must be a number with its unit")
     elif not match[2]:
-        rule = "needs its unit"
+        rule = said("needs a unit")
     elif not 0.0 < float(match[1]) < float("inf"):
-        rule = "must be greater than zero"
+        rule = said("must be positive")
     if match is None or rule:
         raise InputError(rule, field=field, value=text, example=f'"{example}"')
     return float(match[1]), match[2]
@@ -64,11 +65,11 @@ def life_in(life: float | str, unit: str, field: str) -> float:
     example = f"100 {unit}"
     if not isinstance(life, str):
         return positive(life, field, f'"{example}"')
-    value, said = life_with_unit(life, field, example)
-    factor = _factor(said, unit)
+    value, given = life_with_unit(life, field, example)
+    factor = _factor(given, unit)
     if factor is None:
         raise InputError(
-            f"must be in the unit of the data, {unit}",
+            said("must be in the unit of the data, {unit}", unit=unit),
             field=field,
             value=life,
             example=f'"{example}"',

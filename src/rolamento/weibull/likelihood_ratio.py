@@ -53,6 +53,7 @@ from rolamento.weibull.estimates import maximum_likelihood
 from rolamento.weibull.fit import Estimand, WeibullFit
 from rolamento.weibull.life_test import LifeTest
 from rolamento.weibull.likelihood import CONVERGED, Likelihood, Rows, fit_rows, fits_of
+from rolamento.words import said
 
 Kind = Literal["shape", "life", "reliability"]
 Limits = Callable[["Hill", Kind, FloatArray, list[int]], FloatArray]
@@ -426,7 +427,7 @@ class LikelihoodRegion:
     Attributes
     ----------
     code
-        "converged", or why there is none, a key of `fit.ADVICE`
+        "converged", or why there is none, a code that `advice` explains
     fit
         where the likelihood is greatest
     quantity
@@ -486,7 +487,7 @@ def likelihood_region(
     test, life = LifeTest.of(test), Estimand.of(quantity)
     if life.kind != "life":
         raise InputError(
-            "must be scale or a life", field="quantity", value=life.name, example="L10"
+            said("must be scale or a life"), field="quantity", value=life.name, example="L10"
         )
     wanted = tuple(float(p) for p in np.atleast_1d(shares(probabilities, "probabilities")))
     count, random = sample_count(samples), generator(seed)

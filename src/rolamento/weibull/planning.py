@@ -15,7 +15,7 @@ Sources: Nelson (1985); Abernethy (2006), chapter 6; Lipson and Sheth (1973) for
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from math import isfinite
 from typing import Any, Final
@@ -35,35 +35,27 @@ from rolamento.weibull._checks import (
     whole_number,
 )
 from rolamento.weibull.life_test import MAXIMUM_TIME
-
-PLAN_ADVICE: Final[Mapping[str, str]] = {
-    "not_shown": (
-        "So many bearings for so long do not show the life with this confidence. Run more of them,"
-        " or longer; or let fewer fail."
-    ),
-    "too_many_bearings": (
-        "It would take more bearings than anybody tests. Run them longer, ask for less confidence,"
-        " or for a life that fewer have to reach."
-    ),
-    "too_long": (
-        "It would take longer than can be told. Run more bearings, or ask for less confidence."
-    ),
-    "too_few_failures": "One failure tells no shape, so that no bounds come of it: plan for two.",
-    "too_many_failures": (
-        "It would take more failures than can be planned for here. Ask for a greater ratio of the"
-        " bounds, or for less confidence."
-    ),
-    "not_reached": (
-        "So many bearings do not bring the bounds so near each other, even if all fail. Test more"
-        " of them, or ask for a greater ratio."
-    ),
-}
-"""What a person can do, by the code of a plan without result."""
+from rolamento.words import Note, said
 
 MAXIMUM_ALLOWED: Final = 1000
 MAXIMUM_BEARINGS: Final = 100_000
 MINIMUM_SHAPE: Final = 0.1
 _POINTS: Final = 2001
+
+
+def advice_on_plan(code: str) -> Note | None:
+    """Return what a person can do, by the code of a plan; nothing where there is one."""
+    return None if code == "planned" else Note(f"plan_{code}")
+
+
+def status_of_plan(code: str) -> dict[str, Any]:
+    """Give the status of a plan as plain values."""
+    advice = advice_on_plan(code)
+    return {
+        "code": code,
+        "planned": code == "planned",
+        "advice": None if advice is None else advice.to_mapping(),
+    }
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,7 +65,7 @@ class Demonstration:
     Attributes
     ----------
     code
-        "planned", or why there is none, a key of `PLAN_ADVICE`
+        "planned", or why there is none, a code that `advice` explains
     life, reliability, confidence
         what is to be shown: the life, the share of bearings that reach it, how surely
     shape
@@ -105,9 +97,9 @@ class Demonstration:
         return self.code == "planned"
 
     @property
-    def advice(self) -> str | None:
+    def advice(self) -> Note | None:
         """What a person can do, where it does not."""
-        return PLAN_ADVICE.get(self.code)
+        return advice_on_plan(self.code)
 
     @property
     def total_time(self) -> float:
@@ -138,7 +130,7 @@ class Demonstration:
         """Confidence that the same test gives if the shape is another: array."""
         beta = numbers(shape, "shape", "[1.0, 1.5]")
         if not np.all((beta > 0.0) & np.isfinite(beta)):
-            raise InputError("must be above zero", field="shape", example="1.5")
+            raise InputError(said("must be positive"), field="shape", example="1.5")
         with np.errstate(over="ignore"):
             risk = (self.time / self.life) ** beta * -np.log(self.reliability)
         return 1.0 - _chance_of_at_most(self.failures_allowed, self.bearings, -np.expm1(-risk))
@@ -171,7 +163,7 @@ class Demonstration:
             for name, value in values.items()
         }
         return {
-            "status": {"code": self.code, "planned": self.planned, "advice": self.advice},
+            "status": status_of_plan(self.code),
             **plain,
         }
 
@@ -224,7 +216,7 @@ def demonstrate(
         whole_number(failures_allowed, "failures_allowed", 0, MAXIMUM_ALLOWED),
     )  # fmt: skip
     if bearings is None and time is None:
-        raise InputError("or time must be given", field="bearings", example="10")
+        raise InputError(said("or time must be given"), field="bearings", example="10")
     if bearings is not None:
         whole_number(bearings, "bearings", given[4] + 1, MAXIMUM_BEARINGS)
     if time is not None:
@@ -343,7 +335,11 @@ def planned_shape(value: object) -> float:
     shape = shape_of(value)
     if shape < MINIMUM_SHAPE:
         raise InputError(
-            f"must be from {MINIMUM_SHAPE:g} to {MAXIMUM_SHAPE:g}",
+            said(
+                "must be from {least:.6g} to {most:.6g}",
+                least=MINIMUM_SHAPE,
+                most=MAXIMUM_SHAPE,
+            ),
             field="shape",
             value=value,
             example="1.5",

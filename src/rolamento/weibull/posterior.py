@@ -25,9 +25,10 @@ from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.numerics.root import increasing_root
 from rolamento.weibull._checks import one_of, shape_of, share
-from rolamento.weibull.fit import ADVICE, Estimand
+from rolamento.weibull.fit import Estimand, advice_on
 from rolamento.weibull.life_test import LifeTest
 from rolamento.weibull.likelihood import Likelihood
+from rolamento.words import Note, said
 
 _REACH: Final = 60.0
 _FARTHEST: Final = 300.0
@@ -63,7 +64,9 @@ class ShapePrior:
         low, high = shape_of(self.low, "low"), shape_of(self.high, "high")
         share(self.probability, "probability")
         if low >= high:
-            raise InputError("must be greater than low", field="high", value=high, example="2.0")
+            raise InputError(
+                said("must be greater than low"), field="high", value=high, example="2.0"
+            )
 
     def log_density(self, log_shape: FloatArray) -> FloatArray:
         """Logarithm of the density of ln β, but for a constant."""
@@ -112,9 +115,9 @@ class Posterior:
     _given: GivenByGamma | GivenByGrid | None
 
     @property
-    def advice(self) -> str | None:
+    def advice(self) -> Note | None:
         """What a person can do, where there is no result."""
-        return ADVICE.get(self.code)
+        return advice_on(self.code)
 
     def quantile(self, quantity: str | Estimand, probability: float) -> float:
         """Value below which a quantity lies with a probability.
@@ -192,7 +195,7 @@ def posterior(test: LifeTest | ArrayLike, prior: ShapePrior) -> Posterior:
     """
     test = LifeTest.of(test)
     if not isinstance(prior, ShapePrior):
-        raise InputError("must be a prior", field="prior", example="ShapePrior(1.0, 2.5)")
+        raise InputError(said("must be a prior"), field="prior", example="ShapePrior(1.0, 2.5)")
     code = "" if test.failures else "no_failures"
     if test.inspected and not code and not np.any((test.lower > 0.0) | np.isnan(test.lower)):
         code = "no_maximum"  # all failed before the first inspection: nothing bounds from below

@@ -48,7 +48,13 @@ from rolamento.weibull._checks import (
 )
 from rolamento.weibull.drawing import FirstFailures, draw_fits
 from rolamento.weibull.likelihood import CONVERGED
-from rolamento.weibull.planning import MAXIMUM_BEARINGS, PLAN_ADVICE, planned_shape
+from rolamento.weibull.planning import (
+    MAXIMUM_BEARINGS,
+    advice_on_plan,
+    planned_shape,
+    status_of_plan,
+)
+from rolamento.words import Note, said
 
 MAXIMUM_FAILURES: Final = 1000
 MAXIMUM_RIGS: Final = 20_000
@@ -100,7 +106,7 @@ class LifeTestPlan:
     Attributes
     ----------
     code
-        "planned", or why there is no plan, a key of `PLAN_ADVICE`
+        "planned", or why there is no plan, a code that `advice` explains
     groups, group_size, failures
         g groups of m bearings, each stopped at its first failure; all stopped at the r-th failure
     life, reliability
@@ -146,9 +152,9 @@ class LifeTestPlan:
         return self.code == "planned"
 
     @property
-    def advice(self) -> str | None:
+    def advice(self) -> Note | None:
         """What a person can do, where there is none."""
-        return PLAN_ADVICE.get(self.code)
+        return advice_on_plan(self.code)
 
     @property
     def bearings(self) -> int:
@@ -170,7 +176,7 @@ class LifeTestPlan:
             "shape_ratio", "bearing_time", "rig_time",
         )  # fmt: skip
         return {
-            "status": {"code": self.code, "planned": self.planned, "advice": self.advice},
+            "status": status_of_plan(self.code),
             **{name: getattr(self, name) for name in counts},
             **{name: finite_or_none(getattr(self, name)) for name in numbers},
             "duration": None if self.duration is None else self.duration.to_mapping(),
@@ -260,10 +266,10 @@ def plan_for_ratio(
     """
     wanted = positive(ratio, "ratio", "5.0")
     if wanted <= 1.0:
-        raise InputError("must be above 1", field="ratio", value=ratio, example="5.0")
+        raise InputError(said("must be above 1"), field="ratio", value=ratio, example="5.0")
     part = positive(failed_share, "failed_share", "0.5")
     if part > 1.0:
-        raise InputError("must be 1 or less", field="failed_share", value=part, example="0.5")
+        raise InputError(said("must be at most 1"), field="failed_share", value=part, example="0.5")
     most = MAXIMUM_FAILURES
     if groups is not None:
         most = min(whole_number(groups, "groups", 1, MAXIMUM_RIGS), most)

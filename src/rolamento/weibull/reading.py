@@ -48,6 +48,7 @@ from rolamento.weibull.life_test import (
     MINIMUM_TIME,
     LifeTest,
 )
+from rolamento.words import said
 
 
 def _words(text: str) -> frozenset[str]:
@@ -320,7 +321,7 @@ def header_of(cells: Sequence[str], wanted: Mapping[str, str]) -> Header:
     unit = ""
     unknown: list[int] = []
     for place, title in enumerate(cells):
-        word, said = word_and_unit(title)
+        word, its_unit = word_and_unit(title)
         column = _column_by_name(word)
         if place in chosen:
             kind = chosen[place]
@@ -329,13 +330,13 @@ def header_of(cells: Sequence[str], wanted: Mapping[str, str]) -> Header:
             unknown.append(place)
             continue
         if column == "time":
-            unit = said
+            unit = its_unit
         if not column:
             continue
         if column in places:
             example = f'{_kind_of(column)}="{title}"' if column in _CHOICES else ""
             raise InputError(
-                "is there twice, perhaps by another name", field=title, example=example
+                said("occurs twice, perhaps under another name"), field=title, example=example
             )
         places[column] = place
     _refuse_slips(cells, unknown, places)
@@ -355,8 +356,10 @@ def check_status(header: Header, rows: Sequence[Sequence[str]]) -> None:
     for place, title in enumerate(header.titles):
         if title in header.passed_over and {folded_name(row[place]) for row in rows} <= known:
             raise InputError(
-                "seems to say what failed, by a name that is not known; say that it does, or"
-                " leave it out",
+                said(
+                    "seems to say what failed, but by an unknown name; choose it as the "
+                    "status, or leave it out"
+                ),
                 field=title,
                 example=f'status="{title}"',
             )
@@ -369,7 +372,7 @@ def row_of(cells: Sequence[str], header: Header, numerals: Numerals) -> Row:
     time = _number_in(given["time"], titles["time"], numerals)
     if not MINIMUM_TIME <= time <= MAXIMUM_TIME:
         raise InputError(
-            f"must be above zero, and {MAXIMUM_TIME:g} at most",
+            said("must be positive and at most {most:.6g}", most=MAXIMUM_TIME),
             field=titles["time"],
             value=given["time"],
             example="120.5",
@@ -397,7 +400,7 @@ def _chosen_columns(cells: Sequence[str], wanted: Mapping[str, str]) -> dict[int
     for column, title in wanted.items():
         place = place_of(cells, title)
         if place in chosen:
-            raise InputError("is chosen for two things", field=title)
+            raise InputError(said("is chosen for two purposes"), field=title)
         chosen[place] = column
     return chosen
 
@@ -418,7 +421,9 @@ def place_of(cells: Sequence[str], title: str) -> int:
     ):
         if True in names:
             return names.index(True)
-    rule = f"is not a column of the file; there are: {', '.join(filter(None, cells))}"
+    rule = said(
+        "is not a column of the file; the columns are {known}", known=", ".join(filter(None, cells))
+    )
     raise InputError(rule, field=title)
 
 
@@ -440,25 +445,26 @@ def _refuse_slips(cells: Sequence[str], unknown: Sequence[int], places: Mapping[
         column = _COLUMN_OF[near[0]] if near else ""
         if column and _kind_of(column) not in there:
             raise UnknownKeyError(
-                f"is not a known column; did you mean {near[0]}?", field=cells[place]
+                said("is an unknown column; did you mean {near}?", near=near[0]),
+                field=cells[place],
             )
 
 
 def _check_columns(places: Mapping[str, int]) -> None:
     if "time" not in places:
         raise InputError(
-            "has no column of times by a usual name",
+            said("has no column of times under a usual name"),
             field="header",
             example='time,status; or time="name of the column"',
         )
     if sum(name in places for name in _KINDS_OF_STATUS) > 1:
         raise InputError(
-            "tells in two columns whether a bearing failed",
+            said("says in two columns whether a bearing failed"),
             field="header",
             example='status="name of the column"',
         )
     if "size" in places and ("count" in places or "lower" in places):
-        raise InputError("has sizes of rigs beside counts or inspections", field="header")
+        raise InputError(said("has rig sizes besides counts or inspections"), field="header")
 
 
 def word_and_unit(title: str) -> tuple[str, str]:
@@ -484,7 +490,7 @@ def _says_failed(given: dict[str, str], titles: dict[str, str]) -> bool:
         if word in failed or word in not_failed:
             return word in failed
         raise InputError(
-            f"must say whether the bearing failed: {examples}, 1 or 0",
+            said("must say whether the bearing failed: {examples}, 1 or 0", examples=examples),
             field=titles[column],
             value=given[column],
             example=examples.split(",")[0],
@@ -501,19 +507,21 @@ def _last_inspection(
     lower = _number_in(cell, titles["lower"], numerals)
     if not failed:
         raise InputError(
-            "must be empty for a bearing that did not fail", field=titles["lower"], value=cell
+            said("must be empty for a bearing that did not fail"), field=titles["lower"], value=cell
         )
     if not 0.0 <= lower < time:
-        raise InputError("must be 0 or more, and below the time", field=titles["lower"], value=cell)
+        raise InputError(
+            said("must be at least 0 and below the time"), field=titles["lower"], value=cell
+        )
     return lower
 
 
 def _number_in(cell: str, title: str, numerals: Numerals) -> float:
     value = numerals.number(cell)
     if value is None:
-        rule = "must be a number, without unit"
+        rule = said("must be a number without unit")
         if "," in cell and not numerals.commas:
-            rule = "must have a decimal point where commas part the cells"
+            rule = said("must have a decimal point where commas separate the cells")
         raise InputError(rule, field=title, value=cell, example="120.5")
     return value
 
@@ -523,7 +531,7 @@ def _whole_number_in(given: dict[str, str], titles: dict[str, str], column: str)
     number = _number_in(cell, titles.get(column, column), Numerals(commas=True))
     if not 1.0 <= number <= MAXIMUM_UNITS or number != int(number):
         raise InputError(
-            f"must be a whole number from 1 to {MAXIMUM_UNITS}",
+            said("must be an integer from 1 to {most}", most=MAXIMUM_UNITS),
             field=titles[column],
             value=cell,
             example="4",
@@ -535,7 +543,7 @@ def _label_in(given: dict[str, str], titles: dict[str, str], column: str) -> str
     cell = given.get(column, "")
     if len(cell) > LONGEST_LABEL or not cell.isprintable():
         raise InputError(
-            f"must be one line of {LONGEST_LABEL} characters at most",
+            said("must be one line of at most {most} characters", most=LONGEST_LABEL),
             field=titles[column],
             value=cell,
         )

@@ -43,6 +43,7 @@ from rolamento.weibull.likelihood import (
     fits_of,
     joined,
 )
+from rolamento.words import Note, said
 
 Correction = Literal["median", "mean", "ross"]
 
@@ -62,7 +63,7 @@ class Draws:
     samples, dropped
         drawn tests, and how many of them had no fit and are left out
     notes
-        names in `fit.NOTES`
+        what limits it, each once
     """
 
     code: str
@@ -70,7 +71,7 @@ class Draws:
     log_scale: FloatArray
     samples: int
     dropped: int
-    notes: tuple[str, ...] = ()
+    notes: tuple[Note, ...] = ()
 
     def of(self, quantity: Estimand) -> FloatArray:
         """Draws of a quantity."""
@@ -310,14 +311,17 @@ def unbiased(
     fit = maximum_likelihood(test)
     if correction == "ross" and test.scheme != "complete":
         raise InputError(
-            "is for tests without suspensions", field="correction", value="ross", example="median"
+            said("is for tests without suspensions"),
+            field="correction",
+            value="ross",
+            example="median",
         )
     if not fit.converged:
         return WeibullFit.without(test, "unbiased", fit.code)
     exact = test.scheme in ENDED_BY_FAILURES
     if correction != "median" and not (exact and test.failures >= 3):
         return WeibullFit.without(test, "unbiased", "no_mean")
-    notes: tuple[str, ...] = ()
+    notes: tuple[Note, ...] = ()
     if correction == "ross":
         factor = bias_factor(test.size)
     else:

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from rolamento.errors import InputError
 from rolamento.weibull._checks import finite_or_none, one_of
-from rolamento.weibull.bounds import Bounds, Method, Sides, all_bounds
+from rolamento.weibull.bounds import Band, Bounds, Method, Sides, all_bounds, confidence_band
 from rolamento.weibull.comparison import (
     VERDICT_METHODS,
     CalculatedLife,
@@ -30,8 +30,10 @@ from rolamento.weibull.estimates import (
 )
 from rolamento.weibull.fit import Estimand, WeibullFit
 from rolamento.weibull.life_test import LifeTest
+from rolamento.weibull.likelihood_ratio import LikelihoodRegion, likelihood_region
 from rolamento.weibull.posterior import ShapePrior, posterior
 from rolamento.weibull.sampled import unbiased
+from rolamento.words import said
 
 FitMethod = Literal[
     "maximum_likelihood",
@@ -95,14 +97,16 @@ class Wanted:
         for name in ("methods", "reliabilities", "times"):
             many = getattr(self, name)
             if isinstance(many, str) or not isinstance(many, Iterable):
-                raise InputError("must be a list", field=name, value=many)
+                raise InputError(said("must be a list"), field=name, value=many)
             object.__setattr__(self, name, tuple(many))
         for method in self.methods:
             one_of(method, "method", FIT_METHODS)
         if not self.reliabilities:
-            raise InputError("must be one at least", field="reliability", example="0.9")
+            raise InputError(said("must be at least one"), field="reliability", example="0.9")
         if self.shape is not None and self.bounds not in (None, "fixed_shape"):
-            raise InputError("goes with no other bounds", field="shape", value=self.shape)
+            raise InputError(
+                said("cannot be combined with other bounds"), field="shape", value=self.shape
+            )
 
     @property
     def lives(self) -> tuple[Estimand, ...]:
@@ -269,9 +273,11 @@ class LifeTestSummary:
         return any(group.has_result for group in self.groups)
 
     def to_mapping(self) -> dict[str, Any]:
-        """Give the summary as plain values; None where there is no number."""
+        """Give the summary as plain values, times in the unit of the data; None for no number."""
         test, wanted = self.test, self.wanted
         return {
+            "schema": 2,
+            "kind": "weibull",
             "title": test.title,
             "source": test.source,
             "passed_over": list(test.passed_over),
@@ -336,8 +342,11 @@ def summarise(
     tests = test.by_group() if by_group else {"": test}
     if len(tests) > MAXIMUM_GROUPS:
         raise InputError(
-            f"must be {MAXIMUM_GROUPS} at most to be told by themselves; take another column, or"
-            " all together",
+            said(
+                "must be at most {most} to be shown one by one; choose another column, "
+                "or all together",
+                most=MAXIMUM_GROUPS,
+            ),
             field="groups",
             value=len(tests),
         )
@@ -472,3 +481,29 @@ def _ratio_to_first(
         samples=asked.samples,
         seed=asked.seed,
     )
+
+
+def bands_of(summary: LifeTestSummary) -> dict[str, Band]:
+    """Bounds of the lives over all reliabilities, by the groups that have any, as was asked for."""
+    asked = summary.wanted
+    return {
+        group.name: confidence_band(
+            group.test,
+            method=asked.bounds,
+            confidence=asked.confidence,
+            samples=asked.samples,
+            seed=asked.seed,
+            shape=asked.shape,
+        )
+        for group in summary.groups
+        if group.bounded
+    }
+
+
+def regions_of(summary: LifeTestSummary, quantity: str = "L10") -> dict[str, LikelihoodRegion]:
+    """Regions of equal likelihood of shape and a life, by the groups."""
+    asked = summary.wanted
+    return {
+        group.name: likelihood_region(group.test, quantity, samples=asked.samples, seed=asked.seed)
+        for group in summary.groups
+    }

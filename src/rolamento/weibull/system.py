@@ -21,6 +21,7 @@ from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.numerics.root import increasing_root
 from rolamento.weibull._checks import numbers, one_of, shape_of, shares
+from rolamento.words import said
 
 EXPONENTS: Final = {"ball": 10.0 / 9.0, "roller": 9.0 / 8.0}
 """Weibull exponent of the standards' ratings."""
@@ -121,12 +122,12 @@ def _distributions(
         gamma = np.array([np.nan])
     if not np.all((gamma >= 0.0) & np.isfinite(gamma)) or beta.ndim != 1:
         raise InputError(
-            "must be one number, not negative, for each bearing",
+            said("must be one non-negative number for each bearing"),
             field="locations",
             example="[0.0, 0.0]",
         )
     if not (np.all(np.isfinite(eta)) and np.all(beta <= 1000.0)):
-        raise InputError("must be finite, the shapes 1000 or less", field="scales")
+        raise InputError(said("must be finite, and the shapes at most 1000"), field="scales")
     return beta, eta, gamma
 
 
@@ -134,7 +135,7 @@ def _positive_numbers(values: ArrayLike, field: str) -> FloatArray:
     array = np.atleast_1d(numbers(values, field, "[1000.0, 800.0]"))
     if array.shape[-1] > _MAXIMUM_PARTS or not array.size or not np.all(array > 0.0):
         raise InputError(
-            f"must be 1 to {_MAXIMUM_PARTS} numbers above zero",
+            said("must be from 1 to {most} positive numbers", most=_MAXIMUM_PARTS),
             field=field,
             example="[1000.0, 800.0]",
         )

@@ -29,6 +29,7 @@ from rolamento.numerics import BoolArray, FloatArray
 from rolamento.weibull._checks import one_of
 from rolamento.weibull.life_test import LONGEST_LABEL, TextArray
 from rolamento.weibull.reading import header_of, place_of, word_and_unit
+from rolamento.words import said
 
 if TYPE_CHECKING:
     from rolamento.clearance.wear import WearFit, WearLaw
@@ -192,7 +193,9 @@ def parse_trend(
             raise table.placed(error, number) from None
     times, bearings, values, rejected = zip(*parsed, strict=True)
     if len(set(bearings)) > _MAXIMUM_BEARINGS:
-        raise InputError(f"has more than {_MAXIMUM_BEARINGS} bearings", source=source)
+        raise InputError(
+            said("has more than {most} bearings", most=_MAXIMUM_BEARINGS), source=source
+        )
     return Trend(
         np.array(times),
         np.array(bearings, dtype=np.str_),
@@ -253,7 +256,7 @@ class _Columns:
         first, name = by_name["time"], by_name["bearing"]
         if first is None or name is None or first == name:
             raise InputError(
-                "must have a column of times and one of bearings",
+                said("must have a column of times and one of bearings"),
                 field="header",
                 example=f'{_EXAMPLE}; or time="name of the column", bearing="name of the column"',
             )
@@ -262,10 +265,14 @@ class _Columns:
         places = tuple(i for i in others if heads[i][1])
         if not time_unit or not places:
             missing = header[first] if not time_unit else header[others[0]] if others else "header"
-            rule = "needs its unit in brackets" if others else "has no column of a quantity"
+            rule = (
+                said("needs its unit in brackets")
+                if others
+                else said("has no column of a quantity")
+            )
             raise InputError(rule, field=missing, example=_EXAMPLE)
         if len(places) > _MAXIMUM_QUANTITIES:
-            rule = f"must have 1 to {_MAXIMUM_QUANTITIES} columns of quantities"
+            rule = said("must have 1 to {most} columns of quantities", most=_MAXIMUM_QUANTITIES)
             raise InputError(rule, field="header")
         return cls(
             first,
@@ -284,11 +291,13 @@ class _Columns:
         name = cells[self.bearing]
         if not name or len(name) > LONGEST_LABEL or not name.isprintable():
             raise InputError(
-                f"must be a name of {LONGEST_LABEL} characters at most", field="bearing", value=name
+                said("must be a name of at most {most} characters", most=LONGEST_LABEL),
+                field="bearing",
+                value=name,
             )
         time = _measured(cells[self.time], "time", numerals)
         if time < 0.0:
-            raise InputError("must not be negative", field="time", value=cells[self.time])
+            raise InputError(said("must not be negative"), field="time", value=cells[self.time])
         rejected = [cells[place].casefold() in _REJECTED for place in self.places]
         values = [
             np.nan if bad or not cells[place] else _measured(cells[place], quantity, numerals)
@@ -318,7 +327,9 @@ def _name_and_unit(cell: str) -> tuple[str, str]:
     name, unit = (match[1], match[2].strip()) if match else (cell, "")
     if len(name) > LONGEST_LABEL or not cell.isprintable():
         raise InputError(
-            f"must be a name of {LONGEST_LABEL} characters at most", field="header", value=cell
+            said("must be a name of at most {most} characters", most=LONGEST_LABEL),
+            field="header",
+            value=cell,
         )
     return name, unit
 
@@ -326,5 +337,5 @@ def _name_and_unit(cell: str) -> tuple[str, str]:
 def _measured(cell: str, field: str, numerals: Numerals) -> float:
     value = numerals.number(cell)
     if value is None or not isfinite(value):
-        raise InputError("must be a number", field=field, value=cell, example="36.5")
+        raise InputError(said("must be a number"), field=field, value=cell, example="36.5")
     return value

@@ -1,10 +1,20 @@
 """Words: languages, numbers as people write them, notes and their sentences."""
 
-from rolamento.words.manner import ABSENT, UNITS, Manner, aligned, decimals_for, in_unit
+from rolamento.words.manner import (
+    ABSENT,
+    ENDLESS,
+    UNITS,
+    Manner,
+    aligned,
+    decimals_for,
+    in_unit,
+    unit_of,
+)
 from rolamento.words.note import Note
 from rolamento.words.speaking import (
     counted,
     language,
+    language_asked,
     language_of,
     languages,
     manner,
@@ -16,6 +26,7 @@ from rolamento.words.speaking import (
 
 __all__ = [
     "ABSENT",
+    "ENDLESS",
     "UNITS",
     "Manner",
     "Note",
@@ -24,6 +35,7 @@ __all__ = [
     "decimals_for",
     "in_unit",
     "language",
+    "language_asked",
     "language_of",
     "languages",
     "manner",
@@ -31,4 +43,5 @@ __all__ = [
     "said",
     "said_in",
     "speaking",
+    "unit_of",
 ]

@@ -5,7 +5,10 @@ A number in SI is written in a unit by a specification, in templates and in tabl
     ""            a text as it is; an integer grouped in threes; a float with four figures
     ".5"          five significant figures, without trailing zeros
     ".2f"         two decimals
+    ".3r"         three significant figures with their zeros, the rest rounded away: 5.00, 12 300;
+                  by its order of magnitude where that is far from one
     ".1e"         by its order of magnitude
+    ".6g"         six significant figures, by its order of magnitude where that is shorter
     "+.2f"        with its sign
     ".4 rpm"      in a unit, which is written behind the number
     ".4 [rpm]"    in a unit, which is not written
@@ -17,14 +20,16 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
-from math import floor, isfinite, log10, pi
+from math import floor, inf, isfinite, log10, pi
 from string import Formatter
 from typing import Any, Final
 
-__all__ = ["ABSENT", "UNITS", "Manner", "aligned", "decimals_for", "in_unit"]
+__all__ = ["ABSENT", "ENDLESS", "UNITS", "Manner", "aligned", "decimals_for", "in_unit", "unit_of"]
 
 ABSENT: Final = "–"
 """What stands for a number that does not exist."""
+ENDLESS: Final = "∞"
+"""What stands for a number beyond all others, such as a life that fatigue does not end."""
 
 MOST_ITEMS: Final = 8
 """Of a sequence in a text."""
@@ -42,15 +47,18 @@ UNITS: Final[dict[str, tuple[float, float]]] = {
     "mm³": (1e9, 0.0),
     "rad": (1.0, 0.0),
     "mrad": (1e3, 0.0),
+    "µrad": (1e6, 0.0),
     "°": (180.0 / pi, 0.0),
     "rad/s": (1.0, 0.0),
     "rpm": (30.0 / pi, 0.0),
+    "10⁶ mm·rpm": (30.0 / pi * 1e-3, 0.0),
     "Hz": (1.0, 0.0),
     "kHz": (1e-3, 0.0),
     "N": (1.0, 0.0),
     "kN": (1e-3, 0.0),
     "N·m": (1.0, 0.0),
     "N·mm": (1e3, 0.0),
+    "µN·m": (1e6, 0.0),
     "N/µm": (1e-6, 0.0),
     "N/mrad": (1e-3, 0.0),
     "N·m/mm": (1e-3, 0.0),
@@ -61,6 +69,7 @@ UNITS: Final[dict[str, tuple[float, float]]] = {
     "1/GPa": (1e9, 0.0),
     "W": (1.0, 0.0),
     "mW": (1e3, 0.0),
+    "µW": (1e6, 0.0),
     "°C": (1.0, -273.15),
     "K": (1.0, 0.0),
     "mm²/s": (1e6, 0.0),
@@ -71,6 +80,8 @@ UNITS: Final[dict[str, tuple[float, float]]] = {
     "µm/s": (1e6, 0.0),
     "m/s²": (1.0, 0.0),
     "kg/m³": (1.0, 0.0),
+    "W/(m·K)": (1.0, 0.0),
+    "10⁻⁶/K": (1e6, 0.0),
     "s": (1.0, 0.0),
     "ms": (1e3, 0.0),
     "min": (1.0 / 60.0, 0.0),
@@ -84,7 +95,8 @@ UNITS: Final[dict[str, tuple[float, float]]] = {
 _MINUS: Final = "−"
 _SMALLEST_GROUPED: Final = 10_000
 _FIGURES: Final = 4
-_SPECIFICATION: Final = re.compile(r"(\+?)(?:\.(\d+)([fe]?))?(?: ?(\[)?([^\[\]]*)\]?)?")
+_SMALLEST, _GREATEST = 1e-4, 1e8
+_SPECIFICATION: Final = re.compile(r"(\+?)(?:\.(\d+)([fegr]?))?(?: ?(\[)?([^\[\]]*)\]?)?")
 _CLOSE: Final = ("°",)
 """Units that stand at the number without a space."""
 
@@ -107,6 +119,12 @@ def in_unit(value: Any, unit: str) -> Any:
     """
     factor, offset = UNITS[unit]
     return value * factor + offset
+
+
+def unit_of(specification: str) -> str:
+    """Return the unit of a specification of a number, written or not (see the module)."""
+    found = _SPECIFICATION.fullmatch(specification)
+    return found[5] if found and found[5] in UNITS else ""
 
 
 class Manner(Formatter):
@@ -148,6 +166,18 @@ class Manner(Formatter):
             return ABSENT
         return f"{value:.{decimals}e}".replace(".", self.mark)
 
+    def significant(self, value: float, figures: int) -> str:
+        """Write one number with so many figures, such as a life: no more are worth telling."""
+        if value == inf:
+            return ENDLESS
+        if not isfinite(value) or value == 0.0:
+            return self.fixed(value, 0)
+        if not _SMALLEST <= abs(value) < _GREATEST:
+            mantissa, _, exponent = f"{value:.{figures - 1}e}".partition("e")
+            return f"{mantissa.replace('.', self.mark)}e{int(exponent)}"
+        rounded = round(value, figures - 1 - floor(log10(abs(value))))
+        return self.fixed(rounded, max(figures - 1 - floor(log10(abs(rounded))), 0))
+
     def localised(self, quantity: str) -> str:
         """Write a quantity of a case file, such as ``"22.23 mm"``, with the decimal mark."""
         number, space, unit = quantity.partition(" ")
@@ -168,8 +198,12 @@ class Manner(Formatter):
         scaled = float(in_unit(value, unit))
         if form == "f":
             text = self.fixed(scaled, int(digits))
+        elif form == "r":
+            text = self.significant(scaled, int(digits))
         elif form == "e":
             text = self.exponent(scaled, int(digits))
+        elif form == "g" and isfinite(scaled):
+            text = f"{scaled:.{digits}g}".replace("-", _MINUS).replace(".", self.mark)
         else:
             text = self.short(scaled, int(digits) if digits else _FIGURES)
         text = f"+{text}" if sign and scaled > 0.0 else text
@@ -181,7 +215,9 @@ class Manner(Formatter):
         """Write what a template holds in one of its places."""
         if isinstance(value, str):
             return value
-        if isinstance(value, bool) or value is None:
+        if value is None:
+            return ABSENT
+        if isinstance(value, bool):
             return str(value)
         if isinstance(value, int) and not format_spec:
             return self.fixed(value, 0)
@@ -198,6 +234,11 @@ class Manner(Formatter):
 
 
 def aligned(cells: Sequence[str], mark: str) -> list[str]:
-    """Pad numbers on the right so that their decimal marks fall below each other."""
-    tails = [len(cell) - cell.index(mark) if mark in cell else 0 for cell in cells]
+    """Pad numbers on the right so that their decimal marks fall below each other.
+
+    Numbers that are written by their order of magnitude stand on the right as they are.
+    """
+    tails = [
+        len(cell) - cell.index(mark) if mark in cell and "e" not in cell else 0 for cell in cells
+    ]
     return [cell + " " * (max(tails) - tail) for cell, tail in zip(cells, tails, strict=True)]

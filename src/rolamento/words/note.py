@@ -53,5 +53,15 @@ class Note:
 
     @classmethod
     def from_mapping(cls, given: Mapping[str, Any]) -> Note:
-        """Return the note that was written as such a mapping."""
-        return cls(given["key"], given["values"])
+        """Return the note that was written as such a mapping.
+
+        One that this release cannot say, or of hostile values, is kept as its text.
+        """
+        from rolamento.words.sentences import sentences
+
+        note = cls(given["key"], given["values"])
+        try:
+            known = note.key in sentences() and bool(note.text)
+        except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError):
+            known = False
+        return note if known else cls("text", {"text": given["text"]})

@@ -8,10 +8,12 @@ from __future__ import annotations
 
 import gettext
 import os
-from collections.abc import Iterator, Mapping
+import sys
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
 from functools import cache
+from itertools import pairwise
 from pathlib import Path
 from typing import Any, Final
 
@@ -22,6 +24,7 @@ __all__ = [
     "DOMAIN",
     "counted",
     "language",
+    "language_asked",
     "language_of",
     "languages",
     "manner",
@@ -61,6 +64,25 @@ def language_of(code: str | None = None, environment: Mapping[str, str] | None =
         code = next((variables[name] for name in _VARIABLES if variables.get(name)), "")
     code = code[:2].lower()
     return code if code in languages() else ENGLISH
+
+
+def language_asked(arguments: Sequence[str] | None = None) -> str:
+    """Return the language that a command line asks for with ``--lang``, or else the locale's.
+
+    Parameters
+    ----------
+    arguments
+        Without the program's name; by default those of this process.
+    """
+    words = [*(sys.argv[1:] if arguments is None else arguments), ""]
+    words = words[: words.index("--")] if "--" in words else words
+    code = None
+    for word, behind in pairwise(words):
+        if word == "--lang":
+            code = behind
+        elif word.startswith("--lang="):
+            code = word.removeprefix("--lang=")
+    return language_of(code)
 
 
 @contextmanager

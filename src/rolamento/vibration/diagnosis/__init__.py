@@ -12,7 +12,6 @@ from rolamento.vibration.diagnosis.record import (
     Diagnosis,
     EnvelopeSpectra,
     MatchedLine,
-    Reason,
     UnexplainedLine,
 )
 from rolamento.vibration.diagnosis.settings import (
@@ -38,7 +37,6 @@ __all__ = [
     "FaultOrders",
     "Grade",
     "MatchedLine",
-    "Reason",
     "UnexplainedLine",
     "diagnose",
 ]

@@ -43,6 +43,7 @@ from rolamento.vibration.diagnosis.lines import envelope_leakage, reach, runs, t
 from rolamento.vibration.diagnosis.whitening import Comb, even_places, whitened
 from rolamento.vibration.noise_floor import HALF_WIDTH
 from rolamento.vibration.order_tracking import interpolated
+from rolamento.words import said
 
 _LEFT_OUT_TO: Final = 0.3
 """Of the noise: what a line may add to its neighbours before they are left out."""
@@ -453,7 +454,7 @@ def band_spectra(blocks: Iterable[Block], plan: Plan) -> BandSpectra:
         if watch.usable(block.samples):
             sums.add(block)
     if sums is None:
-        raise InputError("holds no samples", field="signal")
+        raise InputError(said("has no samples"), field="signal")
     number, samples = (sums.number, sums.samples) if sums.number else (1, length)
     return BandSpectra(
         plain=sums.powers[0] / number,

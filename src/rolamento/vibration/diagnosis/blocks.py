@@ -20,6 +20,7 @@ from rolamento.vibration._checks import pieces_of
 from rolamento.vibration.diagnosis.lines import runs
 from rolamento.vibration.order_tracking import revolutions_of, turns_per_sample
 from rolamento.vibration.signal import Signal
+from rolamento.words import marked, said
 
 MOST_SAMPLES: Final = 2**21
 """Of a block: keeps the memory of slow shafts bounded."""
@@ -71,7 +72,7 @@ def blocks_of(pieces: Signal | Iterable[Signal], wanted: float) -> Iterator[Bloc
     """
     if isinstance(pieces, Signal):
         if len(pieces.samples) < 2:
-            raise InputError("must be at least 2", field="number of samples", value=1)
+            raise InputError(said("must be at least 2"), field=marked("number of samples"), value=1)
         if _steady(pieces):
             samples = len(pieces.samples)
             turns = (samples - 1) * turns_per_sample(pieces)
@@ -149,8 +150,8 @@ def _alike(pieces: Iterable[Signal], *, steady: bool) -> Iterator[Signal]:
         same_speed = not steady or (_steady(piece) and piece.mean_speed == first.mean_speed)
         if piece.rate != first.rate or not same_speed or (not steady and _steady(piece)):
             raise InputError(
-                "must have the same rate, and all one steady speed or all a speed per sample",
-                field="pieces of a signal",
+                said("must have the same rate, and all a steady speed or all a speed per sample"),
+                field=marked("pieces of a signal"),
             )
         yield piece
 

@@ -2,21 +2,22 @@
 
 from __future__ import annotations
 
-from math import nan
+from collections.abc import Sequence
+from math import isfinite, nan
 from typing import Final
 
 import numpy as np
 
-from rolamento.vibration.diagnosis import wording
 from rolamento.vibration.diagnosis.field import SEEN, Field
-from rolamento.vibration.diagnosis.record import ComponentVerdict, MatchedLine, Reason, Verdict
+from rolamento.vibration.diagnosis.record import ComponentVerdict, MatchedLine, Verdict
 from rolamento.vibration.diagnosis.search import Finding, SearchedLine, chance
 from rolamento.vibration.diagnosis.settings import Component
 from rolamento.vibration.diagnosis.size import Grade
 from rolamento.vibration.noise_floor import LOWEST_LINE
+from rolamento.words import Note
 
 _CLEAR_SIDEBAND: Final = 9.0
-"""dB above the noise from which a sideband is worth telling of; noise alone is above it once in
+"""dB above the noise from which a sideband is reported; noise alone is above it once in
 three thousand lines."""
 
 
@@ -28,7 +29,7 @@ def stated(
     verdict: Verdict,
     grade: Grade,
     depth: float,
-    doubts: tuple[Reason, ...],
+    doubts: tuple[Note, ...],
 ) -> ComponentVerdict:
     """Return the verdict of a part whose lines noise does not give."""
     probability, evidence = chance(finding.evidence, trials)
@@ -39,15 +40,16 @@ def stated(
     lines = tuple(_matched(line, fundamental, finding, field) for line in finding.hypothesis.lines)
     sidebands = _sidebands(component, fundamental, finding, field)
     band = field.spectra.bands[finding.band]
-    reasons = [wording.deep(depth, grade), wording.above_noise(order, frequency, lines)]
+    reasons = [
+        Note("modulation_depth", {"depth": depth, "grade": grade}),
+        _above_noise(order, frequency, lines),
+    ]
     if sidebands:
-        reasons.append(
-            wording.of_sidebands(component, _spacing(component, finding, field), sidebands)
-        )
+        reasons.append(_modulated(component, _spacing(component, finding, field), sidebands))
     reasons += [
-        wording.at_band(band),
-        wording.chance_of_noise(probability, evidence, trials),
-        wording.off_nominal(order / nominal - 1.0),
+        Note("clearest_band", {"low": band[0], "high": band[1]}),
+        Note("improbable_in_noise", {"evidence": evidence, "trials": trials}),
+        Note("off_nominal", {"deviation": order / nominal - 1.0}),
     ]
     return ComponentVerdict(
         component=component,
@@ -73,7 +75,7 @@ def no_fault(
     finding: Finding | None,
     field: Field,
     trials: int,
-    why: Reason | None = None,
+    why: Note | None = None,
     *,
     untested: bool = False,
     depth: float = nan,
@@ -87,9 +89,10 @@ def no_fault(
     if why is not None:
         reason = why
     elif finding is None:
-        reason = wording.untested(_why_untested(nominal, field))
+        reason = Note(_why_untested(nominal, field))
     else:
-        reason = wording.nothing_above_noise(probability, trials)
+        values = {"probability": min(probability, 1.0), "trials": trials}
+        reason = Note("nothing_above_noise", values)
     nothing = (finding is not None or why is not None) and not untested
     return ComponentVerdict(
         component=component,
@@ -109,16 +112,39 @@ def no_fault(
     )
 
 
+def _above_noise(order: float, frequency: float, lines: Sequence[MatchedLine]) -> Note:
+    """Return by how much the multiples of a fault stand out."""
+    plain = [line for line in lines if line.sideband == 0 and isfinite(line.above_noise)]
+    values = {
+        "order": order,
+        "frequency": frequency,
+        "multiples": [line.multiple for line in plain],
+        "levels": [line.above_noise for line in plain],
+    }
+    return Note("harmonics_above_noise", values)
+
+
+def _modulated(component: Component, spacing: float, lines: Sequence[MatchedLine]) -> Note:
+    """Return that there are sidebands, and what modulates."""
+    levels = [line.above_noise for line in lines if isfinite(line.above_noise)]
+    values = {
+        "spacing": spacing,
+        "strongest": max(levels, default=None),
+        "carrier": "cage" if component == "ball" else "ring",
+    }
+    return Note("sidebands", values)
+
+
 def _why_untested(nominal: float | None, field: Field) -> str:
     if nominal is None:
         return "no_order"
     if not np.any(field.spectra.power):
         return "only_tones" if field.spectra.bare else "no_change"
     if nominal * field.turns < LOWEST_LINE + 1:
-        return "record_too_short"
+        return "unresolved_from_shaft"
     widest = max(high - low for low, high in field.spectra.bands)
     too_high = nominal * field.spectra.shaft_frequency > SEEN * widest
-    return "rate_too_low" if too_high else "hidden"
+    return "rate_too_low" if too_high else "peaks_hidden"
 
 
 def at_edge(finding: Finding) -> bool:

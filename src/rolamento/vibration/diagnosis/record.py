@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Literal
+from dataclasses import asdict, dataclass
+from math import isfinite, pi
+from typing import Any, Final, Literal
 
 import numpy as np
 
@@ -11,25 +12,21 @@ from rolamento.numerics import FloatArray
 from rolamento.vibration._checks import Band
 from rolamento.vibration.diagnosis.settings import Component
 from rolamento.vibration.diagnosis.size import GRADES, Grade
+from rolamento.words import Note
 
 Verdict = Literal["fault", "undecided", "watch", "nothing_found", "not_tested"]
-"""Of a part: damaged; damaged or not, what speaks against it is as strong; lines as many healthy
-bearings have; none, or none of its own; nothing can be told."""
+"""Of a part: damaged; undecided, as the evidence against it is as strong; peaks as in many healthy
+bearings; none, or none of its own; could not be tested."""
 SpeedSource = Literal["given", "shaft_lines", "fault_lines"]
-"""What tells the speed of the shaft: what was given, its own lines, or those of the fault."""
+"""Where the speed of the shaft comes from: as given, its own peaks, or those of the fault."""
 Cause = Literal["outer_race", "inner_race", "ball", "cage", "ball_or_cage"]
 
-
-@dataclass(frozen=True, slots=True)
-class Reason:
-    """Why a verdict is what it is: a name for a program, a sentence for a person."""
-
-    name: str
-    text: str
-
-
-Note = Reason
-"""Something about the whole diagnosis that its user should know."""
+_ADVICE: Final = {
+    "severe": "replace_bearing",
+    "damage": "plan_replacement",
+    "watch": "measure_as_usual",
+    "undecided": "resolve_doubts",
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,6 +88,18 @@ class UnexplainedLine:
     shaft_frequencies: tuple[tuple[Component, float], ...]
     of_mains: bool = False
 
+    def to_mapping(self) -> dict[str, Any]:
+        """Return what a note says of it: frequencies in Hz, speeds in rad/s."""
+        return {
+            "order": self.order,
+            "frequency": self.frequency,
+            "above_noise": self.above_noise,
+            "depth": self.depth,
+            "band": list(self.band),
+            "of_mains": self.of_mains,
+            "speeds": [[part, 2.0 * pi * shaft] for part, shaft in self.shaft_frequencies],
+        }
+
 
 @dataclass(frozen=True, slots=True)
 class ComponentVerdict:
@@ -143,8 +152,28 @@ class ComponentVerdict:
     band: Band | None
     lines: tuple[MatchedLine, ...]
     sidebands: tuple[MatchedLine, ...]
-    reasons: tuple[Reason, ...]
-    doubts: tuple[Reason, ...] = ()
+    reasons: tuple[Note, ...]
+    doubts: tuple[Note, ...] = ()
+
+    def to_mapping(self) -> dict[str, Any]:
+        """Return all of it as plain mappings and lists."""
+        return {
+            "component": self.component,
+            "verdict": self.verdict,
+            "grade": self.grade,
+            "depth": self.depth,
+            "probability": self.probability,
+            "evidence": self.evidence,
+            "nominal_order": self.nominal_order,
+            "order": self.order,
+            "deviation": self.deviation,
+            "frequency": self.frequency,
+            "band": self.band,
+            "lines": [asdict(line) for line in self.lines],
+            "sidebands": [asdict(line) for line in self.sidebands],
+            "reasons": [note.to_mapping() for note in self.reasons],
+            "doubts": [note.to_mapping() for note in self.doubts],
+        }
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -204,7 +233,7 @@ class Diagnosis:
     unexplained
         lines that stand out and belong to nothing that is known, the clearest first
     notes
-        names and sentences
+        what its reader should know
     """
 
     components: tuple[ComponentVerdict, ...]
@@ -239,7 +268,7 @@ class Diagnosis:
         return tuple(self.cause(part) for part in self.faults)
 
     def cause(self, component: Component) -> Cause:
-        """What lines of a part speak for: those of a cage may be of a ball that it carries."""
+        """Return whose peaks those of a part may be: of a cage, perhaps a ball that it carries."""
         ball = self.of("ball")
         unknown = component == "cage" and ball.verdict != "fault" and ball.nominal_order > 0.0
         return "ball_or_cage" if unknown else component
@@ -249,6 +278,68 @@ class Diagnosis:
         """Of the worst part that is stated."""
         stated = [part.grade for part in self.components if part.verdict in ("fault", "watch")]
         return max(stated, key=GRADES.index, default="nothing")
+
+    @property
+    def stated(self) -> tuple[ComponentVerdict, ...]:
+        """Parts that the verdict names, the deepest modulation first."""
+        named = [p for p in self.components if p.verdict in ("fault", "undecided", "watch")]
+        return tuple(sorted(named, key=lambda part: -part.depth))
+
+    def statement(self, *, still: bool = False) -> tuple[Note, ...]:
+        """Return what the diagnosis comes to.
+
+        Parameters
+        ----------
+        still
+            Whether the signal does not change at all: then its spectra mean nothing.
+        """
+        if still and not self.faults:
+            return (Note("signal_constant"),)
+        parts = self.components
+        tested = [p.component for p in parts if p.verdict not in ("not_tested", "fault")]
+        untested = [p.component for p in parts if p.verdict == "not_tested"]
+        if not self.stated and not tested:
+            return (Note("no_part_tested"),)
+        notes = [self._stated(part) for part in self.stated]
+        if self.undecided:
+            speeds = [[part, 2.0 * pi * frequency] for part, frequency in self.undecided]
+            notes.append(Note("undecided_speed", {"speeds": speeds}))
+        elif not self.stated:
+            clear = any(part.probability <= self.false_alarm for part in parts)
+            notes.append(Note("nothing_own" if clear else "nothing_found", {"parts": tested}))
+        if self.unexplained and not self.stated:
+            notes.append(Note("other_peaks"))
+        if untested:
+            notes.append(Note("parts_untested", {"parts": untested}))
+        return tuple(notes)
+
+    def _stated(self, part: ComponentVerdict) -> Note:
+        verdict = "part_severely_damaged" if part.grade == "severe" else "part_damaged"
+        if part.verdict != "fault":
+            verdict = "part_undecided" if part.verdict == "undecided" else "part_watched"
+        seen = [line for line in part.lines if line.multiple != 1.0 and isfinite(line.above_noise)]
+        values = {
+            "part": self.cause(part.component),
+            "frequency": part.frequency,
+            "multiples": len(seen),
+            "depth": part.depth,
+        }
+        return Note(verdict, values)
+
+    @property
+    def advice(self) -> tuple[Note, ...]:
+        """What to do, and the evidence against the verdict; empty where nothing is found."""
+        if self.undecided:
+            return (Note("find_speed"),)
+        if not self.stated:
+            return ()
+        doubts = dict.fromkeys(doubt for part in self.stated for doubt in part.doubts)
+        against = [{"key": doubt.key, "values": dict(doubt.values)} for doubt in doubts]
+        undecided = self.stated[0].verdict == "undecided"
+        return (
+            Note(_ADVICE["undecided" if undecided else self.grade]),
+            Note("doubts", {"doubts": against}) if against else Note("no_doubts"),
+        )
 
     def _with(self, verdict: Verdict) -> tuple[Component, ...]:
         parts = [part for part in self.components if part.verdict == verdict]

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Final, Literal
 
 from rolamento.errors import InputError
 from rolamento.vibration._checks import checked_number
+from rolamento.words import said
 
 if TYPE_CHECKING:
     from rolamento.vibration.frequencies import FaultFrequencies
@@ -61,7 +62,7 @@ class FaultOrders:
         present = [name for name in COMPONENTS if getattr(self, name) is not None]
         if not present:
             raise InputError(
-                f"must give at least one of {', '.join(COMPONENTS)}",
+                said("must give at least one of {components}", components=", ".join(COMPONENTS)),
                 field="orders",
                 example="outer_race = 3.585",
             )
@@ -70,7 +71,11 @@ class FaultOrders:
         for spacing in ("outer_spacing", "inner_spacing"):
             self._check(spacing, least=0.0)
         if len(self.known) > _MOST_KNOWN:
-            raise InputError(f"must be up to {_MOST_KNOWN} orders", field="known", example="(0.5,)")
+            raise InputError(
+                said("must be at most {most} orders", most=_MOST_KNOWN),
+                field="known",
+                example="(0.5,)",
+            )
         for order in self.known:
             checked_number(order, "known", least=_LEAST_KNOWN, most=_HIGHEST, example="(0.5,)")
 
@@ -214,4 +219,6 @@ class DiagnosisSettings:
             example="block_revolutions = 400",
         )
         if not isinstance(self.remove_tones, bool):
-            raise InputError("must be true or false", field="remove_tones", value=self.remove_tones)
+            raise InputError(
+                said("must be true or false"), field="remove_tones", value=self.remove_tones
+            )

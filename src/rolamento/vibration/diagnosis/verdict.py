@@ -7,17 +7,17 @@ evidence of another part. A stronger line that it does not explain leaves the ve
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import chain
-from math import ceil, floor, hypot, log, nan
+from math import ceil, floor, hypot, log, nan, pi
 from typing import Final
 
 import numpy as np
 
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
-from rolamento.vibration.diagnosis import describe, wording
+from rolamento.vibration.diagnosis import describe
 from rolamento.vibration.diagnosis.band_spectra import BandSpectra, Plan, band_spectra
 from rolamento.vibration.diagnosis.blocks import blocks_of
 from rolamento.vibration.diagnosis.field import Field, explained, field_of, unexplained_lines
@@ -25,8 +25,6 @@ from rolamento.vibration.diagnosis.record import (
     ComponentVerdict,
     Diagnosis,
     EnvelopeSpectra,
-    Note,
-    Reason,
     SpeedSource,
     UnexplainedLine,
     Verdict,
@@ -41,6 +39,7 @@ from rolamento.vibration.diagnosis.settings import (
 from rolamento.vibration.diagnosis.shaft import ShaftLines, shaft_lines
 from rolamento.vibration.diagnosis.size import DAMAGE, grade_of
 from rolamento.vibration.signal import Signal
+from rolamento.words import Note, said
 
 _SLOW: Final = 0.25
 """Of the lowest order that is looked for: modulations up to there are of the load."""
@@ -79,12 +78,12 @@ def diagnose(
     chosen = DiagnosisSettings() if settings is None else settings
     if not isinstance(orders, FaultOrders):
         raise InputError(
-            "must be FaultOrders", field="orders", example="FaultOrders(outer_race=3.585)"
+            said("must be FaultOrders"), field="orders", example="FaultOrders(outer_race=3.585)"
         )
     blocks = iter(blocks_of(signal, chosen.block_revolutions))
     first = next(blocks, None)
     if first is None:
-        raise InputError("holds no samples", field="signal")
+        raise InputError(said("has no samples"), field="signal")
     shaft = shaft_lines(first, chosen.speed_tolerance)
     freedom = 0.0 if shaft.confirmed else chosen.speed_tolerance
     present = [part for part in COMPONENTS if orders.fundamental(part) is not None]
@@ -202,7 +201,7 @@ def judge(
         else:
             why = _why_not(part, findings[part], found, first, whole, trials)
             if part in hidden:
-                why = wording.untested("hidden")
+                why = Note("peaks_hidden")
             verdicts.append(
                 describe.no_fault(
                     part,
@@ -215,7 +214,7 @@ def judge(
                 )
             )
     undecided = _other_speeds(verdict, unexplained, whole)
-    notes = [*_notes(spectra), *map(wording.unexplained, unexplained[:1])]
+    notes = [*_notes(spectra), *_of_unexplained(unexplained)]
     return Diagnosis(
         components=tuple(verdicts),
         false_alarm=settings.false_alarm,
@@ -458,28 +457,32 @@ def _stated(
     unexplained: Sequence[UnexplainedLine],
 ) -> ComponentVerdict:
     deviation = one.order / (one.field.orders.fundamental(one.part) or nan) - 1.0
-    doubts: list[Reason] = []
+    shaft_frequency = one.field.spectra.shaft_frequency
+    doubts: list[Note] = []
     if any(line.depth >= one.depth for line in unexplained):
-        doubts.append(wording.stronger_line(unexplained[0], one.depth))
+        line = unexplained[0]
+        values = {"order": line.order, "frequency": line.frequency, "depth": line.depth}
+        doubts.append(Note("stronger_peak", values))
     if _on_mains(one):
-        doubts.append(wording.on_mains(one.order * one.field.spectra.shaft_frequency))
+        doubts.append(Note("on_mains", {"frequency": one.order * shaft_frequency}))
     if one.field.spectra.dropouts:
-        doubts.append(wording.dropouts())
+        doubts.append(Note("dropouts"))
     if one.field.spectra.has_comb and one.depth >= DAMAGE:
-        doubts.append(wording.no_slip())
+        doubts.append(Note("no_slip"))
     if one.shaft:
-        doubts.append(wording.on_shaft(one.shaft))
+        doubts.append(Note("on_shaft", {"multiple": one.shaft}))
     slip = one.field.orders.tolerance(one.part, one.field.settings.tolerance)
     if not shaft.confirmed and abs(deviation) > slip:
-        doubts.append(wording.speed_open(deviation))
+        doubts.append(Note("speed_open", {"deviation": deviation}))
     elif abs(shaft.factor - 1.0) > one.field.settings.speed_tolerance:
-        doubts.append(wording.other_speed(60.0 * one.field.spectra.shaft_frequency, shaft.factor))
+        values = {"speed": 2.0 * pi * shaft_frequency, "deviation": shaft.factor - 1.0}
+        doubts.append(Note("other_speed", values))
     if describe.at_edge(one.finding):
-        doubts.append(wording.at_edge())
+        doubts.append(Note("at_edge"))
     if one.is_open:
-        doubts.append(wording.open_depth())
+        doubts.append(Note("open_depth", {"limit": DAMAGE}))
     elif verdict == "fault" and one.depth < _CLOSE_CALL * DAMAGE:
-        doubts.append(wording.close_call(one.depth))
+        doubts.append(Note("close_call", {"limit": DAMAGE}))
     return describe.stated(
         one.part,
         one.finding,
@@ -499,21 +502,20 @@ def _why_not(
     first: _Candidate | None,
     field: Field,
     trials: int,
-) -> Reason | None:
+) -> Note | None:
     """Why lines that noise does not give are not stated; None if there are none."""
     one = found.get(part)
     if one is None or first is None:
         clear = finding is not None and (
             chance(finding.evidence, trials)[0] <= field.settings.false_alarm
         )
-        return wording.of_others() if clear else None
+        return Note("of_others") if clear else None
     if one is first:
-        return wording.not_strongest()
+        return Note("not_strongest")
     if first.part == "ball" and part == "cage":
-        return wording.of_ball()
-    return (
-        wording.of_first(first.part) if _explains(first, one) else wording.beside_first(first.part)
-    )
+        return Note("carries_the_ball")
+    key = "of_first" if _explains(first, one) else "beside_first"
+    return Note(key, {"first": first.part})
 
 
 def _other_speeds(
@@ -546,42 +548,22 @@ def _pictured(field: Field, per_band: dict[Component, FloatArray]) -> EnvelopeSp
     )
 
 
-def _notes(spectra: BandSpectra) -> tuple[Note, ...]:
-    notes = []
+def _notes(spectra: BandSpectra) -> Iterator[Note]:
     turns = spectra.turns * spectra.blocks
     if turns < _FEW_REVOLUTIONS:
-        notes.append(
-            Note(
-                "few_revolutions",
-                f"The record holds {turns:.3g} revolutions of the shaft; with more, weaker faults "
-                "can be told.",
-            )
-        )
+        yield Note("few_revolutions", {"revolutions": turns})
     if spectra.still and np.any(spectra.power):
-        notes.append(
-            Note(
-                "still_blocks",
-                f"{spectra.still} of {spectra.blocks + spectra.still} stretches of the record "
-                "hardly change and were left out.",
-            )
-        )
+        yield Note("still_blocks", {"left_out": spectra.still, "used": spectra.blocks})
     if spectra.dropouts:
-        notes.append(wording.dropouts())
+        yield Note("dropouts")
     if spectra.repeats_after is not None:
-        notes.append(
-            Note(
-                "repeated_data",
-                f"After {spectra.repeats_after / spectra.rate:.4g} s the record begins anew, "
-                "sample by sample the same: copies hold no noise of their own, and the "
-                "probabilities do not hold. Give one copy alone.",
-            )
-        )
+        yield Note("repeated_data", {"after": spectra.repeats_after / spectra.rate})
     if len(spectra.bands) == 1:
-        notes.append(
-            Note(
-                "one_band",
-                "The sampling rate leaves one band for the modulations that are looked for; a "
-                "higher one tells where a fault rings.",
-            )
-        )
-    return tuple(notes)
+        yield Note("one_band")
+
+
+def _of_unexplained(lines: Sequence[UnexplainedLine]) -> Iterator[Note]:
+    """Return which peaks nothing explains, the deepest first."""
+    if lines:
+        deepest = sorted(lines, key=lambda line: -line.depth)
+        yield Note("unexplained_peaks", {"peaks": [line.to_mapping() for line in deepest]})

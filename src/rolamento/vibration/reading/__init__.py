@@ -6,7 +6,7 @@ what a file holds. `formats` finds the reader of a file: `arrays` for NumPy, MAT
 what files call its rate, times and speed, and what its samples are worth.
 """
 
-from rolamento.vibration.reading.channels import Channel, ReadingNote
+from rolamento.vibration.reading.channels import Channel
 from rolamento.vibration.reading.signal_file import (
     SignalFile,
     channels_of,
@@ -17,7 +17,6 @@ from rolamento.vibration.reading.units import checked_unit
 
 __all__ = [
     "Channel",
-    "ReadingNote",
     "SignalFile",
     "channels_of",
     "checked_unit",

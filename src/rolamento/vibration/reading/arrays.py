@@ -36,6 +36,7 @@ from rolamento.vibration.reading.metadata import (
     unit_among,
 )
 from rolamento.vibration.reading.units import quantity_of_unit
+from rolamento.words import marked, said
 
 __all__ = ["ArraysSource", "IsolatedSource", "NumpySource"]
 
@@ -198,13 +199,15 @@ class NumpySource(ArraysSource):
         self._archive = np.load(self._file, allow_pickle=False)
         members = [m for m in self._archive.zip.infolist() if m.filename.endswith(".npy")]
         if len(members) > MOST_VARIABLES:
-            raise FileError(f"holds more than {MOST_VARIABLES} arrays", source=self._source)
+            raise FileError(
+                said("has more than {most} arrays", most=MOST_VARIABLES), source=self._source
+            )
         check_inflated(sum(member.file_size for member in members), size, self._source)
         if any(member.compress_type not in _COMPRESSIONS for member in members):
-            rule = "is compressed in another way than numpy.savez_compressed does"
+            rule = said("is compressed in another way than by numpy.savez_compressed")
             raise FileError(rule, source=self._source)
         if any(member.flag_bits & _ENCRYPTED for member in members):
-            raise FileError("is encrypted", source=self._source)
+            raise FileError(said("is encrypted"), source=self._source)
         self._names = [member.filename.removesuffix(".npy") for member in members]
         return [self._variable(member) for member in members]
 
@@ -251,7 +254,7 @@ class IsolatedSource(ArraysSource):
             number = min(_PIECE, count - first)
             piece = self._process.ask("samples", name, place.axis, place.row, start + first, number)
             if len(piece) != number:
-                raise FileError("ends before its last sample", source=self._source)
+                raise FileError(said("ends before its last sample"), source=self._source)
             samples[first : first + number] = piece
         return samples
 
@@ -275,8 +278,8 @@ class _Header(NamedTuple):
             shape, fortran, dtype = np.lib.format.read_array_header_2_0(head)
         if dtype.kind not in "iuf" or dtype.itemsize > 8:
             raise FileError(
-                "must be real numbers: arrays of objects, structures and text are not read",
-                field="type of the array",
+                said("must be real numbers: arrays of objects, structures and text are not read"),
+                field=marked("array type"),
                 value=str(dtype)[:40],
                 example="numpy.save(path, samples.astype(float), allow_pickle=False)",
             )
@@ -286,7 +289,10 @@ class _Header(NamedTuple):
         """Refuse an array that declares more bytes than there are."""
         if min(self.shape, default=0) < 0 or prod(self.shape) * self.dtype.itemsize > size:
             raise FileError(
-                f"is cut off or damaged: an array of the shape {self.shape} does not fit into it",
+                said(
+                    "is truncated or damaged: an array of shape {shape} does not fit into it",
+                    shape=self.shape,
+                ),
                 source=source,
             )
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from math import isfinite
 from types import MappingProxyType
 from typing import Any, Final, NamedTuple, Self
@@ -30,13 +30,13 @@ from rolamento.vibration.reading.units import (
     speed_unit_in,
 )
 from rolamento.vibration.signal import SI_UNITS, Quantity, unit_scale
+from rolamento.words import Note, said
 
 __all__ = [
     "MOST_CHANNELS",
     "MOST_SAMPLES",
     "Channel",
     "Meaning",
-    "ReadingNote",
     "ShaftSpeed",
     "Source",
     "channel_beside",
@@ -51,25 +51,6 @@ MOST_CHANNELS: Final = 1000
 
 _HIGHEST_RATE: Final = 1e9
 _MOST_LISTED: Final = 12
-
-
-@dataclass(frozen=True, slots=True)
-class ReadingNote:
-    """What was taken for what of two numbers that differ.
-
-    Attributes
-    ----------
-    name
-        for a program
-    text
-        a sentence for a person
-    numbers
-        in the sentence, by name, as text with their units
-    """
-
-    name: str
-    text: str
-    numbers: Mapping[str, str] = field(default_factory=dict, hash=False)
 
 
 @dataclass(frozen=True, slots=True)
@@ -120,7 +101,7 @@ class Source(ABC):
     """
 
     channels: tuple[Channel, ...]
-    notes: tuple[str, ...] = ()
+    notes: tuple[Note, ...] = ()
     numbers: Mapping[str, float] = MappingProxyType({})
 
     @abstractmethod
@@ -161,10 +142,14 @@ def checked_channels(channels: Iterable[Channel], source: str, kind: str) -> tup
     found: list[Channel] = []
     for channel in channels:
         if len(found) == MOST_CHANNELS:
-            raise FileError(f"holds more than {MOST_CHANNELS} channels", source=source)
+            raise FileError(
+                said("has more than {most} channels", most=MOST_CHANNELS), source=source
+            )
         found.append(channel)
     if not found:
-        raise FileError(f"is a {kind} without a channel of real numbers", source=source)
+        raise FileError(
+            said("is a {kind} file without a channel of real numbers", kind=kind), source=source
+        )
     return tuple(found)
 
 
@@ -212,7 +197,7 @@ def chosen_channel(channels: tuple[Channel, ...], wanted: Any) -> int:
         if len(channels) == 1:
             return 0
         raise InputError(
-            f"is to be chosen, by name or number: {_listed(channels)}",
+            said("must be chosen, by name or number: {channels}", channels=_listed(channels)),
             field="channel",
             example=_example(channels, 0),
         )
@@ -229,7 +214,7 @@ def chosen_channel(channels: tuple[Channel, ...], wanted: Any) -> int:
         return int(wanted) - 1
     near = nearest(wanted, names) if isinstance(wanted, str) else ""
     raise InputError(
-        f"is not one of, or one and only one of: {_listed(channels)}",
+        said("must be one, and only one, of {channels}", channels=_listed(channels)),
         field="channel",
         value=wanted,
         example=_example(channels, names.index(near) if near else 0),
@@ -239,7 +224,8 @@ def chosen_channel(channels: tuple[Channel, ...], wanted: Any) -> int:
 def _listed(channels: tuple[Channel, ...]) -> str:
     entries = [f"{n} {channel.name}".rstrip() for n, channel in enumerate(channels, start=1)]
     more = len(entries) - _MOST_LISTED
-    return ", ".join(entries[:_MOST_LISTED]) + (f" and {more} more" if more > 0 else "")
+    listed = ", ".join(entries[:_MOST_LISTED])
+    return said("{listed} and {more} more", listed=listed, more=more) if more > 0 else listed
 
 
 def _example(channels: tuple[Channel, ...], number: int) -> str:
@@ -252,34 +238,28 @@ def _rate(channel: Channel, given: float | None) -> float:
     if given is None and channel.rate is None:
         doubt = channel.rate_doubt
         rule = (
-            f"is in doubt: in the file {doubt}; give it" if doubt else "is not in the file and is"
+            said("is ambiguous: in the file {doubt}; give it, in Hz", doubt=doubt)
+            if doubt
+            else said("is not in the file; give it, in Hz")
         )
-        rule += ", in Hz" if doubt else " to be given, in Hz"
         raise InputError(rule, field="rate", example="rate=51200.0")
     rate = channel.rate if given is None else given
     return checked_number(rate, "rate", above=0.0, most=_HIGHEST_RATE, example="rate=51200.0")
 
 
-def _choices(channel: Channel, rate: float, *, is_given: bool) -> tuple[ReadingNote, ...]:
+def _choices(channel: Channel, rate: float, *, is_given: bool) -> tuple[Note, ...]:
     """What a person should know of how the rate was chosen."""
-    hertz = f"{rate:.9g} Hz"
     if is_given:
         of_file = channel.rate
         if of_file is not None and abs(of_file - rate) > SAME_RATE * of_file:
-            text = f"The sampling rate is {hertz} as given; the file says {of_file:.9g} Hz."
-            numbers = {"rate": hertz, "file": f"{of_file:.9g} Hz"}
-            return (ReadingNote("rate_over_file", text, numbers),)
+            return (Note("rate_over_file", {"rate": rate, "file": of_file}),)
         if channel.rate_doubt:
-            text = f"The sampling rate is {hertz} as given; in the file {channel.rate_doubt}."
-            numbers = {"rate": hertz, "doubt": channel.rate_doubt}
-            return (ReadingNote("rate_over_doubt", text, numbers),)
+            return (Note("rate_over_doubt", {"rate": rate, "doubt": channel.rate_doubt}),)
         return ()
     if channel.rate_aside is None:
         return ()
     name, value = channel.rate_aside
-    text = f"The sampling rate is {hertz}; {name} = {value:.9g} of the file is not taken for one."
-    numbers = {"rate": hertz, "name": name, "value": f"{value:.9g}"}
-    return (ReadingNote("rate_aside", text, numbers),)
+    return (Note("rate_aside", {"rate": rate, "name": name, "value": value}),)
 
 
 def _unit(channel: Channel, unit: str, quantity: Quantity | None) -> tuple[Quantity, str, float]:
@@ -293,19 +273,23 @@ def _unit(channel: Channel, unit: str, quantity: Quantity | None) -> tuple[Quant
         return "unknown", unit, 1.0
     if not unit or unit == "1":
         raise InputError(
-            f"of the samples is not in the file; give it with the quantity {quantity}",
+            said(
+                "of the samples is not in the file; give it with the quantity {quantity}",
+                quantity=quantity,
+            ),
             field="unit",
             example=f'unit="{SI_UNITS.get(quantity, "m/s^2")}"',
         )
     return quantity, SI_UNITS.get(quantity, unit), unit_scale(quantity, unit)
 
 
-def _notes(before: str, scale: float | None, unit: str) -> tuple[str, ...]:
+def _notes(before: str, scale: float | None, unit: str) -> tuple[Note, ...]:
     """What was done to the samples that is not plain from their unit."""
     if scale is not None:
-        return (f"samples{f' in {before}' if before else ''} are multiplied by {scale:.6g} {unit}",)
+        values = {"before": before, "scale": scale, "unit": unit}
+        return (Note("samples_multiplied", values),)
     if is_raw(before):
-        return (f"samples in {before} are not calibrated: no sensitivity was given",)
+        return (Note("samples_not_calibrated", {"unit": before}),)
     return ()
 
 
@@ -313,11 +297,14 @@ def _given_unit(channel: Channel, given: Any) -> str:
     """Unit by the user; a unit that the file gives holds against it if it is known to be one."""
     unit = checked_unit(given)
     if channel.unit not in ("1", unit) and is_unit(channel.unit):
-        instead = (
-            'leave it out, and give scale="100 mV/g"' if is_raw(channel.unit) else "leave it out"
-        )
         raise InputError(
-            f'contradicts the file, which says "{channel.unit}"; {instead}',
+            said(
+                'contradicts the file, which says "{unit}"; leave it out, and give'
+                ' scale="100 mV/g"',
+                unit=channel.unit,
+            )
+            if is_raw(channel.unit)
+            else said('contradicts the file, which says "{unit}"; leave it out', unit=channel.unit),
             field="unit",
             value=given,
         )
@@ -367,7 +354,7 @@ def chosen_speed(source: Source, samples: int, wanted: Any, unit: Any) -> ShaftS
     if wanted is None:
         if unit is not None:
             raise InputError(
-                "is that of a speed_channel, and none is given",
+                said("needs a speed_channel, and none is given"),
                 field="speed_unit",
                 value=unit,
                 example='speed_channel="rpm"',
@@ -379,7 +366,7 @@ def chosen_speed(source: Source, samples: int, wanted: Any, unit: Any) -> ShaftS
     number = _number_of(source, wanted)
     channel = source.channels[number]
     if number == samples:
-        rule = "is the channel of the samples; choose that of the speed"
+        rule = said("is the channel of the samples; choose that of the speed")
         raise InputError(rule, field="speed_channel", value=wanted)
     if channel.length == 1:
         return _steady(float(source.read([number], 0, 1)[0, 0]), channel.name, channel.unit, unit)
@@ -418,16 +405,16 @@ def _number_of(source: Source, wanted: Any) -> int:
         return chosen_channel(source.channels, wanted)
     except InputError as error:
         names = [short_name(name) for name in list(source.numbers)[:_MOST_LISTED]]
-        more = f"; or a number: {', '.join(names)}" if names else ""
+        rule = error.rule
+        if names:
+            rule = said("{rule}; or a number: {names}", rule=rule, names=", ".join(names))
         example = error.example.replace("channel=", "speed_channel=", 1)
-        raise InputError(
-            error.rule + more, field="speed_channel", value=error.value, example=example
-        ) from None
+        raise InputError(rule, field="speed_channel", value=error.value, example=example) from None
 
 
 def _steady(value: float, name: str, of_file: str, unit: Any) -> ShaftSpeed:
     if not isfinite(value):
-        rule = "is not a finite number: the file does not tell the speed"
+        rule = said("is not a finite number: the file does not give the speed")
         raise FileError(rule, field=short_name(name), value=value)
     return ShaftSpeed(value * _speed_scale(name, of_file, unit))
 
@@ -436,15 +423,23 @@ def _check_alike(samples: Channel, speed: Channel, wanted: Any) -> None:
     """Refuse a channel of speeds that has not one for each sample."""
     if speed.length != samples.length:
         raise FileError(
-            f"has {speed.length} numbers, and the channel of the samples {samples.length}; "
-            "they have to be as many",
+            said(
+                "has {length} numbers, and the channel of the samples {length_2}; they "
+                "must be equal",
+                length=speed.length,
+                length_2=samples.length,
+            ),
             field="speed_channel",
             value=wanted,
         )
     rates = (speed.rate, samples.rate)
     if None not in rates and not abs(rates[0] - rates[1]) <= SAME_RATE * rates[1]:  # type: ignore[operator]
         raise FileError(
-            f"is sampled at {speed.rate:.9g} Hz, and the samples at {samples.rate:.9g} Hz",
+            said(
+                "is sampled at {rate:.9g} Hz, and the samples at {rate_2:.9g} Hz",
+                rate=speed.rate,
+                rate_2=samples.rate,
+            ),
             field="speed_channel",
             value=wanted,
         )
@@ -454,23 +449,33 @@ def _speed_scale(name: str, of_file: str, given: Any) -> float:
     """Value of one unit of speed in rad/s, by the user, by the file, or by the name."""
     if is_unit(of_file) and of_file not in SPEED_UNITS:
         raise InputError(
-            f"is in {of_file}, which is no unit of a speed", field="speed_channel", value=name
+            said("is in {of_file}, which is not a unit of speed", of_file=of_file),
+            field="speed_channel",
+            value=name,
         )
     known = of_file or speed_unit_in(name)
     if given is None and known in SPEED_UNITS:
         return SPEED_UNITS[known]
     if given is None:
-        says = f'the file says "{of_file}"' if of_file else "the file does not say it"
+        values = {"name": short_name(name), "units": ", ".join(SPEED_UNITS), "of_file": of_file}
         raise InputError(
-            f'of the speed "{short_name(name)}" is to be given, {says}: '
-            f"one of {', '.join(SPEED_UNITS)}",
+            said(
+                'is needed for the speed "{name}", of which the file says "{of_file}": one of'
+                " {units}",
+                **values,
+            )
+            if of_file
+            else said(
+                'is needed for the speed "{name}", of which the file gives none: one of {units}',
+                **values,
+            ),
             field="speed_unit",
             example='speed_unit="rpm"',
         )
     unit = checked_speed_unit(given)
     if of_file in SPEED_UNITS and of_file != unit:
         raise InputError(
-            f'contradicts the file, which says "{of_file}"; leave it out',
+            said('contradicts the file, which says "{unit}"; leave it out', unit=of_file),
             field="speed_unit",
             value=given,
         )

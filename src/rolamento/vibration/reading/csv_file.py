@@ -31,6 +31,7 @@ from rolamento.vibration.reading.metadata import (
     time_scale,
 )
 from rolamento.vibration.reading.units import plain_unit, quantity_of_unit
+from rolamento.words import marked, said
 
 __all__ = ["CsvSource"]
 
@@ -52,7 +53,10 @@ class CsvSource(Source):
         self._source = str(path)
         size = size_of_file(path)
         if size > _LARGEST:
-            limit = f"a table of text is read up to {_LARGEST // 2**30} GB; store it as Parquet"
+            limit = said(
+                "a text table is read up to {most} GB; store it as Parquet",
+                most=_LARGEST // 2**30,
+            )
             raise FileError(limit, source=self._source)
         self._file = path.open("rb")
         try:
@@ -130,7 +134,7 @@ class CsvSource(Source):
         content = self._rows.take(start, count)
         content = layout.plain(content)
         if not content.strip():
-            raise FileError("is blank within the table", source=self._source, line=line)
+            raise FileError(said("is blank within the table"), source=self._source, line=line)
         try:
             block = np.loadtxt(
                 io.StringIO(content.decode("latin-1")),
@@ -143,7 +147,7 @@ class CsvSource(Source):
         except ValueError as error:
             raise _cell_error(error, layout, line, self._source) from None
         if len(block) != count:
-            rule = f"has blank or joined lines among the next {count}"
+            rule = said("has blank or joined lines among the next {count}", count=count)
             raise FileError(rule, source=self._source, line=line)
         return np.asarray(block)
 
@@ -179,7 +183,7 @@ class _Rows:
         ends = 0
         while content := file.read(_PIECE):
             if b"\0" in content:
-                raise FileError("is a binary file, not a table of text", source=source)
+                raise FileError(said("is a binary file, not a text table"), source=source)
             line_ends = np.flatnonzero(np.frombuffer(content, np.uint8) == 10) + place
             if len(line_ends):
                 gaps = np.diff(line_ends, prepend=last_end)
@@ -196,7 +200,7 @@ class _Rows:
                 break
         if self.longest > _LONGEST_LINE:
             limit = _LONGEST_LINE // 2**10
-            raise FileError(f"has a line of more than {limit} kB", source=source)
+            raise FileError(said("has a line of more than {limit} kB", limit=limit), source=source)
 
     def take(self, start: int, count: int) -> bytes:
         """Lines of `count` rows from `start` on."""
@@ -216,9 +220,9 @@ def _head(file: BinaryIO, size: int, source: str) -> bytes:
     head = file.read(_HEAD)
     wrong = _MARKS.get(head[:2])
     if wrong:
-        raise FileError(f"is {wrong} text; save it as UTF-8", source=source)
+        raise FileError(said("is {encoding} text; save it as UTF-8", encoding=wrong), source=source)
     if b"\0" in head:
-        raise FileError("is a binary file, not a table of text", source=source)
+        raise FileError(said("is a binary file, not a text table"), source=source)
     if size > len(head):
         head = head[: head.rfind(b"\n") + 1]
     return head
@@ -230,7 +234,7 @@ def _cell_error(error: ValueError, layout: CsvLayout, line: int, source: str) ->
     row = re.search(r"at row (\d+)", text)
     column = re.search(r"column (?:index )?(\d+)", text)
     given = re.search(r"string '([^']{0,40})", text)
-    rule = "is not a number" if given else "has fewer columns than the first row"
+    rule = said("is not a number") if given else said("has fewer columns than the first row")
     # NumPy counts columns from 1 and rows from 0 in the one complaint, and the reverse in the other
     number = (int(column[1]) if column else 0) + (0 if given else 1)
     below = (int(row[1]) if row else 0) - (0 if given or not row else 1)
@@ -343,14 +347,14 @@ def layout_of(head: bytes, source: str, mark: DecimalMark | None = None) -> CsvL
     if len(cells) == 1:
         separator = ";"  # blanks in the heading of one column separate nothing
     if len(cells) > MOST_CHANNELS:
-        rule = f"must be at most {MOST_CHANNELS}"
-        raise FileError(rule, field="number of columns", value=len(cells), source=source)
+        rule = said("must be at most {most}", most=MOST_CHANNELS)
+        raise FileError(rule, field=marked("number of columns"), value=len(cells), source=source)
     names, units = _headings(above, separator, len(cells))
     dates = tuple(not _is_number(cell, separator) for cell in cells)
     rows = [_cells_of(line, separator) for line in lines[number:]]
-    said = next((found for found in map(mark_said, above) if found is not None), None)
-    if mark is None and said is not None:
-        mark = checked_mark(said, source)
+    given = next((found for found in map(mark_said, above) if found is not None), None)
+    if mark is None and given is not None:
+        mark = checked_mark(given, source)
     numerals = numerals_of(
         (cell for row in rows for cell, date in zip(row, dates, strict=False) if not date),
         commas=separator != ",",
@@ -398,7 +402,7 @@ def _first_row(lines: Sequence[str], source: str) -> tuple[int, str | None]:
             ):
                 return number, separator
     raise FileError(
-        "has no table of numbers in its first lines",
+        said("has no table of numbers in its first lines"),
         example="time (s);acc (g) over rows such as 0,0001;0,25",
         source=source,
     )

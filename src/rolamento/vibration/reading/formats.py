@@ -11,6 +11,7 @@ from rolamento._foreign.bounds import check_declared, guarded, size_of_file
 from rolamento._tables import DecimalMark
 from rolamento.errors import FileError
 from rolamento.vibration.reading.channels import Source
+from rolamento.words import said
 
 __all__ = ["ENDINGS", "open_source"]
 
@@ -64,7 +65,7 @@ def _path(path: str | os.PathLike[str]) -> Path:
     given: object = os.fspath(path) if isinstance(path, os.PathLike) else path
     if not isinstance(given, str) or "\0" in given or not given:
         raise FileError(
-            "must be the name of a file", field="path", value=given, example='"bearing.wav"'
+            said("must be the name of a file"), field="path", value=given, example='"bearing.wav"'
         )
     return Path(given)
 
@@ -94,12 +95,12 @@ def _kind(head: bytes, stream: BinaryIO, size: int, ending: str) -> str:
 def _unknown(ending: str, source: str) -> FileError:
     named = next((kind for kind, endings in ENDINGS.items() if ending in endings), "")
     if ending == ".mat":
-        rule = "is not a MATLAB file of version 5 to 7.3; in MATLAB, save it with -v7"
+        rule = said("is not a MATLAB file of version 5 to 7.3; in MATLAB, save it with -v7")
     elif named:
-        rule = f"is not the {named} file that its name says it is"
+        rule = said("is not a {named} file, as its name says", named=named)
     else:
         known = "; ".join(f"{kind} ({', '.join(ends)})" for kind, ends in ENDINGS.items())
-        rule = f"is of no format that is read: {known}"
+        rule = said("is not of a format that can be read: {known}", known=known)
     return FileError(rule, source=source)
 
 

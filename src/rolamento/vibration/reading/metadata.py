@@ -18,6 +18,7 @@ import numpy as np
 from rolamento.errors import FileError
 from rolamento.numerics import FloatArray
 from rolamento.vibration.reading.units import SPEED_UNITS, is_unit, plain_unit, spelled
+from rolamento.words import marked, said
 
 __all__ = [
     "SAME_RATE",
@@ -314,8 +315,8 @@ class Timeline:
             step = float((np.float64(last) - first) / (count - 1)) if count > 1 else float("nan")
         if not 1e-12 < step * scale < 1e12:
             raise FileError(
-                "does not run forward from its first row to its last",
-                field="time column",
+                said("does not increase from the first row to the last"),
+                field=marked("time column"),
                 example="0.0, 0.0001, 0.0002",
                 source=source,
             )
@@ -341,10 +342,14 @@ class Timeline:
         if np.any(wrong):
             number = int(np.argmax(wrong))
             raise FileError(
-                f"is not evenly spaced: sample {start + number} (counted from 0) is off the mean "
-                f"step of {self.step * self.scale:.6g} s; a sample is missing, or time was stored "
-                "with too few digits",
-                field="time column",
+                said(
+                    "is not evenly spaced: sample {start} (counted from 0) is off the mean "
+                    "step of {step:.6g} s; a sample is missing, or the times have too few "
+                    "digits",
+                    start=start + number,
+                    step=self.step * self.scale,
+                ),
+                field=marked("time column"),
                 value=float(times[number]),
                 source=source,
             )

@@ -30,6 +30,7 @@ from rolamento.vibration.reading.metadata import (
     unit_among,
 )
 from rolamento.vibration.reading.units import quantity_of_unit
+from rolamento.words import marked, said
 
 __all__ = ["ParquetSource"]
 
@@ -101,22 +102,26 @@ class ParquetSource(Source):
         """
         schema, about = self._file.schema_arrow, self._file.metadata
         if len(schema) > MOST_CHANNELS or about.num_row_groups > _MOST_GROUPS:
-            rule = f"holds more than {MOST_CHANNELS} columns or {_MOST_GROUPS} groups of rows"
+            rule = said(
+                "has more than {most} columns or {most_2} row groups",
+                most=MOST_CHANNELS,
+                most_2=_MOST_GROUPS,
+            )
             raise FileError(rule, source=self._source)
         self._groups = [about.row_group(n).num_rows for n in range(about.num_row_groups)]
         if sum(self._groups) != about.num_rows or min(self._groups, default=0) < 0:
-            raise FileError("is damaged: its rows do not add up", source=self._source)
+            raise FileError(said("is damaged: its row counts do not add up"), source=self._source)
         if max(self._groups, default=0) > MOST_SAMPLES:
             raise FileError(
-                f"must be at most {MOST_SAMPLES}; write smaller groups",
-                field="rows in a group",
+                said("must be at most {most}; write smaller groups", most=MOST_SAMPLES),
+                field=marked("rows in a group"),
                 value=max(self._groups),
                 source=self._source,
             )
         fields = [field for field in schema if _is_real(field.type)]
         names = [field.name for field in fields]
         if len(set(names)) < len(names):
-            raise FileError("has two columns of the same name", source=self._source)
+            raise FileError(said("has two columns of the same name"), source=self._source)
         self._texts = _texts(schema.metadata)
         self._timeline: Timeline | None = None
         self._time_name = ""
@@ -168,7 +173,7 @@ class ParquetSource(Source):
         if len(self._rest) == 0:
             self._rest = next(self._batches, self._rest)
             if len(self._rest) == 0:
-                raise FileError("ends before its last row", source=self._source)
+                raise FileError(said("ends before its last row"), source=self._source)
         rows, self._rest = self._rest[:count], self._rest[count:]
         return rows
 

@@ -18,7 +18,6 @@ from rolamento.vibration.reading.channels import (
     MOST_SAMPLES,
     Channel,
     Meaning,
-    ReadingNote,
     ShaftSpeed,
     Source,
     channel_beside,
@@ -28,6 +27,7 @@ from rolamento.vibration.reading.channels import (
 from rolamento.vibration.reading.formats import open_source
 from rolamento.vibration.reading.metadata import speeds_perhaps
 from rolamento.vibration.signal import Quantity, Signal
+from rolamento.words import Note, marked, said
 
 __all__ = ["SignalFile", "channels_of", "open_signal", "read_signal"]
 
@@ -85,8 +85,8 @@ class SignalFile:
         self.unit = meaning.unit
         self.speed = speed.value
         self.speed_channel = None if speed.channel is None else source.channels[speed.channel]
-        self.choices: tuple[ReadingNote, ...] = meaning.choices
-        self.notes = (*source.notes, *meaning.notes, *(note.text for note in meaning.choices))
+        self.choices: tuple[Note, ...] = meaning.choices
+        self.notes = (*source.notes, *meaning.notes, *meaning.choices)
         self.speeds_perhaps = speeds_perhaps(source.numbers, meaning.rate)
         self._source = source
         self._wanted = (number,) if speed.channel is None else (number, speed.channel)
@@ -123,8 +123,11 @@ class SignalFile:
             count = checked_count(count, "count", least=1, most=rest, example="count = 1000")
             if count > MOST_SAMPLES:
                 raise InputError(
-                    f"must be at most {MOST_SAMPLES} at once; read a shorter duration, or blocks",
-                    field="number of samples",
+                    said(
+                        "must be at most {most} at once; read a shorter duration, or blocks",
+                        most=MOST_SAMPLES,
+                    ),
+                    field=marked("number of samples"),
                     value=count,
                     example="start=0.0, duration=60.0",
                 )
@@ -252,7 +255,7 @@ def open_signal(
             number = chosen_channel(source.channels, channel) if beside is None else beside
             chosen = source.channels[number]
             if chosen.length == 0:
-                raise FileError("holds no samples in this channel", field=chosen.name)
+                raise FileError(said("has no samples in this channel"), field=chosen.name)
             meaning = Meaning(chosen, rate, unit, quantity, scale)
             part = _part(chosen.length, meaning.rate, start, duration)
             speed = chosen_speed(source, number, speed_channel, speed_unit)
@@ -310,8 +313,11 @@ def read_signal(
     samples = signal.samples
     if np.min(samples) == np.max(samples):
         raise FileError(
-            f"does not change over {len(samples)} samples: no sensor was there, or it is the "
-            "wrong channel",
+            said(
+                "is constant over {count} samples: no sensor was connected, or it is "
+                "the wrong channel",
+                count=len(samples),
+            ),
             field=file.channel.name or "channel",
             value=float(samples[0]),
             source=str(file.path),
@@ -336,7 +342,7 @@ def _part(length: int, rate: float, start: float, duration: float | None) -> tup
     example = "start=0.0, duration=10.0"
     begin = checked_number(start, "start", least=0.0, example=example)
     if begin * rate >= length:
-        rule = f"must lie before the end of the file, {length / rate:.6g} s"
+        rule = said("must be before the end of the file, {length:.6g} s", length=length / rate)
         raise InputError(rule, field="start", value=start, example=example)
     first = min(round(begin * rate), length - 1)
     rest = length - first
@@ -346,7 +352,10 @@ def _part(length: int, rate: float, start: float, duration: float | None) -> tup
     count = round(min(wanted * rate, rest + 2.0))
     if not 1 <= count <= rest + 1:
         raise InputError(
-            f"must lie between one sample and the {rest / rate:.6g} s that follow the start",
+            said(
+                "must be between one sample and the {rest:.6g} s after the start",
+                rest=rest / rate,
+            ),
             field="duration",
             value=duration,
             example=example,
@@ -361,8 +370,14 @@ def _refuse_not_finite(samples: FloatArray, start: int, rate: float, field: str)
     if count:
         first = int(np.argmax(wrong))
         raise FileError(
-            f"{count} of {len(samples)} samples are not finite numbers; the first is sample "
-            f"{start + first} (counted from 0), at {(start + first) / rate:.6g} s",
+            said(
+                "{count} of {count_2} samples are not finite numbers; the first is "
+                "sample {start} (counted from 0), at {start_2:.6g} s",
+                count=count,
+                count_2=len(samples),
+                start=start + first,
+                start_2=(start + first) / rate,
+            ),
             field=field,
             value=float(samples[first]),
         )

@@ -22,6 +22,7 @@ from rolamento.vibration.reading.channels import Channel, Source, checked_channe
 from rolamento.vibration.reading.metadata import Timeline, positive, short_name
 from rolamento.vibration.reading.units import plain_unit, quantity_of_unit
 from rolamento.vibration.signal import SI_UNITS, Quantity
+from rolamento.words import said
 
 __all__ = ["UffSource"]
 
@@ -137,7 +138,9 @@ class _Reader:
                 self._metric |= head.strip() == "164" and _whole(self._line(after)[0], 0, 10) == 1
                 end = self._mark(after)
                 place = len(self._content) if end < 0 else end
-        raise FileError(f"holds more than {_MOST_SETS} data sets", source=self._source)
+        raise FileError(
+            said("has more than {most} data sets", most=_MOST_SETS), source=self._source
+        )
 
     def _mark(self, place: int) -> int:
         """Place after the next line that is a mark and nothing else, or -1."""
@@ -192,7 +195,7 @@ class _Reader:
             if after.lstrip(b"\r\n").startswith(_MARK):
                 return begin + size
         raise FileError(
-            "is cut off or damaged: a binary record does not end where it should",
+            said("is truncated or damaged: a binary record does not end where it should"),
             source=self._source,
         )
 
@@ -200,7 +203,9 @@ class _Reader:
         count = numbers.form.length
         # each number takes a byte at the very least
         if count > len(numbers.content):
-            raise FileError("is cut off or damaged: a record is too short", source=self._source)
+            raise FileError(
+                said("is truncated or damaged: a record is too short"), source=self._source
+            )
         unit, quantity = self._unit(texts[8])
         step = _real(texts[6], 43, 13)
         rate = 1.0 / step if numbers.form.even and positive(step) else None
@@ -244,7 +249,11 @@ def _from_text(content: memoryview, widths: tuple[int, ...], count: int, source:
         numbers[filled : filled + len(found)] = found
         filled += len(found)
     if filled < count:
-        rule = f"ends before its last sample: {filled} of {count} numbers are there"
+        rule = said(
+            "ends before its last sample: {filled} of {count} numbers are present",
+            filled=filled,
+            count=count,
+        )
         raise FileError(rule, source=source)
     return numbers
 

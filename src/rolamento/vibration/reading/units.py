@@ -14,6 +14,7 @@ import numpy as np
 
 from rolamento.errors import InputError, nearest
 from rolamento.vibration.signal import SI_UNITS, Quantity, unit_scale
+from rolamento.words import said
 
 __all__ = [
     "SPEED_UNITS",
@@ -122,13 +123,16 @@ def checked_unit(unit: Any) -> str:
         If it is another one: with those that are allowed.
     """
     if not isinstance(unit, str):
-        raise InputError("must be text", field="unit", value=unit, example='unit="g"')
+        raise InputError(said("must be text"), field="unit", value=unit, example='unit="g"')
     plain = plain_unit(unit)
     allowed = (*_KNOWN, *RAW_UNITS)
     if plain not in allowed:
         raise InputError(
-            f"is no unit of a signal; those that are: {', '.join(_KNOWN)}; "
-            f"before calibration: {', '.join(RAW_UNITS)}",
+            said(
+                "is not a unit of a signal; known: {known}; before calibration: {raw_units}",
+                known=", ".join(_KNOWN),
+                raw_units=", ".join(RAW_UNITS),
+            ),
             field="unit",
             value=unit,
             example=f'unit="{nearest(plain, allowed) or "g"}"',
@@ -147,7 +151,7 @@ def checked_speed_unit(unit: Any) -> str:
     plain = plain_unit(unit) if isinstance(unit, str) else ""
     if plain not in SPEED_UNITS:
         raise InputError(
-            f"must be one of {', '.join(SPEED_UNITS)}",
+            said("must be one of {known}", known=", ".join(SPEED_UNITS)),
             field="speed_unit",
             value=unit,
             example='speed_unit="rpm"',
@@ -198,8 +202,12 @@ def checked_scale(scale: Any, unit: str, quantity: Quantity | None) -> Scale:
     """
     if quantity_of_unit(unit) != "unknown":
         raise InputError(
-            f"is for samples in {', '.join(RAW_UNITS)}, and these are in {unit} already; what "
-            f'one of them is worth is written as scale="10 {unit}", without unit',
+            said(
+                "is for samples in {raw_units}, and these are in {unit} already; write "
+                'the value of one count as scale="10 {unit}", without unit',
+                raw_units=", ".join(RAW_UNITS),
+                unit=unit,
+            ),
             field="scale",
             value=scale,
         )
@@ -207,7 +215,7 @@ def checked_scale(scale: Any, unit: str, quantity: Quantity | None) -> Scale:
         unit_scale(quantity, SI_UNITS.get(quantity, ""))  # refuses what is no quantity
     if quantity == "unknown":
         raise InputError(
-            f"needs a quantity that it leads to: {', '.join(SI_UNITS)}",
+            said("needs the quantity that it gives: {si_units}", si_units=", ".join(SI_UNITS)),
             field="scale",
             value=scale,
             example='quantity="acceleration"',
@@ -220,15 +228,23 @@ def checked_scale(scale: Any, unit: str, quantity: Quantity | None) -> Scale:
         found = Scale(number, quantity or "acceleration")
     if not (isfinite(found.factor) and _SMALLEST_SCALE <= abs(found.factor) <= _LARGEST_SCALE):
         raise InputError(
-            f"must be a number of a size from {_SMALLEST_SCALE:g} to {_LARGEST_SCALE:g} SI units, "
-            "or text with units",
+            said(
+                "must be a number of magnitude from {least:.6g} to {most:.6g} SI "
+                "units, or text with units",
+                least=_SMALLEST_SCALE,
+                most=_LARGEST_SCALE,
+            ),
             field="scale",
             value=scale,
             example=_SCALE_EXAMPLE,
         )
     if quantity is not None and found.quantity != quantity:
         raise InputError(
-            f"leads to {found.quantity}, and the quantity is to be {quantity}",
+            said(
+                "gives {quantity}, but the quantity is given as {quantity_2}",
+                quantity=found.quantity,
+                quantity_2=quantity,
+            ),
             field="scale",
             value=scale,
         )
@@ -277,12 +293,16 @@ def _in_samples(raw: str, unit: str, text: str) -> float:
         return _VOLTS[unit] / _VOLTS[raw]
     if not unit:
         raise InputError(
-            f'of the samples is not in the file; give it with the scale "{text}"',
+            said('of the samples is not in the file; give it with the scale "{text}"', text=text),
             field="unit",
             example=f'unit="{"V" if raw in _VOLTS else raw}"',
         )
     raise InputError(
-        f"is by {raw}, and the samples are in {unit}; say with unit what one of them is",
+        said(
+            "is per {raw}, but the samples are in {unit}; give the unit of the samples",
+            raw=raw,
+            unit=unit,
+        ),
         field="scale",
         value=text,
         example=f'unit="{raw}"',
@@ -298,8 +318,11 @@ def _as_float(number: Any) -> float:
 
 def _unreadable(text: str) -> InputError:
     return InputError(
-        "is no sensitivity: a number and its units, of a signal and of its samples before "
-        f"({', '.join(RAW_UNITS)})",
+        said(
+            "is not a sensitivity: a number with units of the signal and of the "
+            "raw samples ({raw_units})",
+            raw_units=", ".join(RAW_UNITS),
+        ),
         field="scale",
         value=text,
         example=_SCALE_EXAMPLE,

@@ -14,6 +14,7 @@ from rolamento._foreign.bounds import guarded, size_of_file
 from rolamento.errors import FileError
 from rolamento.numerics import FloatArray
 from rolamento.vibration.reading.channels import MOST_CHANNELS, Channel, Source, checked_channels
+from rolamento.words import Note, marked, said
 
 __all__ = ["WavSource"]
 
@@ -37,21 +38,26 @@ class WavSource(Source):
             try:
                 self._file = soundfile.SoundFile(self._source)
             except soundfile.LibsndfileError as error:  # whose text begins with the path
-                rule = f"is not a readable WAV file: {error.error_string.rstrip('.').lower()}"
+                rule = said(
+                    "is not a readable WAV file: {what}",
+                    what=error.error_string.rstrip(".").lower(),
+                )
                 raise FileError(rule) from None
         try:
             bits = _BITS.get(self._file.subtype, 0)
             if not bits and self._file.subtype not in _FLOATS:
                 raise FileError(
-                    "is not read; integers of 8, 16, 24 and 32 bits and floats are",
-                    field="sample format",
+                    said("is not supported; integers of 8, 16, 24 and 32 bits and floats are"),
+                    field=marked("sample format"),
                     value=self._file.subtype_info,
                     source=self._source,
                 )
             if self._file.channels > MOST_CHANNELS:
-                raise FileError(f"holds more than {MOST_CHANNELS} channels", source=self._source)
+                raise FileError(
+                    said("has more than {most} channels", most=MOST_CHANNELS), source=self._source
+                )
             if bits:
-                self.notes = (f"samples of {bits} bits are scaled to a full scale of 1",)
+                self.notes = (Note("bits_to_full_scale", {"bits": bits}),)
             rate = float(self._file.samplerate)
             each = Channel("", self._file.frames, rate, "1" if bits else "")
             self.channels = checked_channels([each] * self._file.channels, self._source, "WAV file")
@@ -69,7 +75,7 @@ class WavSource(Source):
                 number = min(at_once, count - first)
                 frames = self._file.read(number, dtype="float64", always_2d=True)
                 if len(frames) != number:
-                    raise FileError("ends before its last sample", source=self._source)
+                    raise FileError(said("ends before its last sample"), source=self._source)
                 samples[:, first : first + number] = frames.T[list(channels)]
         return samples
 
@@ -90,6 +96,10 @@ def _refuse_cut_off(path: Path, size: int, source: str) -> None:
         declared = struct.unpack("<Q", head[20:28])[0]
     if declared not in (0, 0xFFFFFFFF) and declared + 8 > size + 1:  # a last odd byte is padded
         raise FileError(
-            f"is cut off: it says that it holds {declared + 8} bytes, and there are {size}",
+            said(
+                "is truncated: it declares {declared} bytes, and there are {size}",
+                declared=declared + 8,
+                size=size,
+            ),
             source=source,
         )

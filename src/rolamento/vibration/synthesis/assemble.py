@@ -42,6 +42,7 @@ from rolamento.vibration.synthesis.waviness import (
     waviness_acceleration,
     waviness_lines,
 )
+from rolamento.words import said
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -69,13 +70,15 @@ class Noise:
         for name, allowed in (("colour", ("white", "pink")), ("of", ("signal", "faults"))):
             if getattr(self, name) not in allowed:
                 raise InputError(
-                    f"must be one of {', '.join(allowed)}",
+                    said("must be one of {known}", known=", ".join(allowed)),
                     field=name,
                     value=getattr(self, name),
                     example=allowed[0],
                 )
         if (self.ratio is None) == (self.level is None):
-            raise InputError("takes either ratio or level", field="noise", example="ratio = 0.0")
+            raise InputError(
+                said("takes either ratio or level"), field="noise", example="ratio = 0.0"
+            )
         if self.ratio is not None:
             check_within("ratio", self.ratio, -200.0, 200.0, "ratio = 0.0", "dB")
         if self.level is not None:
@@ -166,25 +169,25 @@ class Recipe:
         check_within("load_turns", self.load_turns, -1e3, 1e3, "load_turns = 0.0")
         if self.count > _MOST_SAMPLES:
             raise InputError(
-                f"gives more than {_MOST_SAMPLES} samples at this rate",
+                said("gives more than {most} samples at this rate", most=_MOST_SAMPLES),
                 field="duration",
                 value=self.duration,
                 example="duration = 10.0",
             )
         if isinstance(self.seed, bool) or not 0 <= self.seed < _MOST_SEED:
-            raise InputError("must be a whole number from 0 on", field="seed", value=self.seed)
+            raise InputError(said("must be a non-negative integer"), field="seed", value=self.seed)
         for name in ("faults", "shaft_harmonics", "waviness"):
             check_count(name, len(getattr(self, name)), _MOST_PARTS)
         for amplitude in self.shaft_harmonics:
             check_within("shaft_harmonics", amplitude, 0.0, 1e9, "shaft_harmonics = (0.5,)", "m/s²")
         check_modes(self.modes, self.rate)
         if not isfinite(self.frequencies.cage.order):
-            raise InputError("have no result to make a signal of", field="frequencies")
+            raise InputError(said("have no result to make a signal from"), field="frequencies")
         noise = self.noise
         to_faults = noise is not None and noise.ratio is not None and noise.of == "faults"
         if to_faults and not self.faults:
             raise InputError(
-                "is what the ratio of the noise is to, but there are none",
+                said("is what the noise ratio refers to, but there are none"),
                 field="noise.of",
                 value="faults",
                 example='of = "signal"',
@@ -378,7 +381,7 @@ def _speed_profile(recipe: Recipe) -> SpeedProfile:
     speed = found.inner_speed if found.shaft == "inner" else found.outer_speed
     if not isfinite(speed) or speed == 0.0:
         raise InputError(
-            "is missing: the frequencies have no speed either",
+            said("is missing: the frequencies have no speed either"),
             field="speed",
             example="speed = SteadySpeed(188.5)",
         )

@@ -26,6 +26,7 @@ from rolamento.vibration._checks import check_within
 from rolamento.vibration.frequencies import FAULTS, FaultFrequencies, FaultKind
 from rolamento.vibration.signal import real_numbers
 from rolamento.vibration.synthesis.transfer import TransferPath
+from rolamento.words import said
 
 _TURN: Final = 2.0 * np.pi
 _POINTS: Final = 720
@@ -55,13 +56,13 @@ class LoadDistribution:
         ]
         azimuth, inner, outer = arrays
         if azimuth.ndim != 1 or not azimuth.size or any(a.shape != azimuth.shape for a in arrays):
-            raise InputError("must be three rows of as many numbers", field="azimuth")
+            raise InputError(said("must be three rows of equal length"), field="azimuth")
         rises = bool(np.all(np.diff(azimuth) > 0.0)) and azimuth[-1] - azimuth[0] < _TURN
         if not (rises and np.all(np.isfinite(azimuth))):
-            raise InputError("must rise, within one turn", field="azimuth")
+            raise InputError(said("must increase, within one revolution"), field="azimuth")
         for name, loads in (("inner", inner), ("outer", outer)):
             if not np.all((loads >= 0.0) & (loads <= 1.0)):
-                raise InputError("must be parts from 0 to 1", field=name)
+                raise InputError(said("must be fractions from 0 to 1"), field=name)
         for name, array in zip(("azimuth", "inner", "outer"), arrays, strict=True):
             object.__setattr__(self, name, array)
 
@@ -122,7 +123,9 @@ class LoadDistribution:
         own = solved.elements.row == row
         if len(solved) != 1 or not solved.converged[0] or not own.any():
             raise InputError(
-                "must be one case with a result and such a row of balls", field="solved", value=row
+                said("must be a single case with a result and such a row of balls"),
+                field="solved",
+                value=row,
             )
         if positions > 1 and solved.rolling is None:
             solved = _solved_between(solved, row, positions)
@@ -131,7 +134,7 @@ class LoadDistribution:
             for table in (solved.elements.azimuth, solved.inner.load, solved.outer.load)
         )
         if not (inner.max() > 0.0 and outer.max() > 0.0):
-            raise InputError("presses no ball of this row", field="solved", value=row)
+            raise InputError(said("loads no ball of this row"), field="solved", value=row)
         azimuth = np.mod(azimuth, _TURN)
         order = np.argsort(azimuth)
         return cls(azimuth[order], inner[order] / inner.max(), outer[order] / outer.max())
@@ -203,7 +206,7 @@ class Fault:
             value = getattr(self, field)
             if value not in allowed:
                 raise InputError(
-                    f"must be one of {', '.join(allowed)}",
+                    said("must be one of {known}", known=", ".join(allowed)),
                     field=field,
                     value=value,
                     example=allowed[0],
@@ -285,7 +288,7 @@ def impacts_of(
     total = order * float(size[-1]) / _TURN
     if total > _MOST_IMPACTS:
         raise InputError(
-            f"may be {_MOST_IMPACTS} at most; shorten the duration",
+            said("may be at most {most}; shorten the duration", most=_MOST_IMPACTS),
             field="faults.impacts",
             value=round(total),
             example="duration = 10.0",

@@ -15,6 +15,7 @@ from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.vibration._checks import check_count, check_within
 from rolamento.vibration.signal import real_numbers
+from rolamento.words import said
 
 _MOST_SPEED: Final = 1e6
 _MOST_POINTS: Final = 1_000_000
@@ -99,11 +100,16 @@ def speeds_of(
     least, most = float(np.min(speeds)), float(np.max(speeds))
     if not max(abs(least), abs(most)) <= _MOST_SPEED:
         raise InputError(
-            f"must be finite numbers up to {_MOST_SPEED:g} rad/s", field="speed", example="188.5"
+            said("must be finite numbers up to {most:.6g} rad/s", most=_MOST_SPEED),
+            field="speed",
+            example="188.5",
         )
     if least <= 0.0 <= most:
         raise InputError(
-            "must not stop or change its direction", field="speed", value=least, example="188.5"
+            said("must not stop or reverse"),
+            field="speed",
+            value=least,
+            example="188.5",
         )
     return speeds
 
@@ -133,8 +139,11 @@ def _wandering(
     points = int(count / rate / step) + 2
     if points > _MOST_POINTS:
         raise InputError(
-            f"gives more than {_MOST_POINTS} steps of a wandering speed; lengthen it, or shorten"
-            " the duration",
+            said(
+                "gives more than {most} steps of a wandering speed; lengthen it, or "
+                "shorten the duration",
+                most=_MOST_POINTS,
+            ),
             field="memory",
             value=profile.memory,
             example="memory = 0.5",
@@ -155,10 +164,12 @@ def _given(profile: GivenSpeed, time: FloatArray) -> FloatArray:
     check_count("times", times.size, _MOST_POINTS)
     if times.ndim != 1 or times.shape != speeds.shape or not times.size:
         raise InputError(
-            "must be two rows of as many numbers",
+            said("must be two rows of equal length"),
             field="times",
             example="times = [0.0, 10.0] with speeds = [100.0, 200.0]",
         )
     if not (np.all(np.isfinite(times)) and np.all(np.diff(times) > 0.0)):
-        raise InputError("must be finite and rise", field="times", example="times = [0.0, 10.0]")
+        raise InputError(
+            said("must be finite and increasing"), field="times", example="times = [0.0, 10.0]"
+        )
     return np.interp(time, times, speeds)

@@ -23,6 +23,7 @@ from rolamento.errors import InputError
 from rolamento.numerics import ComplexArray, FloatArray, IntArray
 from rolamento.vibration._checks import check_count, check_within
 from rolamento.vibration.signal import real_numbers
+from rolamento.words import said
 
 _TURN: Final = 2.0 * np.pi
 _MOST_GAINS: Final = 3600
@@ -165,7 +166,7 @@ def check_modes(modes: Sequence[Mode], rate: float) -> None:
     for mode in modes:
         if mode.frequency >= 0.5 * rate:
             raise InputError(
-                f"must be below half the sampling rate, {0.5 * rate:g} Hz",
+                said("must be below half the sampling rate, {rate:.6g} Hz", rate=0.5 * rate),
                 field="modes.frequency",
                 value=mode.frequency,
                 example="rate = 51200.0",

@@ -30,6 +30,7 @@ from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.vibration._checks import check_count, check_within
 from rolamento.vibration.frequencies import FaultFrequencies
+from rolamento.words import said
 
 Surface = Literal["outer", "inner", "ball"]
 Direction = Literal["radial", "axial"]
@@ -66,7 +67,7 @@ class Waviness:
         ):
             if getattr(self, field) not in allowed:
                 raise InputError(
-                    f"must be one of {', '.join(allowed)}",
+                    said("must be one of {known}", known=", ".join(allowed)),
                     field=field,
                     value=getattr(self, field),
                     example=allowed[0],
@@ -129,7 +130,10 @@ def waviness_lines(frequencies: FaultFrequencies, waviness: Waviness) -> tuple[W
     radial = waviness.direction == "radial"
     if not radial and abs(angle) < _LEAST_ANGLE:
         raise InputError(
-            "needs a contact angle: waves at contact angle 0 do not move the ring along the shaft",
+            said(
+                "needs a contact angle: at contact angle 0, waviness does not move the "
+                "ring along the shaft"
+            ),
             field="waviness.direction",
             value=waviness.direction,
             example='direction = "radial"',

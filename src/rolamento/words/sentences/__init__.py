@@ -8,7 +8,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from functools import cache
 from importlib import import_module
-from typing import Any, Final
+from pkgutil import iter_modules
+from typing import Any
 
 from rolamento.words.speaking import said
 
@@ -16,15 +17,13 @@ __all__ = ["Sentence", "sentence", "sentences"]
 
 Sentence = str | Callable[[Mapping[str, Any]], str]
 
-_CHAPTERS: Final[tuple[str, ...]] = ()
-
 
 @cache
 def sentences() -> Mapping[str, Sentence]:
     """Return all sentences by the keys of their notes."""
     found: dict[str, Sentence] = {}
-    for chapter in _CHAPTERS:
-        own = import_module(f"{__name__}.{chapter}").SENTENCES
+    for chapter in iter_modules(__path__):
+        own = import_module(f"{__name__}.{chapter.name}").SENTENCES
         assert not own.keys() & found.keys(), f"{own.keys() & found.keys()} have two sentences"
         found |= own
     return found

@@ -1,0 +1,120 @@
+"""Pictures and equations as bytes and paths: the same ones give the same bytes, always."""
+
+from __future__ import annotations
+
+import io
+import re
+import warnings
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Final
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+__all__ = ["Formula", "formula", "picture_bytes"]
+
+# Nothing that tells when or with which release a figure was drawn.
+_METADATA: Final[dict[str, dict[str, Any]]] = {
+    "png": {"Software": None},
+    "svg": {"Date": None, "Creator": "Rolamento"},
+    "pdf": {"CreationDate": None, "Creator": "Rolamento", "Producer": None},
+}
+_SETTINGS: Final[Any] = {
+    "savefig.dpi": 200.0,
+    "pdf.fonttype": 42,
+    "svg.hashsalt": "rolamento",
+    "svg.fonttype": "path",
+}
+_CODES: Final = {1: "M", 2: "L", 3: "Q", 4: "C"}
+_POINTS_OF_CODE: Final = {1: 1, 2: 1, 3: 2, 4: 3}
+_CLOSE: Final = 79
+_SIZE: Final = 100.0
+
+
+def picture_bytes(figure: Figure, kind: str, *, transparent: bool = False) -> bytes:
+    """Return a figure as a file of kind ``"png"``, ``"svg"`` or ``"pdf"``."""
+    from matplotlib import rc_context
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+
+    content = io.BytesIO()
+    if figure.canvas is None:
+        FigureCanvasAgg(figure)
+    with rc_context(_SETTINGS), warnings.catch_warnings():
+        # A title may hold letters that the font lacks; a box stands for them.
+        warnings.filterwarnings("ignore", "Glyph .* missing from font")
+        figure.savefig(content, format=kind, metadata=_METADATA[kind], transparent=transparent)
+    return content.getvalue()
+
+
+@dataclass(frozen=True, slots=True)
+class Formula:
+    """A formula as the path of an SVG, sizes over that of its letters, y downward.
+
+    Parameters
+    ----------
+    path
+        Its outlines, in hundredths of the size of letters; the base line at y = 0.
+    width, height, depth
+        Its extent: to the right, above and below the base line.
+    """
+
+    path: str
+    width: float
+    height: float
+    depth: float
+
+    def svg(self, attributes: str = "") -> str:
+        """Return it as an SVG element, as large as letters of 1 em."""
+        left, top = -2.0, -_SIZE * self.height - 2.0
+        width, height = _SIZE * self.width + 4.0, _SIZE * (self.height + self.depth) + 4.0
+        return (
+            f'<svg xmlns="http://www.w3.org/2000/svg" width="{width / _SIZE:.3f}em" '
+            f'height="{height / _SIZE:.3f}em" viewBox="{left:.1f} {top:.1f} {width:.1f} '
+            f'{height:.1f}"{attributes}><path d="{self.path}" fill="currentColor"/></svg>'
+        )
+
+
+def formula(latex: str) -> Formula | None:
+    """Set a formula by Matplotlib's mathematics; None where it does not understand it."""
+    import numpy as np
+    from matplotlib import rc_context
+    from matplotlib.font_manager import FontProperties
+    from matplotlib.textpath import TextToPath
+
+    setter = TextToPath()
+    text = f"${_displayed(latex)}$"
+    with rc_context({"mathtext.fontset": "stix"}):
+        font = FontProperties(size=setter.FONT_SCALE)
+        try:
+            vertices, codes = setter.get_text_path(font, text, ismath=True)
+        except ValueError:
+            return None
+    if not len(vertices):
+        return None
+    vertices = np.asarray(vertices)
+    scale = _SIZE / setter.FONT_SCALE
+    pieces: list[str] = []
+    place = 0
+    while place < len(codes):
+        code = int(codes[place])
+        if code == _CLOSE:
+            pieces.append("Z")
+            place += 1
+            continue
+        count = _POINTS_OF_CODE[code]
+        points = vertices[place : place + count]
+        numbers = " ".join(f"{scale * x:.1f} {-scale * y:.1f}" for x, y in points)
+        pieces.append(_CODES[code] + numbers)
+        place += count
+    right, highest = vertices.max(axis=0) / setter.FONT_SCALE
+    lowest = vertices[:, 1].min() / setter.FONT_SCALE
+    return Formula("".join(pieces), float(right), float(highest), float(-lowest))
+
+
+def _displayed(latex: str) -> str:
+    """Return a formula with its outermost fractions at full size, as in a line of their own."""
+    depth, pieces = 0, []
+    for piece in re.split(r"(\\frac\b|\\.|[{}])", latex):
+        depth += (piece == "{") - (piece == "}")
+        pieces.append("\\dfrac" if piece == "\\frac" and depth == 0 else piece)
+    return "".join(pieces)

@@ -1,0 +1,66 @@
+"""A field of a case and its values, as pages over a field have them."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rolamento.document import Column
+from rolamento.plots.axes_units import read_values
+from rolamento.words import UNITS, manner, said
+
+if TYPE_CHECKING:
+    from rolamento.case.fields import Field
+
+__all__ = ["field_column", "place_text", "read_text", "setting_text"]
+
+_DECADES: Final = 100.0
+
+
+def field_column(field: Field, values: NDArray[np.float64]) -> Column:
+    """Return the column of a field's values, each with its own digits where they span decades."""
+    symbol = read_values(field, values)[1]
+    wide = np.abs(values).max() > _DECADES * np.abs(values).min() > 0.0
+    return Column(
+        head="",
+        values=values.tolist(),
+        unit=symbol if symbol in UNITS else "",
+        key=field.name,
+        figures=5,
+        most=6,
+        form=f".4 [{symbol}]" if wide and symbol in UNITS else "",
+    )
+
+
+def read_text(field: Field, values: NDArray[np.float64], value: float) -> str:
+    """Write one of the values of a field, with the unit in which all of them are read."""
+    across, symbol = read_values(field, values)
+    place = int(np.argmin(np.abs(values - value)))
+    number = manner().short(float(across[place]), 4)
+    return number if symbol == "–" else f"{number} {symbol}"
+
+
+def place_text(field: Field, values: NDArray[np.float64], where: NDArray[np.bool_]) -> str:
+    """Say at which values of a field something holds: at all, at one, between two."""
+    if where.all():
+        return said("everywhere")
+    some = values[where]
+    least, greatest = (read_text(field, values, float(v)) for v in (some.min(), some.max()))
+    if least == greatest:
+        return said("at {value}", value=least)
+    return said("from {least} to {greatest}", least=least, greatest=greatest)
+
+
+def setting_text(setting: str) -> str:
+    """Write what was set, ``"life.contamination=0.8"``, with the label of its field."""
+    from rolamento.case import Case
+
+    name, equals, value = setting.partition("=")
+    field = Case.fields().get(name.strip())
+    return (
+        f"{field.label} = {manner().localised(value.strip())}"
+        if equals and field is not None
+        else setting
+    )

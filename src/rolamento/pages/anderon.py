@@ -1,0 +1,373 @@
+"""The page of `anderon`: the noise of a bearing in anderons, the verdict first."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from math import exp, isfinite, nan
+from typing import TYPE_CHECKING, Final
+
+from rolamento.document import (
+    CellContent,
+    Column,
+    Document,
+    Entry,
+    Figure,
+    KeyValues,
+    Notes,
+    Remark,
+    Section,
+    Statement,
+    Table,
+    Title,
+    Tone,
+)
+from rolamento.vibration.anderon import BANDS, velocity_of_anderons
+from rolamento.vibration.anderon_trend import AnderonTrend, BandTrend
+from rolamento.words import ABSENT, manner, marked, said, said_in
+from rolamento.words.naming import one_line
+from rolamento.words.sentences.noise import band_name
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure as Picture
+
+    from rolamento.tasks.noise import MeasuredNoise, NoiseResult
+
+__all__ = ["anderon_page", "noise_statement"]
+
+_TONES: Final[dict[str, Tone]] = {
+    "accepted": "good",
+    "rejected": "bad-strong",
+    "not_measured": "warning-strong",
+    "none": "faint",
+}
+_QUANTITIES: Final = {
+    "velocity": marked("velocity"),
+    "acceleration": marked("acceleration"),
+    "displacement": marked("displacement"),
+    "unknown": marked("signal"),
+}
+_HOUR: Final = 3600.0
+_LONGEST_NAME: Final = 32
+
+
+def anderon_page(found: NoiseResult) -> Document:
+    """Return the page of one signal's noise, or of several."""
+    sections = [_statement(found)]
+    if len(found.measured) == 1:
+        sections += [_facts(found.measured[0]), _bands(found)]
+    else:
+        sections.append(_signals(found))
+        if found.trend is not None:
+            sections += _over_time(found.trend)
+    sections += _notes(found)
+    sections.append(Section("", tuple(_figures(found)), key="figures"))
+    return Document(_title(found), tuple(sections), kind="anderon")
+
+
+def _title(found: NoiseResult) -> str:
+    if len(found.measured) == 1:
+        return one_line(found.measured[0].title)
+    return said("Noise of bearing {name}", name=found.bearing)
+
+
+def noise_statement(found: NoiseResult) -> str:
+    """Return what the noise of one signal, or of several, comes to."""
+    count, rejected = len(found.measured), found.verdicts.count("rejected")
+    if not found.full_scales:
+        return said("No verdict: no full scale is given (--full-scale).")
+    if rejected and count > 1:
+        return said("Rejected: {rejected} of {count} signals.", rejected=rejected, count=count)
+    if rejected:
+        bands = "; ".join(_rejections(found))
+        if any(isfinite(level) for level in _levels_rejected(found)):
+            return said("Rejected: {bands}.", bands=bands)
+        return said("Not accepted: {bands}.", bands=bands)
+    if count > 1:
+        return said(
+            "Accepted: all {count} signals; no band is above {part:.4 %} of its full scale.",
+            count=count,
+            part=found.part,
+        )
+    return said("Accepted: no band is above {part:.4 %} of its full scale.", part=found.part)
+
+
+def _levels_rejected(found: NoiseResult) -> list[float]:
+    """Anderons of the only signal in the bands that it is rejected for; NaN if not measured."""
+    acceptance, noise = found.acceptances[0], found.measured[0].noise
+    return [noise.of(name).anderons for name in acceptance.rejected] if acceptance else []
+
+
+def _rejections(found: NoiseResult) -> Iterable[str]:
+    """Say in which bands the only signal is rejected."""
+    one, acceptance = found.measured[0], found.acceptances[0]
+    limits = found.limits_of(one)
+    for name in acceptance.rejected if acceptance else ():
+        value, band = one.noise.of(name).anderons, band_name(name)
+        if isfinite(value):
+            yield said(
+                "{band} band with {value:.3} anderon, the limit is {limit:.3}",
+                band=band,
+                value=value,
+                limit=limits[name],
+            )
+        else:
+            yield said("{band} band not measured", band=band)
+
+
+def _statement(found: NoiseResult) -> Section:
+    tone: Tone = "good-strong" if found.full_scales else "warning-strong"
+    tone = "bad-strong" if "rejected" in found.verdicts else tone
+    return Section("", (Statement(noise_statement(found), tone),), key="verdict")
+
+
+# --- one signal ------------------------------------------------------------------------------
+
+
+def _facts(one: MeasuredNoise) -> Section:
+    signal = one.noise.velocity
+    entries = (
+        Entry(said("speed"), _speed(one)),
+        Entry(
+            said("signal"),
+            said(
+                "{quantity}, {duration:.4 s} at {rate:.6 Hz}",
+                quantity=said(_QUANTITIES[signal.quantity]),
+                duration=signal.duration,
+                rate=signal.rate,
+            ),
+        ),
+    )
+    return Section("", (Title(one_line(one.title)), KeyValues(entries)), key="given")
+
+
+def _speed(one: MeasuredNoise) -> str:
+    if not one.speed_known:
+        return said("not given; the test's 1800 rpm are assumed")
+    if one.at_test_speed:
+        return said("{speed:.6 rpm}, as in the test", speed=one.noise.speed)
+    return said("{speed:.6 rpm}; the test runs at 1800 rpm", speed=one.noise.speed)
+
+
+def _bands(found: NoiseResult) -> Section:
+    one, scales = found.measured[0], found.scales_of(found.measured[0])
+    bands = one.noise.bands
+    columns = [
+        Column(head="", values=[band_name(band.name) for band in bands], key="band"),
+        Column(
+            head=said("band"),
+            values=["–".join(manner().fixed(edge, 0) for edge in band.band) for band in bands],
+            unit="Hz",
+            align="right",
+            key="edges",
+        ),
+        *(
+            Column(
+                head=head,
+                values=[band.band[place] for band in bands],
+                unit="Hz",
+                key=key,
+                only_in_files=True,
+            )
+            for place, (head, key) in enumerate(((said("from"), "low"), (said("to"), "high")))
+        ),
+        Column(head="RMS", values=[band.velocity for band in bands], unit="µm/s", key="velocity"),
+        Column(head="anderon", values=[band.anderons for band in bands], figures=3, key="anderons"),
+        *(_verdicts(found) if scales else ()),
+    ]
+    factors = ", ".join(
+        said(
+            "{factor:.3f [µm/s]} ({band})",
+            factor=velocity_of_anderons(1.0, edges, one.noise.speed),
+            band=band_name(name),
+        )
+        for name, edges in BANDS.items()
+    )
+    legend = said(
+        "RMS: radial velocity of the outer ring, in the bands of ISO 15242-2 for radial ball"
+        " bearings. Anderon: microinch RMS of motion per radian of rotation and per square root of"
+        " the band's octaves; at {speed:.6 rpm} one is {factors} µm/s.",
+        speed=one.noise.speed,
+        factors=factors,
+    )
+    table = Table(columns=tuple(columns), key="bands", legends=(legend,))
+    return Section(said("Bands"), (table,), key="bands")
+
+
+def _verdict(verdict: str) -> str:
+    return {
+        "accepted": said_in("noise", "accepted"),
+        "rejected": said_in("noise", "rejected"),
+        "not_measured": said_in("noise", "not measured"),
+        "none": said_in("noise", "no verdict"),
+    }[verdict]
+
+
+def _verdicts(found: NoiseResult) -> Iterable[Column]:
+    """Compare the bands of the only signal with their full scales."""
+    one, scales = found.measured[0], found.scales_of(found.measured[0])
+    bands = one.noise.bands
+    full = [scales.get(band.name, nan) for band in bands]
+    verdicts = [found.verdict_of(0, band.name) for band in bands]
+    yield Column(head=said("full scale"), values=full, form=".4", key="full_scale")
+    yield Column(
+        head=said("of full scale"),
+        values=[band.anderons / scale for band, scale in zip(bands, full, strict=True)],
+        unit="%",
+        form=".1f [%]",
+        key="of_full_scale",
+    )
+    yield Column(
+        head=said("limit"), values=[found.part * scale for scale in full], form=".4", key="limit"
+    )
+    yield Column(
+        head=said("verdict"),
+        values=[_verdict(verdict) for verdict in verdicts],
+        tones=[_TONES[verdict] for verdict in verdicts],
+        key="verdict",
+    )
+
+
+# --- several ---------------------------------------------------------------------------------
+
+
+def _signals(found: NoiseResult) -> Section:
+    columns = (
+        Column(
+            head="",
+            values=[one_line(one.title, _LONGEST_NAME) for one in found.measured],
+            key="signal",
+        ),
+        Column(
+            head=said("time"),
+            values=[_HOUR * one.hours for one in found.measured],
+            unit="h",
+            form=".6 [h]",
+            key="hours",
+        ),
+        *(
+            Column(
+                head=band_name(name),
+                values=[one.noise.of(name).anderons for one in found.measured],
+                figures=3,
+                key=name,
+            )
+            for name in BANDS
+        ),
+        Column(
+            head=said("verdict"),
+            values=[_verdict(verdict) for verdict in found.verdicts],
+            tones=[_TONES[verdict] for verdict in found.verdicts],
+            key="verdict",
+        ),
+    )
+    table = Table(columns=columns, key="signals", legends=(said("Bands in anderon."),))
+    return Section(said("Signals"), (table,), key="signals")
+
+
+def _over_time(trend: AnderonTrend) -> list[Section]:
+    bands = [band for band in trend.bands if band.anderons]
+    if not bands:
+        return []
+    times = ((said("from"), "rejected_after"), (said("to"), "rejected_by"))
+    columns = (
+        Column(head="", values=[band_name(band.name) for band in bands], key="band"),
+        Column(
+            head=said("first"), values=[band.anderons[0] for band in bands], form=".3", key="first"
+        ),
+        Column(
+            head=said("last"), values=[band.anderons[-1] for band in bands], form=".3", key="last"
+        ),
+        Column(head=said("ratio"), values=[band.ratio for band in bands], form=".3", key="ratio"),
+        Column(
+            head=said("growth per 100 h"),
+            values=[exp(min(100.0 * band.growth, 700.0)) - 1.0 for band in bands],
+            unit="%",
+            form=".3 [%]",
+            key="growth_per_100_h",
+        ),
+        Column(
+            head=said_in("noise", "rejected"),
+            values=[_rejected(band) for band in bands],
+            unit="h",
+            align="right",
+            key="rejected",
+        ),
+        *(
+            Column(
+                head=head,
+                values=[_in_seconds(getattr(band, key)) for band in bands],
+                unit="h",
+                key=key,
+                only_in_files=True,
+            )
+            for head, key in times
+        ),
+    )
+    legend = said(
+        "Ratio: last to first. Growth: of the logarithm, by least squares through all measurements."
+        " Rejected: between the last measurement before and the first above the limit."
+    )
+    table = Table(columns=columns, key="trend", legends=(legend,))
+    return [Section(said("Over the test"), (table,), key="trend")]
+
+
+def _in_seconds(hours: float) -> CellContent:
+    return _HOUR * hours if isfinite(hours) else None
+
+
+def _rejected(band: BandTrend) -> str:
+    if not isfinite(band.rejected_by):
+        return ABSENT
+    return "–".join(manner().short(hours) for hours in (band.rejected_after, band.rejected_by))
+
+
+# --- notes and pictures ----------------------------------------------------------------------
+
+
+def _notes(found: NoiseResult) -> list[Section]:
+    """Show every note once; of several signals, with those that it is about."""
+    about: dict[tuple[str, str], list[str]] = {}
+    for one in found.measured:
+        for note in (*one.notes, *one.choices):
+            title = one_line(one.title, _LONGEST_NAME)
+            about.setdefault((note.key, note.text), []).append(title)
+    remarks = []
+    for (key, text), titles in about.items():
+        if len(titles) < len(found.measured):
+            text = said("{note} ({signals})", note=text, signals=", ".join(titles[:3]))
+        remarks.append(Remark(text, key))
+    return [Section(said("Notes"), (Notes(tuple(remarks)),), key="notes")] * bool(remarks)
+
+
+def _figures(found: NoiseResult) -> Iterable[Figure]:
+    if len(found.measured) == 1:
+        yield Figure(
+            caption=said("Noise in thirds of octaves, with the level and limit of each band"),
+            draw=_over_frequency(found),
+            key="noise",
+        )
+    elif found.trend is not None:
+        yield Figure(
+            caption=said("Levels of the bands over the test"), draw=_over_hours(found), key="trend"
+        )
+
+
+def _over_frequency(found: NoiseResult) -> Callable[[], Picture]:
+    def draw() -> Picture:
+        from rolamento.plots.anderon import noise_figure
+
+        one = found.measured[0]
+        return noise_figure(one.noise, limits=found.limits_of(one))
+
+    return draw
+
+
+def _over_hours(found: NoiseResult) -> Callable[[], Picture]:
+    def draw() -> Picture:
+        from rolamento.plots.anderon import noise_trend_figure
+        from rolamento.weibull import parse_trend
+
+        limits = found.limits_of(found.measured[0])
+        return noise_trend_figure(parse_trend(found.record()), limits=limits)
+
+    return draw

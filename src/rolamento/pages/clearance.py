@@ -1,0 +1,137 @@
+"""The page of `clearance`: from before mounting to operation, step by step."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Final
+
+from rolamento.document import (
+    CellContent,
+    Column,
+    Document,
+    Entry,
+    KeyValues,
+    Number,
+    Section,
+    Statement,
+    Table,
+    Tone,
+)
+from rolamento.pages.state import notes_section
+from rolamento.words import in_unit, manner, marked, said
+
+if TYPE_CHECKING:
+    from rolamento.clearance import ClearanceSamples, OperatingClearance
+
+__all__ = ["PERCENTILES", "clearance_page"]
+
+PERCENTILES: Final = (0.135, 5.0, 50.0, 95.0, 99.865)
+"""Per cent of the samples: the outer ones lie three standard deviations from the mean."""
+_STEPS: Final = {
+    "initial": marked("before mounting"),
+    "measuring_load": marked("measuring load"),
+    "shaft_fit": marked("fit on the shaft"),
+    "housing_fit": marked("fit in the housing"),
+    "temperature": marked("temperature"),
+    "speed": marked("speed"),
+    "wear": marked("wear"),
+}
+_DETAILS: Final = {
+    "interference": marked("interference as mounted"),
+    "smoothing": marked("loss by smoothing"),
+    "expansion": marked("gain by thermal expansion"),
+    "rotation": marked("loss by rotation"),
+    "effective_interference": marked("effective in operation"),
+    "pressure": marked("pressure (MPa)"),
+}
+
+
+def clearance_page(found: OperatingClearance, samples: ClearanceSamples | None = None) -> Document:
+    """Return the chain of clearances.
+
+    Parameters
+    ----------
+    found
+        What `operating_clearance` gives.
+    samples
+        Its scatter, if it was drawn.
+    """
+    sections = [_chain(found), _sources(found)]
+    if samples is not None:
+        sections.append(_scatter(samples))
+    sections += notes_section(found.warnings)
+    return Document(said("Diametral clearance"), tuple(sections), kind="clearance")
+
+
+def _chain(found: OperatingClearance) -> Section:
+    """The steps one below the other, what went into the fits beneath them, and their sum."""
+    rows: list[tuple[str, Sequence[float], str, Tone]] = []
+    for step in found.steps:
+        rows.append((said(_STEPS[step.name]), step.change, "µm", ""))
+        rows += [
+            (f"  {said(label)}", step.details[name], "MPa" if name == "pressure" else "µm", "faint")
+            for name, label in _DETAILS.items()
+            if name in step.details and (any(step.details[name]) or name == "interference")
+        ]
+    limits = (found.minimum, found.mean, found.maximum)
+    rows.append((said("in operation"), limits, "µm", "strong"))
+    tones = [tone for _, _, _, tone in rows]
+    columns = [
+        Column(head="", values=[label for label, _, _, _ in rows], key="step", tones=tones),
+        Column(
+            head=said("unit"),
+            values=[unit for _, _, unit, _ in rows],
+            key="unit",
+            only_in_files=True,
+        ),
+    ]
+    heads = {"minimum": said("minimum"), "mean": said("mean"), "maximum": said("maximum")}
+    columns += [
+        Column(
+            head=text,
+            values=[_number(values, place, unit) for _, values, unit, _ in rows],
+            key=key,
+            align="right",
+            tones=tones,
+        )
+        for place, (key, text) in enumerate(heads.items())
+    ]
+    table = Table(columns=tuple(columns), key="clearance", gap=3)
+    return Section(said("Diametral clearance (µm)"), (table,), key="clearance")
+
+
+def _number(values: Sequence[float], place: int, unit: str) -> CellContent:
+    decimals = 2 if max(abs(float(in_unit(value, unit))) for value in values) < 1.0 else 1
+    return Number(values[place], f".{decimals}f [{unit}]")
+
+
+def _sources(found: OperatingClearance) -> Section:
+    entries = tuple(
+        Entry(
+            f"{said(_STEPS[step.name])}:", f"{step.formula.text}; {step.source.text}", tone="faint"
+        )
+        for step in found.steps
+    )
+    return Section(said("Origin of the steps"), (KeyValues(entries, indent=2),), key="sources")
+
+
+def _scatter(samples: ClearanceSamples) -> Section:
+    percentiles = ", ".join(
+        said("{percent:.5} %: {clearance:.1f µm}", percent=p, clearance=samples.percentile(p))
+        for p in PERCENTILES
+    )
+    texts = (
+        said(
+            "mean {mean:.1f µm}, standard deviation {deviation:.1f µm}",
+            mean=samples.mean,
+            deviation=samples.standard_deviation,
+        ),
+        percentiles,
+        said("{share:.3 %} have a negative clearance", share=samples.preloaded),
+    )
+    heading = said(
+        "{count} bearings sampled from their tolerances",
+        count=manner().fixed(len(samples.clearance), 0),
+    )
+    blocks = tuple(Statement(text, indent=2) for text in texts)
+    return Section(heading, blocks, key="samples")

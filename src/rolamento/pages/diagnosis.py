@@ -1,0 +1,400 @@
+"""The page of `diagnose`: the verdict first, then what was measured, and why."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from math import log10, pi
+from typing import TYPE_CHECKING, Final
+
+from rolamento.document import (
+    Column,
+    Document,
+    Entry,
+    Figure,
+    KeyValues,
+    Notes,
+    Remark,
+    Section,
+    Statement,
+    Table,
+    Title,
+    Tone,
+)
+from rolamento.pages.frequencies import balls_of, contact_angle, failure
+from rolamento.vibration.diagnosis import DAMAGE, SEVERE, ComponentVerdict, Diagnosis
+from rolamento.vibration.frequencies import FaultFrequencies
+from rolamento.words import ABSENT, manner, said, said_in
+from rolamento.words.naming import one_line, part_name
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure as Picture
+
+    from rolamento.tasks.diagnosis import DiagnosisResult
+    from rolamento.tasks.shaft_speed import ShaftSpeed
+
+__all__ = ["diagnosis_page"]
+
+_UNITS: Final = {"m/s^2": "m/s²", "mm/s^2": "mm/s²", "um": "µm", "um/s": "µm/s", "1": ""}
+_HEADLINES: Final[dict[str, Tone]] = {
+    "fault": "bad-strong",
+    "undecided": "warning-strong",
+    "watch": "good-strong",
+    "nothing_found": "good-strong",
+    "no_verdict": "warning-strong",
+}
+_TONES: Final[dict[str, Tone]] = {
+    "fault": "bad-strong",
+    "undecided": "warning-strong",
+    "watch": "warning",
+    "nothing_found": "good",
+    "not_tested": "faint",
+}
+_KILO: Final = 1e-3
+
+
+def diagnosis_page(found: DiagnosisResult) -> Document:
+    """Return the page of a diagnosis."""
+    sections = [_verdict(found), _facts(found), _parts(found.diagnosis)]
+    if not found.still:
+        sections.append(_why(found.diagnosis))
+    sections += _notes(found)
+    sections.append(Section("", tuple(_figures(found)), key="figures"))
+    return Document(f"{found.bearing_name}: {found.title}", tuple(sections), kind="diagnose")
+
+
+def _verdict(found: DiagnosisResult) -> Section:
+    """Show the verdict, what to do, and what speaks against it."""
+    tone = _HEADLINES[found.verdict]
+    statements = [Statement(note.text, tone) for note in found.statement]
+    statements += [Statement(note.text) for note in found.advice]
+    return Section("", tuple(statements), key="verdict")
+
+
+# --- what was given and measured ---------------------------------------------------------------
+
+
+def _facts(found: DiagnosisResult) -> Section:
+    entries = (
+        Entry(
+            said("bearing"),
+            said("{name}: {balls}", name=found.bearing_name, balls=balls_of(found.bearing)),
+        ),
+        Entry(said("frequencies"), _frequencies(found.frequencies)),
+        Entry(said("shaft"), "\n".join(_speed(found))),
+        Entry(said("signal"), _signal(found)),
+        Entry(said("search"), "\n".join(_search(found))),
+    )
+    return Section("", (Title(one_line(found.title)), KeyValues(entries)), key="given")
+
+
+def _frequencies(sought: FaultFrequencies) -> str:
+    """Say of which bearing the frequencies are that were sought: by the geometry, or loaded."""
+    if sought.source == "nominal":
+        return said("by the geometry, {angle}", angle=contact_angle(sought))
+    lines = [_loaded_angle(sought)]
+    cage = sought.cage
+    ends = [manner().fixed(order, 4) for order in (cage.minimum, cage.maximum)]
+    if ends[0] == ends[1]:
+        lines.append(said("cage order {order:.4f}", order=cage.order))
+    else:
+        lines.append(
+            said(
+                "cage order {order:.4f}, {least} to {most} over the balls",
+                order=cage.order,
+                least=ends[0],
+                most=ends[1],
+            )
+        )
+    return "\n".join(lines)
+
+
+def _loaded_angle(sought: FaultFrequencies) -> str:
+    angles = {"inner": sought.inner_contact_angle, "outer": sought.outer_contact_angle}
+    shown = {manner().number(angle, ".1f [°]") for angle in angles.values()}
+    if len(shown) == 1:
+        return said("under load, mean contact angle {inner:.1f °}", **angles)
+    return said(
+        "under load, mean contact angle {inner:.1f °} (inner), {outer:.1f °} (outer)", **angles
+    )
+
+
+def _speed(found: DiagnosisResult) -> Iterable[str]:
+    frequency, known = found.diagnosis.shaft_frequency, found.speed
+    speed = 2.0 * pi * frequency
+    if known is not None and known.minimum != known.maximum:
+        yield said(
+            "mean {speed:.5 rpm} ({frequency:.5 Hz}), from {least:.5 [rpm]} to {most:.5 rpm}",
+            speed=speed,
+            frequency=frequency,
+            least=known.minimum,
+            most=known.maximum,
+        )
+    else:
+        yield said("{speed:.6 rpm} ({frequency:.5 Hz})", speed=speed, frequency=frequency)
+    if known is not None:
+        yield from _by_whom(found, known)
+    if found.frequencies.outer_speed != 0.0:
+        yield said("outer ring {speed:.6 rpm}", speed=found.frequencies.outer_speed)
+
+
+def _by_whom(found: DiagnosisResult, known: ShaftSpeed) -> Iterable[str]:
+    """Say where the speed is from: as given or measured, or by the shaft's own peaks."""
+    diagnosis, source = found.diagnosis, _source(known)
+    if diagnosis.speed_factor != 1.0:
+        off = 1.0 / diagnosis.speed_factor - 1.0
+        yield said(
+            "by the shaft's own peaks; {given:.6 rpm} {source}, {off} %",
+            given=abs(known.mean),
+            source=source,
+            off=manner().fixed(100.0 * off, 1 if abs(off) >= 1e-3 else 2),
+        )
+        return
+    yield source
+    if not (diagnosis.speed_confirmed or found.still) and known.is_steady:
+        yield said(
+            "not confirmed by the shaft's own peaks: peaks were sought within {tolerance:.3 %}",
+            tolerance=found.settings.speed_tolerance,
+        )
+
+
+def _source(known: ShaftSpeed) -> str:
+    tracking = known.tracking
+    if known.lost:
+        return said("taken as constant: it was not found in the vibration")
+    if known.source == "vibration" and tracking is not None:
+        return said(
+            "found in the vibration within {within:.3 %} of {nominal:.6 rpm}",
+            within=tracking.within,
+            nominal=abs(tracking.nominal),
+        )
+    if known.source == "channel":
+        return said("from the channel {channel}", channel=known.channel)
+    if known.source == "pulses":
+        return said(
+            "from the pulses of the channel {channel}, {pulses} per revolution",
+            channel=known.channel,
+            pulses=known.pulses or 1,
+        )
+    return {
+        "given": said("as given"),
+        "file": said("from the signal's file"),
+        "case": said("from the case"),
+    }[known.source]
+
+
+def _signal(found: DiagnosisResult) -> str:
+    signal, sizes = found.signal, found.indicators
+    turns, unit = found.diagnosis.revolutions, _UNITS.get(signal.unit, signal.unit)
+    write = manner()
+    lines = [
+        said(
+            "{duration:.4 s} at {rate:.6 Hz}, {revolutions} revolutions",
+            duration=found.duration,
+            rate=signal.rate,
+            revolutions=write.short(turns, 3) if turns < 100.0 else write.fixed(turns, 0),
+        )
+    ]
+    if signal.duration < found.duration * (1.0 - 1e-9):
+        lines.append(said("first {duration:.4 s}:", duration=signal.duration))
+    lines.append(
+        said(
+            "RMS {rms}, crest factor {crest:.3}, kurtosis {kurtosis:.3} (3 for noise)",
+            rms=f"{write.short(sizes.rms, 4)} {unit}".rstrip(),
+            crest=sizes.crest,
+            kurtosis=sizes.kurtosis,
+        )
+    )
+    return "\n".join(lines)
+
+
+def _search(found: DiagnosisResult) -> Iterable[str]:
+    tolerance = found.settings.tolerance
+    if found.frequencies.source == "loaded":
+        yield said("cage within {tolerance:.3 %} of its speed under load", tolerance=tolerance)
+    else:
+        yield said("cage within {tolerance:.3 %} of its nominal speed", tolerance=tolerance)
+    if found.slip is not None:
+        yield said("wider than --slip, to cover the range over the balls")
+    yield said(
+        "noise alone gives a finding in at most {alarm:.3 %} of records",
+        alarm=found.settings.false_alarm,
+    )
+
+
+# --- the parts of the bearing ------------------------------------------------------------------
+
+
+def _parts(diagnosis: Diagnosis) -> Section:
+    parts = diagnosis.components
+    bands = [part.band or (None, None) for part in parts]
+    columns = (
+        Column(head="", values=[part_name(part.component) for part in parts], key="part"),
+        Column(
+            head=said_in("frequency", "expected"),
+            values=[part.nominal_order * diagnosis.shaft_frequency for part in parts],
+            unit="Hz",
+            form=".2f [Hz]",
+            key="expected",
+        ),
+        Column(
+            head=said_in("frequency", "found"),
+            values=[part.frequency for part in parts],
+            unit="Hz",
+            form=".2f [Hz]",
+            key="found",
+        ),
+        Column(
+            head=said_in("column", "deviation"),
+            values=[part.deviation for part in parts],
+            unit="%",
+            form=".2f [%]",
+            key="deviation",
+        ),
+        Column(
+            head=said_in("column", "depth"),
+            values=[part.depth for part in parts],
+            unit="%",
+            form=".0f [%]",
+            key="depth",
+        ),
+        Column(
+            head=said_in("column", "evidence"),
+            values=[part.evidence for part in parts],
+            form=".1f",
+            key="evidence",
+        ),
+        Column(
+            head=said("verdict"),
+            values=[_verdict_of(part) for part in parts],
+            tones=[_TONES[part.verdict] for part in parts],
+            key="verdict",
+        ),
+        Column(
+            head=said("band"),
+            values=[_band(part) for part in parts],
+            unit="kHz",
+            align="right",
+            key="band",
+        ),
+        *(
+            Column(
+                head=head,
+                values=[band[place] for band in bands],
+                unit="kHz",
+                key=key,
+                only_in_files=True,
+            )
+            for place, (head, key) in enumerate(
+                ((said("from"), "band_low"), (said("to"), "band_high"))
+            )
+        ),
+    )
+    table = Table(columns=columns, key="parts", legends=tuple(_legend(diagnosis)))
+    return Section(said("Parts"), (table,), key="parts")
+
+
+def _verdict_of(part: ComponentVerdict) -> str:
+    return {
+        "fault": said_in("part", "damaged"),
+        "undecided": said_in("part", "undecided"),
+        "watch": said_in("part", "watch"),
+        "nothing_found": said_in("part", "nothing"),
+        "not_tested": said_in("part", "not tested"),
+    }[part.verdict]
+
+
+def _band(part: ComponentVerdict) -> str:
+    if part.band is None:
+        return ABSENT
+    return "–".join(manner().fixed(_KILO * edge, 2) for edge in part.band)
+
+
+def _legend(diagnosis: Diagnosis) -> Iterable[str]:
+    if diagnosis.trials:
+        yield said(
+            "Depth: swing of the squared envelope at that frequency over its mean; damage from"
+            " {damage:.0f %}, severe from {severe:.0f %}. Evidence: −log10 of the probability that"
+            " noise without such peaks gives them, all {trials} trials counted; a finding from"
+            " {least:.3}. Healthy bearings have such peaks too: depth decides. Band: where it"
+            " resonates most clearly. Ball: its damage strikes twice per revolution.",
+            damage=DAMAGE,
+            severe=SEVERE,
+            trials=str(diagnosis.trials),
+            least=-log10(diagnosis.false_alarm),
+        )
+
+
+def _why(diagnosis: Diagnosis) -> Section:
+    """Give the reasons, those of faults first; parts that have the same stand together."""
+    unclear = ("nothing_found", "not_tested")
+    parts = sorted(diagnosis.components, key=lambda part: part.verdict in unclear)
+    by_reasons: dict[str, list[str]] = {}
+    for part in parts:
+        text = "\n".join(note.text for note in part.reasons)
+        by_reasons.setdefault(text, []).append(part_name(part.component))
+    blocks = [
+        block
+        for text, names in by_reasons.items()
+        for block in (Statement(", ".join(names), indent=2), Statement(text, indent=4))
+    ]
+    return Section(said("Why"), tuple(blocks), key="why")
+
+
+def _notes(found: DiagnosisResult) -> list[Section]:
+    notes = (*found.notes, *found.choices, *found.frequencies.notes)
+    remarks = []
+    for note in notes:
+        remarks.append(Remark(note.text, note.key))
+        unsolved = found.solved is not None and not found.solved.converged[0]
+        if note.key == "no_loaded_frequencies" and unsolved and found.solved is not None:
+            remarks.append(Remark(failure(found.solved), "no_solution_no_frequencies"))
+    return [Section(said("Notes"), (Notes(tuple(remarks)),), key="notes")] * bool(remarks)
+
+
+# --- pictures ----------------------------------------------------------------------------------
+
+
+def _figures(found: DiagnosisResult) -> Iterable[Figure]:
+    fault = found.diagnosis.clearest_fault
+    caption = said("The signal over time")
+    if fault is not None:
+        caption = said("The signal over time, with the impacts of the clearest fault")
+    yield Figure(caption=caption, draw=_waveform(found), key="waveform")
+    yield Figure(
+        caption=said("Kurtogram: how impulsive the signal is, by frequency and bandwidth"),
+        draw=_kurtogram(found),
+        key="kurtogram",
+    )
+    yield Figure(
+        caption=said("Spectrum of the squared envelope, with the frequencies of the bearing"),
+        draw=_envelope(found),
+        key="envelope",
+    )
+
+
+def _waveform(found: DiagnosisResult) -> Callable[[], Picture]:
+    def draw() -> Picture:
+        from rolamento.plots.vibration import impacts_figure
+
+        return impacts_figure(found.signal, found.diagnosis)
+
+    return draw
+
+
+def _kurtogram(found: DiagnosisResult) -> Callable[[], Picture]:
+    def draw() -> Picture:
+        from rolamento.plots.vibration import kurtogram_figure
+
+        fault = found.diagnosis.clearest_fault
+        return kurtogram_figure(found.signal, band=None if fault is None else fault.band)
+
+    return draw
+
+
+def _envelope(found: DiagnosisResult) -> Callable[[], Picture]:
+    def draw() -> Picture:
+        from rolamento.plots.vibration import envelope_figure
+
+        return envelope_figure(found.diagnosis)
+
+    return draw

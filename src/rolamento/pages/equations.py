@@ -1,0 +1,1016 @@
+"""The equations that a result rests on: what each gives, its symbols, its source, where it holds.
+
+A report shows those whose model was used, numbered in its own order, each symbol where it first
+occurs; and the works that they come from.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final
+
+from rolamento.document import Equation, Symbol
+from rolamento.words import marked, said
+
+if TYPE_CHECKING:
+    from rolamento.tasks.report import CaseReport
+
+__all__ = ["EQUATIONS", "REFERENCES", "Law", "equations_of", "references_of"]
+
+Used = Callable[["CaseReport"], bool]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Law:
+    """An equation as the program computes it.
+
+    Attributes
+    ----------
+    key
+        stable, for programs
+    name
+        what it gives; English
+    latex, plain
+        in mathematics, which Matplotlib sets too, and in plain characters
+    symbols
+        keys of `SYMBOLS`
+    source
+        place in the works of `references`
+    references
+        keys of `REFERENCES`
+    used
+        whether a case rests on it
+    valid
+        where it holds; English
+    """
+
+    key: str
+    name: str
+    latex: str
+    plain: str
+    symbols: tuple[str, ...] = ()
+    source: str = ""
+    references: tuple[str, ...] = ()
+    used: Used = lambda case: True
+    valid: str = ""
+
+
+# --- when an equation is used ---------------------------------------------------------------------
+
+
+def _turns(case: CaseReport) -> bool:
+    return case.case.duty.inner_speed != 0.0 or case.case.duty.outer_speed != 0.0
+
+
+def _by_friction(case: CaseReport) -> bool:
+    return case.analysis.solved.rolling is not None
+
+
+def _controlled(case: CaseReport) -> bool:
+    return _turns(case) and not _by_friction(case)
+
+
+def _cage(case: CaseReport) -> bool:
+    return _controlled(case) and case.case.model.cage != "none"
+
+
+def _centrifugal(case: CaseReport) -> bool:
+    return _turns(case) and case.case.model.centrifugal_force
+
+
+def _gyroscopic(case: CaseReport) -> bool:
+    return _turns(case) and case.case.model.gyroscopic_moment
+
+
+def _step(name: str) -> Used:
+    def used(case: CaseReport) -> bool:
+        found = case.clearance
+        return found is not None and any(step.name == name for step in found.steps)
+
+    return used
+
+
+def _fits(case: CaseReport) -> bool:
+    return _step("shaft_fit")(case) or _step("housing_fit")(case)
+
+
+def _film(case: CaseReport) -> bool:
+    film = case.analysis.film
+    return film is not None and film.thinnest("inner") is not None
+
+
+def _thermal(name: str) -> Used:
+    def used(case: CaseReport) -> bool:
+        own = case.case.film
+        return _film(case) and ("murch_wilson" if own is None else own.thermal) == name
+
+    return used
+
+
+def _starved(name: str) -> Used:
+    def used(case: CaseReport) -> bool:
+        own = case.case.film
+        return _film(case) and own is not None and own.starvation == name
+
+    return used
+
+
+def _alpha(name: str) -> Used:
+    def used(case: CaseReport) -> bool:
+        lubricant = case.case.lubricant
+        if not _film(case) or lubricant is None:
+            return False
+        oil = lubricant.oil
+        method = oil.pressure_viscosity_method or "wooster"
+        return oil.pressure_viscosity is None and method == name
+
+    return used
+
+
+def _roughness(case: CaseReport) -> bool:
+    return _film(case) and case.case.surface is not None
+
+
+def _theory(*names: str) -> Used:
+    def used(case: CaseReport) -> bool:
+        life = case.analysis.life
+        return life is not None and any(name in life.theories for name in names)
+
+    return used
+
+
+def _life(case: CaseReport) -> bool:
+    return case.analysis.life is not None
+
+
+def _rating(name: str, source: str) -> Used:
+    def used(case: CaseReport) -> bool:
+        life = case.analysis.life
+        return life is not None and life.rating_sources[name] == source
+
+    return used
+
+
+def _edition(year: str) -> Used:
+    def used(case: CaseReport) -> bool:
+        life = case.analysis.life
+        return life is not None and life.conditions.edition == year
+
+    return used
+
+
+def _ratio_of_oil(case: CaseReport) -> bool:
+    life = case.analysis.life
+    of_life = life is not None and life.conditions.viscosity is not None
+    return of_life or _film(case)
+
+
+def _classes(case: CaseReport) -> bool:
+    life = case.analysis.life
+    return (
+        life is not None
+        and hasattr(life.conditions.contamination, "name")
+        and (life.viscosity_ratio is not None)
+    )
+
+
+def _loss(name: str) -> Used:
+    def used(case: CaseReport) -> bool:
+        friction = case.analysis.friction
+        return friction is not None and name in friction.torque_by_source
+
+    return used
+
+
+def _torque_model(*names: str) -> Used:
+    def used(case: CaseReport) -> bool:
+        friction = case.analysis.friction
+        return friction is not None and any(name in friction.models for name in names)
+
+    return used
+
+
+def _frequencies(case: CaseReport) -> bool:
+    return case.analysis.frequencies is not None
+
+
+# --- symbols --------------------------------------------------------------------------------------
+
+SYMBOLS: Final[Mapping[str, tuple[str, str, str]]] = {
+    "D": ("D", marked("ball diameter"), "m"),
+    "d_m": ("d_m", marked("pitch diameter"), "m"),
+    "Z": ("Z", marked("number of balls in a row"), ""),
+    "alpha": ("α", marked("contact angle under load"), "rad"),
+    "alpha_0": ("α_0", marked("free contact angle"), "rad"),
+    "f": ("f_i, f_o", marked("conformity of the inner and outer race: groove radius over D"), ""),
+    "P_d": ("P_d", marked("diametral clearance"), "m"),
+    "gamma": ("γ", marked("D cos α / d_m"), ""),
+    "E_nu": ("E, ν", marked("Young's modulus and Poisson's ratio of ball and ring"), "Pa, –"),
+    "E_prime": ("E'", marked("effective modulus"), "Pa"),
+    "rho": ("ρ_x, ρ_y", marked("sum of curvatures along and across rolling"), "1/m"),
+    "k": ("k", marked("ellipticity a/b"), ""),
+    "ab": ("a, b", marked("semi-axes of the contact ellipse, across and along rolling"), "m"),
+    "KE": ("K(m), E(m)", marked("complete elliptic integrals, m = 1 − 1/k²"), ""),
+    "Q": ("Q", marked("contact load"), "N"),
+    "delta": ("δ", marked("elastic approach"), "m"),
+    "delta_star": ("δ*", marked("dimensionless approach, a function of k"), ""),
+    "p_0": ("p_0", marked("maximum Hertz pressure"), "Pa"),
+    "tau_max": ("τ_max", marked("maximum shear stress below the centre of the contact"), "Pa"),
+    "tau_0": ("τ_0, z_0", marked("amplitude and depth of the orthogonal shear"), "Pa, m"),
+    "omega": ("ω_i, ω_o", marked("speeds of the rings"), "rad/s"),
+    "omega_m": ("ω_m", marked("orbital speed of a ball"), "rad/s"),
+    "omega_R": ("ω_R, β", marked("speed of a ball about its own axis, and its attitude"),
+                "rad/s, rad"),
+    "slave": ("c, s", marked("race in control, and the other one; σ = +1 for outer control, −1 "
+                             "for inner"), ""),
+    "cage": ("ω_cage, h", marked("cage speed, and how firmly the inner ring holds a ball (0 to 1)"),
+             "rad/s, –"),
+    "mass": ("m, J", marked("mass of a ball and its moment of inertia m D²/10"), "kg, kg·m²"),
+    "F_c": ("F_c", marked("centrifugal force"), "N"),
+    "M_g": ("M_g", marked("gyroscopic moment"), "N·m"),
+    "lambda_i": ("λ_i, λ_o", marked("share of the gyroscopic moment at each race; their sum is 2"),
+                 ""),
+    "psi": ("ψ", marked("azimuth of a ball"), "rad"),
+    "loads": ("F_x … M_z", marked("load that the shaft puts on the inner ring"), "N, N·m"),
+    "R_i": ("R_i", marked("radius of the circle of the inner groove centres"), "m"),
+    "u": ("u", marked("displacement of the inner ring: x, y, z, r_y, r_z"), "m, rad"),
+    "C": ("C, C_0, C_u", marked("dynamic and static load rating, fatigue load limit"), "N"),
+    "f_c": ("b_m, f_c, f_0", marked("factors of the standards"), ""),
+    "rows": ("i", marked("number of rows"), ""),
+    "P": ("P, P_0", marked("dynamic and static equivalent load"), "N"),
+    "F_ra": ("F_r, F_a", marked("radial and axial load"), "N"),
+    "XY": ("X, Y, X_0, Y_0", marked("load factors of the standards"), ""),
+    "S_0": ("S_0", marked("static safety factor"), ""),
+    "L_10": ("L_10", marked("basic rating life"), "10⁶ rev"),
+    "n": ("n", marked("speed of the rings against each other"), "rpm"),
+    "S": ("S", marked("reliability"), ""),
+    "a_1": ("a_1", marked("life modification factor for reliability"), ""),
+    "a_ISO": ("a_ISO", marked("life modification factor of ISO 281"), ""),
+    "e_C": ("e_C", marked("contamination factor"), ""),
+    "kappa": ("κ", marked("viscosity ratio"), ""),
+    "nu": ("ν, ν_1", marked("kinematic viscosity in operation, and the one required"), "mm²/s"),
+    "L_10r": ("L_10r", marked("basic reference rating life"), "10⁶ rev"),
+    "Q_c": ("Q_c, Q_e", marked("dynamic load rating and equivalent load of a race"), "N"),
+    "tau_u": ("τ, τ_u", marked("amplitude of the shear stress, and its fatigue limit"), "Pa"),
+    "UWG": ("U, W, G", marked("speed, load and material parameters"), ""),
+    "H": ("H_c, H_0", marked("central and minimum film thickness over R_x"), ""),
+    "R_x": ("R_x", marked("effective radius along rolling"), "m"),
+    "eta": ("η, u", marked("dynamic viscosity at the inlet, and entrainment speed"), "Pa·s, m/s"),
+    "alpha_p": ("α_p", marked("pressure-viscosity coefficient"), "1/Pa"),
+    "L_T": ("L, φ_T", marked("thermal loading parameter, and the share of the film that remains"),
+            ""),
+    "lambda": ("λ", marked("film parameter"), ""),
+    "R_q": ("R_q", marked("root mean square roughness of race and ball"), "m"),
+    "mu": ("μ", marked("coefficient of friction"), ""),
+    "alpha_h": ("α_h", marked("hysteresis loss: share of the elastic work"), ""),
+    "delta_fit": ("δ, p", marked("effective interference and contact pressure of a fit"), "m, Pa"),
+    "T": ("T", marked("temperature; of rings and balls, above that of assembly"), "K"),
+    "order": ("f_c, f_o, f_i, f_b", marked("frequencies of cage, outer race, inner race and ball"),
+              "Hz"),
+}  # fmt: skip
+
+
+# --- the register ---------------------------------------------------------------------------------
+
+EQUATIONS: Final[tuple[Law, ...]] = (
+    Law(
+        key="free_angle",
+        name=marked("Free contact angle and clearance"),
+        latex=r"\cos\alpha_0 = 1 - \frac{P_d}{2\,(f_i + f_o - 1)\,D}",
+        plain="cos α_0 = 1 − P_d / (2 (f_i + f_o − 1) D)",
+        symbols=("alpha_0", "P_d", "f", "D"),
+        source=marked("Harris (1991), chapter 2"),
+        references=("harris_1991",),
+    ),
+    Law(
+        key="lame",
+        name=marked("Pressure of a press fit: thick-walled cylinders"),
+        latex=r"p = \delta \left/ \left\{ \frac{d}{E_o}\left[\frac{1+q^2}{1-q^2}+\nu_o\right]"
+        r" + \frac{d}{E_i}\left[\frac{1+k^2}{1-k^2}-\nu_i\right] \right\} \right.",
+        plain="p = δ / { (d/E_o) [(1 + q²)/(1 − q²) + ν_o] + (d/E_i) [(1 + k²)/(1 − k²) − ν_i] }",
+        symbols=("delta_fit", "E_nu"),
+        source=marked("Lamé (1852); Harris (1991), chapter 3"),
+        references=("lame_1852", "timoshenko_1970", "harris_1991"),
+        used=_fits,
+        valid=marked("plane stress, no friction; rings as plain cylinders up to the groove"),
+    ),
+    Law(
+        key="expansion",
+        name=marked("Change of clearance by temperature"),
+        latex=r"\Delta P_d = \alpha_r T_o d_o - \alpha_r T_i d_i - 2\,\alpha_b T_b D",
+        plain="ΔP_d = α_r T_o d_o − α_r T_i d_i − 2 α_b T_b D",
+        symbols=("T", "P_d", "D"),
+        source=marked("NSK (E1102), chapter 9.2; Harris (1991), chapter 3"),
+        references=("nsk_e1102", "harris_1991"),
+        used=_step("temperature"),
+        valid=marked("each part at one temperature, expanding freely"),
+    ),
+    Law(
+        key="ring_growth",
+        name=marked("Growth of a rotating ring"),
+        latex=r"u = \frac{\rho\,\omega^2 r}{8E} \left[(1-\nu)(3+\nu)(a^2+b^2)"
+        r" + (1+\nu)(3+\nu)\frac{a^2 b^2}{r^2} - (1-\nu^2)\,r^2\right]",
+        plain="u = ρ ω² r/(8E) [(1 − ν)(3 + ν)(a² + b²) + (1 + ν)(3 + ν) a² b²/r² − (1 − ν²) r²]",
+        source=marked("Timoshenko and Goodier (1970), section 32"),
+        references=("timoshenko_1970",),
+        used=_step("speed"),
+        valid=marked("rotating annulus of radii a and b, plane stress"),
+    ),
+    Law(
+        key="modulus",
+        name=marked("Effective modulus"),
+        latex=r"\frac{2}{E'} = \frac{1-\nu_1^2}{E_1} + \frac{1-\nu_2^2}{E_2}",
+        plain="2/E' = (1 − ν_1²)/E_1 + (1 − ν_2²)/E_2",
+        symbols=("E_prime", "E_nu"),
+        source=marked("Johnson (1985), section 4.2"),
+        references=("johnson_1985",),
+    ),
+    Law(
+        key="curvature",
+        name=marked("Curvatures of ball and race"),
+        latex=r"\rho_x = \frac{2}{D}\,\frac{1}{1 \mp \gamma},\quad"
+        r" \rho_y = \frac{2}{D} - \frac{1}{f D},\quad \gamma = \frac{D \cos\alpha}{d_m}",
+        plain="ρ_x = (2/D) / (1 ∓ γ) (− inner, + outer),  ρ_y = 2/D − 1/(f D),  γ = D cos α/d_m",
+        symbols=("rho", "gamma", "alpha", "d_m", "D", "f"),
+        source=marked("Harris (1991), chapter 2"),
+        references=("harris_1991",),
+    ),
+    Law(
+        key="ellipticity",
+        name=marked("Hertz point contact: shape of the ellipse"),
+        latex=r"\frac{|\rho_x - \rho_y|}{\rho_x + \rho_y} ="
+        r" \frac{(k^2+1)\,E(m) - 2\,K(m)}{(k^2-1)\,E(m)},\quad m = 1 - \frac{1}{k^2}",
+        plain="|ρ_x − ρ_y|/(ρ_x + ρ_y) = ((k² + 1) E − 2 K) / ((k² − 1) E),  m = 1 − 1/k²",
+        symbols=("k", "KE", "rho"),
+        source=marked("Hertz (1881); Harris (1991), chapter 5"),
+        references=("hertz_1881", "harris_1991"),
+        valid=marked("elastic half-spaces, contact small beside the bodies; solved exactly"),
+    ),
+    Law(
+        key="hertz_stiffness",
+        name=marked("Hertz point contact: load and approach"),
+        latex=r"Q = K_n\,\delta^{3/2},\quad K_n = \frac{\sqrt{8}}{3}\,E'\,"
+        r"(\rho_x+\rho_y)^{-1/2}\,(\delta^*)^{-3/2}",
+        plain="Q = K_n δ^(3/2),  K_n = (√8/3) E' (ρ_x + ρ_y)^(−1/2) (δ*)^(−3/2)",
+        symbols=("Q", "delta", "delta_star", "E_prime"),
+        source=marked("Radaelli (2013), equation 11; Johnson (1985), section 4.2"),
+        references=("radaelli_2013", "johnson_1985"),
+    ),
+    Law(
+        key="hertz_pressure",
+        name=marked("Maximum Hertz pressure"),
+        latex=r"p_0 = \frac{3\,Q}{2\,\pi\,a\,b}",
+        plain="p_0 = 3 Q / (2 π a b)",
+        symbols=("p_0", "Q", "ab"),
+        source=marked("Johnson (1985), section 4.2"),
+        references=("johnson_1985",),
+    ),
+    Law(
+        key="maximum_shear",
+        name=marked("Maximum shear stress below the surface"),
+        latex=r"\tau_{max} = \max_{z}\; \frac{\sigma_{max}(z) - \sigma_{min}(z)}{2}",
+        plain="τ_max = max over z of (σ_max(z) − σ_min(z))/2, on the axis of the contact",
+        symbols=("tau_max",),
+        source=marked("Thomas and Hoersch (1930); Johnson (1985), section 4.2(c)"),
+        references=("thomas_hoersch_1930", "johnson_1985"),
+    ),
+    Law(
+        key="orthogonal_shear",
+        name=marked("Orthogonal shear"),
+        latex=r"\frac{\tau_0}{p_0} = \frac{\sqrt{2t-1}}{2t\,(t+1)},\quad"
+        r" \frac{z_0}{b} = \frac{1}{(t+1)\sqrt{2t-1}},\quad \frac{b}{a} = \sqrt{(t^2-1)(2t-1)}",
+        plain="τ_0/p_0 = √(2t − 1)/(2t (t + 1)),  z_0/b = 1/((t + 1) √(2t − 1)),"
+        "  b/a = √((t² − 1)(2t − 1))",
+        symbols=("tau_0", "p_0", "ab"),
+        source=marked("Lundberg and Palmgren (1947)"),
+        references=("lundberg_palmgren_1947",),
+    ),
+    Law(
+        key="orbit",
+        name=marked("Orbital speed of a ball under raceway control"),
+        latex=r"\omega_m = \omega_c + (\omega_s - \omega_c)\,"
+        r"\frac{1 - \sigma\,(D/d_m)\cos\alpha_s}{1 + \cos(\alpha_i - \alpha_o)}",
+        plain="ω_m = ω_c + (ω_s − ω_c) (1 − σ (D/d_m) cos α_s)/(1 + cos(α_i − α_o))",
+        symbols=("omega_m", "omega", "slave", "alpha", "D", "d_m"),
+        source=marked("Jones (1959, 1960); Radaelli (2013), equations 43 to 46"),
+        references=("jones_1959", "jones_1960", "radaelli_2013"),
+        used=_controlled,
+        valid=marked("the race in control lets the ball roll without spin"),
+    ),
+    Law(
+        key="jones_criterion",
+        name=marked("Jones's criterion: the outer race controls"),
+        latex=r"Q_o\,a_o\,E(m_o)\,\cos(\alpha_i-\alpha_o) > Q_i\,a_i\,E(m_i)",
+        plain="Q_o a_o E(m_o) cos(α_i − α_o) > Q_i a_i E(m_i)",
+        symbols=("Q", "ab", "KE", "alpha"),
+        source=marked("Jones (1959); Harris (1991)"),
+        references=("jones_1959", "harris_1991"),
+        used=lambda case: _controlled(case) and case.case.model.raceway_control == "jones",
+    ),
+    Law(
+        key="cage_speed",
+        name=marked("Cage speed"),
+        latex=r"\omega_{cage} = \frac{\sum h\,Q_i\,\omega_m}{\sum h\,Q_i}",
+        plain="ω_cage = Σ h Q_i ω_m / Σ h Q_i",
+        symbols=("cage", "Q", "omega_m"),
+        source=marked("mean of the orbital speeds, weighted by the inner loads"),
+        used=_cage,
+    ),
+    Law(
+        key="centrifugal",
+        name=marked("Centrifugal force on a ball"),
+        latex=r"F_c = \frac{1}{2}\,m\,d_m\,\omega_m^2",
+        plain="F_c = ½ m d_m ω_m²",
+        symbols=("F_c", "mass", "d_m", "omega_m"),
+        source=marked("Radaelli (2013), equation 47"),
+        references=("radaelli_2013",),
+        used=_centrifugal,
+    ),
+    Law(
+        key="gyroscopic",
+        name=marked("Gyroscopic moment on a ball"),
+        latex=r"M_g = J\,\omega_R\,\omega_m \sin\beta,\quad J = \frac{m D^2}{10}",
+        plain="M_g = J ω_R ω_m sin β,  J = m D²/10",
+        symbols=("M_g", "mass", "omega_R", "omega_m"),
+        source=marked("Jones (1960); Harris (1991)"),
+        references=("jones_1960", "harris_1991"),
+        used=_gyroscopic,
+    ),
+    Law(
+        key="ball_equilibrium_axial",
+        name=marked("Equilibrium of a ball along the shaft (Jones–Harris)"),
+        latex=r"Q_i \sin\alpha_i - Q_o \sin\alpha_o"
+        r" - \frac{M_g}{D}(\lambda_i\cos\alpha_i - \lambda_o\cos\alpha_o) = 0",
+        plain="Q_i sin α_i − Q_o sin α_o − (M_g/D)(λ_i cos α_i − λ_o cos α_o) = 0",
+        symbols=("Q", "alpha", "lambda_i", "M_g", "D"),
+        source=marked("Jones (1960); Harris (1991), chapter 8; Radaelli (2013), equation 76"),
+        references=("jones_1960", "harris_1991", "radaelli_2013"),
+        used=lambda case: not _by_friction(case),
+        valid=marked("rigid rings; elastic contacts; contact angles between −90° and 90°"),
+    ),
+    Law(
+        key="ball_equilibrium_radial",
+        name=marked("Equilibrium of a ball outward (Jones–Harris)"),
+        latex=r"Q_i \cos\alpha_i - Q_o \cos\alpha_o"
+        r" + \frac{M_g}{D}(\lambda_i\sin\alpha_i - \lambda_o\sin\alpha_o) + F_c = 0",
+        plain="Q_i cos α_i − Q_o cos α_o + (M_g/D)(λ_i sin α_i − λ_o sin α_o) + F_c = 0",
+        symbols=("Q", "alpha", "lambda_i", "M_g", "F_c", "D"),
+        source=marked("Jones (1960); Harris (1991), chapter 8; Radaelli (2013), equation 77"),
+        references=("jones_1960", "harris_1991", "radaelli_2013"),
+        used=lambda case: not _by_friction(case),
+    ),
+    Law(
+        key="ring_equilibrium",
+        name=marked("Equilibrium of the inner ring"),
+        latex=r"F_x = \sum f_x,\quad F_y = \sum f_r\sin\psi,\quad F_z = \sum f_r\cos\psi,\quad"
+        r" M_y = R_i\sum h\cos\psi,\quad M_z = -R_i\sum h\sin\psi",
+        plain="F_x = Σ f_x,  F_y = Σ f_r sin ψ,  F_z = Σ f_r cos ψ,  M_y = R_i Σ h cos ψ,"
+        "  M_z = −R_i Σ h sin ψ",
+        symbols=("loads", "psi", "R_i"),
+        source=marked("Jones (1960); Radaelli (2013), equations 90 to 92, 99 to 106"),
+        references=("jones_1960", "radaelli_2013"),
+        valid=marked("small tilts, up to about 1°"),
+    ),
+    Law(
+        key="friction_control",
+        name=marked("Balls that friction alone moves"),
+        latex=r"\sum \mathbf{M} = J\,\omega_m\,\hat{x} \times \mathbf{\omega},\quad"
+        r" \mathbf{f} = -\mu\,p\,\frac{\mathbf{v}}{\sqrt{v^2 + v_0^2}}",
+        plain="Σ M = J ω_m x × ω,  friction per area f = −μ p v/√(v² + v_0²)",
+        symbols=("mu", "mass", "omega_m"),
+        source=marked("Jones (1959); Harris (1991), chapter 8"),
+        references=("jones_1959", "harris_1991"),
+        used=_by_friction,
+        valid=marked("Coulomb friction under Hertz pressure, or the shear of the film"),
+    ),
+    Law(
+        key="stiffness",
+        name=marked("Stiffness of the bearing"),
+        latex=r"K_{ij} = \frac{\partial F_i}{\partial u_j}",
+        plain="K_ij = ∂F_i/∂u_j, with every ball following",
+        symbols=("loads", "u"),
+        source=marked("derivative of the equilibrium; Jones (1960)"),
+        references=("jones_1960",),
+    ),
+    Law(
+        key="dynamic_rating",
+        name=marked("Basic dynamic load rating"),
+        latex=r"C = b_m\,f_c\,(i\cos\alpha_0)^{0.7}\,Z^{2/3}\,D^{1.8}",
+        plain="C = b_m f_c (i cos α_0)^0.7 Z^(2/3) D^1.8  (N and mm; D up to 25.4 mm)",
+        symbols=("C", "f_c", "rows", "Z", "D", "alpha_0"),
+        source=marked("ISO 281:2007, equations 1 and 2"),
+        references=("iso_281_2007",),
+        used=_rating("dynamic", "geometry"),
+        valid=marked("D cos α/d_m from 0.01 to 0.40"),
+    ),
+    Law(
+        key="static_rating",
+        name=marked("Basic static load rating"),
+        latex=r"C_0 = f_0\,i\,Z\,D^2\cos\alpha_0",
+        plain="C_0 = f_0 i Z D² cos α_0",
+        symbols=("C", "f_c", "rows", "Z", "D", "alpha_0"),
+        source=marked("ISO 76:2006, equation 1"),
+        references=("iso_76_2006",),
+        used=_rating("static", "geometry"),
+        valid=marked("steel balls"),
+    ),
+    Law(
+        key="fatigue_load_limit",
+        name=marked("Fatigue load limit"),
+        latex=r"C_u = 0.2288\,Z\,Q_u\,i\cos\alpha_0",
+        plain="C_u = 0.2288 Z Q_u i cos α_0, Q_u at 1500 MPa; times (100 mm/d_m)^0.5 above 100 mm",
+        symbols=("C", "Z", "rows", "alpha_0"),
+        source=marked("ISO 281:2007, annex B.3.2"),
+        references=("iso_281_2007",),
+        used=_rating("fatigue", "contacts"),
+    ),
+    Law(
+        key="fatigue_load_estimate",
+        name=marked("Fatigue load limit, estimated"),
+        latex=r"C_u = \frac{C_0}{22}",
+        plain="C_u = C_0/22; times (100 mm/d_m)^0.5 above 100 mm",
+        symbols=("C",),
+        source=marked("ISO 281:2007, annex B.3.3"),
+        references=("iso_281_2007",),
+        used=_rating("fatigue", "estimate"),
+        valid=marked("steel balls"),
+    ),
+    Law(
+        key="equivalent_load",
+        name=marked("Dynamic equivalent load"),
+        latex=r"P = X F_r + Y F_a",
+        plain="P = X F_r + Y F_a",
+        symbols=("P", "XY", "F_ra"),
+        source=marked("ISO 281:2007, 5.1.2 and table 3"),
+        references=("iso_281_2007",),
+        used=_theory("iso281"),
+        valid=marked("one row, rows in tandem, or a facing pair; P up to C/2 and C_0"),
+    ),
+    Law(
+        key="static_equivalent_load",
+        name=marked("Static equivalent load and static safety"),
+        latex=r"P_0 = \max(F_r,\; X_0 F_r + Y_0 F_a),\quad S_0 = \frac{C_0}{P_0}",
+        plain="P_0 = max(F_r, X_0 F_r + Y_0 F_a),  S_0 = C_0/P_0",
+        symbols=("P", "XY", "F_ra", "S_0", "C"),
+        source=marked("ISO 76:2006, table 2"),
+        references=("iso_76_2006",),
+        used=_life,
+    ),
+    Law(
+        key="basic_life",
+        name=marked("Basic rating life"),
+        latex=r"L_{10} = \left(\frac{C}{P}\right)^{3},\quad L_{10h} = \frac{10^6\,L_{10}}{60\,n}",
+        plain="L_10 = (C/P)³,  L_10h = 10⁶ L_10/(60 n)",
+        symbols=("L_10", "C", "P", "n"),
+        source=marked("ISO 281:2007, 5.1.3"),
+        references=("iso_281_2007",),
+        used=_theory("iso281"),
+    ),
+    Law(
+        key="reliability_2007",
+        name=marked("Factor of reliability"),
+        latex=r"a_1 = 0.95\left[\frac{\ln(1/S)}{\ln(1/0.9)}\right]^{2/3} + 0.05",
+        plain="a_1 = 0.95 [ln(1/S)/ln(1/0.9)]^(2/3) + 0.05",
+        symbols=("a_1", "S"),
+        source=marked("ISO 281:2007, table 12"),
+        references=("iso_281_2007",),
+        used=_edition("2007"),
+        valid=marked("printed from 90 % to 99.95 %"),
+    ),
+    Law(
+        key="reliability_1990",
+        name=marked("Factor of reliability"),
+        latex=r"a_1 = \left[\frac{\ln(1/S)}{\ln(1/0.9)}\right]^{2/3}",
+        plain="a_1 = [ln(1/S)/ln(1/0.9)]^(2/3)",
+        symbols=("a_1", "S"),
+        source=marked("ISO 281:1990"),
+        references=("iso_281_1990",),
+        used=_edition("1990"),
+        valid=marked("printed from 90 % to 99 %"),
+    ),
+    Law(
+        key="viscosity_line",
+        name=marked("Viscosity over temperature"),
+        latex=r"\log_{10}\log_{10}(\nu + 0.7) = A - B\log_{10} T",
+        plain="log log(ν + 0.7) = A − B log T  (mm²/s, K)",
+        symbols=("nu", "T"),
+        source=marked("ASTM D341"),
+        references=("astm_d341",),
+        used=_ratio_of_oil,
+        valid=marked("petroleum oils and hydrocarbons, above 2 mm²/s"),
+    ),
+    Law(
+        key="reference_viscosity",
+        name=marked("Viscosity ratio and required viscosity"),
+        latex=r"\kappa = \frac{\nu}{\nu_1},\quad \nu_1 = \frac{45000}{n^{0.83}\sqrt{d_m}}"
+        r"\;(n < 1000),\quad \nu_1 = \frac{4500}{\sqrt{n\,d_m}}\;(n \geq 1000)",
+        plain="κ = ν/ν_1;  ν_1 = 45000 n^−0.83 d_m^−0.5 for n < 1000 rpm,"
+        " else 4500 n^−0.5 d_m^−0.5  (mm²/s, rpm, mm)",
+        symbols=("kappa", "nu", "n", "d_m"),
+        source=marked("ISO 281:2007, 9.3.3"),
+        references=("iso_281_2007",),
+        used=_ratio_of_oil,
+    ),
+    Law(
+        key="contamination",
+        name=marked("Contamination factor"),
+        latex=r"e_C = \min(1,\; c_1\,\kappa^{0.68}\,d_m^{0.55})"
+        r"\left(1 - \frac{c_2}{d_m^{1/3}}\right)",
+        plain="e_C = min(1, c_1 κ^0.68 d_m^0.55) (1 − c_2/d_m^(1/3))  (mm)",
+        symbols=("e_C", "kappa", "d_m"),
+        source=marked("ISO 281:2007, annex A"),
+        references=("iso_281_2007", "iso_4406"),
+        used=_classes,
+    ),
+    Law(
+        key="a_iso",
+        name=marked("Modified rating life"),
+        latex=r"L_{nm} = a_1\,a_{ISO}\,L_{10},\quad a_{ISO} = 0.1\left[1 - \left(2.5671"
+        r" - \frac{c}{\kappa^{p}}\right)^{0.83}\left(\frac{e_C C_u}{P}\right)^{1/3}\right]^{-9.3}",
+        plain="L_nm = a_1 a_ISO L_10;  a_ISO = 0.1 [1 − (2.5671 − c/κ^p)^0.83"
+        " (e_C C_u/P)^(1/3)]^−9.3, at most 50",
+        symbols=("a_ISO", "a_1", "kappa", "e_C", "C", "P"),
+        source=marked("ISO 281:2007, 9.3.3"),
+        references=("iso_281_2007",),
+        used=_theory("iso281_modified", "iso16281_modified"),
+        valid=marked("κ from 0.1, counted as 4 above 4; e_C above 0; P up to C/2 and C_0"),
+    ),
+    Law(
+        key="adjusted_life",
+        name=marked("Adjusted rating life"),
+        latex=r"L_{na} = a_1\,a_2\,a_3\,L_{10}",
+        plain="L_na = a_1 a_2 a_3 L_10",
+        symbols=("a_1", "L_10"),
+        source=marked("ISO 281:1990, clause 8"),
+        references=("iso_281_1990",),
+        used=_theory("iso281_1990"),
+    ),
+    Law(
+        key="race_rating",
+        name=marked("Dynamic load rating of a race"),
+        latex=r"Q_{ci} = \frac{C}{0.407\,Z\cos\alpha_0\,i^{0.7}}\left(1+T^{10/3}\right)^{3/10},"
+        r"\quad Q_{co} = \frac{C}{0.389\,Z\cos\alpha_0\,i^{0.7}}\left(1+T^{-10/3}\right)^{3/10}",
+        plain="Q_ci = C/(0.407 Z cos α_0 i^0.7) (1 + T^(10/3))^(3/10);"
+        "  Q_co = C/(0.389 Z cos α_0 i^0.7) (1 + T^(−10/3))^(3/10)",
+        symbols=("Q_c", "C", "Z", "alpha_0", "rows"),
+        source=marked("ISO/TS 16281:2008, 4.3"),
+        references=("iso_ts_16281", "lundberg_palmgren_1947"),
+        used=_theory("iso16281"),
+    ),
+    Law(
+        key="reference_life",
+        name=marked("Basic reference rating life, ball by ball"),
+        latex=r"L_{10r} = \left[\sum \left(\frac{Q_c}{Q_e}\right)^{-10/3}\right]^{-9/10}",
+        plain="L_10r = [Σ (Q_c/Q_e)^(−10/3)]^(−9/10) over races and rows;"
+        " Q_e by the power 3 on a race that turns against the load, else 10/3",
+        symbols=("L_10r", "Q_c"),
+        source=marked("ISO/TS 16281:2008, 4.4 and 4.5"),
+        references=("iso_ts_16281", "lundberg_palmgren_1947"),
+        used=_theory("iso16281"),
+        valid=marked("any load, tilt, clearance, set and speed; P_ref up to C/2 and C_0"),
+    ),
+    Law(
+        key="ioannides_harris",
+        name=marked("Stress-volume life (Ioannides and Harris)"),
+        latex=r"\ln\frac{1}{S} \propto N^{e}\int \frac{\langle\tau-\tau_u\rangle^{c}}{z'^{h}}"
+        r"\,dV,\quad e = \frac{10}{9},\; c = \frac{31}{3},\; h = \frac{7}{3}",
+        plain="ln(1/S) ∝ N^e ∫ ⟨τ − τ_u⟩^c/z'^h dV,  e = 10/9, c = 31/3, h = 7/3",
+        symbols=("S", "tau_u"),
+        source=marked("Ioannides and Harris (1985); Campanha (2008), equation 2.6.5"),
+        references=("ioannides_harris_1985", "campanha_2008"),
+        used=_theory("ioannides_harris"),
+        valid=marked("subsurface fatigue only: an upper bound"),
+    ),
+    Law(
+        key="l_able",
+        name=marked("NSK's life L_able"),
+        latex=r"L_{able} = a_1\,a_{NSK}\,L_{10}",
+        plain="L_able = a_1 a_NSK L_10",
+        symbols=("a_1", "L_10"),
+        source=marked("Takemura et al. (2000); Campanha (2008), equation 2.6.8"),
+        references=("takemura_2000", "campanha_2008"),
+        used=_theory("l_able"),
+        valid=marked("P up to C/2 and C_0, at least 20 rpm, at most 130 °C"),
+    ),
+    Law(
+        key="tallian",
+        name=marked("Tallian's form of the life equation"),
+        latex=r"-\ln S = \phi_0\,\phi_1\,\phi_2\,\phi_3\,\phi_4\,N^{s}",
+        plain="−ln S = φ_0 φ_1 φ_2 φ_3 φ_4 N^s",
+        symbols=("S",),
+        source=marked("Chiu, Tallian and McCool (1971); Campanha (2008), equation 2.6.3"),
+        references=("tallian_1971", "campanha_2008"),
+        used=_theory("tallian"),
+    ),
+    Law(
+        key="film_groups",
+        name=marked("Dimensionless groups of the film"),
+        latex=r"U = \frac{\eta\,u}{E' R_x},\quad W = \frac{Q}{E' R_x^2},\quad G = \alpha_p E'",
+        plain="U = η u/(E' R_x),  W = Q/(E' R_x²),  G = α_p E'",
+        symbols=("UWG", "eta", "R_x", "E_prime", "Q", "alpha_p"),
+        source=marked("Hamrock and Dowson (1977)"),
+        references=("hamrock_dowson_1977",),
+        used=_film,
+    ),
+    Law(
+        key="central_film",
+        name=marked("Central film thickness (Hamrock–Dowson)"),
+        latex=r"H_c = 2.69\,U^{0.67} G^{0.53} W^{-0.067}\left(1 - 0.61\,e^{-0.73 k}\right)",
+        plain="H_c = 2.69 U^0.67 G^0.53 W^−0.067 (1 − 0.61 e^(−0.73 k))",
+        symbols=("H", "UWG", "k"),
+        source=marked("Hamrock and Dowson (1977), part III"),
+        references=("hamrock_dowson_1977",),
+        used=_film,
+        valid=marked("isothermal and fully flooded; fitted to the ranges of U, W, G and k below"),
+    ),
+    Law(
+        key="minimum_film",
+        name=marked("Minimum film thickness (Hamrock–Dowson)"),
+        latex=r"H_0 = 3.63\,U^{0.68} G^{0.49} W^{-0.073}\left(1 - e^{-0.68 k}\right)",
+        plain="H_0 = 3.63 U^0.68 G^0.49 W^−0.073 (1 − e^(−0.68 k))",
+        symbols=("H", "UWG", "k"),
+        source=marked("Hamrock and Dowson (1977), part III"),
+        references=("hamrock_dowson_1977",),
+        used=_film,
+    ),
+    Law(
+        key="wooster",
+        name=marked("Pressure-viscosity coefficient, estimated"),
+        latex=r"\alpha_p = (0.6 + 0.965\,\log_{10}\eta)\cdot 10^{-8}",
+        plain="α_p = (0.6 + 0.965 log η) · 10⁻⁸  (1/Pa, mPa·s)",
+        symbols=("alpha_p", "eta"),
+        source=marked("Wooster, in Hutchings (1992); Campanha (2008), equation 4.4.1"),
+        references=("hutchings_1992", "campanha_2008"),
+        used=_alpha("wooster"),
+        valid=marked("mineral oils"),
+    ),
+    Law(
+        key="so_klaus",
+        name=marked("Pressure-viscosity coefficient, estimated"),
+        latex=r"\alpha_p = 1.216 + 4.143\,s^{3.0627} + 2.848\cdot 10^{-4} B^{5.1903} s^{1.5976}"
+        r" - 3.999\,s^{3.0975} \rho^{0.1162}",
+        plain="α_p = 1.216 + 4.143 s^3.0627 + 2.848e-4 B^5.1903 s^1.5976"
+        " − 3.999 s^3.0975 ρ^0.1162,  s = log ν  (10⁻⁸/Pa, mm²/s, g/cm³)",
+        symbols=("alpha_p", "nu"),
+        source=marked("So and Klaus (1980)"),
+        references=("so_klaus_1980",),
+        used=_alpha("so_klaus"),
+        valid=marked("mineral oils"),
+    ),
+    Law(
+        key="murch_wilson",
+        name=marked("Reduction of the film by inlet heating"),
+        latex=r"\varphi_T = \frac{3.94}{3.94 + L^{0.62}}",
+        plain="φ_T = 3.94/(3.94 + L^0.62)",
+        symbols=("L_T",),
+        source=marked("Murch and Wilson (1975)"),
+        references=("murch_wilson_1975",),
+        used=_thermal("murch_wilson"),
+        valid=marked("rolling"),
+    ),
+    Law(
+        key="gupta_cheng",
+        name=marked("Reduction of the film by inlet heating"),
+        latex=r"\varphi_T = \frac{1 - 13.2\,(p_0/E')\,L^{0.42}}"
+        r"{1 + 0.213\,(1 + 2.23\,S^{0.83})\,L^{0.64}}",
+        plain="φ_T = (1 − 13.2 (p_0/E') L^0.42)/(1 + 0.213 (1 + 2.23 S^0.83) L^0.64)",
+        symbols=("L_T", "p_0", "E_prime"),
+        source=marked("Gupta et al. (1992)"),
+        references=("gupta_1992",),
+        used=_thermal("gupta_cheng"),
+    ),
+    Law(
+        key="inlet_distance",
+        name=marked("Reduction of the film by starvation"),
+        latex=r"\varphi_s = \left(\frac{m-1}{m^*-1}\right)^{0.29},\quad"
+        r" m^* = 1 + 3.06\left[\left(\frac{R_x}{b}\right)^2 H_c\right]^{0.58}",
+        plain="φ_s = ((m − 1)/(m* − 1))^0.29,  m* = 1 + 3.06 ((R_x/b)² H_c)^0.58",
+        symbols=("R_x", "H", "ab"),
+        source=marked("Hamrock and Dowson (1977), part IV"),
+        references=("hamrock_dowson_1977",),
+        used=_starved("inlet_distance"),
+    ),
+    Law(
+        key="replenishment",
+        name=marked("Reduction of the film by starvation"),
+        latex=r"\varphi_{rs} = \exp\left[-K_{rs}\,\nu\,n\,(d + D)"
+        r"\sqrt{\frac{K_z}{2\,(D-d)}}\right]",
+        plain="φ_rs = exp(−K_rs ν n (d + D) √(K_z/(2 (D − d))))",
+        symbols=("nu", "n"),
+        source=marked("SKF, General catalogue (2018)"),
+        references=("skf_2018",),
+        used=_starved("replenishment"),
+    ),
+    Law(
+        key="film_parameter",
+        name=marked("Film parameter"),
+        latex=r"\lambda = \frac{h_c}{\sqrt{R_{q,race}^2 + R_{q,ball}^2}}",
+        plain="λ = h_c/√(R_q,race² + R_q,ball²)",
+        symbols=("lambda", "R_q"),
+        source=marked("Hamrock and Dowson (1977)"),
+        references=("hamrock_dowson_1977",),
+        used=_roughness,
+    ),
+    Law(
+        key="minimum_power",
+        name=marked("Friction moment of a ball: minimum of the power"),
+        latex=r"\min_{\omega_b,\,\omega_m} \int\!\!\int \mu\,p\,|\mathbf{v}|\,dA",
+        plain="the motion of the ball makes ∫∫ μ p |v| dA over both contacts a minimum",
+        symbols=("mu",),
+        source=marked("Jones (1959), without forces of inertia"),
+        references=("jones_1959",),
+        used=_torque_model("jones_full", "jones_control"),
+        valid=marked("dry or boundary friction, low speed"),
+    ),
+    Law(
+        key="spin_moment",
+        name=marked("Spin moment of a contact"),
+        latex=r"M_s = \frac{3}{8}\,\mu\,Q\,a\,E(m)",
+        plain="M_s = (3/8) μ Q a E(m)",
+        symbols=("mu", "Q", "ab", "KE"),
+        source=marked("Poritsky, Hewlett and Coleman (1947); Jones (1959)"),
+        references=("poritsky_1947", "jones_1959"),
+        used=_torque_model("jones_simplified", "todd"),
+    ),
+    Law(
+        key="heathcote",
+        name=marked("Rolling slip of a conforming contact (Heathcote)"),
+        latex=r"M_H = \frac{3}{8}\,\mu\,Q\,\frac{a^2}{R}\int_{-1}^{1}(1-s^2)\,|s^2-k^2|\,ds,"
+        r"\quad k = 2\sin 10°",
+        plain="M_H = (3/8) μ Q (a²/R) ∫ (1 − s²) |s² − k²| ds over −1 < s < 1,  k = 2 sin 10°",
+        symbols=("mu", "Q", "ab"),
+        source=marked("Heathcote (1921); Johnson (1985), section 8.5"),
+        references=("heathcote_1921", "johnson_1985"),
+        used=_torque_model("jones_simplified", "todd"),
+    ),
+    Law(
+        key="harris_1971",
+        name=marked("Slip along rolling only (Harris)"),
+        latex=r"q(s) = \frac{3Q}{4a}(1-s^2)",
+        plain="q(s) = 3Q/(4a) (1 − s²), friction along rolling with the sign of the slip",
+        symbols=("Q", "ab"),
+        source=marked("Harris (1971); Ricci and Fleury, equations 15 to 19, corrected"),
+        references=("harris_1971", "ricci_fleury"),
+        used=_torque_model("harris_1971"),
+        valid=marked("dry friction, low speed"),
+    ),
+    Law(
+        key="hysteresis",
+        name=marked("Elastic hysteresis"),
+        latex=r"M_h = \frac{3}{16}\,\alpha_h\,Q\,b",
+        plain="M_h = (3/16) α_h Q b",
+        symbols=("alpha_h", "Q", "ab"),
+        source=marked("Greenwood, Minshall and Tabor (1961)"),
+        references=("greenwood_1961",),
+        used=_loss("hysteresis"),
+    ),
+    Law(
+        key="rolling_resistance",
+        name=marked("Rolling resistance of the lubricant"),
+        latex=r"P = 2\,F_R\,u",
+        plain="P = 2 F_R u, F_R of the inlet by the regime (isoviscous to elastic)",
+        symbols=("eta",),
+        source=marked("Biboulet and Houpert (2010), part 2"),
+        references=("biboulet_houpert_2010",),
+        used=_loss("rolling_resistance"),
+        valid=marked("isothermal and fully flooded"),
+    ),
+    Law(
+        key="palmgren",
+        name=marked("Friction torque by Palmgren"),
+        latex=r"M_0 = 10^{-7} f_0\,(\nu n)^{2/3}\,d_m^3,\quad M_1 = f_1\,P_1\,d_m",
+        plain="M_0 = 10⁻⁷ f_0 (ν n)^(2/3) d_m³,  M_1 = f_1 P_1 d_m  (N·mm, mm²/s, rpm, mm)",
+        symbols=("nu", "n", "d_m"),
+        source=marked("Palmgren (1959); Harris (1991), chapter 14"),
+        references=("palmgren_1959", "harris_1991"),
+        used=_torque_model("palmgren"),
+        valid=marked("lubricated bearings, moderate speed and load"),
+    ),
+    Law(
+        key="skf_friction",
+        name=marked("Friction torque by SKF"),
+        latex=r"M = \varphi_{ish}\,\varphi_{rs}\,G_{rr}\,(\nu n)^{0.6} + G_{sl}\,\mu_{sl}",
+        plain="M = φ_ish φ_rs G_rr (ν n)^0.6 + G_sl μ_sl  (N·mm, mm²/s, rpm)",
+        symbols=("nu", "n"),
+        source=marked("SKF, Rolling bearings (2013), table 2"),
+        references=("skf_2013",),
+        used=_torque_model("skf"),
+        valid=marked("without seals and oil drag"),
+    ),
+    Law(
+        key="frequencies",
+        name=marked("Fault frequencies"),
+        latex=r"f_o = \frac{Z}{2\pi}\,|\omega_m - \omega_o|,\quad"
+        r" f_i = \frac{Z}{2\pi}\,|\omega_i - \omega_m|,\quad f_b = \frac{|\omega_R|}{2\pi}",
+        plain="f_o = Z |ω_m − ω_o|/2π,  f_i = Z |ω_i − ω_m|/2π,  f_b = |ω_R|/2π",
+        symbols=("order", "Z", "omega_m", "omega", "omega_R"),
+        source=marked("Harris (1991); Braga and Almeida, equations 19 and 22"),
+        references=("harris_1991", "braga_almeida"),
+        used=_frequencies,
+    ),
+)
+"""In the order in which an engineer calculates."""
+
+REFERENCES: Final[Mapping[str, str]] = {
+    "astm_d341": "ASTM D341, Standard practice for viscosity-temperature equations and charts for "
+    "liquid petroleum or hydrocarbon products.",
+    "biboulet_houpert_2010": "Biboulet, N.; Houpert, L., Hydrodynamic force and moment in pure "
+    "rolling lubricated contacts, part 2: point contacts, Proc. IMechE, Part J 224 (2010).",
+    "braga_almeida": "Braga; Almeida, Movimentos relativos, internos ao rolamento de esferas.",
+    "campanha_2008": "Campanha, M. V., Estudo sobre a vida útil de rolamentos fixos de uma "
+    "carreira de esferas, master's dissertation, Universidade de São Paulo, 2008.",
+    "greenwood_1961": "Greenwood, J. A.; Minshall, H.; Tabor, D., Hysteresis losses in rolling and "
+    "sliding friction, Proc. Royal Society A 259 (1961).",
+    "gupta_1992": "Gupta, P. K.; Cheng, H. S.; Zhu, D.; Forster, N. H.; Schrand, J. B., "
+    "Viscoelastic effects in MIL-L-7808-type lubricant, part I, Tribology Transactions 35 (1992).",
+    "hamrock_dowson_1977": "Hamrock, B. J.; Dowson, D., Isothermal elastohydrodynamic lubrication "
+    "of point contacts, parts III and IV, Journal of Lubrication Technology 99 (1977).",
+    "harris_1971": "Harris, T. A., An analytical method to predict skidding in thrust-loaded, "
+    "angular-contact ball bearings, Journal of Lubrication Technology 93 (1971).",
+    "harris_1991": "Harris, T. A., Rolling Bearing Analysis, 3rd ed., Wiley, 1991.",
+    "heathcote_1921": "Heathcote, H. L., The ball bearing: in the making, under test and in "
+    "service, Proc. Institution of Automobile Engineers 15 (1921).",
+    "hertz_1881": "Hertz, H., Über die Berührung fester elastischer Körper, Journal für die reine "
+    "und angewandte Mathematik 92 (1881).",
+    "hutchings_1992": "Hutchings, I. M., Tribology: Friction and Wear of Engineering Materials, "
+    "1992.",
+    "ioannides_harris_1985": "Ioannides, E.; Harris, T. A., A new fatigue life model for rolling "
+    "bearings, Journal of Tribology 107 (1985).",
+    "iso_281_1990": "ISO 281:1990, Rolling bearings: dynamic load ratings and rating life.",
+    "iso_281_2007": "ISO 281:2007, Rolling bearings: dynamic load ratings and rating life.",
+    "iso_4406": "ISO 4406, Hydraulic fluid power: method for coding the level of contamination by "
+    "solid particles.",
+    "iso_76_2006": "ISO 76:2006, Rolling bearings: static load ratings.",
+    "iso_ts_16281": "ISO/TS 16281:2008, Rolling bearings: methods for calculating the modified "
+    "reference rating life for universally loaded bearings.",
+    "johnson_1985": "Johnson, K. L., Contact Mechanics, Cambridge University Press, 1985.",
+    "jones_1959": "Jones, A. B., Ball motion and sliding friction in ball bearings, Journal of "
+    "Basic Engineering 81 (1959).",
+    "jones_1960": "Jones, A. B., A general theory for elastically constrained ball and radial "
+    "roller bearings under arbitrary load and speed conditions, Journal of Basic Engineering 82 "
+    "(1960).",
+    "lame_1852": "Lamé, G., Leçons sur la théorie mathématique de l'élasticité des corps solides, "
+    "Paris, 1852.",
+    "lundberg_palmgren_1947": "Lundberg, G.; Palmgren, A., Dynamic capacity of rolling bearings, "
+    "Acta Polytechnica, Mechanical Engineering Series 1 (1947).",
+    "murch_wilson_1975": "Murch, L. E.; Wilson, W. R. D., A thermal elastohydrodynamic inlet zone "
+    "analysis, Journal of Lubrication Technology 97 (1975).",
+    "nsk_e1102": "NSK, Rolling Bearings, catalogue E1102.",
+    "palmgren_1959": "Palmgren, A., Ball and Roller Bearing Engineering, 3rd ed., 1959.",
+    "poritsky_1947": "Poritsky, H.; Hewlett, C. W.; Coleman, R. E., Sliding friction of ball "
+    "bearings of the pivot type, Journal of Applied Mechanics 14 (1947).",
+    "radaelli_2013": "Radaelli, G. Z., Determinação do carregamento dinâmico em mancais de esfera "
+    "de contato angular, master's dissertation, Universidade Estadual de Campinas, 2013.",
+    "ricci_fleury": "Ricci; Fleury, friction torque of ball bearings of space mechanisms.",
+    "skf_2013": "SKF, Rolling bearings, catalogue 10000 EN, 2013.",
+    "skf_2018": "SKF, General catalogue, 2018.",
+    "so_klaus_1980": "So, B. Y. C.; Klaus, E. E., Viscosity-pressure correlation of liquids, ASLE "
+    "Transactions 23 (1980).",
+    "takemura_2000": "Takemura, H.; Matsumoto, Y.; Murakami, Y., 2000, as in Campanha (2008).",
+    "tallian_1971": "Chiu, Y. P.; Tallian, T. E.; McCool, J. I., An engineering model of spalling "
+    "fatigue in rolling contact, Wear 17 (1971).",
+    "thomas_hoersch_1930": "Thomas, H. R.; Hoersch, V. A., Stresses due to the pressure of one "
+    "elastic solid upon another, University of Illinois Bulletin 212 (1930).",
+    "timoshenko_1970": "Timoshenko, S. P.; Goodier, J. N., Theory of Elasticity, 3rd ed., "
+    "McGraw-Hill, 1970.",
+}
+"""As they are written in any language."""
+
+
+def equations_of(cases: Iterable[CaseReport]) -> tuple[Equation, ...]:
+    """Return the equations that cases with a result rest on, numbered; a symbol stands once."""
+    solved = [case for case in cases if case.converged]
+    found: list[Equation] = []
+    known: set[str] = set()
+    for law in EQUATIONS:
+        if not any(law.used(case) for case in solved):
+            continue
+        new = [key for key in law.symbols if key not in known]
+        known.update(new)
+        found.append(
+            Equation(
+                name=said(law.name),
+                latex=law.latex,
+                plain=law.plain,
+                symbols=tuple(_symbol(key) for key in new),
+                source=said(law.source),
+                valid=said(law.valid) if law.valid else "",
+                number=len(found) + 1,
+            )
+        )
+    return tuple(found)
+
+
+def references_of(cases: Iterable[CaseReport]) -> tuple[str, ...]:
+    """Return the works that the equations of cases come from, in the order of the alphabet."""
+    solved = [case for case in cases if case.converged]
+    keys = {
+        key for law in EQUATIONS if any(law.used(case) for case in solved) for key in law.references
+    }
+    return tuple(REFERENCES[key] for key in sorted(keys))
+
+
+def _symbol(key: str) -> Symbol:
+    symbol, meaning, unit = SYMBOLS[key]
+    return Symbol(symbol, said(meaning), unit)

@@ -1,0 +1,190 @@
+"""The lubricant film on the page of a case: the oil, the thinnest films, the films of all balls."""
+
+from __future__ import annotations
+
+from math import isfinite, nan
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+
+from rolamento.document import (
+    Block,
+    Column,
+    Entry,
+    KeyValues,
+    Number,
+    Section,
+    Statement,
+    Table,
+)
+from rolamento.geometry import Race
+from rolamento.solved import RACES
+from rolamento.words import marked, said, said_in
+
+if TYPE_CHECKING:
+    from rolamento.lubrication import Film
+
+__all__ = ["film_sections"]
+
+_ZERO: Final = 273.15
+"""K, at 0 °C."""
+_WHOLE: Final = 0.9995
+"""Of a film: a reduction that leaves more is not shown."""
+_REGIMES: Final = {
+    "full_film": marked("full film"),
+    "partial": marked("partial film"),
+    "boundary": marked("boundary lubrication"),
+    "adhesive": marked("adhesive wear"),
+}
+_FAILURES: Final = {
+    "subsurface_inclusion": marked("fatigue from inclusions"),
+    "subsurface_asperity": marked("near-surface fatigue"),
+    "surface_micropitting": marked("micropitting"),
+    "surface_point": marked("surface-initiated fatigue"),
+    "adhesive_mild": marked("mild adhesive wear"),
+    "adhesive_severe": marked("severe adhesive wear"),
+}
+
+
+def film_sections(film: Film) -> list[Section]:
+    """Return the film of a single case: the oil, the thinnest films, and those of the balls."""
+    blocks: list[Block] = list(_oil(film))
+    thickness = [_at_thinnest(film, race, "central_thickness") for race in RACES]
+    if not any(map(isfinite, thickness)):
+        return [Section(said("Lubricant film"), tuple(blocks), key="film")]
+    if not any(value > 0.0 for value in thickness):
+        blocks.append(Statement(said("nothing rotates: no film"), indent=2))
+        return [Section(said("Lubricant film"), tuple(blocks), key="film")]
+    heading = Statement(said("at the contact with the thinnest film"), "faint", indent=2)
+    blocks += [heading, _thinnest(film), _regimes(film)]
+    return [Section(said("Lubricant film"), tuple(blocks), key="film"), _balls(film)]
+
+
+def _oil(film: Film) -> list[Statement]:
+    oil = said(
+        "{name} at {temperature:.4 °C}: {kinematic:.3 mm²/s}, {dynamic:.3 mPa·s},"
+        " α = {alpha:.3 1/GPa}",
+        name=film.lubricant,
+        temperature=round(float(film.temperature[0]) - _ZERO, 1) + _ZERO,
+        kinematic=float(film.kinematic_viscosity[0]),
+        dynamic=float(film.dynamic_viscosity[0]),
+        alpha=float(film.pressure_viscosity[0]),
+    )
+    needed = float(film.reference_viscosity[0])
+    if not isfinite(needed):
+        return [Statement(oil, indent=2)]
+    ratio = said(
+        "viscosity ratio κ = {ratio:.3}; required at this speed: {needed:.3 mm²/s}",
+        ratio=float(film.viscosity_ratio[0]),
+        needed=needed,
+    )
+    return [Statement(oil, indent=2), Statement(ratio, indent=2)]
+
+
+def _at_thinnest(film: Film, race: Race, name: str) -> float:
+    """A number at the contact of a race with the thinnest film."""
+    element = film.thinnest(race)
+    return nan if element is None else float(getattr(film.of(race), name)[0, element])
+
+
+def _thinnest(film: Film) -> Table:
+    shown = [
+        (said("central film h_c"), "central_thickness", "µm"),
+        (said("minimum film h_0"), "minimum_thickness", "µm"),
+        (said("film parameter λ"), "film_parameter", ""),
+        (said("entrainment speed"), "entrainment_speed", "m/s"),
+        (said("thermal factor"), "thermal_factor", "%"),
+        (said("starvation factor"), "starvation_factor", "%"),
+    ]
+    values = {name: [_at_thinnest(film, race, name) for race in RACES] for _, name, _ in shown}
+    shown = [
+        (label, name, unit)
+        for label, name, unit in shown
+        if unit != "%" or any(value < _WHOLE for value in values[name])
+    ]
+    columns = [Column(head="", values=[label for label, _, _ in shown], key="quantity")]
+    heads = {"inner": said_in("race", "inner"), "outer": said_in("race", "outer")}
+    columns += [
+        Column(
+            head=heads[race],
+            values=[Number(values[name][place], f".3 [{unit}]") for _, name, unit in shown],
+            key=race,
+        )
+        for place, race in enumerate(RACES)
+    ]
+    columns.append(Column(head="", values=[unit for _, _, unit in shown], key="unit"))
+    return Table(columns=tuple(columns), key="thinnest_film")
+
+
+def _regimes(film: Film) -> KeyValues:
+    """Name the regime of each race's thinnest film, and the failures to expect."""
+    heads = {"inner": said_in("race", "inner"), "outer": said_in("race", "outer")}
+    entries = []
+    for race in RACES:
+        element = film.thinnest(race)
+        regime = "" if element is None else str(film.of(race).regime[0, element])
+        if element is None or not regime:
+            continue
+        expected = film.of(race).expected_failures(0, element)
+        text = said(
+            "{regime}; failures to expect: {failures}",
+            regime=said(_REGIMES[regime]),
+            failures=[said(_FAILURES[failure]) for failure in expected],
+        )
+        entries.append(Entry(heads[race], text))
+    return KeyValues(tuple(entries), indent=2)
+
+
+_COLUMNS: Final[tuple[tuple[str, str, Race, str], ...]] = (
+    ("h_c,i", "µm", "inner", "central_thickness"),
+    ("h_c,o", "µm", "outer", "central_thickness"),
+    ("h_0,i", "µm", "inner", "minimum_thickness"),
+    ("h_0,o", "µm", "outer", "minimum_thickness"),
+    ("λ_i", "–", "inner", "film_parameter"),
+    ("λ_o", "–", "outer", "film_parameter"),
+)
+_ONLY_IN_FILES: Final = (
+    ("entrainment_speed", "m/s"),
+    ("thermal_factor", ""),
+    ("starvation_factor", ""),
+)
+
+
+def _balls(film: Film) -> Section:
+    """Show the films of all balls, the minimum of each column marked."""
+    count = film.azimuth.shape[1]
+    columns = [
+        Column(head="#", values=list(range(count)), key="ball", tone="faint"),
+        Column(head="ψ", values=film.azimuth[0].tolist(), unit="°", key="azimuth", figures=5),
+    ]
+    for symbol, unit, race, name in _COLUMNS:
+        values = getattr(film.of(race), name)[0]
+        if np.isfinite(values).any():
+            columns.append(
+                Column(
+                    head=symbol,
+                    values=values.tolist(),
+                    unit=unit,
+                    key=f"{race}_{name}",
+                    figures=3,
+                    most=4,
+                    peak="minimum",
+                )
+            )
+    columns += [
+        Column(
+            head=name,
+            values=getattr(film.of(race), name)[0].tolist(),
+            unit=unit,
+            key=f"{race}_{name}",
+            only_in_files=True,
+        )
+        for race in RACES
+        for name, unit in _ONLY_IN_FILES
+    ]
+    legend = said(
+        "h_c central film, h_0 minimum film, λ = h_c over the combined Rq; i inner, o outer;"
+        " ◂ minimum"
+    )
+    table = Table(columns=tuple(columns), key="films", legends=(legend,), rule=True)
+    return Section(said("Films of the balls"), (table,), key="films")

@@ -1,0 +1,288 @@
+"""The page of `frequencies`: fault frequencies by the geometry and under load."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from math import isfinite
+from typing import TYPE_CHECKING, Final
+
+from rolamento.case.bearing import Bearing
+from rolamento.document import (
+    Column,
+    Document,
+    Notes,
+    Number,
+    Remark,
+    Section,
+    Statement,
+    Table,
+    Title,
+)
+from rolamento.pages.given import reason
+from rolamento.solved import Solved
+from rolamento.vibration.frequencies import FAULTS, FaultFrequencies, LineName
+from rolamento.vibration.frequency_band import Alternative
+from rolamento.words import marked, said, said_in
+from rolamento.words.naming import PARTS, part_name
+
+if TYPE_CHECKING:
+    from rolamento.tasks.frequencies import FrequencyResult
+
+__all__ = ["balls_of", "contact_angle", "failure", "frequencies_page"]
+
+_LINES: Final[dict[LineName, str]] = {
+    "cage": PARTS["cage"],
+    "ball_pass_outer": PARTS["outer_race"],
+    "ball_pass_inner": PARTS["inner_race"],
+    "ball_spin": marked("ball, one revolution"),
+    "ball_spin_twice": marked("ball, both races"),
+}
+
+
+def frequencies_page(found: FrequencyResult) -> Document:
+    """Return the page of the fault frequencies of a bearing."""
+    sections = [_head(found)]
+    sections += [_lines(found, one) for one in found.by_source if isfinite(one.cage.order)]
+    sections.append(_harmonics(found))
+    if found.alternatives:
+        sections.append(_alternatives(found.alternatives))
+    sections += _notes(found)
+    return Document(found.title, tuple(sections), kind="frequencies")
+
+
+def balls_of(bearing: Bearing) -> str:
+    """Say what the frequencies follow from: the balls and the circle of their centres."""
+    return said(
+        "{count} balls of {ball:.5 mm}, pitch diameter {pitch:.6 mm}",
+        count=bearing.ball_count,
+        ball=bearing.ball_diameter,
+        pitch=bearing.pitch_diameter,
+    )
+
+
+def contact_angle(frequencies: FaultFrequencies) -> str:
+    """Say which contact angle the frequencies are of."""
+    return said("contact angle {angle:.4 °}", angle=frequencies.inner_contact_angle)
+
+
+def failure(solved: Solved) -> str:
+    """Say that a case has no solution, why, and what to do."""
+    why = (reason(str(solved.status.code[0])), str(solved.advice[0] or ""))
+    return said("The case has no solution: {reason}", reason=": ".join(one for one in why if one))
+
+
+def _head(found: FrequencyResult) -> Section:
+    nominal = found.nominal
+    lines = [f"{balls_of(found.bearing)}; {contact_angle(nominal)}"]
+    if isfinite(nominal.shaft_frequency):
+        lines.append("; ".join(_speeds(nominal)))
+    else:
+        lines.append(said("no speed given: orders of the inner ring, which turns"))
+    if nominal.slip:
+        lines.append(said("the cage lags behind the outer ring by {slip:.3 %}", slip=nominal.slip))
+    return Section("", (Title(found.title), Statement("\n".join(lines), indent=2)), key="given")
+
+
+def _speeds(nominal: FaultFrequencies) -> Iterable[str]:
+    yield said("inner ring {speed:.6 rpm}", speed=nominal.inner_speed)
+    if nominal.outer_speed != 0.0:
+        yield said("outer ring {speed:.6 rpm}", speed=nominal.outer_speed)
+    yield said("shaft {frequency:.5 Hz}", frequency=nominal.shaft_frequency)
+
+
+# --- lines -------------------------------------------------------------------------------------
+
+
+def _lines(found: FrequencyResult, one: FaultFrequencies) -> Section:
+    nominal, several = one.source == "nominal", bool(found.nominal.rows)
+    lines = list(one.lines.values())
+    columns = [
+        Column(head="", values=[said(_LINES[name]) for name in one.lines], key="line"),
+        Column(head=said("order"), values=[line.order for line in lines], form=".4f", key="order"),
+        Column(
+            head=said("frequency"),
+            values=[line.frequency for line in lines],
+            unit="Hz",
+            form=".3f [Hz]",
+            key="frequency",
+        ),
+        *(_band(one) if nominal else _spread(one)),
+    ]
+    legend = said(
+        "From, to: what the internal geometry, the contact angle and the tolerances leave open, all"
+        " at their worst together."
+    )
+    if not nominal and found.solved is not None:
+        legend = said(
+            "Order: of the cage as driven by the loads. Minimum, mean, maximum: over the {count}"
+            " balls in contact with the inner ring.",
+            count=int(found.solved.loaded_elements[0, one.row]),
+        )
+    name = f"{one.source}_{one.row}" if several else one.source
+    table = Table(columns=tuple(columns), key=f"lines_{name}", legends=(legend,))
+    return Section(_heading(one, several=several), (table,), key=name)
+
+
+def _heading(one: FaultFrequencies, *, several: bool) -> str:
+    if one.source == "nominal":
+        return said("By the geometry, row {row}", row=one.row) if several else _by_geometry()
+    angles = {"inner": one.inner_contact_angle, "outer": one.outer_contact_angle}
+    if several:
+        return said(
+            "Under load, row {row} (contact angle {inner:.2f [°]} / {outer:.2f °})",
+            row=one.row,
+            **angles,
+        )
+    return said("Under load (contact angle {inner:.2f [°]} / {outer:.2f °})", **angles)
+
+
+def _by_geometry() -> str:
+    return said("By the geometry")
+
+
+def _band(one: FaultFrequencies) -> list[Column]:
+    """What uncertainty leaves open, in orders and in Hz."""
+    bands = [line.band for line in one.lines.values()]
+    if not all(bands):
+        return []
+    return [
+        Column(
+            head=head,
+            values=[getattr(band, name) for band in bands],
+            unit=unit,
+            form=form,
+            key=name,
+        )
+        for head, name, unit, form in (
+            (said("from"), "order_low", "", ".4f"),
+            (said("to"), "order_high", "", ".4f"),
+            (said("from"), "frequency_low", "Hz", ".3f [Hz]"),
+            (said("to"), "frequency_high", "Hz", ".3f [Hz]"),
+        )
+    ]
+
+
+def _spread(one: FaultFrequencies) -> list[Column]:
+    """Orders over the loaded balls."""
+    heads = (
+        ("minimum", said_in("order", "minimum")),
+        ("mean", said_in("order", "mean")),
+        ("maximum", said_in("order", "maximum")),
+    )
+    return [
+        Column(
+            head=head,
+            values=[getattr(line, name) for line in one.lines.values()],
+            form=".4f",
+            key=name,
+        )
+        for name, head in heads
+    ]
+
+
+def _harmonics(found: FrequencyResult) -> Section:
+    """Show a harmonic in a row, its sidebands beside it."""
+    best = found.best
+    in_hertz = isfinite(best.shaft_frequency) and best.shaft_frequency > 0.0
+    sides = range(-found.sidebands, found.sidebands + 1)
+    numbers = range(1, found.harmonics + 1)
+    places = {
+        (kind, line.harmonic, line.sideband): line.frequency if in_hertz else line.order
+        for kind in FAULTS
+        for line in best.harmonics(kind, found.harmonics, found.sidebands)
+    }
+    rows = [(kind, number) for kind in FAULTS for number in numbers]
+    columns = [
+        Column(head="", values=[part_name(kind) for kind, _ in rows], key="part", once=True),
+        Column(
+            head="",
+            values=[Number(float(number), ".0f", behind="×") for _, number in rows],
+            key="harmonic",
+        ),
+        *(
+            Column(
+                head=f"{side:+d}".replace("-", "−") if side else "0",
+                values=[places.get((*row, side)) for row in rows],
+                unit="Hz" if in_hertz else "",
+                form=".2f [Hz]" if in_hertz else ".4f",
+                key=f"sideband_{side}",
+            )
+            for side in sides
+        ),
+    ]
+    legend = said(
+        "Sidebands: of a stationary load, with the ring that is damaged, or with the cage for a"
+        " ball."
+    )
+    headings = {
+        (True, "nominal"): said("Harmonics and sidebands by the geometry"),
+        (True, "loaded"): said("Harmonics and sidebands under load"),
+        (False, "nominal"): said("Harmonics and sidebands by the geometry (orders)"),
+        (False, "loaded"): said("Harmonics and sidebands under load (orders)"),
+    }
+    table = Table(columns=tuple(columns), key="harmonics", legends=(legend,))
+    return Section(headings[in_hertz, best.source], (table,), key="harmonics")
+
+
+def _alternatives(alternatives: Sequence[Alternative]) -> Section:
+    orders: tuple[tuple[LineName, str], ...] = (
+        ("cage", said("cage")),
+        ("ball_pass_outer", said_in("race", "outer")),
+        ("ball_pass_inner", said_in("race", "inner")),
+        ("ball_spin_twice", said("ball")),
+    )
+    columns = (
+        Column(
+            head="",
+            values=[
+                Number(float(one.rank), ".0f", behind="" if one.reproduces else " ×")
+                for one in alternatives
+            ],
+            key="rank",
+            align="left",
+        ),
+        Column(head="Z", values=[one.ball_count for one in alternatives], key="ball_count"),
+        Column(
+            head="D",
+            values=[one.ball_diameter for one in alternatives],
+            unit="mm",
+            form=".3f [mm]",
+            key="ball_diameter",
+        ),
+        Column(
+            head="d_m",
+            values=[one.pitch_diameter for one in alternatives],
+            unit="mm",
+            form=".2f [mm]",
+            key="pitch_diameter",
+        ),
+        Column(
+            head=said("share"),
+            values=[one.share for one in alternatives],
+            unit="%",
+            form=".0f [%]",
+            key="share",
+        ),
+        *(
+            Column(
+                head=head, values=[one.orders[name] for one in alternatives], form=".4f", key=name
+            )
+            for name, head in orders
+        ),
+    )
+    legend = said(
+        "Ball: both races. × marks a geometry that misses a printed rating by more than three"
+        " tolerances; the band leaves it out."
+    )
+    table = Table(columns=columns, key="alternatives", legends=(legend,))
+    heading = said("Other geometries that the ratings allow (orders)")
+    return Section(heading, (table,), key="alternatives")
+
+
+def _notes(found: FrequencyResult) -> list[Section]:
+    unsolved = found.solved is not None and not found.solved.converged[0]
+    notes = [note for note in found.notes if note.key != "no_solution_no_frequencies"]
+    remarks = [Remark(note.text, note.key) for note in notes]
+    if unsolved and found.solved is not None:
+        remarks.append(Remark(failure(found.solved), "no_solution_no_frequencies"))
+    return [Section(said("Notes"), (Notes(tuple(remarks)),), key="notes")] * bool(remarks)

@@ -1,0 +1,221 @@
+"""The page of `friction`, and friction on other pages: torque and heat by source, the models."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import isfinite
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+
+from rolamento.document import (
+    Block,
+    Column,
+    Document,
+    Number,
+    Section,
+    Statement,
+    Table,
+    Tone,
+)
+from rolamento.pages.given import head, untitled
+from rolamento.studies.names import torque_model_name
+from rolamento.words import in_unit, marked, said
+
+if TYPE_CHECKING:
+    from rolamento.analysis import Analysis
+    from rolamento.friction import Friction, ModelValidity
+    from rolamento.solved import Solved
+
+__all__ = ["friction_page", "friction_sections", "power_unit", "torque_unit", "validity_text"]
+
+_SOURCES: Final = {
+    "spin": marked("spin"),
+    "rolling_slip": marked("slip in rolling"),
+    "hysteresis": marked("elastic hysteresis"),
+    "rolling_resistance": marked("oil at the inlets"),
+}
+_REASONS: Final = {
+    "inertia": marked("inertia"),
+    "full_film": marked("full film"),
+    "partial_film": marked("partial film: μ effective"),
+    "no_film": marked("no film"),
+    "other_angle": marked("constants for 40°"),
+    "torque_at_rest": marked("at rest"),
+    "torque_unknown": marked("no result"),
+}
+"""Why a model is not valid, in a cell; the notes of these keys say it in a sentence."""
+
+
+def friction_page(analysis: Analysis) -> Document:
+    """Return the page of the friction of one case; without a result it says why and what to do."""
+    solved = analysis.solved
+    sections = [head(solved)]
+    if analysis.friction is not None:
+        sections += friction_sections(solved, analysis.friction)
+    return Document(solved.title or untitled(), tuple(sections), kind="friction", main="models")
+
+
+def torque_unit(values: Sequence[float]) -> str:
+    """Return the unit in which torques of a table are read; values in N·m."""
+    return _readable(values, ("N·m", "N·mm", "µN·m"))
+
+
+def power_unit(values: Sequence[float]) -> str:
+    """Return the unit in which powers of a table are read; values in W."""
+    return _readable(values, ("W", "mW", "µW"))
+
+
+def _readable(values: Sequence[float], units: tuple[str, ...]) -> str:
+    """Return the largest unit of which the maximum has at least a tenth, else the last."""
+    maximum = max((abs(value) for value in values if isfinite(value)), default=0.0)
+    fitting = (unit for unit in units if in_unit(maximum, unit) >= 0.1)
+    return next(fitting, units[-1] if maximum else units[1])
+
+
+def validity_text(validity: ModelValidity, case: int = 0) -> str:
+    """Say whether a model is valid for a case, and if not, why; remarks follow a "yes"."""
+    from rolamento.friction.model import REMARKS
+
+    keys = [note.key for note in validity.notes_of(case)]
+    if validity.valid[case]:
+        return "; ".join([said("yes"), *map(_reason, keys)])
+    refused = [key for key in keys if key not in REMARKS]
+    return _refused(["torque_unknown"] if "torque_unknown" in refused else refused)
+
+
+def _refused(keys: Sequence[str]) -> str:
+    return said("no: {reasons}", reasons=[_reason(key) for key in keys])
+
+
+def _reason(key: str) -> str:
+    return said(_REASONS[key])
+
+
+def friction_sections(solved: Solved, friction: Friction) -> list[Section]:
+    """Return the friction of a single solved case: torque and heat by source, and the models."""
+    return [_torque_and_heat(solved, friction), *_sources(friction), _models(solved, friction)]
+
+
+def _torque_and_heat(solved: Solved, friction: Friction) -> Section:
+    lubricant = solved.case.lubricant
+    assert lubricant is not None
+    named = said(
+        "μ = {coefficient:.5} ({name})",
+        coefficient=float(friction.friction_coefficient[0]),
+        name=lubricant.name,
+    )
+    blocks: tuple[Block, ...] = (Statement(named, indent=2), _totals(friction))
+    return Section(said("Friction"), blocks, key="friction")
+
+
+def _totals(friction: Friction) -> Table:
+    running, starting = float(friction.torque[0]), float(friction.starting_torque[0])
+    power = float(friction.power[0])
+    torque, watt = torque_unit([running, starting]), power_unit([power])
+    units = [torque, torque, watt]
+    values = [
+        Number(value, f".4 [{unit}]")
+        for value, unit in zip((running, starting, power), units, strict=True)
+    ]
+    labels = [said("running torque"), said("starting torque"), said("power loss")]
+    columns = (
+        Column(head="", values=labels, key="quantity"),
+        Column(head="", values=values, key="value", tone="strong"),
+        Column(head="", values=units, key="unit"),
+    )
+    return Table(columns=columns, key="friction", headless=True)
+
+
+def _sources(friction: Friction) -> list[Section]:
+    """Show torque and heat of every source, the heat by race, and their sums."""
+    names = [name for name in _SOURCES if name in friction.torque_by_source]
+    torque = [float(friction.torque_by_source[name][0]) for name in names]
+    columns = [
+        Column(
+            head="", values=[*(said(_SOURCES[name]) for name in names), said("sum")], key="source"
+        ),
+        Column(
+            head=said("torque"),
+            values=[*torque, sum(torque)],
+            unit=torque_unit(torque),
+            key="torque",
+            most=4,
+        ),
+    ]
+    heat = np.array(
+        [[friction.heat[name].inner[0].sum(), friction.heat[name].outer[0].sum()] for name in names]
+    )
+    if heat.any():
+        watt = power_unit(heat.sum(axis=0).tolist())
+        heads = {"inner": said("heat, inner"), "outer": said("heat, outer")}
+        columns += [
+            Column(
+                head=text,
+                values=[*heat[:, place].tolist(), float(heat[:, place].sum())],
+                unit=watt,
+                key=f"{race}_heat",
+                most=4,
+            )
+            for place, (race, text) in enumerate(heads.items())
+        ]
+    legend = said(
+        "torque and heat of the ball contacts by {model}; seals, cage and churning of the oil are"
+        " not included",
+        model=torque_model_name(friction.model),
+    )
+    table = Table(columns=tuple(columns), key="sources", legends=(legend,), gap=3)
+    return [Section("", (table,), key="sources")]
+
+
+def _models(solved: Solved, friction: Friction) -> Section:
+    """Show the torque of every model and whether it is valid here; the one in use in bold."""
+    from rolamento.friction.models import TORQUE_MODELS
+
+    added = float(friction.torque[0] - friction.models[friction.model].total[0])
+    entries: list[tuple[str, float, float, str, bool]] = []
+    for found in friction.validity:
+        own = float(friction.models[found.model].total[0])
+        whole = own + added if TORQUE_MODELS[found.model].of_contacts else own
+        valid = bool(found.valid[0])
+        entries.append((found.model, own, whole, validity_text(found), valid))
+    speed = abs(solved.case.duty.inner_speed - solved.case.duty.outer_speed)
+    if solved.rolling is not None and speed > 0.0:
+        own = float(solved.rolling.power[0]) / speed
+        valid = friction.regime[0] != "full_film"
+        text = said("yes") if valid else _refused(["full_film"])
+        entries.append(("friction_control", own, own + added, text, valid))
+    unit = torque_unit([own for _, own, _, _, _ in entries])
+    tones: list[Tone] = ["strong" if entry[0] == friction.model else "" for entry in entries]
+    columns = (
+        Column(
+            head="",
+            values=[torque_model_name(entry[0]) for entry in entries],
+            key="model",
+            tones=tones,
+        ),
+        Column(
+            head=said("contacts"),
+            values=[entry[1] for entry in entries],
+            unit=unit,
+            key="contact_torque",
+            most=4,
+            tones=tones,
+        ),
+        Column(
+            head=said("total"),
+            values=[entry[2] for entry in entries],
+            unit=unit,
+            key="torque",
+            most=4,
+            tones=tones,
+        ),
+        Column(
+            head=said("valid here"),
+            values=[entry[3] for entry in entries],
+            key="valid",
+            tones=["" if entry[4] else "warning" for entry in entries],
+        ),
+    )
+    table = Table(columns=columns, key="models")
+    return Section(said("Friction torque by model"), (table,), key="models")

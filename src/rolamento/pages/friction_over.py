@@ -1,0 +1,238 @@
+"""The page of `friction --over`: torque by every model, and spin to roll, over a field."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+
+from rolamento.document import (
+    Block,
+    CellContent,
+    Column,
+    Document,
+    Figure,
+    Number,
+    Section,
+    Statement,
+    Table,
+    Title,
+)
+from rolamento.numerics import BoolArray, FloatArray
+from rolamento.pages.across import field_column, place_text, setting_text
+from rolamento.pages.friction import torque_unit
+from rolamento.pages.given import untitled
+from rolamento.studies.names import torque_model_name
+from rolamento.words import decimals_for, in_unit, marked, said
+from rolamento.words.reasons import reason
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure as Picture
+
+    from rolamento.studies.friction_curves import FrictionCurve
+
+__all__ = ["friction_over_page"]
+
+_CONTROLLED: Final = "friction_control"
+_MARK: Final = "*"
+_REASONS: Final = {
+    "inertia": marked("inertia not negligible {place}: {models}"),
+    "full_film": marked("full film {place}: {models}"),
+    "torque_unknown": marked("no result {place}: {models}"),
+    "no_film": marked("no film {place}: {models}"),
+    "other_angle": marked("constants for 40° {place}: {models}"),
+}
+
+
+def friction_over_page(curves: Sequence[FrictionCurve]) -> Document:
+    """Return friction over a field.
+
+    Parameters
+    ----------
+    curves
+        The case's own first, then its variants.
+    """
+    title = curves[0].case.title or untitled()
+    sections = [Section("", (Title(title),), key="head")]
+    for number, curve in enumerate(curves):
+        sections.append(_torques(curve, number))
+        if curve.is_speed and curve.controlled is not None:
+            sections.append(_ratios(curve, number))
+    figure = Figure(
+        caption=said("Friction torque by model over {field}", field=curves[0].field.label),
+        draw=lambda: _picture(curves),
+        key="friction",
+    )
+    sections.append(Section("", (figure, _points(curves)), key="points"))
+    return Document(title, tuple(sections), kind="friction", main="points")
+
+
+def _picture(curves: Sequence[FrictionCurve]) -> Picture:
+    from rolamento.plots.friction import friction_figure
+
+    return friction_figure(curves)
+
+
+def _variant(curve: FrictionCurve) -> list[Block]:
+    if not curve.label:
+        return []
+    text = said("with {setting}", setting=setting_text(curve.label))
+    return [Statement(text, indent=2)]
+
+
+def _valid_torques(curve: FrictionCurve) -> dict[str, tuple[FloatArray, BoolArray]]:
+    """Torque of every model, and where the model is valid."""
+    found = {
+        validity.model: (curve.torque(validity.model), validity.valid)
+        for validity in curve.friction.validity
+    }
+    torque = curve.controlled_torque
+    if curve.controlled is not None and np.isfinite(torque).any():
+        film = curve.friction.regime == "full_film"
+        found[_CONTROLLED] = (torque, np.isfinite(torque) & ~film)
+    return found
+
+
+def _torques(curve: FrictionCurve, number: int) -> Section:
+    found = _valid_torques(curve)
+    shown = [float(value) for torque, _ in found.values() for value in torque]
+    unit = torque_unit(shown)
+    decimals = decimals_for([float(in_unit(value, unit)) for value in shown], 5)
+    columns = [field_column(curve.field, curve.values)]
+    for model, (torque, valid) in found.items():
+        cells: list[CellContent] = [
+            Number(value, f".{decimals}f [{unit}]", behind="" if holds else _MARK)
+            for value, holds in zip(torque.tolist(), valid.tolist(), strict=True)
+        ]
+        columns.append(
+            Column(
+                head=torque_model_name(model, short=True),
+                values=cells,
+                unit=unit,
+                key=model,
+                tones=["" if holds else "warning" for holds in valid.tolist()],
+            )
+        )
+    legend = said(
+        "running torque of all sources, in {unit}: the contacts by each model, elastic hysteresis;"
+        " friction control includes the inertia of the balls",
+        unit=unit,
+    )
+    if "rolling_resistance" in curve.friction.heat:
+        legend = said(
+            "running torque of all sources, in {unit}: the contacts by each model, elastic"
+            " hysteresis, oil at the inlets; friction control includes the inertia of the balls",
+            unit=unit,
+        )
+    table = Table(columns=tuple(columns), key=f"torque_{number}", legends=(legend,))
+    heading = said("Friction torque by model over {field}", field=curve.field.label)
+    blocks = (*_variant(curve), table, *_failures(curve))
+    return Section(heading, blocks, key=f"torque_{number}")
+
+
+def _failures(curve: FrictionCurve) -> Iterator[Block]:
+    """Say of every group of models why and where they are not valid, and what was not solved."""
+    validities = curve.friction.validity
+    why: dict[tuple[str, str], list[str]] = {}
+    for validity in validities:
+        for key in _REASONS:
+            where = validity.notes.get(key)
+            if where is not None:
+                place = place_text(curve.field, curve.values, where)
+                why.setdefault((key, place), []).append(torque_model_name(validity.model))
+    if any(not validity.valid.all() for validity in validities):
+        yield Statement(said("* the model is not valid there"), "faint", indent=2)
+    for (key, place), models in why.items():
+        every = len(models) == len(validities)
+        named = said("all models except friction control") if every else "; ".join(models)
+        yield Statement(said(_REASONS[key], place=place, models=named), "faint", indent=4)
+    failed = curve.status[curve.status != "converged"]
+    if failed.size:
+        text = said(
+            "{failed} of {count} points without a result: {reasons}",
+            failed=int(failed.size),
+            count=len(curve),
+            reasons=[reason(code) for code in np.unique(failed).tolist()],
+        )
+        yield Statement(text, "bad-strong", indent=2)
+
+
+def _ratios(curve: FrictionCurve, number: int) -> Section:
+    controlled = curve.controlled
+    assert controlled is not None
+    columns = (
+        field_column(curve.field, curve.values),
+        _ratio("s_i", controlled.inner_spin_to_roll, "inner_spin_to_roll"),
+        _ratio("s_o", controlled.outer_spin_to_roll, "outer_spin_to_roll"),
+        Column(
+            head="n_m",
+            values=[Number(value, ".4 [rpm]") for value in controlled.cage_speed.tolist()],
+            unit="rpm",
+            key="cage_speed",
+        ),
+    )
+    legend = said(
+        "friction control, ball with the maximum inner load; s spin-to-roll ratio: i inner,"
+        " o outer contact; n_m cage speed"
+    )
+    table = Table(columns=columns, key=f"spin_to_roll_{number}", legends=(legend,))
+    heading = said("Spin-to-roll ratio over {field}", field=curve.field.label)
+    return Section(heading, (*_variant(curve), table), key=f"spin_to_roll_{number}")
+
+
+def _ratio(head: str, values: FloatArray, key: str) -> Column:
+    return Column(head=head, values=values.tolist(), unit="–", key=key, figures=4, most=4)
+
+
+# --- the points --------------------------------------------------------------------------------
+
+
+def _points(curves: Sequence[FrictionCurve]) -> Table:
+    """Return a line for every point of every curve; for files."""
+    first = curves[0]
+    models = [validity.model for validity in first.friction.validity]
+    sources = list(first.friction.torque_by_source)
+    across = field_column(first.field, np.concatenate([curve.values for curve in curves]))
+    columns = [
+        Column(
+            head=said("variant"),
+            values=[curve.label for curve in curves for _ in curve.values],
+            key="variant",
+        ),
+        across,
+        Column(
+            head=said("status"),
+            values=[str(code) for curve in curves for code in curve.status],
+            key="status",
+        ),
+    ]
+
+    def add(key: str, unit: str, parts: Iterator[FloatArray]) -> None:
+        values = np.concatenate(list(parts)).tolist()
+        columns.append(Column(head=key, values=values, unit=unit, key=key))
+
+    for model in models:
+        add(f"torque_{model}", "N·m", (curve.torque(model) for curve in curves))
+    for place, model in enumerate(models):
+        valid = [curve.friction.validity[place].valid for curve in curves]
+        words = [said("yes") if holds else said("no") for part in valid for holds in part]
+        columns.append(Column(head=f"valid_{model}", values=words, key=f"valid_{model}"))
+    for source in sources:
+        add(f"torque_of_{source}", "N·m", (_of_source(curve, source) for curve in curves))
+    add("torque_friction_control", "N·m", (curve.controlled_torque for curve in curves))
+    for name, unit in (
+        ("cage_speed", "rpm"), ("inner_spin_to_roll", ""), ("outer_spin_to_roll", ""),
+    ):  # fmt: skip
+        add(name, unit, (_of_control(curve, name) for curve in curves))
+    add("film_parameter", "", (curve.friction.film_parameter for curve in curves))
+    return Table(columns=tuple(columns), key="points", only_in_files=True)
+
+
+def _of_source(curve: FrictionCurve, source: str) -> FloatArray:
+    return curve.friction.torque_by_source.get(source, np.full(len(curve), np.nan))
+
+
+def _of_control(curve: FrictionCurve, name: str) -> FloatArray:
+    found: FloatArray = getattr(curve.controlled, name, np.full(len(curve), np.nan))
+    return found

@@ -1,0 +1,262 @@
+"""The page of `life --spectrum`: the life under a duty of several steps, and what each takes."""
+
+from __future__ import annotations
+
+from textwrap import wrap
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rolamento.case import Case
+from rolamento.document import Block, Column, Document, Section, Statement, Table, Title, Tone
+from rolamento.life import Life
+from rolamento.life.iso16281 import THEORY as REFERENCE
+from rolamento.pages.given import untitled
+from rolamento.pages.life import (
+    HOUR,
+    formulas_only,
+    life_columns,
+    percent,
+    reached,
+    remarks,
+    required_sentence,
+    theory_tone,
+    verdict,
+)
+from rolamento.words import said
+from rolamento.words.reasons import reason
+from rolamento.words.theories import theory_life, theory_name
+
+if TYPE_CHECKING:
+    from rolamento.tasks.life_spectrum import SpectrumLife
+
+__all__ = ["life_spectrum_page"]
+
+_MOST_SHOWN: Final = 40
+_MOST_CHARACTERS: Final = 44
+"""Of the columns of fields that a page shows; files have all of them."""
+_HEAD: Final = 12
+_CONVERGED: Final = "converged"
+
+
+def life_spectrum_page(found: SpectrumLife) -> Document:
+    """Return the page of the life under a spectrum.
+
+    Parameters
+    ----------
+    found
+        Of `rolamento.tasks.life_spectrum.life_under`.
+    """
+    title = found.case.title or untitled()
+    heading = said("Life under {count} steps of duty", count=len(found.steps))
+    sections = [
+        Section("", (Title(title),)),
+        Section(heading, _statement(found), key="life"),
+        *([_theories(found)] if found.converged else []),
+        _steps(found),
+    ]
+    return Document(title, tuple(sections), kind="life_spectrum", main="all_steps")
+
+
+def _statement(found: SpectrumLife) -> tuple[Block, ...]:
+    leading = found.headline
+    sentences: list[tuple[str, Tone]] = []
+    if not found.converged:
+        sentences.append((said("Without a result of every step there is no life."), "bad-strong"))
+    elif not (leading.valid or leading.below):
+        none = said("No theory that considers the load of every ball is valid for this case.")
+        sentences += [(none, "bad-strong"), (formulas_only(), "strong")]
+    else:
+        text = reached(
+            leading.theory,
+            leading.life,
+            leading.hours,
+            found.reliability,
+            said("this duty"),
+            below=leading.below,
+        )
+        sentences.append((text, "strong"))
+        if leading.below:
+            bounded = said(
+                "It is an upper bound: in some of the steps the standard only bounds the life."
+            )
+            sentences.append((bounded, "warning"))
+        sentences += _worst(found)
+        reliability = found.reliability_of_required()
+        if found.required_life is not None and reliability is not None:
+            text = required_sentence(found.required_life, reliability, below=leading.below)
+            sentences.append((text, ""))
+    if abs(found.steps.given_sum - 1.0) > 1e-9:
+        text = said(
+            "The shares sum to {total:.5} and were scaled to 1.", total=found.steps.given_sum
+        )
+        sentences.append((text, "warning"))
+    return tuple(Statement(text, tone, indent=2) for text, tone in sentences)
+
+
+def _worst(found: SpectrumLife) -> list[tuple[str, Tone]]:
+    damage = found.headline.damage
+    if len(damage) < 2 or not np.all(np.isfinite(damage)):
+        return []
+    worst = int(np.argmax(damage))
+    text = said(
+        "Step {step} contributes most: {damage} of the damage in {time} of the time.",
+        step=worst + 1,
+        damage=percent(float(damage[worst])),
+        time=percent(float(found.time_shares[worst])),
+    )
+    return [(text, "")]
+
+
+def _theories(found: SpectrumLife) -> Section:
+    lives = list(found.theories.values())
+    judged = [(own.valid, own.below) for own in lives]
+    columns = (
+        Column(head="", values=[theory_name(name) for name in found.theories], key="theory"),
+        *life_columns([own.life for own in lives], [own.hours for own in lives]),
+        Column(
+            head=said("valid"),
+            values=[verdict(*one) for one in judged],
+            key="valid",
+            tones=[theory_tone(*one) for one in judged],
+        ),
+    )
+    legends = [said("for {reliability:.7 %} reliability", reliability=found.reliability)]
+    if not found.stress_volume:
+        legends.append(
+            said("Ioannides and Harris is left out: it is evaluated for at most 1000 steps.")
+        )
+    table = Table(columns=columns, key="theories", legends=tuple(legends), units="behind")
+    heading = said("Life by theory, damage summed by Miner's rule")
+    return Section(heading, (table, *_remarks(found)), key="theories")
+
+
+def _remarks(found: SpectrumLife) -> tuple[Block, ...]:
+    part = found.taking_part
+    count = int(part.sum())
+    notes = []
+    for theory, life in found.theories.items():
+        assert isinstance(life.steps, Life)
+        for key, where in life.steps.notes.items():
+            some = int((where & part).sum())
+            if some == count:
+                notes.append((theory, key, said("in all steps")))
+            elif some:
+                place = said("in {some} of {count} steps", some=some, count=count)
+                notes.append((theory, key, place))
+    return remarks(notes, len(found.theories))
+
+
+# --- the steps ---------------------------------------------------------------------------------
+
+
+def _steps(found: SpectrumLife) -> Section:
+    """Set the steps in a table; of many, those that contribute most."""
+    shown = _shown(found)
+    damage = found.headline.damage[shown]
+    legends = []
+    if len(shown) < len(found.steps):
+        legends.append(
+            said(
+                "the {shown} steps that contribute most; {count} more contribute {damage} together",
+                shown=len(shown),
+                count=len(found.steps) - len(shown),
+                damage=percent(max(1.0 - float(damage.sum()), 0.0)),
+            )
+        )
+    theory = theory_life(found.headline.theory or REFERENCE.name)
+    legends.append(
+        said(
+            "time, rev: shares of time and of revolutions; h: life if the step were the whole "
+            "duty; damage: its share of the damage, by the {theory}",
+            theory=theory,
+        )
+    )
+    bars = Column(head="", values=np.nan_to_num(damage).tolist(), bar=True)
+    table = Table(
+        columns=(*_columns(found, shown, shortened=True), bars),
+        key="steps",
+        legends=tuple(legends),
+    )
+    every = np.arange(len(found.steps), dtype=np.int64)
+    rest = [
+        Column(head=said("status"), values=[str(one) for one in found.status], key="status"),
+        *(
+            Column(
+                head=theory_name(name),
+                values=(scale * getattr(own, attribute)).tolist(),
+                unit=unit,
+                key=name if unit == "h" else f"{name}_damage",
+            )
+            for attribute, unit, scale in (("hours", "h", HOUR), ("damage", "%", 1.0))
+            for name, life in found.theories.items()
+            for own in (life.steps if unit == "h" else life,)
+        ),
+    ]
+    full = Table(
+        columns=(*_columns(found, every, shortened=False), *rest),
+        key="all_steps",
+        only_in_files=True,
+    )
+    return Section(said("Steps"), (table, *_failures(found), full), key="steps")
+
+
+def _columns(found: SpectrumLife, steps: NDArray[np.int64], *, shortened: bool) -> list[Column]:
+    leading = found.headline
+    columns = [
+        Column(head=said("step"), values=[int(step) + 1 for step in steps], key="step"),
+        _share_column(said("time"), found.time_shares[steps], "time_share"),
+        _share_column(said("rev"), found.revolution_shares[steps], "revolution_share"),
+    ]
+    room = _MOST_CHARACTERS
+    fields = Case.fields()
+    for name, cells in found.steps.cells.items():
+        values = [cells[step] for step in steps]
+        label = fields[name].label
+        head = "\n".join(wrap(label, _HEAD)) if shortened else label
+        room -= max(map(len, (*head.split("\n"), *values))) + 2
+        if room >= 0 or not shortened:
+            columns.append(Column(head=head, values=values, key=name, align="right"))
+    return [
+        *columns,
+        Column(
+            head=said("life"),
+            values=(HOUR * leading.steps.hours[steps]).tolist(),
+            unit="h",
+            form=".3r [h]",
+            key="headline",
+        ),
+        _share_column(said("damage"), leading.damage[steps], "headline_damage"),
+    ]
+
+
+def _share_column(head: str, shares: NDArray[np.float64], key: str) -> Column:
+    return Column(head=head, values=shares.tolist(), unit="%", key=key, figures=3, most=2)
+
+
+def _shown(found: SpectrumLife) -> NDArray[np.int64]:
+    """Steps of the table: all, or of many those with the greatest damage, in their order."""
+    count = len(found.steps)
+    if count <= _MOST_SHOWN:
+        return np.arange(count, dtype=np.int64)
+    damage = np.nan_to_num(found.headline.damage, nan=0.0)
+    return np.sort(np.argsort(-damage, kind="stable")[:_MOST_SHOWN]).astype(np.int64)
+
+
+def _failures(found: SpectrumLife) -> list[Block]:
+    failed = np.flatnonzero((found.status != _CONVERGED) & found.taking_part)
+    return [
+        Statement(
+            said(
+                "step {step} (line {line}): {reason}",
+                step=step + 1,
+                line=found.steps.lines[step],
+                reason=reason(str(found.status[step])),
+            ),
+            "bad",
+            indent=2,
+            mark="✗",
+        )
+        for step in failed[:_MOST_SHOWN].tolist()
+    ]

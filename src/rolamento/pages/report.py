@@ -1,0 +1,1569 @@
+"""The page of a report that an engineer signs: one case, or several side by side.
+
+Every number is one of `CaseReport.numbers`, which the JSON holds too: a row of a table names it by
+its path there, in a column that stands only in files.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from math import nan
+from typing import TYPE_CHECKING, Final
+
+from rolamento.case import Case
+from rolamento.case.duty import AXES, LOADS
+from rolamento.document import (
+    Beside,
+    Block,
+    CellContent,
+    Column,
+    Document,
+    Entry,
+    Figure,
+    KeyValues,
+    Notes,
+    Number,
+    Remark,
+    Section,
+    Statement,
+    Table,
+    Title,
+    Tone,
+)
+from rolamento.friction.model import REMARKS
+from rolamento.life.record import BOUNDS, OUTSIDE
+from rolamento.life.theories import THEORIES
+from rolamento.pages.equations import equations_of, references_of
+from rolamento.pages.given import untitled
+from rolamento.pages.state import balls_table, rosette_section, stiffness_section
+from rolamento.studies.names import torque_model_name
+from rolamento.words import Note, counted, in_unit, manner, marked, said
+from rolamento.words.reasons import reason
+from rolamento.words.theories import theory_name
+
+if TYPE_CHECKING:
+    from rolamento.geometry import Race
+    from rolamento.tasks.report import CaseReport, Input, Report
+
+__all__ = ["report_page"]
+
+_ABREAST: Final = 2
+"""Cases that stand beside the first in one table: more need more paper than there is."""
+_LONGEST_LIFE: Final = 100_000.0
+"""h beyond which fatigue does not end a life."""
+
+
+def report_page(report: Report) -> Document:
+    """Return a report: title block, warnings, summary, inputs, results, equations, provenance.
+
+    Parameters
+    ----------
+    report
+        What `rolamento.tasks.report_on` gathered.
+    """
+    title = report.cases[0].title or untitled()
+    warnings = _warnings(report)
+    solved = [case for case in report.cases if case.converged]
+    parts = [
+        (said("Warnings"), _warning_blocks(report, warnings), "warnings", ()),
+        (said("Summary"), _summary(report), "summary", ()),
+        (said("Inputs"), (), "inputs", _inputs(report)),
+        *([(said("Results"), (), "results", _results(report))] if solved else []),
+        *([(said("Equations used"), equations_of(solved), "equations", ())] if solved else []),
+        *([(said("Validity"), (), "validity", _validity(report))] if solved else []),
+        *([(said("References"), _references(solved), "references", ())] if solved else []),
+        (said("Provenance"), _provenance(report), "provenance", ()),
+    ]
+    sections: list[Section | Beside] = [_head(report)]
+    for number, (heading, blocks, key, inner) in enumerate(parts, start=1):
+        sections.append(Section(f"{number}  {heading}", tuple(blocks), key, level=1))
+        sections += inner
+    return Document(
+        title,
+        tuple(sections),
+        kind="report",
+        main="summary",
+        program=said("Rolamento {version}", version=report.version),
+        date=report.head.date,
+    )
+
+
+# --- the head -------------------------------------------------------------------------------------
+
+
+def _head(report: Report) -> Section:
+    head = report.head
+    many = len(report.cases) > 1
+    entries = [
+        *([Entry(said("project"), head.project)] if head.project else []),
+        *_case_titles(report),
+        *([Entry(said("author"), head.author)] if head.author else []),
+        *([Entry(said("revision"), head.revision)] if head.revision else []),
+        Entry(said("date"), head.date),
+        Entry(said("checked by"), head.checked_by or "_" * 24),
+        Entry(said("program"), said("Rolamento {version}", version=report.version)),
+    ]
+    title = (
+        said("Bearing calculation report: comparison of {n} cases", n=len(report.cases))
+        if many
+        else said("Bearing calculation report")
+    )
+    return Section("", (Title(title), KeyValues(tuple(entries))), key="title_block")
+
+
+def _case_titles(report: Report) -> list[Entry]:
+    if len(report.cases) == 1:
+        return [Entry(said("case"), report.cases[0].title or untitled())]
+    return [
+        Entry(said("case {name}", name=case.name), case.title or untitled())
+        for case in report.cases
+    ]
+
+
+# --- warnings -------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class _Warning:
+    """What the reader should know of a case; weight 0 no result, 1 a limit passed, 2 a remark."""
+
+    weight: int
+    text: str
+    key: str
+
+
+def _warnings(report: Report) -> list[tuple[_Warning, str]]:
+    """Return all warnings, the gravest first, each with the names of its cases."""
+    found: dict[_Warning, list[str]] = {}
+    for case in report.cases:
+        for warning in dict.fromkeys(_warnings_of(case)):
+            found.setdefault(warning, []).append(case.name)
+    listed = [(warning, ", ".join(names)) for warning, names in found.items()]
+    return sorted(listed, key=lambda item: item[0].weight)
+
+
+def _warnings_of(case: CaseReport) -> Iterator[_Warning]:
+    analysis = case.analysis
+    if not case.converged:
+        yield _Warning(0, _failure(case), str(analysis.solved.status.code[0]))
+        return
+    yield from _life_warnings(case)
+    yield from _friction_warnings(case)
+    for check in case.checks:
+        if not check.met and check.name in _CHECKS and not check.name.startswith("film"):
+            text = said("Limit exceeded: {limit}.", limit=said(_CHECKS[check.name][0]))
+            yield _Warning(1, text, f"limit_{check.name}")
+    notes: list[Note] = [*analysis.solved.notes[0], *analysis.notes]
+    if analysis.film is not None:
+        notes += analysis.film.notes_of(0)
+    if analysis.frequencies is not None:
+        notes += analysis.frequencies.notes
+    for note in notes:
+        yield _Warning(2, note.text, note.key)
+
+
+def _failure(case: CaseReport) -> str:
+    """Say why a case has no result, and what to do."""
+    solved = case.analysis.solved
+    advice = solved.advice[0]
+    said_reason = said("No solution: {reason}.", reason=reason(str(solved.status.code[0])))
+    return said_reason if advice is None else f"{said_reason} {advice.text}"
+
+
+def _life_warnings(case: CaseReport) -> Iterator[_Warning]:
+    life = case.analysis.life
+    if life is None:
+        return
+    if not life.headline.valid[0] and not life.headline.below[0]:
+        yield _Warning(1, said("No theory of life is valid for this case."), "no_life_valid")
+    theories: dict[str, list[str]] = {}
+    for name, own in life.theories.items():
+        for note in own.notes_of(0):
+            theories.setdefault(note.key, []).append(name)
+    for key, concerned in theories.items():
+        always = key in BOUNDS and all(THEORIES[name].bound for name in concerned)
+        refuses = key in OUTSIDE | BOUNDS and not always
+        names = [theory_name(name) for name in concerned]
+        what = "; ".join(names) if len(names) < len(life.theories) else said("all theories")
+        text = Note(key).text
+        if key in OUTSIDE:
+            shown = said("Life, not valid ({theories}): {reason}", theories=what, reason=text)
+        else:
+            shown = said("Life ({theories}): {reason}", theories=what, reason=text)
+        yield _Warning(1 if refuses else 2, shown, key)
+
+
+def _friction_warnings(case: CaseReport) -> Iterator[_Warning]:
+    friction = case.analysis.friction
+    if friction is None:
+        return
+    refused: dict[Note, list[str]] = {}
+    for found in friction.validity:
+        for note in found.notes_of(0):
+            refused.setdefault(note, []).append(found.model)
+    for note, models in refused.items():
+        names = "; ".join(map(torque_model_name, models))
+        shown = said("Friction ({models}): {reason}", models=names, reason=note.text)
+        limits = friction.model in models and note.key not in REMARKS
+        yield _Warning(1 if limits else 2, shown, note.key)
+
+
+def _warning_blocks(
+    report: Report, warnings: Sequence[tuple[_Warning, str]]
+) -> tuple[Statement | Notes, ...]:
+    if not warnings:
+        return (Statement(said("No warnings."), "good", mark="✓"),)
+    tones: tuple[Tone, ...] = ("bad", "warning", "")
+    many = len(report.cases) > 1
+    remarks = []
+    for warning, names in warnings:
+        text = warning.text
+        if many:
+            text = said("Case {names}: {text}", names=names, text=text)
+        remarks.append(Remark(text, warning.key, tones[warning.weight]))
+    grave = sum(warning.weight < 2 for warning, _ in warnings)
+    lead = counted("{n} remark", "{n} remarks", len(warnings))
+    if grave:
+        lead = said("{remarks}; limiting the results: {grave}", remarks=lead, grave=grave)
+    return (Statement(lead, "warning-strong" if grave else ""), Notes(tuple(remarks)))
+
+
+# --- tables of numbers ----------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class _Row:
+    """A number of the cases, by its path; or texts, one a case.
+
+    form: of the number, with its unit; its difference has as many figures. unit: where the number
+    is not in SI, and written as it is.
+    """
+
+    label: str
+    path: str = ""
+    form: str = ".4"
+    unit: str = ""
+    texts: tuple[str, ...] = ()
+    tone: Tone = ""
+
+    @property
+    def shown_unit(self) -> str:
+        return self.unit or self.form.partition(" ")[2]
+
+
+_Group = tuple[str, Sequence[_Row]]
+
+
+def _tables(report: Report, groups: Sequence[_Group], key: str, caption: str = "",
+            legends: tuple[str, ...] = ()) -> tuple[Table, ...]:  # fmt: skip
+    """Return rows as tables: a column a case, and the differences of the later ones to the first.
+
+    Rows that no case has are left out.
+    """
+    kept = [(name, [row for row in rows if _has(report, row)]) for name, rows in groups]
+    rows = [row for _, own in kept for row in own]
+    if not rows:
+        return ()
+    places, first = [], 0
+    for name, own in kept:
+        if own and name:
+            places.append((first, name))
+        first += len(own)
+    later = list(range(1, len(report.cases)))
+    parts = [later[at : at + _ABREAST] for at in range(0, len(later), _ABREAST)] or [[]]
+    return tuple(
+        Table(
+            columns=tuple(_columns(report, rows, part)),
+            key=key if number == 0 else f"{key}_{number + 1}",
+            caption=caption,
+            groups=tuple(places),
+            legends=legends if number == len(parts) - 1 else (),
+            rule=True,
+            fixed=2,
+        )
+        for number, part in enumerate(parts)
+    )
+
+
+def _has(report: Report, row: _Row) -> bool:
+    if row.texts:
+        return any(row.texts)
+    return any(case.number(row.path) is not None for case in report.cases)
+
+
+def _columns(report: Report, rows: Sequence[_Row], later: Sequence[int]) -> Iterator[Column]:
+    units = [row.shown_unit for row in rows]
+    many = len(report.cases) > 1
+    tones = [row.tone for row in rows]
+    yield Column(head=said("quantity"), values=[row.label for row in rows], key="quantity")
+    yield Column(head=said("unit"), values=units, key="unit", tone="faint")
+    for index in (0, *later):
+        case = report.cases[index]
+        yield Column(
+            head=said("case {name}", name=case.name) if many else said("value"),
+            values=[_cell(report, row, index) for row in rows],
+            key=case.name,
+            align="right",
+            tones=tones,
+        )
+        if index:
+            pairs = [_differences(report, row, index) for row in rows]
+            for place, head, key in ((0, "Δ", "difference"), (1, "Δ, %", "percent")):
+                yield Column(
+                    head=head,
+                    values=[pair[place] for pair in pairs],
+                    key=f"{case.name}_{key}",
+                    align="right",
+                    tone="faint",
+                )
+    paths: list[CellContent] = [row.path or None for row in rows]
+    yield Column(head="path", values=paths, key="path", only_in_files=True)
+
+
+def _cell(report: Report, row: _Row, case: int) -> CellContent:
+    if row.texts:
+        return row.texts[case]
+    value = report.cases[case].number(row.path)
+    if value is None:
+        return Number(nan)
+    return Number(value, _bracketed(row.form))
+
+
+def _differences(report: Report, row: _Row, case: int) -> tuple[CellContent, CellContent]:
+    """The difference to the first case, and its share; none of what is printed alike."""
+    absolute, share = (None, None) if row.texts else report.difference(row.path, case)
+    if absolute is None:
+        return None, None
+    form = _bracketed(row.form).replace("[°C]", "[K]")
+    write = manner().number
+    if write(absolute, form) == write(0.0, form):
+        return Number(0.0), None
+    first = report.cases[0].number(row.path) or 0.0
+    share = None if write(first, form) == write(0.0, form) or row.shown_unit == "°C" else share
+    return Number(absolute, f"+{form}"), None if share is None else Number(share, "+.1f [%]")
+
+
+def _bracketed(form: str) -> str:
+    """The form of a number whose unit stands elsewhere."""
+    figures, _, unit = form.partition(" ")
+    return f"{figures} [{unit}]" if unit else figures
+
+
+# --- summary --------------------------------------------------------------------------------------
+
+
+def _summary(report: Report) -> tuple[Statement | Table, ...]:
+    statements = [_status_statement(case, many=len(report.cases) > 1) for case in report.cases]
+    return (*statements, *_tables(report, [("", _summary_rows(report))], "summary"))
+
+
+def _status_statement(case: CaseReport, *, many: bool) -> Statement:
+    status = case.analysis.solved.status
+    if case.converged:
+        text = said(
+            "converged in {iterations} iterations, residual {residual:.1e}",
+            iterations=int(status.iterations[0]),
+            residual=float(status.residual[0]),
+        )
+    else:
+        text = _failure(case)
+    if many:
+        text = said("Case {names}: {text}", names=case.name, text=text)
+    return Statement(text, "good" if case.converged else "bad-strong",
+                     mark="✓" if case.converged else "✗")  # fmt: skip
+
+
+def _summary_rows(report: Report) -> list[_Row]:
+    leading = tuple(_leading(case) for case in report.cases)
+    return [
+        *_life_rows(report),
+        _Row(said("theory of this life"), texts=leading),
+        _Row(said("reliability at the required life"), "analysis.life.wanted_life.reliability",
+             ".4 %"),
+        _Row(said("static safety factor S_0"), "analysis.life.loads.static_safety", ".3"),
+        _Row(said("load ratio C/P"), "extremes.load_ratio", ".3"),
+        _Row(said("maximum contact pressure"), "extremes.max_pressure", ".4 MPa"),
+        _Row(said("viscosity ratio κ"), "analysis.film.viscosity_ratio", ".3"),
+        _Row(said("minimum film parameter λ"), "extremes.film_parameter", ".3"),
+        _Row(said("friction torque"), "analysis.friction.torque", _torque_form(report)),
+        _Row(said("friction power"), "analysis.friction.power", _power_form(report)),
+        _Row(
+            said("friction power (friction control)"),
+            "analysis.rolling.power",
+            _power_form(report),
+        ),
+        _Row(said("mean clearance in operation"), "clearance.mean", ".3 µm"),
+        _Row(said("axial preload at speed"), "analysis.preload.at_speed", ".4 N"),
+        _Row(said("axial stiffness"), "analysis.stiffness.0.0", ".4 N/µm"),
+        _Row(said("radial stiffness, z"), "analysis.stiffness.2.2", ".4 N/µm"),
+    ]  # fmt: skip
+
+
+def _life_rows(report: Report) -> list[_Row]:
+    """The leading life; in words where fatigue does not decide, or no theory is valid."""
+    path, label = "analysis.life.headline.hours", said("rating life")
+    if all(_is_plain(case) for case in report.cases):
+        return [_Row(label, path, ".4r", unit="h")]
+    return [_Row(label, texts=tuple(_life_text(case) for case in report.cases))]
+
+
+def _is_plain(case: CaseReport) -> bool:
+    """Whether a number says what there is to say of the leading life, or there is none."""
+    life, hours = case.analysis.life, case.number("analysis.life.headline.hours")
+    if life is None or hours is None:
+        return not (case.converged and life is not None and _is_endless(case))
+    return bool(life.headline.valid[0]) and hours <= _LONGEST_LIFE
+
+
+def _is_endless(case: CaseReport) -> bool:
+    headline = case.numbers["analysis"]["life"]["headline"]
+    return bool(headline["endless"])
+
+
+def _life_text(case: CaseReport) -> str:
+    life, hours = case.analysis.life, case.number("analysis.life.headline.hours")
+    if life is None:
+        return ""
+    if not life.headline.leads[0]:
+        return said("no theory is valid")
+    if _is_endless(case):
+        return said("no fatigue limit reached")
+    if hours is None:
+        return ""
+    if life.headline.below[0]:
+        return said("< {hours:.4r} h", hours=hours)
+    if hours > _LONGEST_LIFE:
+        return said("> {hours} h", hours=int(_LONGEST_LIFE))
+    return said("{hours:.4r} h", hours=hours)
+
+
+def _leading(case: CaseReport) -> str:
+    life = case.analysis.life
+    if life is None or not life.headline.leads[0]:
+        return ""
+    name = theory_name(str(life.headline.theory[0]))
+    return said("{theory} (upper bound)", theory=name) if life.headline.below[0] else name
+
+
+# --- inputs ---------------------------------------------------------------------------------------
+
+_ORIGINS: Final = {
+    "given": marked("case file"),
+    "set": marked("command line (--set)"),
+    "published": marked("catalogue"),
+    "inferred": marked("inferred from the ratings"),
+    "assumed": marked("assumed"),
+    "data": marked("data file"),
+    "default": marked("default"),
+}
+_TABLES: Final = {
+    "bearing": marked("Bearing"),
+    "duty": marked("Duty"),
+    "model": marked("Model"),
+    "lubricant": marked("Lubricant"),
+    "surface": marked("Surface"),
+    "temperature": marked("Temperature"),
+    "mounting": marked("Mounting"),
+    "film": marked("Film"),
+    "life": marked("Life"),
+}
+
+
+def _inputs(report: Report) -> list[Section]:
+    """Every input with its origin; of several cases first those that differ."""
+    fields = _all_fields(report)
+    sources = _Sources()
+    if len(report.cases) == 1:
+        table = _input_table(report, fields, [0], "inputs", sources)
+        return [Section("", (*table, *sources.blocks()), key="inputs_table")]
+    differing = [field for field in fields if _differs(report, field)]
+    equal = [field for field in fields if field not in differing]
+    later = list(range(1, len(report.cases)))
+    tables: list[Table] = []
+    for number, index in enumerate(later, start=1):
+        key = "inputs_that_differ" + (f"_{number}" if number > 1 else "")
+        tables += _input_table(report, differing, [0, index], key, sources)
+    same: Sequence[Statement | Table] = tables or [
+        Statement(said("The cases have the same inputs."))
+    ]
+    rest = _input_table(report, equal, [0], "inputs_in_common", sources)
+    return [
+        Section(said("Inputs that differ"), tuple(same), key="differing_inputs"),
+        Section(said("Inputs in common"), (*rest, *sources.blocks()), key="common_inputs"),
+    ]
+
+
+class _Sources:
+    """Sources by a number, said once below the tables."""
+
+    def __init__(self) -> None:
+        self._found: list[str] = []
+
+    def cell(self, found: Input | None) -> str:
+        if found is None:
+            return ""
+        origin = said(_ORIGINS[found.origin])
+        if not found.source:
+            return origin
+        if found.source not in self._found:
+            self._found.append(found.source)
+        return f"{origin} [{self._found.index(found.source) + 1}]"
+
+    def blocks(self) -> tuple[Statement, ...]:
+        return tuple(
+            Statement(source, "faint", indent=2, mark=f"[{number}]")
+            for number, source in enumerate(self._found, start=1)
+        )
+
+
+def _all_fields(report: Report) -> list[str]:
+    """Names of the inputs of all cases, in the order of the tables of a case file."""
+    known = list(Case.fields())
+    found = dict.fromkeys(one.field for case in report.cases for one in case.inputs)
+
+    def place(name: str) -> tuple[int, str]:
+        own = next((at for at, field in enumerate(known) if name == field), None)
+        if own is None:
+            own = next(at for at, field in enumerate(known) if name.startswith(f"{field}."))
+        return own, name
+
+    tables = list(_TABLES)
+    return sorted(found, key=lambda name: (tables.index(name.partition(".")[0]), place(name)))
+
+
+def _differs(report: Report, field: str) -> bool:
+    found = [case.input(field) for case in report.cases]
+    return len({None if one is None else one.value for one in found}) > 1
+
+
+def _input_table(
+    report: Report, fields: Sequence[str], cases: Sequence[int], key: str, sources: _Sources
+) -> list[Table]:
+    if not fields:
+        return []
+    first = {field: _any_input(report, field) for field in fields}
+    groups, place = [], ""
+    for at, field in enumerate(fields):
+        table = field.partition(".")[0]
+        if table != place:
+            groups.append((at, said(_TABLES[table])))
+            place = table
+    many = len(cases) > 1
+    columns = [
+        Column(head=said("input"), values=[_label(field) for field in fields], key="input"),
+        Column(
+            head=said("field"), values=list(fields), key="field", tone="faint", only_in_files=many
+        ),
+        Column(head=said("unit"), values=[first[f].unit for f in fields], key="unit",
+               tone="faint"),
+    ]  # fmt: skip
+    for index in cases:
+        case = report.cases[index]
+        own = [case.input(field) for field in fields]
+        columns.append(
+            Column(
+                head=said("case {name}", name=case.name) if many else said("value"),
+                values=[_input_cell(one) for one in own],
+                key=case.name,
+                align="right",
+            )
+        )
+        if index:
+            columns += _input_differences(report, fields, index)
+        columns.append(
+            Column(
+                head=said("origin"),
+                values=[sources.cell(one) for one in own],
+                key=f"{case.name}_origin",
+            )
+        )
+    return [Table(columns=tuple(columns), key=key, groups=tuple(groups), rule=True, fixed=2)]
+
+
+def _any_input(report: Report, field: str) -> Input:
+    return next(one for case in report.cases if (one := case.input(field)) is not None)
+
+
+def _label(field: str) -> str:
+    """What a field is called; that of a row of a set with the row's number."""
+    known = Case.fields()
+    if field in known:
+        return known[field].label
+    listed = next(name for name in known if field.startswith(f"{name}."))
+    index, _, leaf = field[len(listed) + 1 :].partition(".")
+    record = known[listed].listed
+    assert record is not None
+    from rolamento.case.fields import fields_of
+
+    return said("{what}, {which}", what=fields_of(record)[leaf].label, which=index)
+
+
+def _input_cell(found: Input | None) -> CellContent:
+    if found is None:
+        return Number(nan)
+    value = found.value
+    if isinstance(value, bool):
+        return said("yes") if value else said("no")
+    if isinstance(value, str):
+        return value
+    return Number(float(value), f".10 [{found.unit}]" if found.unit else ".10")
+
+
+def _input_differences(report: Report, fields: Sequence[str], case: int) -> list[Column]:
+    absolute: list[CellContent] = []
+    relative: list[CellContent] = []
+    for field in fields:
+        own = report.cases[case].input(field)
+        difference, share = report.input_difference(field, case)
+        unit = "" if own is None else own.unit.replace("°C", "K")
+        if difference is None:
+            absolute.append(None)
+        else:
+            absolute.append(Number(difference, f"+.6 [{unit}]" if unit else "+.6"))
+        relative.append(None if share is None or unit == "K" else Number(share, "+.1f [%]"))
+    name = report.cases[case].name
+    return [
+        Column(head="Δ", values=absolute, key=f"{name}_difference", align="right", tone="faint"),
+        Column(head="Δ, %", values=relative, key=f"{name}_percent", align="right", tone="faint"),
+    ]
+
+
+# --- results --------------------------------------------------------------------------------------
+
+
+def _results(report: Report) -> list[Section | Beside]:
+    """All results: a table for all cases, and for each what has a line a ball."""
+    sections: list[Section | Beside] = []
+
+    def add(heading: str, key: str, blocks: Sequence[Block]) -> None:
+        if blocks:
+            sections.append(Section(heading, tuple(blocks), key))
+
+    add(said("Loads and ratings"), "loads", _loads(report))
+    add(said("Lives by theory"), "lives", _lives(report))
+    add(said("Clearance in operation"), "clearance", _clearance(report))
+    sections.append(_ring_and_rosettes(report))
+    add(said("Rows and preload"), "rows", _rows(report))
+    sections += [_distribution(report, case) for case in report.cases if case.converged]
+    add(said("Ball loads side by side"), "ball_loads", _ball_loads(report))
+    add(said("Contact stresses"), "contacts", _contacts(report))
+    add(said("Lubricant film"), "film", _film(report))
+    add(said("Friction"), "friction", _friction(report))
+    add(said("Fault frequencies"), "frequencies", _frequencies(report))
+    add(said("Stiffness"), "stiffness", _stiffness(report))
+    missing = _missing(report)
+    add(said("Not calculated"), "missing", (Notes(missing),) if missing else ())
+    return sections
+
+
+def _missing(report: Report) -> tuple[Remark, ...]:
+    """Say which parts no case has, and what they need."""
+    solved = [case for case in report.cases if case.converged]
+    texts = (
+        ("life", said("Ratings and lives: see the warnings.")),
+        ("film", said("Lubricant film: it needs [lubricant] and temperature.lubricant.")),
+        ("friction", said("Friction: it needs lubricant.friction_coefficient.")),
+        ("frequencies", said("Fault frequencies: the rings do not turn against each other.")),
+    )
+    remarks = [
+        Remark(text, name)
+        for name, text in texts
+        if all(getattr(case.analysis, name) is None for case in solved)
+    ]
+    if all(case.clearance is None for case in solved):
+        text = said("Clearance in operation: it needs [mounting]; that of the inputs is used.")
+        remarks.append(Remark(text, "clearance"))
+    return tuple(remarks)
+
+
+def _loads(report: Report) -> tuple[Table, ...]:
+    life = "analysis.life"
+    rating = (
+        ("dynamic", said("basic dynamic load rating C")),
+        ("static", said("basic static load rating C_0")),
+        ("fatigue", said("fatigue load limit C_u")),
+    )
+    rows = [
+        _Row(said("dynamic equivalent load P"), f"{life}.loads.equivalent", ".4 N"),
+        _Row(said("radial load factor X"), f"{life}.loads.radial_factor"),
+        _Row(said("axial load factor Y"), f"{life}.loads.axial_factor"),
+        _Row(said("axial load limit e"), f"{life}.loads.load_ratio_limit"),
+        _Row(said("static equivalent load P_0"), f"{life}.loads.static_equivalent", ".4 N"),
+        _Row(said("load of the reference life P_ref"), "extremes.reference_load", ".4 N"),
+    ]
+    ratings = [_Row(label, f"{life}.ratings.{name}", ".5 N") for name, label in rating]
+    safety = [
+        _Row(said("static safety factor S_0"), f"{life}.loads.static_safety", ".3"),
+        _Row(said("load ratio C/P"), "extremes.load_ratio", ".3"),
+    ]
+    groups = [
+        (said("Equivalent loads"), rows),
+        (said("Ratings"), ratings),
+        (said("Safety"), safety),
+    ]
+    return _tables(report, groups, "loads", legends=_rating_sources(report))
+
+
+def _rating_sources(report: Report) -> tuple[str, ...]:
+    """Say where C, C_0 and C_u come from; of cases that agree once."""
+    symbols = {"dynamic": "C", "static": "C_0", "fatigue": "C_u"}
+    found: dict[str, dict[str, list[str]]] = {}
+    for case in report.cases:
+        for name, symbol in symbols.items():
+            source = _rating_source(case, name)
+            if source:
+                found.setdefault(source, {}).setdefault(case.name, []).append(symbol)
+    rated = sum(case.analysis.life is not None for case in report.cases)
+    legends = []
+    for source, cases in found.items():
+        alike = len(cases) == rated and len({tuple(own) for own in cases.values()}) == 1
+        ratings = "; ".join(
+            ", ".join(own)
+            if alike
+            else said("{ratings} of case {name}", ratings=", ".join(own), name=name)
+            for name, own in list(cases.items())[: 1 if alike else None]
+        )
+        legends.append(said("{ratings}: {source}", ratings=ratings, source=source))
+    return tuple(legends)
+
+
+_RATING_SOURCES: Final = {
+    ("dynamic", "geometry"): marked("from the geometry, ISO 281"),
+    ("static", "geometry"): marked("from the geometry, ISO 76"),
+    ("fatigue", "contacts"): marked("where the weaker race reaches 1500 MPa, ISO 281"),
+    ("fatigue", "estimate"): marked("estimate C_0/22, ISO 281"),
+}
+
+
+def _rating_source(case: CaseReport, name: str) -> str:
+    life = case.analysis.life
+    if life is None or case.number(f"analysis.life.ratings.{name}") is None:
+        return ""
+    source = life.rating_sources[name]
+    if source == "given":
+        return said("case file")
+    known = _RATING_SOURCES.get((name, source))
+    return said(known) if known else source
+
+
+# --- lives ----------------------------------------------------------------------------------------
+
+
+def _lives(report: Report) -> list[Table | Statement]:
+    theories = [
+        name
+        for name in THEORIES
+        if any(
+            case.analysis.life is not None and name in case.analysis.life.theories
+            for case in report.cases
+        )
+    ]
+    if not theories:
+        return []
+    if len(report.cases) == 1:
+        return [_theory_table(report.cases[0], theories)]
+    base = "analysis.life"
+    groups: list[_Group] = []
+    for name in theories:
+        own = f"{base}.theories.{name}"
+        rows = [
+            _hours_row(report, said("life"), f"{own}.hours"),
+            _Row(said("life modification factor a_ISO"), f"{own}.factors.a_iso"),
+            _Row(said("valid here"), texts=tuple(_verdict(case, name) for case in report.cases)),
+        ]
+        groups.append((theory_name(name), rows))
+    common = [
+        _Row(said("reliability"), f"{base}.headline.reliability", ".6 %"),
+        _Row(said("reliability factor a_1"), f"{base}.theories.{theories[0]}.factors.a_1"),
+        _Row(said("viscosity ratio κ"), f"{base}.viscosity_ratio", ".3"),
+        _Row(said("contamination factor e_C"), f"{base}.contamination_factor", ".3"),
+    ]
+    groups.append((said("Conditions"), common))
+    return list(_tables(report, groups, "lives", legends=_life_legends()))
+
+
+def _hours_row(report: Report, label: str, path: str) -> _Row:
+    """Hours, or in words those beyond what fatigue decides."""
+    hours = [case.number(path) for case in report.cases]
+    if all(own is None or own <= _LONGEST_LIFE for own in hours):
+        return _Row(label, path, ".4r", unit="h")
+    texts = tuple("" if own is None else _hours_text(own) for own in hours)
+    return _Row(label, unit="h", texts=texts)
+
+
+def _hours_text(hours: float) -> str:
+    if hours > _LONGEST_LIFE:
+        return said("> {hours}", hours=int(_LONGEST_LIFE))
+    return said("{hours:.4r}", hours=hours)
+
+
+def _life_legends() -> tuple[str, ...]:
+    return (
+        said(
+            "Lives beyond {hours} h: fatigue will not end them. bound: the life is below the "
+            "number. κ viscosity ratio, e_C contamination factor.",
+            hours=int(_LONGEST_LIFE),
+        ),
+    )
+
+
+def _theory_table(case: CaseReport, theories: Sequence[str]) -> Table:
+    """The theories of one case side by side, with their factors."""
+    base = "analysis.life.theories"
+    leading = _chosen(case)
+    tones: list[Tone] = [
+        "strong" if name == leading else "" if _verdict(case, name) != said("no") else "faint"
+        for name in theories
+    ]
+    columns = [
+        Column(
+            head=said("theory"), values=list(map(theory_name, theories)), key="theory", tones=tones
+        )
+    ]
+    millions = [case.number(f"{base}.{name}.life") for name in theories]
+    columns.append(
+        Column(
+            head="10⁶ rev",
+            values=[
+                Number(nan) if own is None else Number(own, ".2e" if own >= 1e6 else ".4r")
+                for own in millions
+            ],
+            key="life",
+            align="right",
+            tones=tones,
+        )
+    )
+    hours = [case.number(f"{base}.{name}.hours") for name in theories]
+    columns.append(
+        Column(
+            head="h",
+            values=[
+                _endless(case, name)
+                if own is None
+                else _hours_text(own)
+                if own > _LONGEST_LIFE
+                else Number(own, ".4r")
+                for name, own in zip(theories, hours, strict=True)
+            ],
+            key="hours",
+            align="right",
+            tones=tones,
+        )
+    )
+    for head, name in (
+        ("a_1", "a_1"), ("a_ISO", "a_iso"), ("a_2", "a_2"), ("a_3", "a_3"), ("a_NSK", "a_nsk"),
+        ("κ", "viscosity_ratio"), ("e_C", "contamination_factor"),
+    ):  # fmt: skip
+        found = [case.number(f"{base}.{theory}.factors.{name}") for theory in theories]
+        if any(own is not None for own in found):
+            cells: list[CellContent] = [None if own is None else Number(own, ".3") for own in found]
+            columns.append(
+                Column(head=head, values=cells, key=f"factors.{name}", align="right", tones=tones)
+            )
+    columns.append(
+        Column(
+            head=said("valid here"),
+            values=[_verdict(case, name) for name in theories],
+            key="valid",
+            tones=tones,
+        )
+    )
+    columns.append(
+        Column(
+            head="path",
+            values=[f"{base}.{name}" for name in theories],
+            key="path",
+            only_in_files=True,
+        )
+    )
+    reliability = case.number("analysis.life.headline.reliability") or nan
+    legends = (
+        said("Lives for {reliability:.6 %} reliability; the leading one in bold.",
+             reliability=reliability),
+        *_life_legends(),
+    )  # fmt: skip
+    return Table(columns=tuple(columns), key=f"lives_{case.name}", legends=legends, rule=True)
+
+
+def _chosen(case: CaseReport) -> str:
+    life = case.analysis.life
+    return "" if life is None or not life.headline.leads[0] else str(life.headline.theory[0])
+
+
+def _endless(case: CaseReport, theory: str) -> CellContent:
+    own = case.numbers["analysis"]["life"]["theories"][theory]
+    return said("no fatigue limit reached") if own["endless"] else Number(nan)
+
+
+def _verdict(case: CaseReport, theory: str) -> str:
+    life = case.analysis.life
+    if life is None or theory not in life.theories:
+        return ""
+    own = life.theories[theory]
+    if own.below[0]:
+        return said("bound")
+    return said("yes") if own.valid[0] else said("no")
+
+
+# --- clearance ------------------------------------------------------------------------------------
+
+_STEPS: Final = {
+    "initial": marked("before mounting"),
+    "measuring_load": marked("measuring load"),
+    "shaft_fit": marked("fit on the shaft"),
+    "housing_fit": marked("fit in the housing"),
+    "temperature": marked("temperature"),
+    "speed": marked("speed"),
+    "wear": marked("wear"),
+}
+_DETAILS: Final = (
+    ("interference", marked("interference as mounted"), "µm"),
+    ("smoothing", marked("loss by smoothing"), "µm"),
+    ("expansion", marked("gain by expansion"), "µm"),
+    ("rotation", marked("loss by rotation"), "µm"),
+    ("effective_interference", marked("interference in operation"), "µm"),
+    ("pressure", marked("contact pressure"), "MPa"),
+)
+_LIMITS: Final = ("minimum", "mean", "maximum")
+
+
+def _clearance(report: Report) -> list[Table]:
+    if len(report.cases) == 1:
+        return [_chain(case) for case in report.cases if case.clearance is not None]
+    names = [
+        name
+        for name in _STEPS
+        if any(
+            case.clearance is not None and any(step.name == name for step in case.clearance.steps)
+            for case in report.cases
+        )
+    ]
+    limits = {"minimum": said("minimum"), "mean": said("mean"), "maximum": said("maximum")}
+    groups: list[_Group] = [
+        (
+            said("Diametral clearance in operation"),
+            [_Row(limits[name], f"clearance.{name}", ".3 µm") for name in _LIMITS],
+        )
+    ]
+    steps = []
+    for name in names:
+        places = [_place_of(case, name) for case in report.cases]
+        at = next(place for place in places if place is not None)
+        if all(place in (None, at) for place in places):
+            steps.append(_Row(said(_STEPS[name]), f"clearance.steps.{at}.change.1", ".3 µm"))
+    groups.append((said("Mean change by step"), steps))
+    return list(_tables(report, groups, "clearance"))
+
+
+def _place_of(case: CaseReport, step: str) -> int | None:
+    if case.clearance is None:
+        return None
+    names = [own.name for own in case.clearance.steps]
+    return names.index(step) if step in names else None
+
+
+def _chain(case: CaseReport) -> Table:
+    """The chain of clearances of one case, with what went into the fits."""
+    labels, units, paths, sources = [], [], [], []
+    tones: list[Tone] = []
+    for place, step in enumerate(case.clearance.steps):
+        labels.append(said(_STEPS.get(step.name, step.name)))
+        units.append("µm")
+        paths.append(f"clearance.steps.{place}.change")
+        sources.append(step.source.text)
+        tones.append("")
+        for name, label, unit in _DETAILS:
+            values = step.details.get(name)
+            if values is not None and (any(values) or name == "interference"):
+                labels.append("  " + said(label))
+                units.append(unit)
+                paths.append(f"clearance.steps.{place}.details.{name}")
+                sources.append("")
+                tones.append("faint")
+    labels.append(said("in operation"))
+    units.append("µm")
+    paths.append("clearance")
+    sources.append("")
+    tones.append("strong")
+    heads = (said("minimum"), said("mean"), said("maximum"))
+    columns = [
+        Column(head=said("diametral clearance"), values=labels, key="step", tones=tones),
+        Column(head=said("unit"), values=units, key="unit", tone="faint"),
+        *(
+            Column(
+                head=head,
+                values=[
+                    _limit_cell(case, path, at, unit)
+                    for path, unit in zip(paths, units, strict=True)
+                ],
+                key=_LIMITS[at],
+                align="right",
+                tones=tones,
+            )
+            for at, head in enumerate(heads)
+        ),
+        Column(head=said("source"), values=sources, key="source", tone="faint"),
+        Column(head="path", values=paths, key="path", only_in_files=True),
+    ]
+    return Table(columns=tuple(columns), key=f"clearance_{case.name}", rule=True)
+
+
+def _limit_cell(case: CaseReport, path: str, at: int, unit: str) -> CellContent:
+    own = f"{path}.{_LIMITS[at]}" if path == "clearance" else f"{path}.{at}"
+    value = case.number(own)
+    return Number(nan) if value is None else Number(value, f".1f [{unit}]")
+
+
+# --- ring, rows, balls ----------------------------------------------------------------------------
+
+
+def _ring(report: Report) -> tuple[Table, ...]:
+    moved = [
+        _Row(
+            said(label), f"analysis.displacement.{axis}", ".3f µm" if len(axis) == 1 else ".4f mrad"
+        )
+        for axis, label in zip(AXES, _MOVED, strict=True)
+    ]
+    loads = [
+        _Row(said(label), f"analysis.load.{load}", ".1f N" if load[0] == "f" else ".3f N·m")
+        for load, label in zip(LOADS, _LOADED, strict=True)
+    ]
+    groups = [(said("Displacements"), moved), (said("Loads of the shaft"), loads)]
+    legend = said(
+        "Loads that are not among the inputs are the reactions of displacements that are held."
+    )
+    return _tables(report, groups, "ring", legends=(legend,))
+
+
+_MOVED: Final = (
+    marked("axial displacement x"),
+    marked("radial displacement y"),
+    marked("radial displacement z"),
+    marked("tilt about y"),
+    marked("tilt about z"),
+)
+_LOADED: Final = (
+    marked("axial load Fx"),
+    marked("radial load Fy"),
+    marked("radial load Fz"),
+    marked("moment My"),
+    marked("moment Mz"),
+)
+
+
+def _rows(report: Report) -> tuple[Table, ...]:
+    """Rows of a set, and what its preload does; nothing of a plain bearing."""
+    if not any(case.case.bearing.is_set for case in report.cases):
+        return ()
+    preload = [
+        _Row(said("axial preload at rest"), "analysis.preload.at_rest", ".4 N"),
+        _Row(said("axial preload at speed"), "analysis.preload.at_speed", ".4 N"),
+        _Row(said("first ball lifts off at, × the load"), "analysis.preload.lift_factor", ".3"),
+        _Row(said("a row lifts off at, × the load"), "analysis.preload.loss_factor", ".3"),
+    ]
+    groups: list[_Group] = [(said("Preload"), preload)]
+    most = max(len(case.analysis.solved.rows) for case in report.cases)
+    for row in range(most):
+        path = f"analysis.rows.{row}"
+        own = [
+            _Row(said("position"), f"{path}.position", ".4 mm"),
+            _Row(said("loaded balls"), f"{path}.loaded_balls", ".4"),
+            _Row(said("axial load Fx"), f"{path}.load.fx", ".4 N"),
+            _Row(said("radial load Fy"), f"{path}.load.fy", ".4 N"),
+            _Row(said("radial load Fz"), f"{path}.load.fz", ".4 N"),
+        ]
+        groups.append((said("row {number}", number=row), own))
+    return _tables(report, groups, "set")
+
+
+def _ring_and_rosettes(report: Report) -> Beside:
+    """The ring and the loads round it; of several cases the rosettes below the ring's table."""
+    ring = Section(said("Displacements and loads of the inner ring"), _ring(report), "ring")
+    pictures = tuple(_rosette(report, case) for case in report.cases if case.converged)
+    if len(report.cases) == 1:
+        return Beside((ring,), pictures, key="ring")
+    return Beside((ring, *pictures[::2]), pictures[1::2], key="ring")
+
+
+def _rosette(report: Report, case: CaseReport) -> Section:
+    found = rosette_section(case.analysis.solved)
+    figure = found.blocks[0]
+    assert isinstance(figure, Figure)
+    heading = found.heading
+    if len(report.cases) > 1:
+        heading = said("{what}, case {name}", what=heading, name=case.name)
+    return Section(heading, (replace(figure, key=f"rosette_{case.name}"),), f"rosette_{case.name}")
+
+
+def _distribution(report: Report, case: CaseReport) -> Section:
+    """The loads of the balls, a line each."""
+    heading = said("Load distribution")
+    if len(report.cases) > 1:
+        heading = said("{what}, case {name}", what=heading, name=case.name)
+    table = replace(balls_table(case.analysis.solved), key=f"balls_{case.name}")
+    return Section(heading, (table,), f"distribution_{case.name}")
+
+
+def _ball_loads(report: Report) -> tuple[Table, ...]:
+    """The inner loads ball by ball, where cases that converged have as many balls."""
+    solved = [case for case in report.cases if case.converged]
+    counts = {len(case.analysis.solved.elements.row) for case in solved}
+    if len(solved) < 2 or len(counts) != 1:
+        return ()
+    rows = [
+        _Row(said("ball {number}", number=ball), f"analysis.balls.{ball}.inner.load", ".4 N")
+        for ball in range(counts.pop())
+    ]
+    return _tables(report, [("", rows)], "ball_loads", legends=(said("Load at the inner race"),))
+
+
+_OF_CONTACTS: Final = (
+    ("max_pressure", marked("maximum contact pressure"), ".4 MPa"),
+    ("ball", marked("at ball number"), ".4"),
+    ("azimuth", marked("azimuth of this ball"), ".4 °"),
+    ("contact_angle", marked("contact angle there"), ".4 °"),
+    ("semi_major", marked("ellipse, semi-major"), ".4 mm"),
+    ("semi_minor", marked("ellipse, semi-minor"), ".4 mm"),
+    ("deflection", marked("approach"), ".4 µm"),
+    ("max_shear", marked("maximum shear stress"), ".4 MPa"),
+    ("max_shear_depth", marked("depth of the maximum shear stress"), ".4 mm"),
+    ("orthogonal_shear", marked("orthogonal shear stress"), ".4 MPa"),
+    ("orthogonal_shear_depth", marked("depth of the orthogonal shear stress"), ".4 mm"),
+    ("load", marked("maximum contact load"), ".5 N"),
+    ("spin_to_roll", marked("maximum spin-to-roll ratio"), ".4f"),
+)
+_OF_FILMS: Final = (
+    ("central_thickness", marked("central film thickness h_c"), ".3 µm"),
+    ("minimum_thickness", marked("minimum film thickness h_0"), ".3 µm"),
+    ("film_parameter", marked("film parameter λ"), ".3"),
+    ("entrainment_speed", marked("entrainment speed"), ".3 m/s"),
+    ("thermal_factor", marked("thermal factor"), ".3 %"),
+    ("starvation_factor", marked("starvation factor"), ".3 %"),
+)
+"""Of the contacts of a race: name in the extremes, label, form."""
+
+
+def _contacts(report: Report) -> tuple[Table, ...]:
+    heads: dict[Race, str] = {"inner": said("Inner race"), "outer": said("Outer race")}
+    return _by_race(report, _OF_CONTACTS, heads, "contacts")
+
+
+def _by_race(
+    report: Report, rows: Sequence[tuple[str, str, str]], heads: Mapping[Race, str], key: str
+) -> tuple[Table, ...]:
+    """Numbers of both races: of one case beside each other, of several below each other."""
+    if len(report.cases) > 1:
+        groups = [
+            (
+                head,
+                [_Row(said(label), f"extremes.{race}_{name}", form) for name, label, form in rows],
+            )
+            for race, head in heads.items()
+        ]
+        return _tables(report, groups, key)
+    case = report.cases[0]
+    found = [
+        row
+        for row in rows
+        if any(case.number(f"extremes.{race}_{row[0]}") is not None for race in heads)
+    ]
+    columns = [
+        Column(head=said("quantity"), values=[said(row[1]) for row in found], key="quantity"),
+        Column(
+            head=said("unit"),
+            values=[row[2].partition(" ")[2] for row in found],
+            key="unit",
+            tone="faint",
+        ),
+        *(
+            Column(
+                head=head,
+                values=[_number(case, f"extremes.{race}_{name}", form) for name, _, form in found],
+                key=race,
+                align="right",
+            )
+            for race, head in heads.items()
+        ),
+        Column(
+            head="path",
+            values=[f"extremes.*_{row[0]}" for row in found],
+            key="path",
+            only_in_files=True,
+        ),
+    ]
+    return (Table(columns=tuple(columns), key=key, rule=True),)
+
+
+def _number(case: CaseReport, path: str, form: str) -> Number:
+    value = case.number(path)
+    return Number(nan if value is None else value, _bracketed(form))
+
+
+# --- film, friction, frequencies, stiffness -------------------------------------------------------
+
+
+def _film(report: Report) -> tuple[Table, ...]:
+    film = "analysis.film"
+    oil = [
+        _Row(said("lubricant"), texts=tuple(_lubricant(case) for case in report.cases)),
+        _Row(said("lubricant temperature"), f"{film}.temperature", ".5 °C"),
+        _Row(said("kinematic viscosity ν"), f"{film}.kinematic_viscosity", ".4 mm²/s"),
+        _Row(said("dynamic viscosity η"), f"{film}.dynamic_viscosity", ".4 mPa·s"),
+        _Row(said("pressure-viscosity coefficient α_p"), f"{film}.pressure_viscosity",
+             ".4 1/GPa"),
+        _Row(said("required viscosity ν_1"), f"{film}.reference_viscosity", ".4 mm²/s"),
+        _Row(said("viscosity ratio κ"), f"{film}.viscosity_ratio", ".3"),
+    ]  # fmt: skip
+    if not any(case.analysis.film is not None for case in report.cases):
+        return ()
+    heads: dict[Race, str] = {
+        "inner": said("Thinnest film, inner race"),
+        "outer": said("Thinnest film, outer race"),
+    }
+    tables = _tables(report, [(said("Lubricant"), oil)], "oil")
+    return (*tables, *_by_race(report, _OF_FILMS, heads, "film"))
+
+
+def _lubricant(case: CaseReport) -> str:
+    lubricant = case.case.lubricant
+    return "" if lubricant is None else lubricant.name
+
+
+_LOSSES: Final = {
+    "spin": marked("spin"),
+    "rolling_slip": marked("slip in rolling"),
+    "hysteresis": marked("elastic hysteresis"),
+    "rolling_resistance": marked("rolling resistance of the oil"),
+}
+
+
+def _friction(report: Report) -> tuple[Table, ...]:
+    friction = "analysis.friction"
+    used = tuple(
+        "" if case.analysis.friction is None else torque_model_name(case.analysis.friction.model)
+        for case in report.cases
+    )
+    torque, power = _torque_form(report), _power_form(report)
+    whole = [
+        _Row(said("coefficient of friction μ"), f"{friction}.friction_coefficient"),
+        _Row(said("model of the contacts"), texts=used),
+        _Row(said("running torque"), f"{friction}.torque", torque),
+        _Row(said("starting torque"), f"{friction}.starting_torque", torque),
+        _Row(said("friction power"), f"{friction}.power", power),
+    ]
+    torques = [
+        _Row(said(label), f"{friction}.torque_by_source.{name}", torque)
+        for name, label in _LOSSES.items()
+    ]
+    heats = [_Row(said(label), f"extremes.heat_{name}", power) for name, label in _LOSSES.items()]
+    names = dict.fromkeys(
+        name
+        for case in report.cases
+        if case.analysis.friction is not None
+        for name in case.analysis.friction.models
+    )
+    models = [
+        _Row(torque_model_name(name), f"{friction}.models.{name}.torque", torque) for name in names
+    ]
+    rolling = [
+        _Row(said("cage speed"), "analysis.rolling.cage_speed", ".5 rpm"),
+        _Row(said("cage slip against outer raceway control"), "analysis.rolling.skid", ".3 %"),
+        _Row(said("torque on the shaft"), "analysis.rolling.inner_torque", torque),
+        _Row(said("torque on the housing"), "analysis.rolling.outer_torque", torque),
+        _Row(said("power lost in the contacts"), "analysis.rolling.power", power),
+    ]
+    groups = [
+        (said("Friction of the contacts"), whole),
+        (said("Torque by source"), torques),
+        (said("Power by source"), heats),
+        (said("Torque by model"), models),
+        (said("Motion under friction control"), rolling),
+    ]
+    if not any(_has(report, row) for _, rows in groups for row in rows):
+        return ()
+    legend = said("Seals, cage and churning of the oil are not included.")
+    return _tables(report, groups, "friction", legends=(legend,))
+
+
+def _torque_form(report: Report) -> str:
+    paths = ("analysis.friction.torque", "analysis.rolling.inner_torque")
+    return _readable(report, paths, ("N·m", "N·mm", "µN·m"))
+
+
+def _power_form(report: Report) -> str:
+    paths = ("analysis.friction.power", "analysis.rolling.power")
+    return _readable(report, paths, ("W", "mW", "µW"))
+
+
+def _readable(report: Report, paths: Sequence[str], units: Sequence[str]) -> str:
+    """The largest unit of which the greatest number has at least a tenth, else the last."""
+    numbers = [abs(case.number(path) or 0.0) for case in report.cases for path in paths]
+    most = max(numbers)
+    found = (unit for unit in units if float(in_unit(most, unit)) >= _READABLE)
+    return f".4 {next(found, units[-1] if most else units[0])}"
+
+
+_READABLE: Final = 0.1
+
+
+_LINES: Final = {
+    "cage": marked("cage"),
+    "ball_pass_outer": marked("outer race (ball pass)"),
+    "ball_pass_inner": marked("inner race (ball pass)"),
+    "ball_spin": marked("ball spin"),
+    "ball_spin_twice": marked("ball damage (twice the spin)"),
+}
+
+
+def _frequencies(report: Report) -> tuple[Table, ...]:
+    path = "analysis.frequencies"
+    if len(report.cases) == 1:
+        return _frequency_table(report.cases[0])
+    shaft = [_Row(said("shaft frequency"), f"{path}.shaft_frequency", ".5 Hz")]
+    hertz = [
+        _Row(said(label), f"{path}.{name}.frequency", ".5 Hz") for name, label in _LINES.items()
+    ]
+    orders = [_Row(said(label), f"{path}.{name}.order", ".5") for name, label in _LINES.items()]
+    groups: list[_Group] = [
+        (said("Shaft"), shaft),
+        (said("Frequencies"), hertz),
+        (said("Orders of the shaft"), orders),
+    ]
+    return _tables(report, groups, "frequencies")
+
+
+def _frequency_table(case: CaseReport) -> tuple[Table, ...]:
+    """Frequencies of one case with their orders."""
+    path = "analysis.frequencies"
+    if case.analysis.frequencies is None:
+        return ()
+    names = list(_LINES)
+    columns = (
+        Column(head="", values=[said(_LINES[name]) for name in names], key="line"),
+        Column(
+            head=said("frequency"),
+            values=[case.number(f"{path}.{name}.frequency") for name in names],
+            unit="Hz",
+            key="frequency",
+            figures=5,
+            most=6,
+        ),
+        Column(
+            head=said("order"),
+            values=[case.number(f"{path}.{name}.order") for name in names],
+            unit="–",
+            key="order",
+            figures=5,
+            most=4,
+        ),
+        Column(
+            head="path",
+            values=[f"{path}.{name}" for name in names],
+            key="path",
+            only_in_files=True,
+        ),
+    )
+    legend = said(
+        "Orders are multiples of the shaft frequency, {frequency:.5 Hz}.",
+        frequency=case.number(f"{path}.shaft_frequency") or 0.0,
+    )
+    return (Table(columns=columns, key=f"frequencies_{case.name}", legends=(legend,), rule=True),)
+
+
+def _stiffness(report: Report) -> list[Table]:
+    tables: list[Table] = []
+    if len(report.cases) > 1:
+        names = ("xx", "yy", "zz", "ryry", "rzrz")
+        rows = [
+            _Row(
+                said("stiffness {axes}", axes=name),
+                f"analysis.stiffness.{at}.{at}",
+                ".4 N/µm" if at < 3 else ".4 N·m/mrad",
+            )
+            for at, name in enumerate(names)
+        ]
+        tables += _tables(report, [("", rows)], "diagonal", caption=said("Diagonal"))
+    for case in report.cases:
+        if case.converged:
+            found = stiffness_section(case.analysis.solved).blocks[0]
+            assert isinstance(found, Table)
+            caption = (
+                said("Stiffness matrix, case {name}", name=case.name)
+                if len(report.cases) > 1
+                else said("Stiffness matrix")
+            )
+            tables.append(replace(found, key=f"stiffness_{case.name}", caption=caption))
+    return tables
+
+
+# --- validity, references, provenance -------------------------------------------------------------
+
+_CHECKS: Final[Mapping[str, tuple[str, str]]] = {
+    "pressure": (marked("contact pressure, static limit (ISO 76)"), ".4 [MPa]"),
+    "tilt": (marked("tilt of the rings, small angles"), ".3 [°]"),
+    "speed": (marked("speed factor n·d_m"), ".3 [10⁶ mm·rpm]"),
+    "load": (marked("equivalent load over dynamic rating P/C"), ".3"),
+    "reference_load": (marked("reference load over dynamic rating P_ref/C"), ".3"),
+    "film_U": (marked("Hamrock–Dowson, speed parameter U"), ".1e"),
+    "film_W": (marked("Hamrock–Dowson, load parameter W"), ".1e"),
+    "film_G": (marked("Hamrock–Dowson, material parameter G"), ".4"),
+    "film_k": (marked("Hamrock–Dowson, ellipticity k"), ".3"),
+}
+"""Of the checks of a case: label, and form of the numbers."""
+
+
+def _validity(report: Report) -> list[Section]:
+    many = len(report.cases) > 1
+    sections = []
+    for case in report.cases:
+        if not case.converged:
+            continue
+        heading = (
+            said("Limits of the models, case {name}", name=case.name)
+            if many
+            else said("Limits of the models")
+        )
+        sections.append(Section(heading, (_check_table(case),), f"limits_{case.name}"))
+    life = _life_validity(report)
+    if life:
+        sections.append(Section(said("Theories of life"), life, "life_validity"))
+    friction = _friction_validity(report)
+    if friction:
+        sections.append(Section(said("Models of friction"), friction, "friction_validity"))
+    return sections
+
+
+def _check_table(case: CaseReport) -> Table:
+    checks = [check for check in case.checks if check.name in _CHECKS]
+    forms = [_CHECKS[check.name][1] for check in checks]
+    units = {"pressure": "MPa", "tilt": "°", "speed": "10⁶ mm·rpm"}
+
+    def column(name: str, head: str) -> Column:
+        values: list[CellContent] = []
+        for check, form in zip(checks, forms, strict=True):
+            value = getattr(check, name)
+            own = None if value is None or (name == "least" and check.low is None) else value
+            values.append(None if own is None else Number(float(own), form))
+        return Column(head=head, values=values, key=name, align="right")
+
+    columns = (
+        Column(
+            head=said("limit"),
+            values=[said(_CHECKS[check.name][0]) for check in checks],
+            key="limit",
+        ),
+        Column(
+            head=said("unit"), values=[units.get(c.name, "") for c in checks], key="unit",
+            tone="faint",
+        ),
+        column("low", said("from")),
+        column("high", said("to")),
+        column("least", said("here, from")),
+        column("greatest", said("here, to")),
+        Column(
+            head=said("met"),
+            values=[said("yes") if check.met else said("no") for check in checks],
+            key="met",
+            tones=["good" if check.met else "warning" for check in checks],
+        ),
+        Column(
+            head="path",
+            values=[f"checks.{case.checks.index(check)}" for check in checks],
+            key="path",
+            only_in_files=True,
+        ),
+    )  # fmt: skip
+    return Table(columns=columns, key=f"limits_{case.name}", rule=True)
+
+
+def _life_validity(report: Report) -> tuple[Table, ...]:
+    """Which theory is valid for which case, and what refuses or bounds it."""
+    rows, verdicts = [], []
+    for name in THEORIES:
+        own = [_reasoned(case, name) for case in report.cases]
+        if any(own):
+            rows.append(theory_name(name))
+            verdicts.append(own)
+    return _verdict_table(report, said("theory"), rows, verdicts, "life_validity")
+
+
+def _reasoned(case: CaseReport, theory: str) -> str:
+    life = case.analysis.life
+    if life is None or theory not in life.theories:
+        return ""
+    notes = life.theories[theory].notes_of(0)
+    why = [note.text for note in notes if note.key in OUTSIDE | BOUNDS]
+    verdict = _verdict(case, theory)
+    return said("{verdict}: {why}", verdict=verdict, why=" ".join(why)) if why else verdict
+
+
+def _friction_validity(report: Report) -> tuple[Table, ...]:
+    names = dict.fromkeys(
+        found.model
+        for case in report.cases
+        if case.analysis.friction is not None
+        for found in case.analysis.friction.validity
+    )
+    verdicts = [[_friction_verdict(case, name) for case in report.cases] for name in names]
+    labels = [torque_model_name(name) for name in names]
+    return _verdict_table(report, said("model"), labels, verdicts, "friction_validity")
+
+
+def _friction_verdict(case: CaseReport, model: str) -> str:
+    friction = case.analysis.friction
+    found = None if friction is None else next(
+        (own for own in friction.validity if own.model == model), None
+    )  # fmt: skip
+    if found is None:
+        return ""
+    why = [note.text for note in found.notes_of(0)]
+    verdict = said("yes") if found.valid[0] else said("no")
+    return said("{verdict}: {why}", verdict=verdict, why=" ".join(why)) if why else verdict
+
+
+def _verdict_table(
+    report: Report, head: str, rows: Sequence[str], verdicts: Sequence[Sequence[str]], key: str
+) -> tuple[Table, ...]:
+    if not rows:
+        return ()
+    many = len(report.cases) > 1
+    columns = [Column(head=head, values=list(rows), key=head)]
+    for index, case in enumerate(report.cases):
+        texts = [own[index] for own in verdicts]
+        no = said("no")
+        columns.append(
+            Column(
+                head=said("case {name}", name=case.name) if many else said("valid here"),
+                values=texts,
+                key=case.name,
+                tones=["warning" if text.startswith(no) else "" for text in texts],
+            )
+        )
+    return (Table(columns=tuple(columns), key=key, rule=True),)
+
+
+def _references(cases: Iterable[CaseReport]) -> tuple[Statement, ...]:
+    return tuple(
+        Statement(text, mark=f"[{number}]")
+        for number, text in enumerate(references_of(cases), start=1)
+    )
+
+
+def _provenance(report: Report) -> tuple[KeyValues | Statement, ...]:
+    entries = [Entry(said("program"), said("Rolamento {version}", version=report.version))]
+    many = len(report.cases) > 1
+    for case in report.cases:
+        if many:
+            label = said("case {name}, SHA-256 of the inputs", name=case.name)
+            source = said("case {name}, source", name=case.name)
+        else:
+            label, source = said("SHA-256 of the inputs"), said("source")
+        if case.source:
+            entries.append(Entry(source, case.source))
+        entries.append(Entry(label, case.checksum))
+    explained = said(
+        "The checksum is of the inputs in SI units with all defaults; title and title block do "
+        "not count. Two reports with one checksum rest on the same inputs."
+    )
+    return KeyValues(tuple(entries)), Statement(explained, "faint")

@@ -1,0 +1,209 @@
+"""The page of `life` for several bearings on one shaft: of each, and of all together."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import isnan
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+
+from rolamento.document import (
+    Block,
+    Break,
+    CellContent,
+    Column,
+    Document,
+    Number,
+    Section,
+    Statement,
+    Table,
+    Tone,
+)
+from rolamento.life.theories import THEORIES
+from rolamento.pages.life import HOUR, formulas_only, percent, remarks
+from rolamento.words import said
+from rolamento.words.reasons import reason
+from rolamento.words.theories import theory_heads, theory_life
+
+if TYPE_CHECKING:
+    from rolamento.tasks.life import ShaftLife
+
+__all__ = ["shaft_page"]
+
+_LONGEST_NAME: Final = 24
+
+
+def shaft_page(found: ShaftLife, names: Sequence[str]) -> Document:
+    """Return the page of the lives of several bearings.
+
+    Parameters
+    ----------
+    found
+        Of `rolamento.tasks.life.life_of_shaft`.
+    names
+        Of the bearings: their titles, or files.
+    """
+    heading = said("Life of {count} bearings on one shaft", count=len(found))
+    sections = [Section(heading, _statement(found), key="life")]
+    if found.theories:
+        sections.append(Section("", (_table(found, names), *_remarks(found)), key="bearings"))
+    return Document(heading, tuple(sections), kind="shaft_life")
+
+
+def _theories(found: ShaftLife) -> str:
+    """Name the theories of the lives that lead, each once."""
+    names = dict.fromkeys(name for name in found.headline.theories if name)
+    return "; ".join(map(theory_life, names))
+
+
+def _statement(found: ShaftLife) -> tuple[Block, ...]:
+    leading = found.headline
+    sentences: list[tuple[str, Tone]] = []
+    if not found.converged:
+        none = said("Without a result of every bearing there is no life of the shaft.")
+        sentences.append((none, "bad-strong"))
+        sentences += [(text, "bad") for text in _failures(found)]
+    elif not (leading.valid or leading.below):
+        none = said("No theory that considers the load of every ball is valid for this case.")
+        sentences += [(none, "bad-strong"), (formulas_only(), "strong")]
+    elif np.isnan(leading.hours):
+        text = said("Nothing turns at one of the bearings: there are no hours.")
+        sentences.append((text, "warning"))
+    else:
+        sentences += _reached(found)
+    return tuple(Statement(text, tone, indent=2) for text, tone in sentences)
+
+
+def _failures(found: ShaftLife) -> list[str]:
+    texts = []
+    for number, solved in enumerate(found.bearings, start=1):
+        if not solved.converged[0]:
+            why, advice = reason(str(solved.status.code[0])), solved.advice[0]
+            text = f"{why}: {advice}" if advice else why
+            texts.append(said("bearing {number}: {reason}", number=number, reason=text))
+    return texts
+
+
+def _reached(found: ShaftLife) -> list[tuple[str, Tone]]:
+    leading = found.headline
+    values = {
+        "reliability": found.reliability,
+        "count": len(found),
+        "hours": leading.hours * HOUR,
+        "theory": _theories(found),
+    }
+    if leading.below:
+        text = said(
+            "With {reliability:.7 %} reliability the {count} bearings together reach less than "
+            "{hours:.3r h} (upper bound of the {theory}).",
+            **values,
+        )
+    else:
+        text = said(
+            "With {reliability:.7 %} reliability the {count} bearings together reach "
+            "{hours:.3r h} ({theory}).",
+            **values,
+        )
+    sentences: list[tuple[str, Tone]] = [(text, "strong")]
+    risk = leading.risk
+    if np.all(np.isfinite(risk)):
+        most = int(np.argmax(risk))
+        limit = said(
+            "Bearing {number} limits it: it contributes {share} of the failure probability.",
+            number=most + 1,
+            share=percent(float(risk[most])),
+        )
+        sentences.append((limit, ""))
+    return sentences
+
+
+def _table(found: ShaftLife, names: Sequence[str]) -> Table:
+    """Set bearings below each other, theories side by side, all together at the foot."""
+    shown = [name for name in found.theories if not THEORIES[name].bound]  # of parts say little
+    order = sorted(shown, key=lambda name: not THEORIES[name].standard)
+    tones: list[Tone] = [""] * len(names)
+    tones.append("strong")
+    columns = [
+        Column(
+            head="", values=[*range(1, len(found) + 1), ""], key="number", tone="faint",
+            align="right",
+        ),
+        Column(
+            head="",
+            values=[*map(_shortened, names), said("together")],
+            key="bearing",
+            tones=tones,
+        ),
+        *(_hours_column(found, name) for name in order),
+    ]  # fmt: skip
+    risk = [_share(float(share)) for share in found.headline.risk]
+    columns.insert(
+        2 + sum(THEORIES[name].standard for name in order),
+        Column(head=said("failure\nshare"), values=[*risk, ""], unit="%",
+               key="failure_share", align="right"),
+    )  # fmt: skip
+    first = 3 + sum(THEORIES[name].standard for name in order)
+    legend = said(
+        "for {reliability:.7 %} reliability, of each bearing and of all together (Weibull slope "
+        "10/9); share of each in the failure probability, by the {theory}; * the theory is not "
+        "valid there, < the life is below",
+        reliability=found.reliability,
+        theory=_theories(found),
+    )
+    return Table(
+        columns=tuple(columns),
+        key="bearings",
+        legends=(legend,),
+        fixed=2,
+        breaks=(Break(first, ""),) if first < len(columns) else (),
+    )
+
+
+def _share(share: float) -> Number:
+    """Write a share in the failure probability; nearly all is not all."""
+    if 0.9995 <= share < 1.0:
+        return Number(0.999, ".3 [%]", before="> ")
+    if 0.0 < share < 0.001:
+        return Number(0.001, ".3 [%]", before="< ")
+    return Number(share, ".3 [%]")
+
+
+def _hours_column(found: ShaftLife, name: str) -> Column:
+    """Hours of each bearing by a theory, and of all together; marked where they are not valid."""
+    whole = found[name]
+    valid = [own is not None and bool(own[name].valid[0]) for own in found.lives]
+    below = [own is not None and bool(own[name].below[0]) for own in found.lives]
+    fine = all(held or bound for held, bound in zip(valid, below, strict=True))
+    values: list[CellContent] = []
+    tones: list[Tone] = []
+    for hours, held, bound in zip(
+        [*whole.bearing_hours.tolist(), whole.hours],
+        [*valid, fine],
+        [*below, whole.below],
+        strict=True,
+    ):
+        mark = " " if held or bound or isnan(hours) else "*"
+        values.append(Number(hours * HOUR, ".3r [h]", "<" if bound else "", mark))
+        tones.append("" if held and not bound else "warning")
+    tones[-1] = "strong"
+    head = "\n".join(f"{word} " for word in theory_heads(name))
+    return Column(head=head, values=values, unit="h", key=name, tones=tones, align="right")
+
+
+def _shortened(name: str) -> str:
+    return name if len(name) <= _LONGEST_NAME else f"{name[: _LONGEST_NAME - 1]}…"
+
+
+def _remarks(found: ShaftLife) -> tuple[Block, ...]:
+    """Say what stands against the theories, and of which bearings; of all if none is named."""
+    numbers: dict[tuple[str, str], list[int]] = {}
+    for number, summary in enumerate(found.lives, start=1):
+        for life in () if summary is None else summary.theories.values():
+            for note in () if THEORIES[life.theory].bound else life.notes_of():
+                numbers.setdefault((life.theory, note.key), []).append(number)
+    notes = [
+        (theory, key, "" if len(own) == len(found) else said("bearing {numbers}", numbers=own))
+        for (theory, key), own in numbers.items()
+    ]
+    return remarks(notes, sum(not THEORIES[name].bound for name in found.theories))

@@ -1,0 +1,331 @@
+"""The page of `synthesise`: what was planted, and where it was written."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterable
+from math import isfinite
+from typing import TYPE_CHECKING, Final
+
+from rolamento.document import (
+    Block,
+    Column,
+    Document,
+    Entry,
+    Figure,
+    KeyValues,
+    Notes,
+    Number,
+    Remark,
+    Section,
+    Statement,
+    Table,
+    Title,
+)
+from rolamento.pages.frequencies import balls_of, contact_angle
+from rolamento.vibration.synthesis import Fault, SwingingSpeed, WanderingSpeed
+from rolamento.words import counted, manner, marked, said, said_in
+from rolamento.words.naming import PARTS, listed, one_line, part_name, the_part
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure as Picture
+
+    from rolamento.tasks.synthesis import PlantedFault, PlantedLine, SynthesisResult
+
+__all__ = ["synthesis_page"]
+
+_SMALLEST, _GREATEST = 1e-6, 1e9
+"""Beyond these a number is written by its order of magnitude."""
+_MOST_LINES: Final = 15
+_MOST_MODES: Final = 5
+_STANDARD_INPUT: Final = "-"
+_SURFACES: Final = {
+    "outer": PARTS["outer_race"],
+    "inner": PARTS["inner_race"],
+    "ball": PARTS["ball"],
+    "shaft": marked("shaft"),
+}
+_NOISES: Final = {"white": marked("white"), "pink": marked("pink")}
+_HOLDS: Final = {
+    ".wav": marked("32-bit floats in m/s²; sampling rate"),
+    ".csv": marked("nine digits; sampling rate, unit, mean speed"),
+    ".npz": marked("samples to the last bit; sampling rate, mean speed"),
+}
+
+
+def synthesis_page(found: SynthesisResult) -> Document:
+    """Return the page of a synthetic signal."""
+    sections = [Section("", (Statement(_written(found), "strong"),), key="verdict"), _facts(found)]
+    if found.faults:
+        sections.append(_planted(found))
+    if found.lines:
+        sections.append(_lines(found))
+    remarks = tuple(Remark(note.text, note.key) for note in found.notes)
+    if remarks:
+        sections.append(Section(said("Notes"), (Notes(remarks),), key="notes"))
+    if found.source != _STANDARD_INPUT:
+        command = Statement(found.command, indent=2, verbatim=True)
+        sections.append(Section(said("To look for it:"), (command,), key="next"))
+    sections.append(Section("", tuple(_figures(found)), key="figures"))
+    return Document(one_line(found.name), tuple(sections), kind="synthesise")
+
+
+def _written(found: SynthesisResult) -> str:
+    given = {"path": one_line(found.path), "duration": found.recipe.duration}
+    if not found.faults:
+        return said("Written: {path}, {duration:.6 s} of a healthy bearing.", **given)
+    return said(
+        "Written: {path}, {duration:.6 s} of a bearing with damage to {parts}.",
+        parts=_together(one.fault for one in found.faults),
+        **given,
+    )
+
+
+def _together(faults: Iterable[Fault]) -> str:
+    """Name the damaged parts, each once."""
+    return listed(dict.fromkeys(the_part(fault.kind) for fault in faults))
+
+
+# --- what the signal is made of ----------------------------------------------------------------
+
+
+def _facts(found: SynthesisResult) -> Section:
+    balls, angle = balls_of(found.bearing), contact_angle(found.recipe.frequencies)
+    of_impacts = (
+        Entry(said("load"), _load(found)),
+        Entry(said("resonances"), _modes(found)),
+    )
+    entries = (
+        Entry(said("bearing"), f"{one_line(found.name)}: {balls}; {angle}"),
+        Entry(said("shaft"), "; ".join(_shaft(found))),
+        Entry(said("signal"), _signal(found)),
+        *(of_impacts if found.faults else ()),
+        Entry(said("noise"), _noise(found)),
+        Entry(said("seed"), str(found.recipe.seed)),
+        Entry(said("files"), "\n".join(_files(found))),
+    )
+    return Section("", (Title(said("Synthetic signal")), KeyValues(entries)), key="given")
+
+
+def _shaft(found: SynthesisResult) -> Iterable[str]:
+    own, profile = found.recipe.frequencies, found.recipe.speed
+    if own.shaft == "inner":
+        yield said(
+            "{speed:.6 rpm} ({frequency:.5 Hz})",
+            speed=own.inner_speed,
+            frequency=own.shaft_frequency,
+        )
+    else:
+        yield said("inner ring {speed:.6 rpm}", speed=own.inner_speed)
+    if own.outer_speed != 0.0:
+        yield said("outer ring {speed:.6 rpm}", speed=own.outer_speed)
+    if own.slip != 0.0:
+        yield said("the cage lags by {slip:.3 %}", slip=own.slip)
+    if isinstance(profile, SwingingSpeed):
+        yield said(
+            "oscillating by {depth:.3 %} at {frequency:.4 Hz}",
+            depth=profile.depth,
+            frequency=profile.frequency,
+        )
+    elif isinstance(profile, WanderingSpeed):
+        yield said(
+            "wandering by {deviation:.3 %} (standard deviation), memory {memory:.4 s}",
+            deviation=profile.deviation,
+            memory=profile.memory,
+        )
+    else:
+        yield said("constant")
+
+
+def _signal(found: SynthesisResult) -> str:
+    return said(
+        "acceleration, {count} samples at {rate:.8 Hz}; RMS {rms} m/s²",
+        count=len(found.made.signal.samples),
+        rate=found.recipe.rate,
+        rms=_written_number(found.rms),
+    )
+
+
+def _load(found: SynthesisResult) -> str:
+    if found.load == "radial":
+        text = said("radial, load zone ε {extent:.4}", extent=found.extent)
+    elif found.load == "solved":
+        text = said("of the solved case")
+    else:
+        text = said("uniform around the circumference")
+    turns = found.recipe.load_turns
+    if turns == 0.0:
+        return text
+    return f"{text}; {said('turning at {turns:.4} times the shaft speed', turns=turns)}"
+
+
+def _modes(found: SynthesisResult) -> str:
+    modes = found.recipe.modes
+    texts = [
+        said(
+            "{frequency:.6 Hz} (damping {damping:.5})",
+            frequency=mode.frequency,
+            damping=mode.damping,
+        )
+        for mode in modes[:_MOST_MODES]
+    ]
+    return ", ".join(texts) + (" …" if len(modes) > _MOST_MODES else "")
+
+
+def _noise(found: SynthesisResult) -> str:
+    noise, level = found.recipe.noise, found.made.truth.noise_level
+    if noise is None or level == 0.0:
+        return said_in("noise", "none")
+    colour = said(_NOISES[noise.colour])
+    values = {"colour": colour, "level": _written_number(level), "ratio": noise.ratio}
+    if noise.ratio is None:
+        return said("{colour}, RMS {level} m/s²", **values)
+    if noise.of == "faults":
+        return said("{colour}, RMS {level} m/s², faults to noise {ratio:.4 dB}", **values)
+    return said("{colour}, RMS {level} m/s², signal to noise {ratio:.4 dB}", **values)
+
+
+def _files(found: SynthesisResult) -> Iterable[str]:
+    ending = os.path.splitext(found.path)[1].lower()
+    yield f"{one_line(found.path)} ({said(_HOLDS[ending])})"
+    if found.truth_path is not None:
+        contents = said("every impact, and all that is known")
+        yield f"{one_line(found.truth_path)} ({contents})"
+
+
+# --- what was planted ----------------------------------------------------------------------------
+
+
+def _planted(found: SynthesisResult) -> Section:
+    faults, noisy = found.faults, found.made.truth.noise_level > 0.0
+    to_noise = Column(
+        head=said("to noise"),
+        values=[one.to_noise for one in faults],
+        unit="dB",
+        form=".2f [dB]",
+        key="to_noise",
+    )
+    columns = (
+        Column(head="", values=[part_name(one.truth.kind) for one in faults], key="part"),
+        Column(
+            head=said("order"),
+            values=[one.truth.order for one in faults],
+            form=".4f",
+            key="order",
+        ),
+        Column(
+            head=said("frequency"),
+            values=[one.truth.frequency for one in faults],
+            unit="Hz",
+            form=".2f [Hz]",
+            key="frequency",
+        ),
+        Column(head=said("impacts"), values=[_impacts(one) for one in faults], key="impacts"),
+        Column(
+            head="RMS",
+            values=[_number(one.truth.rms, "m/s²") for one in faults],
+            unit="m/s²",
+            key="rms",
+        ),
+        *((to_noise,) if noisy else ()),
+        Column(
+            head=said("jitter"),
+            values=[one.fault.jitter for one in faults],
+            unit="%",
+            form=".3 [%]",
+            key="jitter",
+        ),
+    )
+    legend = said(
+        "Order: of the shaft. Impacts: with non-zero force. RMS: of what the fault alone produces."
+        " Jitter: standard deviation of the intervals."
+    )
+    if noisy:
+        legend = said(
+            "Order: of the shaft. Impacts: with non-zero force. RMS: of what the fault alone"
+            " produces. To noise: its power over that of the noise. Jitter: standard deviation of"
+            " the intervals."
+        )
+    table = Table(columns=columns, key="planted", legends=(legend,))
+    return Section(said("Planted"), (table,), key="planted")
+
+
+def _impacts(one: PlantedFault) -> float | int:
+    return one.impacts if one.fault.modulation == "amplitude" else float("nan")
+
+
+def _lines(found: SynthesisResult) -> Section:
+    """Show the strongest peaks of waviness and shaft, of those that the rate holds."""
+    held = [line for line in found.lines if line.frequency < 0.5 * found.recipe.rate]
+    blocks: list[Block] = [_line_table(held[:_MOST_LINES])] if held else []
+    blocks += [Statement(text, "faint", indent=2) for text in _left_out(found, len(held))]
+    return Section(said("Peaks"), tuple(blocks), key="lines")
+
+
+def _left_out(found: SynthesisResult, held: int) -> Iterable[str]:
+    if held > _MOST_LINES:
+        yield counted(
+            "{n} weaker peak is left out here.",
+            "{n} weaker peaks are left out here.",
+            held - _MOST_LINES,
+        )
+    beyond = len(found.lines) - held
+    if beyond > 0:
+        yield counted(
+            "{n} peak beyond half the sampling rate is not in the signal.",
+            "{n} peaks beyond half the sampling rate are not in the signal.",
+            beyond,
+        )
+
+
+def _line_table(lines: list[PlantedLine]) -> Table:
+    waves = [float("nan") if line.source == "shaft" else line.waves for line in lines]
+    columns = (
+        Column(head="", values=[said(_SURFACES[line.source]) for line in lines], key="source"),
+        Column(head=said("waves"), values=waves, key="waves"),
+        Column(head=said("order"), values=[line.order for line in lines], form=".4f", key="order"),
+        Column(
+            head=said("frequency"),
+            values=[line.frequency for line in lines],
+            unit="Hz",
+            form=".2f [Hz]",
+            key="frequency",
+        ),
+        Column(
+            head=said("amplitude"),
+            values=[_number(line.amplitude, "nm", 3) for line in lines],
+            unit="nm",
+            key="amplitude",
+        ),
+        Column(
+            head="RMS",
+            values=[_number(line.rms, "m/s²", 3) for line in lines],
+            unit="m/s²",
+            key="rms",
+        ),
+    )
+    return Table(columns=columns, key="lines")
+
+
+def _number(value: float, unit: str, figures: int = 4) -> Number:
+    """Return a number to so many figures; by its order of magnitude if it is far out."""
+    shown = 1e9 * value if unit == "nm" else value
+    far = isfinite(shown) and shown != 0.0 and not _SMALLEST <= abs(shown) < _GREATEST
+    return Number(value, f".1e [{unit}]" if far else f".{figures} [{unit}]")
+
+
+def _written_number(value: float) -> str:
+    return manner().number(value, _number(value, "").form)
+
+
+def _figures(found: SynthesisResult) -> Iterable[Figure]:
+    yield Figure(caption=said("The signal over time"), draw=_waveform(found), key="waveform")
+
+
+def _waveform(found: SynthesisResult) -> Callable[[], Picture]:
+    def draw() -> Picture:
+        from rolamento.plots.vibration import waveform_figure
+
+        return waveform_figure(found.made.signal)
+
+    return draw

@@ -1,0 +1,182 @@
+"""The page of what grew while bearings ran: measurements, and a law of wear."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Final
+
+from rolamento.document import (
+    CellContent,
+    Column,
+    Document,
+    Entry,
+    Figure,
+    KeyValues,
+    Number,
+    Section,
+    Statement,
+    Table,
+    Title,
+)
+from rolamento.pages.texts import one_line, shortened
+from rolamento.units import to_si
+from rolamento.words import marked, said
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure as Picture
+
+    from rolamento.clearance.wear import WearFit
+    from rolamento.tasks.weibull import TrendStudy
+    from rolamento.weibull import Trend
+
+__all__ = ["QUANTITIES", "trend_page"]
+
+_MOST_ROWS: Final = 60
+_FIGURES: Final = 3
+_REJECTED: Final = "×"
+
+QUANTITIES: Final = {"radial clearance": marked("radial clearance")}
+"""What columns of a record are called, of which the name is known."""
+_LAWS: Final = {
+    "running_in": "P_0 + A (1 − e^(−t/τ))",
+    "running_in_and_steady": "P_0 + A (1 − e^(−t/τ)) + w t",
+    "power": "P_0 + A (t/t_n)^n",
+}
+
+
+def trend_page(found: TrendStudy) -> Document:
+    """Return the page of a record; lengths and times are in the units of the data.
+
+    Parameters
+    ----------
+    found
+        Of `rolamento.tasks.weibull.trend_study`.
+    """
+    trend = found.trend
+    title = one_line(trend.title) or said("Measurements")
+    source = KeyValues((Entry(said("source"), one_line(trend.source)),))
+    sections = [
+        Section(blocks=(Title(title), source), key="head"),
+        Section(blocks=(_measurements(trend),), key="measurements"),
+    ]
+    if trend.passed_over:
+        columns = ", ".join(shortened(one_line(name), 30) for name in trend.passed_over)
+        text = said(
+            "Columns of the table that were not read, as they have no unit: {columns}.",
+            columns=columns,
+        )
+        sections.append(Section(blocks=(Statement(text, "faint", indent=2),)))
+    if found.fits:
+        sections.append(_laws_of_wear(trend, found.fits))
+
+    def draw() -> Picture:
+        from rolamento.plots.trend import trend_figure
+
+        return trend_figure(trend, found.fits)
+
+    caption = said("Measurements over the running time")
+    sections.append(Section(blocks=(Figure(caption=caption, draw=draw, key="trend"),)))
+    return Document(title, tuple(sections), "trend")
+
+
+def _measurements(trend: Trend) -> Table:
+    """One line a measurement."""
+    places = {name: place for place, name in enumerate(trend.names)}
+    order = sorted(
+        range(len(trend.times)),
+        key=lambda row: (places[str(trend.bearings[row])], float(trend.times[row])),
+    )
+    shown = order[:_MOST_ROWS]
+    bearings = [str(trend.bearings[row]) for row in shown]
+    groups = tuple(
+        (place, said("bearing {name}", name=shortened(one_line(name))))
+        for place, name in enumerate(bearings)
+        if not place or name != bearings[place - 1]
+    )
+    columns = [
+        Column(head=said("bearing"), key="bearing", values=bearings, only_in_files=True),
+        Column(
+            head=trend.time_unit,
+            key="time",
+            values=[Number(float(trend.times[row]), ".6") for row in shown],
+        ),
+    ]
+    for place, (name, unit) in enumerate(zip(trend.quantities, trend.units, strict=True)):
+        known = said(QUANTITIES[name]) if name in QUANTITIES else name
+        columns.append(
+            Column(
+                head=f"{shortened(known)} {unit}",
+                key=name,
+                values=_cells(trend, shown, place),
+                align="right",
+            )
+        )
+    legends = [said("× rejected")] if trend.rejected.any() else []
+    if len(order) > len(shown):
+        legends.append(
+            said(
+                "{count} measurements; the first {shown} are shown.",
+                count=len(order),
+                shown=len(shown),
+            )
+        )
+    return Table(columns=tuple(columns), key="measurements", groups=groups, legends=tuple(legends))
+
+
+def _cells(trend: Trend, rows: Sequence[int], quantity: int) -> list[CellContent]:
+    return [
+        _REJECTED
+        if trend.rejected[row, quantity]
+        else Number(float(trend.values[row, quantity]), ".5")
+        for row in rows
+    ]
+
+
+def _laws_of_wear(trend: Trend, fits: Mapping[str, WearFit]) -> Section:
+    """One line a bearing: the constants of its law, with their standard errors."""
+    length, time = trend.units[0], trend.time_unit
+    metre, second = to_si(f"1 {length}", "length"), to_si(f"1 {time}", "time")
+    constants = {
+        "initial_clearance": (f"P_0 {length}", metre),
+        "running_in_wear": (f"A {length}", metre),
+        "wear_at_last": (f"A {length}", metre),
+        "running_in_time": (f"τ {time}", second),
+        "wear_rate": (f"w {length}/1000 {time}", metre / (1000.0 * second)),
+        "exponent": ("n", 1.0),
+    }
+    first = next(iter(fits.values()))
+    columns = [
+        Column(
+            head=said("bearing"),
+            key="bearing",
+            values=[shortened(one_line(bearing)) for bearing in fits],
+        )
+    ]
+    for name in first.constants:
+        head, scale = constants[name]
+        values = [fit.constants[name] / scale for fit in fits.values()]
+        errors = [fit.standard_errors[name] / scale for fit in fits.values()]
+        for key, shown, numbers, figures in (
+            (name, head, values, _FIGURES), (f"{name}_error", "±", errors, 2),
+        ):  # fmt: skip
+            cells = [Number(value, f".{figures}") for value in numbers]
+            columns.append(Column(head=shown, key=key, values=cells))
+    columns.append(
+        Column(
+            head=said("residual {length}", length=length),
+            key="residual",
+            values=[Number(fit.residual / metre, ".2") for fit in fits.values()],
+        )
+    )
+    legends = (
+        said(
+            "± standard error, from the curvature at the best fit; without it, the measurements do"
+            " not determine the constant."
+        ),
+        said(
+            "The law describes what was measured. It is not valid beyond the last measurement, nor"
+            " for other bearings."
+        ),
+    )
+    table = Table(columns=tuple(columns), key="wear", legends=legends)
+    return Section(said("Law of wear: {law}", law=_LAWS[first.law]), (table,), "wear")

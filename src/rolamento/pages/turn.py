@@ -1,0 +1,298 @@
+"""The page of `turn`: what varies while the cage turns by one pitch."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import isfinite, nan
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+
+from rolamento.case.duty import AXES, LOADS
+from rolamento.document import (
+    Block,
+    CellContent,
+    Column,
+    Document,
+    Entry,
+    Figure,
+    KeyValues,
+    Number,
+    Section,
+    Statement,
+    Table,
+    Title,
+)
+from rolamento.numerics import FloatArray
+from rolamento.pages.given import untitled
+from rolamento.solved import RACES
+from rolamento.words import decimals_for, in_unit, said, said_in
+from rolamento.words.reasons import reason
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure as Picture
+
+    from rolamento.studies.cage_turn import BallHistory, CageTurn, Variation
+
+__all__ = ["turn_page"]
+
+_SHIFTS: Final = 3
+"""x, y, z come before the tilts, forces before moments."""
+_HARMONICS: Final = 3
+_MEAN_UNITS: Final = ("µm",) * _SHIFTS + ("mrad",) * 2
+_VARIED_UNITS: Final = ("nm",) * _SHIFTS + ("µrad",) * 2
+_LOAD_UNITS: Final = ("N",) * _SHIFTS + ("N·m",) * 2
+_STIFFNESS_UNITS: Final = ("N/µm",) * _SHIFTS + ("N·m/mrad",) * 2
+
+
+def turn_page(turn: CageTurn) -> Document:
+    """Return the page of a turn of the cage.
+
+    Parameters
+    ----------
+    turn
+        Converged or not; what needs every instant is left out if one has no result.
+    """
+    title = turn.case.title or untitled()
+    sections = [Section("", (Title(title), _head(turn)), key="given")]
+    if turn.converged:
+        sections += [_displacement(turn), _load(turn), _stiffness(turn)]
+        sections += [_ball(history, turn) for history in turn.histories]
+    figure = Figure(
+        caption=said("Displacement, stiffness and ball load over one pitch of the cage"),
+        draw=lambda: _picture(turn),
+        key="turn",
+    )
+    sections.append(Section("", (figure, _instants(turn)), key="instants"))
+    return Document(title, tuple(sections), kind="turn", main="instants")
+
+
+def _picture(turn: CageTurn) -> Picture:
+    from rolamento.plots.cage_turn import cage_turn_figure
+
+    return cage_turn_figure(turn)
+
+
+def _head(turn: CageTurn) -> KeyValues:
+    points = said(
+        "{count} instants of the first ball over {period:.4 °}",
+        count=len(turn),
+        period=turn.period,
+    )
+    entries = [Entry(said("turn"), points)]
+    if turn.converged:
+        entries.append(Entry(said("cage"), _cage(turn)))
+        status = said("✓ all instants converged")
+    else:
+        failed = turn.status[turn.status != "converged"]
+        status = said(
+            "✗ {failed} of {count} instants without a result: {reasons}",
+            failed=len(failed),
+            count=len(turn),
+            reasons=[reason(code) for code in np.unique(failed).tolist()],
+        )
+    entries.append(Entry(said("status"), status, "good" if turn.converged else "bad-strong"))
+    if turn.advice is not None:
+        entries.append(Entry(said("advice"), turn.advice.text))
+    return KeyValues(tuple(entries))
+
+
+def _cage(turn: CageTurn) -> str:
+    if not isfinite(turn.passage_frequency):
+        return said("at rest: no frequency")
+    speed = turn.cage_speed
+    return said(
+        "{mean:.5 rpm}, mean of the loaded balls ({least:.5 [rpm]} to {greatest:.5 [rpm]})\n"
+        "balls pass under the load at {frequency:.5 Hz}",
+        mean=speed.mean,
+        least=speed.minimum,
+        greatest=speed.maximum,
+        frequency=turn.passage_frequency,
+    )
+
+
+# --- the ring ----------------------------------------------------------------------------------
+
+
+def _displacement(turn: CageTurn) -> Section:
+    variation = turn.variation("displacement")
+    blocks: list[Block] = [
+        _variation_table(AXES, variation, _MEAN_UNITS, _VARIED_UNITS, key="displacement")
+    ]
+    if not variation.peak_to_peak.any():
+        text = said("no variation: the ring does not move while the balls pass")
+        blocks.append(Statement(text, "faint", indent=2))
+    heading = said("Displacement of the inner ring")
+    return Section(heading, tuple(blocks), key="displacement")
+
+
+def _load(turn: CageTurn) -> Section:
+    table = _variation_table(LOADS, turn.variation("load"), _LOAD_UNITS, _LOAD_UNITS, key="load")
+    return Section(said("Load on the inner ring"), (table,), key="load")
+
+
+def _variation_table(
+    names: Sequence[str],
+    variation: Variation,
+    mean_units: Sequence[str],
+    units: Sequence[str],
+    key: str,
+) -> Table:
+    """Show mean, peak to peak and the first harmonics of the five degrees of freedom."""
+    amplitudes = np.abs(variation.harmonics[:_HARMONICS])
+    columns = [
+        Column(head="", values=names, key="direction"),
+        Column(
+            head=said("mean"),
+            values=_alike(variation.mean, mean_units, 5, 3, zero=False),
+            key="mean",
+        ),
+        Column(head="", values=mean_units, key="mean_unit"),
+        Column(
+            head=said("peak to peak"),
+            values=_alike(variation.peak_to_peak, units, 4, 4),
+            key="peak_to_peak",
+            tone="strong",
+        ),
+        *(
+            Column(
+                head=said("harm. {order}", order=order),
+                values=_alike(values, units, 4, 4),
+                key=f"harmonic_{order}",
+            )
+            for order, values in enumerate(amplitudes, start=1)
+        ),
+        Column(head="", values=units, key="unit"),
+    ]
+    return Table(columns=tuple(columns), key=key)
+
+
+def _alike(
+    values: FloatArray, units: Sequence[str], figures: int, most: int, *, zero: bool = True
+) -> list[CellContent]:
+    """Write shifts, and tilts, each with the decimals of the greatest; zero: nothing as 0."""
+    cells: list[CellContent] = []
+    for part in (slice(None, _SHIFTS), slice(_SHIFTS, None)):
+        pairs = list(zip(values[part].tolist(), units[part], strict=True))
+        decimals = decimals_for([float(in_unit(v, u)) for v, u in pairs], figures, most)
+        cells += [
+            Number(value, f".{decimals if value or not zero else 0}f [{unit}]")
+            for value, unit in pairs
+        ]
+    return cells
+
+
+def _stiffness(turn: CageTurn) -> Section:
+    variation = turn.variation("stiffness")
+    means, extents = np.diagonal(variation.mean), np.diagonal(variation.peak_to_peak)
+    shares = [float(e / abs(m)) if m else nan for e, m in zip(extents, means, strict=True)]
+    columns = (
+        Column(
+            head="",
+            values=[f"{load} {axis}" for load, axis in zip(LOADS, AXES, strict=True)],
+            key="direction",
+        ),
+        Column(head=said("mean"), values=_short(means, 5), key="mean"),
+        Column(head=said("peak to peak"), values=_short(extents, 4), key="peak_to_peak",
+               tone="strong"),
+        Column(head="", values=_STIFFNESS_UNITS, key="unit"),
+        Column(
+            head=said("of mean"),
+            values=[Number(share, ".3 %") for share in shares],
+            key="share",
+        ),
+    )  # fmt: skip
+    return Section(said("Stiffness"), (Table(columns=columns, key="stiffness"),), key="stiffness")
+
+
+def _short(values: FloatArray, figures: int) -> list[CellContent]:
+    pairs = zip(values.tolist(), _STIFFNESS_UNITS, strict=True)
+    return [Number(value, f".{figures} [{unit}]") for value, unit in pairs]
+
+
+# --- one ball ----------------------------------------------------------------------------------
+
+
+def _ball(history: BallHistory, turn: CageTurn) -> Section:
+    """Show where one ball of a row carries most and least."""
+    races = {"inner": history.inner, "outer": history.outer}
+    shown = (
+        (said("maximum load"), "N"),
+        ("  " + said("at"), "°"),
+        ("  " + said("pressure there"), "MPa"),
+        ("  " + said("contact angle there"), "°"),
+        (said("minimum load"), "N"),
+        (said("loaded over"), "°"),
+    )
+    columns = [Column(head="", values=[label for label, _ in shown], key="quantity")]
+    heads = {"inner": said_in("race", "inner"), "outer": said_in("race", "outer")}
+    for race in RACES:
+        contact = races[race]
+        most = contact.heaviest
+        values = (
+            contact.load[most],
+            history.azimuth[most],
+            contact.max_pressure[most],
+            contact.contact_angle[most],
+            contact.load.min(),
+            2.0 * np.pi * np.mean(contact.load > 0.0),
+        )
+        cells = [
+            Number(float(value), f".5 [{unit}]")
+            for value, (_, unit) in zip(values, shown, strict=True)
+        ]
+        columns.append(Column(head=heads[race], values=cells, key=race, align="right"))
+    columns.append(Column(head="", values=[unit for _, unit in shown], key="unit"))
+    heading = said("One ball over its orbit")
+    if len(turn.histories) > 1:
+        heading = said("One ball of row {number} over its orbit", number=history.row)
+    key = f"ball_{history.row}"
+    return Section(heading, (Table(columns=tuple(columns), key=key),), key=key)
+
+
+# --- the instants ------------------------------------------------------------------------------
+
+
+def _instants(turn: CageTurn) -> Table:
+    """Return a line for every instant; for files."""
+    solved = turn.solved
+    columns = [
+        Column(head="ψ", values=turn.angle.tolist(), unit="°", key="angle"),
+        Column(head="t", values=turn.time.tolist(), unit="ms", key="time"),
+        Column(head=said("status"), values=turn.status.tolist(), key="status"),
+    ]
+    for names, units, values in (
+        (AXES, _MEAN_UNITS, solved.displacement.array),
+        (LOADS, _LOAD_UNITS, solved.load.array),
+    ):
+        columns += [
+            Column(head=name, values=values[:, place].tolist(), unit=unit, key=name)
+            for place, (name, unit) in enumerate(zip(names, units, strict=True))
+        ]
+    columns += [
+        Column(
+            head=f"{load} {axis}",
+            values=solved.stiffness.array[:, row, column].tolist(),
+            unit=_stiffness_unit(row, column),
+            key=f"stiffness_{load}_{axis}",
+        )
+        for row, load in enumerate(LOADS)
+        for column, axis in enumerate(AXES)
+    ]
+    columns += [
+        Column(
+            head=f"Q_{race[0]},{ball}",
+            values=solved.contacts[race].load[:, ball].tolist(),
+            unit="N",
+            key=f"ball_{ball}_{race}_load",
+        )
+        for race in RACES
+        for ball in range(solved.inner.load.shape[1])
+    ]
+    return Table(columns=tuple(columns), key="instants", only_in_files=True)
+
+
+def _stiffness_unit(row: int, column: int) -> str:
+    force = "N/µm" if column < _SHIFTS else "N/mrad"
+    moment = "N·m/mm" if column < _SHIFTS else "N·m/mrad"
+    return force if row < _SHIFTS else moment

@@ -1,0 +1,253 @@
+"""The page of the verification: published numbers beside the computed ones."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from itertools import groupby
+from math import floor, isfinite, log10
+from typing import Final
+
+from rolamento.document import (
+    CellContent,
+    Column,
+    Document,
+    Number,
+    Section,
+    Statement,
+    Table,
+    Title,
+    Tone,
+)
+from rolamento.verification import VERDICTS, Check, CheckVerdict, SourceResult, Verification
+from rolamento.words import ABSENT, manner, marked, said
+
+__all__ = ["COMMAND", "summary", "verification_page"]
+
+COMMAND: Final = "rolamento verify --markdown docs/verification.md"
+"""What writes the page of the documentation."""
+
+_TONES: Final[Mapping[CheckVerdict, Tone]] = {
+    "agrees": "good",
+    "explained": "warning",
+    "fails": "bad-strong",
+}
+_VERDICTS: Final[Mapping[CheckVerdict, str]] = {
+    "agrees": marked("agrees"),
+    "explained": marked("explained"),
+    "fails": marked("fails"),
+}
+_TERMS: Final = (
+    marked("over the pair's preload or rigidity"),
+    marked("unloading load"),
+    marked("axial rigidity"),
+    marked("preload"),
+    marked("General Catalogue, page"),
+    marked("catalogue 4000 0813 EN, page"),
+    marked("catalogue 4000 0813 EN, table of bearing data"),
+    marked("Reference program for"),
+    marked("as in"),
+    marked("chapters 3.4.2 and 4.4.3"),
+    marked("chapter"),
+    marked("dimensionless contact parameters"),
+    marked("example"),
+    marked("text before figure"),
+    marked("text after figure"),
+    marked("text to figure"),
+    marked("table of"),
+    marked("table"),
+    marked("radial load"),
+    marked("axial load"),
+    marked("drive-end bearing"),
+    marked("at rest"),
+    marked("fall of"),
+    marked(" of Harris"),
+    marked("cage"),
+    marked("outer race"),
+    marked("inner race"),
+    marked("ball, twice"),
+    marked("turn"),
+    marked("viscosity index"),
+    marked(", bearing new"),
+    marked(", bearing"),
+    marked(", condition"),
+    marked(", convex"),
+    marked("without test"),
+    marked("L_10h, all"),
+    marked("quoted"),
+)
+"""Of citations and of quantities: what is not a name or a symbol. The longer ones come first."""
+_TERM: Final = re.compile("|".join(map(re.escape, _TERMS)))
+
+
+def verification_page(found: Verification, *, introduction: bool = False) -> Document:
+    """Return the page of a verification.
+
+    Parameters
+    ----------
+    found
+        From `rolamento.verification.run`.
+    introduction
+        Whether to begin with what the page is, for the documentation.
+    """
+    title = said("Verification")
+    sections = [_introduction(title)] if introduction else []
+    for result in found.results:
+        sections += _of_source(result)
+    sections.append(Section(blocks=(Statement(_proof_note(), "faint"),), key="proof"))
+    mark, tone = ("✓", _TONES["agrees"]) if found.passed else ("✗", _TONES["fails"])
+    sections.append(Section(blocks=(Statement(summary(found), tone, mark=mark),), key="summary"))
+    return Document(title, tuple(sections), "verify")
+
+
+def summary(found: Verification) -> str:
+    """Say how many numbers there are, and how many of each verdict."""
+    counts = {verdict: found.count(verdict) for verdict in VERDICTS}
+    return said(
+        "{count} numbers: {agrees} agree, {explained} explained, {fails} fail",
+        count=len(found.checks),
+        **counts,
+    )
+
+
+def term(text: str) -> str:
+    """Say a citation or the name of a quantity, its words one by one."""
+    return _TERM.sub(lambda match: said(match[0]), text)
+
+
+def _introduction(title: str) -> Section:
+    text = said(
+        "Published numbers beside those that this program gives. This page is written by"
+        " {command}; rolamento verify prints the same in a terminal, with exit code 1 if a number"
+        " fails.",
+        command=COMMAND,
+    )
+    meaning = said(
+        "Printed is the published number with its digits; computed is what the program gives by"
+        " its own models, with one digit more; the tolerance is half a unit of the last printed"
+        " digit, unless a note says otherwise. A number agrees if the difference is within the"
+        " tolerance; it is explained if it is not, but the explanation has been tested; otherwise"
+        " it fails."
+    )
+    return Section(blocks=(Title(title), Statement(text), Statement(meaning)), level=1)
+
+
+def _proof_note() -> str:
+    return said(
+        "Proof of an explanation: what the program gives with the author's choice, which must equal"
+        " the printed number; or, where the print is wrong, the number that should have been"
+        " printed, which must equal the computed one."
+    )
+
+
+def _of_source(result: SourceResult) -> Iterator[Section]:
+    yield Section(blocks=(Title(result.title),), key=result.name, level=1)
+    for place, (source, group) in enumerate(groupby(result.checks, lambda check: check.source)):
+        heading, key = term(source), f"{result.name}_{place + 1}"
+        yield Section(heading, (_table(list(group), key, heading),), key)
+
+
+def _table(checks: Sequence[Check], key: str, caption: str) -> Table:
+    """Return one table with its notes; the column of proofs only where there is one."""
+    notes = list(dict.fromkeys(one.explanation for one in checks if one.explanation))
+    mark = manner().mark
+    columns = [
+        Column(
+            head=said("quantity"),
+            key="quantity",
+            values=[_quantity(check).replace(".", mark) for check in checks],
+        ),
+        _numbers(said("printed"), "printed", checks, _printed),
+        replace(
+            _numbers(said("computed"), "computed", checks, _computed),
+            tones=["bad-strong" if one.verdict == "fails" else "strong" for one in checks],
+        ),
+        _numbers(said("difference"), "difference", checks, _difference),
+        _numbers(said("tolerance"), "tolerance", checks, _tolerance),
+    ]
+    if any(one.corrected or one.evidence is not None for one in checks):
+        columns.append(_numbers(said("proof"), "proof", checks, _proof))
+    columns.append(
+        Column(
+            head=said("verdict"),
+            key="verdict",
+            values=[
+                f"{said(_VERDICTS[one.verdict])} [{notes.index(one.explanation) + 1}]"
+                if one.explanation
+                else said(_VERDICTS[one.verdict])
+                for one in checks
+            ],
+            tones=[_TONES[one.verdict] for one in checks],
+        )
+    )
+    legends = tuple(f"[{place}] {note.text}" for place, note in enumerate(notes, start=1))
+    return Table(columns=tuple(columns), key=key, legends=legends, caption=caption)
+
+
+def _quantity(check: Check) -> str:
+    """Return the quantity with its unit."""
+    return term(check.quantity) + (f" [{term(check.unit)}]" if check.unit else "")
+
+
+# --- numbers, each with one digit more than the print ------------------------------------------
+
+
+def _numbers(
+    head: str, key: str, checks: Sequence[Check], cell: Callable[[Check], CellContent]
+) -> Column:
+    values = [cell(check) for check in checks]
+    return Column(head=head, key=key, values=values, align="right")
+
+
+def _places(printed: str) -> tuple[int, int]:
+    """Return the decimals of the mantissa of a printed number, and its power of ten."""
+    mantissa, _, exponent = printed.partition("e")
+    return len(mantissa.partition(".")[2]), int(exponent or 0)
+
+
+def _printed(check: Check) -> CellContent:
+    decimals, power = _places(check.printed)
+    return _number(float(check.printed), decimals, power)
+
+
+def _computed(check: Check) -> CellContent:
+    return _like_print(check, check.computed)
+
+
+def _like_print(check: Check, value: float) -> CellContent:
+    decimals, power = _places(check.printed)
+    return _number(value, decimals + 1, power)
+
+
+def _proof(check: Check) -> CellContent:
+    if check.corrected:
+        return _number(float(check.corrected), *_places(check.corrected))
+    return None if check.evidence is None else _like_print(check, check.evidence)
+
+
+def _number(value: float, decimals: int, power: int) -> CellContent:
+    if not isfinite(value):
+        return ABSENT
+    if not power:
+        return Number(value, f".{decimals}f")
+    return f"{manner().fixed(value / 10.0**power, decimals)}e{power}"
+
+
+def _difference(check: Check) -> CellContent:
+    decimals, power = _places(check.printed)
+    decimals = max(decimals + 1 - power, 0)
+    value = check.difference
+    if not isfinite(value):
+        return ABSENT
+    sign = "+" if round(value, decimals) > 0.0 else ""
+    return Number(value, f"{sign}.{decimals}f")
+
+
+def _tolerance(check: Check) -> Number:
+    """Return a tolerance with two significant digits at most, never as a power of ten."""
+    value = check.tolerance
+    if value == 0.0:
+        return Number(value, ".0f")
+    decimals = max(1 - floor(log10(value)), 0)
+    return Number(value, f".{len(f'{value:.{decimals}f}'.rstrip('0').partition('.')[2])}f")

@@ -1,0 +1,641 @@
+"""The page of a life test: Weibull fits, bounds, a calculated life, groups compared."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from math import isfinite
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+
+from rolamento.document import (
+    Beside,
+    Block,
+    CellContent,
+    Column,
+    Document,
+    Entry,
+    Figure,
+    KeyValues,
+    Notes,
+    Number,
+    Remark,
+    Section,
+    Statement,
+    Table,
+    Title,
+    Tone,
+)
+from rolamento.pages.lives import alike, brief, life_name, percent, written
+from rolamento.pages.texts import one_line, shortened
+from rolamento.weibull import (
+    EXPONENTS,
+    Bounds,
+    Comparison,
+    Estimand,
+    GroupSummary,
+    LifeRatio,
+    LifeTest,
+    LifeTestSummary,
+    Wanted,
+    bands_of,
+    regions_of,
+)
+from rolamento.words import ABSENT, Note, counted, manner, marked, said
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure as Picture
+
+__all__ = ["weibull_page"]
+
+_LEAST_P: Final = 0.001
+_LONGEST_SHOWN_UNIT: Final = 12
+_LONGEST_UNIT: Final = 6
+_LONGEST_NAME: Final = 18
+
+SCHEMES: Final[Mapping[str, str]] = {
+    "complete": marked("all failed"),
+    "type_ii": marked("stopped at the last failure"),
+    "sudden_death": marked("sudden death: rigs stopped at their first failure"),
+    "type_i": marked("stopped at a set time, the same for all"),
+    "multiple": marked("suspended at various times"),
+    "interval": marked("failures found at inspections"),
+}
+FITS: Final[Mapping[str, str]] = {
+    "maximum_likelihood": marked("maximum likelihood"),
+    "unbiased": marked("  with unbiased shape"),
+    "rank_regression_x_on_y": marked("rank regression, X on Y"),
+    "rank_regression_y_on_x": marked("rank regression, Y on X"),
+    "three_parameter": marked("three parameters"),
+    "fixed_shape": marked("known shape"),
+}
+BOUND_METHODS: Final[Mapping[str, str]] = {
+    "pivotal": marked("maximum-likelihood pivots"),
+    "calibrated_likelihood_ratio": marked("calibrated likelihood ratio"),
+    "likelihood_ratio": marked("likelihood ratio"),
+    "fisher": marked("Fisher information"),
+    "parametric_percentile": marked("parametric bootstrap, percentiles"),
+    "parametric_bias_corrected": marked("parametric bootstrap, bias-corrected"),
+    "bootstrap_percentile": marked("bootstrap, percentiles"),
+    "bootstrap_bca": marked("bootstrap, bias-corrected and accelerated"),
+    "fixed_shape": marked("chi-square at the known shape"),
+}
+HYPOTHESES: Final[Mapping[str, str]] = {
+    "common_shape": marked("equal shapes"),
+    "same_life": marked("equal lives, at a common shape"),
+    "homogeneous": marked("equal shapes and lives"),
+}
+_VERDICTS: Final[Mapping[str, str]] = {
+    "": marked("no"),
+    "longer": marked("yes: longer"),
+    "shorter": marked("yes: shorter"),
+}
+
+
+def weibull_page(found: LifeTestSummary) -> Document:
+    """Return the page of a life test; times are in the unit of the data.
+
+    Parameters
+    ----------
+    found
+        Of `rolamento.weibull.summarise`.
+    """
+    title = one_line(found.test.title) or said("Life test")
+    alone = len(found.groups) == 1
+    parts: list[Section | Beside] = [_head(found, title)]
+    for group in found.groups:
+        parts += _parts_of_group(found.wanted, group, alone=alone)
+    parts += _comparison(found)
+    parts += _pictures(found)
+    notes = [*_notes(found)]
+    if notes:
+        remarks = tuple(Remark(note.text, note.key) for note in notes)
+        parts.append(Section(said("Notes"), (Notes(remarks),), "notes"))
+    return Document(title, tuple(parts), "weibull")
+
+
+def _head(found: LifeTestSummary, title: str) -> Section:
+    test, groups = found.test, found.groups
+    facts = [_sizes(test)]
+    if len(groups) > 1:
+        facts.append(counted("{n} group", "{n} groups", len(groups)))
+    elif groups[0].name:
+        facts[0] = f"{one_line(groups[0].name)}: {facts[0]}"
+    first, last = (written(brief(float(time), 6)) for time in _ends(test))
+    facts.append(said("{first} to {last} {unit}", first=first, last=last, unit=test.unit))
+    scheme = "" if len(groups) > 1 else said(SCHEMES[test.scheme])
+    entries = (
+        Entry(said("data"), "; ".join(facts)),
+        Entry("", scheme),
+        Entry(said("source"), one_line(test.source)),
+    )
+    shown = tuple(entry for entry in entries if entry.content)
+    return Section(blocks=(Title(title), KeyValues(shown)), key="head")
+
+
+def _sizes(test: LifeTest) -> str:
+    """Say how many bearings there were, and what became of them."""
+    facts = [counted("{n} bearing", "{n} bearings", test.size)]
+    if not test.failures:
+        return ", ".join([*facts, said("none failed")])
+    facts.append(counted("{n} failed", "{n} failed", test.failures))
+    if test.suspensions:
+        facts.append(counted("{n} suspended", "{n} suspended", test.suspensions))
+    return ", ".join(facts)
+
+
+def _ends(test: LifeTest) -> tuple[float, float]:
+    return float(np.min(test.times)), float(np.max(test.times))
+
+
+def _parts_of_group(wanted: Wanted, group: GroupSummary, *, alone: bool) -> list[Section | Beside]:
+    """Say what one group says: in sentences, then in tables."""
+    name = one_line(group.name)
+    blocks: list[Block] = list(_statements(group, wanted))
+    if not alone:
+        scheme = Statement(said(SCHEMES[group.test.scheme]), "faint", indent=2)
+        blocks = [Title(f"{name}: {_sizes(group.test)}"), scheme, *blocks]
+    tables = [
+        Section(
+            heading,
+            (table if alone else replace(table, caption=f"{name}: {heading}"),),
+            table.key,
+        )
+        for heading, table in (
+            *_table_of_fits(group),
+            *_table_of_bounds(group),
+            *_at_assumed_shapes(group, wanted),
+            *_table_of_posterior(group, wanted),
+            *_table_of_calculated(group, wanted),
+        )
+    ]
+    parts: list[Section | Beside] = [Section(blocks=tuple(blocks), key="group")]
+    if [table.key for table in tables[:2]] == ["fits", "bounds"]:
+        parts.append(Beside((tables[0],), (tables[1],), key="fits_and_bounds"))
+        tables = tables[2:]
+    return [*parts, *tables]
+
+
+_Headed = tuple[tuple[str, Table], ...]
+"""A table with its heading, or none."""
+
+
+# --- tables ----------------------------------------------------------------------------------
+
+
+def _table_of_fits(group: GroupSummary) -> _Headed:
+    """One line a method; nothing where no method has a result."""
+    unit = one_line(group.test.unit)
+    fits = [fit for fit in group.fits if fit.converged]
+    if not fits:
+        return ()
+    tones: list[Tone] = ["strong" if fit is group.main else "" for fit in fits]
+    heads = {
+        "shape": said("shape β"),
+        "scale": said("scale η"),
+        "l10": "L10",
+        "l50": "L50",
+        "mean": said("mean"),
+    }
+    columns = [
+        Column(head=head, key=name, values=alike([getattr(fit, name) for fit in fits]), tones=tones)
+        for name, head in heads.items()
+    ]
+    names = Column(
+        head=said("method"), key="method", tones=tones, values=[said(FITS[f.method]) for f in fits]
+    )
+    legends = tuple(
+        said(
+            "failure-free time {location} {unit}; the scale is counted from there",
+            location=written(brief(fit.location)),
+            unit=unit,
+        )
+        for fit in fits
+        if fit.location > 0.0
+    )
+    table = Table(columns=(names, *columns), key="fits", legends=legends)
+    return ((said("Weibull fit (lives in {unit})", unit=unit), table),)
+
+
+def _table_of_bounds(group: GroupSummary) -> _Headed:
+    first, unit = group.bounds[0], group.test.unit
+    if not group.bounded:
+        return ()
+    quantities = [Estimand.of(bound.quantity) for bound in group.bounds]
+    rows, ratios = [], []
+    for bound, quantity in zip(group.bounds, quantities, strict=True):
+        of_share = quantity.kind == "reliability"
+        rows.append(alike([bound.estimate, *_limits(bound)], share=of_share))
+        known = not of_share and bound.lower > 0.0
+        ratios.append(brief(bound.ratio, 3) if known else None)
+    columns = [_names(quantities, unit)]
+    heads = {"estimate": said("estimate"), **_limit_heads(first)}
+    columns += [
+        Column(head=head, key=key, values=column, align="right")
+        for (key, head), column in zip(heads.items(), zip(*rows, strict=True), strict=True)
+    ]
+    if first.sides == "two":
+        columns.append(Column(head=said("ratio"), key="ratio", values=ratios, align="right"))
+    heading = said("{confidence} % bounds", confidence=percent(first.confidence))
+    legend = _bounded_by(group)
+    return ((heading, Table(columns=tuple(columns), key="bounds", legends=(legend,))),)
+
+
+def _bounded_by(group: GroupSummary) -> str:
+    """Say how the bounds were found."""
+    first = next(bound for bound in group.bounds if bound.converged)
+    values = {
+        "confidence": percent(first.confidence),
+        "method": said(BOUND_METHODS[first.method]),
+        "samples": first.samples,
+        "seed": str(first.seed),
+        "dropped": first.dropped,
+    }
+    if not first.samples:
+        return said("{confidence} % bounds by {method}.", **values)
+    if not first.dropped:
+        return said(
+            "{confidence} % bounds by {method}; {samples} simulated tests, seed {seed}.", **values
+        )
+    return said(
+        "{confidence} % bounds by {method}; {samples} simulated tests, seed {seed}, of which"
+        " {dropped} have no fit.",
+        **values,
+    )
+
+
+def _limit_heads(bound: Bounds) -> dict[str, str]:
+    if bound.sides == "two":
+        return {"lower": said("from"), "upper": said("to")}
+    if bound.sides == "lower":
+        return {"lower": said("at least")}
+    return {"upper": said("at most")}
+
+
+def _limits(bound: Bounds) -> list[float]:
+    return [getattr(bound, name) for name in _limit_heads(bound)]
+
+
+def _at_assumed_shapes(group: GroupSummary, wanted: Wanted) -> _Headed:
+    """One line a shape: bounds on every life and reliability."""
+    if not group.assumed:
+        return ()
+    shapes = [Number(assumed.shape, ".3") for assumed in group.assumed]
+    columns = [Column(head=said("shape β"), key="shape", values=shapes, align="left")]
+    for place, bound in enumerate(group.assumed[0].bounds):
+        quantity = Estimand.of(bound.quantity)
+        of_share = quantity.kind == "reliability"
+        for name, head in _limit_heads(bound).items():
+            limits = [getattr(assumed.bounds[place], name) for assumed in group.assumed]
+            values: list[CellContent] = [
+                Number(limit, ".4 [%]" if of_share else ".4", before=f"{head} ")
+                if isfinite(limit)
+                else f"{head} {written(brief(limit))}"
+                for limit in limits
+            ]
+            columns.append(
+                Column(
+                    head="" if name == "upper" else _name_with_unit(quantity, group.test.unit),
+                    key=f"{bound.quantity}_{name}",
+                    values=values,
+                    align="right",
+                )
+            )
+    heading = said(
+        "For an assumed shape ({confidence} % bounds)", confidence=percent(wanted.confidence)
+    )
+    return ((heading, Table(columns=tuple(columns), key="assumed_shapes")),)
+
+
+def _table_of_posterior(group: GroupSummary, wanted: Wanted) -> _Headed:
+    prior = wanted.prior
+    if not group.credible or prior is None:
+        return ()
+    low, high = manner().short(prior.low, 3), manner().short(prior.high, 3)
+    heading = (
+        said("With prior knowledge: shape uniform between {low} and {high}", low=low, high=high)
+        if prior.kind == "uniform"
+        else said(
+            "With prior knowledge: shape lognormal, {low} to {high} with {probability} %"
+            " probability",
+            low=low,
+            high=high,
+            probability=percent(prior.probability),
+        )
+    )
+    quantities = [Estimand.of(one.quantity) for one in group.credible]
+    rows = [
+        alike([one.median, one.lower, one.upper], share=quantity.kind == "reliability")
+        for one, quantity in zip(group.credible, quantities, strict=True)
+    ]
+    heads = {"median": said("median"), "lower": said("from"), "upper": said("to")}
+    columns = (
+        _names(quantities, group.test.unit),
+        *(
+            Column(head=head, key=key, values=column, align="right")
+            for (key, head), column in zip(heads.items(), zip(*rows, strict=True), strict=True)
+        ),
+    )
+    return ((heading, Table(columns=columns, key="posterior")),)
+
+
+def _table_of_calculated(group: GroupSummary, wanted: Wanted) -> _Headed:
+    found = group.calculated
+    if not any(one.code == "converged" for one in found.values()):
+        return ()
+    heads = {"ratio": said("observed/calculated"), "lower": said("from"), "upper": said("to")}
+    columns = (
+        Column(
+            head="",
+            key="name",
+            values=[shortened(one_line(name), _LONGEST_NAME) for name in found],
+        ),
+        Column(
+            head=shortened(one_line(group.test.unit), _LONGEST_UNIT),
+            key="calculated",
+            values=[brief(one.calculated) for one in found.values()],
+        ),
+        *(
+            Column(
+                head=head, key=key, values=[brief(getattr(one, key), 3) for one in found.values()]
+            )
+            for key, head in heads.items()
+        ),
+        Column(head="p", key="p_value", values=[_p_cell(one.p_value) for one in found.values()]),
+        Column(
+            head=said("contradicted"),
+            key="contradicted",
+            values=[
+                said(_VERDICTS[one.bearings_live]) if one.code == "converged" else ABSENT
+                for one in found.values()
+            ],
+        ),
+    )
+    heading = said(
+        "Comparison with calculated life ({quantity}, {confidence} %)",
+        quantity=life_name(wanted.lives[0]),
+        confidence=percent(wanted.confidence),
+    )
+    legend = said(
+        "p: probability of a test result at least this far from the calculated life, if that life"
+        " is true."
+    )
+    return ((heading, Table(columns=columns, key="calculated", legends=(legend,))),)
+
+
+# --- sentences -------------------------------------------------------------------------------
+
+
+def _statements(group: GroupSummary, wanted: Wanted) -> list[Statement]:
+    """Say in sentences what one group says."""
+    lines = []
+    advice = group.main.advice
+    if not group.bounded and advice is not None:
+        text = said("No result. {advice}", advice=advice.text)
+        lines.append(Statement(text, indent=2, mark="✗", mark_tone="bad"))
+    sentences = _of_the_life(group, wanted)
+    if wanted.shape is None:
+        sentences += _of_the_shape(group)
+    elif sentences:
+        sentences.append(
+            said("All results assume the given shape of {shape:.4}.", shape=wanted.shape)
+        )
+    return lines + _bullets([*sentences, *_of_the_calculation(group)])
+
+
+def _bullets(sentences: Sequence[str]) -> list[Statement]:
+    return [Statement(text, indent=2, mark="•", mark_tone="good") for text in sentences]
+
+
+def _of_the_life(group: GroupSummary, wanted: Wanted) -> list[str]:
+    """Of the first life that is required."""
+    life = wanted.lives[0]
+    bound = group.bound(life)
+    if bound is None or not bound.converged:
+        return []
+    lower, upper = (written(one) for one in alike([bound.lower, bound.upper]))
+    shown = {
+        "confidence": percent(bound.one_sided_confidence),
+        "share": percent(life.value),
+        "lower": lower,
+        "upper": upper,
+        "unit": group.test.unit,
+        "quantity": life_name(life),
+    }
+    if bound.sides == "upper":
+        if not isfinite(bound.upper):
+            return []
+        return [
+            said(
+                "With {confidence} % confidence, at most {share} % of such bearings run longer than"
+                " {upper} {unit}.",
+                **shown,
+            )
+        ]
+    if bound.lower <= 0.0:
+        return []
+    if bound.sides == "two" and isfinite(bound.upper):
+        return [
+            said(
+                "With {confidence} % confidence, {share} % of such bearings reach {lower} {unit}."
+                " {quantity} is known to within a factor of {factor}: {lower} to {upper} {unit}.",
+                **shown,
+                factor=written(brief(bound.ratio, 2)),
+            )
+        ]
+    return [
+        said(
+            "With {confidence} % confidence, {share} % of such bearings reach {lower} {unit}.",
+            **shown,
+        )
+    ]
+
+
+def _of_the_shape(group: GroupSummary) -> list[str]:
+    bound = group.bound(Estimand.of("shape"))
+    if bound is None or not bound.converged or bound.sides != "two":
+        return []
+    if bound.upper < 1.0:
+        of_one = said(
+            "Shape below 1: the failure rate falls with time, as with early failures from"
+            " manufacturing defects."
+        )
+    elif bound.lower > 1.0:
+        of_one = said("Shape above 1: the failure rate rises with time, as with fatigue and wear.")
+    else:
+        of_one = said(
+            "Shape 1 lies within the bounds: the data do not show whether the failure rate rises or"
+            " falls with time."
+        )
+    if bound.contains(EXPONENTS["ball"]):
+        return [of_one, said("10/9, the shape of the rating standards, lies within the bounds.")]
+    return [of_one, said("10/9, the shape of the rating standards, lies outside the bounds.")]
+
+
+def _of_the_calculation(group: GroupSummary) -> list[str]:
+    judged = {name: one for name, one in group.calculated.items() if one.code == "converged"}
+    names = {
+        live: "; ".join(one_line(name) for name, one in judged.items() if one.bearings_live == live)
+        for live in ("longer", "shorter")
+    }
+    sentences = []
+    if names["longer"]:
+        sentences.append(
+            said("The data contradict {names}: the bearings last longer.", names=names["longer"])
+        )
+    if names["shorter"]:
+        sentences.append(
+            said("The data contradict {names}: the bearings fail sooner.", names=names["shorter"])
+        )
+    if judged and not sentences:
+        sentences.append(
+            said(
+                "The data contradict none of the calculated lives given. That does not confirm"
+                " them: few failures contradict little."
+            )
+        )
+    return sentences
+
+
+def _comparison(found: LifeTestSummary) -> list[Section | Beside]:
+    """Show whether the groups differ, and by how much."""
+    if not found.comparisons:
+        return []
+    judged = [one for one in found.comparisons if one.converged]
+    sentences = _sentence_of_difference(judged, found.wanted.confidence)
+    sentences += [_sentence_of_ratio(ratio) for ratio in found.ratios]
+    blocks: list[Block] = [*_bullets(sentences)]
+    if judged:
+        columns = (
+            Column(
+                head="", key="hypothesis", values=[said(HYPOTHESES[o.hypothesis]) for o in judged]
+            ),
+            Column(
+                head="p", key="p_value", values=[_p_cell(o.p_value) for o in judged], align="right"
+            ),
+        )
+        blocks.append(Table(columns=columns, key="comparisons"))
+    return [Section(said("Comparison of the groups"), tuple(blocks), "comparison")]
+
+
+def _sentence_of_difference(judged: Sequence[Comparison], confidence: float) -> list[str]:
+    """Of the hypotheses that have a p-value, the first that is rejected; else the last."""
+    if not judged:
+        return []
+    rejected = [one for one in judged if one.rejected(confidence)]
+    one = rejected[0] if rejected else judged[-1]
+    values = {"hypothesis": said(HYPOTHESES[one.hypothesis]), "p": written(_p_cell(one.p_value))}
+    if rejected:
+        return [said("The groups differ ({hypothesis}: p = {p}).", **values)]
+    return [said("The groups do not differ significantly ({hypothesis}: p = {p}).", **values)]
+
+
+def _sentence_of_ratio(ratio: LifeRatio) -> str:
+    first, second = (one_line(name) for name in ratio.groups)
+    names = {"quantity": life_name(Estimand.life(ratio.reliability)), "first": first,
+             "second": second}  # fmt: skip
+    if ratio.advice is not None:
+        return said(
+            "{quantity} of {first} over {second}: no result. {advice}",
+            **names,
+            advice=ratio.advice.text,
+        )
+    numbers = {
+        "ratio": written(brief(ratio.ratio, 3)),
+        "lower": written(brief(ratio.lower, 3)),
+        "upper": written(brief(ratio.upper, 3)),
+        "confidence": percent(ratio.confidence),
+        "p": written(_p_cell(ratio.p_value)),
+    }
+    if ratio.common_shape:
+        return said(
+            "{quantity} of {first} over {second}: {ratio} ({confidence} % bounds {lower} to"
+            " {upper}, common shape {shape:.3}); equal lives: p = {p}.",
+            **names,
+            **numbers,
+            shape=ratio.shape,
+        )
+    return said(
+        "{quantity} of {first} over {second}: {ratio} ({confidence} % bounds {lower} to {upper},"
+        " separate shapes); equal lives: p = {p}.",
+        **names,
+        **numbers,
+    )
+
+
+def _notes(found: LifeTestSummary) -> dict[Note, None]:
+    """Return what limits the results, each once."""
+    notes: dict[Note, None] = {}
+    if found.test.passed_over:
+        columns = [shortened(one_line(name), 30) for name in found.test.passed_over]
+        notes[Note("passed_over_columns", {"columns": columns})] = None
+    for group in found.groups:
+        for one in (*group.fits, *group.bounds):
+            notes |= dict.fromkeys(one.notes)
+    for one in (*found.comparisons, *found.ratios):
+        notes |= dict.fromkeys(one.notes)
+    if found.test.inspected:
+        notes[Note("inspected_without_ranks")] = None
+        if len(found.groups) > 1:
+            notes[Note("inspected_groups_not_compared")] = None
+    elif not all(group.ranked for group in found.groups):
+        notes[Note("too_many_for_ranks")] = None
+    return notes
+
+
+# --- pictures --------------------------------------------------------------------------------
+
+
+def _pictures(found: LifeTestSummary) -> list[Section | Beside]:
+    """Weibull paper, and the regions of equal likelihood where there is a fit."""
+
+    def paper() -> Picture:
+        from rolamento.plots.weibull import weibull_figure
+
+        return weibull_figure(found, bands_of(found))
+
+    def regions() -> Picture:
+        from rolamento.plots.weibull import contour_figure
+
+        return contour_figure(found, regions_of(found, found.wanted.lives[0].name))
+
+    if not found.has_result:
+        return []
+    caption = said("Weibull probability plot: failures, fitted lines and their bounds")
+    figures = [Figure(caption=caption, draw=paper, key="weibull_paper")]
+    if any(group.main.converged and found.wanted.shape is None for group in found.groups):
+        caption = said(
+            "Shape and {quantity}: regions of equal likelihood",
+            quantity=life_name(found.wanted.lives[0]),
+        )
+        figures.append(Figure(caption=caption, draw=regions, key="likelihood_regions"))
+    return [Section(blocks=tuple(figures), key="figures")]
+
+
+# --- names and numbers -----------------------------------------------------------------------
+
+
+def _p_cell(p: float) -> Number | str:
+    """Return a p-value; the smallest only as being small."""
+    if isfinite(p) and p < _LEAST_P:
+        return f"< {manner().short(_LEAST_P, 1)}"
+    return Number(p, ".2")
+
+
+def _names(quantities: Sequence[Estimand], unit: str) -> Column:
+    return Column(
+        head="", key="quantity", values=[_name_with_unit(quantity, unit) for quantity in quantities]
+    )
+
+
+def _name_with_unit(quantity: Estimand, unit: str) -> str:
+    """Write what a quantity is, with its unit."""
+    if quantity.kind == "shape":
+        return said("shape β")
+    unit = shortened(one_line(unit), _LONGEST_SHOWN_UNIT)
+    if quantity.kind == "reliability":
+        return said("R({time} {unit}) %", time=manner().short(quantity.value, 6), unit=unit)
+    if quantity.name == "scale":
+        return said("scale η {unit}", unit=unit)
+    return f"{life_name(quantity)} {unit}"

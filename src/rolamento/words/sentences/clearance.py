@@ -1,0 +1,55 @@
+"""What is said of the clearance in operation: its notes, and where its steps come from."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from rolamento.words.sentences import Sentence
+from rolamento.words.speaking import marked
+
+__all__ = ["SENTENCES"]
+
+SENTENCES: Final[dict[str, Sentence]] = {
+    "clearance_in_operation": marked(
+        "Mounted, at its temperatures and speeds, the bearing has a diametral clearance of"
+        " {mean:.1f µm}, between {minimum:.1f [µm]} and {maximum:.1f µm} with all tolerances at"
+        " their limits."
+    ),
+    "interference": marked("The mean clearance in operation is negative: the balls are preloaded."),
+    "interference_at_minimum": marked(
+        "The minimum clearance in operation is negative: some bearings are preloaded."
+    ),
+    "inner_ring_loose": marked(
+        "In operation the inner ring may lose all its interference: it may creep on the shaft."
+    ),
+    "outer_ring_loose": marked(
+        "In operation the outer ring may lose all its interference: it may creep in the housing."
+    ),
+    "tight_shaft": marked(
+        "The interference of the inner ring may exceed a thousandth of the bore: the ring may crack"
+        " (NTN, Ball and Roller Bearings, chapter 7.3)."
+    ),
+    # formulas of the steps
+    "step_initial": marked("P_d before mounting"),
+    "step_reading": marked("reading under the measuring load"),
+    "step_measuring_load": "−2 [δ_r(F) − P_d/2]",
+    "step_shaft_fit": marked(
+        "−expansion of the raceway under p(δ − smoothing + thermal expansion − rotation)"
+    ),
+    "step_housing_fit": marked(
+        "−contraction of the raceway under p(δ − smoothing + thermal expansion − rotation)"
+    ),
+    "step_temperature": "α_r (T_e d_e − T_i d_i) − 2 α_b T_b D",
+    "step_speed": marked("centrifugal expansion of the rotating raceways"),
+    "step_wear": marked("as given"),
+    # their sources
+    "source_clearance_class": marked("{standard}, class {name}"),
+    "source_own_clearance": marked("the bearing's own"),
+    "source_measured": marked("measured"),
+    "source_equilibrium": marked("radial equilibrium"),
+    "source_fit": marked("Lamé; Harris 1991, chapter 3"),
+    "source_tolerances": marked("{tolerances}; {bearing}; Lamé; Harris 1991, chapter 3"),
+    "source_temperature": marked("free expansion; NSK E1102, chapter 9.2"),
+    "source_speed": marked("Timoshenko and Goodier 1970, section 32"),
+    "source_given": marked("given"),
+}

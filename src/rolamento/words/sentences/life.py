@@ -1,0 +1,169 @@
+"""What is said of lives: limits of the theories, parts that are missing, changes that help."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from rolamento.words.sentences import Sentence
+from rolamento.words.speaking import marked
+
+__all__ = ["SENTENCES"]
+
+SENTENCES: Final[dict[str, Sentence]] = {
+    # outside what the theory is valid for
+    "load_above_half_rating": marked(
+        "The equivalent load exceeds half of the dynamic load rating: the contacts deform"
+        " plastically, and the standard no longer applies."
+    ),
+    "load_above_static_rating": marked(
+        "The equivalent load exceeds the static load rating: permanent indentations are to be"
+        " expected."
+    ),
+    "viscosity_ratio_too_small": marked(
+        "The viscosity ratio κ is below 0.1, where the standard gives no factor: the surfaces are"
+        " in contact, and the life is less than 10 % of the basic rating life."
+    ),
+    "contamination_severe": marked(
+        "The contamination factor is 0: wear, not fatigue, ends the life, before 10 % of the basic"
+        " rating life."
+    ),
+    "too_hot_for_steel": marked(
+        "Rings, balls or lubricant exceed 120 °C, the limit of standard bearing steel: hardness and"
+        " dimensions change, and the load rating decreases. Specify dimensionally stabilised rings."
+    ),
+    "unloaded": marked(
+        "No ball transmits load between the rings: there is no rating life. Without a minimum load"
+        " the balls slide, which is what ends the life."
+    ),
+    "no_force": marked(
+        "No force acts between the rings, so there is no equivalent load, and the standard does not"
+        " apply; the reference life accounts for the moment or the preload that loads the balls."
+    ),
+    "moment_governs": marked(
+        "The moment loads the balls more than the forces do (2M/d_m > F), and the equivalent load"
+        " does not include the moment; the reference life does, ball by ball."
+    ),
+    "no_fatigue_load_limit": marked(
+        "Without a fatigue load limit C_u there is no modified rating life: give"
+        " life.fatigue_load_limit."
+    ),
+    "no_equivalent_load": marked(
+        "The standard has no equivalent load for this set: its rows differ, or it is more than a"
+        " tandem or a pair. The reference life is valid for it."
+    ),
+    "thrust_bearing": marked(
+        "The contact angle exceeds 45°: a thrust bearing, for which these theories are not valid."
+    ),
+    "no_dynamic_rating": marked(
+        "The geometry lies outside the table of the standard (D cos α/d_m from 0.01 to 0.40), and"
+        " no dynamic load rating is given; or the case has no geometry."
+    ),
+    "too_slow": marked("The bearing runs below 20 rpm, for which the manufacturer gives no life."),
+    "too_hot": marked("The bearing exceeds 130 °C, for which the manufacturer gives no life."),
+    "outside_the_table": marked(
+        "Viscosity ratio or load lies outside the user's table of a_NSK, which is not extrapolated."
+    ),
+    # an upper bound only
+    "viscosity_unknown": marked(
+        "The viscosity is not given: even with the most viscous oil, this contamination leaves a"
+        " shorter life than this."
+    ),
+    "contamination_unknown": marked(
+        "The cleanliness is not given: even perfectly clean, so thin an oil leaves a shorter life"
+        " than this."
+    ),
+    # what the number leaves out, or how it was obtained
+    "factors_of_the_user": marked(
+        "The factors of Tallian's model are the user's: none are published. What is not given"
+        " follows Lundberg and Palmgren."
+    ),
+    "surface_left_out": marked(
+        "No factors for surface-initiated failures are given: only subsurface-initiated ones count."
+    ),
+    "moment_left_out": marked(
+        "The equivalent load does not include the moment; the reference life does, ball by ball."
+    ),
+    "preload_left_out": marked(
+        "The equivalent load does not include the preload; the reference life does."
+    ),
+    "centrifugal_left_out": marked(
+        "Centrifugal force loads the outer race more than the inner race, which the equivalent load"
+        " does not include; the reference life does."
+    ),
+    "open_grooves": marked(
+        "The conformities exceed 0.52 (inner) or 0.53 (outer). A load rating that is not given is"
+        " reduced accordingly; one that is given has to be that of this bearing."
+    ),
+    "close_grooves": marked(
+        "The conformities are below 0.52 (inner) or 0.53 (outer). The standard warns that closer"
+        " conformity need not raise the load rating, and none is raised."
+    ),
+    "ceramic_balls": marked(
+        "The balls are not of steel. With silicon nitride the dynamic load rating is that of steel"
+        " balls (ISO 20056-1); the static load rating is not, and has to be given."
+    ),
+    "no_static_rating": marked(
+        "Without the manufacturer's static load rating for these balls there is no static safety"
+        " factor."
+    ),
+    "viscosity_ratio_capped": marked(
+        "The viscosity ratio κ is taken as 4, the limit of the standard."
+    ),
+    "reliability_continued": marked(
+        "The reliability lies outside the table of the standard; its formula is extrapolated."
+    ),
+    "material_factor_unsupported": marked(
+        "a_2 is not 1: the standard requires evidence from the manufacturer for it."
+    ),
+    "operation_factor_too_great": marked(
+        "The oil has less than 13 mm²/s, or n·d_m is below 10 000 mm·rpm: the standard calls for"
+        " a_3 < 1."
+    ),
+    "operation_factor_unfounded": marked(
+        "a_3 above 1 requires surfaces separated by a film; it does not compensate for a steel."
+    ),
+    "stand_in_for_the_chart": marked(
+        "a_NSK is published in charts only: here a_ISO with e_C = a_c is used in its place."
+    ),
+    "no_surface_stress": marked(
+        "Subsurface stress only, with a fatigue limit: without friction, indentations and"
+        " asperities this is an upper bound, highly optimistic from 3 GPa on."
+    ),
+    "below_fatigue_limit": marked(
+        "No point is stressed beyond the fatigue limit: fatigue does not end the life."
+    ),
+    "hours_at_rest": marked("Nothing rotates: there is no life in hours."),
+    "light_load": marked(
+        "The equivalent load is below C/100, the usual minimum load of ball bearings: the balls may"
+        " slide instead of roll, which no fatigue theory includes."
+    ),
+    "load_shared_otherwise": marked(
+        "The load distribution is not the one that the standard assumes, with normal clearance: the"
+        " reference life, which uses the actual one, is less than half or more than twice this one."
+    ),
+    # why a part of an analysis is missing
+    "no_temperature": marked(
+        "No film: the temperature of the lubricant is not given (temperature.lubricant)."
+    ),
+    "no_coefficient": marked(
+        "No friction: the coefficient of friction of the lubricant is not given"
+        " (lubricant.friction_coefficient)."
+    ),
+    "life_of_thrust_bearing": marked(
+        "No life: the theories here are for radial bearings, with contact angles up to 45°."
+    ),
+    "life_without_rating": marked(
+        "No life: the geometry lies outside the table of the standard (D cos α/d_m from 0.01 to"
+        " 0.40), and no dynamic load rating is given (life.dynamic_rating)."
+    ),
+    "l_able_without_viscosity": marked(
+        "No L_able: the viscosity ratio is not known; it needs a lubricant with its temperature, or"
+        " life.viscosity_ratio."
+    ),
+    # changes that help
+    "less_load": marked("all forces and moments {change:+.0f %}"),
+    "less_clearance": marked("diametral clearance {change:+.0f µm}"),
+    "more_clearance": marked("diametral clearance {change:+.0f µm}"),
+    "thicker_oil": marked("viscosity {change:+.0f %}, about one ISO VG grade"),
+    "cleaner_oil": marked("contamination factor {change:+.1f}, at most 1"),
+}

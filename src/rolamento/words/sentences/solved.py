@@ -1,0 +1,359 @@
+"""What is said of a solved case: its notes, and the advice where it has no result."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, Final
+
+from rolamento.words.sentences import Sentence
+from rolamento.words.speaking import counted, marked, said, said_in
+
+__all__ = ["SENTENCES"]
+
+_MOST_ROWS: Final = 6
+
+Values = Mapping[str, Any]
+
+
+# --- how notes name balls -----------------------------------------------------------------------
+
+
+def _where(values: Values) -> str:
+    """Say where some balls are; of a set, row by row."""
+    azimuths = values["azimuths"]
+    if "rows" not in values:
+        return said("azimuth {azimuths:.4 °}", azimuths=azimuths)
+    parts = []
+    for row in dict.fromkeys(values["rows"]):
+        own = [a for a, of in zip(azimuths, values["rows"], strict=True) if of == row]
+        parts.append(
+            said("row {row}: all", row=row)
+            if row in values["whole_rows"]
+            else said("row {row}: {azimuths:.4 °}", row=row, azimuths=own)
+        )
+    more = "; …" if len(parts) > _MOST_ROWS else ""
+    return said("azimuth {rows}", rows="; ".join(parts[:_MOST_ROWS]) + more)
+
+
+def _count(values: Values) -> int:
+    return len(values["balls"])
+
+
+def _balls_unloaded(values: Values) -> str:
+    n, where = _count(values), _where(values)
+    if not values["pressed_outward"]:
+        return counted(
+            "{n} ball without inner contact ({where}): no force acts on it.",
+            "{n} balls without inner contact ({where}): no force acts on them.",
+            n, where=where,
+        )  # fmt: skip
+    if values["cage_drives"]:
+        return counted(
+            "{n} ball without inner contact ({where}): only centrifugal force acts on it, and it"
+            " orbits with the cage.",
+            "{n} balls without inner contact ({where}): only centrifugal force acts on them, and"
+            " they orbit with the cage.",
+            n, where=where,
+        )  # fmt: skip
+    return counted(
+        "{n} ball without inner contact ({where}): only centrifugal force acts on it.",
+        "{n} balls without inner contact ({where}): only centrifugal force acts on them.",
+        n, where=where,
+    )  # fmt: skip
+
+
+def _balls(values: Values) -> str:
+    return counted("{n} ball", "{n} balls", _count(values))
+
+
+def _race(values: Values) -> str:
+    return said_in("race", "inner") if values["race"] == "inner" else said_in("race", "outer")
+
+
+def _contact_pressure_high(values: Values) -> str:
+    return said(
+        "The contact pressure at the {race} race reaches {max_pressure:.0f MPa}, above"
+        " {limit:.0f MPa} (ISO 76), at which balls begin to indent the raceway permanently:"
+        " {balls} ({where}).",
+        balls=_balls(values),
+        race=_race(values),
+        where=_where(values),
+        max_pressure=values["max_pressure"],
+        limit=values["limit"],
+    )
+
+
+def _ball_past_groove_edge(values: Values) -> str:
+    return counted(
+        "{n} ball beyond the edge of the inner groove ({where}): no contact force is computed"
+        " there. In the real bearing such a ball may bear on the edge of the shoulder, and the"
+        " loads of all balls differ from those shown.",
+        "{n} balls beyond the edge of the inner groove ({where}): no contact force is computed"
+        " there. In the real bearing such balls may bear on the edge of the shoulder, and the"
+        " loads of all balls differ from those shown.",
+        _count(values), where=_where(values),
+    )  # fmt: skip
+
+
+def _ellipse_over_shoulder(values: Values) -> str:
+    numbers = {
+        "balls": _balls(values),
+        "race": _race(values),
+        "reach": values["reach"],
+        "edge": values["edge"],
+        "where": _where(values),
+    }
+    if values["shoulder_given"]:
+        return said(
+            "The contact ellipse is truncated at the {race} shoulder: it reaches {reach:.1f °},"
+            " and the groove ends at {edge:.1f °} ({balls}, {where}). The pressure at the edge is"
+            " higher than shown.",
+            **numbers,
+        )
+    return said(
+        "The contact ellipse is truncated at the {race} shoulder: it reaches {reach:.1f °}, and"
+        " the groove, assumed to be a half circle, ends at {edge:.1f °} ({balls}, {where}). The"
+        " pressure at the edge is higher than shown.",
+        **numbers,
+    )
+
+
+def _jones_undecided(values: Values) -> str:
+    return counted(
+        "Jones's criterion favours neither race at {n} ball ({where}): it is kept under the"
+        " control of the race that it last rolled on, initially the outer one.",
+        "Jones's criterion favours neither race at {n} balls ({where}): they are kept under the"
+        " control of the race that they last rolled on, initially the outer one.",
+        _count(values), where=_where(values),
+    )  # fmt: skip
+
+
+def _jones_contradicts(values: Values) -> str:
+    numbers = {"balls": _balls(values), "where": _where(values)}
+    if values["assumed"] == "outer":
+        return said(
+            "Jones's criterion contradicts outer raceway control at {balls} ({where});"
+            ' model.raceway_control = "jones" decides ball by ball.',
+            **numbers,
+        )
+    return said(
+        "Jones's criterion contradicts inner raceway control at {balls} ({where});"
+        ' model.raceway_control = "jones" decides ball by ball.',
+        **numbers,
+    )
+
+
+def _gyroscopic_slip(values: Values) -> str:
+    return said(
+        "Holding the gyroscopic moment as assumed takes a coefficient of friction of"
+        " {friction_coefficient:.2f}, more than about {limit:.1f}: {balls} will slip ({where}).",
+        balls=_balls(values),
+        where=_where(values),
+        friction_coefficient=values["friction_coefficient"],
+        limit=values["limit"],
+    )
+
+
+def _spin_at_both_races(values: Values) -> str:
+    return counted(
+        "{n} ball spins at both races ({where}), with a spin-to-roll ratio of up to {inner:.2f} at"
+        " the inner and {outer:.2f} at the outer race: no raceway control describes it.",
+        "{n} balls spin at both races ({where}), with spin-to-roll ratios of up to {inner:.2f} at"
+        " the inner and {outer:.2f} at the outer race: no raceway control describes them.",
+        _count(values), where=_where(values), inner=values["inner"], outer=values["outer"],
+    )  # fmt: skip
+
+
+def _cage_skids(values: Values) -> str:
+    numbers = {**values, "skid": abs(values["skid"])}
+    if values["skid"] > 0.0:
+        return said(
+            "The cage runs {skid:.1f %} slower than under outer raceway control"
+            " ({cage_speed:.1f [rpm]} instead of {control_cage_speed:.1f rpm}): the balls skid, and"
+            " the fault frequencies shift with the cage speed.",
+            **numbers,
+        )
+    return said(
+        "The cage runs {skid:.1f %} faster than under outer raceway control"
+        " ({cage_speed:.1f [rpm]} instead of {control_cage_speed:.1f rpm}): the balls skid, and"
+        " the fault frequencies shift with the cage speed.",
+        **numbers,
+    )
+
+
+def _row_unloaded(values: Values) -> str:
+    n, rows = len(values["rows"]), values["rows"]
+    if values["preloaded"]:
+        return counted(
+            "No ball of row {rows} contacts the inner ring: the row has lost its preload, and the"
+            " rest of the set carries the whole load. In a rotating bearing such balls skid.",
+            "No ball of rows {rows} contacts the inner ring: these rows have lost their preload,"
+            " and the rest of the set carries the whole load. In a rotating bearing such balls"
+            " skid.",
+            n, rows=rows,
+        )  # fmt: skip
+    return counted(
+        "No ball of row {rows} contacts the inner ring: no preload holds the row in contact, and"
+        " the rest of the set carries the whole load. In a rotating bearing such balls skid.",
+        "No ball of rows {rows} contacts the inner ring: no preload holds these rows in contact,"
+        " and the rest of the set carries the whole load. In a rotating bearing such balls skid.",
+        n, rows=rows,
+    )  # fmt: skip
+
+
+# --- advice -------------------------------------------------------------------------------------
+
+
+def _along(axis: str) -> str:
+    """Say in which direction the ring is not held."""
+    if axis in ("ry", "rz"):
+        return said("against tilting about {axis} ({name})", axis=axis[1], name=axis)
+    return said("along {axis}", axis=axis)
+
+
+def _unsupported(values: Values) -> str:
+    return said(
+        "Nothing supports the inner ring {direction}: the balls never come to carry the load."
+        " Apply a smaller load, or hold this degree of freedom with a displacement.",
+        direction=_along(values["axis"]),
+    )
+
+
+def _unsupported_one_sided(values: Values) -> str:
+    return said(
+        "Nothing supports the inner ring {direction}: balls would have to bear on the shoulder that"
+        " an angular contact bearing does not have. Add axial preload (duty.load.fx), reduce the"
+        " moment, or hold the tilt.",
+        direction=_along(values["axis"]),
+    )
+
+
+SENTENCES: Final[dict[str, Sentence]] = {
+    "text": lambda values: str(values["text"]),  # of files of an earlier release
+    # notes
+    "row_unloaded": _row_unloaded,
+    "no_ball_loaded": marked(
+        "No ball contacts the inner ring: without load its position is indeterminate."
+    ),
+    "balls_unloaded": _balls_unloaded,
+    "orbit_assumed": marked(
+        "The orbital speed of a ball without inner contact, and with it its centrifugal force, is"
+        ' an assumption with model.cage = "none": raceway control does not determine it. With'
+        ' "loose" the cage drives it.'
+    ),
+    "contact_pressure_high": _contact_pressure_high,
+    "ball_past_groove_edge": _ball_past_groove_edge,
+    "ellipse_over_shoulder": _ellipse_over_shoulder,
+    "speed_factor_high": marked(
+        "The speed factor n·d_m of {speed_factor:.3 [10⁶ mm·rpm]} million mm·rpm exceeds what"
+        " rolling bearings reach ({limit:.3 [10⁶ mm·rpm]} million mm·rpm): centrifugal growth of"
+        " the rings and heating are not included in these results."
+    ),
+    "tilt_large": marked(
+        "The inner ring tilts by {tilt:.2f °}: the equations assume small tilts, up to about"
+        " {limit:.0f °}."
+    ),
+    "direction_unsupported": marked(
+        "No ball supports the ring along {axis}: it carries no load there, and the displacement"
+        " shown is arbitrary."
+    ),
+    "jones_undecided": _jones_undecided,
+    "jones_contradicts": _jones_contradicts,
+    "gyroscopic_slip": _gyroscopic_slip,
+    "friction_control_at_rest": marked(
+        "The rings do not rotate relative to each other, so that friction determines nothing: this"
+        " is the result of outer raceway control."
+    ),
+    "cage_skids": _cage_skids,
+    "spin_at_both_races": _spin_at_both_races,
+    "geometry_estimated": marked(
+        "The internal geometry of {designation} is not published; it is estimated from the load"
+        " ratings, which {count} geometries reproduce (rolamento catalogue show): the best match is"
+        " used."
+    ),
+    "geometry_estimated_uniquely": marked(
+        "The internal geometry of {designation} is not published; it is estimated from the load"
+        " ratings, and no other standard ball size reproduces them."
+    ),
+    "preload_nearly_lost": marked(
+        "Row {row} is about to lose its preload: it lifts off the inner ring at {factor:.3} times"
+        " this load. More preload keeps it in contact."
+    ),
+    # advice
+    "overspeed": marked(
+        "Overspeed: the rings rotate at n·d_m = {speed_factor:.3 [10⁶ mm·rpm]} million mm·rpm, and"
+        " no ball bearing is known to have run beyond about {limit:.0f [10⁶ mm·rpm]} million:"
+        " centrifugal force drives the balls out of any elastic contact. Check the unit of the"
+        " speed, or reduce it."
+    ),
+    "overloaded": marked(
+        "A ball would sink into its groove by more than {limit:.0f %} of its diameter, far beyond"
+        " any elastic contact: check the units of the loads and displacements."
+    ),
+    "invalid_input": marked("A value of this case is not finite, or out of range."),
+    "over_shoulder": marked(
+        "The centre of a loaded contact lies beyond the edge of its groove: the inner groove ends"
+        " at a contact angle of {inner_edge:.1f °}, the outer at {outer_edge:.1f °} (90° where no"
+        " shoulder height is given: a half circle). Where speed drives the inner contact up its"
+        " groove, a lower speed or more axial load or preload brings it back; where the load does,"
+        " less axial load, moment or tilt, or a higher shoulder (bearing.inner_shoulder_height,"
+        " bearing.outer_shoulder_height)."
+    ),
+    "unheld_ball": marked(
+        "This raceway control cannot hold a ball that a race loads too lightly to bear its"
+        ' gyroscopic moment. Choose model.cage = "loose", model.raceway_control = "jones" or'
+        ' "outer", or more axial load.'
+    ),
+    "friction_without_balance": marked(
+        "Under friction alone the forces balance, but a ball is in an impossible position or the"
+        " power balance does not close, so there is no result to show. Change slightly the load,"
+        " the speed or lubricant.friction_coefficient, choose the other model.mesh, more load or"
+        ' less model.cage_drag; raceway_control = "jones" gives similar loads and angles.'
+    ),
+    "friction_not_converged": marked(
+        "Under friction alone the solver stopped at a residual of {residual:.1e} of the loads, so"
+        " there is no result to show. Change slightly the load, the speed or"
+        " lubricant.friction_coefficient, choose the other model.mesh, more load or less"
+        ' model.cage_drag; raceway_control = "jones" gives similar loads and angles.'
+    ),
+    "counter_rotation": marked(
+        "Between counter-rotating rings the balls may orbit so slowly that the gyroscopic moment"
+        " overturns a lightly loaded one. Add axial load, or change the ratio of the speeds."
+    ),
+    "not_converged": marked(
+        "The solver stopped at a residual of {residual:.1e} of the loads, above {tolerance:.0e}, so"
+        " there is no result to show. Change a load or the speed slightly, hold the tilts, or"
+        " approach the duty in steps; and please report the case."
+    ),
+    "unsupported": _unsupported,
+    "unsupported_one_sided": _unsupported_one_sided,
+    "unsupported_axially": marked(
+        "Nothing supports the inner ring toward -x: an angular contact bearing carries axial load"
+        " toward +x only, and a radial load needs an accompanying axial load (about fz tan(contact"
+        " angle)). Reverse the load, add axial preload (duty.load.fx), or hold the ring with"
+        " duty.displacement.x."
+    ),
+    "unsupported_tandem": marked(
+        "Nothing supports the inner ring toward {away}: all rows carry axial load toward {toward}"
+        " only, and a radial load needs an accompanying axial load in every row (about fz"
+        " tan(contact angle)). Reverse the load, add axial load (duty.load.fx), choose an"
+        ' arrangement with opposed rows, such as "DB", or hold the ring with duty.displacement.x.'
+    ),
+    "shoulder_lost": marked(
+        "The inner ring moves so far that balls of a row would have to bear on the shoulder that an"
+        " angular contact bearing does not have. More preload or less clearance (bearing.preload),"
+        " a smaller axial load or moment, or rings held against tilting keep them in their groove."
+    ),
+    "springs_overcome": marked(
+        "Nothing supports the inner ring toward -x: an axial load of {load:.4 N} pushes back the"
+        " springs, which press with {spring:.4 N}. Choose springs stronger than the load, clamp the"
+        " rings (bearing.preload.force), or reverse the load or the set: toward +x the rows that"
+        " face + carry it without the springs."
+    ),
+    "springs_weak": marked(
+        "Springs of {spring:.4 N} do not keep the balls of every row in place: in each row a radial"
+        " load needs an accompanying axial load (about fz tan(contact angle)), and a moment needs"
+        " more. Choose stronger springs, clamp the rings (bearing.preload.force), reduce the radial"
+        " load or the moment, or hold the tilts."
+    ),
+}

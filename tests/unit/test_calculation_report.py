@@ -1,0 +1,334 @@
+"""The report that an engineer signs: its numbers are those of its JSON, in every language."""
+
+from __future__ import annotations
+
+import json
+import re
+from dataclasses import replace
+from math import isfinite
+from pathlib import Path
+from typing import Any
+
+import pytest
+from typer.testing import CliRunner
+
+from rolamento.case import ReportHead, load_case, override
+from rolamento.cli.app import app
+from rolamento.document import Document, Number, Table
+from rolamento.document.terminal import terminal
+from rolamento.errors import InputError
+from rolamento.pages.equations import EQUATIONS, REFERENCES, SYMBOLS, equations_of, references_of
+from rolamento.pages.report import report_page
+from rolamento.tasks.demonstration import EXAMPLE
+from rolamento.tasks.report import MOST_CASES, Report, checksum_of, report_on
+from rolamento.words import in_unit, manner, speaking
+
+EXAMPLES = Path(str(EXAMPLE)).parent
+OVERLOADED = "duty.load.fz=9000 kN"
+_LIMITS = ("minimum", "mean", "maximum")
+
+
+def example(name: str) -> str:
+    return str(EXAMPLES / f"{name}.toml")
+
+
+def of(*names: str, **head: str) -> Report:
+    return report_on([example(name) for name in names], {"date": "2026-11-22", **head})
+
+
+@pytest.fixture(scope="module")
+def gearbox() -> Report:
+    return of("6305_life")
+
+
+@pytest.fixture(scope="module")
+def spindle() -> Report:
+    return of("218_combined", "218_hybrid")
+
+
+# --- numbers of the page and of the JSON --------------------------------------------------------
+
+
+def at(mapping: Any, path: str) -> Any:
+    for part in path.split("."):
+        if isinstance(mapping, list):
+            mapping = mapping[int(part)]
+        elif isinstance(mapping, dict):
+            mapping = mapping.get(part)
+        else:
+            return None
+    return mapping
+
+
+def numbers_with_paths(page: Document, written: dict[str, Any]) -> list[tuple[float, Any]]:
+    """Every number of a row that has a path, and what the JSON holds there."""
+    cases = {case["name"]: case for case in written["cases"]}
+    found = []
+    for table in page.tables():
+        columns = {column.key: column for column in table.columns}
+        if "path" not in columns:
+            continue
+        for row, path in enumerate(columns["path"].values):
+            for key, column in columns.items():
+                value = column.values[row]
+                own = value.value if isinstance(value, Number) else value
+                if not isinstance(own, float) or not isfinite(own) or not path:
+                    continue
+                if key in cases:
+                    found.append((own, at(cases[key], str(path))))
+                elif key.endswith(("_difference", "_percent")):
+                    name, _, kind = key.partition("_")
+                    other = next(o for o in written["differences"] if o["case"] == name)
+                    kind = "absolute" if kind == "difference" else "relative"
+                    held = other["numbers"][str(path)][kind]
+                    found.append((own, 0.0 if own == 0.0 else held))
+                elif "*" in str(path):
+                    found.append((own, at(written["cases"][0], str(path).replace("*", key))))
+                else:
+                    case = cases[table.key.rpartition("_")[2]]
+                    held = at(case, str(path))
+                    place = _LIMITS.index(key) if isinstance(held, list) else None
+                    found.append((own, at(held, key) if place is None else held[place]))
+    return found
+
+
+@pytest.mark.parametrize("lang", ["en", "pt"])
+@pytest.mark.parametrize("names", [("6305_life",), ("6305_film",), ("6012_pair",),
+                                   ("218_combined", "218_hybrid")])  # fmt: skip
+def test_every_number_is_one_of_the_json(names: tuple[str, ...], lang: str) -> None:
+    report = of(*names)
+    with speaking(lang):
+        page = report_page(report)
+    written = json.loads(report.to_json())
+    pairs = numbers_with_paths(page, written)
+    assert len(pairs) > 60
+    for shown, held in pairs:
+        assert held is not None
+        assert shown == pytest.approx(held, rel=1e-12, abs=1e-300)
+
+
+def test_balls_are_those_of_the_json(gearbox: Report) -> None:
+    balls = json.loads(gearbox.to_json())["cases"][0]["analysis"]["balls"]
+    table = next(table for table in report_page(gearbox).tables() if table.key == "balls_A")
+    columns = {column.key: column.values for column in table.columns}
+    for race in ("inner", "outer"):
+        for ball, own in enumerate(balls):
+            shown = columns[f"{race}_load"][ball]
+            if own[race]["load"] > 0.0 and isfinite(shown):
+                assert shown == own[race]["load"]
+
+
+def test_inputs_are_those_of_the_json(gearbox: Report) -> None:
+    inputs = {one["field"]: one for one in json.loads(gearbox.to_json())["cases"][0]["inputs"]}
+    table = next(table for table in report_page(gearbox).tables() if table.key == "inputs")
+    columns = {column.key: column.values for column in table.columns}
+    assert list(columns["field"]) == sorted(inputs, key=list(columns["field"]).index)
+    for field, cell in zip(columns["field"], columns["A"], strict=True):
+        if isinstance(cell, Number):
+            assert cell.value == inputs[str(field)]["value"]
+
+
+def printed(table: Table, lang: str) -> list[str]:
+    """Every number of a table as a page prints it."""
+    with speaking(lang):
+        return [
+            manner().number(cell.value, cell.form)
+            for column in table.columns
+            if not column.only_in_files
+            for cell in column.values
+            if isinstance(cell, Number) and isfinite(cell.value)
+        ]
+
+
+def spaceless(text: str) -> str:
+    return re.sub(r"\s|&nbsp;|\u202f|\u2009|\u2007", "", text)
+
+
+@pytest.mark.parametrize("lang", ["en", "pt"])
+def test_the_terminal_shows_every_number(gearbox: Report, lang: str) -> None:
+    with speaking(lang):
+        page = report_page(gearbox)
+    text = spaceless(terminal(page))
+    for table in page.tables():
+        for number in printed(table, lang):
+            assert spaceless(number) in text
+
+
+# --- the head, the checksum ---------------------------------------------------------------------
+
+
+def test_options_go_over_the_table_of_the_case() -> None:
+    case = load_case(example("218_combined")).replace(
+        report=ReportHead(project="Spindle", author="A. Souza", date="2026-01-02")
+    )
+    head = report_on([case], {"author": "M. Okafor"}).head
+    assert (head.project, head.author, head.date) == ("Spindle", "M. Okafor", "2026-01-02")
+
+
+def test_the_date_is_that_of_the_day_by_default() -> None:
+    assert re.fullmatch(r"\d{4}-\d{2}-\d{2}", report_on([example("218_combined")]).head.date)
+
+
+def test_title_block_and_units_do_not_change_the_checksum() -> None:
+    case = load_case(example("218_combined"))
+    same = case.replace(report={"project": "P"}, title="other")
+    assert checksum_of(case) == checksum_of(same)
+    assert checksum_of(override(case, ["duty.load.fx=20000 N"])) == checksum_of(case)
+    assert checksum_of(override(case, ["duty.outer_speed=0 rpm"])) == checksum_of(case)
+    assert checksum_of(override(case, ["duty.load.fx=20001 N"])) != checksum_of(case)
+
+
+def test_the_title_block_does_not_change_the_result() -> None:
+    case = load_case(example("218_combined"))
+    plain, signed = (
+        report_on([one]).cases[0].numbers["analysis"]
+        for one in (case, case.replace(report={"project": "P"}))
+    )
+    assert {**plain} == {**signed}
+
+
+# --- inputs -------------------------------------------------------------------------------------
+
+
+def test_origins_of_inputs() -> None:
+    report = report_on([example("6305_life")], settings=["duty.inner_speed=3000 rpm"])
+    origins = {one.field: one.origin for one in report.cases[0].inputs}
+    assert origins["bearing.designation"] == "given"
+    assert origins["bearing.ball_count"] == "inferred"
+    assert origins["bearing.inner_conformity"] == "assumed"
+    assert origins["mounting.bore"] == "published"
+    assert origins["duty.inner_speed"] == "set"
+    assert origins["duty.load.fz"] == "given"
+    assert origins["duty.outer_speed"] == "default"
+    assert origins["lubricant"] == "given"
+    assert origins["lubricant.viscosity_40"] == "data"
+
+
+def test_a_designation_is_enough() -> None:
+    report = report_on(["6305"], settings=["duty.load.fz=2 kN", "duty.inner_speed=2000 rpm"])
+    origins = {one.field: one.origin for one in report.cases[0].inputs}
+    assert origins["bearing.designation"] == "given"
+    assert origins["duty.load.fz"] == "set"
+    assert report.converged
+
+
+def test_inputs_that_differ_stand_first(spindle: Report) -> None:
+    page = report_page(spindle)
+    differing, common = (
+        next(table for table in page.tables() if table.key == key)
+        for key in ("inputs_that_differ", "inputs_in_common")
+    )
+    fields = {
+        table.key: next(c for c in table.columns if c.key == "field").values
+        for table in (differing, common)
+    }
+    assert set(fields["inputs_that_differ"]) == {
+        "bearing.ball_material",
+        "bearing.ball_material.youngs_modulus",
+        "bearing.ball_material.poisson_ratio",
+        "bearing.ball_material.density",
+    }
+    assert "duty.load.fx" in fields["inputs_in_common"]
+
+
+# --- cases without a solution, limits ------------------------------------------------------------
+
+
+def test_a_case_without_a_solution_has_reason_and_advice_and_no_number() -> None:
+    report = report_on([example("218_combined")], settings=[OVERLOADED, "duty.load.fx=1 N"])
+    assert not report.converged
+    page = report_page(report)
+    text = terminal(page)
+    assert "No solution" in text
+    assert not [table for table in page.tables() if not table.key.startswith("inputs")]
+
+
+def test_a_case_without_a_solution_stands_beside_others() -> None:
+    case = load_case(example("218_combined"))
+    report = report_on([case, override(case, [OVERLOADED])])
+    summary = next(table for table in report_page(report).tables() if table.key == "summary")
+    columns = {column.key: column.values for column in summary.columns}
+    numbers = [cell for cell in columns["B"] if isinstance(cell, Number)]
+    assert not any(isfinite(cell.value) for cell in numbers)
+    assert any(isinstance(cell, Number) and isfinite(cell.value) for cell in columns["A"])
+
+
+def test_the_number_of_cases_is_bounded() -> None:
+    with pytest.raises(InputError, match="must be 1 to 20"):
+        report_on([example("218_combined")] * (MOST_CASES + 1))
+
+
+def test_progress_is_told() -> None:
+    told: list[tuple[int, int]] = []
+    report_on([example("218_combined")] * 2, progress=lambda done, all_: told.append((done, all_)))
+    assert told == [(0, 2), (1, 2), (2, 2)]
+
+
+# --- equations ----------------------------------------------------------------------------------
+
+
+def test_every_law_can_be_set_and_has_its_symbols_and_sources() -> None:
+    from matplotlib.mathtext import MathTextParser
+
+    parser = MathTextParser("path")
+    for law in EQUATIONS:
+        parser.parse(f"${law.latex}$")
+        assert law.plain
+        assert law.source
+        assert set(law.symbols) <= SYMBOLS.keys()
+        assert set(law.references) <= REFERENCES.keys()
+
+
+def test_only_what_was_used_is_shown(gearbox: Report) -> None:
+    of_gearbox = {one.name for one in equations_of(gearbox.cases)}
+    assert "Central film thickness (Hamrock–Dowson)" in of_gearbox
+    assert "Contamination factor" in of_gearbox
+    assert "Elastic hysteresis" not in of_gearbox  # no coefficient of friction
+    of_spindle = {one.name for one in equations_of(of("218_combined").cases)}
+    assert "Central film thickness (Hamrock–Dowson)" not in of_spindle
+    assert "Basic dynamic load rating" in of_spindle
+
+
+def test_symbols_stand_where_they_first_occur(gearbox: Report) -> None:
+    equations = equations_of(gearbox.cases)
+    symbols = [symbol.symbol for one in equations for symbol in one.symbols]
+    assert len(symbols) == len(set(symbols))
+    assert [one.number for one in equations] == list(range(1, len(equations) + 1))
+    assert any("Harris" in text for text in references_of(gearbox.cases))
+
+
+# --- the command --------------------------------------------------------------------------------
+
+
+def test_a_wrong_ending_is_refused(tmp_path: Path) -> None:
+    run = CliRunner().invoke(app, ["report", example("218_combined"), "-o", "report.docx"])
+    assert run.exit_code == 2
+    assert "report.docx" in run.output
+    assert ".html, .pdf, .md" in run.output
+
+
+def test_an_input_is_never_written_over(tmp_path: Path) -> None:
+    case = tmp_path / "case.md"
+    case.write_text(Path(example("218_combined")).read_text(), encoding="utf-8")
+    before = case.read_bytes()
+    run = CliRunner().invoke(app, ["report", example("218_combined"), str(case), "-o", str(case)])
+    assert run.exit_code == 2
+    assert case.read_bytes() == before
+
+
+def test_json_of_the_command() -> None:
+    run = CliRunner().invoke(app, ["report", example("218_combined"), "--json"])
+    assert run.exit_code == 0
+    found = json.loads(run.output)
+    assert found["kind"] == "report"
+    assert found["cases"][0]["analysis"]["status"]["converged"]
+
+
+def test_hostile_texts_are_shown_as_they_are(spindle: Report) -> None:
+    head = replace(spindle, head=ReportHead(author="<b>&", date="x"))
+    assert "<b>&" in terminal(report_page(head))
+
+
+def test_units_of_the_page_are_known(gearbox: Report) -> None:
+    for one in gearbox.cases[0].inputs:
+        in_unit(1.0, one.unit)
