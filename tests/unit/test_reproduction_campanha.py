@@ -24,7 +24,8 @@ from tests.reproduced import english, find, portuguese, spoken
 from typer.testing import CliRunner
 
 from rolamento.cli.reproduce import reproduce
-from rolamento.document import html, markdown
+from rolamento.document.html import html
+from rolamento.document.markdown import markdown
 from rolamento_reproductions.campanha_2008.contact import contact_numbers, shear_numbers
 from rolamento_reproductions.campanha_2008.film import film_numbers
 from rolamento_reproductions.campanha_2008.inputs import NONE, Number, said_like

@@ -17,7 +17,9 @@ from tests.reproduced import english, find, portuguese, spoken
 from typer.testing import CliRunner
 
 from rolamento.cli.reproduce import reproduce
-from rolamento.document import Statement, html, markdown
+from rolamento.document import Statement
+from rolamento.document.html import html
+from rolamento.document.markdown import markdown
 from rolamento.friction.slip import rolling_lines
 from rolamento_reproductions.braga_almeida.speeds import ball
 from rolamento_reproductions.drawing import drawn, rendered

@@ -19,8 +19,10 @@ from typer.testing import CliRunner, Result
 
 from rolamento.cli import reproduce as command
 from rolamento.cli.reproduce import reproduce
-from rolamento.document import Document, html, markdown
+from rolamento.document import Document
 from rolamento.document import Figure as Picture
+from rolamento.document.html import html
+from rolamento.document.markdown import markdown
 from rolamento.errors import FileError
 from rolamento_reproductions import radaelli_2013
 from rolamento_reproductions.drawing import drawn, rendered
