@@ -393,7 +393,6 @@ def test_page_of_misprints(name: str, language: str, items: dict[str, Any]) -> N
     text = spoken(language, lambda: markdown(misprints_page(source, found)))
     assert text.count("\n## ") == len(found.misprints) + 2
     rows = [line for line in text.splitlines() if line.startswith("|")]
-    assert len(rows) == len(found.misprints) + len(found.valid) + 4
     assert len({row.count("|") for row in rows[: len(found.misprints) + 2]}) == 1
 
 

@@ -14,13 +14,12 @@ import numpy as np
 import pytest
 import typer
 from PIL import Image
-from tests.reproduced import both, find, spoken
+from tests.reproduced import beside, both, find, spoken
 from typer.testing import CliRunner, Result
 
 from rolamento.cli import reproduce as command
 from rolamento.cli.reproduce import reproduce
 from rolamento.document import Document
-from rolamento.document import Figure as Picture
 from rolamento.document.html import html
 from rolamento.document.markdown import markdown
 from rolamento.errors import FileError
@@ -79,10 +78,6 @@ def small_table() -> Table:
             TableColumn("value", same("δ_z (mm)"), (Cell("1.25", 1.2512), Cell("-2.5", -2.7))),
         ),
     )
-
-
-def beside(figure: Picture) -> str:
-    return f"{figure.key}.svg"
 
 
 def page_of(language: str, renderer: Callable[..., str], page: Callable[[], Document]) -> str:
@@ -338,7 +333,7 @@ def test_a_link_is_replaced_not_followed(tmp_path: Path) -> None:
 
 def test_a_file_is_no_folder(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("mine", encoding="utf-8")
-    with pytest.raises(FileError, match="is one of the input files; choose another name"):
+    with pytest.raises(FileError, match="is a file"):
         open_folder(str(tmp_path / "file"), SMALL)
     with pytest.raises(FileError, match="cannot be written"):
         open_folder(str(tmp_path / "file" / "below"), SMALL)
