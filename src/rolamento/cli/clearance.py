@@ -22,14 +22,14 @@ _SCHEMA: Final = 2
 def clearance(
     case: Annotated[
         str,
-        typer.Argument(metavar="CASE", help="Case file with a [mounting]; - is standard input."),
+        typer.Argument(metavar="CASE", help="Case file with a [mounting]; - for standard input."),
     ],
     samples: Annotated[
         int | None,
         typer.Option(
             "--samples",
             metavar="N",
-            help="Draw so many bearings from their tolerances, up to a million.",
+            help="Sample so many bearings from their tolerances, up to a million.",
         ),
     ] = None,
     seed: SeedOption = 0,
@@ -38,7 +38,7 @@ def clearance(
     settings: SettingsOption = None,
     lang: LanguageOption = None,
 ) -> None:
-    """Show what is left of the clearance in operation.
+    """Show the clearance that is left in operation.
 
     After fits, temperatures, speed and wear, step by step.
     """

@@ -67,7 +67,9 @@ def friction(
     hysteresis: Annotated[
         float,
         typer.Option(
-            "--hysteresis", metavar="LOSS", help="Part of the elastic work that is lost, 0 to 1."
+            "--hysteresis",
+            metavar="LOSS",
+            help="Hysteresis loss: fraction of the elastic work, 0 to 1.",
         ),
     ] = _HYSTERESIS,
     json: JsonOption = None,
@@ -78,7 +80,7 @@ def friction(
 ) -> None:
     """Show the friction torque by every model.
 
-    Of a case, or over one of its fields; says which of the models are valid.
+    For a case, or over one of its fields, with the validity of each model.
     """
     with plain_endings(lang):
         _check(over, plot, variants or [])

@@ -48,7 +48,7 @@ def turn(
 ) -> None:
     """Show what varies while the cage turns by one pitch.
 
-    Displacement, stiffness and ball loads at the instants of that period.
+    Displacement, stiffness and ball loads over that period.
     """
     with plain_endings(lang):
         outputs.check({"--json": json, "--plot": plot}, case)
