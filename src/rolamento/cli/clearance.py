@@ -54,7 +54,7 @@ def clearance(
             put_json({"schema": _SCHEMA, **found.to_mapping(), **scatter}, json)
         from rolamento.pages.clearance import clearance_page
 
-        outputs.show(lambda: clearance_page(found, drawn), json)
+        outputs.show(lambda: clearance_page(found, drawn, title=loaded.title), json)
     raise typer.Exit(SOLVED)
 
 

@@ -16,6 +16,7 @@ from rolamento.document import (
     Section,
     Statement,
     Table,
+    Title,
     Tone,
 )
 from rolamento.pages.state import notes_section
@@ -45,7 +46,9 @@ _DETAILS: Final = {
 }
 
 
-def clearance_page(found: OperatingClearance, samples: ClearanceSamples | None = None) -> Document:
+def clearance_page(
+    found: OperatingClearance, samples: ClearanceSamples | None = None, *, title: str = ""
+) -> Document:
     """Return the chain of clearances.
 
     Parameters
@@ -54,12 +57,15 @@ def clearance_page(found: OperatingClearance, samples: ClearanceSamples | None =
         What `operating_clearance` gives.
     samples
         Its scatter, if it was drawn.
+    title
+        Of the case.
     """
-    sections = [_chain(found), _sources(found)]
+    head = [Section("", (Title(title),), key="head")] if title else []
+    sections = [*head, _chain(found), _sources(found)]
     if samples is not None:
         sections.append(_scatter(samples))
     sections += notes_section(found.warnings)
-    return Document(said("Diametral clearance"), tuple(sections), kind="clearance")
+    return Document(title or said("Diametral clearance"), tuple(sections), kind="clearance")
 
 
 def _chain(found: OperatingClearance) -> Section:

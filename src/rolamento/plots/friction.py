@@ -44,6 +44,8 @@ __all__ = ["friction_figure", "spin_to_roll", "torque_by_model"]
 
 Floats = NDArray[np.float64]
 
+_NO_SPIN: Final = 1e-9
+"""Spin-to-roll ratio below which it is rounding."""
 _CONTROLLED: Final = "friction_control"
 _WIDE: Final = 30.0
 """Maximum over minimum torque from which on both axes become logarithmic, not only the field's."""
@@ -123,7 +125,7 @@ def spin_to_roll(curves: Sequence[FrictionCurve], axes: Axes | None = None) -> A
                 drawn |= bool(np.isfinite(values).any())
                 axes.plot(
                     _x(curve),
-                    np.abs(values),
+                    np.where(np.abs(values) < _NO_SPIN, 0.0, np.abs(values)),
                     color=look.color,
                     linestyle=_VARIANTS[number % len(_VARIANTS)],
                     label=", ".join(part for part in (name, short_label(curve.label)) if part),
