@@ -218,7 +218,7 @@ class Page(HTMLParser):
 
     def handle_endtag(self, tag: str) -> None:
         self._silent -= tag == "style"
-        self.text += " " if tag in ("td", "th", "p", "dd", "li") else ""
+        self.text += "\n" if tag in ("td", "th", "p", "dd", "li") else ""
 
     def handle_data(self, data: str) -> None:
         self.text += "" if self._silent else data
@@ -312,7 +312,8 @@ def test_every_medium_has_every_number(language: str) -> None:
         "markdown": markdown(one),
     }
     for medium, text in texts.items():
-        squeezed = re.sub(r"(?<=\d)[ \u00a0\u202f](?=\d{3})", "", text)
+        group = " " if medium == "terminal" else "\u00a0"
+        squeezed = re.sub(rf"(?<=\d){group}(?=\d{{3}})", "", text)
         found = set(re.findall(r"−?\d+(?:[.,]\d+)?", squeezed))
         assert expected <= found, medium
         for other in (
