@@ -206,8 +206,8 @@ class _Setter:
         longest = max((len(one.symbol) for one in block.symbols), default=0)
         for one in block.symbols:
             meaning = f"{one.meaning} [{one.unit}]" if one.unit else one.meaning
-            label = self._text(f"{' ' * 7}{one.symbol:{longest}}  ", "dim")
-            lines += self._hanging(label, meaning, width, "dim")
+            symbol = self._text(f"{' ' * 7}{one.symbol:{longest}}  ", "dim")
+            lines += self._hanging(symbol, meaning, width, "dim")
         behind = "; ".join(part for part in (block.name, block.source, block.valid) if part)
         return lines + self._hanging(Text(" " * 7), behind, width, "dim")
 
