@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
-from math import log10, pi
+from collections.abc import Callable, Iterable, Iterator
+from math import log10, nan, pi
 from typing import TYPE_CHECKING, Final
 
 from rolamento.document import (
+    CellContent,
     Column,
     Document,
     Entry,
@@ -20,6 +21,7 @@ from rolamento.document import (
     Title,
     Tone,
 )
+from rolamento.pages.data import in_files
 from rolamento.pages.frequencies import balls_of, contact_angle, failure
 from rolamento.vibration.diagnosis import DAMAGE, SEVERE, ComponentVerdict, Diagnosis
 from rolamento.vibration.frequencies import FaultFrequencies
@@ -59,7 +61,27 @@ def diagnosis_page(found: DiagnosisResult) -> Document:
         sections.append(_why(found.diagnosis))
     sections += _notes(found)
     sections.append(Section("", tuple(_figures(found)), key="figures"))
-    return Document(f"{found.bearing_name}: {found.title}", tuple(sections), kind="diagnose")
+    sections.append(in_files("spectrum", _COLUMNS, _spectrum(found.diagnosis)))
+    title = f"{found.bearing_name}: {found.title}"
+    return Document(title, tuple(sections), kind="diagnose", main="spectrum")
+
+
+_COLUMNS: Final = {
+    "band_low": "Hz", "band_high": "Hz", "order": "", "frequency": "Hz", "over_noise": "dB"
+}  # fmt: skip
+
+
+def _spectrum(diagnosis: Diagnosis) -> Iterator[tuple[CellContent, ...]]:
+    """Return the spectrum of the squared envelope in every fault's band, or the best match's."""
+    spectra = diagnosis.spectra
+    bands = [part.band for part in diagnosis.components if part.band is not None]
+    places = sorted({spectra.bands.index(band) for band in bands if band in spectra.bands})
+    orders = spectra.order.tolist()
+    for place in places or [diagnosis.clearest_band]:
+        low, high = spectra.bands[place]
+        for order, above in zip(orders, spectra.above_noise[place].tolist(), strict=True):
+            level = 10.0 * log10(above) if above > 0.0 else nan
+            yield low, high, order, order * diagnosis.shaft_frequency, level
 
 
 def _verdict(found: DiagnosisResult) -> Section:
