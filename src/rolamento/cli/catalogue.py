@@ -8,12 +8,11 @@ from typing import TYPE_CHECKING, Annotated, Any, Final
 
 import typer
 
+from rolamento._json import dumps
 from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
-    Language,
     plain_endings,
-    words_of,
 )
 from rolamento.cli.grouped_help import GroupedCommands
 from rolamento.cli.optional_value import JsonCommand
@@ -74,7 +73,7 @@ def search(
                 said("must be between 1 and {most}", most=_MOST_OF_ALL), value=most, source="--most"
             )
         found = _catalogue(files).search(text, most + 1)
-        _show_list(found[:most], len(found) <= most, json, lang)
+        _show_list(found[:most], len(found) <= most, json)
     raise typer.Exit(SOLVED if found else NO_RESULT)
 
 
@@ -117,11 +116,11 @@ def show(
         bearing = known.find(designation).bearing
         geometry = _geometry(known, designation, bearing)
         if axis and geometry is not None:
-            from rolamento.report.catalogue import axis_toml
+            from rolamento.tasks.catalogue import axis_toml
 
             print_text(axis_toml(geometry))
         else:
-            _show_one(geometry, bearing, json, lang)
+            _show_one(geometry, bearing, json)
     raise typer.Exit(NO_RESULT if geometry is None else SOLVED)
 
 
@@ -169,28 +168,27 @@ def _geometry(
     return geometry_of(designation, catalogue_of=known)
 
 
-def _show_list(
-    found: tuple[CatalogueBearing, ...], is_all: bool, json: str | None, lang: Language | None
-) -> None:
+def _show_list(found: tuple[CatalogueBearing, ...], is_all: bool, json: str | None) -> None:
     from rolamento.document.medium import Medium
-    from rolamento.report.catalogue import search_json, search_report
+    from rolamento.document.terminal import terminal
+    from rolamento.pages.catalogue import search_page
+    from rolamento.tasks.catalogue import search_mapping
 
     if json is not None:
-        put(search_json(found) + "\n", json)
+        put(dumps(search_mapping(found)) + "\n", json)
     if json != STANDARD_STREAM:
-        print_text(search_report(found, words_of(lang), Medium.of(sys.stdout), is_all=is_all))
+        print_text(terminal(search_page(found, is_all=is_all), Medium.of(sys.stdout)))
 
 
 def _show_one(
-    geometry: InternalGeometry | None,
-    bearing: CatalogueBearing,
-    json: str | None,
-    lang: Language | None,
+    geometry: InternalGeometry | None, bearing: CatalogueBearing, json: str | None
 ) -> None:
     from rolamento.document.medium import Medium
-    from rolamento.report.catalogue import bearing_json, bearing_report
+    from rolamento.document.terminal import terminal
+    from rolamento.pages.catalogue import bearing_page
+    from rolamento.tasks.catalogue import bearing_mapping
 
     if json is not None:
-        put(bearing_json(geometry, bearing) + "\n", json)
+        put(dumps(bearing_mapping(geometry, bearing)) + "\n", json)
     if json != STANDARD_STREAM:
-        print_text(bearing_report(geometry, bearing, words_of(lang), Medium.of(sys.stdout)))
+        print_text(terminal(bearing_page(geometry, bearing), Medium.of(sys.stdout)))

@@ -13,7 +13,6 @@ from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
     plain_endings,
-    words_of,
 )
 from rolamento.cli.options import LanguageOption, SettingsOption
 from rolamento.cli.streams import complain, print_text
@@ -87,10 +86,10 @@ def sweep(
             )
         from rolamento.cli.sweep_progress import told
         from rolamento.document.medium import Medium
-        from rolamento.report.study import study_report
+        from rolamento.document.terminal import terminal
+        from rolamento.pages.study import study_page
         from rolamento.tasks import studies
 
-        words = words_of(lang)
         try:
             with told() as progress:
                 swept = studies.sweep(
@@ -105,7 +104,7 @@ def sweep(
         except KeyboardInterrupt as stop:
             _tell_what_is_kept(stop)
         title = swept.study.title or swept.study.case.title
-        print_text(study_report(swept.summary, title, words, Medium.of(sys.stdout)))
+        print_text(terminal(study_page(swept.summary, title), Medium.of(sys.stdout)))
     raise typer.Exit(SOLVED if swept.summary.converged else NO_RESULT)
 
 
