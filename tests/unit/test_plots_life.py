@@ -35,10 +35,11 @@ from rolamento.plots.life import (
     theory_look,
     what_helps,
 )
-from rolamento.plots.over_field import decades, short_label
+from rolamento.plots.over_field import decades
 from rolamento.plots.style import new_figure
 from rolamento.solution import solve
 from rolamento.solved import Solved
+from rolamento.studies.names import setting_name
 from rolamento.studies.ranges import read_range
 from rolamento.tasks.life_over import (
     LifeCurve,
@@ -155,7 +156,7 @@ def test_variants_stand_beside_by_the_theory_that_knows_most(case: Case) -> None
     variant = life_curve(override(case, [setting]), chosen, label=setting)
     figure = life_figure([life_curve(case, chosen), variant])
     (axes,) = figure.axes
-    found = line(axes, "ISO/TS 16281, modified, fz = 3kN")
+    found = line(axes, "ISO/TS 16281, modified, radial load Fz = 3kN")
     np.testing.assert_array_equal(found.get_ydata(), variant["iso16281_modified"].hours)
     assert axes.get_xlabel() == "Diametral clearance (µm)"
     assert figure.get_suptitle() == case.title
@@ -212,8 +213,8 @@ def test_decades_are_numbered_however_many_there_are() -> None:
 
 
 def test_a_setting_is_told_by_its_last_part() -> None:
-    assert short_label("duty.load.fz=3kN") == "fz = 3kN"
-    assert short_label("new grease") == "new grease"
+    assert setting_name("duty.load.fz=3kN") == "radial load Fz = 3kN"
+    assert setting_name("new grease") == "new grease"
 
 
 # --- a_ISO -------------------------------------------------------------------------------------
