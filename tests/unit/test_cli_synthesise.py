@@ -416,7 +416,7 @@ REFUSED: list[tuple[tuple[str, ...], str]] = [
     ((*FAULT, "--slip", "7"), "--slip: 7.0: must be"),
     ((*FAULT, "--snr", "nan"), "--snr: nan: must be from −200"),
     ((*FAULT, "--snr", "0", "--noise", "1"), "not both"),
-    ((*KNOWN, "--snr", "0", "-o", "a.npz"), "--snr: is a ratio to faults, waviness or shaft harmonics"),
+    ((*KNOWN, "--snr", "0", "-o", "a.npz"), "--snr: is a ratio to faults, waviness or"),
     ((*FAULT, "--noise", "1 V"), "--noise: "),
     ((*FAULT, "--noise", "-1"), "--noise: -1.0: must be from 0"),
     ((*FAULT, "--noise", "1", "--colour", "red"), "--colour: "),
