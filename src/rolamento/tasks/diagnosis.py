@@ -292,13 +292,13 @@ def _highest_line(part: ComponentVerdict) -> float:
 
 @dataclass(frozen=True, slots=True)
 class TooShort:
-    """A record in which no race can be told, by its length: known before it is read.
+    """A record too short to test any race, by its length: known before it is read.
 
     Attributes
     ----------
     revolutions, least_revolutions
         that it has, or that the longest stretch has which is judged at once; and from which on it
-        tells something
+        a race can be tested
     duration
         of that; s
     is_stretch
@@ -367,7 +367,7 @@ def diagnose(
     stages: Stages = quietly,
     **reading: Unpack[Reading],
 ) -> DiagnosisResult | TooShort:
-    """Tell which parts of a bearing a file of vibration shows to be damaged.
+    """Return which parts of a bearing a file of vibration shows to be damaged.
 
     Parameters
     ----------
@@ -376,7 +376,7 @@ def diagnose(
     bearing
         Designation, case file or case: with a load, the loaded bearing's frequencies are sought.
     speed, outer_speed
-        Of the rings, steady: text such as "1797 rpm", or rad/s; by default as the file tells it,
+        Of the rings, steady: text such as "1797 rpm", or rad/s; by default as the file gives it,
         or else the case.
     speed_channel, speed_unit
         Channel of the same file with the speed, and its unit if the file is silent.
@@ -396,7 +396,7 @@ def diagnose(
     settings
         ``KEY=VALUE``, over the case.
     stages
-        Is told of "tracking", "solving" and "reading", and how far they are.
+        Is called with "tracking", "solving" and "reading", and how far they are.
     reading
         channel, rate, unit, scale and decimal_mark, as of `rolamento.vibration.open_signal`.
 
@@ -472,7 +472,7 @@ def _frequencies_sought(
     """Return the frequencies to look for, and the loaded bearing's solution if its case has a load.
 
     Those of the loaded bearing, where it has a solution; else those of the geometry, with the
-    contact angle that is wanted.
+    contact angle that was chosen.
     """
     loaded = has_load(case) and not nominal
     if loaded and angle is not None:
@@ -553,7 +553,7 @@ def _range_over_balls(own: FaultFrequencies, row: FaultFrequencies, orders: Faul
 def _too_short(
     frequencies: FaultFrequencies, speed: KnownSpeed, samples: int, rate: float
 ) -> TooShort | None:
-    """Tell whether both races lie in the spectrum where no level of noise is known."""
+    """Return whether both races lie in the spectrum where no level of noise is known."""
     orders = [frequencies.of_fault(race).order for race in ("outer_race", "inner_race")]
     least = (LOWEST_LINE + 1) / max(orders)
     block = min(samples, MOST_SAMPLES) / rate

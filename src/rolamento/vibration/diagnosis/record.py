@@ -217,9 +217,9 @@ class Diagnosis:
     speed_factor
         of that over the given one
     speed_source
-        "given", "shaft_lines" or "fault_lines": what tells it
+        "given", "shaft_lines" or "fault_lines": where it is from
     speed_confirmed
-        whether the shaft's own lines tell or agree with it, or it was certain
+        whether the shaft's own lines give it or agree with it, or it was certain
     undecided
         parts that would be damaged if the shaft ran at another speed, and that speed; Hz
     revolutions
