@@ -247,12 +247,10 @@ class DiagnosisResult:
         One line of the spectrum in a row below a header, lines ending in CR LF.
         """
         spectra, diagnosis = self.diagnosis.spectra, self.diagnosis
-        bands = [part.band for part in diagnosis.components if part.band is not None]
-        places = sorted({spectra.bands.index(band) for band in bands if band in spectra.bands})
         text = StringIO(newline="")
         writer = csv.writer(text)
         writer.writerow(CSV_COLUMNS)
-        for place in places or [diagnosis.clearest_band]:
+        for place in diagnosis.bands_shown:
             low, high = spectra.bands[place]
             for order, above in zip(spectra.order, spectra.above_noise[place], strict=True):
                 level = 10.0 * float(np.log10(above)) if above > 0.0 else nan

@@ -365,6 +365,13 @@ class Diagnosis:
         ]
         return int(np.argmax(np.max(scores, axis=0))) if scores else 0
 
+    @property
+    def bands_shown(self) -> list[int]:
+        """Numbers of the bands of all parts that are stated; without any, the clearest band."""
+        found = {part.band for part in self.components}
+        shown = [place for place, band in enumerate(self.spectra.bands) if band in found]
+        return shown or [self.clearest_band]
+
     def of(self, component: Component) -> ComponentVerdict:
         """Return the verdict for a component."""
         return next(part for part in self.components if part.component == component)
