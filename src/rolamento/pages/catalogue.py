@@ -20,7 +20,7 @@ from rolamento.document import (
     Title,
     Tone,
 )
-from rolamento.words import counted, manner, marked, said
+from rolamento.words import manner, marked, said
 
 __all__ = ["bearing_page", "search_page"]
 
@@ -177,9 +177,7 @@ def _internal(geometry: InternalGeometry) -> Section:
     ]
     columns = (
         *_named_figures(geometry.fields),
-        Column(
-            head="", key="origin", values=[said(_ORIGINS[one]) for one in origins], tones=tones
-        ),
+        Column(head="", key="origin", values=[said(_ORIGINS[one]) for one in origins], tones=tones),
         Column(
             head="",
             key="size",
@@ -253,7 +251,5 @@ def _candidates(candidates: Sequence[Candidate]) -> Section:
         " most open grooves that the ratings allow."
     )
     table = Table(columns=columns, key="candidates", legends=(legend,), gap=1, units="behind")
-    heading = counted(
-        "{n} candidate that fits the ratings", "{n} candidates that fit the ratings", len(candidates)
-    )
+    heading = said("Candidates that fit the ratings")
     return Section(heading, (table,), "candidates")

@@ -71,15 +71,13 @@ def _counts(summary: Summary) -> list[Block]:
         first = said("{count} cases in {seconds:.2} s", **values)
     blocks: list[Block] = [Statement(first)]
     if summary.solved < summary.cases:
-        kept = said(
-            "{count} of them from an earlier run", count=summary.cases - summary.solved
-        )
+        kept = said("{count} of them from an earlier run", count=summary.cases - summary.solved)
         blocks.append(Statement(kept))
     failed = summary.cases - summary.converged
     if not failed:
         return [*blocks, Statement(said("all cases have a result"), "good", mark="✓")]
     ended = said(
-        "{count} cases have a result, {failed} have none", count=summary.converged, failed=failed
+        "cases with a result: {count}; without: {failed}", count=summary.converged, failed=failed
     )
     blocks.append(Statement(ended, "warning", mark="✗"))
     reasons = {

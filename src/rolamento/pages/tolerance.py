@@ -15,7 +15,6 @@ from rolamento.document import (
     Entry,
     Figure,
     KeyValues,
-    Number,
     Section,
     Statement,
     Table,

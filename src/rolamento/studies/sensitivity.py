@@ -26,10 +26,10 @@ from rolamento.studies.tolerance import (
     FLAT,
     PERCENTILES,
     Samples,
+    ToleranceBand,
     ToleranceBands,
     samples_of,
     tolerance_bands,
-    ToleranceBand,
 )
 from rolamento.words import said
 

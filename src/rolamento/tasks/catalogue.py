@@ -46,9 +46,7 @@ def search_mapping(found: Sequence[CatalogueBearing]) -> dict[str, Any]:
     return {"schema": 1, "kind": "catalogue", "bearings": [_bearing_mapping(b) for b in found]}
 
 
-def bearing_mapping(
-    geometry: InternalGeometry | None, bearing: CatalogueBearing
-) -> dict[str, Any]:
+def bearing_mapping(geometry: InternalGeometry | None, bearing: CatalogueBearing) -> dict[str, Any]:
     """Give one bearing as plain values, in SI; ``inside`` is None if nothing is known of it."""
     mapping: dict[str, Any] = {
         "schema": 1,
