@@ -16,8 +16,6 @@ from typing import Any
 
 import pytest
 import typer
-from rolamento.report.verification import COMMAND, cells, verification_page, verification_report
-from rolamento.report.verification_words import VERIFICATION_WORDS
 from typer.testing import CliRunner
 
 from rolamento.cli.optional_value import JsonCommand, with_values
@@ -28,7 +26,6 @@ from rolamento.document.markdown import markdown
 from rolamento.document.terminal import terminal
 from rolamento.errors import InputError
 from rolamento.pages.verification import COMMAND, term, verification_page
-from rolamento.report.language import LANGUAGES, PORTUGUESE, Words
 from rolamento.verification import Check, Source, Verification, registry, run, sources
 from rolamento.verification.check import cut, half_unit, rounded
 from rolamento.words import Note, speaking
@@ -437,7 +434,7 @@ def test_the_page_may_go_to_standard_output(command: Command) -> None:
     [
         (
             ("--source", "harris"),
-            "source = \"harris\": is an unknown source; did you mean harris_1991",
+            'source = "harris": is an unknown source; did you mean harris_1991',
         ),
         (("--json", "--markdown", "-"), "standard output: only one of --json, --markdown"),
         (("--json", "x", "--markdown", "x"), "x: only one of --json, --markdown"),

@@ -201,7 +201,9 @@ class Catalogue:
             width=like.width,
             contact_angle=designation.contact_angle,
             sources=dict.fromkeys(_BOUNDARY, source)
-            | ({"contact_angle": "letters of the designation"} if designation.contact_angle else {}),
+            | (
+                {"contact_angle": "letters of the designation"} if designation.contact_angle else {}
+            ),
         )
 
     def _unknown(self, text: str) -> InputError:

@@ -31,8 +31,8 @@ _MOST_OF_ALL: Final = 1000
 
 app = typer.Typer(
     cls=GroupedCommands,
-    help="Search bearings, and show what is inside one.\n\n"
-    "By their designation: what is published, and what is inferred from it.",
+    help="Search bearings, and show the internal geometry of one.\n\nBy "
+    "designation: published data, and what is estimated from them.",
     no_args_is_help=True,
     rich_markup_mode=None,
 )
@@ -40,7 +40,7 @@ app = typer.Typer(
 FilesOption = Annotated[
     list[str] | None,
     typer.Option(
-        "--catalogue", metavar="FILE", help="A catalogue of your own, CSV or TOML. Repeats."
+        "--catalogue", metavar="FILE", help="A catalogue of your own, CSV or TOML. Repeatable."
     ),
 ]
 
@@ -54,13 +54,13 @@ def search(
         ),
     ],
     most: Annotated[
-        int, typer.Option("--most", metavar="N", help="Greatest number of results.")
+        int, typer.Option("--most", metavar="N", help="Maximum number of results.")
     ] = _MOST,
     files: FilesOption = None,
     json: JsonOption = None,
     lang: LanguageOption = None,
 ) -> None:
-    """List the bearings whose designation has a text in it."""
+    """List the bearings whose designation contains a text."""
     with plain_endings(lang):
         if not 1 <= most <= _MOST_OF_ALL:
             raise InputError(
@@ -74,15 +74,22 @@ def search(
 @app.command(cls=JsonCommand, epilog="Examples: show 6205/C3; show 7205B --dynamic '14.8 kN'.")
 def show(
     designation: Annotated[
-        str, typer.Argument(metavar="DESIGNATION", help="Such as 6205/C3 or 'EX 70 25deg'.")
+        str,
+        typer.Argument(
+            metavar="DESIGNATION", help="Designation, such as 6205/C3 or 'EX 70 25deg'."
+        ),
     ],
     dynamic: Annotated[
         str | None,
-        typer.Option("--dynamic", metavar="FORCE", help="Dynamic rating, in place of the list's."),
+        typer.Option(
+            "--dynamic", metavar="FORCE", help="Dynamic load rating, instead of that in the list."
+        ),
     ] = None,
     static: Annotated[
         str | None,
-        typer.Option("--static", metavar="FORCE", help="Static rating, in place of the list's."),
+        typer.Option(
+            "--static", metavar="FORCE", help="Static load rating, instead of that in the list."
+        ),
     ] = None,
     axis: Annotated[
         bool,
@@ -94,7 +101,7 @@ def show(
 ) -> None:
     """Show a bearing by its designation.
 
-    Published figures with their source, and its inside, marked if inferred.
+    Published data with their sources, and the internal geometry, marked where estimated.
     """
     with plain_endings(lang):
         known = _catalogue(files)

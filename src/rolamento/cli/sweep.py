@@ -30,7 +30,7 @@ class Listed(StrEnum):
 def sweep(
     study: Annotated[
         str | None,
-        typer.Argument(metavar="STUDY", help="Study file (TOML or JSON); - is standard input."),
+        typer.Argument(metavar="STUDY", help="Study file (TOML or JSON); - for standard input."),
     ] = None,
     output: Annotated[
         str | None,
@@ -44,7 +44,13 @@ def sweep(
     settings: SettingsOption = None,
     threads: Annotated[
         int | None,
-        typer.Option("--threads", metavar="N", min=1, max=1024, help="By default all processors."),
+        typer.Option(
+            "--threads",
+            metavar="N",
+            min=1,
+            max=1024,
+            help="Number of threads; by default one per processor.",
+        ),
     ] = None,
     scheduler: Annotated[
         str | None,
@@ -55,11 +61,11 @@ def sweep(
         ),
     ] = None,
     restart: Annotated[
-        bool, typer.Option("--restart", help="Begin anew, whatever an earlier run has kept.")
+        bool, typer.Option("--restart", help="Start over, discarding what an earlier run has kept.")
     ] = False,
     listed: Annotated[
         Listed | None,
-        typer.Option("--list", help="Show which fields may vary, or which outputs there are."),
+        typer.Option("--list", help="List the fields that may vary, or the outputs."),
     ] = None,
     lang: LanguageOption = None,
 ) -> None:
@@ -107,8 +113,8 @@ def _tell_what_is_kept(stop: KeyboardInterrupt) -> NoReturn:
         raise stop
     complain(
         said(
-            "stopped; {done} of {total} cases are kept in {folder}. The same command continues from"
-            " there",
+            "stopped; {done} of {total} cases are kept in {folder}. Run the same command to"
+            " continue",
             done=stop.done,
             total=stop.total,
             folder=str(stop.folder),
@@ -127,11 +133,11 @@ def fields_text() -> str:
             field.name,
             field.unit,
             field.example,
-            "axes and scatter" if name in array_fields() else "axes",
+            said("axes, scatter") if name in array_fields() else said("axes"),
         )
         for name, field in known_fields().items()
     ]
-    return _columns([("field", "unit", "example", "for"), *rows])
+    return _columns([(said("field"), said("unit"), said("example"), said("for")), *rows])
 
 
 def outputs_text() -> str:
@@ -142,13 +148,13 @@ def outputs_text() -> str:
         (
             f"{name}{'*' if name in DEFAULT_OUTPUTS else ''}",
             output.unit,
-            "per ball" if output.per_ball else "",
+            said("per ball") if output.per_ball else "",
             output.label,
         )
         for name, output in catalogue().items()
     ]
-    foot = "\n* put out if a study names no outputs\n"
-    return _columns([("output", "unit", "", "meaning"), *rows]) + foot
+    foot = f"\n* {said('by default, if a study names no outputs')}\n"
+    return _columns([(said("output"), said("unit"), "", said("meaning")), *rows]) + foot
 
 
 def _columns(rows: list[tuple[str, ...]]) -> str:

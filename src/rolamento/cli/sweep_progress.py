@@ -10,7 +10,7 @@ from typing import Any, Final, TextIO
 
 from rolamento.cli.streams import complain
 from rolamento.document.medium import Medium
-from rolamento.words import manner, said
+from rolamento.words import counted, said
 
 __all__ = ["Lines", "told"]
 
@@ -82,8 +82,7 @@ class Lines:
             rate=self._rate.at(done),
             left=_clock_time(self._rate.left(done, total)),
         )
-        without = said("{count} without a result", count=failed)
-        complain(f"{line}, {without}" if failed else line)
+        complain(f"{line}, {_failed(failed)}" if failed else line)
 
 
 @contextmanager
@@ -91,7 +90,6 @@ def _bar(console: Any, medium: Medium) -> Iterator[Progress]:
     from rich.progress import BarColumn, TextColumn
     from rich.progress import Progress as RichProgress
 
-    number = manner().fixed
     columns = (TextColumn("{task.description}"), BarColumn(), TextColumn("{task.fields[state]}"))
     with RichProgress(*columns, console=console, transient=True) as bar:
         task = bar.add_task(medium.fitted(said("solving")), total=None, state="")
@@ -99,16 +97,20 @@ def _bar(console: Any, medium: Medium) -> Iterator[Progress]:
 
         def progress(done: int, total: int, failed: int) -> None:
             rate.tell(done)
-            state = f"{number(done, 0)} / {number(total, 0)}"
+            parts = [said("{done} / {total}", done=done, total=total)]
             if rate.at(done) > 0.0:
-                left = said("{time} left", time=_clock_time(rate.left(done, total)))
-                state += f"  {number(rate.at(done), 0)}/s  {left}"
+                left = _clock_time(rate.left(done, total))
+                parts.append(said("{rate:.0f}/s, {left} left", rate=rate.at(done), left=left))
             if failed:
-                without = said("{count} without a result", count=failed)
-                state += f"  {without}"
-            bar.update(task, completed=done, total=total, state=medium.fitted(state))
+                parts.append(_failed(failed))
+            state = medium.fitted("  ".join(parts))
+            bar.update(task, completed=done, total=total, state=state)
 
         yield progress
+
+
+def _failed(number: int) -> str:
+    return counted("{n} without a result", "{n} without a result", number)
 
 
 def _clock_time(seconds: float) -> str:

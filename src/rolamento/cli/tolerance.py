@@ -31,28 +31,30 @@ def tolerance(
         str,
         typer.Argument(
             metavar="RESULT",
-            help="Result of a scatter study (.nc), or a study file with a [scatter] to be run.",
+            help="Result of a scatter study (.nc), or a study file with [scatter] to run.",
         ),
     ],
     percentiles: Annotated[
         str | None,
-        typer.Option("--percentiles", metavar="LIST", help="Such as 5,50,95; in per cent."),
+        typer.Option(
+            "--percentiles", metavar="LIST", help="Percentiles in per cent, such as 5,50,95."
+        ),
     ] = None,
     sobol: Annotated[
         int | None,
         typer.Option(
             "--sobol",
             metavar="N",
-            help="Sobol's indices too, from N (inputs + 2) runs of a study file; N such as 1024.",
+            help="Also Sobol's indices, from N (inputs + 2) runs of a study file; N such as 1024.",
         ),
     ] = None,
     json: JsonOption = None,
     plot: PlotOption = None,
     lang: LanguageOption = None,
 ) -> None:
-    """Show percentiles of a study, and which input matters.
+    """Show percentiles of a study, and which inputs matter.
 
-    Of every output of a scatter study, with the inputs that it depends on most.
+    For every output of a scatter study, with the inputs that it depends on most.
     """
     with plain_endings(lang):
         wanted = _percentiles(percentiles)
