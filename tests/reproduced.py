@@ -7,6 +7,7 @@ from importlib.metadata import entry_points
 from typing import TypeVar
 
 from rolamento.cli.reproduce import GROUP
+from rolamento.document import Figure
 from rolamento.words import language, speaking
 from rolamento_reproductions.record import Source
 from rolamento_reproductions.text import Text
@@ -25,6 +26,11 @@ def spoken(code: str, make: Callable[[], Made]) -> Made:
     """Make something in a language."""
     with speaking(code):
         return make()
+
+
+def beside(figure: Figure) -> str:
+    """Return the name of a picture's file."""
+    return f"{figure.key}.svg"
 
 
 def both(en: str, pt: str) -> Text:

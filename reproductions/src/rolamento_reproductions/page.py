@@ -6,7 +6,8 @@ The index shows every figure and table with what the source says of them.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import Final, Literal
+from functools import partial
+from typing import TYPE_CHECKING, Final, Literal
 
 from rolamento.document import (
     Block,
@@ -38,6 +39,9 @@ from rolamento_reproductions.record import (
     power_text,
 )
 from rolamento_reproductions.text import Prose, Text, localised
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure as Drawing
 
 said: Final = Prose("")
 PageEnding = Literal["html", "md"]
@@ -84,7 +88,7 @@ def index_page(
     opening.append(Statement("\n".join(map(str, summary(sections)))))
     chapters = [Chapter(blocks=tuple(opening))]
     for place, section in enumerate(sections, start=1):
-        chapters.append(Chapter(str(section.title), tuple(_contents(section)), key=f"part-{place}"))
+        chapters.append(Chapter(str(section.title), key=f"part-{place}"))
         for item in section.items:
             if isinstance(item, Errata):
                 pointer = tuple(_pointer_to_misprints(item, page))
@@ -140,21 +144,6 @@ def _statement(text: Text) -> Statement:
     return Statement(str(text))
 
 
-def _contents(section: Section) -> Iterator[Block]:
-    """Name the figures and tables of a section, such as "Figures 5.27–5.32. Table 5.4."."""
-    figures = [item.number for item in section.items if isinstance(item, Figure)]
-    tables = [item.number for item in section.items if isinstance(item, Table)]
-    parts = []
-    if figures:
-        key = "contents.figures" if len(figures) > 1 else "contents.figure"
-        parts.append(said(key, first=figures[0], last=figures[-1]))
-    if tables:
-        key = "contents.tables" if len(tables) > 1 else "contents.table"
-        parts.append(said(key, tables=", ".join(tables)))
-    if parts:
-        yield Statement(" ".join(map(str, parts)), "faint")
-
-
 def _framed(item: Figure | Table, endings: Sequence[Ending]) -> Chapter:
     """Put a figure or a table together with its inputs, files, statements and notes."""
     links = [Link(str(said("data")), f"{item.stem}.csv")]
@@ -162,7 +151,7 @@ def _framed(item: Figure | Table, endings: Sequence[Ending]) -> Chapter:
     shown: Block
     if isinstance(item, Figure):
         links = [*(Link(one.upper(), f"{item.stem}.{one}") for one in endings), *links]
-        shown = Picture(caption=str(item.caption), key=item.stem)
+        shown = Picture(caption=str(item.caption), draw=partial(_drawn, item), key=item.stem)
     else:
         shown = _grid(item)
     blocks: list[Block] = [shown, Statement(str(said("inputs", source=item.source)), "faint")]
@@ -175,6 +164,12 @@ def _framed(item: Figure | Table, endings: Sequence[Ending]) -> Chapter:
     if isinstance(item, Figure) and item.gaps:
         blocks.append(_statement(_gap_sentence(item)))
     return Chapter(str(name), tuple(blocks), key=item.stem, level=3)
+
+
+def _drawn(figure: Figure) -> Drawing:
+    from rolamento_reproductions.drawing import drawn  # Matplotlib is slow to load
+
+    return drawn(figure)
 
 
 def _claim(claim: Claim) -> Statement:

@@ -16,8 +16,10 @@ from pathlib import Path
 from typing import Final
 
 from rolamento._writing import write_bytes
-from rolamento.document import Document, html, markdown
+from rolamento.document import Document
 from rolamento.document import Figure as Picture
+from rolamento.document.html import html
+from rolamento.document.markdown import markdown
 from rolamento.errors import FileError
 from rolamento_reproductions.page import PageEnding, index_page, kind_of, misprints_page, summary
 from rolamento_reproductions.record import (

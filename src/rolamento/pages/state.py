@@ -798,4 +798,20 @@ def _powers(rolling: Rolling, drag: float) -> str:
 
 def _what_follows(solved: Solved, analysis: Analysis, notes: list[Note]) -> list[Section | Beside]:
     """Show film, friction and life; what is to be known of them goes to the notes."""
-    return []
+    sections: list[Section | Beside] = []
+    if analysis.film is not None:
+        from rolamento.pages.film import film_sections
+
+        sections += film_sections(analysis.film)
+        notes += analysis.film.notes_of()
+    if analysis.friction is not None:
+        from rolamento.pages.friction import friction_sections
+
+        sections += friction_sections(solved, analysis.friction)
+    if analysis.life is not None:
+        from rolamento.pages.life import life_notes, life_section
+
+        sections.append(life_section(solved, analysis.life))
+        notes += life_notes(analysis.life)
+    notes += analysis.notes
+    return sections
