@@ -388,7 +388,7 @@ def test_an_unknown_name() -> None:
     result = run("radaeli_2013")
     assert result.exit_code == 2
     assert "did you mean radaelli-2013?" in result.stderr
-    assert "known here: braga-almeida" in run("harris").stderr
+    assert "known: braga-almeida" in run("harris").stderr
     assert run("../radaelli-2013").exit_code == 2
 
 

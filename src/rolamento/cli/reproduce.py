@@ -31,8 +31,8 @@ class Reproduction(Protocol):
     def reference(self) -> object:
         """Source, and what is in it."""
 
-    def reproduce(self, folder: str, pictures: str, progress: Progress) -> list[str]:
-        """Write it to a folder, its own if ``""``; return lines on what came out."""
+    def reproduce(self, folder: str | None, pictures: str, progress: Progress) -> list[str]:
+        """Write it to a folder, by default of its name; return lines on what came out."""
 
 
 class Pictures(StrEnum):
@@ -82,16 +82,14 @@ def reproduce(
             return
         if name not in found:
             near = nearest(name, found)
-            advice = (
-                said("did you mean {name}?", name=near)
+            raise InputError(
+                said("cannot be reproduced; did you mean {name}?", name=near)
                 if near
-                else said("known here: {names}", names=", ".join(sorted(found)))
+                else said("cannot be reproduced; known: {names}", names=", ".join(sorted(found))),
+                value=name,
             )
-            raise InputError(said("cannot be reproduced; {advice}", advice=advice), value=name)
-        if output == "":
-            raise InputError(said("is not a possible folder name"), value=output, example=name)
         with _progress_bar() as progress:
-            lines = _loaded(found[name]).reproduce(output or "", pictures.value, progress)
+            lines = _loaded(found[name]).reproduce(output, pictures.value, progress)
         print_text("\n".join(lines) + "\n")
 
 
