@@ -15,8 +15,8 @@ import tomllib
 from collections.abc import Callable, Iterator
 from typing import Any, Final, Literal, NoReturn, TypeVar
 
-from rolamento.errors import FileError, shown
-from rolamento.words import said
+from rolamento.errors import FileError, cause, shown
+from rolamento.words import marked, said
 
 __all__ = [
     "STANDARD_INPUT",
@@ -62,7 +62,7 @@ def read_text(path: str | os.PathLike[str]) -> tuple[str, str]:
         is not UTF-8 text.
     """
     source = os.fspath(path)
-    content = read_bytes(path, _LARGEST_FILE, "a case file")
+    content = read_bytes(path, _LARGEST_FILE, marked("a case file"))
     source = STANDARD_INPUT if source == "-" else source
     return _decoded(content, source), source
 
@@ -137,8 +137,9 @@ def _attempt(action: Callable[[], Result], source: str) -> Result:
     except FileError:
         raise
     except OSError as error:
-        reason = (error.strerror or str(error)).lower()
-        raise FileError(said("cannot be opened: {reason}", reason=reason), source=source) from None
+        raise FileError(
+            said("cannot be opened: {reason}", reason=cause(error)), source=source
+        ) from None
     except (TypeError, ValueError):
         raise FileError(said("is not a valid file name"), source=source) from None
 
@@ -146,7 +147,7 @@ def _attempt(action: Callable[[], Result], source: str) -> Result:
 def _regular_file(source: str, most: int, what: str) -> bytes:
     kind = os.stat(source).st_mode
     if stat.S_ISDIR(kind):
-        raise FileError(said("is a directory; give {what}", what=what), source=source)
+        raise FileError(said("is a directory; give {what}", what=said(what)), source=source)
     if not stat.S_ISREG(kind):
         raise FileError(said("is not a regular file; use - for standard input"), source=source)
     with open(source, "rb") as file:
@@ -213,7 +214,9 @@ def _syntax_error(error: ValueError, text: str, source: str) -> FileError:
     number = re.match(r"line (\d+)", place)
     line = int(number[1]) if number else text.rstrip().count("\n") + 1
     return FileError(
-        said("is not valid TOML: {reason}", reason=reason[:150].lower()), source=source, line=line
+        said("is not valid TOML: {reason}", reason=reason[:150].lower()),
+        source=source,
+        line=line,
     )
 
 

@@ -17,7 +17,7 @@ from typing import Any, Final, Literal, get_args
 
 from rolamento._reading import STANDARD_INPUT, read_bytes
 from rolamento.errors import ABSENT, FileError, InputError
-from rolamento.words import said
+from rolamento.words import marked, said
 
 __all__ = [
     "DecimalMark",
@@ -293,7 +293,7 @@ def table_text(path: str | os.PathLike[str]) -> tuple[str, str]:
     """
     source = os.fspath(path)
     source = STANDARD_INPUT if source == "-" else source
-    content = read_bytes(path, _LARGEST, "a table in CSV")
+    content = read_bytes(path, _LARGEST, marked("a CSV table"))
     if len(content) > _LARGEST:
         raise FileError(said("is larger than {most} MB", most=_LARGEST // 1_000_000), source=source)
     if content[:2] in (b"\xff\xfe", b"\xfe\xff"):

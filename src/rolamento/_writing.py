@@ -16,7 +16,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Final
 
-from rolamento.errors import FileError
+from rolamento.errors import FileError, cause
 from rolamento.words import said
 
 __all__ = ["UNFINISHED", "check_space", "write_bytes", "write_text", "written_whole"]
@@ -67,8 +67,9 @@ def written_whole(
     except FileError as error:
         raise error if error.source else error.with_details(source=source) from None
     except OSError as error:
-        reason = (error.strerror or str(error)).lower()
-        raise FileError(said("cannot be written: {reason}", reason=reason), source=source) from None
+        raise FileError(
+            said("cannot be written: {reason}", reason=cause(error)), source=source
+        ) from None
     except ValueError as error:
         if "null" not in str(error):
             raise

@@ -26,6 +26,7 @@ __all__ = [
     "RolamentoError",
     "UnitError",
     "UnknownKeyError",
+    "cause",
     "guess",
     "nearest",
     "printable",
@@ -198,6 +199,28 @@ def guess(word: str, known: Iterable[str]) -> str:
     if near:
         return said("did you mean {near}?", near=near)
     return said("known: {known}", known=", ".join(known))
+
+
+def cause(error: OSError) -> str:
+    """Return why the system refused something, as it is said."""
+    reason = (error.strerror or str(error)).lower()
+    return said(reason) if error.strerror else reason
+
+
+_OF_SYSTEM: Final = (
+    marked("no such file or directory"),
+    marked("permission denied"),
+    marked("is a directory"),
+    marked("not a directory"),
+    marked("no space left on device"),
+    marked("read-only file system"),
+    marked("file name too long"),
+    marked("file exists"),
+    marked("input/output error"),
+    marked("too many open files"),
+    marked("too many levels of symbolic links"),
+)
+"""What `cause` has to say most often."""
 
 
 def _shortened(text: str, longest: int) -> str:

@@ -53,7 +53,7 @@ TOLERANCE: Final = 1e-12
 
 _LEFT_OUT: Final = frozenset(  # what was given and said, how it was solved, `computed - printed`
     {"case", "title", "schema", "version", "residual", "imbalance", "iterations", "difference",
-     "notes", "reading_notes", "advice", "statement", "reasons", "doubts"}
+     "notes", "reading_notes", "advice", "statement", "reasons", "doubts", "explanation"}
 )  # fmt: skip
 _KEYED: Final = frozenset({"reason", "reasons", "warnings"})
 """Whose notes are kept, by their keys."""

@@ -15,25 +15,22 @@ from typing import Any
 
 import numpy as np
 import pytest
-from rolamento.report.anderon import (
-    CSV_COLUMNS,
-    noise_json,
-    noise_report,
-    noise_statement,
-)
 from typer.testing import CliRunner
 
 from rolamento import tasks
+from rolamento._json import dumps
 from rolamento.cli.anderon import _full_scales_of as full_scales_of
 from rolamento.cli.app import app
+from rolamento.document.terminal import terminal
+from rolamento.pages.anderon import anderon_page, noise_statement
 from rolamento.plots.anderon import noise_bands, noise_figure
-from rolamento.report.language import PORTUGUESE
 from rolamento.tasks import noise as noise_task
-from rolamento.tasks.noise import FullScale, MeasuredNoise, NoiseResult
+from rolamento.tasks.noise import CSV_COLUMNS, FullScale, MeasuredNoise, NoiseResult
 from rolamento.vibration.anderon import BANDS, SPEED, BandNoise, measure_noise, noise_steps
 from rolamento.vibration.reading import read_signal
 from rolamento.vibration.signal import Signal
 from rolamento.weibull import parse_trend
+from rolamento.words import speaking
 
 DOCS = Path(__file__).resolve().parents[2] / "docs"
 Run = Callable[..., tuple[int, str, str]]
@@ -106,7 +103,7 @@ class TestLevels:
         out = run("other.npz", "--unit", unit, "--json")[1]
         signal = json.loads(out)["signals"][0]
         assert signal["bands"][1]["velocity"] == pytest.approx(100e-6, rel=2e-3)
-        assert quantity in [note["name"] for note in signal["notes"]]
+        assert quantity in [note["key"] for note in signal["notes"]]
 
     def test_rate_of_the_option_goes_before_that_of_the_file(self, run: Run) -> None:
         code, out, _ = run("t60.npz", "--unit", "um/s", "--rate", "25600")
@@ -122,7 +119,7 @@ class TestLevels:
         for one, other in zip(at_1800["bands"], slow["bands"], strict=True):
             assert other["anderons"] == pytest.approx(2.0 * one["anderons"])
             assert other["velocity"] == pytest.approx(one["velocity"])
-        assert [note["name"] for note in slow["notes"]] == ["speed_differs"]
+        assert [note["key"] for note in slow["notes"]] == ["speed_differs"]
 
     @pytest.mark.parametrize(
         ("speed", "names"),
@@ -137,12 +134,12 @@ class TestLevels:
     def test_tolerance_of_the_standard(self, run: Run, speed: str, names: list[str]) -> None:
         out = run("bare.npy", "--unit", "um/s", "--rate", "51.2 kHz", "--speed", speed, "--json")[1]
         notes = json.loads(out)["signals"][0]["notes"]
-        assert [note["name"] for note in notes] == names
+        assert [note["key"] for note in notes] == names
 
     def test_unknown_speed_is_said(self, run: Run) -> None:
         out = squeezed(run("bare.npy", "--unit", "um/s", "--rate", "51200", "--lang", "en")[1])
-        assert "speed not told; 1800 rpm, as in the test, is assumed" in out
-        assert "The signal does not tell the speed" in out
+        assert "speed not given; the test's 1800 rpm are assumed" in out
+        assert "The signal does not give the speed" in out
 
     def test_part_of_a_signal(self, run: Run) -> None:
         both = np.concatenate([tones(low=10e-6), tones(low=30e-6)])
@@ -178,11 +175,11 @@ class TestLevels:
     def test_low_rate_holds_fewer_bands(self, run: Run) -> None:
         code, out, _ = run("slow.npy", "--unit", "um/s", "--rate", "500", "--lang", "en")
         assert code == 1
-        assert "The sampling rate of 500 Hz does not hold: low, medium, high." in squeezed(out)
+        assert "The sampling rate of 500 Hz is too low for: low, medium, high." in squeezed(out)
 
     def test_rate_just_above_is_noted(self, run: Run) -> None:
         out = run("bare.npy", "--unit", "um/s", "--rate", "22050", "--json")[1]
-        names = [note["name"] for note in json.loads(out)["signals"][0]["notes"]]
+        names = [note["key"] for note in json.loads(out)["signals"][0]["notes"]]
         assert names == ["speed_unknown", "near_half_rate"]
 
     def test_sensitivity_of_the_sensor(self, run: Run) -> None:
@@ -225,15 +222,13 @@ class TestVerdicts:
         code, out, _ = run("t180.npz", "--unit", "um/s", *FULL, "--lang", "en")
         assert code == 1
         assert squeezed(out).startswith(
-            "Rejected: low band with 16.2 anderon, where 12 are accepted; medium band with 32.5"
-            " anderon, where 24 are accepted; high band with 26.6 anderon"
+            "Rejected: low band with 16.2 anderon, the limit is 12; medium band with 32.5 anderon,"
+            " the limit is 24; high band with 26.6 anderon"
         )
 
     def test_portuguese(self, run: Run) -> None:
         out = run("t180.npz", "--unit", "um/s", "--full-scale", "high=60", "--lang", "pt")[1]
-        assert squeezed(out).startswith(
-            "Reprovado: faixa alta com 26,6 anderon, onde se aceitam 24."
-        )
+        assert squeezed(out).startswith("Reprovado: faixa alta com 26,6 anderon, o limite é 24.")
 
     def test_part_of_the_full_scale_is_an_option(self, run: Run) -> None:
         assert run("t180.npz", "--unit", "um/s", *FULL, "--accepted", "0.6")[0] == 0
@@ -447,10 +442,11 @@ def test_limit_itself_is_accepted() -> None:
 
 def test_huge_and_missing_levels_are_shown() -> None:
     found = result((nan, 1e12, 1e-9), low=3.0, medium=4.0)
-    assert noise_statement(found, PORTUGUESE).startswith("Reprovado: faixa baixa não medida; ")
-    page = noise_report(found)
+    with speaking("pt"):
+        assert noise_statement(found).startswith("Reprovado: faixa baixa não medida; ")
+    page = terminal(anderon_page(found))
     assert "not measured" in page
-    assert json.loads(noise_json(found))["signals"][0]["bands"][0]["anderons"] is None
+    assert json.loads(dumps(found.to_mapping()))["signals"][0]["bands"][0]["anderons"] is None
 
 
 def test_growth_beyond_all_bounds_is_shown() -> None:
@@ -459,7 +455,7 @@ def test_growth_beyond_all_bounds_is_shown() -> None:
     found = NoiseResult((replace(first, hours=0.0), replace(last, hours=0.1)), {})
     assert found.trend is not None
     assert found.trend.of("low").ratio == inf
-    assert "Over the test" in noise_report(found)
+    assert "Over the test" in terminal(anderon_page(found))
 
 
 def test_steps_add_up_to_the_level() -> None:
@@ -486,7 +482,8 @@ def test_picture_shows_levels_limits_and_the_tone() -> None:
 @pytest.mark.parametrize("language", ["en", "pt"])
 def test_picture_without_bands_says_so(language: str) -> None:
     signal = Signal(np.random.default_rng(1).normal(size=5000), 500.0, "velocity", "m/s")
-    figure = noise_figure(measure_noise(signal), title="slow", language=language)
+    with speaking(language):
+        figure = noise_figure(measure_noise(signal), title="slow")
     texts = " ".join(text.get_text() for text in figure.axes[0].texts)
     assert ("sampling" if language == "en" else "amostragem") in texts
 

@@ -94,7 +94,7 @@ class TestVerdicts:
     def test_fault_is_a_result(self, run: Run) -> None:
         code, out, err = run("outer.npy", *KNOWN)
         assert (code, err) == (0, "")
-        assert squeezed(out).startswith("The outer race is damaged: lines at 107.")
+        assert squeezed(out).startswith("The outer race is damaged: peaks at 107.")
 
     def test_nothing_found_is_a_result(self, run: Run) -> None:
         code, out, _ = run("noise.npy", *KNOWN)
@@ -114,7 +114,7 @@ class TestVerdicts:
 
     def test_portuguese(self, run: Run) -> None:
         out = run("outer.npy", *KNOWN[:-1], "pt")[1]
-        assert squeezed(out).startswith("A pista externa está danificada: linhas em 107,")
+        assert squeezed(out).startswith("A pista externa está danificada: picos em 107,")
 
     def test_speed_and_bearing_of_a_case(self, run: Run) -> None:
         code, out, _ = run("outer.npy", "--bearing", "fan.toml", "--rate", "12000", "--lang", "en")
@@ -214,7 +214,7 @@ class TestLoadedBearing:
         assert found["faults"] == ["outer_race"]
         assert found["frequencies"]["source"] == "nominal"
         assert found["state"]["converged"] is False
-        assert "no_loaded_frequencies" in [note["name"] for note in found["notes"]]
+        assert "no_loaded_frequencies" in [note["key"] for note in found["notes"]]
 
     def test_angle_of_an_unloaded_bearing(self, run: Run) -> None:
         angles = {}

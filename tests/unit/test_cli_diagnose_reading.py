@@ -51,27 +51,30 @@ def test_a_speed_that_does_not_say_its_unit_is_offered(run: Run) -> None:
     code, out, _ = run("a.mat", "--speed-channel", "bearing.rate", "--speed-unit", "Hz")
     assert code == 0
     assert "5 s at 12 000 Hz, 125 revolutions" in out
-    assert 'The sampling rate is 12000 Hz; "rate" = 25 of the file is not taken for one.' in out
+    assert (
+        'The sampling rate is 12 000 Hz; "rate" = 25 of the file is taken for something else.'
+        in out
+    )
 
 
 def test_the_rate_of_the_option_wins(run: Run) -> None:
     mfpt()
     code, out, _ = run("a.mat", "--speed", "1500 rpm", "--rate", "24 kHz")
     assert code == 0
-    assert "The sampling rate is 24000 Hz as given; the file says 12000 Hz." in out
+    assert "The sampling rate is 24 000 Hz as given; the file says 12 000 Hz." in out
     out = run("a.mat", "--speed", "1500 rpm", "--rate", "24 kHz", "--lang", "pt")[1]
-    assert "A taxa de amostragem é 24000 Hz, como dada; o arquivo diz 12000 Hz." in out
+    assert "A taxa de amostragem é 24 000 Hz, conforme informada; o arquivo diz 12 000 Hz." in out
 
 
 def test_rates_that_disagree_name_the_option(run: Run) -> None:
     mfpt(rate=51_200.0)
     code, _, error = run("a.mat", "--speed", "1500 rpm")
     assert code == 2
-    assert '"sr" says 12000 Hz and "rate" says 51200 Hz; give it, in Hz' in error
-    assert "--rate: is in doubt" in error
+    assert '"sr" says 12 000 Hz and "rate" says 51 200 Hz; give it, in Hz' in error
+    assert "--rate: is ambiguous" in error
     code, out, _ = run("a.mat", "--speed", "1500 rpm", "--rate", "12 kHz", "--json")
     choices = json.loads(out)["signal"]["reading_notes"]
-    assert any("as given; in the file" in note for note in choices)
+    assert "rate_over_doubt" in [note["key"] for note in choices]
     assert code == 0
 
 
@@ -80,7 +83,7 @@ def test_the_speed_of_the_option_wins(run: Run) -> None:
     out = run("a.npz", "--speed", "1500 rpm")[1]
     assert "The speed is 1500 rpm as given; the file says 1797 rpm." in out
     out = run("a.npz", "--speed", "1500 rpm", "--lang", "pt")[1]
-    assert "A rotação é 1500 rpm, como dada; o arquivo diz 1797 rpm." in out
+    assert "A rotação é 1500 rpm, conforme informada; o arquivo diz 1797 rpm." in out
     assert "as given; the file" not in run("a.npz", "--speed", "1797 rpm")[1]
 
 
@@ -99,8 +102,8 @@ def test_a_rate_too_low_for_the_races_is_no_verdict(run: Run, language: str) -> 
     code, out, _ = run("a.npy", "--speed", "1500 rpm", "--rate", "100", "--lang", language)
     assert code == 1
     start = {
-        "en": "No verdict: not tested: outer race, inner race and ball. The sampling rate is too "
-        "low for its frequency. Nothing stands out of the noise for: cage.",
+        "en": "No verdict: outer race, inner race and ball could not be tested. The sampling rate "
+        "is too low for its frequency. Nothing rises above the noise for: cage.",
         "pt": "Sem veredito: não foi possível testar: pista externa, pista interna e esfera. A "
         "taxa de amostragem é baixa demais para sua frequência. Nada se destaca do ruído em: "
         "gaiola.",
@@ -120,8 +123,8 @@ def test_a_short_record_is_told_before_it_is_read(
     code, out, _ = run(*known)
     assert code == 1
     assert out == (
-        "No verdict: the record is too short. It spans 0.4 revolutions of the shaft, 0.8 s; below "
-        "1.7 revolutions, 3.4 s, nothing can be said of either race."
+        "No verdict: the record is too short. It covers 0.4 revolutions of the shaft, 0.8 s; "
+        "below 1.7 revolutions, 3.4 s, nothing can be said about either race."
     )
     code, out, error = run(*known, "--json")
     assert code == 1
@@ -142,7 +145,7 @@ def test_a_shaft_too_slow_for_its_rate_is_told_before_it_is_read(
     monkeypatch.setattr("rolamento.vibration.diagnosis.verdict", never)
     code, out, _ = run("a.npy", "--speed", "2 rpm", "--rate", "50 kHz", "--lang", language)
     assert code == 1
-    said = {"en": "spans 1.4 revolutions", "pt": "abrange 1,4 voltas"}
+    said = {"en": "covers 1.4 revolutions", "pt": "abrange 1,4 voltas"}
     assert said[language] in out
     data = json.loads(run("a.npy", "--speed", "2 rpm", "--rate", "50 kHz", "--json")[1])
     assert data["reason"] == "shaft_too_slow"

@@ -111,7 +111,7 @@ class TestOrderTracking:
         assert (track["tracking"]["found"], track["tracking"]["within"]) == (True, 0.08)
         assert track["tracking"]["evidence"] > 2.0
         text = " ".join(run(*CHANNEL, "--lang", "en")[1].split())
-        assert "rpm, of the channel n signal" in text
+        assert "rpm from the channel n signal" in text
         assert "found in the vibration within 10 % of 1780 rpm" in " ".join(
             run(*TRACK, "--lang", "en")[1].split()
         )
@@ -249,7 +249,7 @@ class TestFindingTheSpeed:
         given = ("steady.npy", "--rate", "12 kHz", "--bearing", "6205")
         data = found(run, *given, "--track", "--speed", "1797 rpm")
         assert data["faults"] == ["outer_race"]
-        assert "speed_not_found" in [note["name"] for note in data["notes"]]
+        assert "speed_not_found" in [note["key"] for note in data["notes"]]
 
 
 class TestWrongInput:

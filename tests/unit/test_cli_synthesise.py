@@ -15,15 +15,15 @@ from typing import Any
 import numpy as np
 import pytest
 import typer
-from rolamento.report.synthesis import synthesis_report
 from typer.testing import CliRunner
 
 from rolamento import Bearing, load_case
 from rolamento.cli.app import app
 from rolamento.cli.quantities import fields_of, number_of
+from rolamento.document.terminal import terminal
 from rolamento.errors import InputError
+from rolamento.pages.synthesis import synthesis_page
 from rolamento.plots.vibration_modulation import envelope_depths, modulation_figure
-from rolamento.report import synthesis as page
 from rolamento.solution import solve
 from rolamento.tasks.bearing import case_of, has_load, is_designation
 from rolamento.tasks.synthesis import SynthesisResult
@@ -45,6 +45,7 @@ from rolamento.vibration.synthesis import (
     synthesise,
 )
 from rolamento.vibration.writing import write_signal
+from rolamento.words import speaking
 
 DOCS = Path(__file__).resolve().parents[2] / "docs"
 GUIDE = (DOCS / "synthesis.md").read_text("utf-8")
@@ -311,7 +312,7 @@ class TestPage:
 
     def test_portuguese(self, run: Run) -> None:
         out = run(*KNOWN, "--fault", "cage", "-o", "a.npz", "--lang", "pt")[1]
-        assert squeezed(out).startswith("Gravado: a.npz, 2 s de um rolamento com dano em gaiola.")
+        assert squeezed(out).startswith("Gravado: a.npz, 2 s de um rolamento danificado: a gaiola.")
 
     @pytest.mark.parametrize("language", ["en", "pt"])
     def test_width(self, run: Run, language: str) -> None:
@@ -358,8 +359,8 @@ class TestPage:
         )
         # lines at one frequency add by their phases: their greatest sum bounds the whole
         assert found.rms <= sum(line.rms for line in found.lines)
-        text = synthesis_report(found)
-        assert "of a sound bearing" in text
+        text = terminal(synthesis_page(found))
+        assert "of a healthy bearing" in text
         assert "Planted" not in text
 
     def test_lines_beyond_half_the_rate_are_said_to_be_missing(self) -> None:
@@ -369,12 +370,12 @@ class TestPage:
             rate=1000.0,
             modes=[Mode(300.0)],
         )
-        assert "beyond half the rate" in squeezed(synthesis_report(found))
+        assert "beyond half the sampling rate" in squeezed(terminal(synthesis_page(found)))
 
     def test_damage_that_no_ball_strikes_is_noted(self, run: Run) -> None:
         away = ("--fault", "outer_race,azimuth=180 deg", "--load", "radial")
         out = run(*KNOWN, *away, "--noise", "1", "-o", "a.npz", "--lang", "en")[1]
-        assert "makes no impact with any force" in squeezed(out)
+        assert "without any impact of non-zero force: outer race." in squeezed(out)
         code, _, err = run(*KNOWN, *away, "--snr", "0", "-o", "b.npz")
         assert code == 2
         assert "--snr: 0.0: is the ratio to faults that make no impact" in err
@@ -461,7 +462,7 @@ def test_wrong_input_is_one_line(run: Run, arguments: tuple[str, ...], message: 
 
 
 def test_truth_of_too_many_impacts_is_refused(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(page, "_MOST_IMPACTS", 100)
+    monkeypatch.setattr("rolamento.tasks.synthesis._MOST_IMPACTS", 100)
     assert run(*FAULT)[0] == 0
     code, _, err = run(*FAULT, "--truth", "a.json")
     assert code == 2
@@ -616,7 +617,8 @@ def test_depths_of_a_known_modulation() -> None:
 @pytest.mark.parametrize("language", ["en", "pt"])
 def test_picture_of_modulations(language: str) -> None:
     signal = made(faults=[Fault(kind="outer_race", jitter=0.0)], duration=0.5).made.signal
-    figure = modulation_figure(signal, signal, 107.15, (3500.0, 4500.0), language=language)
+    with speaking(language):
+        figure = modulation_figure(signal, signal, 107.15, (3500.0, 4500.0))
     labels = [axes.get_xlabel() for axes in figure.axes]
     assert labels[:2] == ["Time (ms)" if language == "en" else "Tempo (ms)"] * 2
     assert len(figure.axes[2].patches) == 9

@@ -16,9 +16,11 @@ import typer
 from typer.testing import CliRunner
 
 from rolamento import load_case
+from rolamento._json import dumps
 from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.turn import turn
-from rolamento.report.turn import turn_json, turn_report
+from rolamento.document.terminal import terminal
+from rolamento.pages.turn import turn_page
 from rolamento.studies.cage_turn import DEFAULT_POINTS, cage_turn
 
 Run = Callable[..., tuple[int, str, str]]
@@ -68,7 +70,7 @@ def test_by_default_as_many_points_as_the_engine_takes(run: Run) -> None:
 
 def test_numbers_of_the_report_are_those_of_the_engine(examples: Path) -> None:
     turned = cage_turn(load_case(examples / "209_radial.toml"), points=32)
-    report = turn_report(turned)
+    report = terminal(turn_page(turned))
     (line,) = [line for line in report.splitlines() if line.startswith("  y ")]
     variation = turned.variation("displacement")
     extent, first = 1e9 * variation.peak_to_peak[1], 1e9 * abs(variation.harmonics[0, 1])
@@ -87,7 +89,7 @@ def test_at_rest_there_is_no_frequency(run: Run) -> None:
 
 def test_what_does_not_vary_is_told(run: Run) -> None:
     _, out, _ = run("218_combined.toml", "--set", "duty.load.fz=0 N")
-    assert "no variation: the ring stands still while the balls pass" in out
+    assert "no variation: the ring does not move while the balls pass" in out
 
 
 def test_the_report_speaks_portuguese(run: Run, examples: Path) -> None:
@@ -111,7 +113,7 @@ def test_json_goes_to_standard_output_alone(run: Run, arguments: tuple[str, ...]
 
 def test_json_holds_the_turn_in_si(examples: Path) -> None:
     turned = cage_turn(load_case(examples / "218_combined.toml"), points=8)
-    data = strict(turn_json(turned))
+    data = strict(dumps(turned.to_mapping()))
     np.testing.assert_array_equal(data["angle"], turned.angle)
     np.testing.assert_array_equal(data["displacement"]["values"], turned.solved.displacement.array)
     variation = turned.variation("stiffness")

@@ -12,9 +12,11 @@ import pytest
 
 from rolamento import Case, InputError, Load, UnitError, UnknownKeyError, load_case, override
 from rolamento.case.fields import Field
+from rolamento.case.labels import LABELS
 from rolamento.case.quantity import Quantity
 from rolamento.case.varied import bounded, varied_arrays
 from rolamento.units import SI_UNIT
+from rolamento.words import languages, speaking
 
 FIELDS = Case.fields()
 NUMBERS = [name for name, field in FIELDS.items() if field.kind == "number"]
@@ -35,7 +37,7 @@ def test_what_is_told_of_a_field() -> None:
     load = FIELDS["duty.load.fz"]
     assert (load.leaf, load.kind, load.dimension) == ("fz", "number", "force")
     assert (load.unit, load.shown_unit, load.example) == ("N", "kN", '"15 kN"')
-    assert (load.label, load.long_name) == ("radial load Fz", "fz of load")
+    assert (load.label, load.long_name) == ("radial load Fz", "radial load Fz")
     assert load.rivals == ("duty.displacement.z",)
     assert load.limits == "at least -1e6 kN and at most 1e6 kN"
     assert load.varies
@@ -47,6 +49,16 @@ def test_what_is_told_of_a_field() -> None:
     assert FIELDS["bearing.ring_material"].kind == FIELDS["model.cage"].kind == "text"
     assert "duty.load" not in FIELDS
     assert "lubricant.viscosities.temperature" not in FIELDS
+
+
+def test_every_field_has_a_label_of_its_own_in_every_language() -> None:
+    for language in languages():
+        with speaking(language):
+            labels = {field.label: name for name, field in FIELDS.items()}
+        assert len(labels) == len(FIELDS)
+    assert set(LABELS) <= set(FIELDS)
+    parts = ("bearing.ring_", "bearing.ball_", "mounting.shaft_", "mounting.housing_", "life.tall")
+    assert all(name in LABELS or name.startswith(parts) for name in FIELDS)
 
 
 def test_every_field_has_a_meaning_and_an_example() -> None:

@@ -19,9 +19,9 @@ from rolamento.friction.slip import (
 )
 from rolamento.plots.frame import figure_of
 from rolamento.plots.slip import QUANTITIES, slip_map, slip_maps
-from rolamento.plots.words import PORTUGUESE
 from rolamento.solution import solve
 from rolamento.solved import Solved
+from rolamento.words import speaking
 
 
 @pytest.fixture(scope="module")
@@ -57,7 +57,8 @@ def test_all_three_maps_have_units_and_can_be_drawn(state: Solved, race: str) ->
 
 
 def test_portuguese(state: Solved) -> None:
-    axes = slip_map(state, words=PORTUGUESE, ball=3)
+    with speaking("pt"):
+        axes = slip_map(state, ball=3)
     assert axes.get_xlabel() == "Transversal ao rolamento (mm)"
 
 

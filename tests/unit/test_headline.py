@@ -8,10 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from rolamento.report.life import life_report
-from rolamento.report.life_curves import curves_report
-from rolamento.report.life_spectrum import spectrum_report
-from rolamento.report.shaft import shaft_report
+from rolamento.report.terminal import terminal_report
 from tests.one_case import keys
 
 from rolamento import (
@@ -26,6 +23,7 @@ from rolamento import (
     load_case,
     override,
 )
+from rolamento.document.terminal import terminal
 from rolamento.life import (
     LifeConditions,
     LifeSummary,
@@ -34,7 +32,10 @@ from rolamento.life import (
     sensitivity,
 )
 from rolamento.life.record import BOUNDS, OUTSIDE
-from rolamento.report.terminal import terminal_report
+from rolamento.pages.life import life_page
+from rolamento.pages.life_over import life_over_page
+from rolamento.pages.life_spectrum import life_spectrum_page
+from rolamento.pages.shaft import shaft_page
 from rolamento.solution import solve
 from rolamento.studies.ranges import read_range
 from rolamento.tasks.life import life_of_shaft
@@ -131,7 +132,7 @@ def test_no_load_no_life() -> None:
         assert not record.valid[0]
     assert found.headline.reason[0] == "unloaded"
     assert found.limit.ball[0] == -1
-    assert "there is no rating life" in life_report(solve(deep(fz=0.0)), found)
+    assert "there is no rating life" in terminal(life_page(solve(deep(fz=0.0)), found))
 
 
 def test_a_pure_moment_is_nothing_for_iso_281() -> None:
@@ -214,7 +215,7 @@ def test_what_would_help_is_judged_or_not_named(ratio: float) -> None:
     changes = {change.name: change.life_ratio for change in sensitivity(state)}
     judged = ratio >= 0.1
     assert all(np.isfinite(value) is np.bool_(judged) for value in changes.values())
-    text = life_report(state, life(state), sensitivity(state))
+    text = terminal(life_page(state, life(state), sensitivity(state)))
     assert ("would help" in text) is judged
 
 
@@ -231,7 +232,7 @@ def test_a_curve_has_the_same_rule() -> None:
         assert curve.headline.hours[point] == pytest.approx(alone.hours[0])
         assert curve.headline.below[point] == alone.below[0]
         assert curve.headline.reason[point] == alone.reason[0]
-    text = curves_report([curve])
+    text = terminal(life_over_page([curve]))
     assert "<917" in text
     assert "< the life is below the number" in text
 
@@ -240,8 +241,8 @@ def test_a_curve_shows_a_bound_that_is_no_theory() -> None:
     dirty = CASE.replace(life=LifeModel(), lubricant=None)
     curve = life_curve(dirty, read_range("life.contamination=0..0.5", 6))
     assert curve.headline.below[0]
-    lines = curves_report([curve]).splitlines()
-    assert any("leads" in line for line in lines[:8])
+    lines = terminal(life_over_page([curve])).splitlines()
+    assert any("leading" in line for line in lines[:8])
     assert any("<917" in line for line in lines)
 
 
@@ -253,10 +254,10 @@ def test_a_spectrum_has_the_same_rule(tmp_path: Path) -> None:
     parts = [of(set_to(f"life.viscosity_ratio={ratio}")).headline.hours[0] for ratio in (1, 0.05)]
     assert leading.hours == pytest.approx(2.0 / sum(1.0 / part for part in parts))
     assert (leading.below, leading.valid) == (True, False)
-    text = " ".join(spectrum_report(duty).split())
+    text = " ".join(terminal(life_spectrum_page(duty)).split())
     assert "this duty reaches less than" in text
-    assert "the standard only bounds the life in some of the steps" in text
-    assert "have a reliability below" in text
+    assert "in some of the steps the standard only bounds the life" in text
+    assert "Reliability at the required 5000 h: below" in text
 
 
 def test_an_idle_step_does_no_damage(tmp_path: Path) -> None:
@@ -284,7 +285,7 @@ def test_a_shaft_has_the_same_rule() -> None:
     assert found.headline.theories == ("iso16281_modified", "iso16281")
     assert (found.headline.below, found.headline.valid) == (True, False)
     assert found.headline.hours < min(hours)
-    text = " ".join(shaft_report(found, ["thin", "plain"]).split())
+    text = " ".join(terminal(shaft_page(found, ["thin", "plain"])).split())
     assert "the 2 bearings together reach less than" in text
 
 

@@ -31,9 +31,10 @@ from rolamento.plots.curves import (
 from rolamento.plots.ellipses import SCALE_BAR, contact_ellipses, ellipses_of_both_races
 from rolamento.plots.frame import PlainNumbers, add_title, figure_of, number
 from rolamento.plots.saving import save_figure
-from rolamento.plots.words import ENGLISH, PORTUGUESE, plot_words
+from rolamento.plots.study import variable_label
 from rolamento.solution import solve
 from rolamento.solved import Solved
+from rolamento.words import speaking
 
 OF_STATES: tuple[Callable[..., Axes], ...] = (
     ball_loads,
@@ -185,7 +186,8 @@ def test_a_state_without_a_result_is_an_empty_frame_that_says_why(
     assert draw(unsolved, axes) is axes
     assert not axes.lines
     assert "No result: there is no equilibrium" in texts(axes)
-    assert "Sem resultado: não há equilíbrio" in texts(draw(unsolved, words=PORTUGUESE))
+    with speaking("pt"):
+        assert "Sem resultado: não há equilíbrio" in texts(draw(unsolved))
 
 
 def test_both_races_without_a_result(unsolved: Solved) -> None:
@@ -474,24 +476,27 @@ def test_units_of_nothing() -> None:
 def test_numbers_have_the_mark_of_the_language() -> None:
     axes = Figure().add_subplot()
     axes.set_xlim(0.0, 1.0)
-    axes.xaxis.set_major_formatter(PlainNumbers(","))
+    with speaking("pt"):
+        axes.xaxis.set_major_formatter(PlainNumbers())
     axes.figure.draw_without_rendering()
     assert "0,2" in [label.get_text() for label in axes.get_xticklabels()]
-    assert number(12345.6, ENGLISH) == "12\u2009346"
-    assert number(-0.25, PORTUGUESE) == "−0,25"
+    assert number(12345.6) == "12\u2009346"
+    with speaking("pt"):
+        assert number(-0.25) == "−0,25"
 
 
 def test_portuguese_labels(state: Solved) -> None:
-    axes = ball_loads(state, words=plot_words("pt"))
+    with speaking("pt"):
+        axes = ball_loads(state)
+        inner, outer = ellipses_of_both_races(state)
+        rosette = load_rosette(state)
+        stiffness = stiffness_over_speed([0.0, 1.0], np.ones((2, 5, 5)))
     assert axes.get_ylabel() == "Carga no contato (N)"
     assert axes.get_xlabel() == "Azimute da esfera (°)"
-    assert labels(axes) == ["interno", "externo"]
-    inner, outer = ellipses_of_both_races(state, words=plot_words("pt"))
+    assert labels(axes) == ["interna", "externa"]
     assert inner.get_ylabel() == "Através da pista interna (mm)"
     assert "esferas lado a lado" in outer.get_xlabel()
-    rosette = load_rosette(state, words=plot_words("pt"))
     assert rosette.get_xlabel() == "Carga no contato (N), visto de +x"
-    stiffness = stiffness_over_speed([0.0, 1.0], np.ones((2, 5, 5)), words=plot_words("pt"))
     assert stiffness.get_ylabel() == "Rigidez (N/µm)"
 
 
@@ -501,33 +506,31 @@ def test_portuguese_labels(state: Solved) -> None:
         ("fx", "Axial load Fx", "Carga axial Fx"),
         ("stiffness_zry", "Stiffness z–ry", "Rigidez z–ry"),
         ("inner_load", "Contact load, inner race", "Carga no contato, pista interna"),
-        ("max_ball_speed", "Greatest ball speed", "Maior rotação da esfera"),
+        ("max_orbital_speed", "Maximum orbital speed", "Rotação orbital (máx.)"),
         (
             "max_inner_max_pressure",
-            "Greatest Hertz pressure, inner race",
-            "Maior pressão de Hertz, pista interna",
+            "Maximum Hertz pressure, inner race",
+            "Pressão de Hertz, pista interna (máx.)",
         ),
         (
             "mean_outer_contact_angle",
-            "Mean contact angle, outer race",
-            "Ângulo de contato, pista externa, média",
+            "Mean contact angle, outer race, loaded balls",
+            "Ângulo de contato, pista externa, esferas carregadas (média)",
         ),
         ("contact_angle", "Free contact angle", "Ângulo de contato livre"),
         ("youngs_modulus", "What the file says", "What the file says"),
     ],
 )
 def test_names_of_variables(variable: str, english: str, portuguese: str) -> None:
-    assert ENGLISH.name(variable, "what the file says") == english
-    assert PORTUGUESE.name(variable, "what the file says") == portuguese
+    assert variable_label(variable, {"long_name": "what the file says"}) == english
+    with speaking("pt"):
+        assert variable_label(variable, {"long_name": "what the file says"}) == portuguese
 
 
 def test_names_of_unknown_variables_without_a_long_name() -> None:
-    assert ENGLISH.name("youngs_modulus") == "Youngs modulus"
-
-
-def test_both_languages_know_the_same_statuses_and_unknown_ones_are_english() -> None:
-    assert ENGLISH.reasons.keys() == PORTUGUESE.reasons.keys()
-    assert plot_words("fr") is ENGLISH
+    assert variable_label("youngs_modulus") == "Youngs modulus"
+    density = {"field": "bearing.ball_material.density"}
+    assert variable_label("density", density) == "Density ρ (balls)"
 
 
 # --- saving ---------------------------------------------------------------------------------

@@ -25,7 +25,7 @@ from rolamento.plots.sweep import (
     study_scatter,
     telling_kind,
 )
-from rolamento.plots.words import PORTUGUESE
+from rolamento.words import speaking
 
 FLAGS = {
     "flag_values": np.array([0, 1, 2], dtype=np.int8),
@@ -358,7 +358,8 @@ def test_samples_without_any_result_are_an_empty_frame(draw: Any) -> None:
     study = scatter()
     study["status"][:] = 2
     assert "overloaded" in texts(draw(study))
-    assert "sobrecarga" in texts(draw(study, words=PORTUGUESE))
+    with speaking("pt"):
+        assert "sobrecarga" in texts(draw(study))
 
 
 def test_not_a_number_counts_without_a_status() -> None:
@@ -391,19 +392,18 @@ def test_an_axis_that_is_not_a_number_is_refused() -> None:
 
 
 def test_portuguese_studies(tmp_path: Path) -> None:
-    axes = study_lines(sweep(failed=((1, 1),)), "x", words=PORTUGUESE)
+    with speaking("pt"):
+        axes = study_lines(sweep(failed=((1, 1),)), "x")
+        samples = study_histogram(scatter())
+        scattered = study_scatter(scatter())
+        matrix = study_lines(sweep().rename(x="stiffness_xry"), "stiffness_xry")
     assert axes.get_xlabel() == "Carga axial Fx (kN)"
     assert axes.get_ylabel() == "Deslocamento axial x (µm)"
     assert axes.get_legend().get_title().get_text() == "Rotação do anel interno (rpm)"
     assert "sem resultado: 1 de 18" in labels(axes)
-    samples = study_histogram(scatter(), words=PORTUGUESE)
     assert samples.get_ylabel() == "Parcela das amostras (%)"
-    scattered = study_scatter(scatter(), words=PORTUGUESE)
     assert scattered.get_xlabel() == "Folga diametral (µm)"
-    matrix = sweep().rename(x="stiffness_xry")
-    assert study_lines(matrix, "stiffness_xry", words=PORTUGUESE).get_ylabel() == (
-        "Rigidez x–ry (µm)"  # the unit is what the file says
-    )
+    assert matrix.get_ylabel() == "Rigidez x–ry (µm)"  # the unit is what the file says
 
 
 @pytest.mark.parametrize("name", ["map.png", "map.svg", "map.pdf"])

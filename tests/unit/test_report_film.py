@@ -9,10 +9,11 @@ from tests.one_case import said
 
 from rolamento import Analysis, analyse, load_case
 from rolamento.document.medium import Medium
+from rolamento.document.terminal import terminal
 from rolamento.lubrication import film as film_of
-from rolamento.report.language import ENGLISH, PORTUGUESE
-from rolamento.report.terminal import terminal_report
+from rolamento.pages.state import state_page
 from rolamento.solution import solve
+from rolamento.words import speaking
 
 
 @pytest.fixture(scope="module")
@@ -26,13 +27,14 @@ def dry(examples: Path) -> Analysis:
 
 
 def report(analysis: Analysis, language: str = "en", encoding: str = "utf-8") -> str:
-    words = PORTUGUESE if language == "pt" else ENGLISH
-    return terminal_report(analysis.solved, words, Medium(encoding=encoding), analysis)
+    with speaking(language):
+        page = state_page(analysis.solved, analysis)
+    return terminal(page, Medium(encoding=encoding))
 
 
 def test_a_plain_case_has_the_plain_report(examples: Path) -> None:
     case = load_case(examples / "218_combined.toml")
-    assert report(analyse(case)) == terminal_report(solve(case))
+    assert report(analyse(case)) == terminal(state_page(solve(case)))
 
 
 def test_film_and_friction_come_after_the_balls(oiled: Analysis) -> None:
@@ -60,7 +62,7 @@ def test_the_film_has_its_numbers_and_units(oiled: Analysis) -> None:
     assert (label.strip(), unit) == ("central film h_c", "µm")
     assert f"{1e6 * film.kinematic_viscosity[0]:.1f} mm²/s" in text
     assert "83.4 °C" in text
-    assert "inner: partial film; failures to expect: fatigue from inclusions" in text
+    assert "inner  partial film; failures to expect: fatigue from inclusions" in text
 
 
 def test_the_sources_add_up_to_the_torque(dry: Analysis) -> None:

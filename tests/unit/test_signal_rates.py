@@ -28,10 +28,10 @@ def test_sampling_rate_beside_the_shafts(tmp_path: Path) -> None:
     with open_signal(tmp_path / "a.mat") as file:
         assert (file.channel.name, file.rate, file.speed) == ("bearing.gs", 48828.0, None)
         assert file.speeds_perhaps == {"bearing.rate": 25.0}
-        assert [note.name for note in file.choices] == ["rate_aside"]
-        assert file.notes == (
-            'The sampling rate is 48828 Hz; "rate" = 25 of the file is not taken for one.',
-        )
+        assert [note.key for note in file.choices] == ["rate_aside"]
+        (note,) = file.notes
+        assert note.values == {"rate": 48828.0, "name": '"rate"', "value": 25.0}
+        assert note.text.startswith('The sampling rate is 48 828 Hz; "rate" = 25 of the file')
     at_speed = read_signal(tmp_path / "a.mat", speed_channel="bearing.rate", speed_unit="Hz")
     assert at_speed.mean_speed == pytest.approx(2 * pi * 25)
 
@@ -47,10 +47,10 @@ def test_the_same_in_hdf5(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("numbers", "doubt"),
     [
-        ({"fs": 48828.0, "rate": 51200.0}, '"fs" says 48828 Hz and "rate" says 51200 Hz'),
+        ({"fs": 48828.0, "rate": 51200.0}, '"fs" says 48 828 Hz and "rate" says 51 200 Hz'),
         ({"fs": 1200.0, "rate": 100.0}, '"fs" says 1200 Hz and "rate" says 100 Hz'),
-        ({"fs": 12000.0, "dt": 1e-4}, '"fs" says 12000 Hz and "dt" = 0.0001 s says 10000 Hz'),
-        ({"fs": 12000.0, "sr": 12100.0}, '"fs" says 12000 Hz and "sr" says 12100 Hz'),
+        ({"fs": 12000.0, "dt": 1e-4}, '"fs" says 12 000 Hz and "dt" = 0.0001 s says 10 000 Hz'),
+        ({"fs": 12000.0, "sr": 12100.0}, '"fs" says 12 000 Hz and "sr" says 12 100 Hz'),
         ({"rate": 25.0}, '"rate" says 25 Hz, which may be the speed of the shaft as well'),
     ],
 )
@@ -60,9 +60,9 @@ def test_rates_that_disagree_are_asked_about(
     np.savez(tmp_path / "a.npz", x=SAMPLES, **numbers)
     with pytest.raises(InputError) as caught:
         read_signal(tmp_path / "a.npz")
-    assert f"is in doubt: in the file {doubt}; give it, in Hz" in str(caught.value)
+    assert f"is ambiguous: in the file {doubt}; give it, in Hz" in str(caught.value)
     with open_signal(tmp_path / "a.npz", rate=12_000.0) as file:
-        assert (file.rate, file.choices[0].name) == (12_000.0, "rate_over_doubt")
+        assert (file.rate, file.choices[0].key) == (12_000.0, "rate_over_doubt")
 
 
 @pytest.mark.parametrize(
@@ -78,8 +78,8 @@ def test_the_rate_that_is_given_wins(tmp_path: Path) -> None:
     mfpt(tmp_path / "a.mat")
     with open_signal(tmp_path / "a.mat", rate=97656.0) as file:
         assert file.rate == 97656.0
-        assert [note.name for note in file.choices] == ["rate_over_file"]
-        assert file.choices[0].numbers == {"rate": "97656 Hz", "file": "48828 Hz"}
+        assert [note.key for note in file.choices] == ["rate_over_file"]
+        assert file.choices[0].values == {"rate": 97656.0, "file": 48828.0}
     np.savez(tmp_path / "a.npz", x=SAMPLES, fs=12000.0)
     assert read_signal(tmp_path / "a.npz", rate=48000.0).duration == len(SAMPLES) / 48000.0
 
@@ -127,7 +127,7 @@ def test_thousands_point_of_a_collector(tmp_path: Path) -> None:
     with pytest.raises(InputError) as caught:
         read_signal(path, channel=1)
     assert '"Fs: 25.600" with a decimal point says 25.6 Hz' in str(caught.value)
-    assert '"Fs: 25.600" with a thousands point says 25600 Hz' in str(caught.value)
+    assert '"Fs: 25.600" with a thousands point says 25 600 Hz' in str(caught.value)
     assert read_signal(path, channel=1, rate=25600.0).rate == 25600.0
     assert read_signal(path, channel=1, decimal_mark="point").rate == 25.6
     table(path, "Fs: 25.6 kHz\nSpeed: 1797 rpm")

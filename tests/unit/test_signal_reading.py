@@ -22,6 +22,7 @@ import scipy.io.wavfile
 from rolamento._foreign import bounds, isolated
 from rolamento.errors import FileError, InputError
 from rolamento.vibration.reading import channels_of, open_signal, read_signal
+from rolamento.words import Note
 
 RATE = 12000.0
 COUNT = 1500
@@ -95,7 +96,7 @@ def test_wav_of_24_bits_and_odd_chunks(tmp_path: Path, order: str) -> None:
     (tmp_path / "a.wav").write_bytes(head + b"WAVE" + chunks)
     with open_signal(tmp_path / "a.wav", channel=2) as file:
         np.testing.assert_array_equal(file.read().samples, numbers[1::2] / 2.0**23)
-        assert file.notes == ("samples of 24 bits are scaled to a full scale of 1",)
+        assert file.notes == (Note("bits_to_full_scale", {"bits": 24}),)
 
 
 @pytest.mark.parametrize(

@@ -11,6 +11,7 @@ import scipy.io.wavfile
 
 from rolamento.errors import InputError
 from rolamento.vibration.reading import checked_unit, open_signal, read_signal
+from rolamento.words import Note
 
 RATE = 1000.0
 SAMPLES = np.random.default_rng(5).normal(size=200)
@@ -64,7 +65,8 @@ def test_scale(plain: Path, unit: Any, scale: Any, factor: float, quantity: str,
         (note,) = file.notes
     assert (signal.quantity, signal.unit) == (quantity, si)
     np.testing.assert_allclose(signal.samples, SAMPLES * factor, rtol=1e-12)
-    assert note.endswith(f"are multiplied by {factor:.6g} {si}")
+    assert note.key == "samples_multiplied"
+    assert (note.values["scale"], note.values["unit"]) == (pytest.approx(factor), si)
 
 
 def test_scale_of_another_quantity(plain: Path) -> None:
@@ -76,7 +78,7 @@ def test_scale_of_another_quantity(plain: Path) -> None:
 def test_scale_and_the_unit_of_the_file(millivolts: Path) -> None:
     with open_signal(millivolts) as file:
         assert (file.quantity, file.unit, file.calibrated) == ("unknown", "mV", False)
-        assert file.notes == ("samples in mV are not calibrated: no sensitivity was given",)
+        assert file.notes == (Note("samples_not_calibrated", {"unit": "mV"}),)
         np.testing.assert_allclose(file.read().samples, SAMPLES, atol=1e-8)
     signal = read_signal(millivolts, scale="50 mV/g")
     np.testing.assert_allclose(signal.samples, SAMPLES * GRAVITY / 50, atol=1e-8)

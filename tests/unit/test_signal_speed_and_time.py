@@ -264,10 +264,9 @@ def test_times_give_the_rate(tmp_path: Path, name: str) -> None:
     assert channel.rate == pytest.approx(RATE, rel=1e-9)
     np.testing.assert_allclose(read_signal(tmp_path / name).samples, SAMPLES)
     with open_signal(tmp_path / name, rate=1990.0) as file:
-        assert (file.rate, file.notes) == (
-            1990.0,
-            ("The sampling rate is 1990 Hz as given; the file says 2000 Hz.",),
-        )
+        (note,) = file.notes
+        assert (file.rate, note.key) == (1990.0, "rate_over_file")
+        assert note.values == {"rate": 1990.0, "file": pytest.approx(2000.0)}
 
 
 @pytest.mark.parametrize("name", FORMATS)
@@ -315,11 +314,13 @@ def test_times_and_rates_that_contradict(tmp_path: Path, name: str) -> None:
     write_times(tmp_path / name, TIMES, {"fs": 2500.0})
     doubt = '"fs" says 2500 Hz and the column of times says 2000 Hz'
     (channel,) = channels_of(tmp_path / name)
-    assert (channel.rate, channel.rate_doubt) == (None, doubt)
-    with pytest.raises(InputError, match=f"rate: is in doubt: in the file {doubt}; give it"):
+    assert channel.rate is None
+    assert [claim.name for claim in channel.rate_doubt] == ['"fs"', "the column of times"]
+    with pytest.raises(InputError, match=f"rate: is ambiguous: in the file {doubt}; give it"):
         read_signal(tmp_path / name)
     with open_signal(tmp_path / name, rate=2500.0) as file:
-        assert file.notes == (f"The sampling rate is 2500 Hz as given; in the file {doubt}.",)
+        (note,) = file.notes
+        assert note.text == f"The sampling rate is 2500 Hz as given; in the file {doubt}."
     write_times(tmp_path / name, TIMES, {"fs": 2000.5})
     assert read_signal(tmp_path / name).rate == 2000.5
 

@@ -165,7 +165,9 @@ def _numbers(field: Field, value: Any) -> Floats:
             plain = plain.astype(object)
             plain[mask] = None
     elif hasattr(value, "magnitude") or hasattr(value, "to_value"):  # of pint, of astropy
-        raise _refused(field, type(value).__name__, "must be a plain number or text with its unit")
+        raise _refused(
+            field, type(value).__name__, said("must be a plain number or text with its unit")
+        )
     else:
         plain, mask = _array(field, value), None
     if plain.dtype.kind in "fiu":
@@ -174,7 +176,7 @@ def _numbers(field: Field, value: Any) -> Floats:
         numbers = np.array([_number(field, one) for one in plain.ravel()], np.float64)
         numbers = numbers.reshape(plain.shape)
     else:
-        raise _refused(field, value, "must be numbers")
+        raise _refused(field, value, said("must be numbers"))
     return numbers if mask is None else np.where(mask, np.nan, numbers)
 
 

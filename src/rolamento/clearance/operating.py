@@ -324,6 +324,8 @@ def clearance_notes(found: OperatingClearance) -> tuple[Note, ...]:
     return (Note("clearance_in_operation", limits), *found.warnings)
 
 
+PERCENTILES: Final = (0.135, 5.0, 50.0, 95.0, 99.865)
+"""Per cent of the samples: the outer ones lie three standard deviations from the mean."""
 _MAX_SAMPLES: Final = 1_000_000
 _SIGMAS: Final = 3.0
 
@@ -360,6 +362,16 @@ class ClearanceSamples:
     def standard_deviation(self) -> float:
         """Of the clearance, with n - 1; NaN of one sample."""
         return float(self.clearance.std(ddof=1)) if len(self.clearance) > 1 else np.nan
+
+    def to_mapping(self) -> dict[str, Any]:
+        """Give the scatter of the clearance as plain values, m."""
+        return {
+            "count": len(self.clearance),
+            "mean": self.mean,
+            "standard_deviation": self.standard_deviation,
+            "percentiles": {f"{p:g}": self.percentile(p) for p in PERCENTILES},
+            "preloaded": self.preloaded,
+        }
 
     def percentile(self, percent: float) -> float:
         """Clearance below which so many per cent of the samples lie."""

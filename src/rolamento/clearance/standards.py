@@ -283,7 +283,7 @@ def _shifted(letters: str, grade: int, step: int, tolerance: str) -> float:
     data = toml_of("iso286", "rolamento.clearance")
     last = _LAST_SHIFTED[letters]
     if letters == "K" and grade > last:
-        _refuse("has K with grades up to 8 only", "housing_tolerance", tolerance, "K7")
+        _refuse(said("has K with grades up to 8 only"), "housing_tolerance", tolerance, "K7")
     if letters == "N" and grade > last:
         return 0.0
     deviation = -float(data["lower"][letters.lower()][step])

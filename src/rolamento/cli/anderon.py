@@ -54,7 +54,7 @@ def anderon(
         list[str],
         typer.Argument(
             metavar="SIGNAL",
-            help="Files of signals: WAV, CSV, NPY, MATLAB and others. Several are of one bearing.",
+            help="Signal files: WAV, CSV, NPY, MATLAB and others. Several are of one bearing.",
         ),
     ],
     speed: Annotated[
@@ -62,7 +62,7 @@ def anderon(
         typer.Option(
             "--speed",
             metavar="SPEED",
-            help="Of the inner ring; by default as the file tells it, or else 1800 rpm.",
+            help="Speed of the inner ring; by default that of the file, or else 1800 rpm.",
         ),
     ] = None,
     full_scale: Annotated[
@@ -70,14 +70,14 @@ def anderon(
         typer.Option(
             "--full-scale",
             metavar="BAND=VALUE",
-            help="Of a band, low, medium or high, in anderons or as a velocity such as '120 um/s'."
-            " Repeats.",
+            help="Full scale of a band, low, medium or high, in anderons or as a "
+            "velocity such as '120 um/s'. Repeatable.",
         ),
     ] = None,
     accepted: Annotated[
         float,
         typer.Option(
-            "--accepted", metavar="PART", help="Of the full scale that is accepted, up to 1."
+            "--accepted", metavar="FRACTION", help="Accepted fraction of the full scale, up to 1."
         ),
     ] = _ACCEPTED,
     unit: Annotated[
@@ -85,7 +85,7 @@ def anderon(
         typer.Option(
             "--unit",
             metavar="UNIT",
-            help="Of the samples: um/s, m/s^2, g …, if the file is silent.",
+            help="Unit of the samples: um/s, m/s^2, g …, if the file gives none.",
         ),
     ] = None,
     scale: ScaleOption = None,
@@ -99,18 +99,18 @@ def anderon(
         typer.Option(
             "--hours",
             metavar="H,H,…",
-            help="Of the test after which each signal was recorded, such as 60,120,180.",
+            help="Hours of the test at which the signals were recorded, such as 60,120,180.",
         ),
     ] = None,
     bearing: Annotated[
-        str, typer.Option("--bearing", metavar="NAME", help="What the record calls the bearing.")
+        str, typer.Option("--bearing", metavar="NAME", help="Name of the bearing in the record.")
     ] = "1",
     record: Annotated[
         str | None,
         typer.Option(
             "--record",
             metavar="FILE",
-            help="Write the levels over the hours as rolamento trend reads them.",
+            help="Write the levels over the hours, as rolamento trend reads them.",
         ),
     ] = None,
     plot: Annotated[str | None, plot_option("Draw noise over frequency, or over the hours")] = None,
@@ -118,9 +118,9 @@ def anderon(
     csv: Annotated[str | None, csv_option("Write the table of bands")] = None,
     lang: LanguageOption = None,
 ) -> None:
-    """Show the noise in anderons and µm/s, and if it passes.
+    """Show the noise in anderons and µm/s, and whether it passes.
 
-    Of a bearing, in the bands of an anderometer; over the hours of a test if there are several.
+    In the bands of an anderometer; for several signals, over the hours of a test.
     """
     with plain_endings(lang), in_options(anderon, signals="SIGNAL"):
         outputs = {"--json": json, "--csv": csv, "--record": record, "--plot": plot}

@@ -20,7 +20,6 @@ from rolamento.cli.common import (
     Language,
     complain_of,
     plain_endings,
-    words_of,
 )
 from rolamento.cli.diagnose import DiagnoseCommand, diagnose
 from rolamento.cli.frequencies import frequencies
@@ -48,10 +47,10 @@ from rolamento.cli.verify import verify
 from rolamento.cli.waiting import waiting
 from rolamento.cli.weibull import WeibullCommand, weibull
 from rolamento.cli.weibull_plan import app as weibull_plan_app
-from rolamento.report.language import Words
+from rolamento.words import said
 
 if TYPE_CHECKING:
-    from rolamento.report.language import Words
+    pass
 
 _PROGRAM: Final = "rolamento"
 COMMANDS: Final[Groups] = {
@@ -60,7 +59,7 @@ COMMANDS: Final[Groups] = {
     "Vibration": ("frequencies", "diagnose", "synthesise", "anderon"),
     "Catalogue and clearance": ("catalogue", "clearance"),
     "Studies and figures": ("sweep", "tolerance", "plot"),
-    "Proofs": ("verify", "reproduce"),
+    "Verification": ("verify", "reproduce"),
 }
 """What a person wants, and the commands for it: in the help, the front pages and the guide."""
 
@@ -73,7 +72,8 @@ class Program(GroupedCommands):
 
 app = typer.Typer(
     cls=Program,
-    epilog="Exit codes: 0 done, 1 no result or a failed check (which is printed), 2 wrong input.",
+    epilog="Exit codes: 0 done, 1 no result or a failed check (the reason is "
+    "printed), 2 wrong input.",
     add_completion=False,
     no_args_is_help=True,
     pretty_exceptions_enable=False,
@@ -108,7 +108,7 @@ def rolamento_command(
     ] = False,
     lang: LanguageOption = None,
 ) -> None:
-    """Ball bearing analysis: what happens inside, and what follows from it.
+    """Ball bearing analysis: internal state, and what follows from it.
 
     To begin: rolamento demo. Options: rolamento COMMAND --help.
     """
@@ -143,20 +143,21 @@ def demo(
     ] = None,
     lang: LanguageOption = None,
 ) -> None:
-    """Solve the shipped example, and say what to try next.
+    """Solve the shipped example, and suggest what to try next.
 
-    It is a 218 angular-contact bearing at 10 000 rpm under combined load.
+    A 218 angular-contact bearing at 10 000 rpm under combined load.
     """
     from rolamento.tasks.demonstration import example_case, write_example
 
     with plain_endings(lang):
-        words = words_of(lang)
         if write is not None:
             write_example(write)
-            print_text(words.demo_written.format(path=write, command=_command()) + "\n")
+            text = said("Wrote {path}; now try: {command} solve {path}", path=write,
+                        command=_command())  # fmt: skip
+            print_text(f"{text}\n")
             return
         _show(_analysed(example_case(), lang), None, NOWHERE, lang)
-        print_text(_what_next(words))
+        print_text(_what_next())
 
 
 def _analysed(case: rolamento.Case, lang: Language | None) -> rolamento.Analysis:
@@ -242,19 +243,22 @@ app.command(cls=JsonCommand)(verify)
 app.add_typer(catalogue_app, name="catalogue")
 
 
-def _what_next(words: Words) -> str:
+def _what_next() -> str:
     """Return which file was solved, and commands to go on with."""
     from rolamento.tasks.demonstration import EXAMPLE
 
     command = _command()
     steps = (
-        (words.demo_copy, "demo --write case.toml"),
-        (words.demo_vary, "solve case.toml --set bearing.ball_material=Si3N4"),
-        (words.demo_data, "solve case.toml --csv balls.csv --json state.json"),
+        (said("a copy to work on"), "demo --write case.toml"),
+        (said("the same with ceramic balls"), "solve case.toml --set bearing.ball_material=Si3N4"),
+        (
+            said("the balls as a table, and everything as JSON"),
+            "solve case.toml --csv balls.csv --json state.json",
+        ),
     )
     lines = [f"  # {purpose}\n  {command} {arguments}\n" for purpose, arguments in steps]
-    source = words.demo_source.format(path=_nearby(str(EXAMPLE)))
-    return f"\n{source}\n\n{words.demo_next}\n{''.join(lines)}"
+    source = said("This was {path}", path=_nearby(str(EXAMPLE)))
+    return f"\n{source}\n\n{said('What to try next')}\n{''.join(lines)}"
 
 
 def _command() -> str:

@@ -8,12 +8,11 @@ from typing import TYPE_CHECKING, Annotated, Any, Final
 
 import typer
 
+from rolamento._json import dumps
 from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
-    Language,
     plain_endings,
-    words_of,
 )
 from rolamento.cli.grouped_help import GroupedCommands
 from rolamento.cli.optional_value import JsonCommand
@@ -32,8 +31,8 @@ _MOST_OF_ALL: Final = 1000
 
 app = typer.Typer(
     cls=GroupedCommands,
-    help="Search bearings, and show what is inside one.\n\n"
-    "By their designation: what is published, and what is inferred from it.",
+    help="Search bearings, and show the internal geometry of one.\n\nBy "
+    "designation: published data, and what is estimated from them.",
     no_args_is_help=True,
     rich_markup_mode=None,
 )
@@ -41,7 +40,7 @@ app = typer.Typer(
 FilesOption = Annotated[
     list[str] | None,
     typer.Option(
-        "--catalogue", metavar="FILE", help="A catalogue of your own, CSV or TOML. Repeats."
+        "--catalogue", metavar="FILE", help="A catalogue of your own, CSV or TOML. Repeatable."
     ),
 ]
 
@@ -55,35 +54,42 @@ def search(
         ),
     ],
     most: Annotated[
-        int, typer.Option("--most", metavar="N", help="Greatest number of results.")
+        int, typer.Option("--most", metavar="N", help="Maximum number of results.")
     ] = _MOST,
     files: FilesOption = None,
     json: JsonOption = None,
     lang: LanguageOption = None,
 ) -> None:
-    """List the bearings whose designation has a text in it."""
+    """List the bearings whose designation contains a text."""
     with plain_endings(lang):
         if not 1 <= most <= _MOST_OF_ALL:
             raise InputError(
                 said("must be between 1 and {most}", most=_MOST_OF_ALL), value=most, source="--most"
             )
         found = _catalogue(files).search(text, most + 1)
-        _show_list(found[:most], len(found) <= most, json, lang)
+        _show_list(found[:most], len(found) <= most, json)
     raise typer.Exit(SOLVED if found else NO_RESULT)
 
 
 @app.command(cls=JsonCommand, epilog="Examples: show 6205/C3; show 7205B --dynamic '14.8 kN'.")
 def show(
     designation: Annotated[
-        str, typer.Argument(metavar="DESIGNATION", help="Such as 6205/C3 or 'EX 70 25deg'.")
+        str,
+        typer.Argument(
+            metavar="DESIGNATION", help="Designation, such as 6205/C3 or 'EX 70 25deg'."
+        ),
     ],
     dynamic: Annotated[
         str | None,
-        typer.Option("--dynamic", metavar="FORCE", help="Dynamic rating, in place of the list's."),
+        typer.Option(
+            "--dynamic", metavar="FORCE", help="Dynamic load rating, instead of that in the list."
+        ),
     ] = None,
     static: Annotated[
         str | None,
-        typer.Option("--static", metavar="FORCE", help="Static rating, in place of the list's."),
+        typer.Option(
+            "--static", metavar="FORCE", help="Static load rating, instead of that in the list."
+        ),
     ] = None,
     axis: Annotated[
         bool,
@@ -95,7 +101,7 @@ def show(
 ) -> None:
     """Show a bearing by its designation.
 
-    Published figures with their source, and its inside, marked if inferred.
+    Published data with their sources, and the internal geometry, marked where estimated.
     """
     with plain_endings(lang):
         known = _catalogue(files)
@@ -104,11 +110,11 @@ def show(
         bearing = known.find(designation).bearing
         geometry = _geometry(known, designation, bearing)
         if axis and geometry is not None:
-            from rolamento.report.catalogue import axis_toml
+            from rolamento.tasks.catalogue import axis_toml
 
             print_text(axis_toml(geometry))
         else:
-            _show_one(geometry, bearing, json, lang)
+            _show_one(geometry, bearing, json)
     raise typer.Exit(NO_RESULT if geometry is None else SOLVED)
 
 
@@ -156,28 +162,27 @@ def _geometry(
     return geometry_of(designation, catalogue_of=known)
 
 
-def _show_list(
-    found: tuple[CatalogueBearing, ...], is_all: bool, json: str | None, lang: Language | None
-) -> None:
+def _show_list(found: tuple[CatalogueBearing, ...], is_all: bool, json: str | None) -> None:
     from rolamento.document.medium import Medium
-    from rolamento.report.catalogue import search_json, search_report
+    from rolamento.document.terminal import terminal
+    from rolamento.pages.catalogue import search_page
+    from rolamento.tasks.catalogue import search_mapping
 
     if json is not None:
-        put(search_json(found) + "\n", json)
+        put(dumps(search_mapping(found)) + "\n", json)
     if json != STANDARD_STREAM:
-        print_text(search_report(found, words_of(lang), Medium.of(sys.stdout), is_all=is_all))
+        print_text(terminal(search_page(found, is_all=is_all), Medium.of(sys.stdout)))
 
 
 def _show_one(
-    geometry: InternalGeometry | None,
-    bearing: CatalogueBearing,
-    json: str | None,
-    lang: Language | None,
+    geometry: InternalGeometry | None, bearing: CatalogueBearing, json: str | None
 ) -> None:
     from rolamento.document.medium import Medium
-    from rolamento.report.catalogue import bearing_json, bearing_report
+    from rolamento.document.terminal import terminal
+    from rolamento.pages.catalogue import bearing_page
+    from rolamento.tasks.catalogue import bearing_mapping
 
     if json is not None:
-        put(bearing_json(geometry, bearing) + "\n", json)
+        put(dumps(bearing_mapping(geometry, bearing)) + "\n", json)
     if json != STANDARD_STREAM:
-        print_text(bearing_report(geometry, bearing, words_of(lang), Medium.of(sys.stdout)))
+        print_text(terminal(bearing_page(geometry, bearing), Medium.of(sys.stdout)))

@@ -2,56 +2,59 @@
 
 from __future__ import annotations
 
-import sys
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Final
 
 import typer
 
 import rolamento
-from rolamento.cli.common import SOLVED, plain_endings, words_of
+from rolamento.cli.common import SOLVED, plain_endings
 from rolamento.cli.options import JsonOption, LanguageOption, SeedOption, SettingsOption
-from rolamento.cli.outputs import check_outputs
-from rolamento.cli.streams import STANDARD_STREAM, print_text, put
+from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
+from rolamento.cli.streams import put_json
 
 if TYPE_CHECKING:
     from rolamento.clearance import ClearanceSamples
 
+_SCHEMA: Final = 2
 
+
+@with_outputs
 def clearance(
     case: Annotated[
         str,
-        typer.Argument(metavar="CASE", help="Case file with a [mounting]; - is standard input."),
+        typer.Argument(metavar="CASE", help="Case file with a [mounting]; - for standard input."),
     ],
     samples: Annotated[
         int | None,
         typer.Option(
             "--samples",
             metavar="N",
-            help="Draw so many bearings from their tolerances, up to a million.",
+            help="Sample so many bearings from their tolerances, up to a million.",
         ),
     ] = None,
     seed: SeedOption = 0,
     json: JsonOption = None,
+    outputs: Outputs = NOWHERE,
     settings: SettingsOption = None,
     lang: LanguageOption = None,
 ) -> None:
-    """Show what is left of the clearance in operation.
+    """Show the clearance that is left in operation.
 
     After fits, temperatures, speed and wear, step by step.
     """
     with plain_endings(lang):
-        check_outputs({"--json": json}, case)
+        outputs.check({"--json": json}, case)
         loaded = rolamento.load_case(case, settings or ())
         from rolamento.clearance import clearance_of_case
-        from rolamento.document.medium import Medium
-        from rolamento.report.clearance import clearance_json, clearance_report
 
         found = clearance_of_case(loaded)
         drawn = None if samples is None else _drawn(loaded, samples, seed)
         if json is not None:
-            put(clearance_json(found, drawn) + "\n", json)
-        if json != STANDARD_STREAM:
-            print_text(clearance_report(found, drawn, words_of(lang), Medium.of(sys.stdout)))
+            scatter = {} if drawn is None else {"samples": drawn.to_mapping()}
+            put_json({"schema": _SCHEMA, **found.to_mapping(), **scatter}, json)
+        from rolamento.pages.clearance import clearance_page
+
+        outputs.show(lambda: clearance_page(found, drawn), json)
     raise typer.Exit(SOLVED)
 
 

@@ -51,14 +51,19 @@ def plain_endings(lang: Language | None) -> Iterator[None]:
 
 def complain_of(solved: Solved, lang: Language | None, case: int = 0) -> None:
     """Say on standard error why a case has no result, and what to do."""
-    words = words_of(lang)
-    parts = (words.reason(solved, case), words.advice(solved, case))
+    from rolamento.words.reasons import reason
+
+    advice = solved.advice[case]
+    parts = (reason(str(solved.status.code[case])), "" if advice is None else advice.text)
     complain(": ".join(part for part in parts if part))
 
 
 def complain_of_points(codes: Sequence[str], total: int, lang: Language | None) -> None:
     """Say on standard error how many of some cases have no result, and why the first has none."""
-    complain(f"{len(codes)} / {total}: {words_of(lang).reasons[str(codes[0])]}")
+    from rolamento.words.reasons import reason
+
+    why = reason(str(codes[0]))
+    complain(said("{count} / {total}: {reason}", count=len(codes), total=total, reason=why))
 
 
 def words_of(lang: Language | None) -> Words:

@@ -62,7 +62,7 @@ def diagnose(
         str,
         typer.Argument(
             metavar="SIGNAL",
-            help="File of a signal: WAV, CSV, NumPy, MATLAB, HDF5, Parquet or UFF 58.",
+            help="Signal file: WAV, CSV, NumPy, MATLAB, HDF5, Parquet or UFF 58.",
         ),
     ],
     bearing: Annotated[
@@ -70,22 +70,25 @@ def diagnose(
         typer.Option(
             "--bearing",
             metavar="BEARING",
-            help="Designation such as 6205, or a case file: with a load, the loaded bearing's"
-            " frequencies are looked for.",
+            help="Designation such as 6205, or a case file; for a case with a load, "
+            "the frequencies of the loaded bearing are searched.",
         ),
     ],
     settings: SettingsOption = None,
     nominal: Annotated[
         bool,
-        typer.Option("--nominal", help="Look for the geometry's frequencies, whatever the load."),
+        typer.Option(
+            "--nominal", help="Search the frequencies of the geometry, whatever the load."
+        ),
     ] = False,
     angle: Annotated[
         str | None,
         typer.Option(
             "--angle",
             metavar="ANGLE",
-            help="Of contact, without a load: zero (radial load, the default) or free (axial"
-            " load) of a bearing given by its clearance; or any angle, such as '15 deg'.",
+            help="Contact angle without a load: zero (radial load, the default) or "
+            "free (axial load) of a bearing given by its clearance; or any "
+            "angle, such as '15 deg'.",
         ),
     ] = None,
     speed: Annotated[
@@ -93,8 +96,8 @@ def diagnose(
         typer.Option(
             "--speed",
             metavar="SPEED",
-            help="Of the inner ring, steady, such as '1797 rpm'; by default as the file tells"
-            " it, or else the case.",
+            help="Steady speed of the inner ring, such as '1797 rpm'; by default "
+            "that of the file, or else of the case.",
         ),
     ] = None,
     outer_speed: OuterSpeedOption = None,
@@ -103,7 +106,7 @@ def diagnose(
         typer.Option(
             "--speed-channel",
             metavar="CHANNEL",
-            help="Of the same file: the shaft's speed at each sample, by name or number.",
+            help="Channel of the same file with the shaft speed at each sample, by name or number.",
         ),
     ] = None,
     speed_unit: Annotated[
@@ -111,7 +114,7 @@ def diagnose(
         typer.Option(
             "--speed-unit",
             metavar="UNIT",
-            help="Of that: rpm, rad/s, deg/s or Hz, if the file is silent.",
+            help="Unit of that channel: rpm, rad/s, deg/s or Hz, if the file gives none.",
         ),
     ] = None,
     tacho: Annotated[
@@ -119,28 +122,29 @@ def diagnose(
         typer.Option(
             "--tacho",
             metavar="CHANNEL",
-            help="Of the same file: pulses of the shaft, held in memory, up to 20 million samples.",
+            help="Channel of the same file with tachometer pulses of the shaft; "
+            "held in memory, up to 20 million samples.",
         ),
     ] = None,
     pulses: Annotated[
         int | None,
-        typer.Option("--pulses", metavar="N", help="Of that per revolution; by default 1."),
+        typer.Option("--pulses", metavar="N", help="Tachometer pulses per revolution (default 1)."),
     ] = None,
     track: Annotated[
         bool,
         typer.Option(
             "--track",
-            help="Find the speed along the record in the vibration itself, about --speed; at"
-            " least 96 revolutions.",
+            help="Track the speed in the vibration itself, around --speed; at least "
+            "96 revolutions.",
         ),
     ] = False,
     within: Annotated[
         float | None,
         typer.Option(
             "--within",
-            metavar="PART",
-            help="By which the speed may be off --speed anywhere, for --track: up to 0.3, by"
-            " default 0.1.",
+            metavar="FRACTION",
+            help="Maximum deviation of the speed from --speed, for --track: a "
+            "fraction up to 0.3 (default 0.1).",
         ),
     ] = None,
     channel: ChannelOption = None,
@@ -150,7 +154,8 @@ def diagnose(
         typer.Option(
             "--unit",
             metavar="UNIT",
-            help="Of the samples: m/s^2, g, mm/s, um …; V or counts if they are not calibrated.",
+            help="Unit of the samples: m/s^2, g, mm/s, um …; V or counts if they "
+            "are not calibrated.",
         ),
     ] = None,
     scale: ScaleOption = None,
@@ -161,17 +166,17 @@ def diagnose(
         float,
         typer.Option(
             "--slip",
-            metavar="PART",
-            help="By which the cage may be off the expected speed, 0 to 0.1.",
+            metavar="FRACTION",
+            help="Maximum deviation of the cage from its expected speed, 0 to 0.1.",
         ),
     ] = _SLIP,
     speed_tolerance: Annotated[
         str,
         typer.Option(
             "--speed-tolerance",
-            metavar="PART",
-            help="By which a steady speed may be wrong, such as '3 %', up to 10 %; 0 if it is"
-            " certain. The shaft's own lines tell by how much.",
+            metavar="FRACTION",
+            help="Uncertainty of a steady speed, such as '3 %', up to 10 %; 0 if it "
+            "is exact. It is corrected by the peaks of the shaft itself.",
         ),
     ] = _SPEED_TOLERANCE,
     false_alarm: Annotated[
@@ -179,8 +184,8 @@ def diagnose(
         typer.Option(
             "--false-alarm",
             metavar="P",
-            help="Probability that noise without lines of the bearing gives any finding, up to"
-            " 0.5.",
+            help="Probability that noise without peaks of the bearing gives any "
+            "finding, up to 0.5.",
         ),
     ] = _FALSE_ALARM,
     plot: Annotated[
@@ -194,9 +199,9 @@ def diagnose(
     csv: Annotated[str | None, csv_option("Write the spectrum of the squared envelope")] = None,
     lang: LanguageOption = None,
 ) -> None:
-    """Say which parts a vibration signal shows to be damaged.
+    """Diagnose damaged parts of a bearing from a vibration signal.
 
-    Says how badly, why, and what speaks against it. A long signal is read block by block, in
+    How severe, why, and what speaks against it. A long signal is read block by block, in
     bounded memory.
     """
     with plain_endings(lang), in_options(diagnose, tolerance="--slip"):

@@ -48,8 +48,8 @@ def frequencies(
         typer.Option(
             "--angle",
             metavar="ANGLE",
-            help="Of a bearing given by its clearance: zero (radial load) or free (axial load);"
-            " or any angle, such as '15 deg'.",
+            help="Contact angle of a bearing given by its clearance: zero (radial "
+            "load) or free (axial load); or any angle, such as '15 deg'.",
         ),
     ] = "zero",
     tolerances: Annotated[
@@ -57,15 +57,18 @@ def frequencies(
         typer.Option(
             "--tolerance",
             metavar="KEY=VALUE",
-            help="How far off ball_diameter, pitch_diameter, contact_angle, speed (a part) or slip"
-            " may be, such as speed=0.01. Repeats.",
+            help="Tolerance of ball_diameter, pitch_diameter, contact_angle, speed "
+            "(a fraction) or slip, such as speed=0.01. Repeatable.",
         ),
     ] = None,
     harmonics: Annotated[
-        int, typer.Option("--harmonics", metavar="N", help="Multiples to show, 1 to 100.")
+        int, typer.Option("--harmonics", metavar="N", help="Harmonics to show, 1 to 100.")
     ] = _HARMONICS,
     sidebands: Annotated[
-        int, typer.Option("--sidebands", metavar="N", help="On either side of each, 0 to 10.")
+        int,
+        typer.Option(
+            "--sidebands", metavar="N", help="Sidebands on either side of each harmonic, 0 to 10."
+        ),
     ] = 1,
     json: JsonOption = None,
     csv: Annotated[str | None, csv_option("Write the lines")] = None,
@@ -74,7 +77,7 @@ def frequencies(
 ) -> None:
     """Show the fault frequencies of a bearing, also under load.
 
-    By its geometry, and of its loaded balls where the case has a load.
+    From its geometry, and from its loaded balls if the case has a load.
     """
     with plain_endings(lang), in_options(frequencies):
         check_outputs({"--json": json, "--csv": csv}, bearing)

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import sys
-from typing import TYPE_CHECKING, Annotated, Final
+from typing import TYPE_CHECKING, Annotated, Any, Final
 
 import typer
 
@@ -13,17 +12,16 @@ from rolamento.cli.common import (
     SOLVED,
     Language,
     complain_of,
+    complain_of_points,
     plain_endings,
-    words_of,
 )
 from rolamento.cli.options import (
     CaseArgument,
     JsonOption,
     LanguageOption,
     SettingsOption,
-    csv_option,
 )
-from rolamento.cli.outputs import check_outputs
+from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
 from rolamento.cli.over_field import (
     POINTS,
     CurvesPlotOption,
@@ -31,9 +29,8 @@ from rolamento.cli.over_field import (
     PointsOption,
     VariantsOption,
     check_variants,
-    show_curves,
 )
-from rolamento.cli.streams import STANDARD_STREAM, print_text, put
+from rolamento.cli.streams import STANDARD_STREAM, put_json
 from rolamento.cli.waiting import waiting
 from rolamento.errors import InputError
 from rolamento.words import said
@@ -41,8 +38,7 @@ from rolamento.words import said
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from matplotlib.figure import Figure
-
+    from rolamento.analysis import Analysis
     from rolamento.studies.friction_curves import FrictionCurve
 
 __all__ = ["friction"]
@@ -50,6 +46,7 @@ __all__ = ["friction"]
 _HYSTERESIS: Final = 0.01
 
 
+@with_outputs
 def friction(
     case: CaseArgument,
     over: Annotated[
@@ -70,57 +67,40 @@ def friction(
     hysteresis: Annotated[
         float,
         typer.Option(
-            "--hysteresis", metavar="LOSS", help="Part of the elastic work that is lost, 0 to 1."
+            "--hysteresis",
+            metavar="LOSS",
+            help="Hysteresis loss: fraction of the elastic work, 0 to 1.",
         ),
     ] = _HYSTERESIS,
     json: JsonOption = None,
-    csv: Annotated[str | None, csv_option("With --over: write the points")] = None,
     plot: CurvesPlotOption = None,
+    outputs: Outputs = NOWHERE,
     settings: SettingsOption = None,
     lang: LanguageOption = None,
 ) -> None:
     """Show the friction torque by every model.
 
-    Of a case, or over one of its fields; says which of the models are valid.
+    For a case, or over one of its fields, with the validity of each model.
     """
     with plain_endings(lang):
-        _check(case, over, json, csv, plot, variants or [])
+        _check(over, plot, variants or [])
+        outputs.check({"--json": json, "--plot": plot}, case)
         _check_share("--hysteresis", hysteresis)
         _check_share("--coefficient", coefficient)
         loaded = rolamento.load_case(case, settings or ())
         chosen = _with_coefficient(loaded, coefficient)
         if over is None:
-            solved = _one(chosen, hysteresis, json, lang)
+            solved = _one(chosen, hysteresis, json, outputs, lang)
         else:
             curves = _curves(chosen, over, points, log, variants or [], hysteresis, lang)
-            from rolamento.document.medium import Medium
-            from rolamento.report import friction_curves
-
-            solved = show_curves(
-                curves,
-                json_text=friction_curves.curves_json,
-                csv_text=friction_curves.curves_csv,
-                page_text=lambda shown: friction_curves.curves_report(
-                    shown, words_of(lang), Medium.of(sys.stdout)
-                ),
-                figure=_figure,
-                outputs=(json, csv, plot),
-                lang=lang,
-            )
+            solved = _show_curves(curves, json, plot, outputs, lang)
     raise typer.Exit(SOLVED if solved else NO_RESULT)
 
 
-def _check(
-    case: str,
-    over: str | None,
-    json: str | None,
-    csv: str | None,
-    plot: str | None,
-    variants: list[str],
-) -> None:
+def _check(over: str | None, plot: str | None, variants: list[str]) -> None:
     """Refuse what does not go together, before any work."""
     if over is None:
-        for name, given in (("--csv", csv), ("--plot", plot), ("--variant", variants or None)):
+        for name, given in (("--plot", plot), ("--variant", variants or None)):
             if given is not None:
                 raise InputError(
                     said("needs --over"),
@@ -129,7 +109,6 @@ def _check(
                     example="--over duty.load.fx=10..200N",
                 )
     check_variants(variants)
-    check_outputs({"--json": json, "--csv": csv, "--plot": plot}, case)
 
 
 def _check_share(name: str, value: float | None) -> None:
@@ -149,7 +128,13 @@ def _with_coefficient(case: rolamento.Case, coefficient: float | None) -> rolame
     return case.replace(lubricant=case.lubricant.replace(friction_coefficient=coefficient))
 
 
-def _one(case: rolamento.Case, hysteresis: float, json: str | None, lang: Language | None) -> bool:
+def _one(
+    case: rolamento.Case,
+    hysteresis: float,
+    json: str | None,
+    outputs: Outputs,
+    lang: Language | None,
+) -> bool:
     """Show the friction of the case itself; tell whether it has a result."""
     from rolamento.analysis import analyse
 
@@ -160,17 +145,22 @@ def _one(case: rolamento.Case, hysteresis: float, json: str | None, lang: Langua
             example="--coefficient 0.1",
         )
     analysis = analyse(case, hysteresis=hysteresis)
-    from rolamento.document.medium import Medium
-    from rolamento.report.friction_curves import friction_json, friction_report
-
     converged = bool(analysis.solved.converged[0])
     if json is not None:
-        put(friction_json(analysis) + "\n", json)
-    if json != STANDARD_STREAM:
-        print_text(friction_report(analysis, words_of(lang), Medium.of(sys.stdout)))
-    elif not converged:
+        put_json(_mapping(analysis), json)
+    from rolamento.pages.friction import friction_page
+
+    outputs.show(lambda: friction_page(analysis), json)
+    if STANDARD_STREAM in (json, outputs.csv) and not converged:
         complain_of(analysis.solved, lang)
     return converged
+
+
+def _mapping(analysis: Analysis) -> dict[str, Any]:
+    """Return the friction of one case as JSON has it, in SI units."""
+    whole = analysis.to_mapping()
+    kept = ("schema", "title", "status", "friction", "notes", "case")
+    return {"kind": "friction", **{key: whole[key] for key in kept}}
 
 
 def _curves(
@@ -194,7 +184,26 @@ def _curves(
         ]
 
 
-def _figure(curves: Sequence[FrictionCurve]) -> Figure:
-    from rolamento.plots.friction import friction_figure
+def _show_curves(
+    curves: Sequence[FrictionCurve],
+    json: str | None,
+    plot: str | None,
+    outputs: Outputs,
+    lang: Language | None,
+) -> bool:
+    """Show friction over a field; tell whether every point has a result."""
+    from rolamento.pages.friction_over import friction_over_page
+    from rolamento.studies.friction_curves import curves_mapping
 
-    return friction_figure(curves)
+    if json is not None:
+        put_json(curves_mapping(curves), json)
+    if plot is not None:
+        from rolamento.plots.friction import friction_figure
+        from rolamento.plots.saving import save_figure
+
+        save_figure(friction_figure(curves), plot)
+    outputs.show(lambda: friction_over_page(curves), json)
+    failed = next((curve.status for curve in curves if not curve.converged), None)
+    if failed is not None and STANDARD_STREAM in (json, outputs.csv):
+        complain_of_points(failed[failed != "converged"], len(failed), lang)
+    return failed is None

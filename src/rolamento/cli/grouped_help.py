@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import re
 from collections.abc import Mapping, Sequence
 from typing import Any, ClassVar, Final, TypeVar
 
@@ -13,7 +14,7 @@ from rolamento.cli.complaints import UsageError, complaining
 from rolamento.errors import nearest
 from rolamento.words import language_asked, marked, said, said_in, speaking
 
-__all__ = ["METAVAR", "GroupedCommands", "Groups", "SpokenCommand"]
+__all__ = ["METAVAR", "GroupedCommands", "Groups", "SpokenCommand", "unwrapped"]
 
 Groups = Mapping[str, tuple[str, ...]]
 """Headings, in their order, and the names below each."""
@@ -113,6 +114,11 @@ class GroupedCommands(TyperGroup):
         _write_options(self, ctx, formatter, _grouped(commands, self.groups, marked("Commands")))
 
 
+def unwrapped(text: str) -> str:
+    """Return a help text with one line a paragraph, as the catalogues have it."""
+    return re.sub(r"(?<!\n)\n(?!\n)", " ", text)
+
+
 C = TypeVar("C")
 
 
@@ -121,7 +127,7 @@ def _spoken(shown: C) -> C:
     copied: Any = copy.copy(shown)
     for name in ("help", "epilog"):
         if getattr(copied, name, None):
-            setattr(copied, name, said(getattr(copied, name)))
+            setattr(copied, name, said(unwrapped(getattr(copied, name))))
     if getattr(copied, "metavar", None):
         copied.metavar = said_in(METAVAR, copied.metavar)
     return copied  # type: ignore[no-any-return]

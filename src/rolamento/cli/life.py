@@ -77,12 +77,12 @@ def life(
         typer.Option(
             "--nsk-table",
             metavar="FILE.csv",
-            help="a_NSK off the maker's chart: rows of kappa, columns of (P-P_u)/(C a_c).",
+            help="a_NSK from the maker's chart: rows of kappa, columns of (P-P_u)/(C a_c).",
         ),
     ] = None,
     reliability: Annotated[
         float | None,
-        typer.Option("--reliability", metavar="S", help="That the life is for, such as 0.95."),
+        typer.Option("--reliability", metavar="S", help="Reliability of the life, such as 0.95."),
     ] = None,
     json: Annotated[str | None, json_option("Write everything as JSON")] = None,
     csv: Annotated[
@@ -95,8 +95,8 @@ def life(
 ) -> None:
     """Show the life by every theory, and what would help.
 
-    Of a bearing, of several on one shaft or under a duty of several steps: where each theory
-    holds, and what limits the life.
+    For a bearing, several on one shaft, or a duty of several steps: where each theory applies,
+    and what limits the life.
     """
     with plain_endings(lang):
         _check(case, over, spectrum, variants or [])

@@ -49,16 +49,16 @@ def plot_option(what: str) -> Any:
 # --- of most commands ------------------------------------------------------------------------
 
 CaseArgument = Annotated[
-    str, typer.Argument(metavar="CASE", help="Case file (TOML or JSON); - is standard input.")
+    str, typer.Argument(metavar="CASE", help="Case file (TOML or JSON); - for standard input.")
 ]
 SettingsOption = Annotated[
     list[str] | None,
-    typer.Option("--set", metavar="KEY=VALUE", help="Override a field of the case. Repeats."),
+    typer.Option("--set", metavar="KEY=VALUE", help="Override a field of the case. Repeatable."),
 ]
 JsonOption = Annotated[str | None, json_option("Write everything as JSON, in SI units")]
-PlotOption = Annotated[str | None, plot_option("Draw it")]
+PlotOption = Annotated[str | None, plot_option("Draw the result")]
 SeedOption = Annotated[
-    int, typer.Option("--seed", metavar="N", min=0, help="Of the random numbers.")
+    int, typer.Option("--seed", metavar="N", min=0, help="Seed of the random numbers.")
 ]
 LanguageOption = Annotated[
     Language | None,
@@ -73,32 +73,38 @@ BearingArgument = Annotated[
     str,
     typer.Argument(
         metavar="BEARING",
-        help="Designation such as 6205, or a case file; - is a case on standard input.",
+        help="Designation such as 6205, or a case file; - for a case on standard input.",
     ),
 ]
 SpeedOption = Annotated[
     str | None,
-    typer.Option("--speed", metavar="SPEED", help="Of the inner ring, such as '1797 rpm'."),
+    typer.Option("--speed", metavar="SPEED", help="Speed of the inner ring, such as '1797 rpm'."),
 ]
 OuterSpeedOption = Annotated[
     str | None,
-    typer.Option("--outer-speed", metavar="SPEED", help="Of the outer ring; signed as well."),
+    typer.Option("--outer-speed", metavar="SPEED", help="Speed of the outer ring, with its sign."),
 ]
 LagOption = Annotated[
     float,
-    typer.Option("--slip", metavar="PART", help="By which the cage lags, such as 0.01; -1 to 1."),
+    typer.Option(
+        "--slip",
+        metavar="FRACTION",
+        help="Fraction by which the cage lags, such as 0.01; from -1 to 1.",
+    ),
 ]
 
 # --- the signal of a file --------------------------------------------------------------------
 
 ChannelOption = Annotated[
     str | None,
-    typer.Option("--channel", metavar="CHANNEL", help="Name, or number from 1 on."),
+    typer.Option("--channel", metavar="CHANNEL", help="Channel, by name or by number from 1."),
 ]
 RateOption = Annotated[
     str | None,
     typer.Option(
-        "--rate", metavar="RATE", help="Of sampling, such as '50 kHz', over what the file tells."
+        "--rate",
+        metavar="RATE",
+        help="Sampling rate, such as '50 kHz', instead of that in the file.",
     ),
 ]
 ScaleOption = Annotated[
@@ -107,9 +113,11 @@ ScaleOption = Annotated[
 ]
 StartOption = Annotated[
     str | None,
-    typer.Option("--start", metavar="TIME", help="To begin at, such as '2 s'."),
+    typer.Option("--start", metavar="TIME", help="Start of the part to analyse, such as '2 s'."),
 ]
 DurationOption = Annotated[
     str | None,
-    typer.Option("--duration", metavar="TIME", help="To look at from there; by default all."),
+    typer.Option(
+        "--duration", metavar="TIME", help="Duration of the part to analyse; by default to the end."
+    ),
 ]

@@ -16,6 +16,7 @@ from rolamento.cli.streams import STANDARD_STREAM, put, show
 from rolamento.document.writing import REPORTS, check_ending
 from rolamento.errors import FileError, InputError
 from rolamento.words import marked, said
+from rolamento.words.naming import listed
 
 if TYPE_CHECKING:
     from rolamento.document import Document
@@ -218,10 +219,11 @@ def check_outputs(
     """
     given = {option: path for option, path in outputs.items() if path is not None}
     for option, path in given.items():
-        if sum(same_file(path, other) for other in given.values()) > 1:
-            where = "standard output" if path == STANDARD_STREAM else path
+        meeting = [one for one, other in given.items() if same_file(path, other)]
+        if len(meeting) > 1:
+            where = said("standard output") if path == STANDARD_STREAM else path
             raise InputError(
-                said("only one of {options} can go there", options=", ".join(outputs)), source=where
+                said("only one of {options} can go there", options=listed(meeting)), source=where
             )
         if path != STANDARD_STREAM and any(other and same_file(path, other) for other in read):
             raise FileError(said(rule), source=path)

@@ -33,15 +33,15 @@ POINTS: Final = 40
 _MOST_VARIANTS: Final = 5
 
 PointsOption = Annotated[
-    int, typer.Option("--points", metavar="N", help="Values of that field, 2 to 1000.")
+    int, typer.Option("--points", metavar="N", help="Number of values of that field, 2 to 1000.")
 ]
-LogOption = Annotated[bool, typer.Option("--log", help="With equal ratios between them.")]
+LogOption = Annotated[bool, typer.Option("--log", help="Logarithmic spacing of the values.")]
 VariantsOption = Annotated[
     list[str] | None,
     typer.Option(
         "--variant",
         metavar="KEY=VALUE",
-        help="Show the case with this field changed beside it; with --over. Repeats.",
+        help="Also show the case with this field changed; with --over. Repeatable.",
     ),
 ]
 CurvesPlotOption = Annotated[str | None, plot_option("With --over, draw it")]

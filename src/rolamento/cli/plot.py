@@ -32,17 +32,18 @@ def plot(
         Kind | None,
         typer.Option(
             metavar="KIND",
-            help="Of a state: rosette (default), balls, angles, pressures, ellipses; of its life: "
-            "aiso (a_ISO), sn (life over load), zone (life over the load zone), helps (what would "
-            "help); of a study: lines, map, histogram, scatter (default: what suits it).",
+            help="For a state: rosette (default), balls, angles, pressures, "
+            "ellipses; for its life: aiso (a_ISO), sn (life over load), zone "
+            "(life over the load zone), helps (what would help); for a study: "
+            "lines, map, histogram, scatter (default: what suits it).",
         ),
     ] = None,
     variable: Annotated[
-        str | None, typer.Option(metavar="NAME", help="The output of a study to draw.")
+        str | None, typer.Option(metavar="NAME", help="Output of a study to draw.")
     ] = None,
     over: Annotated[
         str | None,
-        typer.Option(metavar="NAME", help="The input of a study that runs across the figure."),
+        typer.Option(metavar="NAME", help="Input of a study along the horizontal axis."),
     ] = None,
     output: Annotated[
         str | None,
@@ -50,7 +51,8 @@ def plot(
             "--output",
             "-o",
             metavar="FILE",
-            help="Ends in .png, .svg or .pdf; by default RESULT's name with .png, in this folder.",
+            help="File to write: .png, .svg or .pdf; by default RESULT's name with "
+            ".png, in this folder.",
         ),
     ] = None,
     lang: LanguageOption = None,

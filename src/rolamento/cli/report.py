@@ -32,7 +32,7 @@ def report(
             "--output",
             "-o",
             metavar="FILE",
-            help="Write the report: a .html, .pdf or .md file. By default it is printed.",
+            help="Write the report: a .html, .pdf, .md or .txt file. By default it is printed.",
         ),
     ] = None,
     project: Annotated[

@@ -14,7 +14,7 @@ import typer
 from rolamento.cli.common import plain_endings
 from rolamento.cli.options import LanguageOption
 from rolamento.cli.streams import print_text
-from rolamento.errors import InputError, nearest
+from rolamento.errors import InputError, guess
 from rolamento.words import said
 
 GROUP: Final = "rolamento.reproductions"
@@ -48,13 +48,13 @@ def reproduce(
         str | None,
         typer.Argument(
             metavar="NAME",
-            help="What to reproduce, such as radaelli-2013; without it, a list of what there is.",
+            help="Publication, such as radaelli-2013; without it, the list of them.",
         ),
     ] = None,
     output: Annotated[
         str | None,
         typer.Option(
-            "--output", metavar="FOLDER", help="Where to write; a folder of that name by default."
+            "--output", metavar="FOLDER", help="Folder to write to; by default one of that name."
         ),
     ] = None,
     pictures: Annotated[
@@ -62,9 +62,9 @@ def reproduce(
     ] = Pictures.both,
     lang: LanguageOption = None,
 ) -> None:
-    """Compute every figure and table of a publication anew.
+    """Reproduce every figure and table of a publication.
 
-    Writes pictures, data and an index page to a folder.
+    Computed by this program, with an index page.
     """
     with plain_endings(lang):
         found = {point.name: point for point in entry_points(group=GROUP)}
@@ -81,13 +81,8 @@ def reproduce(
             print_text("".join(texts))
             return
         if name not in found:
-            near = nearest(name, found)
-            raise InputError(
-                said("cannot be reproduced; did you mean {name}?", name=near)
-                if near
-                else said("cannot be reproduced; known: {names}", names=", ".join(sorted(found))),
-                value=name,
-            )
+            rule = said("cannot be reproduced; {guess}", guess=guess(name, sorted(found)))
+            raise InputError(rule, value=name)
         with _progress_bar() as progress:
             lines = _loaded(found[name]).reproduce(output, pictures.value, progress)
         print_text("\n".join(lines) + "\n")

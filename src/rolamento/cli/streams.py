@@ -9,10 +9,8 @@ from collections.abc import Callable, Mapping
 from contextlib import suppress
 from typing import TYPE_CHECKING, Any, Final, TextIO
 
-from rolamento._json import dumps
 from rolamento._writing import write_text
-from rolamento.document.medium import Medium
-from rolamento.errors import FileError, printable
+from rolamento.errors import FileError, cause, printable
 from rolamento.words import said
 
 if TYPE_CHECKING:
@@ -75,11 +73,14 @@ def put(text: str, path: str) -> None:
 
 def put_json(mapping: Mapping[str, Any], path: str) -> None:
     """Write a result for a program as one JSON object, as `put`."""
+    from rolamento._json import dumps
+
     put(dumps(mapping, indent=2) + "\n", path)
 
 
 def show(document: Document) -> None:
     """Show a page on standard output, as `print_text`."""
+    from rolamento.document.medium import Medium
     from rolamento.document.terminal import terminal
 
     print_text(terminal(document, Medium.of(sys.stdout)))
@@ -96,11 +97,14 @@ def end_of_output(error: OSError) -> None:
     if sys.stdout is not None:
         _silence(sys.stdout)
     if not isinstance(error, BrokenPipeError):
-        complain(f"{_STANDARD_OUTPUT}: cannot be written: {(error.strerror or str(error)).lower()}")
+        rule = said("cannot be written: {reason}", reason=cause(error))
+        complain(str(FileError(rule, source=_STANDARD_OUTPUT)))
 
 
 def _encoded(text: str, stream: TextIO) -> bytes:
     encoding = stream.encoding or "utf-8"
+    from rolamento.document.medium import Medium
+
     medium = Medium(encoding=encoding)
     # a report has its colours already; what it took from files was fitted before them
     pieces = _COLOURS.split(text) if stream.isatty() else [text]
@@ -121,8 +125,9 @@ def _write(stream: TextIO | None, content: Callable[[], bytes], name: str) -> No
         _silence(stream)
     except OSError as error:
         _silence(stream)
-        reason = (error.strerror or str(error)).lower()
-        raise FileError(said("cannot be written: {reason}", reason=reason), source=name) from None
+        raise FileError(
+            said("cannot be written: {reason}", reason=cause(error)), source=name
+        ) from None
 
 
 def _silence(stream: TextIO) -> None:

@@ -13,7 +13,6 @@ from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
     plain_endings,
-    words_of,
 )
 from rolamento.cli.options import LanguageOption, SettingsOption
 from rolamento.cli.streams import complain, print_text
@@ -21,7 +20,7 @@ from rolamento.errors import InputError
 from rolamento.words import said
 
 if TYPE_CHECKING:
-    from rolamento.report.language import Words
+    pass
 
 
 class Listed(StrEnum):
@@ -34,7 +33,7 @@ class Listed(StrEnum):
 def sweep(
     study: Annotated[
         str | None,
-        typer.Argument(metavar="STUDY", help="Study file (TOML or JSON); - is standard input."),
+        typer.Argument(metavar="STUDY", help="Study file (TOML or JSON); - for standard input."),
     ] = None,
     output: Annotated[
         str | None,
@@ -48,7 +47,13 @@ def sweep(
     settings: SettingsOption = None,
     threads: Annotated[
         int | None,
-        typer.Option("--threads", metavar="N", min=1, max=1024, help="By default all processors."),
+        typer.Option(
+            "--threads",
+            metavar="N",
+            min=1,
+            max=1024,
+            help="Number of threads; by default one per processor.",
+        ),
     ] = None,
     scheduler: Annotated[
         str | None,
@@ -59,11 +64,11 @@ def sweep(
         ),
     ] = None,
     restart: Annotated[
-        bool, typer.Option("--restart", help="Begin anew, whatever an earlier run has kept.")
+        bool, typer.Option("--restart", help="Start over, discarding what an earlier run has kept.")
     ] = False,
     listed: Annotated[
         Listed | None,
-        typer.Option("--list", help="Show which fields may vary, or which outputs there are."),
+        typer.Option("--list", help="List the fields that may vary, or the outputs."),
     ] = None,
     lang: LanguageOption = None,
 ) -> None:
@@ -81,12 +86,12 @@ def sweep(
             )
         from rolamento.cli.sweep_progress import told
         from rolamento.document.medium import Medium
-        from rolamento.report.study import study_report
+        from rolamento.document.terminal import terminal
+        from rolamento.pages.study import study_page
         from rolamento.tasks import studies
 
-        words = words_of(lang)
         try:
-            with told(words) as progress:
+            with told() as progress:
                 swept = studies.sweep(
                     study,
                     output,
@@ -97,21 +102,27 @@ def sweep(
                     progress=progress,
                 )
         except KeyboardInterrupt as stop:
-            _tell_what_is_kept(stop, words)
+            _tell_what_is_kept(stop)
         title = swept.study.title or swept.study.case.title
-        print_text(study_report(swept.summary, title, words, Medium.of(sys.stdout)))
+        print_text(terminal(study_page(swept.summary, title), Medium.of(sys.stdout)))
     raise typer.Exit(SOLVED if swept.summary.converged else NO_RESULT)
 
 
-def _tell_what_is_kept(stop: KeyboardInterrupt, words: Words) -> NoReturn:
+def _tell_what_is_kept(stop: KeyboardInterrupt) -> NoReturn:
     """End after Ctrl-C; before the first case there is nothing to tell."""
-    from rolamento.report.study_words import STUDY_WORDS
     from rolamento.studies import Interrupted
 
     if not isinstance(stop, Interrupted):
         raise stop
-    said = STUDY_WORDS[words.code].stopped
-    complain(said.format(done=stop.done, total=stop.total, folder=stop.folder))
+    complain(
+        said(
+            "stopped; {done} of {total} cases are kept in {folder}. Run the same command to"
+            " continue",
+            done=stop.done,
+            total=stop.total,
+            folder=str(stop.folder),
+        )
+    )
     raise typer.Exit(INTERRUPTED) from None
 
 
@@ -125,11 +136,11 @@ def fields_text() -> str:
             field.name,
             field.unit,
             field.example,
-            "axes and scatter" if name in array_fields() else "axes",
+            said("axes, scatter") if name in array_fields() else said("axes"),
         )
         for name, field in known_fields().items()
     ]
-    return _columns([("field", "unit", "example", "for"), *rows])
+    return _columns([(said("field"), said("unit"), said("example"), said("for")), *rows])
 
 
 def outputs_text() -> str:
@@ -140,13 +151,13 @@ def outputs_text() -> str:
         (
             f"{name}{'*' if name in DEFAULT_OUTPUTS else ''}",
             output.unit,
-            "per ball" if output.per_ball else "",
+            said("per ball") if output.per_ball else "",
             output.label,
         )
         for name, output in catalogue().items()
     ]
-    foot = "\n* put out if a study names no outputs\n"
-    return _columns([("output", "unit", "", "meaning"), *rows]) + foot
+    foot = f"\n* {said('by default, if a study names no outputs')}\n"
+    return _columns([(said("output"), said("unit"), "", said("meaning")), *rows]) + foot
 
 
 def _columns(rows: list[tuple[str, ...]]) -> str:

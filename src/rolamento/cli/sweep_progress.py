@@ -10,9 +10,7 @@ from typing import Any, Final, TextIO
 
 from rolamento.cli.streams import complain
 from rolamento.document.medium import Medium
-from rolamento.report.language import Words
-from rolamento.report.numbers import Digits
-from rolamento.report.study_words import STUDY_WORDS
+from rolamento.words import counted, said
 
 __all__ = ["Lines", "told"]
 
@@ -23,19 +21,19 @@ INTERVAL: Final = 10.0
 
 
 @contextmanager
-def told(words: Words, stream: TextIO | None = None) -> Iterator[Progress]:
+def told(stream: TextIO | None = None) -> Iterator[Progress]:
     """Show progress on standard error while the body runs."""
     stream = sys.stderr if stream is None else stream
     if stream is None or not stream.isatty():
-        yield Lines(words)
+        yield Lines()
         return
     from rich.console import Console
 
     console = Console(file=stream, highlight=False)
     if console.is_dumb_terminal:
-        yield Lines(words)
+        yield Lines()
         return
-    with _bar(words, console, Medium.of(stream)) as progress:
+    with _bar(console, Medium.of(stream)) as progress:
         yield progress
 
 
@@ -66,8 +64,8 @@ class Rate:
 class Lines:
     """Writes a line every few seconds."""
 
-    def __init__(self, words: Words, clock: Callable[[], float] = time.monotonic) -> None:
-        self._words, self._clock = words, clock
+    def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
+        self._clock = clock
         self._rate = Rate(clock)
         self._next = clock() + INTERVAL
 
@@ -77,40 +75,42 @@ class Lines:
         if self._clock() < self._next or done >= total:
             return
         self._next = self._clock() + INTERVAL
-        said, number = STUDY_WORDS[self._words.code], Digits(self._words.decimal_mark).fixed
-        line = said.progress.format(
-            done=number(done, 0),
-            total=number(total, 0),
-            rate=number(self._rate.at(done), 0),
+        line = said(
+            "{done} of {total} cases, {rate:.0f}/s, {left} left",
+            done=done,
+            total=total,
+            rate=self._rate.at(done),
             left=_clock_time(self._rate.left(done, total)),
         )
-        if failed:
-            line += f", {said.failed.format(count=number(failed, 0))}"
-        complain(line)
+        complain(f"{line}, {_failed(failed)}" if failed else line)
 
 
 @contextmanager
-def _bar(words: Words, console: Any, medium: Medium) -> Iterator[Progress]:
+def _bar(console: Any, medium: Medium) -> Iterator[Progress]:
     from rich.progress import BarColumn, TextColumn
     from rich.progress import Progress as RichProgress
 
-    said, number = STUDY_WORDS[words.code], Digits(words.decimal_mark).fixed
     columns = (TextColumn("{task.description}"), BarColumn(), TextColumn("{task.fields[state]}"))
     with RichProgress(*columns, console=console, transient=True) as bar:
-        task = bar.add_task(medium.fitted(said.solving), total=None, state="")
+        task = bar.add_task(medium.fitted(said("solving")), total=None, state="")
         rate = Rate()
 
         def progress(done: int, total: int, failed: int) -> None:
             rate.tell(done)
-            state = f"{number(done, 0)} / {number(total, 0)}"
+            parts = [said("{done} / {total}", done=done, total=total)]
             if rate.at(done) > 0.0:
                 left = _clock_time(rate.left(done, total))
-                state += f"  {number(rate.at(done), 0)}/s  {said.time_left} {left}"
+                parts.append(said("{rate:.0f}/s, {left} left", rate=rate.at(done), left=left))
             if failed:
-                state += f"  {said.failed.format(count=number(failed, 0))}"
-            bar.update(task, completed=done, total=total, state=medium.fitted(state))
+                parts.append(_failed(failed))
+            state = medium.fitted("  ".join(parts))
+            bar.update(task, completed=done, total=total, state=state)
 
         yield progress
+
+
+def _failed(number: int) -> str:
+    return counted("{n} without a result", "{n} without a result", number)
 
 
 def _clock_time(seconds: float) -> str:

@@ -122,7 +122,7 @@ class SynthesiseCommand(JsonCommand):
     groups: ClassVar[Groups] = {
         "Bearing and speed": ("settings", "speed", "outer_speed", "slip", "swing", "wander"),
         "Damage": ("faults", "jitter", "load", "load_turns"),
-        "Way to the sensor": ("modes", "path"),
+        "Transmission path": ("modes", "path"),
         "Noise and vibration": ("snr", "noise", "colour", "shaft_harmonics", "waviness"),
         "Signal": ("duration", "rate", "seed"),
         "Output": ("output", "truth", "lang", "help"),
@@ -134,7 +134,7 @@ def synthesise(
     output: Annotated[
         str,
         typer.Option(
-            "--output", "-o", metavar="FILE", help="Of the signal: a .wav, .csv or .npz file."
+            "--output", "-o", metavar="FILE", help="File of the signal: .wav, .csv or .npz."
         ),
     ],
     truth: Annotated[
@@ -142,7 +142,7 @@ def synthesise(
         typer.Option(
             "--truth",
             metavar="FILE",
-            help="Write all that is known of the signal as JSON; - is standard output.",
+            help="Write all that is known of the signal as JSON; - for standard output.",
         ),
     ] = None,
     speed: SpeedOption = None,
@@ -152,16 +152,17 @@ def synthesise(
         typer.Option(
             "--fault",
             metavar="KIND[,KEY=VALUE…]",
-            help="outer_race, inner_race, ball or cage; with strength, azimuth, jitter, slip,"
-            " scatter, modulation, index, inner_gain. Repeats.",
+            help="outer_race, inner_race, ball or cage; with strength, azimuth, "
+            "jitter, slip, scatter, modulation, index, inner_gain. Repeatable.",
         ),
     ] = None,
     jitter: Annotated[
         float | None,
         typer.Option(
             "--jitter",
-            metavar="PART",
-            help="Standard deviation of an interval over its mean, of all faults; 0.01.",
+            metavar="FRACTION",
+            help="Standard deviation of the impact intervals over their mean, for "
+            "all faults (default 0.01).",
         ),
     ] = None,
     slip: LagOption = 0.0,
@@ -170,29 +171,32 @@ def synthesise(
         typer.Option(
             "--snr",
             metavar="DB",
-            help="Power of the faults, or without any of all the rest, over that of the noise.",
+            help="Signal-to-noise ratio: power of the faults, or of everything else "
+            "if there are none, over that of the noise.",
         ),
     ] = None,
     noise: Annotated[
         str | None,
-        typer.Option("--noise", metavar="LEVEL", help="RMS instead, such as '0.5 m/s^2'."),
+        typer.Option(
+            "--noise", metavar="LEVEL", help="RMS of the noise instead, such as '0.5 m/s^2'."
+        ),
     ] = None,
     colour: Annotated[
-        str, typer.Option("--colour", metavar="COLOUR", help="Of the noise: white or pink.")
+        str, typer.Option("--colour", metavar="COLOUR", help="Colour of the noise: white or pink.")
     ] = "white",
     duration: Annotated[
-        str, typer.Option("--duration", metavar="TIME", help="Such as '10 s'.")
+        str, typer.Option("--duration", metavar="TIME", help="Duration, such as '10 s'.")
     ] = "10 s",
     rate: Annotated[
-        str, typer.Option("--rate", metavar="RATE", help="Of sampling, such as '12 kHz'.")
+        str, typer.Option("--rate", metavar="RATE", help="Sampling rate, such as '12 kHz'.")
     ] = "51200 Hz",
     load: Annotated[
         str | None,
         typer.Option(
             "--load",
             metavar="KIND[,KEY=VALUE…]",
-            help="uniform; radial with extent and azimuth; solved, of a case with a load, and then"
-            " the default.",
+            help="uniform; radial with extent and azimuth; or solved, the default "
+            "for a case with a load.",
         ),
     ] = None,
     load_turns: Annotated[
@@ -200,7 +204,7 @@ def synthesise(
         typer.Option(
             "--load-turns",
             metavar="N",
-            help="Speed of the load's direction over the shaft's: 1 for unbalance.",
+            help="Speed of the load direction over that of the shaft: 1 for unbalance.",
         ),
     ] = 0.0,
     swing: Annotated[
@@ -208,7 +212,7 @@ def synthesise(
         typer.Option(
             "--swing",
             metavar="DEPTH[,KEY=VALUE…]",
-            help="Part by which the speed swings, with frequency and phase.",
+            help="Fraction by which the speed oscillates, with frequency and phase.",
         ),
     ] = None,
     wander: Annotated[
@@ -216,7 +220,7 @@ def synthesise(
         typer.Option(
             "--wander",
             metavar="DEVIATION[,KEY=VALUE]",
-            help="Part by which the speed wanders instead, with memory.",
+            help="Fraction by which the speed wanders at random instead, with memory.",
         ),
     ] = None,
     modes: Annotated[
@@ -224,8 +228,8 @@ def synthesise(
         typer.Option(
             "--mode",
             metavar="FREQUENCY[,KEY=VALUE…]",
-            help="Resonance that an impact excites, with damping and gain; 3500 Hz by default."
-            " Repeats.",
+            help="Resonance excited by an impact, with damping and gain; 3500 Hz by "
+            "default. Repeatable.",
         ),
     ] = None,
     path: Annotated[
@@ -233,7 +237,7 @@ def synthesise(
         typer.Option(
             "--path",
             metavar="KEY=VALUE…",
-            help="To the sensor: far_gain, of an impact on the far side, and sensor_azimuth.",
+            help="Path to the sensor: far_gain, of an impact on the far side, and sensor_azimuth.",
         ),
     ] = None,
     shaft_harmonics: Annotated[
@@ -241,7 +245,7 @@ def synthesise(
         typer.Option(
             "--shaft-harmonics",
             metavar="A,A,…",
-            help="Amplitudes at 1, 2, 3 … times the shaft's frequency, in m/s².",
+            help="Amplitudes at 1, 2, 3 … times the shaft frequency, in m/s².",
         ),
     ] = None,
     waviness: Annotated[
@@ -249,19 +253,19 @@ def synthesise(
         typer.Option(
             "--waviness",
             metavar="SURFACE,KEY=VALUE…",
-            help="Of outer, inner or ball: amplitude, such as '50 nm', with first, last, slope,"
-            " direction. Repeats.",
+            help="Waviness of outer, inner or ball: amplitude, such as '50 nm', "
+            "with first, last, slope, direction. Repeatable.",
         ),
     ] = None,
     seed: Annotated[
-        int, typer.Option("--seed", metavar="N", help="Of all that is random, from 0 on.")
+        int, typer.Option("--seed", metavar="N", help="Seed of all random numbers, from 0.")
     ] = 0,
     settings: SettingsOption = None,
     lang: LanguageOption = None,
 ) -> None:
     """Make a vibration signal of a bearing with known damage.
 
-    To try a diagnosis on: all that is known of it can be written as well.
+    To test a diagnosis: the full ground truth can be written as well.
     """
     with plain_endings(lang), _named(_OPTIONS), in_options(synthesise):
         check_outputs({"--output": output, "--truth": truth}, bearing)

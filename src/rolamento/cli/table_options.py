@@ -27,17 +27,21 @@ DecimalMarkOption = Annotated[
     typer.Option(
         "--decimal-mark",
         metavar="MARK",
-        help="point or comma, of a table in which 12.500 may be 12.5 or 12500.",
+        help="Decimal mark, point or comma, for a table in which 12.500 may be 12.5 or 12500.",
     ),
 ]
 TimeColumnOption = Annotated[
     str | None,
-    typer.Option("--time-column", metavar="COLUMN", help="Column of the times, if another."),
+    typer.Option(
+        "--time-column", metavar="COLUMN", help="Column of the times, if named otherwise."
+    ),
 ]
 StatusColumnOption = Annotated[
     str | None,
     typer.Option(
-        "--status-column", metavar="COLUMN", help="Column that tells what failed, if another."
+        "--status-column",
+        metavar="COLUMN",
+        help="Column that says what failed, if named otherwise.",
     ),
 ]
 

@@ -7,12 +7,11 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from rolamento._json import dumps
 from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
-    Language,
     plain_endings,
-    words_of,
 )
 from rolamento.cli.options import JsonOption, LanguageOption, PlotOption
 from rolamento.cli.outputs import check_outputs
@@ -32,28 +31,30 @@ def tolerance(
         str,
         typer.Argument(
             metavar="RESULT",
-            help="Result of a scatter study (.nc), or a study file with a [scatter] to be run.",
+            help="Result of a scatter study (.nc), or a study file with [scatter] to run.",
         ),
     ],
     percentiles: Annotated[
         str | None,
-        typer.Option("--percentiles", metavar="LIST", help="Such as 5,50,95; in per cent."),
+        typer.Option(
+            "--percentiles", metavar="LIST", help="Percentiles in per cent, such as 5,50,95."
+        ),
     ] = None,
     sobol: Annotated[
         int | None,
         typer.Option(
             "--sobol",
             metavar="N",
-            help="Sobol's indices too, from N (inputs + 2) runs of a study file; N such as 1024.",
+            help="Also Sobol's indices, from N (inputs + 2) runs of a study file; N such as 1024.",
         ),
     ] = None,
     json: JsonOption = None,
     plot: PlotOption = None,
     lang: LanguageOption = None,
 ) -> None:
-    """Show percentiles of a study, and which input matters.
+    """Show percentiles of a study, and which inputs matter.
 
-    Of every output of a scatter study, with the inputs that it depends on most.
+    For every output of a scatter study, with the inputs that it depends on most.
     """
     with plain_endings(lang):
         wanted = _percentiles(percentiles)
@@ -66,7 +67,7 @@ def tolerance(
             from rolamento.tasks import studies
 
             found = studies.tolerance(result, percentiles=wanted, sobol_samples=sobol)
-        _show(found, json, plot, lang)
+        _show(found, json, plot)
     raise typer.Exit(SOLVED if found.bands.share_without_result < 1.0 else NO_RESULT)
 
 
@@ -87,20 +88,19 @@ def _percentiles(text: str | None) -> tuple[float, ...]:
     return tuple(values)
 
 
-def _show(found: ToleranceStudy, json: str | None, plot: str | None, lang: Language | None) -> None:
-    """Write what was asked for; standard output takes data or the report, not both."""
-    from rolamento.report.tolerance import tolerance_json, tolerance_report
-
-    words = words_of(lang)
+def _show(found: ToleranceStudy, json: str | None, plot: str | None) -> None:
+    """Write what was asked for; standard output takes data or the page, not both."""
     if json is not None:
-        put(tolerance_json(found) + "\n", json)
+        put(dumps(found.to_mapping()) + "\n", json)
     if plot is not None:
         from rolamento.plots.saving import save_figure
         from rolamento.plots.tolerance import tolerance_figure
 
-        save_figure(tolerance_figure(found, words.code), plot)
+        save_figure(tolerance_figure(found), plot)
     if json == STANDARD_STREAM:
         return
     from rolamento.document.medium import Medium
+    from rolamento.document.terminal import terminal
+    from rolamento.pages.tolerance import tolerance_page
 
-    print_text(tolerance_report(found, words, Medium.of(sys.stdout)))
+    print_text(terminal(tolerance_page(found), Medium.of(sys.stdout)))

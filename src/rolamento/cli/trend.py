@@ -7,12 +7,11 @@ from typing import TYPE_CHECKING, Annotated, Any, Final
 
 import typer
 
-from rolamento._json import dumps
 from rolamento.cli.common import SOLVED, plain_endings
 from rolamento.cli.options import LanguageOption, PlotOption, json_option
 from rolamento.cli.outputs import check_outputs
 from rolamento.cli.shipped_data import check_one_given, data_and_json, known_example
-from rolamento.cli.streams import STANDARD_STREAM, print_text, put
+from rolamento.cli.streams import STANDARD_STREAM, print_text, put_json
 from rolamento.cli.table_options import DecimalMarkOption, TimeColumnOption, told_in_options
 from rolamento.errors import InputError
 from rolamento.words import marked, said
@@ -35,7 +34,8 @@ def trend(
         str | None,
         typer.Argument(
             metavar="DATA.csv",
-            help="Columns of time, bearing and quantities, units in brackets; - is standard input.",
+            help="Columns of time, bearing and quantities, units in brackets; - for "
+            "standard input.",
         ),
     ] = None,
     example: Annotated[
@@ -55,7 +55,7 @@ def trend(
     bearing_column: Annotated[
         str | None,
         typer.Option(
-            "--bearing-column", metavar="COLUMN", help="Column that names the bearing, if another."
+            "--bearing-column", metavar="COLUMN", help="Column of the bearings, if named otherwise."
         ),
     ] = None,
     decimal_mark: DecimalMarkOption = None,
@@ -63,9 +63,9 @@ def trend(
     json: Annotated[str | None, json_option("Write everything as JSON")] = None,
     lang: LanguageOption = None,
 ) -> None:
-    """Show what grew while bearings ran: clearance, noise.
+    """Show what changed in operation: clearance, noise.
 
-    A law of wear is fitted to a clearance.
+    A wear law is fitted to the clearance.
     """
     with plain_endings(lang):
         data, json = data_and_json(data, example, json)
@@ -96,7 +96,7 @@ def trend(
 
             save_figure(trend_figure(found.trend, found.fits), plot)
         if json is not None:
-            put(dumps(found.to_mapping(), indent=2) + "\n", json)
+            put_json(found.to_mapping(), json)
         if json != STANDARD_STREAM:
             print_text(terminal(trend_page(found), Medium.of(sys.stdout)))
     raise typer.Exit(SOLVED)

@@ -20,10 +20,9 @@ from rolamento.cli.options import (
     LanguageOption,
     PlotOption,
     SettingsOption,
-    csv_option,
 )
-from rolamento.cli.outputs import check_outputs
-from rolamento.cli.streams import STANDARD_STREAM, put, put_json, show
+from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
+from rolamento.cli.streams import STANDARD_STREAM, put_json
 from rolamento.cli.waiting import waiting
 
 if TYPE_CHECKING:
@@ -34,6 +33,7 @@ __all__ = ["turn"]
 _POINTS: Final = 256
 
 
+@with_outputs
 def turn(
     case: CaseArgument,
     points: Annotated[
@@ -41,19 +41,19 @@ def turn(
         typer.Option("--points", metavar="N", help="Instants in one period, 4 to 4096."),
     ] = _POINTS,
     json: JsonOption = None,
-    csv: Annotated[str | None, csv_option("Write a table of the instants")] = None,
     plot: PlotOption = None,
+    outputs: Outputs = NOWHERE,
     settings: SettingsOption = None,
     lang: LanguageOption = None,
 ) -> None:
     """Show what varies while the cage turns by one pitch.
 
-    Displacement, stiffness and ball loads at the instants of that period.
+    Displacement, stiffness and ball loads over that period.
     """
     with plain_endings(lang):
-        check_outputs({"--json": json, "--csv": csv, "--plot": plot}, case)
+        outputs.check({"--json": json, "--plot": plot}, case)
         turned = _turned(rolamento.load_case(case, settings or ()), points, lang)
-        _show(turned, json, csv, plot, lang)
+        _show(turned, json, plot, outputs, lang)
     raise typer.Exit(SOLVED if turned.converged else NO_RESULT)
 
 
@@ -66,24 +66,18 @@ def _turned(case: rolamento.Case, points: int, lang: Language | None) -> CageTur
 
 
 def _show(
-    turned: CageTurn, json: str | None, csv: str | None, plot: str | None, lang: Language | None
+    turned: CageTurn, json: str | None, plot: str | None, outputs: Outputs, lang: Language | None
 ) -> None:
     """Write what was asked for; standard output takes data or the page, not both."""
     from rolamento.pages.turn import turn_page
 
-    page = turn_page(turned)
     if json is not None:
         put_json(turned.to_mapping(), json)
-    if csv is not None:
-        from rolamento.document.tables import to_csv
-
-        put(to_csv(page), csv)
     if plot is not None:
         from rolamento.plots.cage_turn import cage_turn_figure
         from rolamento.plots.saving import save_figure
 
         save_figure(cage_turn_figure(turned), plot)
-    if STANDARD_STREAM not in (json, csv):
-        show(page)
-    elif not turned.converged:
+    outputs.show(lambda: turn_page(turned), json)
+    if STANDARD_STREAM in (json, outputs.csv) and not turned.converged:
         complain_of_points(turned.status[turned.status != "converged"], len(turned), lang)

@@ -23,19 +23,19 @@ def verify(
     source: Annotated[
         list[str] | None,
         typer.Option(
-            "--source", metavar="NAME", help="Only this source, such as radaelli_2013. Repeats."
+            "--source", metavar="NAME", help="Only this source, such as radaelli_2013. Repeatable."
         ),
     ] = None,
     markdown: Annotated[
         str | None,
         typer.Option(
-            "--markdown", metavar="FILE", help="Write a page in Markdown; - is standard output."
+            "--markdown", metavar="FILE", help="Write a page in Markdown; - for standard output."
         ),
     ] = None,
     json: Annotated[str | None, json_option("Write all numbers as JSON")] = None,
     lang: LanguageOption = None,
 ) -> None:
-    """Compare the program with every published number it knows.
+    """Compare the program with published numbers.
 
     The exit code is 1 if one fails.
     """

@@ -12,8 +12,8 @@ from contextlib import contextmanager
 from threading import Timer
 from typing import TYPE_CHECKING, Final
 
-from rolamento.cli.common import Language, words_of
-from rolamento.document.medium import Medium
+from rolamento.cli.common import Language
+from rolamento.words import said
 
 if TYPE_CHECKING:
     from rich.status import Status
@@ -37,7 +37,8 @@ def waiting(
     if not _is_terminal():
         yield
         return
-    with told(words_of(lang).waiting if text is None else text, after):
+    kernels = said("Solving; compiling the kernels for this machine, once, takes about 20 s …")
+    with told(kernels if text is None else text, after):
         yield
 
 
@@ -68,6 +69,8 @@ def progress_of(text: str, after: float = PATIENCE_AT_WORK) -> Iterator[Progress
     from rich.progress import Progress as Bar
 
     console = Console(stderr=True, highlight=False)
+    from rolamento.document.medium import Medium
+
     line = Medium.of(sys.stderr).fitted(text)
     if console.is_dumb_terminal:  # where a bar cannot move
         timer = Timer(after, console.print, [line])
@@ -99,6 +102,8 @@ def _is_terminal() -> bool:
 
 def _started(text: str) -> Status:
     from rich.console import Console
+
+    from rolamento.document.medium import Medium
 
     medium = Medium.of(sys.stderr)
     console = Console(stderr=True, highlight=False)

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Final, cast
 
 import typer
 
-from rolamento._json import dumps
 from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
@@ -20,7 +19,7 @@ from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.options import LanguageOption, SeedOption, json_option, plot_option
 from rolamento.cli.outputs import check_outputs
 from rolamento.cli.shipped_data import check_one_given, data_and_json, known_example
-from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
+from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put_json
 from rolamento.cli.table_options import (
     DecimalMarkOption,
     StatusColumnOption,
@@ -59,7 +58,7 @@ class WeibullCommand(JsonCommand):
         ),
         "Fit": ("method", "three_parameter", "shape", "bayes"),
         "Bounds": ("bounds", "confidence", "sides", "samples", "seed"),
-        "Wanted": ("reliability", "time", "calculated_life"),
+        "Results": ("reliability", "time", "calculated_life"),
         "Output": ("plot", "contour", "contour_of", "json", "lang", "help"),
     }
 
@@ -69,8 +68,8 @@ def weibull(
         str | None,
         typer.Argument(
             metavar="DATA.csv",
-            help="Life test: columns time, status, and group, rig, count and more if there are;"
-            " - is standard input.",
+            help="Life test: columns time, status and, if any, group, rig, count "
+            "and more; - for standard input.",
         ),
     ] = None,
     example: Annotated[
@@ -88,17 +87,19 @@ def weibull(
         typer.Option(
             "--method",
             metavar="METHOD",
-            help="Of fitting: ml, unbiased, rrx, rry, three-parameter. Repeats; by default the"
-            " first four.",
+            help="Fitting method: ml, unbiased, rrx, rry, three-parameter. "
+            "Repeatable; by default the first four.",
         ),
     ] = None,
     three_parameter: Annotated[
-        bool, typer.Option("--three-parameter", help="Fit a time free of failures as well.")
+        bool, typer.Option("--three-parameter", help="Fit a failure-free time as well.")
     ] = False,
     shape: Annotated[
         float | None,
         typer.Option(
-            "--shape", metavar="BETA", help="From experience: only the scale is fitted (Weibayes)."
+            "--shape",
+            metavar="BETA",
+            help="Shape from experience: only the scale is fitted (Weibayes).",
         ),
     ] = None,
     bayes: Annotated[
@@ -106,7 +107,7 @@ def weibull(
         typer.Option(
             "--bayes",
             metavar="LOW..HIGH",
-            help="What the shape lies between with 90 %: gives a posterior as well.",
+            help="90 % range of the shape: gives a posterior as well.",
         ),
     ] = None,
     bounds: Annotated[
@@ -114,28 +115,33 @@ def weibull(
         typer.Option(
             "--bounds",
             metavar="METHOD",
-            help="pivotal, calibrated-likelihood-ratio, likelihood-ratio, fisher, bootstrap-bca,"
-            " …; by default what keeps its promise with few failures.",
+            help="Bounds: pivotal, calibrated-likelihood-ratio, likelihood-ratio, "
+            "fisher, bootstrap-bca, …; by default a method that is exact with "
+            "few failures.",
         ),
     ] = None,
     confidence: Annotated[
-        float, typer.Option("--confidence", metavar="C", help="Of the bounds, such as 0.9.")
+        float,
+        typer.Option("--confidence", metavar="C", help="Confidence of the bounds, such as 0.9."),
     ] = _CONFIDENCE,
     sides: Annotated[
-        str, typer.Option("--sides", metavar="SIDES", help="Of the bounds: two, lower or upper.")
+        str,
+        typer.Option("--sides", metavar="SIDES", help="Sides of the bounds: two, lower or upper."),
     ] = "two",
     reliability: Annotated[
         list[float] | None,
         typer.Option(
             "--reliability",
             metavar="R",
-            help="That lives are wanted for, 0.9 for L10. Repeats; by default 0.9 and 0.5.",
+            help="Reliability to give lives for, 0.9 for L10. Repeatable; by default 0.9 and 0.5.",
         ),
     ] = None,
     time: Annotated[
         list[str] | None,
         typer.Option(
-            "--time", metavar="TIME", help="That reliabilities are wanted for: '100 h'. Repeats."
+            "--time",
+            metavar="TIME",
+            help="Time to give the reliability at, such as '100 h'. Repeatable.",
         ),
     ] = None,
     calculated_life: Annotated[
@@ -143,12 +149,13 @@ def weibull(
         typer.Option(
             "--calculated-life",
             metavar="[NAME=]LIFE",
-            help="Set it against the data: 'ISO 281=58 h', for the first reliability. Repeats.",
+            help="Calculated life to compare with the data, such as 'ISO 281=58 h', "
+            "for the first reliability. Repeatable.",
         ),
     ] = None,
     group: Annotated[
         str | None,
-        typer.Option("--group", metavar="COLUMN", help="Column of the groups, if another."),
+        typer.Option("--group", metavar="COLUMN", help="Column of the groups, if named otherwise."),
     ] = None,
     by_group: Annotated[
         bool,
@@ -158,11 +165,11 @@ def weibull(
     ] = True,
     only: Annotated[
         list[str] | None,
-        typer.Option("--only", metavar="GROUP", help="Leave the other groups out. Repeats."),
+        typer.Option("--only", metavar="GROUP", help="Only this group. Repeatable."),
     ] = None,
     unit: Annotated[
         str | None,
-        typer.Option("--unit", metavar="UNIT", help="Of the times, if the file says another."),
+        typer.Option("--unit", metavar="UNIT", help="Unit of the times, if the file says another."),
     ] = None,
     time_column: TimeColumnOption = None,
     status_column: StatusColumnOption = None,
@@ -172,29 +179,31 @@ def weibull(
         typer.Option(
             "--samples",
             metavar="N",
-            help="Tests to draw, 100 to a million; 10 000 by default, fewer of large tests.",
+            help="Tests to simulate, 100 to a million; 10 000 by default, fewer for large tests.",
         ),
     ] = None,
     seed: SeedOption = 0,
     plot: Annotated[str | None, plot_option("Draw probability paper")] = None,
     contour: Annotated[
         str | None,
-        typer.Option(
-            "--contour", metavar="FILE", help="Draw the regions of equal likelihood, likewise."
-        ),
+        typer.Option("--contour", metavar="FILE", help="Draw the likelihood contours, likewise."),
     ] = None,
     contour_of: Annotated[
         str,
-        typer.Option("--contour-of", metavar="LIFE", help="Over the shape: L10, L1, scale …"),
+        typer.Option(
+            "--contour-of",
+            metavar="LIFE",
+            help="Quantity of the contours, over the shape: L10, L1, scale …",
+        ),
     ] = "L10",
     json: Annotated[
         str | None, json_option("Write everything as JSON, in the unit of the data")
     ] = None,
     lang: LanguageOption = None,
 ) -> None:
-    """Fit a life test by Weibull's distribution, with bounds.
+    """Fit a Weibull distribution to a life test, with bounds.
 
-    Says what the test tells and what not.
+    What the test shows, and what it does not.
     """
     with plain_endings(lang):
         data, json = data_and_json(data, example, json)
@@ -276,7 +285,7 @@ def _write_example(data: str | None, example: str | None, path: str) -> str:
 def _show(found: LifeTestSummary, json: str | None) -> None:
     """Write what was asked for; standard output takes data or the page, not both."""
     if json is not None:
-        put(dumps(found.to_mapping(), indent=2) + "\n", json)
+        put_json(found.to_mapping(), json)
     if json != STANDARD_STREAM:
         from rolamento.document.medium import Medium
         from rolamento.document.terminal import terminal

@@ -7,7 +7,6 @@ from typing import Annotated, Final
 
 import typer
 
-from rolamento._json import dumps
 from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
@@ -17,7 +16,7 @@ from rolamento.cli.grouped_help import GroupedCommands
 from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.options import LanguageOption, PlotOption, SeedOption, json_option
 from rolamento.cli.outputs import check_outputs
-from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
+from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put_json
 from rolamento.cli.table_options import told_in_options
 from rolamento.errors import InputError
 from rolamento.words import said
@@ -29,24 +28,25 @@ _MAXIMUM_SIZES: Final = 20
 
 app = typer.Typer(
     cls=GroupedCommands,
-    help="Plan a life test: bearings, time, failures.\n\n"
-    "Bearings and time to show a life, failures to know it.",
+    help="Plan a life test: bearings, time, failures.\n\nBearings and time to "
+    "demonstrate a life, or failures to estimate one.",
     no_args_is_help=True,
     rich_markup_mode=None,
 )
 
 LifeOption = Annotated[
     str | None,
-    typer.Option("--life", metavar="LIFE", help="That is expected, such as '1000 h'."),
+    typer.Option("--life", metavar="LIFE", help="Expected life, such as '1000 h'."),
 ]
 ShapeOption = Annotated[
-    float, typer.Option("--shape", metavar="BETA", help="Of Weibull's distribution, expected.")
+    float,
+    typer.Option("--shape", metavar="BETA", help="Expected shape of the Weibull distribution."),
 ]
 ReliabilityOption = Annotated[
-    float, typer.Option("--reliability", metavar="R", help="Of the life: 0.9 for L10.")
+    float, typer.Option("--reliability", metavar="R", help="Reliability of the life: 0.9 for L10.")
 ]
 ConfidenceOption = Annotated[
-    float, typer.Option("--confidence", metavar="C", help="With which, such as 0.9.")
+    float, typer.Option("--confidence", metavar="C", help="Confidence level, such as 0.9.")
 ]
 JsonOption = Annotated[str | None, json_option("Write everything as JSON, in the unit of the life")]
 
@@ -58,17 +58,25 @@ JsonOption = Annotated[str | None, json_option("Write everything as JSON, in the
 )
 def demonstration(
     life: Annotated[
-        str, typer.Option("--life", metavar="LIFE", help="That is to be shown, such as '1000 h'.")
+        str, typer.Option("--life", metavar="LIFE", help="Life to demonstrate, such as '1000 h'.")
     ],
     bearings: Annotated[
-        int | None, typer.Option("--bearings", metavar="N", help="There are: the time is found.")
+        int | None,
+        typer.Option(
+            "--bearings", metavar="N", help="Available bearings: the test time is calculated."
+        ),
     ] = None,
     time: Annotated[
         str | None,
-        typer.Option("--time", metavar="TIME", help="For each bearing: how many are found."),
+        typer.Option(
+            "--time", metavar="TIME", help="Test time of each bearing: their number is calculated."
+        ),
     ] = None,
     failures_allowed: Annotated[
-        int, typer.Option("--failures-allowed", metavar="K", help="With which the test is passed.")
+        int,
+        typer.Option(
+            "--failures-allowed", metavar="K", help="Failures with which the test is still passed."
+        ),
     ] = 0,
     shape: ShapeOption = _SHAPE,
     reliability: ReliabilityOption = 0.9,
@@ -77,9 +85,9 @@ def demonstration(
     json: JsonOption = None,
     lang: LanguageOption = None,
 ) -> None:
-    """Plan to show a life with few failures or none.
+    """Plan to demonstrate a life with few failures or none.
 
-    Bearings against time.
+    Number of bearings against test time.
     """
     with plain_endings(lang):
         check_outputs({"--json": json, "--plot": plot})
@@ -104,7 +112,7 @@ def demonstration(
 
             save_figure(chance_figure([found.plan, *found.beside], found.unit), plot)
         if json is not None:
-            put(dumps(found.to_mapping(), indent=2) + "\n", json)
+            put_json(found.to_mapping(), json)
         if json != STANDARD_STREAM:
             print_text(terminal(demonstration_page(found), Medium.of(sys.stdout)))
         elif not found.plan.planned:
@@ -120,20 +128,28 @@ def demonstration(
 def precision(
     ratio: Annotated[
         float | None,
-        typer.Option("--ratio", metavar="RATIO", help="Wanted, of upper to lower bound: 5, say."),
+        typer.Option(
+            "--ratio", metavar="RATIO", help="Required ratio of upper to lower bound, such as 5."
+        ),
     ] = None,
     failures: Annotated[
         int | None,
-        typer.Option("--failures", metavar="R", help="Of one test, instead: what it will tell."),
+        typer.Option(
+            "--failures",
+            metavar="R",
+            help="Failures of a given test, instead: which precision it gives.",
+        ),
     ] = None,
     groups: Annotated[
         int | None,
-        typer.Option("--groups", metavar="G", help="Bearings, or rigs of several, of that test."),
+        typer.Option(
+            "--groups", metavar="G", help="Bearings of that test, or rigs with several each."
+        ),
     ] = None,
     group_size: Annotated[
         list[int] | None,
         typer.Option(
-            "--group-size", metavar="M", help="Bearings in a rig of sudden death. Repeats."
+            "--group-size", metavar="M", help="Bearings per rig of a sudden-death test. Repeatable."
         ),
     ] = None,
     life: LifeOption = None,
@@ -141,16 +157,16 @@ def precision(
     reliability: ReliabilityOption = 0.9,
     confidence: ConfidenceOption = 0.9,
     samples: Annotated[
-        int, typer.Option("--samples", metavar="N", help="Tests to draw, 100 to a million.")
+        int, typer.Option("--samples", metavar="N", help="Tests to simulate, 100 to a million.")
     ] = 10_000,
     seed: SeedOption = 0,
     plot: PlotOption = None,
     json: JsonOption = None,
     lang: LanguageOption = None,
 ) -> None:
-    """Plan to know a life within bounds.
+    """Plan the precision of an estimated life.
 
-    How many failures bring the bounds near each other, and how long it takes.
+    How many failures narrow the bounds, and how long that takes.
     """
     with plain_endings(lang):
         check_outputs({"--json": json, "--plot": plot})
@@ -190,7 +206,7 @@ def precision(
                 progress=progress,
             )
         if json is not None:
-            put(dumps(found.to_mapping(), indent=2) + "\n", json)
+            put_json(found.to_mapping(), json)
         if plot is not None:
             from rolamento.plots.saving import save_figure
             from rolamento.plots.weibull_plan import cost_figure

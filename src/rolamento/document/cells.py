@@ -41,7 +41,7 @@ _AS_WIDE_AS_DIGIT: Final = "\u2007"
 _AS_WIDE_AS_MARK: Final = "\u2008"
 _LONGEST_LINE: Final = 40
 _BAR: Final = 16
-_MOST_WIDER: Final = 3
+_MOST_WIDER: Final = 1
 """Characters by which decimal marks in line may widen a column."""
 _INDEXED: Final = re.compile(
     r"(?<![\w./\\@-])([A-Za-zα-ωΑ-Ωµ])_([A-Za-z0-9]{1,4})(?!\w|[./\\@-]\w|_)"

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final
 
+from rolamento.clearance.operating import PERCENTILES
 from rolamento.document import (
     CellContent,
     Column,
@@ -18,15 +19,13 @@ from rolamento.document import (
     Tone,
 )
 from rolamento.pages.state import notes_section
-from rolamento.words import in_unit, manner, marked, said
+from rolamento.words import in_unit, manner, marked, said, said_in
 
 if TYPE_CHECKING:
     from rolamento.clearance import ClearanceSamples, OperatingClearance
 
-__all__ = ["PERCENTILES", "clearance_page"]
+__all__ = ["clearance_page"]
 
-PERCENTILES: Final = (0.135, 5.0, 50.0, 95.0, 99.865)
-"""Per cent of the samples: the outer ones lie three standard deviations from the mean."""
 _STEPS: Final = {
     "initial": marked("before mounting"),
     "measuring_load": marked("measuring load"),
@@ -85,7 +84,11 @@ def _chain(found: OperatingClearance) -> Section:
             only_in_files=True,
         ),
     ]
-    heads = {"minimum": said("minimum"), "mean": said("mean"), "maximum": said("maximum")}
+    heads = {
+        "minimum": said_in("clearance", "minimum"),
+        "mean": said_in("clearance", "mean"),
+        "maximum": said_in("clearance", "maximum"),
+    }
     columns += [
         Column(
             head=text,

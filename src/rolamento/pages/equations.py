@@ -222,17 +222,17 @@ SYMBOLS: Final[Mapping[str, tuple[str, str, str]]] = {
     "omega_m": ("ω_m", marked("orbital speed of a ball"), "rad/s"),
     "omega_R": ("ω_R, β", marked("speed of a ball about its own axis, and its attitude"),
                 "rad/s, rad"),
-    "slave": ("c, s", marked("race in control, and the other one; σ = +1 for outer control, −1 "
-                             "for inner"), ""),
-    "cage": ("ω_cage, h", marked("cage speed, and how firmly the inner ring holds a ball (0 to 1)"),
-             "rad/s, –"),
+    "slave": ("c, s", marked("controlling race and the other race; σ = +1 for outer control, −1 "
+                             "for inner control"), ""),
+    "cage": ("ω_cage, h", marked("cage speed, and degree of contact of a ball with the inner ring "
+                                 "(0 to 1)"), "rad/s, –"),
     "mass": ("m, J", marked("mass of a ball and its moment of inertia m D²/10"), "kg, kg·m²"),
     "F_c": ("F_c", marked("centrifugal force"), "N"),
     "M_g": ("M_g", marked("gyroscopic moment"), "N·m"),
     "lambda_i": ("λ_i, λ_o", marked("share of the gyroscopic moment at each race; their sum is 2"),
                  ""),
     "psi": ("ψ", marked("azimuth of a ball"), "rad"),
-    "loads": ("F_x … M_z", marked("load that the shaft puts on the inner ring"), "N, N·m"),
+    "loads": ("F_x … M_z", marked("load applied by the shaft to the inner ring"), "N, N·m"),
     "R_i": ("R_i", marked("radius of the circle of the inner groove centres"), "m"),
     "u": ("u", marked("displacement of the inner ring: x, y, z, r_y, r_z"), "m, rad"),
     "C": ("C, C_0, C_u", marked("dynamic and static load rating, fatigue load limit"), "N"),
@@ -243,7 +243,7 @@ SYMBOLS: Final[Mapping[str, tuple[str, str, str]]] = {
     "XY": ("X, Y, X_0, Y_0", marked("load factors of the standards"), ""),
     "S_0": ("S_0", marked("static safety factor"), ""),
     "L_10": ("L_10", marked("basic rating life"), "10⁶ rev"),
-    "n": ("n", marked("speed of the rings against each other"), "rpm"),
+    "n": ("n", marked("relative speed of the rings"), "rpm"),
     "S": ("S", marked("reliability"), ""),
     "a_1": ("a_1", marked("life modification factor for reliability"), ""),
     "a_ISO": ("a_ISO", marked("life modification factor of ISO 281"), ""),
@@ -304,11 +304,11 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         source=marked("NSK (E1102), chapter 9.2; Harris (1991), chapter 3"),
         references=("nsk_e1102", "harris_1991"),
         used=_step("temperature"),
-        valid=marked("each part at one temperature, expanding freely"),
+        valid=marked("uniform temperature of each part, free expansion"),
     ),
     Law(
         key="ring_growth",
-        name=marked("Growth of a rotating ring"),
+        name=marked("Centrifugal expansion of a rotating ring"),
         latex=r"u = \frac{\rho\,\omega^2 r}{8E} \left[(1-\nu)(3+\nu)(a^2+b^2)"
         r" + (1+\nu)(3+\nu)\frac{a^2 b^2}{r^2} - (1-\nu^2)\,r^2\right]",
         plain="u = ρ ω² r/(8E) [(1 − ν)(3 + ν)(a² + b²) + (1 + ν)(3 + ν) a² b²/r² − (1 − ν²) r²]",
@@ -329,9 +329,11 @@ EQUATIONS: Final[tuple[Law, ...]] = (
     Law(
         key="curvature",
         name=marked("Curvatures of ball and race"),
-        latex=r"\rho_x = \frac{2}{D}\,\frac{1}{1 \mp \gamma},\quad"
+        latex=r"\rho_{x,i} = \frac{2}{D}\,\frac{1}{1 - \gamma},\quad"
+        r" \rho_{x,o} = \frac{2}{D}\,\frac{1}{1 + \gamma},\quad"
         r" \rho_y = \frac{2}{D} - \frac{1}{f D},\quad \gamma = \frac{D \cos\alpha}{d_m}",
-        plain="ρ_x = (2/D) / (1 ∓ γ) (− inner, + outer),  ρ_y = 2/D − 1/(f D),  γ = D cos α/d_m",
+        plain="ρ_x,i = (2/D)/(1 − γ),  ρ_x,o = (2/D)/(1 + γ),  ρ_y = 2/D − 1/(f D),  γ = D"
+        " cos α/d_m",
         symbols=("rho", "gamma", "alpha", "d_m", "D", "f"),
         source=marked("Harris (1991), chapter 2"),
         references=("harris_1991",),
@@ -345,7 +347,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         symbols=("k", "KE", "rho"),
         source=marked("Hertz (1881); Harris (1991), chapter 5"),
         references=("hertz_1881", "harris_1991"),
-        valid=marked("elastic half-spaces, contact small beside the bodies; solved exactly"),
+        valid=marked("elastic half-spaces, contact small compared with the bodies; exact solution"),
     ),
     Law(
         key="hertz_stiffness",
@@ -370,7 +372,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         key="maximum_shear",
         name=marked("Maximum shear stress below the surface"),
         latex=r"\tau_{max} = \max_{z}\; \frac{\sigma_{max}(z) - \sigma_{min}(z)}{2}",
-        plain="τ_max = max over z of (σ_max(z) − σ_min(z))/2, on the axis of the contact",
+        plain="τ_max = max_z (σ_max(z) − σ_min(z))/2",
         symbols=("tau_max",),
         source=marked("Thomas and Hoersch (1930); Johnson (1985), section 4.2(c)"),
         references=("thomas_hoersch_1930", "johnson_1985"),
@@ -380,8 +382,8 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         name=marked("Orthogonal shear"),
         latex=r"\frac{\tau_0}{p_0} = \frac{\sqrt{2t-1}}{2t\,(t+1)},\quad"
         r" \frac{z_0}{b} = \frac{1}{(t+1)\sqrt{2t-1}},\quad \frac{b}{a} = \sqrt{(t^2-1)(2t-1)}",
-        plain="τ_0/p_0 = √(2t − 1)/(2t (t + 1)),  z_0/b = 1/((t + 1) √(2t − 1)),"
-        "  b/a = √((t² − 1)(2t − 1))",
+        plain="τ_0/p_0 = √(2t − 1)/(2t (t + 1)),  z_0/b = 1/((t + 1) √(2t − 1)),  b/a = √((t²"
+        " − 1)(2t − 1))",
         symbols=("tau_0", "p_0", "ab"),
         source=marked("Lundberg and Palmgren (1947)"),
         references=("lundberg_palmgren_1947",),
@@ -396,7 +398,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         source=marked("Jones (1959, 1960); Radaelli (2013), equations 43 to 46"),
         references=("jones_1959", "jones_1960", "radaelli_2013"),
         used=_controlled,
-        valid=marked("the race in control lets the ball roll without spin"),
+        valid=marked("no spin at the controlling race"),
     ),
     Law(
         key="jones_criterion",
@@ -439,7 +441,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
     ),
     Law(
         key="ball_equilibrium_axial",
-        name=marked("Equilibrium of a ball along the shaft (Jones–Harris)"),
+        name=marked("Axial equilibrium of a ball (Jones–Harris)"),
         latex=r"Q_i \sin\alpha_i - Q_o \sin\alpha_o"
         r" - \frac{M_g}{D}(\lambda_i\cos\alpha_i - \lambda_o\cos\alpha_o) = 0",
         plain="Q_i sin α_i − Q_o sin α_o − (M_g/D)(λ_i cos α_i − λ_o cos α_o) = 0",
@@ -451,7 +453,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
     ),
     Law(
         key="ball_equilibrium_radial",
-        name=marked("Equilibrium of a ball outward (Jones–Harris)"),
+        name=marked("Radial equilibrium of a ball (Jones–Harris)"),
         latex=r"Q_i \cos\alpha_i - Q_o \cos\alpha_o"
         r" + \frac{M_g}{D}(\lambda_i\sin\alpha_i - \lambda_o\sin\alpha_o) + F_c = 0",
         plain="Q_i cos α_i − Q_o cos α_o + (M_g/D)(λ_i sin α_i − λ_o sin α_o) + F_c = 0",
@@ -465,8 +467,8 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         name=marked("Equilibrium of the inner ring"),
         latex=r"F_x = \sum f_x,\quad F_y = \sum f_r\sin\psi,\quad F_z = \sum f_r\cos\psi,\quad"
         r" M_y = R_i\sum h\cos\psi,\quad M_z = -R_i\sum h\sin\psi",
-        plain="F_x = Σ f_x,  F_y = Σ f_r sin ψ,  F_z = Σ f_r cos ψ,  M_y = R_i Σ h cos ψ,"
-        "  M_z = −R_i Σ h sin ψ",
+        plain="F_x = Σ f_x,  F_y = Σ f_r sin ψ,  F_z = Σ f_r cos ψ,  M_y = R_i Σ h cos ψ, "
+        " M_z = −R_i Σ h sin ψ",
         symbols=("loads", "psi", "R_i"),
         source=marked("Jones (1960); Radaelli (2013), equations 90 to 92, 99 to 106"),
         references=("jones_1960", "radaelli_2013"),
@@ -474,10 +476,10 @@ EQUATIONS: Final[tuple[Law, ...]] = (
     ),
     Law(
         key="friction_control",
-        name=marked("Balls that friction alone moves"),
+        name=marked("Ball motion under friction control"),
         latex=r"\sum \mathbf{M} = J\,\omega_m\,\hat{x} \times \mathbf{\omega},\quad"
         r" \mathbf{f} = -\mu\,p\,\frac{\mathbf{v}}{\sqrt{v^2 + v_0^2}}",
-        plain="Σ M = J ω_m x × ω,  friction per area f = −μ p v/√(v² + v_0²)",
+        plain="Σ M = J ω_m x × ω,  f = −μ p v/√(v² + v_0²)",
         symbols=("mu", "mass", "omega_m"),
         source=marked("Jones (1959); Harris (1991), chapter 8"),
         references=("jones_1959", "harris_1991"),
@@ -488,7 +490,8 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         key="stiffness",
         name=marked("Stiffness of the bearing"),
         latex=r"K_{ij} = \frac{\partial F_i}{\partial u_j}",
-        plain="K_ij = ∂F_i/∂u_j, with every ball following",
+        plain="K_ij = ∂F_i/∂u_j",
+        valid=marked("tangent stiffness, all balls in equilibrium"),
         symbols=("loads", "u"),
         source=marked("derivative of the equilibrium; Jones (1960)"),
         references=("jones_1960",),
@@ -497,12 +500,12 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         key="dynamic_rating",
         name=marked("Basic dynamic load rating"),
         latex=r"C = b_m\,f_c\,(i\cos\alpha_0)^{0.7}\,Z^{2/3}\,D^{1.8}",
-        plain="C = b_m f_c (i cos α_0)^0.7 Z^(2/3) D^1.8  (N and mm; D up to 25.4 mm)",
+        plain="C = b_m f_c (i cos α_0)^0.7 Z^(2/3) D^1.8  (N, mm)",
         symbols=("C", "f_c", "rows", "Z", "D", "alpha_0"),
         source=marked("ISO 281:2007, equations 1 and 2"),
         references=("iso_281_2007",),
         used=_rating("dynamic", "geometry"),
-        valid=marked("D cos α/d_m from 0.01 to 0.40"),
+        valid=marked("D up to 25.4 mm; D cos α/d_m from 0.01 to 0.40"),
     ),
     Law(
         key="static_rating",
@@ -519,22 +522,23 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         key="fatigue_load_limit",
         name=marked("Fatigue load limit"),
         latex=r"C_u = 0.2288\,Z\,Q_u\,i\cos\alpha_0",
-        plain="C_u = 0.2288 Z Q_u i cos α_0, Q_u at 1500 MPa; times (100 mm/d_m)^0.5 above 100 mm",
+        plain="C_u = 0.2288 Z Q_u i cos α_0",
         symbols=("C", "Z", "rows", "alpha_0"),
         source=marked("ISO 281:2007, annex B.3.2"),
         references=("iso_281_2007",),
         used=_rating("fatigue", "contacts"),
+        valid=marked("Q_u load of a contact at 1500 MPa; times (100 mm/d_m)^0.5 above 100 mm"),
     ),
     Law(
         key="fatigue_load_estimate",
         name=marked("Fatigue load limit, estimated"),
         latex=r"C_u = \frac{C_0}{22}",
-        plain="C_u = C_0/22; times (100 mm/d_m)^0.5 above 100 mm",
+        plain="C_u = C_0/22",
         symbols=("C",),
         source=marked("ISO 281:2007, annex B.3.3"),
         references=("iso_281_2007",),
         used=_rating("fatigue", "estimate"),
-        valid=marked("steel balls"),
+        valid=marked("steel balls; times (100 mm/d_m)^0.5 above 100 mm"),
     ),
     Law(
         key="equivalent_load",
@@ -576,7 +580,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         source=marked("ISO 281:2007, table 12"),
         references=("iso_281_2007",),
         used=_edition("2007"),
-        valid=marked("printed from 90 % to 99.95 %"),
+        valid=marked("tabulated from 90 % to 99.95 %"),
     ),
     Law(
         key="reliability_1990",
@@ -587,11 +591,11 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         source=marked("ISO 281:1990"),
         references=("iso_281_1990",),
         used=_edition("1990"),
-        valid=marked("printed from 90 % to 99 %"),
+        valid=marked("tabulated from 90 % to 99 %"),
     ),
     Law(
         key="viscosity_line",
-        name=marked("Viscosity over temperature"),
+        name=marked("Viscosity-temperature relation"),
         latex=r"\log_{10}\log_{10}(\nu + 0.7) = A - B\log_{10} T",
         plain="log log(ν + 0.7) = A − B log T  (mm²/s, K)",
         symbols=("nu", "T"),
@@ -605,8 +609,8 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         name=marked("Viscosity ratio and required viscosity"),
         latex=r"\kappa = \frac{\nu}{\nu_1},\quad \nu_1 = \frac{45000}{n^{0.83}\sqrt{d_m}}"
         r"\;(n < 1000),\quad \nu_1 = \frac{4500}{\sqrt{n\,d_m}}\;(n \geq 1000)",
-        plain="κ = ν/ν_1;  ν_1 = 45000 n^−0.83 d_m^−0.5 for n < 1000 rpm,"
-        " else 4500 n^−0.5 d_m^−0.5  (mm²/s, rpm, mm)",
+        plain="κ = ν/ν_1;  ν_1 = 45000 n^−0.83 d_m^−0.5 (n < 1000),  ν_1 = 4500 n^−0.5"
+        " d_m^−0.5 (n ≥ 1000)  (mm²/s, rpm, mm)",
         symbols=("kappa", "nu", "n", "d_m"),
         source=marked("ISO 281:2007, 9.3.3"),
         references=("iso_281_2007",),
@@ -628,8 +632,8 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         name=marked("Modified rating life"),
         latex=r"L_{nm} = a_1\,a_{ISO}\,L_{10},\quad a_{ISO} = 0.1\left[1 - \left(2.5671"
         r" - \frac{c}{\kappa^{p}}\right)^{0.83}\left(\frac{e_C C_u}{P}\right)^{1/3}\right]^{-9.3}",
-        plain="L_nm = a_1 a_ISO L_10;  a_ISO = 0.1 [1 − (2.5671 − c/κ^p)^0.83"
-        " (e_C C_u/P)^(1/3)]^−9.3, at most 50",
+        plain="L_nm = a_1 a_ISO L_10;  a_ISO = 0.1 [1 − (2.5671 − c/κ^p)^0.83 (e_C"
+        " C_u/P)^(1/3)]^−9.3 ≤ 50",
         symbols=("a_ISO", "a_1", "kappa", "e_C", "C", "P"),
         source=marked("ISO 281:2007, 9.3.3"),
         references=("iso_281_2007",),
@@ -651,8 +655,8 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         name=marked("Dynamic load rating of a race"),
         latex=r"Q_{ci} = \frac{C}{0.407\,Z\cos\alpha_0\,i^{0.7}}\left(1+T^{10/3}\right)^{3/10},"
         r"\quad Q_{co} = \frac{C}{0.389\,Z\cos\alpha_0\,i^{0.7}}\left(1+T^{-10/3}\right)^{3/10}",
-        plain="Q_ci = C/(0.407 Z cos α_0 i^0.7) (1 + T^(10/3))^(3/10);"
-        "  Q_co = C/(0.389 Z cos α_0 i^0.7) (1 + T^(−10/3))^(3/10)",
+        plain="Q_ci = C/(0.407 Z cos α_0 i^0.7) (1 + T^(10/3))^(3/10);  Q_co = C/(0.389 Z cos"
+        " α_0 i^0.7) (1 + T^(−10/3))^(3/10)",
         symbols=("Q_c", "C", "Z", "alpha_0", "rows"),
         source=marked("ISO/TS 16281:2008, 4.3"),
         references=("iso_ts_16281", "lundberg_palmgren_1947"),
@@ -662,13 +666,15 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         key="reference_life",
         name=marked("Basic reference rating life, ball by ball"),
         latex=r"L_{10r} = \left[\sum \left(\frac{Q_c}{Q_e}\right)^{-10/3}\right]^{-9/10}",
-        plain="L_10r = [Σ (Q_c/Q_e)^(−10/3)]^(−9/10) over races and rows;"
-        " Q_e by the power 3 on a race that turns against the load, else 10/3",
+        plain="L_10r = [Σ (Q_c/Q_e)^(−10/3)]^(−9/10)",
         symbols=("L_10r", "Q_c"),
         source=marked("ISO/TS 16281:2008, 4.4 and 4.5"),
         references=("iso_ts_16281", "lundberg_palmgren_1947"),
         used=_theory("iso16281"),
-        valid=marked("any load, tilt, clearance, set and speed; P_ref up to C/2 and C_0"),
+        valid=marked(
+            "sum over races and rows; Q_e mean of power 3 on a race rotating relative to the load, "
+            "else of power 10/3; any load, tilt, clearance and speed; P_ref up to C/2 and C_0"
+        ),
     ),
     Law(
         key="ioannides_harris",
@@ -750,8 +756,8 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         name=marked("Pressure-viscosity coefficient, estimated"),
         latex=r"\alpha_p = 1.216 + 4.143\,s^{3.0627} + 2.848\cdot 10^{-4} B^{5.1903} s^{1.5976}"
         r" - 3.999\,s^{3.0975} \rho^{0.1162}",
-        plain="α_p = 1.216 + 4.143 s^3.0627 + 2.848e-4 B^5.1903 s^1.5976"
-        " − 3.999 s^3.0975 ρ^0.1162,  s = log ν  (10⁻⁸/Pa, mm²/s, g/cm³)",
+        plain="α_p = 1.216 + 4.143 s^3.0627 + 2.848e-4 B^5.1903 s^1.5976 − 3.999 s^3.0975"
+        " ρ^0.1162,  s = log ν  (10⁻⁸/Pa, mm²/s, g/cm³)",
         symbols=("alpha_p", "nu"),
         source=marked("So and Klaus (1980)"),
         references=("so_klaus_1980",),
@@ -814,9 +820,9 @@ EQUATIONS: Final[tuple[Law, ...]] = (
     ),
     Law(
         key="minimum_power",
-        name=marked("Friction moment of a ball: minimum of the power"),
+        name=marked("Ball motion of minimum friction power"),
         latex=r"\min_{\omega_b,\,\omega_m} \int\!\!\int \mu\,p\,|\mathbf{v}|\,dA",
-        plain="the motion of the ball makes ∫∫ μ p |v| dA over both contacts a minimum",
+        plain="min ∫∫ μ p |v| dA",
         symbols=("mu",),
         source=marked("Jones (1959), without forces of inertia"),
         references=("jones_1959",),
@@ -838,7 +844,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         name=marked("Rolling slip of a conforming contact (Heathcote)"),
         latex=r"M_H = \frac{3}{8}\,\mu\,Q\,\frac{a^2}{R}\int_{-1}^{1}(1-s^2)\,|s^2-k^2|\,ds,"
         r"\quad k = 2\sin 10°",
-        plain="M_H = (3/8) μ Q (a²/R) ∫ (1 − s²) |s² − k²| ds over −1 < s < 1,  k = 2 sin 10°",
+        plain="M_H = (3/8) μ Q (a²/R) ∫ (1 − s²) |s² − k²| ds,  −1 < s < 1,  k = 2 sin 10°",
         symbols=("mu", "Q", "ab"),
         source=marked("Heathcote (1921); Johnson (1985), section 8.5"),
         references=("heathcote_1921", "johnson_1985"),
@@ -846,9 +852,9 @@ EQUATIONS: Final[tuple[Law, ...]] = (
     ),
     Law(
         key="harris_1971",
-        name=marked("Slip along rolling only (Harris)"),
+        name=marked("Friction along the rolling direction only (Harris)"),
         latex=r"q(s) = \frac{3Q}{4a}(1-s^2)",
-        plain="q(s) = 3Q/(4a) (1 − s²), friction along rolling with the sign of the slip",
+        plain="q(s) = 3Q/(4a) (1 − s²)",
         symbols=("Q", "ab"),
         source=marked("Harris (1971); Ricci and Fleury, equations 15 to 19, corrected"),
         references=("harris_1971", "ricci_fleury"),
@@ -869,12 +875,12 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         key="rolling_resistance",
         name=marked("Rolling resistance of the lubricant"),
         latex=r"P = 2\,F_R\,u",
-        plain="P = 2 F_R u, F_R of the inlet by the regime (isoviscous to elastic)",
+        plain="P = 2 F_R u",
         symbols=("eta",),
         source=marked("Biboulet and Houpert (2010), part 2"),
         references=("biboulet_houpert_2010",),
         used=_loss("rolling_resistance"),
-        valid=marked("isothermal and fully flooded"),
+        valid=marked("F_R hydrodynamic force at the inlet; isothermal and fully flooded"),
     ),
     Law(
         key="palmgren",

@@ -216,7 +216,7 @@ def _points(curves: Sequence[FrictionCurve]) -> Table:
         add(f"torque_{model}", "N·m", (curve.torque(model) for curve in curves))
     for place, model in enumerate(models):
         valid = [curve.friction.validity[place].valid for curve in curves]
-        words = [said("yes") if holds else said("no") for part in valid for holds in part]
+        words = ["yes" if holds else "no" for part in valid for holds in part]
         columns.append(Column(head=f"valid_{model}", values=words, key=f"valid_{model}"))
     for source in sources:
         add(f"torque_of_{source}", "N·m", (_of_source(curve, source) for curve in curves))

@@ -34,7 +34,7 @@ from rolamento.life.record import BOUNDS, OUTSIDE
 from rolamento.life.theories import THEORIES
 from rolamento.pages.given import head, untitled
 from rolamento.pages.state import notes_section
-from rolamento.words import Note, manner, said
+from rolamento.words import ABSENT, Note, manner, said
 from rolamento.words.theories import theory_life, theory_name, theory_scope
 
 if TYPE_CHECKING:
@@ -147,6 +147,8 @@ def _charts(summary: LifeSummary) -> Iterator[Figure]:
 
 def percent(share: float) -> str:
     """Write a share or a reliability that was found, with three figures; nearly all is not all."""
+    if isnan(share):
+        return ABSENT
     if _NEARLY_ALL <= share < 1.0:
         return said("more than {value:.3 %}", value=0.999)
     if 0.0 < share < 2.0 * _HARDLY_ANY:

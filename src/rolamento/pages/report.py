@@ -378,7 +378,7 @@ def _summary_rows(report: Report) -> list[_Row]:
     leading = tuple(_leading(case) for case in report.cases)
     return [
         *_life_rows(report),
-        _Row(said("theory of this life"), texts=leading),
+        _Row(said("theory used"), texts=leading),
         _Row(said("reliability at the required life"), "analysis.life.wanted_life.reliability",
              ".4 %"),
         _Row(said("static safety factor S_0"), "analysis.life.loads.static_safety", ".3"),
@@ -396,7 +396,7 @@ def _summary_rows(report: Report) -> list[_Row]:
         _Row(said("mean clearance in operation"), "clearance.mean", ".3 µm"),
         _Row(said("axial preload at speed"), "analysis.preload.at_speed", ".4 N"),
         _Row(said("axial stiffness"), "analysis.stiffness.0.0", ".4 N/µm"),
-        _Row(said("radial stiffness, z"), "analysis.stiffness.2.2", ".4 N/µm"),
+        _Row(said("radial stiffness (z)"), "analysis.stiffness.2.2", ".4 N/µm"),
     ]  # fmt: skip
 
 
@@ -452,7 +452,7 @@ _ORIGINS: Final = {
     "given": marked("case file"),
     "set": marked("command line (--set)"),
     "published": marked("catalogue"),
-    "inferred": marked("inferred from the ratings"),
+    "inferred": marked("estimated from the load ratings"),
     "assumed": marked("assumed"),
     "data": marked("data file"),
     "default": marked("default"),
@@ -489,8 +489,8 @@ def _inputs(report: Report) -> list[Section]:
     ]
     rest = _input_table(report, equal, [0], "inputs_in_common", sources)
     return [
-        Section(said("Inputs that differ"), tuple(same), key="differing_inputs"),
-        Section(said("Inputs in common"), (*rest, *sources.blocks()), key="common_inputs"),
+        Section(said("Inputs that differ"), tuple(same), key="differing_inputs", level=3),
+        Section(said("Inputs in common"), (*rest, *sources.blocks()), key="common_inputs", level=3),
     ]
 
 
@@ -638,15 +638,15 @@ def _results(report: Report) -> list[Section | Beside]:
 
     def add(heading: str, key: str, blocks: Sequence[Block]) -> None:
         if blocks:
-            sections.append(Section(heading, tuple(blocks), key))
+            sections.append(Section(heading, tuple(blocks), key, level=3))
 
     add(said("Loads and ratings"), "loads", _loads(report))
     add(said("Lives by theory"), "lives", _lives(report))
     add(said("Clearance in operation"), "clearance", _clearance(report))
-    sections.append(_ring_and_rosettes(report))
+    sections += _ring_and_rosettes(report)
     add(said("Rows and preload"), "rows", _rows(report))
     sections += [_distribution(report, case) for case in report.cases if case.converged]
-    add(said("Ball loads side by side"), "ball_loads", _ball_loads(report))
+    add(said("Ball loads compared"), "ball_loads", _ball_loads(report))
     add(said("Contact stresses"), "contacts", _contacts(report))
     add(said("Lubricant film"), "film", _film(report))
     add(said("Friction"), "friction", _friction(report))
@@ -662,9 +662,9 @@ def _missing(report: Report) -> tuple[Remark, ...]:
     solved = [case for case in report.cases if case.converged]
     texts = (
         ("life", said("Ratings and lives: see the warnings.")),
-        ("film", said("Lubricant film: it needs [lubricant] and temperature.lubricant.")),
-        ("friction", said("Friction: it needs lubricant.friction_coefficient.")),
-        ("frequencies", said("Fault frequencies: the rings do not turn against each other.")),
+        ("film", said("Lubricant film: requires [lubricant] and temperature.lubricant.")),
+        ("friction", said("Friction: requires lubricant.friction_coefficient.")),
+        ("frequencies", said("Fault frequencies: the rings do not rotate relative to each other.")),
     )
     remarks = [
         Remark(text, name)
@@ -672,7 +672,9 @@ def _missing(report: Report) -> tuple[Remark, ...]:
         if all(getattr(case.analysis, name) is None for case in solved)
     ]
     if all(case.clearance is None for case in solved):
-        text = said("Clearance in operation: it needs [mounting]; that of the inputs is used.")
+        text = said(
+            "Clearance in operation: requires [mounting]; the clearance of the inputs is used."
+        )
         remarks.append(Remark(text, "clearance"))
     return tuple(remarks)
 
@@ -801,8 +803,8 @@ def _hours_text(hours: float) -> str:
 def _life_legends() -> tuple[str, ...]:
     return (
         said(
-            "Lives beyond {hours} h: fatigue will not end them. bound: the life is below the "
-            "number. κ viscosity ratio, e_C contamination factor.",
+            "Above {hours} h fatigue does not limit the life. bound: upper bound of the life. κ "
+            "viscosity ratio, e_C contamination factor.",
             hours=int(_LONGEST_LIFE),
         ),
     )
@@ -879,7 +881,7 @@ def _theory_table(case: CaseReport, theories: Sequence[str]) -> Table:
     )
     reliability = case.number("analysis.life.headline.reliability") or nan
     legends = (
-        said("Lives for {reliability:.6 %} reliability; the leading one in bold.",
+        said("Lives for {reliability:.6 %} reliability; the governing one in bold.",
              reliability=reliability),
         *_life_legends(),
     )  # fmt: skip
@@ -914,7 +916,7 @@ _STEPS: Final = {
     "shaft_fit": marked("fit on the shaft"),
     "housing_fit": marked("fit in the housing"),
     "temperature": marked("temperature"),
-    "speed": marked("speed"),
+    "speed": marked("centrifugal expansion"),
     "wear": marked("wear"),
 }
 _DETAILS: Final = (
@@ -952,7 +954,7 @@ def _clearance(report: Report) -> list[Table]:
         at = next(place for place in places if place is not None)
         if all(place in (None, at) for place in places):
             steps.append(_Row(said(_STEPS[name]), f"clearance.steps.{at}.change.1", ".3 µm"))
-    groups.append((said("Mean change by step"), steps))
+    groups.append((said("Mean change of clearance by step"), steps))
     return list(_tables(report, groups, "clearance"))
 
 
@@ -1031,7 +1033,7 @@ def _ring(report: Report) -> tuple[Table, ...]:
     ]
     groups = [(said("Displacements"), moved), (said("Loads of the shaft"), loads)]
     legend = said(
-        "Loads that are not among the inputs are the reactions of displacements that are held."
+        "Loads not listed among the inputs are reactions at constrained degrees of freedom."
     )
     return _tables(report, groups, "ring", legends=(legend,))
 
@@ -1059,8 +1061,14 @@ def _rows(report: Report) -> tuple[Table, ...]:
     preload = [
         _Row(said("axial preload at rest"), "analysis.preload.at_rest", ".4 N"),
         _Row(said("axial preload at speed"), "analysis.preload.at_speed", ".4 N"),
-        _Row(said("first ball lifts off at, × the load"), "analysis.preload.lift_factor", ".3"),
-        _Row(said("a row lifts off at, × the load"), "analysis.preload.loss_factor", ".3"),
+        _Row(
+            said("load factor at which the first ball loses contact"),
+            "analysis.preload.lift_factor",
+            ".3",
+        ),
+        _Row(
+            said("load factor at which a row loses contact"), "analysis.preload.loss_factor", ".3"
+        ),
     ]
     groups: list[_Group] = [(said("Preload"), preload)]
     most = max(len(case.analysis.solved.rows) for case in report.cases)
@@ -1077,13 +1085,15 @@ def _rows(report: Report) -> tuple[Table, ...]:
     return _tables(report, groups, "set")
 
 
-def _ring_and_rosettes(report: Report) -> Beside:
-    """The ring and the loads round it; of several cases the rosettes below the ring's table."""
-    ring = Section(said("Displacements and loads of the inner ring"), _ring(report), "ring")
+def _ring_and_rosettes(report: Report) -> list[Section | Beside]:
+    """The ring beside the loads round it; of several cases the rosettes below the ring's table."""
+    ring = Section(said("Displacements and loads of the inner ring"), _ring(report), "ring", 3)
     pictures = tuple(_rosette(report, case) for case in report.cases if case.converged)
     if len(report.cases) == 1:
-        return Beside((ring,), pictures, key="ring")
-    return Beside((ring, *pictures[::2]), pictures[1::2], key="ring")
+        return [Beside((ring,), pictures, key="ring")]
+    if len(pictures) < 2:
+        return [ring, *pictures]
+    return [ring, Beside(pictures[::2], pictures[1::2], key="rosettes")]
 
 
 def _rosette(report: Report, case: CaseReport) -> Section:
@@ -1093,7 +1103,9 @@ def _rosette(report: Report, case: CaseReport) -> Section:
     heading = found.heading
     if len(report.cases) > 1:
         heading = said("{what}, case {name}", what=heading, name=case.name)
-    return Section(heading, (replace(figure, key=f"rosette_{case.name}"),), f"rosette_{case.name}")
+    return Section(
+        heading, (replace(figure, key=f"rosette_{case.name}"),), f"rosette_{case.name}", 3
+    )
 
 
 def _distribution(report: Report, case: CaseReport) -> Section:
@@ -1102,7 +1114,7 @@ def _distribution(report: Report, case: CaseReport) -> Section:
     if len(report.cases) > 1:
         heading = said("{what}, case {name}", what=heading, name=case.name)
     table = replace(balls_table(case.analysis.solved), key=f"balls_{case.name}")
-    return Section(heading, (table,), f"distribution_{case.name}")
+    return Section(heading, (table,), f"distribution_{case.name}", level=3)
 
 
 def _ball_loads(report: Report) -> tuple[Table, ...]:
@@ -1120,9 +1132,9 @@ def _ball_loads(report: Report) -> tuple[Table, ...]:
 
 _OF_CONTACTS: Final = (
     ("max_pressure", marked("maximum contact pressure"), ".4 MPa"),
-    ("ball", marked("at ball number"), ".4"),
-    ("azimuth", marked("azimuth of this ball"), ".4 °"),
-    ("contact_angle", marked("contact angle there"), ".4 °"),
+    ("ball", marked("ball number"), ".4"),
+    ("azimuth", marked("azimuth of the ball"), ".4 °"),
+    ("contact_angle", marked("contact angle"), ".4 °"),
     ("semi_major", marked("ellipse, semi-major"), ".4 mm"),
     ("semi_minor", marked("ellipse, semi-minor"), ".4 mm"),
     ("deflection", marked("approach"), ".4 µm"),
@@ -1232,9 +1244,9 @@ def _lubricant(case: CaseReport) -> str:
 
 _LOSSES: Final = {
     "spin": marked("spin"),
-    "rolling_slip": marked("slip in rolling"),
+    "rolling_slip": marked("differential slip"),
     "hysteresis": marked("elastic hysteresis"),
-    "rolling_resistance": marked("rolling resistance of the oil"),
+    "rolling_resistance": marked("hydrodynamic rolling resistance"),
 }
 
 
@@ -1268,7 +1280,7 @@ def _friction(report: Report) -> tuple[Table, ...]:
     ]
     rolling = [
         _Row(said("cage speed"), "analysis.rolling.cage_speed", ".5 rpm"),
-        _Row(said("cage slip against outer raceway control"), "analysis.rolling.skid", ".3 %"),
+        _Row(said("cage slip relative to outer raceway control"), "analysis.rolling.skid", ".3 %"),
         _Row(said("torque on the shaft"), "analysis.rolling.inner_torque", torque),
         _Row(said("torque on the housing"), "analysis.rolling.outer_torque", torque),
         _Row(said("power lost in the contacts"), "analysis.rolling.power", power),
@@ -1282,7 +1294,7 @@ def _friction(report: Report) -> tuple[Table, ...]:
     ]
     if not any(_has(report, row) for _, rows in groups for row in rows):
         return ()
-    legend = said("Seals, cage and churning of the oil are not included.")
+    legend = said("Losses of seals, cage and oil churning are not included.")
     return _tables(report, groups, "friction", legends=(legend,))
 
 
@@ -1400,8 +1412,8 @@ def _stiffness(report: Report) -> list[Table]:
 # --- validity, references, provenance -------------------------------------------------------------
 
 _CHECKS: Final[Mapping[str, tuple[str, str]]] = {
-    "pressure": (marked("contact pressure, static limit (ISO 76)"), ".4 [MPa]"),
-    "tilt": (marked("tilt of the rings, small angles"), ".3 [°]"),
+    "pressure": (marked("contact pressure, static limit of ISO 76"), ".4 [MPa]"),
+    "tilt": (marked("tilt of the inner ring (small angles)"), ".3 [°]"),
     "speed": (marked("speed factor n·d_m"), ".3 [10⁶ mm·rpm]"),
     "load": (marked("equivalent load over dynamic rating P/C"), ".3"),
     "reference_load": (marked("reference load over dynamic rating P_ref/C"), ".3"),
@@ -1424,13 +1436,13 @@ def _validity(report: Report) -> list[Section]:
             if many
             else said("Limits of the models")
         )
-        sections.append(Section(heading, (_check_table(case),), f"limits_{case.name}"))
+        sections.append(Section(heading, (_check_table(case),), f"limits_{case.name}", level=3))
     life = _life_validity(report)
     if life:
-        sections.append(Section(said("Theories of life"), life, "life_validity"))
+        sections.append(Section(said("Theories of life"), life, "life_validity", level=3))
     friction = _friction_validity(report)
     if friction:
-        sections.append(Section(said("Models of friction"), friction, "friction_validity"))
+        sections.append(Section(said("Models of friction"), friction, "friction_validity", level=3))
     return sections
 
 
@@ -1457,12 +1469,12 @@ def _check_table(case: CaseReport) -> Table:
             head=said("unit"), values=[units.get(c.name, "") for c in checks], key="unit",
             tone="faint",
         ),
-        column("low", said("from")),
-        column("high", said("to")),
-        column("least", said("here, from")),
-        column("greatest", said("here, to")),
+        column("low", said("lower limit")),
+        column("high", said("upper limit")),
+        column("least", said("minimum here")),
+        column("greatest", said("maximum here")),
         Column(
-            head=said("met"),
+            head=said("within limits"),
             values=[said("yes") if check.met else said("no") for check in checks],
             key="met",
             tones=["good" if check.met else "warning" for check in checks],
@@ -1563,7 +1575,7 @@ def _provenance(report: Report) -> tuple[KeyValues | Statement, ...]:
             entries.append(Entry(source, case.source))
         entries.append(Entry(label, case.checksum))
     explained = said(
-        "The checksum is of the inputs in SI units with all defaults; title and title block do "
-        "not count. Two reports with one checksum rest on the same inputs."
+        "The checksum covers all inputs in SI units, defaults included; titles and the title block "
+        "are excluded. Equal checksums mean equal inputs."
     )
     return KeyValues(tuple(entries)), Statement(explained, "faint")

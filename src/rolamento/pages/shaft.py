@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 
 __all__ = ["shaft_page"]
 
-_LONGEST_NAME: Final = 24
+_LONGEST_NAME: Final = 22
 
 
 def shaft_page(found: ShaftLife, names: Sequence[str]) -> Document:

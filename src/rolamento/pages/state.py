@@ -7,6 +7,7 @@ and azimuths run clockwise like the hours.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from math import cos, isfinite, nan, pi, sin
 from typing import TYPE_CHECKING, Final
 
@@ -66,6 +67,9 @@ def state_page(solved: Solved, analysis: Analysis | None = None) -> Document:
     if solved.converged[0]:
         sections += [*_set(solved), _middle(solved), stiffness_section(solved)]
         sections += [balls_section(solved), *_rolling(solved)]
+    else:  # files have its balls all the same, without numbers
+        table = replace(balls_table(solved), only_in_files=True)
+        sections.append(Section("", (table,), key="balls"))
     if analysis is not None:
         sections += _what_follows(solved, analysis, notes)
     sections += notes_section(notes)
@@ -794,4 +798,20 @@ def _powers(rolling: Rolling, drag: float) -> str:
 
 def _what_follows(solved: Solved, analysis: Analysis, notes: list[Note]) -> list[Section | Beside]:
     """Show film, friction and life; what is to be known of them goes to the notes."""
-    return []
+    sections: list[Section | Beside] = []
+    if analysis.film is not None:
+        from rolamento.pages.film import film_sections
+
+        sections += film_sections(analysis.film)
+        notes += analysis.film.notes_of()
+    if analysis.friction is not None:
+        from rolamento.pages.friction import friction_sections
+
+        sections += friction_sections(solved, analysis.friction)
+    if analysis.life is not None:
+        from rolamento.pages.life import life_notes, life_section
+
+        sections.append(life_section(solved, analysis.life))
+        notes += life_notes(analysis.life)
+    notes += analysis.notes
+    return sections

@@ -156,7 +156,8 @@ def _load(found: SynthesisResult) -> str:
     turns = found.recipe.load_turns
     if turns == 0.0:
         return text
-    return f"{text}; {said('turning at {turns:.4} times the shaft speed', turns=turns)}"
+    turning = said("turning at {turns:.4} times the shaft speed", turns=turns)
+    return f"{text}; {turning}"
 
 
 def _modes(found: SynthesisResult) -> str:

@@ -218,7 +218,7 @@ def _ball(history: BallHistory, turn: CageTurn) -> Section:
     races = {"inner": history.inner, "outer": history.outer}
     shown = (
         (said("maximum load"), "N"),
-        ("  " + said("at"), "°"),
+        ("  " + said_in("azimuth", "at"), "°"),
         ("  " + said("pressure there"), "MPa"),
         ("  " + said("contact angle there"), "°"),
         (said("minimum load"), "N"),

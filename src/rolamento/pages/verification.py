@@ -21,7 +21,7 @@ from rolamento.document import (
     Tone,
 )
 from rolamento.verification import VERDICTS, Check, CheckVerdict, SourceResult, Verification
-from rolamento.words import ABSENT, manner, marked, said
+from rolamento.words import ABSENT, manner, marked, said, said_in
 
 __all__ = ["COMMAND", "summary", "verification_page"]
 
@@ -144,11 +144,11 @@ def _proof_note() -> str:
 def _of_source(result: SourceResult) -> Iterator[Section]:
     yield Section(blocks=(Title(result.title),), key=result.name, level=1)
     for place, (source, group) in enumerate(groupby(result.checks, lambda check: check.source)):
-        heading, key = term(source), f"{result.name}_{place + 1}"
-        yield Section(heading, (_table(list(group), key, heading),), key)
+        key = f"{result.name}_{place + 1}"
+        yield Section(term(source), (_table(list(group), key),), key)
 
 
-def _table(checks: Sequence[Check], key: str, caption: str) -> Table:
+def _table(checks: Sequence[Check], key: str) -> Table:
     """Return one table with its notes; the column of proofs only where there is one."""
     notes = list(dict.fromkeys(one.explanation for one in checks if one.explanation))
     mark = manner().mark
@@ -164,7 +164,7 @@ def _table(checks: Sequence[Check], key: str, caption: str) -> Table:
             tones=["bad-strong" if one.verdict == "fails" else "strong" for one in checks],
         ),
         _numbers(said("difference"), "difference", checks, _difference),
-        _numbers(said("tolerance"), "tolerance", checks, _tolerance),
+        _numbers(said_in("verification", "tolerance"), "tolerance", checks, _tolerance),
     ]
     if any(one.corrected or one.evidence is not None for one in checks):
         columns.append(_numbers(said("proof"), "proof", checks, _proof))
@@ -182,7 +182,7 @@ def _table(checks: Sequence[Check], key: str, caption: str) -> Table:
         )
     )
     legends = tuple(f"[{place}] {note.text}" for place, note in enumerate(notes, start=1))
-    return Table(columns=tuple(columns), key=key, legends=legends, caption=caption)
+    return Table(columns=tuple(columns), key=key, legends=legends)
 
 
 def _quantity(check: Check) -> str:

@@ -20,8 +20,7 @@ from rolamento.plots.frame import (
     log_scale,
 )
 from rolamento.plots.style import INNER, OUTER, new_figure, styled
-from rolamento.plots.words import plot_words
-from rolamento.words import language, said
+from rolamento.words import said
 from rolamento.words.sentences.noise import band_name
 
 if TYPE_CHECKING:
@@ -71,7 +70,6 @@ def noise_bands(
     """
     from rolamento.vibration.anderon import noise_steps
 
-    shared = plot_words(language())
     with styled():
         axes = new_figure(height=90.0)[1] if axes is None else axes
         levels = [band.anderons for band in noise.bands if isfinite(band.anderons)]
@@ -81,11 +79,11 @@ def noise_bands(
         if not sizes:
             return empty_frame(axes, said("The sampling rate is too low for all of the bands."))
         _draw(axes, noise, steps, limits or {})
-        label_x(axes, said("Frequency (Hz)"), shared)
-        label_y(axes, said("Noise (anderon)"), shared)
+        label_x(axes, said("Frequency (Hz)"))
+        label_y(axes, said("Noise (anderon)"))
         _frame(axes, noise, [*sizes, *(limits or {}).values()])
-        log_scale(axes, "x", shared)
-        log_scale(axes, "y", shared)
+        log_scale(axes, "x")
+        log_scale(axes, "y")
         legend_above(axes)
     return axes
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Hashable, Mapping, Sequence
 from dataclasses import dataclass
 from math import prod
+from types import MappingProxyType
 from typing import Any, Final, Protocol
 
 import numpy as np
@@ -166,7 +167,7 @@ def axis_of(study: StudyData, name: str, size: int) -> PlottedVariable:
     along = [n for n in inputs(study) if n == name or str(study.coords[n].dims[0]) == name]
     coordinate = study.coords[name if name in along else along[0]] if along else None
     if coordinate is None:
-        label = NONE.label(_name(name))
+        label = NONE.label(variable_label(name))
         return PlottedVariable(name, (name,), np.arange(float(size)), label, NONE)
     column = _input(name if name in along else along[0], coordinate)
     if not np.isfinite(column.values).all():
@@ -220,7 +221,7 @@ def _input(name: str, coordinate: Variable) -> PlottedVariable:
     if _numeric(coordinate):
         return _plotted(name, dims, values.astype(np.float64), coordinate)
     texts, places = _positions([str(value)[:60] for value in values.tolist()])
-    label = _name(name, coordinate)
+    label = variable_label(name, coordinate.attrs)
     return PlottedVariable(name, dims, places, label, NONE, texts)
 
 
@@ -235,13 +236,12 @@ def _plotted(
     name: str, dims: tuple[str, ...], values: Floats, variable: Variable
 ) -> PlottedVariable:
     unit = readable_unit(str(variable.attrs.get("units", "1")), values)
-    label = unit.label(_name(name, variable))
+    label = unit.label(variable_label(name, variable.attrs))
     return PlottedVariable(name, dims, unit.of(values), label, unit)
 
 
-def _name(name: str, variable: Variable | None = None) -> str:
+def variable_label(name: str, attrs: Mapping[Any, Any] = MappingProxyType({})) -> str:
     """Return what a variable is called: as we know it, else as its file does."""
-    attrs = {} if variable is None else variable.attrs
     known = variable_name(name, str(attrs.get("field", "")))
     return capitalised(known or str(attrs.get("long_name", "")) or name.replace("_", " "))
 

@@ -23,12 +23,12 @@ from rolamento.plots.frame import (
     legend_above,
     legend_in_columns,
     number,
+    numbers,
     shown_text,
 )
 from rolamento.plots.style import INNER, Series, new_figure, new_stacked_figure, series, styled
-from rolamento.plots.words import PlotWords, plot_words
 from rolamento.vibration.diagnosis import COMPONENTS
-from rolamento.words import language, manner, marked, said
+from rolamento.words import manner, marked, said
 from rolamento.words.naming import part_name
 
 if TYPE_CHECKING:
@@ -148,7 +148,6 @@ def waveform(
     band
         Of the envelope that tells where the marks begin; Hz.
     """
-    shared = plot_words(language())
     with styled():
         axes = new_figure(height=70.0)[1] if axes is None else axes
         first, last = _sample_range(signal, span)
@@ -160,9 +159,9 @@ def waveform(
         if period is not None:
             text = said("period, {part}: {period:.4 ms}", part=part, period=period)
             _periods(axes, signal, (first, last), period, band, text)
-        label_x(axes, said("Time (s)"), shared)
+        label_x(axes, said("Time (s)"))
         unit = _UNITS.get(signal.unit, signal.unit)
-        label_y(axes, said(_QUANTITIES[signal.quantity]) + (f" ({unit})" if unit else ""), shared)
+        label_y(axes, said(_QUANTITIES[signal.quantity]) + (f" ({unit})" if unit else ""))
         legend_above(axes)
     return axes
 
@@ -291,7 +290,6 @@ def kurtogram_map(
     band
         To mark as well, dashed; Hz.
     """
-    shared = plot_words(language())
     with styled():
         axes = new_figure(height=95.0)[1] if axes is None else axes
         if found is None:
@@ -303,25 +301,25 @@ def kurtogram_map(
             vmin=min(0.0, float(values.min())),
         )  # fmt: skip
         axes.grid(visible=False)
-        _color_bar(axes, picture, shared)
-        _label_levels(axes, found, shared)
-        label_x(axes, said("Frequency (Hz)"), shared)
+        _color_bar(axes, picture)
+        _label_levels(axes, found)
+        label_x(axes, said("Frequency (Hz)"))
         _frames(axes, found, band)
     return axes
 
 
-def _color_bar(axes: Axes, picture: object, shared: PlotWords) -> None:
+def _color_bar(axes: Axes, picture: object) -> None:
     bar = figure_of(axes).colorbar(picture, ax=axes, pad=0.02)  # type: ignore[arg-type]
     bar.set_label(said("Kurtosis above that of noise"), parse_math=False)
-    bar.ax.yaxis.set_major_formatter(lambda value, _: number(value, shared))
+    bar.ax.yaxis.set_major_formatter(numbers())
     bar.ax.tick_params(labelsize=8.0)
 
 
-def _label_levels(axes: Axes, found: Kurtogram, shared: PlotWords) -> None:
+def _label_levels(axes: Axes, found: Kurtogram) -> None:
     """Number the rows by their bandwidths."""
     step = 1 if len(found.levels) <= 9 else 2
     places = range(0, len(found.levels), step)
-    labels = [number(found.levels[place].bandwidth, shared, 4) for place in places]
+    labels = [number(found.levels[place].bandwidth, 4) for place in places]
     axes.set_yticks([place + 0.5 for place in places], labels)
     axes.set_ylabel(said("Bandwidth (Hz)"), parse_math=False)
 
@@ -434,7 +432,6 @@ def envelope_lines(
         Those given. Found lines have filled marks and their multiples, sidebands hollow ones;
         parts without a finding have the span in which they were looked for.
     """
-    shared = plot_words(language())
     with styled():
         axes = new_figure(height=95.0)[1] if axes is None else axes
         place = diagnosis.clearest_band if band is None else band
@@ -457,8 +454,8 @@ def envelope_lines(
         for number_of, part in enumerate(COMPONENTS):
             _mark_component(axes, diagnosis, part, series(number_of), drawn)
         _mark_unexplained(axes, diagnosis, drawn)
-        label_x(axes, said("Frequency (Hz)"), shared)
-        label_y(axes, said("Envelope² over noise (dB)"), shared)
+        label_x(axes, said("Frequency (Hz)"))
+        label_y(axes, said("Envelope² over noise (dB)"))
         low, high = diagnosis.spectra.bands[place]
         title = said("Band {low:.4} to {high:.4 Hz}", low=low, high=high)
         legend_in_columns(axes, title=title)

@@ -10,8 +10,7 @@ from numpy.typing import NDArray
 
 from rolamento.plots.frame import add_title, label_x, label_y, legend_above
 from rolamento.plots.style import new_stacked_figure, series, styled
-from rolamento.plots.words import PlotWords, plot_words
-from rolamento.words import language, said
+from rolamento.words import said
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -49,14 +48,13 @@ def modulation_figure(
     title
         Over the figure.
     """
-    shared = plot_words(language())
     cut = said("envelope from {low:.4} to {high:.4 Hz}", low=band[0], high=band[1])
     by_amplitude, by_frequency = said("amplitude modulated"), said("frequency modulated")
     whole = said("envelope")
     with styled():
         figure, (above, middle, below) = new_stacked_figure(3, height=190.0)
-        _waveform(above, amplitude, line, band, (by_amplitude, whole, cut), shared)
-        _waveform(middle, frequency, line, band, (by_frequency, whole, cut), shared)
+        _waveform(above, amplitude, line, band, (by_amplitude, whole, cut))
+        _waveform(middle, frequency, line, band, (by_frequency, whole, cut))
         places = np.arange(len(_MULTIPLES), dtype=np.float64)
         for index, (signal, of_band, name) in enumerate(
             (
@@ -70,8 +68,8 @@ def modulation_figure(
                 places + (index - 1) * _WIDTH, depths, _WIDTH, label=name,
                 color=series(index).color, hatch=("", "..", "//")[index], edgecolor="white",
             )  # fmt: skip
-        label_x(below, said("Multiple of {line:.4 Hz}", line=line), shared)
-        label_y(below, said("Peak of the envelope over its mean"), shared)
+        label_x(below, said("Multiple of {line:.4 Hz}", line=line))
+        label_y(below, said("Peak of the envelope over its mean"))
         below.set_xticks(places, [f"{multiple}×" for multiple in _MULTIPLES])
         legend_above(below)
         if title:
@@ -100,7 +98,6 @@ def _waveform(
     line: float,
     band: Band,
     names: tuple[str, str, str],
-    shared: PlotWords,
 ) -> None:
     """Draw a few periods from the middle of a signal, with its envelopes."""
     from rolamento.vibration.demodulation import envelope
@@ -116,6 +113,6 @@ def _waveform(
             label=names[index + 1],
         )  # fmt: skip
     axes.set_xlim(0.0, float(time[-1]))
-    label_x(axes, said("Time (ms)"), shared)
-    label_y(axes, said("Acceleration (m/s²)"), shared)
+    label_x(axes, said("Time (ms)"))
+    label_y(axes, said("Acceleration (m/s²)"))
     legend_above(axes)

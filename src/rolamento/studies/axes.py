@@ -136,7 +136,8 @@ class Axis(Record):
         if self.zipped is not None:
             self._check_zipped(self.zipped, in_file)
         elif self.values is not None:
-            self._refuse(("first", "last", "count"), "is given beside values; a range has none")
+            rule = said("cannot be combined with values, of which a range has none")
+            self._refuse(("first", "last", "count"), rule)
             _column(self.field or "", self.values, in_file=in_file, at="values")
         else:
             self._check_range(in_file)

@@ -27,6 +27,7 @@ from rolamento.words import Note, said
 Floats = NDArray[np.float64]
 Compared = Literal["displacement", "load", "stiffness"]
 
+SCHEMA: Final = 1
 FEWEST_POINTS: Final = 4
 MOST_POINTS: Final = 4096
 DEFAULT_POINTS: Final = 256
@@ -75,6 +76,10 @@ class ContactHistory:
     def heaviest(self) -> int:
         """Where the load is at its maximum; -1 where there is no result for the whole way."""
         return int(np.argmax(self.load)) if np.isfinite(self.load).all() else -1
+
+    def to_mapping(self) -> dict[str, Floats]:
+        """Give the arrays by name."""
+        return {name: getattr(self, name) for name in ("load", "contact_angle", "max_pressure")}
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -1,4 +1,4 @@
-"""Friction over one field of a case: every model at every point, and where it holds.
+"""Friction over one field of a case: every model at every point, and where it is valid.
 
 Beside the models without inertia stands the motion that friction alone gives the balls with their
 inertia (`raceway_control = "friction"`): it holds at any speed, and has a ratio of spin to roll
@@ -7,8 +7,9 @@ at both contacts, where raceway control makes one of them zero.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,10 +26,19 @@ from rolamento.studies.ranges import MOST_POINTS, Range, read_range, refuse_many
 from rolamento.studies.solving import array_fields, base_case
 from rolamento.words import said
 
-__all__ = ["MOST_POINTS", "Controlled", "FrictionCurve", "Range", "friction_curve", "read_range"]
+__all__ = [
+    "MOST_POINTS",
+    "Controlled",
+    "FrictionCurve",
+    "Range",
+    "curves_mapping",
+    "friction_curve",
+    "read_range",
+]
 
 Floats = NDArray[np.float64]
 
+SCHEMA: Final = 1
 _COEFFICIENT: Final = "lubricant.friction_coefficient"
 
 
@@ -104,6 +114,52 @@ class FrictionCurve:
         if self.controlled is None:
             return np.full(len(self), np.nan)
         return np.asarray(self.controlled.torque + self.beside_contacts)
+
+    def to_mapping(self) -> dict[str, Any]:
+        """Give the points as plain mappings and arrays in SI units."""
+        friction, found = self.friction, self.controlled
+        nothing = np.full(len(self), np.nan)
+        return {
+            "label": self.label,
+            "status": self.status.tolist(),
+            "model": friction.model,
+            "torque": friction.torque,
+            "starting_torque": friction.starting_torque,
+            "power": friction.power,
+            "torque_by_source": dict(friction.torque_by_source),
+            "regime": friction.regime.tolist(),
+            "film_parameter": friction.film_parameter,
+            "models": {
+                own.model: {
+                    "contact_torque": friction.models[own.model].total,
+                    "torque": self.torque(own.model),
+                    "holds": own.valid.tolist(),
+                    "reasons": {name: where.tolist() for name, where in own.notes.items()},
+                }
+                for own in friction.validity
+            },
+            "friction_control": {
+                "torque": self.controlled_torque,
+                **{
+                    name: nothing if found is None else getattr(found, name)
+                    for name in ("cage_speed", "inner_spin_to_roll", "outer_spin_to_roll")
+                },
+            },
+        }
+
+
+def curves_mapping(curves: Sequence[FrictionCurve]) -> dict[str, Any]:
+    """Give curves over one field, the first the case's own, as plain mappings in SI units."""
+    first = curves[0]
+    return {
+        "schema": SCHEMA,
+        "kind": "friction_curve",
+        "title": first.case.title,
+        "field": first.field.name,
+        "unit": first.field.unit,
+        "values": first.values,
+        "curves": [curve.to_mapping() for curve in curves],
+    }
 
 
 def friction_curve(

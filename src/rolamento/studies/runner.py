@@ -23,7 +23,7 @@ from typing import TYPE_CHECKING, Final, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from rolamento.errors import FileError, InputError
+from rolamento.errors import FileError, InputError, cause
 from rolamento.numerics.threads import thread_count
 from rolamento.status import CONVERGED, STATUS_NAMES
 from rolamento.studies.outputs import Output
@@ -536,5 +536,4 @@ def open_result(
 
 
 def _unwritable(path: Path, error: OSError) -> FileError:
-    reason = (error.strerror or str(error)).lower()
-    return FileError(said("cannot be written: {reason}", reason=reason), source=str(path))
+    return FileError(said("cannot be written: {reason}", reason=cause(error)), source=str(path))

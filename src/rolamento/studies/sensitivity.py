@@ -15,7 +15,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final, Protocol
+from typing import TYPE_CHECKING, Any, Final, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,6 +26,7 @@ from rolamento.studies.tolerance import (
     FLAT,
     PERCENTILES,
     Samples,
+    ToleranceBand,
     ToleranceBands,
     samples_of,
     tolerance_bands,
@@ -591,6 +592,39 @@ class ToleranceStudy:
     ranks: RankCorrelations | None
     sobol: SobolIndices | None = None
 
+    def to_mapping(self) -> dict[str, Any]:
+        """Give everything as plain values and arrays, in SI units."""
+        bands = self.bands
+        mapping: dict[str, Any] = {
+            "schema": 1,
+            "kind": "tolerance",
+            "title": self.title,
+            "samples": bands.samples,
+            "without_result": bands.without_result,
+            "failures": dict(bands.failures),
+            "axes": {name: _coordinate(self.samples, name) for name in self.samples.axes},
+            "inputs": {
+                one.name: {"field": one.field, "units": one.units} for one in self.samples.inputs
+            },
+            "confidence": bands.confidence,
+            "percentiles": bands.percentiles,
+            "outputs": {band.name: _band_mapping(band) for band in bands.bands},
+        }
+        if self.ranks is not None:
+            mapping["rank_correlation"] = _rank_mapping(self.ranks)
+        if self.sobol is not None:
+            names = ("first_order", "first_low", "first_high", "total", "total_low", "total_high")
+            sobol = self.sobol
+            mapping["sobol"] = {
+                "inputs": sobol.inputs,
+                "outputs": sobol.outputs,
+                "samples": sobol.samples,
+                "runs": sobol.runs,
+                "confidence": sobol.confidence,
+                **{name: getattr(sobol, name) for name in names},
+            }
+        return mapping
+
     @classmethod
     def of(
         cls,
@@ -613,3 +647,35 @@ class ToleranceStudy:
             ranks=rank_correlation(dataset) if samples.inputs else None,
             sobol=sobol,
         )
+
+
+def _coordinate(samples: Samples, name: str) -> Any:
+    coordinate = samples.coordinates.get(name)
+    return None if coordinate is None else np.asarray(coordinate.values)
+
+
+def _band_mapping(band: ToleranceBand) -> dict[str, Any]:
+    return {
+        "long_name": band.long_name,
+        "units": band.units,
+        "axes": band.axes,
+        "count": band.count,
+        "mean": band.mean,
+        "standard_deviation": band.standard_deviation,
+        "percentile": band.percentile,
+        "low": band.low,
+        "high": band.high,
+    }
+
+
+def _rank_mapping(ranks: RankCorrelations) -> dict[str, Any]:
+    names = ("coefficient", "low", "high", "partial", "partial_low", "partial_high")
+    return {
+        "inputs": ranks.inputs,
+        "among_inputs": ranks.among_inputs,
+        "correlated": ranks.correlated,
+        "confidence": ranks.confidence,
+        "outputs": {
+            one.output: {name: getattr(one, name) for name in names} for one in ranks.outputs
+        },
+    }

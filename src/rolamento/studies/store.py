@@ -15,7 +15,7 @@ import numpy as np
 
 import rolamento
 from rolamento._writing import UNFINISHED, write_bytes, written_whole
-from rolamento.errors import FileError, shown
+from rolamento.errors import FileError, cause, shown
 from rolamento.studies.plan import Part, Plan
 from rolamento.words import said
 
@@ -245,9 +245,8 @@ class Store:
         try:
             return action(*arguments, **options)
         except OSError as error:
-            reason = (error.strerror or str(error)).lower()
             raise FileError(
-                said("cannot be used: {reason}", reason=reason), source=str(self.folder)
+                said("cannot be used: {reason}", reason=cause(error)), source=str(self.folder)
             ) from None
 
     def _damaged(self, path: Path) -> FileError:

@@ -134,7 +134,7 @@ def require_samples(signal: Signal, least: int, purpose: str) -> None:
     require_signal(signal)
     if len(signal.samples) < least:
         raise InputError(
-            said("must be at least {least} for {purpose}", least=least, purpose=purpose),
+            said("must be at least {least} for {purpose}", least=least, purpose=said(purpose)),
             field=marked("number of samples"),
             value=len(signal.samples),
         )

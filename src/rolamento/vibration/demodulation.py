@@ -53,7 +53,7 @@ from rolamento.numerics import ComplexArray, FloatArray
 from rolamento.vibration._checks import Band, checked_band, checked_count, require_samples
 from rolamento.vibration.signal import Signal
 from rolamento.vibration.spectrum import EDGE, Spectrum, axis_of, one_sided_amplitudes
-from rolamento.words import said
+from rolamento.words import marked, said
 
 EnvelopeKind = Literal["squared", "plain"]
 _LEAST_LINES = 4
@@ -80,7 +80,7 @@ def analytic_signal(signal: Signal, band: Band | None = None) -> ComplexArray:
     InputError
         If the band is outside the signal's range, or holds fewer than four lines.
     """
-    require_samples(signal, 2, "an envelope")
+    require_samples(signal, 2, marked("an envelope"))
     count = len(signal.samples)
     edges = (0.0, 0.5 * signal.rate) if band is None else checked_band(band, signal.rate)
     first, last = _lines(edges, signal.rate, count)
@@ -177,7 +177,7 @@ def prewhitened(signal: Signal) -> Signal:
     InputError
         If there are fewer than four samples.
     """
-    require_samples(signal, 4, "pre-whitening")
+    require_samples(signal, 4, marked("pre-whitening"))
     count = len(signal.samples)
     spectrum = np.asarray(fft.rfft(signal.samples))
     spectrum[0] = 0.0
@@ -319,7 +319,7 @@ def kurtogram(signal: Signal, levels: int | None = None) -> Kurtogram:
     InputError
         If the signal is too short for that many levels.
     """
-    require_samples(signal, 256, "a kurtogram")
+    require_samples(signal, 256, marked("a kurtogram"))
     possible = min(_MOST_LEVELS, int(log2(len(signal.samples) / (3 * _LEAST_VALUES))))
     depth = (
         min(possible, 8)

@@ -42,6 +42,7 @@ from rolamento.vibration._checks import (
     require_signal,
 )
 from rolamento.vibration.signal import Signal
+from rolamento.words import marked
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -86,7 +87,7 @@ def amplitude_spectrum(signal: Signal) -> Spectrum:
     InputError
         If there are fewer than two samples.
     """
-    require_samples(signal, _LEAST, "a spectrum")
+    require_samples(signal, _LEAST, marked("a spectrum"))
     count = len(signal.samples)
     amplitudes = one_sided_amplitudes(signal.samples)
     return Spectrum(
@@ -106,7 +107,7 @@ def power_density(signal: Signal) -> Spectrum:
     InputError
         If there are fewer than two samples.
     """
-    require_samples(signal, _LEAST, "a spectrum")
+    require_samples(signal, _LEAST, marked("a spectrum"))
     count = len(signal.samples)
     power = np.square(np.abs(fft.rfft(signal.samples))) / (signal.rate * count)
     power[1 : (count + 1) // 2] *= 2.0
@@ -134,7 +135,7 @@ def averaged_density(signal: Signal, resolution: float) -> Spectrum:
     InputError
         If the resolution is not positive, or there are fewer than two samples.
     """
-    require_samples(signal, _LEAST, "a spectrum")
+    require_samples(signal, _LEAST, marked("a spectrum"))
     checked_number(resolution, "resolution", above=0.0, example="resolution = 1.0")
     samples = len(signal.samples)
     count = int(min(max(round(signal.rate / resolution), _LEAST), samples))
@@ -270,7 +271,7 @@ def spectral_indicators(signal: Signal, band: Band | None = None) -> SpectralInd
     InputError
         If the signal is too short or the band outside its range.
     """
-    require_samples(signal, 16, "a spectrum")
+    require_samples(signal, 16, marked("a spectrum"))
     edges = (0.0, 0.5 * signal.rate) if band is None else checked_band(band, signal.rate)
     spectrum = power_density(signal)
     inside = bins_of_band(spectrum.axis, edges)

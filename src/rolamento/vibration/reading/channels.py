@@ -18,7 +18,7 @@ import numpy as np
 from rolamento.errors import FileError, InputError, nearest
 from rolamento.numerics import FloatArray
 from rolamento.vibration._checks import checked_number
-from rolamento.vibration.reading.metadata import SAME_RATE, short_name
+from rolamento.vibration.reading.metadata import SAME_RATE, RateClaim, short_name
 from rolamento.vibration.reading.units import (
     SPEED_UNITS,
     checked_scale,
@@ -31,6 +31,7 @@ from rolamento.vibration.reading.units import (
 )
 from rolamento.vibration.signal import SI_UNITS, Quantity, unit_scale
 from rolamento.words import Note, said
+from rolamento.words.sentences.reading import claimed
 
 __all__ = [
     "MOST_CHANNELS",
@@ -72,7 +73,8 @@ class Channel:
     speed
         of the shaft, rad/s; None if the file does not say
     rate_doubt
-        the ways in which the file says its rate, if they contradict each other
+        the ways in which the file says its rate, if they contradict each other, or the only one if
+        it may be the speed of the shaft
     rate_aside
         name and value of a number that could be the rate, and is taken for something else
     """
@@ -83,7 +85,7 @@ class Channel:
     unit: str = ""
     quantity: Quantity = "unknown"
     speed: float | None = None
-    rate_doubt: str = ""
+    rate_doubt: tuple[RateClaim, ...] = ()
     rate_aside: tuple[str, float] | None = None
 
 
@@ -236,12 +238,10 @@ def _example(channels: tuple[Channel, ...], number: int) -> str:
 def _rate(channel: Channel, given: float | None) -> float:
     """Sampling rate by the user, or else by the file if it is sure of it."""
     if given is None and channel.rate is None:
-        doubt = channel.rate_doubt
-        rule = (
-            said("is ambiguous: in the file {doubt}; give it, in Hz", doubt=doubt)
-            if doubt
-            else said("is not in the file; give it, in Hz")
-        )
+        rule = said("is not in the file; give it, in Hz")
+        if channel.rate_doubt:
+            doubt = claimed(channel.rate_doubt)
+            rule = said("is ambiguous: in the file {doubt}; give it, in Hz", doubt=doubt)
         raise InputError(rule, field="rate", example="rate=51200.0")
     rate = channel.rate if given is None else given
     return checked_number(rate, "rate", above=0.0, most=_HIGHEST_RATE, example="rate=51200.0")
@@ -254,7 +254,11 @@ def _choices(channel: Channel, rate: float, *, is_given: bool) -> tuple[Note, ..
         if of_file is not None and abs(of_file - rate) > SAME_RATE * of_file:
             return (Note("rate_over_file", {"rate": rate, "file": of_file}),)
         if channel.rate_doubt:
-            return (Note("rate_over_doubt", {"rate": rate, "doubt": channel.rate_doubt}),)
+            return (
+                Note(
+                    "rate_over_doubt", {"rate": rate, "claims": list(map(list, channel.rate_doubt))}
+                ),
+            )
         return ()
     if channel.rate_aside is None:
         return ()

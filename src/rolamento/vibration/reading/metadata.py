@@ -118,9 +118,6 @@ class RateClaim(NamedTuple):
     name: str
     value: float
 
-    def __str__(self) -> str:
-        return f"{self.name} says {self.value:.9g} Hz"
-
 
 class RateClaims(NamedTuple):
     """Numbers of a file that are sampling rates, and such as may be something else; Hz."""
@@ -138,13 +135,13 @@ class FileRate:
     value
         Hz; None if the file does not say, or says it in several ways
     doubt
-        the ways, as the end of a sentence; empty if there is none
+        the ways, if there is more than one, or the only one if it may be of something else
     aside
         number that is taken for something else, with its name; None if there is none
     """
 
     value: float | None = None
-    doubt: str = ""
+    doubt: tuple[RateClaim, ...] = ()
     aside: RateClaim | None = None
 
 
@@ -202,8 +199,8 @@ def rate_of(claims: RateClaims, times: float | None = None) -> FileRate:
             rivals.append(claim)
     if rivals:
         first = next(claim for claim in stated if _same(claim.value, value))
-        return FileRate(None, " and ".join(map(str, (first, *rivals))))
-    return FileRate(value, "", aside)
+        return FileRate(None, (first, *rivals))
+    return FileRate(value, (), aside)
 
 
 def _of_loose(loose: Sequence[RateClaim]) -> FileRate:
@@ -212,10 +209,9 @@ def _of_loose(loose: Sequence[RateClaim]) -> FileRate:
         return FileRate()
     first = loose[0]
     if not all(_same(claim.value, first.value) for claim in loose):
-        return FileRate(None, " and ".join(map(str, loose)))
-    if first.value <= _FASTEST_SHAFT:
-        doubt = f"{first}, which may be the speed of the shaft as well"
-        return FileRate(None, doubt)
+        return FileRate(None, tuple(loose))
+    if first.value <= _FASTEST_SHAFT:  # it may be the speed of the shaft as well
+        return FileRate(None, (first,))
     return FileRate(first.value)
 
 

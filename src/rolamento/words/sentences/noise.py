@@ -15,12 +15,12 @@ __all__ = ["SENTENCES", "band_name"]
 
 
 def band_name(band: str) -> str:
-    """Return the name of a band of noise: low, medium, high."""
+    """Return the name of a band of noise, low, medium or high; of another, what it is called."""
     return {
         "low": said_in("band", "low"),
         "medium": said_in("band", "medium"),
         "high": said_in("band", "high"),
-    }[band]
+    }.get(band, band)
 
 
 def _incomplete(values: Mapping[str, Any]) -> str:

@@ -2,15 +2,37 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Final
 
+from rolamento.words.naming import listed
 from rolamento.words.speaking import marked, said
 
 if TYPE_CHECKING:
     from rolamento.words.sentences import Sentence
 
-__all__ = ["SENTENCES"]
+__all__ = ["SENTENCES", "claimed"]
+
+_TIMES: Final = marked("the column of times")
+"""A name that a reader of files gives; others are quoted from the file."""
+
+
+def claimed(claims: Iterable[Sequence[Any]]) -> str:
+    """Say what a file gives for its sampling rate: names and numbers (Hz)."""
+    texts = [
+        said("{name} says {value:.9 Hz}", name=said(name), value=value) for name, value in claims
+    ]
+    if len(texts) == 1:
+        return said("{claim}, which may be the speed of the shaft as well", claim=texts[0])
+    return listed(texts)
+
+
+def _over_doubt(values: Mapping[str, Any]) -> str:
+    return said(
+        "The sampling rate is {rate:.9 Hz} as given; in the file {doubt}.",
+        rate=values["rate"],
+        doubt=claimed(values["claims"]),
+    )
 
 
 def _multiplied(values: Mapping[str, Any]) -> str:
@@ -23,9 +45,7 @@ SENTENCES: Final[dict[str, Sentence]] = {
     "rate_over_file": marked(
         "The sampling rate is {rate:.9 Hz} as given; the file says {file:.9 Hz}."
     ),
-    "rate_over_doubt": marked(
-        "The sampling rate is {rate:.9 Hz} as given; the file gives more than one: {doubt}."
-    ),
+    "rate_over_doubt": _over_doubt,
     "rate_aside": marked(
         "The sampling rate is {rate:.9 Hz}; {name} = {value:.9} of the file is taken for something"
         " else."

@@ -1,0 +1,141 @@
+"""The page of a study that was run to a file: how its cases ended, and the ranges of outputs."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Final
+
+from rolamento.document import (
+    Block,
+    CellContent,
+    Column,
+    Document,
+    Number,
+    Section,
+    Statement,
+    Table,
+)
+from rolamento.words import decimals_for, in_unit, said
+from rolamento.words.reasons import reason
+
+if TYPE_CHECKING:
+    from rolamento.studies import OutputRange, Summary
+
+__all__ = ["in_row", "study_page"]
+
+_SHOWN: Final = {
+    "m": "µm",
+    "rad": "mrad",
+    "Pa": "MPa",
+    "rad/s": "rpm",
+    "N/m": "N/µm",
+    "N*m": "N·m",
+    "N*m/rad": "N·m/mrad",
+    "N/rad": "N/mrad",
+    "N": "N",
+    "W": "W",
+    "s": "s",
+    "m/s": "m/s",
+    "1": "",
+}
+"""The unit in which people read a quantity; others are shown in SI."""
+_ANGLES: Final = ("contact_angle", "azimuth", "attitude")
+
+
+def study_page(summary: Summary, title: str = "") -> Document:
+    """Return the page of a study that was run.
+
+    Parameters
+    ----------
+    summary
+        From `rolamento.studies.run_to_file`.
+    title
+        Of the study.
+    """
+    blocks: list[Block] = [Statement(title, "strong")] if title else []
+    sections = [Section(blocks=(*blocks, *_counts(summary)), key="head")]
+    if summary.converged:
+        sections.append(Section(blocks=(_ranges(summary.ranges),), key="ranges"))
+    written = said("Written to {path}.", path=str(summary.path))
+    sections.append(Section(blocks=(Statement(written),)))
+    return Document(title or said("Study"), tuple(sections), "sweep")
+
+
+def _counts(summary: Summary) -> list[Block]:
+    """Show how many cases there are, how fast they were solved, and how they ended."""
+    values = {"count": summary.cases, "seconds": summary.seconds}
+    if summary.solved > 0 and summary.seconds > 0.0:
+        rate = _rounded(summary.solved / summary.seconds)
+        first = said("{count} cases in {seconds:.2} s, {rate:.0f} cases/s", **values, rate=rate)
+    else:
+        first = said("{count} cases in {seconds:.2} s", **values)
+    blocks: list[Block] = [Statement(first)]
+    if summary.solved < summary.cases:
+        kept = said("{count} of them from an earlier run", count=summary.cases - summary.solved)
+        blocks.append(Statement(kept))
+    failed = summary.cases - summary.converged
+    if not failed:
+        return [*blocks, Statement(said("all cases have a result"), "good", mark="✓")]
+    ended = said(
+        "{count} cases have a result, {failed} have none", count=summary.converged, failed=failed
+    )
+    blocks.append(Statement(ended, "warning", mark="✗"))
+    reasons = {
+        reason(status): count
+        for status, count in sorted(summary.counts.items(), key=lambda item: -item[1])
+        if count and reason(status) != status
+    }
+    if reasons:
+        columns = (
+            Column(head=said("cases"), key="cases", values=list(reasons.values())),
+            Column(head=said("reason"), key="reason", values=list(reasons)),
+        )
+        blocks.append(Table(columns=columns, key="failures", headless=True, indent=4))
+    for message in summary.messages:
+        text = said("some cases are not valid: {message}", message=message)
+        blocks.append(Statement(text, indent=2))
+    return blocks
+
+
+def _ranges(ranges: tuple[OutputRange, ...]) -> Table:
+    """Show the range of each output in the units that people read."""
+    units = [_unit(found) for found in ranges]
+    rows = [
+        in_row([found.minimum, found.median, found.maximum], unit)
+        for found, unit in zip(ranges, units, strict=True)
+    ]
+    heads = {"minimum": said("minimum"), "median": said("median"), "maximum": said("maximum")}
+    shown = [
+        unit or ("" if found.output.unit == "1" else found.output.unit)
+        for found, unit in zip(ranges, units, strict=True)
+    ]
+    columns = (
+        Column(head=said("output"), key="output", values=[found.output.name for found in ranges]),
+        *(
+            Column(head=head, key=key, values=values, align="right")
+            for (key, head), values in zip(heads.items(), zip(*rows, strict=True), strict=True)
+        ),
+        Column(head="", key="unit", values=shown, align="left"),
+    )
+    every = max(found.every for found in ranges)
+    legend = said("The medians are those of one case in {every}.", every=every)
+    return Table(columns=columns, key="ranges", legends=(legend,) if every > 1 else ())
+
+
+def _unit(found: OutputRange) -> str:
+    unit = found.output.unit
+    if unit == "rad" and found.output.name.endswith(_ANGLES):
+        return "°"
+    return _SHOWN.get(unit, "")
+
+
+def in_row(values: Sequence[float], unit: str = "") -> list[CellContent]:
+    """Return the SI numbers of a row, with the same decimals, in a unit that stands elsewhere."""
+    decimals = decimals_for([float(in_unit(value, unit)) for value in values], 5)
+    form = f".{decimals}f" + (f" [{unit}]" if unit else "")
+    return [Number(float(value), form) for value in values]
+
+
+def _rounded(value: float) -> float:
+    """Two significant digits: a rate is not known better."""
+    return float(f"{value:.2g}")

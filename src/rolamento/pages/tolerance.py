@@ -1,0 +1,280 @@
+"""The page of a tolerance study: percentiles of every output, and the inputs that move it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from math import isclose
+from typing import TYPE_CHECKING, Any, Final
+
+import numpy as np
+
+from rolamento.document import (
+    CellContent,
+    Column,
+    Document,
+    Entry,
+    Figure,
+    KeyValues,
+    Section,
+    Statement,
+    Table,
+    Title,
+)
+from rolamento.errors import InputError
+from rolamento.pages.study import in_row
+from rolamento.plots.axes_units import ReadableUnit, readable_unit
+from rolamento.studies.sensitivity import RankCorrelations, SobolIndices, ToleranceStudy
+from rolamento.studies.tolerance import Samples, ToleranceBand
+from rolamento.words import UNITS, manner, said
+from rolamento.words.reasons import reason
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure as Picture
+
+__all__ = ["MOST_POINTS", "tolerance_page"]
+
+MOST_POINTS: Final = 20
+"""Points of a study's axes that a page has room for; JSON takes any number."""
+
+_SHOWN: Final = (5.0, 50.0, 95.0)
+_MOST_INPUTS: Final = 6
+
+
+def tolerance_page(study: ToleranceStudy) -> Document:
+    """Return the page of a tolerance study.
+
+    Parameters
+    ----------
+    study
+        Shown are 5, 50 and 95 % where the bands have them, else all percentiles.
+
+    Raises
+    ------
+    InputError
+        If the study's axes have more points than a page has room for.
+    """
+    points = list(np.ndindex(study.bands.without_result.shape))
+    if len(points) > MOST_POINTS:
+        raise InputError(
+            said(
+                "make {count} points, and a page has room for {most}; JSON holds them all",
+                count=len(points),
+                most=MOST_POINTS,
+            ),
+            field="axes",
+            example="--json FILE",
+        )
+    title = study.title or said("Tolerance study")
+    sections = [Section(blocks=(Title(title), _head(study)), key="head")]
+    for number, place in enumerate(points):
+        suffix = f"_{number + 1}" if place else ""
+        if place:
+            sections.append(Section(blocks=(Statement(_point(study.samples, place), "strong"),)))
+        sections.append(_bands(study, place, suffix))
+        if study.ranks is not None:
+            sections.append(_ranks(study, study.ranks, place, suffix))
+    if study.sobol is not None:
+        sections.append(_sobol(study.sobol))
+    if study.ranks is not None and not any(points):
+
+        def draw() -> Picture:
+            from rolamento.plots.tolerance import tolerance_figure
+
+            return tolerance_figure(study)
+
+        caption = said("Distributions of the outputs, and the inputs that move them")
+        sections.append(Section(blocks=(Figure(caption=caption, draw=draw, key="tolerance"),)))
+    return Document(title, tuple(sections), "tolerance")
+
+
+def _head(study: ToleranceStudy) -> KeyValues:
+    counted = said(
+        "{samples} samples of {inputs} inputs",
+        samples=len(study.samples),
+        inputs=len(study.samples.inputs),
+    )
+    failed = int(study.bands.without_result.sum())
+    return KeyValues(
+        (
+            Entry(said("study"), counted),
+            Entry(said("result"), _result(study, failed), "bad-strong" if failed else "good"),
+        )
+    )
+
+
+def _result(study: ToleranceStudy, failed: int) -> str:
+    if not failed:
+        return said("✓ all samples have a result")
+    count = study.bands.samples * study.bands.without_result.size
+    reasons = ", ".join(
+        f"{reason(code)} {manner().fixed(number, 0)}"
+        for code, number in study.bands.failures.items()
+    )
+    return said(
+        "✗ {failed} of {count} samples have no result ({share:.2 %}): {reasons}",
+        failed=failed,
+        count=count,
+        share=failed / count,
+        reasons=reasons,
+    )
+
+
+def _point(samples: Samples, place: tuple[int, ...]) -> str:
+    """Name a point of the axes: what each takes there."""
+    parts = []
+    for axis, index in zip(samples.axes, place, strict=True):
+        coordinate = samples.coordinates.get(axis)
+        if coordinate is None:
+            parts.append(f"{axis} {index + 1}")
+            continue
+        value = coordinate.values[index]
+        if not np.issubdtype(np.asarray(value).dtype, np.number):
+            parts.append(f"{axis} = {value}")
+            continue
+        unit = readable_unit(str(coordinate.attrs.get("units", "")), coordinate.values)
+        written = manner().short(float(unit.of(value)))
+        parts.append(f"{axis} = {written} {unit.symbol}".removesuffix(" –"))
+    return ", ".join(parts)
+
+
+def _at(band: ToleranceBand, study: ToleranceStudy, place: tuple[int, ...]) -> Iterator[Any]:
+    """Places in an output's arrays that belong to a point of the axes: one for each ball, say."""
+    known = dict(zip(study.samples.axes, place, strict=True))
+    sizes = dict(zip(band.axes, band.count.shape, strict=True))
+    further = [axis for axis in band.axes if axis not in known]
+    for inside in np.ndindex(*(sizes[axis] for axis in further)):
+        chosen = {**known, **dict(zip(further, inside, strict=True))}
+        label = "".join(f" [{axis} {index}]" for axis, index in zip(further, inside, strict=True))
+        yield tuple(chosen[axis] for axis in band.axes), label
+
+
+def _bands(study: ToleranceStudy, place: tuple[int, ...], suffix: str) -> Section:
+    percentiles = study.bands.percentiles
+    shown = [i for i, value in enumerate(percentiles) if value in _SHOWN]
+    shown = shown if len(shown) == len(_SHOWN) else list(range(len(percentiles)))
+    names, rows, units = [], [], []
+    for band in study.bands.bands:
+        for inside, label in _at(band, study, place):
+            values = [float(band.percentile[(i, *inside)]) for i in shown]
+            deviation = float(band.standard_deviation[inside])
+            unit = readable_unit(band.units, band.percentile[(slice(None), *inside)])
+            names.append(f"{band.name}{label}")
+            rows.append(_row([*values, deviation], unit))
+            units.append("" if unit.symbol == "–" else unit.symbol)
+    heads = {f"percentile_{i}": f"{manner().short(percentiles[i], 6)} %" for i in shown}
+    heads["standard_deviation"] = said("std. dev.")
+    columns = (
+        Column(head="", key="output", values=names),
+        *(
+            Column(head=head, key=key, values=values, align="right")
+            for (key, head), values in zip(heads.items(), zip(*rows, strict=True), strict=True)
+        ),
+        Column(head="", key="unit", values=units, align="left"),
+    )
+    table = Table(columns=columns, key=f"percentiles{suffix}")
+    return Section(said("Percentiles of the outputs"), (table,), f"percentiles{suffix}")
+
+
+def _row(values: Sequence[float], unit: ReadableUnit) -> list[CellContent]:
+    """Return one output's numbers with the same decimals."""
+    factor, offset = UNITS.get(unit.symbol, (0.0, 0.0))
+    if isclose(factor, unit.factor, rel_tol=1e-12) and not offset:
+        return in_row(values, unit.symbol)
+    return in_row(unit.of(values).tolist())
+
+
+def _ranks(
+    study: ToleranceStudy, ranks: RankCorrelations, place: tuple[int, ...], suffix: str
+) -> Section:
+    groups: list[tuple[int, str]] = []
+    rows: list[tuple[CellContent, ...]] = []
+    for band in study.bands.bands:
+        for inside, label in _at(band, study, place):
+            groups.append((len(rows), f"{band.name}{label}"))
+            values, low, high = (
+                array[(slice(None), *inside)] for array in ranks.telling(band.name)
+            )
+            order = ranks.ranking(band.name, inside)[:_MOST_INPUTS]
+            rows += [
+                (f"  {ranks.inputs[i]}", float(values[i]), float(low[i]), float(high[i]),
+                 abs(float(values[i])))
+                for i in order
+            ]  # fmt: skip
+            if not order:
+                rows.append((said("  does not vary"), None, None, None, None))
+    confidence = manner().short(100.0 * ranks.confidence)
+    heading = (
+        said(
+            "Partial rank correlation (the inputs are correlated), {confidence} % interval",
+            confidence=confidence,
+        )
+        if ranks.correlated
+        else said("Rank correlation, {confidence} % interval", confidence=confidence)
+    )
+    inputs, numbers, lows, highs, bars = zip(*rows, strict=True)
+    columns = (
+        Column(head="", key="input", values=inputs),
+        Column(head="", key="correlation", values=numbers, form=".2f", tone="strong"),
+        Column(head=said("from"), key="low", values=lows, form=".2f", tone="faint"),
+        Column(head=said("to"), key="high", values=highs, form=".2f", tone="faint"),
+        Column(head="", key="bar", values=bars, bar=True),
+    )
+    key = f"rank_correlation{suffix}"
+    return Section(heading, (Table(columns=columns, key=key, groups=tuple(groups)),), key)
+
+
+def _sobol(found: SobolIndices) -> Section:
+    heading = said(
+        "Sobol indices from {runs} runs, {confidence} % interval",
+        runs=found.runs,
+        confidence=manner().short(100.0 * found.confidence),
+    )
+    names = _leaves(found.inputs)
+    arrays = (
+        found.first_order, found.first_low, found.first_high,
+        found.total, found.total_low, found.total_high,
+    )  # fmt: skip
+    groups: list[tuple[int, str]] = []
+    rows: list[tuple[CellContent, ...]] = []
+    for row, output in enumerate(found.outputs):
+        groups.append((len(rows), output))
+        totals = found.total[row]
+        if np.isnan(totals).all():
+            rows.append((said("  does not vary"), *[None] * (len(arrays) + 1)))
+            continue
+        for index in np.argsort(-totals, kind="stable")[:_MOST_INPUTS].tolist():
+            numbers = [float(array[row, index]) for array in arrays]
+            rows.append((f"  {names[index]}", *numbers, max(numbers[3], 0.0)))
+    heads = {
+        "first_order": said("first-order"),
+        "first_low": said("from"),
+        "first_high": said("to"),
+        "total": said("total"),
+        "total_low": said("from"),
+        "total_high": said("to"),
+    }
+    inputs, *numbers_, bars = zip(*rows, strict=True)
+    columns = (
+        Column(head="", key="input", values=inputs),
+        *(
+            Column(
+                head=head,
+                key=key,
+                values=values,
+                form=".2f",
+                tone="strong" if key in ("first_order", "total") else "faint",
+            )
+            for (key, head), values in zip(heads.items(), numbers_, strict=True)
+        ),
+        Column(head="", key="bar", values=bars, bar=True),
+    )
+    table = Table(columns=columns, key="sobol", groups=tuple(groups))
+    return Section(heading, (table,), "sobol")
+
+
+def _leaves(names: Sequence[str]) -> list[str]:
+    """Return the last part of dotted names, where that is one name alone."""
+    leaves = [name.rpartition(".")[2] for name in names]
+    return [
+        leaf if leaves.count(leaf) == 1 else name for leaf, name in zip(leaves, names, strict=True)
+    ]

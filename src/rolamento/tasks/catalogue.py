@@ -1,0 +1,92 @@
+"""The catalogue as plain values: bearings found, one with its internal geometry, a study's axis."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from rolamento.catalogue import Candidate, CatalogueBearing, InternalGeometry, ambiguity_axis
+from rolamento.errors import InputError
+from rolamento.units import from_si
+from rolamento.words import said
+
+__all__ = ["axis_toml", "bearing_mapping", "search_mapping"]
+
+
+def axis_toml(geometry: InternalGeometry) -> str:
+    """Return the axis of a study file over the candidates that the ratings allow.
+
+    Parameters
+    ----------
+    geometry
+        With candidates.
+
+    Raises
+    ------
+    InputError
+        If its balls are published: there is nothing to vary.
+    """
+    if not geometry.candidates:
+        raise InputError(
+            said("has published balls: there are no candidates"),
+            field="designation",
+            value=geometry.designation.text,
+        )
+    axis = ambiguity_axis(geometry.candidates)
+    lines = ["[[axes]]", f'name = "{axis["name"]}"', "[axes.zipped]"]
+    for name, values in axis["zipped"].items():
+        is_length = name.endswith("diameter")
+        texts = [f'"{from_si(value, "length")}"' if is_length else str(value) for value in values]
+        lines.append(f'"{name}" = [{", ".join(texts)}]')
+    return "\n".join(lines) + "\n"
+
+
+def search_mapping(found: Sequence[CatalogueBearing]) -> dict[str, Any]:
+    """Give a list of bearings as plain values, in SI."""
+    return {"schema": 1, "kind": "catalogue", "bearings": [_bearing_mapping(b) for b in found]}
+
+
+def bearing_mapping(geometry: InternalGeometry | None, bearing: CatalogueBearing) -> dict[str, Any]:
+    """Give one bearing as plain values, in SI; ``inside`` is None if nothing is known of it."""
+    mapping: dict[str, Any] = {
+        "schema": 1,
+        "kind": "bearing",
+        "bearing": _bearing_mapping(bearing),
+        "clearance_class": None,
+        "meanings": {},
+        "unknown": [],
+        "inside": None,
+        "candidates": [],
+    }
+    if geometry is not None:
+        mapping |= {
+            "clearance_class": geometry.clearance_class,
+            "meanings": dict(geometry.designation.meanings),
+            "unknown": list(geometry.designation.unknown),
+            "inside": {
+                name: {"value": value, "origin": geometry.origins[name]}
+                for name, value in geometry.fields.items()
+            },
+            "candidates": [_candidate_mapping(one) for one in geometry.candidates],
+        }
+    return mapping
+
+
+def _bearing_mapping(bearing: CatalogueBearing) -> dict[str, Any]:
+    return {
+        "designation": bearing.designation,
+        "maker": bearing.maker,
+        "kind": bearing.kind,
+        "figures": {
+            name: {"value": value, "source": bearing.sources.get(name, "")}
+            for name, value in bearing.figures.items()
+        },
+    }
+
+
+def _candidate_mapping(one: Candidate) -> dict[str, Any]:
+    names = one.__dataclass_fields__
+    return {
+        name: list(value) if isinstance(value := getattr(one, name), tuple) else value
+        for name in names
+    }
