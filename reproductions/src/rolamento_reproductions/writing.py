@@ -243,11 +243,7 @@ def open_folder(path: str, source: Source) -> Path:
     except OSError as error:
         raise _refused(error, path) from None
     if taken and not ours:
-        raise FileError(
-            str(said("folder.taken", name=taken[0])),
-            source=path,
-            example=source.name,
-        )
+        raise FileError(str(said("folder.taken", name=taken[0])), source=path, example=source.name)
     return folder
 
 
@@ -287,10 +283,7 @@ def _is_ours(folder: Path, source: Source) -> bool:
 
 
 def _write_pages(
-    folder: Path,
-    stem: str,
-    page: Callable[[PageEnding], Document],
-    endings: Sequence[Ending] = (),
+    folder: Path, stem: str, page: Callable[[PageEnding], Document], endings: Sequence[Ending] = ()
 ) -> None:
     """Write a page as HTML and as Markdown, with its pictures beside it."""
 
