@@ -1,4 +1,4 @@
-"""Results as plain data and as JSON: no arrays, and null for a number that does not exist."""
+"""Results as plain data, JSON and CSV: no arrays, nothing for a number that does not exist."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-__all__ = ["dumps", "plain"]
+__all__ = ["csv_number", "dumps", "plain"]
 
 
 def plain(value: Any) -> Any:
@@ -29,3 +29,8 @@ def plain(value: Any) -> Any:
 def dumps(value: Any, indent: int | None = None) -> str:
     """Return `plain` data as JSON text."""
     return json.dumps(plain(value), indent=indent, ensure_ascii=False, allow_nan=False)
+
+
+def csv_number(value: float) -> str:
+    """Write a number with a decimal point and ten digits; nothing for one that does not exist."""
+    return f"{value:.10g}" if isfinite(value) else ""

@@ -8,7 +8,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-from rolamento.report.terminal import terminal_report
 from tests.one_case import keys
 
 from rolamento import (
@@ -36,6 +35,7 @@ from rolamento.pages.life import life_page
 from rolamento.pages.life_over import life_over_page
 from rolamento.pages.life_spectrum import life_spectrum_page
 from rolamento.pages.shaft import shaft_page
+from rolamento.pages.state import state_page
 from rolamento.solution import solve
 from rolamento.studies.ranges import read_range
 from rolamento.tasks.life import life_of_shaft
@@ -300,7 +300,7 @@ def test_a_bound_of_the_life_bounds_the_reliability() -> None:
 def test_the_report_of_a_state_has_the_same_rule() -> None:
     def report(*settings: str) -> str:
         found = analyse(set_to(*settings))
-        return terminal_report(found.solved, analysis=found)
+        return terminal(state_page(found.solved, found))
 
     thin = report("life.viscosity_ratio=0.05")
     assert "reaches less than 917 h" in " ".join(thin.split())

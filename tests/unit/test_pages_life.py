@@ -8,10 +8,9 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from rolamento.report.terminal import terminal_report
 from tests.one_case import keys, said
 
-from rolamento import Case, analyse, load_case, override
+from rolamento import Analysis, Case, analyse, load_case, override
 from rolamento.document import Document, Figure, Table
 from rolamento.document.medium import Medium
 from rolamento.document.terminal import terminal
@@ -22,7 +21,7 @@ from rolamento.pages.life import given_reliability, life_page, percent
 from rolamento.pages.life_over import life_over_page
 from rolamento.pages.life_spectrum import life_spectrum_page
 from rolamento.pages.shaft import shaft_page
-from rolamento.report.language import words_for
+from rolamento.pages.state import state_page
 from rolamento.solution import solve
 from rolamento.solved import Solved
 from rolamento.studies.ranges import read_range
@@ -34,6 +33,14 @@ from rolamento.words.theories import theory_name
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "src" / "rolamento" / "examples"
 LANGUAGES = ("en", "pt")
+
+
+def shown(analysis: Analysis, language: str, width: int = 80) -> str:
+    """The page of the state with what follows from it."""
+    with speaking(language):
+        return terminal(state_page(analysis.solved, analysis), Medium(width=width))
+
+
 NAN, INF = float("nan"), float("inf")
 VARIED: dict[str, tuple[str, ...]] = {
     "as it is": (),
@@ -291,7 +298,7 @@ def test_plain_terminals_get_plain_characters() -> None:
 
 def test_solve_shows_the_life_in_short() -> None:
     analysis = analyse(load_case(EXAMPLES / "6305_life.toml"))
-    text = terminal_report(analysis.solved, words_for("en"), Medium(), analysis)
+    text = shown(analysis, "en")
     part = section(text, "Life")
     assert "With 90 % reliability this bearing reaches" in part
     assert "Contamination costs the most life (e_C = 0.0675)." in part
@@ -301,7 +308,7 @@ def test_solve_shows_the_life_in_short() -> None:
     notes = section(text, "Notes")
     assert Note("moment_left_out").text[:40] in notes
     with speaking("pt"):
-        portuguese = terminal_report(analysis.solved, words_for("pt"), Medium(), analysis)
+        portuguese = shown(analysis, "pt")
     assert "\nVida\n" in portuguese
     assert said(Note("moment_left_out"), "pt")[:40] in portuguese
 
@@ -309,7 +316,7 @@ def test_solve_shows_the_life_in_short() -> None:
 def test_a_case_that_asks_for_no_life_shows_none(case_218: Case) -> None:
     analysis = analyse(case_218)
     assert analysis.life is None
-    assert "\nLife\n" not in terminal_report(analysis.solved, words_for("en"), Medium(), analysis)
+    assert "\nLife\n" not in shown(analysis, "en")
 
 
 @pytest.mark.parametrize(
@@ -328,9 +335,8 @@ def test_why_a_case_has_no_life_is_a_note(
     assert analysis.solved.converged[0]
     assert keys(analysis.notes) == {name}
     for language in LANGUAGES:
-        words = words_for(language)
-        text = terminal_report(analysis.solved, words, Medium(width=120), analysis)
-        assert said(Note(name), words.code)[:60] in text
+        text = shown(analysis, language, width=120)
+        assert said(Note(name), language)[:60] in text
 
 
 def test_l_able_without_viscosity_is_a_note_and_no_end() -> None:
@@ -340,9 +346,8 @@ def test_l_able_without_viscosity_is_a_note_and_no_end() -> None:
     assert analysis.life is not None
     assert set(analysis.life.theories) == {"iso281", "iso16281", "ioannides_harris"}
     for language in LANGUAGES:
-        words = words_for(language)
-        text = terminal_report(analysis.solved, words, Medium(width=120), analysis)
-        assert said(analysis.notes[0], words.code)[:60] in text
+        text = shown(analysis, language, width=120)
+        assert said(analysis.notes[0], language)[:60] in text
 
 
 # --- curves, spectra, shafts ------------------------------------------------------------------

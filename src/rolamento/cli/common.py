@@ -12,10 +12,9 @@ import typer
 
 from rolamento.cli.streams import STANDARD_STREAM, complain
 from rolamento.errors import InputError
-from rolamento.words import language, languages, said, speaking
+from rolamento.words import languages, said, speaking
 
 if TYPE_CHECKING:
-    from rolamento.report.language import Words
     from rolamento.solved import Solved
 
 SOLVED: Final = 0
@@ -64,13 +63,6 @@ def complain_of_points(codes: Sequence[str], total: int, lang: Language | None) 
 
     why = reason(str(codes[0]))
     complain(said("{count} / {total}: {reason}", count=len(codes), total=total, reason=why))
-
-
-def words_of(lang: Language | None) -> Words:
-    """Return the words of a language, or of the locale."""
-    from rolamento.report.language import words_for
-
-    return words_for(lang or language())
 
 
 def same_file(path: str, other: str) -> bool:

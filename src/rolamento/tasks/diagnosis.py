@@ -13,10 +13,10 @@ from typing import Any, Final, Literal, Unpack
 
 import numpy as np
 
+from rolamento._json import csv_number
 from rolamento.case import Case
 from rolamento.case.bearing import Bearing
 from rolamento.errors import InputError
-from rolamento.report.plain_data import csv_number
 from rolamento.solution import solve
 from rolamento.solved import Solved
 from rolamento.tasks.bearing import BearingLike, angle_of, at_speeds, case_of, has_load, name_of

@@ -13,8 +13,8 @@ from typing import Any, Final, Literal, Unpack
 
 import numpy as np
 
+from rolamento._json import csv_number
 from rolamento.errors import InputError
-from rolamento.report.plain_data import csv_number
 from rolamento.tasks.parameters import Progress, Stages, quietly, speed_of
 from rolamento.tasks.signals import PIECE, Reading
 from rolamento.vibration.anderon import (

@@ -12,10 +12,10 @@ from typing import Any, Final, Literal, NamedTuple
 
 import numpy as np
 
+from rolamento._json import dumps
 from rolamento._writing import write_text
 from rolamento.case.bearing import Bearing
 from rolamento.errors import InputError
-from rolamento.report.plain_data import json_text
 from rolamento.solution import solve
 from rolamento.solved import Solved
 from rolamento.tasks.bearing import BearingLike, case_of, has_load, name_of
@@ -340,7 +340,7 @@ def synthesise(
         path="" if path is None else os.fspath(path),
         truth_path=None if truth_path is None else os.fspath(truth_path),
     )
-    truth = None if truth_path is None else json_text(found.truth()) + "\n"
+    truth = None if truth_path is None else dumps(found.truth(), indent=2) + "\n"
     if path is not None:
         write_signal(made.signal, path)
     if truth_path is not None and truth is not None:
