@@ -6,8 +6,7 @@ import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from enum import StrEnum
-from importlib.metadata import EntryPoint, entry_points
-from typing import Annotated, Final, Protocol
+from typing import TYPE_CHECKING, Annotated, Final, Protocol
 
 import typer
 
@@ -16,6 +15,9 @@ from rolamento.cli.options import LanguageOption
 from rolamento.cli.streams import print_text
 from rolamento.errors import InputError, guess
 from rolamento.words import said
+
+if TYPE_CHECKING:
+    from importlib.metadata import EntryPoint
 
 GROUP: Final = "rolamento.reproductions"
 """Entry points by which packages offer publications, each a `Reproduction`."""
@@ -66,6 +68,8 @@ def reproduce(
 
     Computed by this program, with an index page.
     """
+    from importlib.metadata import entry_points
+
     with plain_endings(lang):
         found = {point.name: point for point in entry_points(group=GROUP)}
         if not found:
