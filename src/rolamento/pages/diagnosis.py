@@ -61,7 +61,8 @@ def diagnosis_page(found: DiagnosisResult) -> Document:
         sections.append(_why(found.diagnosis))
     sections += _notes(found)
     sections.append(Section("", (*_figures(found), _spectrum(found.diagnosis)), key="figures"))
-    return Document(f"{found.bearing_name}: {found.title}", tuple(sections), kind="diagnose")
+    title = f"{found.bearing_name}: {found.title}"
+    return Document(title, tuple(sections), kind="diagnose", main="spectrum")
 
 
 def _verdict(found: DiagnosisResult) -> Section:

@@ -2,18 +2,13 @@
 
 from __future__ import annotations
 
-import csv
 import os
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import asdict, dataclass, replace
 from functools import cached_property
-from io import StringIO
-from math import ceil, inf, isfinite, nan, pi
+from math import ceil, inf, isfinite, pi
 from typing import Any, Final, Literal, Unpack
 
-import numpy as np
-
-from rolamento._json import csv_number
 from rolamento.case import Case
 from rolamento.case.bearing import Bearing
 from rolamento.errors import InputError
@@ -41,9 +36,6 @@ from rolamento.vibration.spectrum import Indicators, indicators
 from rolamento.words import Note, said
 
 SCHEMA: Final = 2
-CSV_COLUMNS: Final = ("band_low_Hz", "band_high_Hz", "order", "frequency_Hz", "over_noise_dB")
-"""Of the envelope's spectrum: one line of it in a row."""
-
 Conclusion = Literal["fault", "undecided", "watch", "nothing_found", "no_verdict"]
 
 _CLEAR: Final = 9.0
@@ -241,23 +233,6 @@ class DiagnosisResult:
             "notes": _mappings(self.notes),
         }
 
-    def spectrum_csv(self) -> str:
-        """Return the spectrum of the squared envelope in every fault's band, or the best match's.
-
-        One line of the spectrum in a row below a header, lines ending in CR LF.
-        """
-        spectra, diagnosis = self.diagnosis.spectra, self.diagnosis
-        text = StringIO(newline="")
-        writer = csv.writer(text)
-        writer.writerow(CSV_COLUMNS)
-        for place in diagnosis.bands_shown:
-            low, high = spectra.bands[place]
-            for order, above in zip(spectra.order, spectra.above_noise[place], strict=True):
-                level = 10.0 * float(np.log10(above)) if above > 0.0 else nan
-                numbers = (low, high, order, order * diagnosis.shaft_frequency, level)
-                writer.writerow([csv_number(float(number)) for number in numbers])
-        return text.getvalue()
-
 
 def _mappings(notes: Iterable[Note]) -> list[dict[str, Any]]:
     return [note.to_mapping() for note in notes]
@@ -290,13 +265,13 @@ def _highest_line(part: ComponentVerdict) -> float:
 
 @dataclass(frozen=True, slots=True)
 class TooShort:
-    """A record too short to test any race, by its length: known before it is read.
+    """A record in which no race can be told, by its length: known before it is read.
 
     Attributes
     ----------
     revolutions, least_revolutions
         that it has, or that the longest stretch has which is judged at once; and from which on it
-        a race can be tested
+        tells something
     duration
         of that; s
     is_stretch
@@ -365,7 +340,7 @@ def diagnose(
     stages: Stages = quietly,
     **reading: Unpack[Reading],
 ) -> DiagnosisResult | TooShort:
-    """Return which parts of a bearing a file of vibration shows to be damaged.
+    """Tell which parts of a bearing a file of vibration shows to be damaged.
 
     Parameters
     ----------
@@ -374,7 +349,7 @@ def diagnose(
     bearing
         Designation, case file or case: with a load, the loaded bearing's frequencies are sought.
     speed, outer_speed
-        Of the rings, steady: text such as "1797 rpm", or rad/s; by default as the file gives it,
+        Of the rings, steady: text such as "1797 rpm", or rad/s; by default as the file tells it,
         or else the case.
     speed_channel, speed_unit
         Channel of the same file with the speed, and its unit if the file is silent.
@@ -394,7 +369,7 @@ def diagnose(
     settings
         ``KEY=VALUE``, over the case.
     stages
-        Is called with "tracking", "solving" and "reading", and how far they are.
+        Is told of "tracking", "solving" and "reading", and how far they are.
     reading
         channel, rate, unit, scale and decimal_mark, as of `rolamento.vibration.open_signal`.
 
@@ -470,7 +445,7 @@ def _frequencies_sought(
     """Return the frequencies to look for, and the loaded bearing's solution if its case has a load.
 
     Those of the loaded bearing, where it has a solution; else those of the geometry, with the
-    contact angle that was chosen.
+    contact angle that is wanted.
     """
     loaded = has_load(case) and not nominal
     if loaded and angle is not None:
@@ -551,7 +526,7 @@ def _range_over_balls(own: FaultFrequencies, row: FaultFrequencies, orders: Faul
 def _too_short(
     frequencies: FaultFrequencies, speed: KnownSpeed, samples: int, rate: float
 ) -> TooShort | None:
-    """Return whether both races lie in the spectrum where no level of noise is known."""
+    """Tell whether both races lie in the spectrum where no level of noise is known."""
     orders = [frequencies.of_fault(race).order for race in ("outer_race", "inner_race")]
     least = (LOWEST_LINE + 1) / max(orders)
     block = min(samples, MOST_SAMPLES) / rate

@@ -31,14 +31,8 @@ from rolamento.vibration.anderon_trend import AnderonRecord, AnderonTrend, trend
 from rolamento.vibration.reading import SignalFile, open_signal
 from rolamento.vibration.signal import Signal
 from rolamento.words import Note, said
-from rolamento.words.naming import one_line
 
 SCHEMA: Final = 2
-CSV_COLUMNS: Final = (
-    "signal", "hours", "band", "low_Hz", "high_Hz", "velocity_um_per_s", "anderons",
-    "full_scale_anderons", "accepted_to_anderons", "verdict",
-)  # fmt: skip
-"""The header of the CSV: one band of one signal in a row."""
 _MICRO: Final = 1e6
 _HIGHEST_RATE: Final = 2e7
 _MOST_HOURS: Final = 1e9
@@ -233,22 +227,6 @@ class NoiseResult:
             "reading_notes": [note.to_mapping() for note in one.reading_notes],
             "notes": [note.to_mapping() for note in one.notes],
         }
-
-    def bands_csv(self) -> str:
-        """Return one band of one signal in a row below a header, lines ending in CR LF."""
-        text = StringIO(newline="")
-        writer = csv.writer(text)
-        writer.writerow(CSV_COLUMNS)
-        for place, one in enumerate(self.measured):
-            scales = self.scales_of(one)
-            for band in one.noise.bands:
-                scale = scales.get(band.name, nan)
-                velocity = _MICRO * band.velocity
-                numbers = (*band.band, velocity, band.anderons, scale, self.part * scale)
-                own = (one_line(one.title), csv_number(one.hours), band.name)
-                levels = (csv_number(number) for number in numbers)
-                writer.writerow((*own, *levels, self.verdict_of(place, band.name)))
-        return text.getvalue()
 
     def record(self) -> str:
         """Return the anderons over the hours as the CSV that `rolamento trend` reads.
