@@ -75,9 +75,9 @@ def test_frequencies_of_a_loaded_case() -> None:
 
 
 REFUSED: list[tuple[dict[str, Any], str, str]] = [
-    ({"speed_unit": "rpm"}, "speed_unit", "goes with speed_channel=…"),
-    ({"track": True, "tacho": 2}, "track", "another way to the speed than tacho=…"),
-    ({"speed_channel": "n", "speed": 10.0}, "speed", "is a steady speed, and speed_channel=…"),
+    ({"speed_unit": "rpm"}, "speed_unit", "needs speed_channel=…"),
+    ({"track": True, "tacho": 2}, "track", "gives the speed in another way than tacho=…"),
+    ({"speed_channel": "n", "speed": 10.0}, "speed", "is a steady speed, but speed_channel=…"),
     ({"angle": "wide"}, "angle", "number"),
     ({"outer_speed": SPEED, "speed": SPEED}, "outer_speed", "no ball rolls"),
     ({"start": 9.0}, "start", "must be before the end of the signal, 4 s"),
