@@ -10,6 +10,11 @@ __all__ = ["LABELS", "label_of"]
 
 LABELS: Final = {
     "title": marked("title"),
+    "report.project": marked("project"),
+    "report.author": marked("author"),
+    "report.revision": marked("revision"),
+    "report.date": marked("date"),
+    "report.checked_by": marked("checked by"),
     "bearing.element": marked("rolling element"),
     "bearing.designation": marked("designation"),
     "bearing.ball_count": marked("number of balls"),
@@ -131,6 +136,11 @@ LABELS: Final = {
     "life.fatigue_limit": marked("fatigue limit stress τ_u"),
     "life.depth": marked("stress-volume depth"),
     "life.nsk_cleanliness": marked("contamination factor a_c (NSK)"),
+    "report.project": marked("project"),
+    "report.author": marked("author"),
+    "report.revision": marked("revision"),
+    "report.date": marked("date"),
+    "report.checked_by": marked("checked by"),
 }
 """By dotted name."""
 

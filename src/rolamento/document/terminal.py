@@ -207,6 +207,11 @@ class _Setter:
     def _equation(self, block: Equation, width: int) -> Lines:
         label = f"({block.number})" if block.number else ""
         lines = self._hanging(self._text(f"  {label:5}"), block.plain, width)
+        longest = max((len(one.symbol) for one in block.symbols), default=0)
+        for one in block.symbols:
+            meaning = f"{one.meaning} [{one.unit}]" if one.unit else one.meaning
+            symbol = self._text(f"{' ' * 7}{one.symbol:{longest}}  ", "dim")
+            lines += self._hanging(symbol, meaning, width, "dim")
         behind = "; ".join(part for part in (block.name, block.source, block.valid) if part)
         return lines + self._hanging(Text(" " * 7), behind, width, "dim")
 
