@@ -9,8 +9,8 @@
 Twice the difference of the logarithms of the likelihoods is close to chi-square for many failures,
 and far from it for few. So tests of all groups are drawn again and again under the hypothesis, with
 their censoring, and the p-value is the share of them that differ at least as much. Where all tests
-ended with failures this is exact, for then the statistic's distribution depends on neither shape nor
-scale.
+ended with failures this is exact, for then the statistic's distribution depends on neither shape
+nor scale.
 
 A group in which nothing failed says something of lives and nothing of shapes.
 
