@@ -272,7 +272,7 @@ def _mark_calculated(axes: Axes, summary: LifeTestSummary) -> None:
 def _limits(
     summary: LifeTestSummary, bands: Mapping[str, Band]
 ) -> tuple[tuple[float, float], tuple[float, float]]:
-    """Ends of both axes: all data, the lives that were wanted and their bounds within reason."""
+    """Ends of both axes: all data, the lives asked for and their bounds within reason."""
     shares = [_LEAST, _MOST, *(1.0 - r for r in summary.wanted.reliabilities)]
     times: list[float] = [float(summary.test.times.min()), float(summary.test.times.max())]
     low, high = times[0] / _FARTHEST, times[1] * _FARTHEST

@@ -1,4 +1,4 @@
-"""A study: a case, what varies in it, and what is wanted of each case; and its file."""
+"""A study: a case, what varies in it, and the outputs of each case; and its file."""
 
 from __future__ import annotations
 

@@ -84,7 +84,7 @@ def life_test_study(
     by_group
         Whether to take each group by itself and to compare them; all together otherwise.
     times
-        That reliabilities are wanted for: in the unit of the data, or as text with another.
+        Of the reliabilities to be found: in the unit of the data, or as text with another.
     calculated
         Calculated lives by their names, likewise.
     samples
@@ -249,7 +249,7 @@ class PrecisionStudy:
     plans
         all of one life, shape and confidence
     ratio
-        of the bounds that was wanted; None where the tests were given
+        of the bounds that is required; None where the tests were given
     unit
         of the life and all times; empty where times are multiples of the life
     """

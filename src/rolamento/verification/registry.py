@@ -108,7 +108,7 @@ def run(names: Iterable[str] = (), *, progress: Progress | None = None) -> Verif
     Parameters
     ----------
     names
-        Of the sources wanted; all if none is given.
+        Of the sources; all if none is given.
     progress
         Called before each source.
 

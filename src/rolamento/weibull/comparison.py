@@ -9,8 +9,8 @@
 Twice the difference of the logarithms of the likelihoods is close to chi-square for many failures,
 and far from it for few. So tests of all groups are drawn again and again under the hypothesis, with
 their censoring, and the p-value is the share of them that differ at least as much. Where all tests
-ended with failures this is exact, for then the statistic's distribution knows neither shape nor
-scale.
+ended with failures this is exact, for then the statistic's distribution depends on neither shape
+nor scale.
 
 A group in which nothing failed says something of lives and nothing of shapes.
 
@@ -18,7 +18,7 @@ A group in which nothing failed says something of lives and nothing of shapes.
 
     β̂ (ln ρ̂ - ln ρ)
 
-with the common β̂ has a distribution that knows no β, η or ρ where both tests ended with failures:
+with the common β̂ has a distribution independent of β, η and ρ where both tests ended with failures:
 draws of it give exact limits. Where the clock ended a test they are drawn at the fit.
 
 Without a common shape the draws of each group's life by its own pivots are divided: a generalised

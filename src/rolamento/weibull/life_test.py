@@ -60,7 +60,7 @@ class LifeTest:
     title, source
         what the data are, and where they come from
     passed_over
-        columns of their file that were not read, as nobody knows what they are
+        columns of their file that were not read, as their meaning is unknown
 
     Raises
     ------

@@ -13,9 +13,9 @@ in the (a, b) of `likelihood`: along it the likelihood has one maximum, which a 
 *Calibrated.* Let R be the signed root of twice the fall of the likelihood from its maximum to a
 value of a quantity, positive where the estimate lies above the value. For many failures R is
 normal. For few it is drawn: of tests drawn at the fit, at the value that the fit has. Where the
-test ended with failures the distribution of R knows neither shape nor scale, and the limits are
-exact; where the clock ended it R depends on them but little, much less than the pivots of `sampled`
-do.
+test ended with failures the distribution of R depends on neither shape nor scale, and the limits
+are exact; where the clock ended it R depends on them but little, much less than the pivots of
+`sampled` do.
 
 *Regions.* Twice the fall of the logarithm of the likelihood from its maximum marks off a region
 that holds the true pair of shape and scale in so many of a hundred tests. For many failures the

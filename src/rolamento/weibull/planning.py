@@ -6,7 +6,7 @@ with the confidence C, at a shape β from experience:
     F = 1 - R^((T/t_R)^β),    Σ_{i ≤ k} C(n, i) F^i (1 - F)^(n-i) = 1 - C.
 
 Without failures (k = 0, "success run") this is n (T/t_R)^β (-ln R) = -ln(1 - C): any bearings and
-times with the same n T^β show as much. Bearings that are only as good as wanted pass such a test
+times with the same n T^β show as much. Bearings of exactly the required life pass such a test
 once in 1/(1 - C) times: they have to be better to have a fair chance. All of it is as good as the
 shape is, but for T = t_R, where the shape does not matter.
 

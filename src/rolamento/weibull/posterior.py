@@ -1,6 +1,6 @@
 """Shape and scale from a test and from what was known of the shape before.
 
-The prior on the shape is the user's, that on the scale tells nothing (1/η). Of a right-censored
+The prior on the shape is the user's, that on the scale is uninformative (1/η). Of a right-censored
 test the scale can be integrated away: given β, η^(-β) has a gamma distribution with r and Σ v t^β,
 and the shape has the density
 

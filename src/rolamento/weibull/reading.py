@@ -157,7 +157,7 @@ def read_life_test(
     unit
         Label of the times, in place of what the file says; "h" where it says nothing.
     decimal_mark
-        ``"point"`` or ``"comma"``, where nothing in the file tells whether 12.500 is 12.5.
+        ``"point"`` or ``"comma"``, where nothing in the file shows whether 12.500 is 12.5.
 
     Raises
     ------
@@ -189,7 +189,7 @@ def parse_life_test(
     Parameters
     ----------
     text
-        As the module tells.
+        As described in the module.
     source
         What to call the text in messages.
     group, unit, time, status, decimal_mark
@@ -428,7 +428,7 @@ def place_of(cells: Sequence[str], title: str) -> int:
 
 
 def _column_by_name(word: str) -> str | None:
-    """What a column holds by its name; empty for remarks and blanks, None if nobody knows."""
+    """What a column holds by its name; empty for remarks and blanks, None if unknown."""
     if word in _COLUMN_OF:
         return _COLUMN_OF[word]
     if word in _UNIT_OF or word.rpartition("_")[0] in _NAMES["time"].split():
@@ -468,7 +468,7 @@ def _check_columns(places: Mapping[str, int]) -> None:
 
 
 def word_and_unit(title: str) -> tuple[str, str]:
-    """Return the folded name of a column, and the unit that it tells."""
+    """Return the folded name of a column, and its unit."""
     match = re.fullmatch(r"(.*?)[\[(]([^\[\]()]{1,40})[\])]\s*", title)
     name, said = (match[1], match[2].strip()) if match else (title, "")
     word = folded_name(name)

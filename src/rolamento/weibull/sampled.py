@@ -275,7 +275,7 @@ def unbiased(
     """Fit by maximum likelihood, with the bias of the shape taken out.
 
     With few failures maximum likelihood makes the shape too great: on the mean by a third, of six.
-    Where the test ended with failures β̂/β has a distribution that knows no β and η, so that its
+    Where the test ended with failures β̂/β has a distribution independent of β and η, so that its
     median, or its mean, can be drawn. Where the clock ended it the draws are made at the fit. Close
     to the mean, within half a per cent from four failures on, comes
 

@@ -46,7 +46,7 @@ FIT_METHODS: Final = get_args(FitMethod)
 MAXIMUM_RANKED: Final = 20_000
 """Failures up to which each gets its rank, and is drawn."""
 ASSUMED_SHAPES: Final = (1.0, 1.5, 2.0)
-"""For a test that tells no shape of its own."""
+"""For a test that does not determine the shape."""
 MAXIMUM_GROUPS: Final = 20
 _MAXIMUM_RATIOS: Final = 10
 _HYPOTHESES: Final[tuple[Hypothesis, ...]] = ("common_shape", "same_life", "homogeneous")
@@ -67,9 +67,9 @@ class Wanted:
     confidence, sides
         of the bounds
     reliabilities
-        that lives are wanted for; a calculated life is for the first
+        of the lives to be found; a calculated life is for the first
     times
-        that reliabilities are wanted for; unit of the test
+        of the reliabilities to be found; unit of the test
     shape
         β from experience: then only the scale comes from the test
     prior
@@ -156,7 +156,7 @@ class Credible:
 
 @dataclass(frozen=True, slots=True)
 class AssumedShape:
-    """What a test that tells no shape would say, were the shape this."""
+    """Results of a test that does not determine the shape, for an assumed shape."""
 
     shape: float
     bounds: tuple[Bounds, ...]
@@ -177,15 +177,15 @@ class GroupSummary:
     test
         its part of the data
     fits
-        by every method that was wanted and can be; the first is what the bounds are about
+        by every requested method that applies; the bounds refer to the first
     bounds
         on shape, scale, lives and reliabilities
     assumed
-        where the test tells no shape: what it would say with shapes that are usual
+        where the test does not determine the shape: results for usual shapes
     calculated
         calculated lives set against it, by their names
     prior_code, credible
-        status of the posterior, empty if none was wanted; and what it says
+        status of the posterior, empty if not requested; and its results
     """
 
     name: str

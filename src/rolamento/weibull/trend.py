@@ -133,7 +133,7 @@ def read_trend(
         Names of the columns that hold the running times and name the bearing, in place of the usual
         ones.
     decimal_mark
-        ``"point"`` or ``"comma"``, where nothing in the file tells whether 12.500 is 12.5.
+        ``"point"`` or ``"comma"``, where nothing in the file shows whether 12.500 is 12.5.
 
     Raises
     ------
@@ -168,7 +168,7 @@ def parse_trend(
     Parameters
     ----------
     text
-        As the module tells.
+        As described in the module.
     source
         What to call the text in messages.
     time, bearing, decimal_mark
