@@ -284,7 +284,7 @@ def test_over_a_field(run: Run) -> None:
     )  # fmt: skip
     assert (code, err) == (0, "")
     assert "Life over radial load Fz" in out
-    assert "with life.contamination=0.8" in out
+    assert "with contamination factor e_C = 0.8" in out
     rows, data = table(Path("c.csv").read_text("utf-8")), strict(Path("c.json").read_text("utf-8"))
     assert [row["variant"] for row in rows] == [""] * 4 + ["life.contamination=0.8"] * 4
     assert data["field"] == "duty.load.fz"

@@ -336,7 +336,7 @@ def test_why_a_case_has_no_life_is_a_note(
     assert keys(analysis.notes) == {name}
     for language in LANGUAGES:
         text = shown(analysis, language, width=120)
-        assert said(Note(name), words.code)[:60] in text
+        assert said(Note(name), language)[:60] in text
 
 
 def test_l_able_without_viscosity_is_a_note_and_no_end() -> None:
@@ -347,7 +347,7 @@ def test_l_able_without_viscosity_is_a_note_and_no_end() -> None:
     assert set(analysis.life.theories) == {"iso281", "iso16281", "ioannides_harris"}
     for language in LANGUAGES:
         text = shown(analysis, language, width=120)
-        assert said(analysis.notes[0], words.code)[:60] in text
+        assert said(analysis.notes[0], language)[:60] in text
 
 
 # --- curves, spectra, shafts ------------------------------------------------------------------
