@@ -42,7 +42,6 @@ _NAMES_OF_MODULES: Final = {
     "vibration_modulation": ("modulation_figure",),
     "weibull": ("contour_figure", "weibull_figure"),
     "weibull_plan": ("chance_figure", "cost_figure"),
-    "words": ("ENGLISH", "PORTUGUESE", "PlotWords", "plot_words"),
 }
 _MODULE_OF_NAME: Final = {
     name: module for module, names in _NAMES_OF_MODULES.items() for name in names
