@@ -322,7 +322,7 @@ def test_rows_of_ellipses_stand_apart(two_rows: Solved) -> None:
 def test_what_is_no_solved_case_is_refused(
     draw: Callable[..., Axes], state: Solved, case_218: ro.Case
 ) -> None:
-    with pytest.raises(InputError, match=r"must be what rolamento\.solve returns"):
+    with pytest.raises(InputError, match=r"must be the result of rolamento\.solve"):
         draw(case_218)
     with pytest.raises(InputError, match="must be a single case"):
         draw(state[[0, 0]])
@@ -652,7 +652,7 @@ def spoilt(state: Solved, change: Callable[[dict[str, Any]], object]) -> dict[st
     [
         (lambda m: m.pop("schema"), "is not the JSON of a solved state"),
         (lambda m: m.pop("balls"), "is not the JSON of a solved state"),
-        (lambda m: m.update(schema=2), "schema = 2: is of another release"),
+        (lambda m: m.update(schema=3), "schema = 3: is of another release"),
         (lambda m: m.update(schema=True), "is of another release"),
         (lambda m: m.update(balls=[]), "balls = a list: must be a list of at least 1"),
         (lambda m: m.update(balls=7), "balls = 7: must be a list"),

@@ -129,7 +129,7 @@ def test_lives_are_drawn_in_full_where_they_hold_and_faintly_where_not(curve: Li
     assert legend is not None
     assert legend.get_title().get_text() == "faint: the theory is not valid there"
     assert axes.get_yscale() == "log"
-    assert (axes.get_xlabel(), axes.get_ylabel()) == ("Radial load (kN)", "Life (h)")
+    assert (axes.get_xlabel(), axes.get_ylabel()) == ("Radial load Fz (kN)", "Life (h)")
     assert {"ISO/TS 16281, modified", "ISO/TS 16281, basic", "required life"} <= set(labels(axes))
 
 

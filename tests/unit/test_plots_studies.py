@@ -201,7 +201,7 @@ def test_lines_refuse(variable: str, over: str, message: str) -> None:
 
 
 def test_one_case_is_no_figure() -> None:
-    with pytest.raises(InputError, match="is of one case"):
+    with pytest.raises(InputError, match="is of a single case"):
         study_lines(sweep().isel(fx=[0], inner_speed=[0]))
 
 
@@ -329,7 +329,7 @@ def test_equal_samples_have_a_histogram() -> None:
 
 @pytest.mark.parametrize("draw", [study_histogram, study_scatter])
 def test_samples_are_needed(draw: Any) -> None:
-    with pytest.raises(InputError, match="varies along samples alone; x varies along fx"):
+    with pytest.raises(InputError, match="varies along the samples alone; x varies along fx"):
         draw(sweep(), "x")
 
 

@@ -43,9 +43,8 @@ class PlainNumbers(ScalarFormatter):
         return _marked(super().__call__(x, pos), self._mark)
 
 
-def number(value: float, *given: object) -> str:
-    """Write one number in a legend, with as many digits as given; by default four."""
-    digits = next((one for one in given if isinstance(one, int)), _DIGITS)
+def number(value: float, digits: int = _DIGITS) -> str:
+    """Write one number in a legend."""
     return _written(value, digits, manner().mark)
 
 
@@ -96,19 +95,19 @@ def in_lines(label: str) -> str:
     return "\n".join(textwrap.wrap(shown_text(label), _UPRIGHT_WIDTH))
 
 
-def label_x(axes: Axes, label: str, *_: object) -> None:
+def label_x(axes: Axes, label: str) -> None:
     """Label the axis across; what files call things is not read as mathematics."""
     axes.set_xlabel(shown_text(label), parse_math=False)
     axes.xaxis.set_major_formatter(PlainNumbers())
 
 
-def label_y(axes: Axes, label: str, *_: object) -> None:
+def label_y(axes: Axes, label: str) -> None:
     """Label the upright axis, likewise."""
     axes.set_ylabel(in_lines(label), parse_math=False)
     axes.yaxis.set_major_formatter(PlainNumbers())
 
 
-def log_scale(axes: Axes, axis: str, *_: object) -> None:
+def log_scale(axes: Axes, axis: str) -> None:
     """Make an axis, "x" or "y", logarithmic, with plain numbers at 1, 2, 5 and so on."""
     getattr(axes, f"set_{axis}scale")("log")
     scaled = getattr(axes, f"{axis}axis")

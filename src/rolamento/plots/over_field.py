@@ -33,7 +33,7 @@ _LONG: Final = 1e6
 _RAISED: Final = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
-def across(axes: Axes, field: Field, values: Floats, *_: object) -> None:
+def across(axes: Axes, field: Field, values: Floats) -> None:
     """Label the axis across with a field, its limits those of the values."""
     x, symbol = read_values(field, values)
     known = capitalised(field.label)
@@ -45,7 +45,7 @@ def across(axes: Axes, field: Field, values: Floats, *_: object) -> None:
     axes.set_xlim(float(x.min()), float(x.max()))
 
 
-def decades(axes: Axes, axis: str, limits: tuple[float, float], *_: object) -> None:
+def decades(axes: Axes, axis: str, limits: tuple[float, float]) -> None:
     """Make an axis, "x" or "y", logarithmic between two limits, however many decades there are."""
     getattr(axes, f"set_{axis}scale")("log")
     getattr(axes, f"set_{axis}lim")(*limits)
