@@ -387,7 +387,7 @@ def test_a_class_outside_the_table_of_bores(run: Run) -> None:
     code, out, err = run("small.toml")
     assert (code, out) == (2, "")
     assert "mounting.bore" in err
-    assert "over 2.5 mm to 500 mm" in err
+    assert "over 2.5 mm up to 500 mm" in err
 
 
 @pytest.mark.parametrize(
