@@ -155,10 +155,10 @@ def test_units_that_can_be_given(plain: Path, given: str, unit: str) -> None:
     "given", ["furlong", "", "MV", "rpm", "Pa", "g/s", "\0", "x" * 10_000, None, 5]
 )
 def test_units_that_are_refused(plain: Path, given: Any) -> None:
-    with pytest.raises(InputError, match="is not a unit of a signal; .*V, mV|must be text"):
+    with pytest.raises(InputError, match=r"is not a unit of a signal; .*V, mV|must be text"):
         checked_unit(given)
     if given is not None:  # which means that the file is asked
-        with pytest.raises(InputError, match=r"unit = .*(is no unit of a signal|must be text)"):
+        with pytest.raises(InputError, match=r"unit = .*(is not a unit of a signal|must be text)"):
             open_signal(plain, rate=RATE, unit=given)
 
 
