@@ -256,7 +256,7 @@ def test_a_case_file_with_a_mounting() -> None:
 
 def test_temperatures_of_seats_need_a_mounting() -> None:
     warm = Temperature(inner_ring=350.0, outer_ring=340.0, shaft=360.0)
-    with pytest.raises(InputError, match=r"without \[mounting\], and has no effect") as error:
+    with pytest.raises(InputError, match=r"has no effect without \[mounting\]") as error:
         mounted_case(mounting=None, temperature=warm)
     assert error.value.field == "temperature.shaft"
     with pytest.raises(
@@ -461,7 +461,7 @@ def test_share_of_preloaded_bearings() -> None:
         ({"samples": 0}, "integer from 1"),
         ({"samples": 10**9}, "integer from 1"),
         ({"samples": True}, "integer from 1"),
-        ({"seed": -1}, "not negative"),
+        ({"seed": -1}, "must be a non-negative integer"),
         ({"distribution": "beta"}, "normal or uniform"),
     ],
 )
@@ -476,7 +476,7 @@ def test_samples_out_of_range(fields: dict[str, Any], told: str) -> None:
 @pytest.mark.parametrize(
     ("changes", "field", "told"),
     [
-        ({"clearance_class": "C3", "bore": "2 mm"}, "mounting.bore", "over 2.5 mm to 500 mm"),
+        ({"clearance_class": "C3", "bore": "2 mm"}, "mounting.bore", "which covers sizes over"),
         ({"shaft_tolerance": "K5"}, "mounting.shaft_tolerance", "must be one of"),
         ({"housing_tolerance": "j7"}, "mounting.housing_tolerance", "must be one of"),
         ({"measured_clearance": "1 um"}, "mounting.measured_clearance", "interference"),
@@ -501,15 +501,19 @@ def test_wrong_mountings(changes: dict[str, Any], field: str, told: str) -> None
         (
             {"clearance_class": "C3", "measured_clearance": "20 um"},
             "measured_clearance",
-            "beside clearance_class",
+            "combined with clearance_class",
         ),
-        ({"shaft_tolerance": "k5", "shaft_interference": 1e-6}, "shaft_interference", "give one"),
+        (
+            {"shaft_tolerance": "k5", "shaft_interference": 1e-6},
+            "shaft_interference",
+            "cannot be combined with",
+        ),
         ({"measuring_load": "49 N"}, "measuring_load", "needs the clearance that was measured"),
         ({"shaft_bore": "25 mm"}, "shaft_bore", "must be less than bore, 25 mm"),
         ({"outside_diameter": "20 mm"}, "bore", "must be less than outside_diameter"),
         ({"housing_outside_diameter": "62 mm"}, "outside_diameter", "must be less than housing"),
         ({"housing_material": "aluminum"}, "housing_material", "did you mean aluminium"),
-        ({"housing_material": 3}, "housing_material", "must be a name (material of a seat)"),
+        ({"housing_material": 3}, "housing_material", r"must be a name \(material of a seat\)"),
         ({"wear": "-1 um"}, "wear", "must be at least 0 mm"),
     ],
 )
@@ -530,7 +534,7 @@ def test_temperatures_and_expansions_that_are_missing() -> None:
             found(given)
         assert error.value.field == field
     hot = bearing_6305(ring_material="M50")
-    with pytest.raises(InputError, match="no expansion is on file for M50"):
+    with pytest.raises(InputError, match="is missing: the thermal expansion of"):
         operating_clearance(hot, mounting(), WARM)
     given_one = operating_clearance(
         hot, mounting(ring_expansion="12e-6 1/K", ball_expansion="12e-6 1/K"), WARM

@@ -70,7 +70,7 @@ def test_every_class_lies_above_the_one_before_and_grows_with_the_bore() -> None
 
 
 def test_bores_without_a_range_are_refused() -> None:
-    with pytest.raises(InputError, match=r"over 2\.5 mm to 500 mm") as error:
+    with pytest.raises(InputError, match="which covers sizes over") as error:
         class_clearance(0.6, "C3")
     assert error.value.field == "bore"
     with pytest.raises(InputError, match="no range for bores up to 6 mm"):
@@ -154,5 +154,5 @@ def test_usual_loads() -> None:
         147.0,
         147.0,
     ]
-    with pytest.raises(InputError, match=r"over 2\.5 mm to 280 mm"):
+    with pytest.raises(InputError, match=r"over 2\.5 mm up to 280 mm"):
         usual_measuring_load(0.3)

@@ -187,7 +187,7 @@ def test_an_aluminium_housing_leaves_the_ring() -> None:
 
 def test_expansions_on_file() -> None:
     assert expansion_of(Material.named("SUJ2"), "mounting.ball_expansion") == EXPANSION_100CR6
-    with pytest.raises(InputError, match="no expansion is on file for M50") as error:
+    with pytest.raises(InputError, match="is missing: the thermal expansion of") as error:
         expansion_of(Material.named("M50"), "mounting.ball_expansion")
     assert error.value.field == "mounting.ball_expansion"
 

@@ -226,9 +226,9 @@ def test_coarser_bearings_vary_more() -> None:
         (0.025, "k2", "h, js, H and JS only"),
         (0.025, "j8", "grades 5, 6, 7 only"),
         (0.025, "k" * 5000, "must be one of"),
-        (0.0025, "k5", "over 3 mm to 500 mm"),
-        (0.6, "k5", "over 3 mm to 500 mm"),
-        (float("nan"), "k5", "over 3 mm to 500 mm"),
+        (0.0025, "k5", "over 3 mm up to 500 mm"),
+        (0.6, "k5", "over 3 mm up to 500 mm"),
+        (float("nan"), "k5", "over 3 mm up to 500 mm"),
     ],
 )
 def test_what_is_not_in_the_tables_is_refused(diameter: float, tolerance: str, told: str) -> None:

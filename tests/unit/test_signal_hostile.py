@@ -483,7 +483,7 @@ def write(path: Path, numbers: Any, rate: float) -> None:
 def test_numbers_that_are_none(tmp_path: Path, name: str) -> None:
     for rate in (-100.0, 1e308, float("nan")):
         write(tmp_path / name, SAMPLES, rate)
-        refused(tmp_path / name, "rate: is not in the file and is to be given", rate=None)
+        refused(tmp_path / name, "rate: is not in the file; give it", rate=None)
     for value, message in (
         (float("nan"), r"1 of 300 samples are not finite .* sample 7 .*0.07 s"),
         (float("-inf"), r"1 of 300 samples are not finite .* sample 7 "),

@@ -158,7 +158,7 @@ def test_csv_without_headings_and_with_dates(tmp_path: Path) -> None:
         ("only words\nand words\n", "has no table of numbers"),
         ("\ufeff", "has no table of numbers"),
         ("time;a\n0;1\n1;2\n2;1\n4;2\n5;1\n", "time column = .*is not evenly spaced: sample"),
-        ("time;a\n0;1\n0;2\n0;1\n", "time column.*does not run forward"),
+        ("time;a\n0;1\n0;2\n0;1\n", "time column.*does not increase"),
         ("a;b\n" + "1;2\n" * 9 + "1;" + "1" * 70000, "has a line of more than 64 kB"),
     ],
 )
@@ -243,7 +243,7 @@ def test_matlab_as_case_western(tmp_path: Path, compressed: bool) -> None:
     assert signal.mean_speed == pytest.approx(1796 * pi / 30)
     third = read_signal(tmp_path / "97.mat", channel=3, rate=RATE)
     np.testing.assert_array_equal(third.samples, OTHER)
-    with pytest.raises(InputError, match="rate: is not in the file and is to be given"):
+    with pytest.raises(InputError, match="is not in the file; give it, in Hz"):
         read_signal(tmp_path / "97.mat", channel=1)
 
 
@@ -322,7 +322,9 @@ def test_hdf5_bomb(tmp_path: Path) -> None:
     with h5py.File(tmp_path / "a.h5", "w") as file:
         data = file.create_dataset("x", (100,), "f8", chunks=(100,), compression="gzip")
         data.id.write_direct_chunk((0,), zlib.compress(bytes(4_000_000), 9))
-    with pytest.raises(FileError, match="does not change over 100 samples"):
+    with pytest.raises(
+        FileError, match="samples: no sensor was connected, or it is the wrong channel"
+    ):
         read_signal(tmp_path / "a.h5", rate=RATE)
 
 
@@ -378,7 +380,7 @@ def test_universal_file(tmp_path: Path, binary: int, even: int) -> None:
 @writes_uff
 def test_universal_file_of_other_functions(tmp_path: Path) -> None:
     write_uff(tmp_path / "a.uff", func_type=4, abscissa_spec_data_type=18)
-    with pytest.raises(FileError, match="universal file without a channel of real numbers"):
+    with pytest.raises(FileError, match="file without a channel of real numbers"):
         channels_of(tmp_path / "a.uff")
 
 
@@ -449,7 +451,10 @@ def stereo(tmp_path: Path) -> Path:
     ("arguments", "message"),
     [
         ({}, r"channel: must be chosen, by name or number: 1 left, 2 right .*channel=\"left\""),
-        ({"channel": "rigth"}, 'channel = "rigth": is not one.*1 left, 2 right.*channel="right"'),
+        (
+            {"channel": "rigth"},
+            'channel = "rigth": .*only one, of 1 left, 2 right.*channel="right"',
+        ),
         ({"channel": 3}, "channel = 3"),
         ({"channel": True}, "channel = true"),
         ({"channel": 1, "rate": -1.0}, "rate = -1.0: must be a number greater than 0"),
@@ -460,7 +465,7 @@ def stereo(tmp_path: Path) -> Path:
         ({"channel": 1, "unit": 5}, "unit = 5: must be text"),
         ({"channel": 1, "start": 1.0}, "start = 1.0: must be before the end of the file, 0.125 s"),
         ({"channel": 1, "start": -1.0}, "start = -1.0"),
-        ({"channel": 1, "duration": 9.0}, "duration = 9.0: must lie .* the 0.125 s that follow"),
+        ({"channel": 1, "duration": 9.0}, "duration = 9.0: must be between .* the 0.125 s after"),
         ({"channel": 1, "duration": 0.0}, "duration = 0.0"),
     ],
 )
@@ -481,7 +486,9 @@ def test_rate_and_unit_that_agree(stereo: Path, tmp_path: Path) -> None:
 def test_samples_that_are_no_signal(tmp_path: Path) -> None:
     file = tmp_path / "a.npy"
     np.save(file, np.full(100, 2.5))
-    with pytest.raises(FileError, match=r"does not change over 100 samples"):
+    with pytest.raises(
+        FileError, match="samples: no sensor was connected, or it is the wrong channel"
+    ):
         read_signal(file, rate=RATE)
     with open_signal(file, rate=RATE) as opened:
         assert [len(block.samples) for block in opened.blocks(60)] == [60, 40]
@@ -496,14 +503,14 @@ def test_samples_that_are_no_signal(tmp_path: Path) -> None:
     with open_signal(file, rate=RATE) as opened, pytest.raises(FileError, match="sample 700 "):
         list(opened.blocks(500))
     np.save(file, SAMPLES * 1e300)
-    with pytest.raises(InputError, match="must be finite numbers of a size up to 1e\\+60"):
+    with pytest.raises(InputError, match="must be finite numbers of magnitude up to 1e\\+60"):
         read_signal(file, rate=RATE)
 
 
 @pytest.mark.parametrize(
     ("name", "content", "message"),
     [
-        ("a.wav", b"not a wav", "is not the WAV file that its name says"),
+        ("a.wav", b"not a wav", "is not a WAV file, as its name says"),
         ("a.mat", b"MATLAB 4?", "is not a MATLAB file of version 5 to 7.3"),
         ("a.jpg", b"\xff\xd8\xff", "is not of a format that can be read: WAV"),
         ("a.csv", b"\xff\xfea\0", "is UTF-16 text"),
@@ -537,7 +544,7 @@ def test_no_file(tmp_path: Path) -> None:
 def test_declared_sizes_are_checked(tmp_path: Path) -> None:
     scipy.io.wavfile.write(tmp_path / "a.wav", 8000, SAMPLES)
     (tmp_path / "b.wav").write_bytes((tmp_path / "a.wav").read_bytes()[:-8])
-    with pytest.raises(FileError, match="is cut off: it says that it holds 12058 bytes, and"):
+    with pytest.raises(FileError, match="is truncated: it declares"):
         read_signal(tmp_path / "b.wav")
     np.save(tmp_path / "a.npy", SAMPLES)
     content = (tmp_path / "a.npy").read_bytes()

@@ -197,7 +197,10 @@ def test_shares_that_nearly_sum_to_one_are_scaled(gearbox: Case, table: Path) ->
             "share,bearing.arrangement\n1,DB\n",
             "applies to the whole duty, not to a step; set it in the case",
         ),
-        ("share,life.contamination,life.grease_cleanliness\n1,0.5,high\n", "combined with"),
+        (
+            "share,life.contamination,life.grease_cleanliness\n1,0.5,high\n",
+            "cannot be combined with",
+        ),
         ('share,"duty.load.fz\n1,2', "is not a line of a CSV table"),
         (f"share,{'x' * 300}\n1,2\n", "a cell of more than 200 characters"),
         ("share" + ",a" * 2000 + "\n", "has more than 1000 columns"),
@@ -280,7 +283,10 @@ def test_a_chart_is_read(table: Path) -> None:
         ("kappa,0.01\n0.5,3\n1,3\n", "needs at least two rows"),
         ("kappa,0.01,0.1\n0.5,3,x\n1,3,1\n", 'line 2: 0.1 = "x": must be a number'),
         ("kappa,0.01,y\n0.5,3,1\n1,3,1\n", "line 1: y"),
-        ("kappa,0.01,0.1\n1,3,1\n0.5,3,1\n", "κ of the rows: at least two increasing numbers"),
+        (
+            "kappa,0.01,0.1\n1,3,1\n0.5,3,1\n",
+            "κ of the rows: must be at least two increasing numbers",
+        ),
         ("kappa,0.1,0.01\n0.5,3,1\n1,3,1\n", "load parameters of the header"),
         ("kappa,0.01,0.1\n0.5,3,-1\n1,3,1\n", "a_NSK = -1.0: must be positive"),
         ("kappa,0.01,0.1\n0.5,3,inf\n1,3,1\n", "must be a number"),

@@ -203,7 +203,8 @@ class Manner(Formatter):
         elif form == "e":
             text = self.exponent(scaled, int(digits))
         elif form == "g" and isfinite(scaled):
-            text = f"{scaled:.{digits}g}".replace("-", _MINUS).replace(".", self.mark)
+            size = f"{abs(scaled):.{digits}g}".replace(".", self.mark)
+            text = (_MINUS if scaled < 0.0 else "") + size
         else:
             text = self.short(scaled, int(digits) if digits else _FIGURES)
         text = f"+{text}" if sign and scaled > 0.0 else text
