@@ -8,14 +8,14 @@ from importlib import resources
 from pathlib import Path
 
 import pytest
+from rolamento.report.catalogue import bearing_report, search_report
+from rolamento.report.catalogue_words import CATALOGUE_WORDS
+from rolamento.report.language import LANGUAGES, words_for
 from typer.testing import CliRunner, Result
 
 from rolamento.catalogue import catalogue, geometry_of
 from rolamento.cli.catalogue import app
 from rolamento.document.medium import Medium
-from rolamento.report.catalogue import bearing_report, search_report
-from rolamento.report.catalogue_words import CATALOGUE_WORDS
-from rolamento.report.language import LANGUAGES, words_for
 from rolamento.studies import parse_study
 from rolamento.studies import run as run_study
 

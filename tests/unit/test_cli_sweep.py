@@ -13,14 +13,14 @@ from pathlib import Path
 
 import pytest
 import typer
+from rolamento.report.language import ENGLISH, PORTUGUESE
+from rolamento.report.study import study_report
 from typer.testing import CliRunner, Result
 
 import rolamento
 from rolamento.cli import sweep_progress
 from rolamento.cli.sweep import sweep
 from rolamento.document.medium import Medium
-from rolamento.report.language import ENGLISH, PORTUGUESE
-from rolamento.report.study import study_report
 from rolamento.studies import Interrupted, load_result, load_study, run_to_file, runner
 
 STUDY = """

@@ -27,8 +27,6 @@ _MAXIMUM_SIZES: Final = 20
 
 app = typer.Typer(
     cls=GroupedCommands,
-    help="Plan a life test: bearings, time, failures.\n\nBearings and time to "
-    "demonstrate a life, or failures to estimate one.",
     no_args_is_help=True,
     rich_markup_mode=None,
 )
@@ -48,6 +46,14 @@ ConfidenceOption = Annotated[
     float, typer.Option("--confidence", metavar="C", help="Confidence level, such as 0.9.")
 ]
 JsonOption = Annotated[str | None, json_option("Write everything as JSON, in the unit of the life")]
+
+
+@app.callback()
+def weibull_plan(lang: LanguageOption = None) -> None:
+    """Plan a life test: bearings, time, failures.
+
+    Bearings and time to demonstrate a life, or failures to estimate one.
+    """
 
 
 @app.command(
