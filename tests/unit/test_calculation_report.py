@@ -5,6 +5,8 @@ from __future__ import annotations
 import json
 import re
 from dataclasses import replace
+from html.parser import HTMLParser
+from io import BytesIO
 from math import isfinite
 from pathlib import Path
 from typing import Any
@@ -15,6 +17,8 @@ from typer.testing import CliRunner
 from rolamento.case import ReportHead, load_case, override
 from rolamento.cli.app import app
 from rolamento.document import Document, Number, Table
+from rolamento.document.html import html
+from rolamento.document.pdf import pdf
 from rolamento.document.terminal import terminal
 from rolamento.errors import InputError
 from rolamento.pages.equations import EQUATIONS, REFERENCES, SYMBOLS, equations_of, references_of
@@ -324,11 +328,114 @@ def test_json_of_the_command() -> None:
     assert found["cases"][0]["analysis"]["status"]["converged"]
 
 
-def test_hostile_texts_are_shown_as_they_are(spindle: Report) -> None:
-    head = replace(spindle, head=ReportHead(author="<b>&", date="x"))
-    assert "<b>&" in terminal(report_page(head))
-
-
 def test_units_of_the_page_are_known(gearbox: Report) -> None:
     for one in gearbox.cases[0].inputs:
         in_unit(1.0, one.unit)
+
+
+# --- HTML and PDF -------------------------------------------------------------------------------
+
+
+class _Rows(HTMLParser):
+    """The rows of all tables, as the texts of their cells."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.rows: list[list[str]] = []
+        self._in_cell = False
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        if tag == "tr":
+            self.rows.append([])
+        elif tag in ("td", "th") and self.rows:
+            self.rows[-1].append("")
+            self._in_cell = True
+
+    def handle_endtag(self, tag: str) -> None:
+        if tag in ("td", "th"):
+            self._in_cell = False
+
+    def handle_data(self, data: str) -> None:
+        if self._in_cell:
+            self.rows[-1][-1] += spaceless(data)
+
+
+def rows_of(page: Document, lang: str) -> list[list[str]]:
+    """Every row of the tables that name their rows: label, unit and numbers, as printed."""
+    found = []
+    for table in page.tables():
+        keys = [column.key for column in table.columns]
+        if "path" not in keys:
+            continue
+        for row in range(len(table.columns[0].values)):
+            cells = []
+            for column in table.columns:
+                if column.only_in_files:
+                    continue
+                value = column.values[row]
+                if isinstance(value, Number):
+                    with speaking(lang):
+                        value = manner().number(value.value, value.form)
+                if isinstance(value, str) and value:
+                    cells.append(spaceless(value).replace("_", ""))
+            found.append(cells)
+    return found
+
+
+@pytest.mark.parametrize(
+    ("names", "lang"),
+    [
+        (("6305_life",), "en"),
+        (("218_combined", "218_hybrid"), "pt"),
+        pytest.param(("6012_pair",), "pt", marks=pytest.mark.sweep),
+        pytest.param(("6305_film", "ricci_fleury"), "en", marks=pytest.mark.sweep),
+    ],
+)
+def test_html_shows_the_numbers_of_the_json(names: tuple[str, ...], lang: str) -> None:
+    with speaking(lang):
+        page = report_page(of(*names))
+    parser = _Rows()
+    parser.feed(html(page))
+    shown = {tuple(cell.replace("_", "") for cell in row if cell) for row in parser.rows}
+    for cells in rows_of(page, lang):
+        assert tuple(cells) in shown
+
+
+@pytest.mark.parametrize(
+    ("names", "lang"),
+    [
+        (("6305_life",), "en"),
+        (("218_combined", "218_hybrid"), "pt"),
+        pytest.param(("6012_pair",), "pt", marks=pytest.mark.sweep),
+        pytest.param(("6305_film", "ricci_fleury"), "en", marks=pytest.mark.sweep),
+    ],
+)
+def test_pdf_shows_the_numbers_of_the_json(names: tuple[str, ...], lang: str) -> None:
+    pypdf = pytest.importorskip("pypdf")
+    with speaking(lang):
+        page = report_page(of(*names))
+    reader = pypdf.PdfReader(BytesIO(pdf(page)))
+    text = "".join(spaceless(sheet.extract_text()) for sheet in reader.pages).replace("_", "")
+    for cells in rows_of(page, lang):
+        assert "".join(cells) in text
+
+
+def test_hostile_texts_are_escaped(spindle: Report) -> None:
+    hostile = '<script>alert(1)</script>&"#set text(red)$x$'
+    case = spindle.cases[0]
+    titled = replace(case, case=case.case.replace(title=hostile))
+    report = replace(spindle, head=ReportHead(author=hostile, date="x"), cases=(titled,))
+    page = report_page(report)
+    assert "<script>alert" not in html(page)
+    assert pdf(page).startswith(b"%PDF")
+    assert "alert(1)" in terminal(page)
+
+
+@pytest.mark.parametrize("ending", [".html", ".pdf", ".md", ".txt"])
+def test_the_command_writes_every_format(tmp_path: Path, ending: str) -> None:
+    path = tmp_path / f"report{ending}"
+    run = CliRunner().invoke(
+        app, ["report", example("218_combined"), "-o", str(path), "--author", "A. Souza"]
+    )
+    assert run.exit_code == 0, run.output
+    assert path.stat().st_size > 1000

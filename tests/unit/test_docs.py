@@ -11,7 +11,7 @@ import pytest
 DOCS = Path(__file__).resolve().parents[2] / "docs"
 BLOCKS = [
     pytest.param(block, id=f"{guide}-{number}")
-    for guide in ("case-file.md", "python.md", "studies.md")
+    for guide in ("case-file.md", "python.md", "report.md", "studies.md")
     for number, block in enumerate(
         re.findall(r"```python\n(.*?)```", (DOCS / guide).read_text("utf-8"), re.DOTALL)
     )

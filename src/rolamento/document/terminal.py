@@ -144,7 +144,11 @@ class _Setter:
         return _joined([self._section(one, width) for one in sections])
 
     def _section(self, section: Section, width: int) -> Lines:
-        heading = self._hanging(Text(), section.heading, width, _HEADING) if section.heading else []
+        heading: Lines = []
+        if section.heading and section.level == 1:
+            heading = self._title(Title(section.heading), width)
+        elif section.heading:
+            heading = self._hanging(Text(), section.heading, width, _HEADING)
         return [*heading, *(line for block in section.blocks for line in self._block(block, width))]
 
     def _block(self, block: Block, width: int) -> Lines:

@@ -229,7 +229,7 @@ def _verdicts(found: NoiseResult) -> Iterable[Column]:
     verdicts = [found.verdict_of(0, band.name) for band in bands]
     yield Column(head=said("full scale"), values=full, form=".4", key="full_scale")
     yield Column(
-        head=said("of full scale"),
+        head=said("ratio"),
         values=[band.anderons / scale for band, scale in zip(bands, full, strict=True)],
         unit="%",
         form=".1f [%]",

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
-from math import log10, nan, pi
+from collections.abc import Callable, Iterable
+from math import log10, pi
 from typing import TYPE_CHECKING, Final
 
+import numpy as np
+
 from rolamento.document import (
-    CellContent,
     Column,
     Document,
     Entry,
@@ -21,7 +22,6 @@ from rolamento.document import (
     Title,
     Tone,
 )
-from rolamento.pages.data import in_files
 from rolamento.pages.frequencies import balls_of, contact_angle, failure
 from rolamento.vibration.diagnosis import DAMAGE, SEVERE, ComponentVerdict, Diagnosis
 from rolamento.vibration.frequencies import FaultFrequencies
@@ -60,28 +60,9 @@ def diagnosis_page(found: DiagnosisResult) -> Document:
     if not found.still:
         sections.append(_why(found.diagnosis))
     sections += _notes(found)
-    sections.append(Section("", tuple(_figures(found)), key="figures"))
-    sections.append(in_files("spectrum", _COLUMNS, _spectrum(found.diagnosis)))
+    sections.append(Section("", (*_figures(found), _spectrum(found.diagnosis)), key="figures"))
     title = f"{found.bearing_name}: {found.title}"
     return Document(title, tuple(sections), kind="diagnose", main="spectrum")
-
-
-_COLUMNS: Final = {
-    "band_low": "Hz", "band_high": "Hz", "order": "", "frequency": "Hz", "over_noise": "dB"
-}  # fmt: skip
-
-
-def _spectrum(diagnosis: Diagnosis) -> Iterator[tuple[CellContent, ...]]:
-    """Return the spectrum of the squared envelope in every fault's band, or the best match's."""
-    spectra = diagnosis.spectra
-    bands = [part.band for part in diagnosis.components if part.band is not None]
-    places = sorted({spectra.bands.index(band) for band in bands if band in spectra.bands})
-    orders = spectra.order.tolist()
-    for place in places or [diagnosis.clearest_band]:
-        low, high = spectra.bands[place]
-        for order, above in zip(orders, spectra.above_noise[place].tolist(), strict=True):
-            level = 10.0 * log10(above) if above > 0.0 else nan
-            yield low, high, order, order * diagnosis.shaft_frequency, level
 
 
 def _verdict(found: DiagnosisResult) -> Section:
@@ -371,6 +352,33 @@ def _notes(found: DiagnosisResult) -> list[Section]:
         if note.key == "no_loaded_frequencies" and unsolved and found.solved is not None:
             remarks.append(Remark(failure(found.solved), "no_solution_no_frequencies"))
     return [Section(said("Notes"), (Notes(tuple(remarks)),), key="notes")] * bool(remarks)
+
+
+def _spectrum(diagnosis: Diagnosis) -> Table:
+    """Return the spectrum of the squared envelope in the band of each fault, for files."""
+    spectra, places = diagnosis.spectra, diagnosis.bands_shown
+    count = len(spectra.order)
+    order = spectra.order.tolist() * len(places)
+    above = np.concatenate([spectra.above_noise[place] for place in places])
+    level = 10.0 * np.log10(above, out=np.full(above.shape, np.nan), where=above > 0.0)
+    lows, highs = ([spectra.bands[p][end] for p in places for _ in range(count)] for end in (0, 1))
+    return Table(
+        columns=(
+            Column(head=said("band from"), values=lows, unit="Hz", key="band_low"),
+            Column(head=said("band to"), values=highs, unit="Hz", key="band_high"),
+            Column(head=said("order"), values=order, key="order"),
+            Column(
+                head=said("frequency"),
+                values=[one * diagnosis.shaft_frequency for one in order],
+                unit="Hz",
+                key="frequency",
+            ),
+            Column(head=said("over noise"), values=level.tolist(), unit="dB", key="over_noise"),
+        ),
+        key="spectrum",
+        caption=said("Spectrum of the squared envelope"),
+        only_in_files=True,
+    )
 
 
 # --- pictures ----------------------------------------------------------------------------------

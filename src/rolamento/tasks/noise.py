@@ -71,7 +71,7 @@ class MeasuredNoise:
     noise
         as measured
     hours
-        of the test after which it was recorded; NaN if not told
+        of the test after which it was recorded; NaN if not given
     scaled_unit
         unit that the full scale of a file of whole numbers is taken for; "" otherwise
     sensitivity
@@ -183,7 +183,7 @@ class NoiseResult:
 
     @cached_property
     def trend(self) -> AnderonTrend | None:
-        """Over the test, if the hours of at least two signals are told."""
+        """Over the test, if the hours of at least two signals are given."""
         if len(self.measured) < 2 or not all(isfinite(one.hours) for one in self.measured):
             return None
         records = [
@@ -263,7 +263,7 @@ def anderons(
     paths
         A file or several.
     speed
-        Of the inner ring: text such as "1800 rpm", or rad/s; by default as a file tells it, or else
+        Of the inner ring: text such as "1800 rpm", or rad/s; by default as a file gives it, or else
         that of the standard.
     full_scale
         By band: anderons, or a `FullScale`; without one there is no verdict.
@@ -276,7 +276,7 @@ def anderons(
     start, duration
         Of the part of each signal; s.
     stages
-        Is told of "reading" for each file, and how far that is.
+        Is called with "reading" for each file, and how far that is.
     reading
         channel, rate, unit, scale and decimal_mark, as of `rolamento.vibration.open_signal`.
 
