@@ -200,7 +200,7 @@ def test_a_case_without_solution_keeps_its_geometry() -> None:
         (("6205", "--harmonics", "101"), "from 1 to 100"),
         (("6205", "--sidebands", "-1"), "--sidebands"),
         (("6205", "--set", "bearing.balls=3"), "--set"),
-        (("6205", "--json", "-", "--csv", "-"), "only one of --json, --csv"),
+        (("6205", "--json", "-", "--csv", "-"), "only one of --json and --csv"),
         (("\x00",), "designation"),
         (("x" * 10_000,), "designation"),
     ],
