@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import sys
 from typing import TYPE_CHECKING, Annotated, Any, Final
 
 import typer
@@ -17,7 +16,8 @@ from rolamento.cli.common import (
 from rolamento.cli.grouped_help import GroupedCommands
 from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.options import JsonOption, LanguageOption
-from rolamento.cli.streams import STANDARD_STREAM, print_text, put
+from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
+from rolamento.cli.streams import print_text, put
 from rolamento.errors import InputError
 from rolamento.words import said
 
@@ -52,6 +52,7 @@ def catalogue(lang: LanguageOption = None) -> None:
 
 
 @app.command(cls=JsonCommand, epilog="Examples: search 62; search 'EX 70'; search 25x52x15.")
+@with_outputs
 def search(
     text: Annotated[
         str,
@@ -64,20 +65,23 @@ def search(
     ] = _MOST,
     files: FilesOption = None,
     json: JsonOption = None,
+    outputs: Outputs = NOWHERE,
     lang: LanguageOption = None,
 ) -> None:
     """List the bearings whose designation contains a text."""
     with plain_endings(lang):
+        outputs.check({"--json": json}, *(files or ()))
         if not 1 <= most <= _MOST_OF_ALL:
             raise InputError(
                 said("must be between 1 and {most}", most=_MOST_OF_ALL), value=most, source="--most"
             )
         found = _catalogue(files).search(text, most + 1)
-        _show_list(found[:most], len(found) <= most, json)
+        _show_list(found[:most], len(found) <= most, json, outputs)
     raise typer.Exit(SOLVED if found else NO_RESULT)
 
 
 @app.command(cls=JsonCommand, epilog="Examples: show 6205/C3; show 7205B --dynamic '14.8 kN'.")
+@with_outputs
 def show(
     designation: Annotated[
         str,
@@ -103,6 +107,7 @@ def show(
     ] = False,
     files: FilesOption = None,
     json: JsonOption = None,
+    outputs: Outputs = NOWHERE,
     lang: LanguageOption = None,
 ) -> None:
     """Show a bearing by its designation.
@@ -110,6 +115,7 @@ def show(
     Published data with their sources, and the internal geometry, marked where estimated.
     """
     with plain_endings(lang):
+        outputs.check({"--json": json}, *(files or ()))
         known = _catalogue(files)
         if dynamic or static:
             known = _with_ratings(known, designation, dynamic, static)
@@ -120,7 +126,7 @@ def show(
 
             print_text(axis_toml(geometry))
         else:
-            _show_one(geometry, bearing, json)
+            _show_one(geometry, bearing, json, outputs)
     raise typer.Exit(NO_RESULT if geometry is None else SOLVED)
 
 
@@ -168,27 +174,26 @@ def _geometry(
     return geometry_of(designation, catalogue_of=known)
 
 
-def _show_list(found: tuple[CatalogueBearing, ...], is_all: bool, json: str | None) -> None:
-    from rolamento.document.medium import Medium
-    from rolamento.document.terminal import terminal
+def _show_list(
+    found: tuple[CatalogueBearing, ...], is_all: bool, json: str | None, outputs: Outputs
+) -> None:
     from rolamento.pages.catalogue import search_page
     from rolamento.tasks.catalogue import search_mapping
 
     if json is not None:
         put(dumps(search_mapping(found)) + "\n", json)
-    if json != STANDARD_STREAM:
-        print_text(terminal(search_page(found, is_all=is_all), Medium.of(sys.stdout)))
+    outputs.show(lambda: search_page(found, is_all=is_all), json)
 
 
 def _show_one(
-    geometry: InternalGeometry | None, bearing: CatalogueBearing, json: str | None
+    geometry: InternalGeometry | None,
+    bearing: CatalogueBearing,
+    json: str | None,
+    outputs: Outputs,
 ) -> None:
-    from rolamento.document.medium import Medium
-    from rolamento.document.terminal import terminal
     from rolamento.pages.catalogue import bearing_page
     from rolamento.tasks.catalogue import bearing_mapping
 
     if json is not None:
         put(dumps(bearing_mapping(geometry, bearing)) + "\n", json)
-    if json != STANDARD_STREAM:
-        print_text(terminal(bearing_page(geometry, bearing), Medium.of(sys.stdout)))
+    outputs.show(lambda: bearing_page(geometry, bearing), json)

@@ -12,7 +12,6 @@ from rolamento.cli.common import (
     SOLVED,
     Language,
     complain_of,
-    complain_of_points,
     plain_endings,
 )
 from rolamento.cli.options import (
@@ -29,6 +28,7 @@ from rolamento.cli.over_field import (
     PointsOption,
     VariantsOption,
     check_variants,
+    show_curves,
 )
 from rolamento.cli.streams import STANDARD_STREAM, put_json
 from rolamento.cli.waiting import waiting
@@ -37,6 +37,8 @@ from rolamento.words import said
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
+
+    from matplotlib.figure import Figure
 
     from rolamento.analysis import Analysis
     from rolamento.studies.friction_curves import FrictionCurve
@@ -195,15 +197,14 @@ def _show_curves(
     from rolamento.pages.friction_over import friction_over_page
     from rolamento.studies.friction_curves import curves_mapping
 
-    if json is not None:
-        put_json(curves_mapping(curves), json)
-    if plot is not None:
+    def figure(shown: Sequence[FrictionCurve]) -> Figure:
         from rolamento.plots.friction import friction_figure
-        from rolamento.plots.saving import save_figure
 
-        save_figure(friction_figure(curves), plot)
-    outputs.show(lambda: friction_over_page(curves), json)
-    failed = next((curve.status for curve in curves if not curve.converged), None)
-    if failed is not None and STANDARD_STREAM in (json, outputs.csv):
-        complain_of_points(failed[failed != "converged"], len(failed), lang)
-    return failed is None
+        return friction_figure(shown)
+
+    def json_text(shown: Sequence[FrictionCurve]) -> str:
+        from rolamento._json import dumps
+
+        return dumps(curves_mapping(shown), indent=2)
+
+    return show_curves(curves, friction_over_page, json_text, figure, json, plot, outputs, lang)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -16,8 +15,8 @@ from rolamento.cli.common import (
     complain_of_points,
     plain_endings,
 )
-from rolamento.cli.options import LanguageOption, SettingsOption, csv_option, json_option
-from rolamento.cli.outputs import check_outputs
+from rolamento.cli.options import LanguageOption, SettingsOption, json_option
+from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
 from rolamento.cli.over_field import (
     POINTS,
     CurvesPlotOption,
@@ -27,7 +26,7 @@ from rolamento.cli.over_field import (
     check_variants,
     show_curves,
 )
-from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
+from rolamento.cli.streams import STANDARD_STREAM, complain, put
 from rolamento.cli.table_options import DecimalMarkOption, told_in_options
 from rolamento.cli.waiting import waiting
 from rolamento.errors import InputError
@@ -39,12 +38,12 @@ if TYPE_CHECKING:
 
     from matplotlib.figure import Figure
 
-    from rolamento.document import Document
     from rolamento.tasks.life_over import LifeCurve
 
 __all__ = ["life"]
 
 
+@with_outputs
 def life(
     case: Annotated[
         list[str],
@@ -85,9 +84,7 @@ def life(
         typer.Option("--reliability", metavar="S", help="Reliability of the life, such as 0.95."),
     ] = None,
     json: Annotated[str | None, json_option("Write everything as JSON")] = None,
-    csv: Annotated[
-        str | None, csv_option("With --over or --spectrum: write points or steps")
-    ] = None,
+    outputs: Outputs = NOWHERE,
     plot: CurvesPlotOption = None,
     decimal_mark: DecimalMarkOption = None,
     settings: SettingsOption = None,
@@ -101,7 +98,7 @@ def life(
     with plain_endings(lang):
         _check(case, over, spectrum, variants or [])
         read = [path for path in (*case, spectrum, nsk_table) if path is not None]
-        _check_files(read, {"--json": json, "--csv": csv, "--plot": plot}, over, spectrum)
+        _check_files(read, json, plot, outputs, over)
         own = list(settings or ())
         if reliability is not None:
             own.append(_setting_of(reliability))
@@ -109,24 +106,13 @@ def life(
         tables = {"nsk_table": nsk_table, "decimal_mark": decimal_mark}
         if over is not None:
             curves = _curves(cases[0], over, points, log, variants or [], tables, lang)
-            from rolamento.pages.life_over import life_over_page
-            from rolamento.tasks.life_over import curves_csv, curves_json
-
-            solved = show_curves(
-                curves,
-                json_text=curves_json,
-                csv_text=curves_csv,
-                page_text=lambda shown: _text(life_over_page(shown)),
-                figure=_figure,
-                outputs=(json, csv, plot),
-                lang=lang,
-            )
+            solved = _show_curves(curves, json, plot, outputs, lang)
         elif spectrum is not None:
-            solved = _spectrum(cases[0], spectrum, tables, json, csv, lang)
+            solved = _spectrum(cases[0], spectrum, tables, json, outputs, lang)
         elif len(cases) > 1:
-            solved = _shaft(case, cases, tables, json, lang)
+            solved = _shaft(case, cases, tables, json, outputs, lang)
         else:
-            solved = _one(cases[0], tables, json, lang)
+            solved = _one(cases[0], tables, json, outputs, lang)
     raise typer.Exit(SOLVED if solved else NO_RESULT)
 
 
@@ -162,37 +148,41 @@ def _check(cases: list[str], over: str | None, spectrum: str | None, variants: l
 
 
 def _check_files(
-    read: list[str], given: dict[str, str | None], over: str | None, spectrum: str | None
+    read: list[str], json: str | None, plot: str | None, outputs: Outputs, over: str | None
 ) -> None:
     """Refuse outputs without what they show, or that run into each other or into what is read."""
     if read.count(STANDARD_STREAM) > 1:
         raise InputError(said("can be read only once"), source="standard input")
-    outputs = {name: path for name, path in given.items() if path is not None}
-    if "--csv" in outputs and over is None and spectrum is None:
-        raise InputError(said("needs --over or --spectrum"), field="--csv", value=outputs["--csv"])
-    if "--plot" in outputs and over is None:
+    if plot is not None and over is None:
         raise InputError(
             said("needs --over"),
             field="--plot",
-            value=outputs["--plot"],
+            value=plot,
             example="--over duty.load.fz=1..8kN",
         )
-    check_outputs(given, *read, rule=marked("is one of the input files; choose another name"))
-    file = outputs.get("--json", "")
-    if file.lower().endswith(".toml"):
+    outputs.check(
+        {"--json": json, "--plot": plot},
+        *read,
+        rule=marked("is one of the input files; choose another name"),
+    )
+    if json is not None and json.lower().endswith(".toml"):
         raise InputError(
             said(
                 "is taken as the FILE of --json; put --json last, or follow it with a "
                 "name that ends in .json"
             ),
             field="--json",
-            value=file,
+            value=json,
             example="life a.toml b.toml --json",
         )
 
 
 def _one(
-    case: rolamento.Case, tables: dict[str, str | None], json: str | None, lang: Language | None
+    case: rolamento.Case,
+    tables: dict[str, str | None],
+    json: str | None,
+    outputs: Outputs,
+    lang: Language | None,
 ) -> bool:
     """Show the life of a case; tell whether it has a result."""
     from rolamento.pages.life import life_page
@@ -202,9 +192,8 @@ def _one(
         found = life_of_case(case, **tables)
     if json is not None:
         put(found.to_json() + "\n", json)
-    if json != STANDARD_STREAM:
-        print_text(_text(life_page(found.solved, found.life, found.changes)))
-    elif not found.converged:
+    outputs.show(lambda: life_page(found.solved, found.life, found.changes), json)
+    if STANDARD_STREAM in (json, outputs.csv) and not found.converged:
         complain_of(found.solved, lang)
     return found.converged
 
@@ -214,6 +203,7 @@ def _shaft(
     cases: list[rolamento.Case],
     tables: dict[str, str | None],
     json: str | None,
+    outputs: Outputs,
     lang: Language | None,
 ) -> bool:
     """Show the lives of several bearings and of all together."""
@@ -226,9 +216,8 @@ def _shaft(
     names = titles if all(titles) and len(set(titles)) == len(titles) else paths
     if json is not None:
         put(found.to_json(names) + "\n", json)
-    if json != STANDARD_STREAM:
-        print_text(_text(shaft_page(found, names)))
-    elif not found.converged:
+    outputs.show(lambda: shaft_page(found, names), json)
+    if STANDARD_STREAM in (json, outputs.csv) and not found.converged:
         failed = next(solved for solved in found.bearings if not solved.converged[0])
         complain(f"{failed.title}: {reason(str(failed.status.code[0]))}")
     return found.converged
@@ -239,22 +228,19 @@ def _spectrum(
     path: str,
     tables: dict[str, str | None],
     json: str | None,
-    csv: str | None,
+    outputs: Outputs,
     lang: Language | None,
 ) -> bool:
     """Show the life under a duty of several steps."""
     from rolamento.pages.life_spectrum import life_spectrum_page
-    from rolamento.tasks.life_spectrum import life_under, spectrum_csv
+    from rolamento.tasks.life_spectrum import life_under
 
     with told_in_options(), waiting(lang):
         found = life_under(case, path, **tables)
     if json is not None:
         put(found.to_json() + "\n", json)
-    if csv is not None:
-        put(spectrum_csv(found), csv)
-    if STANDARD_STREAM not in (json, csv):
-        print_text(_text(life_spectrum_page(found)))
-    elif not found.converged:
+    outputs.show(lambda: life_spectrum_page(found), json)
+    if STANDARD_STREAM in (json, outputs.csv) and not found.converged:
         failed = found.status[(found.status != "converged") & found.taking_part]
         complain_of_points(failed, len(found.steps), lang)
     return found.converged
@@ -279,14 +265,20 @@ def _curves(
         return [life_curve(one, chosen, label=label, **tables) for label, one in cases]
 
 
-def _figure(curves: Sequence[LifeCurve]) -> Figure:
-    from rolamento.plots.life import life_figure
+def _show_curves(
+    curves: Sequence[LifeCurve],
+    json: str | None,
+    plot: str | None,
+    outputs: Outputs,
+    lang: Language | None,
+) -> bool:
+    """Show life over a field; tell whether every point has a result."""
+    from rolamento.pages.life_over import life_over_page
+    from rolamento.tasks.life_over import curves_json
 
-    return life_figure(curves)
+    def figure(shown: Sequence[LifeCurve]) -> Figure:
+        from rolamento.plots.life import life_figure
 
+        return life_figure(shown)
 
-def _text(page: Document) -> str:
-    from rolamento.document.medium import Medium
-    from rolamento.document.terminal import terminal
-
-    return terminal(page, Medium.of(sys.stdout))
+    return show_curves(curves, life_over_page, curves_json, figure, json, plot, outputs, lang)

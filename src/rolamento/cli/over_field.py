@@ -9,7 +9,8 @@ import typer
 
 from rolamento.cli.common import Language, complain_of_points
 from rolamento.cli.options import plot_option
-from rolamento.cli.streams import STANDARD_STREAM, print_text, put
+from rolamento.cli.outputs import Outputs
+from rolamento.cli.streams import STANDARD_STREAM, put
 from rolamento.errors import InputError
 from rolamento.words import said
 
@@ -17,6 +18,8 @@ if TYPE_CHECKING:
     import numpy as np
     from matplotlib.figure import Figure
     from numpy.typing import NDArray
+
+    from rolamento.document import Document
 
 
 __all__ = [
@@ -82,24 +85,24 @@ def check_variants(variants: list[str]) -> None:
 
 def show_curves(
     curves: Sequence[C],
-    *,
+    page: Callable[[Sequence[C]], Document],
     json_text: Callable[[Sequence[C]], str],
-    csv_text: Callable[[Sequence[C]], str],
-    page_text: Callable[[Sequence[C]], str],
     figure: Callable[[Sequence[C]], Figure],
-    outputs: tuple[str | None, str | None, str | None],
+    json: str | None,
+    plot: str | None,
+    outputs: Outputs,
     lang: Language | None,
 ) -> bool:
-    """Write what was asked for; standard output takes data or the report, not both.
+    """Write what was asked for; standard output takes data or the page, not both.
 
     Parameters
     ----------
     curves
         The case's own first, then its variants.
-    json_text, csv_text, page_text, figure
-        Write and draw them; called only for what is asked for.
-    outputs
-        Files for JSON, a table and a picture; None where nothing is asked for.
+    page, json_text, figure
+        Make them; called only for what is asked for.
+    json, plot, outputs
+        Files; None where nothing is asked for.
     lang
         The language; that of the locale if not given.
 
@@ -108,19 +111,14 @@ def show_curves(
     bool
         Whether every point has a result.
     """
-    json, csv, plot = outputs
     if json is not None:
         put(json_text(curves) + "\n", json)
-    if csv is not None:
-        put(csv_text(curves), csv)
     if plot is not None:
         from rolamento.plots.saving import save_figure
 
         save_figure(figure(curves), plot)
-    converged = all(curve.converged for curve in curves)
-    if STANDARD_STREAM not in (json, csv):
-        print_text(page_text(curves))
-    elif not converged:
-        status = next(curve.status for curve in curves if not curve.converged)
-        complain_of_points(status[status != "converged"], len(status), lang)
-    return converged
+    outputs.show(lambda: page(curves), json)
+    failed = next((curve.status for curve in curves if not curve.converged), None)
+    if failed is not None and STANDARD_STREAM in (json, outputs.csv):
+        complain_of_points(failed[failed != "converged"], len(failed), lang)
+    return failed is None

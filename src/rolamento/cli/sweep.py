@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from enum import StrEnum
 from typing import Annotated, NoReturn
 
@@ -15,6 +14,7 @@ from rolamento.cli.common import (
     plain_endings,
 )
 from rolamento.cli.options import LanguageOption, SettingsOption
+from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
 from rolamento.cli.streams import complain, print_text
 from rolamento.errors import InputError
 from rolamento.words import said
@@ -27,6 +27,7 @@ class Listed(StrEnum):
     outputs = "outputs"
 
 
+@with_outputs
 def sweep(
     study: Annotated[
         str | None,
@@ -67,6 +68,7 @@ def sweep(
         Listed | None,
         typer.Option("--list", help="List the fields that may vary, or the outputs."),
     ] = None,
+    outputs: Outputs = NOWHERE,
     lang: LanguageOption = None,
 ) -> None:
     """Solve many cases: ranges of fields, or random draws.
@@ -81,9 +83,8 @@ def sweep(
             raise InputError(
                 said("is missing"), field="STUDY", example="rolamento sweep study.toml"
             )
+        outputs.check({"--output": output}, study)
         from rolamento.cli.sweep_progress import told
-        from rolamento.document.medium import Medium
-        from rolamento.document.terminal import terminal
         from rolamento.pages.study import study_page
         from rolamento.tasks import studies
 
@@ -101,7 +102,7 @@ def sweep(
         except KeyboardInterrupt as stop:
             _tell_what_is_kept(stop)
         title = swept.study.title or swept.study.case.title
-        print_text(terminal(study_page(swept.summary, title), Medium.of(sys.stdout)))
+        outputs.show(lambda: study_page(swept.summary, title))
     raise typer.Exit(SOLVED if swept.summary.converged else NO_RESULT)
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -14,8 +13,8 @@ from rolamento.cli.common import (
     plain_endings,
 )
 from rolamento.cli.options import JsonOption, LanguageOption, PlotOption
-from rolamento.cli.outputs import check_outputs
-from rolamento.cli.streams import STANDARD_STREAM, print_text, put
+from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
+from rolamento.cli.streams import put
 from rolamento.cli.waiting import waiting
 from rolamento.errors import InputError
 from rolamento.words import marked, said
@@ -26,6 +25,7 @@ if TYPE_CHECKING:
 __all__ = ["tolerance"]
 
 
+@with_outputs
 def tolerance(
     result: Annotated[
         str,
@@ -50,6 +50,7 @@ def tolerance(
     ] = None,
     json: JsonOption = None,
     plot: PlotOption = None,
+    outputs: Outputs = NOWHERE,
     lang: LanguageOption = None,
 ) -> None:
     """Show percentiles of a study, and which inputs matter.
@@ -58,7 +59,7 @@ def tolerance(
     """
     with plain_endings(lang):
         wanted = _percentiles(percentiles)
-        check_outputs(
+        outputs.check(
             {"--json": json, "--plot": plot},
             result,
             rule=marked("is the study itself; choose another name"),
@@ -67,7 +68,7 @@ def tolerance(
             from rolamento.tasks import studies
 
             found = studies.tolerance(result, percentiles=wanted, sobol_samples=sobol)
-        _show(found, json, plot)
+        _show(found, json, plot, outputs)
     raise typer.Exit(SOLVED if found.bands.share_without_result < 1.0 else NO_RESULT)
 
 
@@ -88,7 +89,7 @@ def _percentiles(text: str | None) -> tuple[float, ...]:
     return tuple(values)
 
 
-def _show(found: ToleranceStudy, json: str | None, plot: str | None) -> None:
+def _show(found: ToleranceStudy, json: str | None, plot: str | None, outputs: Outputs) -> None:
     """Write what was asked for; standard output takes data or the page, not both."""
     if json is not None:
         put(dumps(found.to_mapping()) + "\n", json)
@@ -97,10 +98,6 @@ def _show(found: ToleranceStudy, json: str | None, plot: str | None) -> None:
         from rolamento.plots.tolerance import tolerance_figure
 
         save_figure(tolerance_figure(found), plot)
-    if json == STANDARD_STREAM:
-        return
-    from rolamento.document.medium import Medium
-    from rolamento.document.terminal import terminal
     from rolamento.pages.tolerance import tolerance_page
 
-    print_text(terminal(tolerance_page(found), Medium.of(sys.stdout)))
+    outputs.show(lambda: tolerance_page(found), json)

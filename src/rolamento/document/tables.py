@@ -11,7 +11,7 @@ import io
 import re
 import zipfile
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import isfinite
 from typing import TYPE_CHECKING, Any, Final
 
@@ -170,13 +170,17 @@ class _Field:
 
 def _fields(table: Table, si: bool) -> list[_Field]:
     taken: set[str] = set()
-    fields = []
+    fields: list[_Field] = []
     for place, column in enumerate((one for one in table.columns if not one.bar), 1):
         plain = re.sub(r"\W+", "_", column.head).strip("_")
-        name = _unlike(column.key or plain or f"column_{place}", taken)
         unit = _unit(column)
         values = [_value(value, column, unit, si) for value in column.values]
-        fields.append(_Field(name, _in_si(unit) if si else unit, values))
+        shown = _in_si(unit) if si else unit
+        named = _Field(column.key or plain or f"column_{place}", shown, values)
+        while named.plain_name.casefold() in taken:
+            named = replace(named, name=f"{named.name}_{place}")
+        taken.add(named.plain_name.casefold())
+        fields.append(named)
     return fields
 
 

@@ -5,11 +5,8 @@ Every theory at every point, and where it is valid.
 
 from __future__ import annotations
 
-import csv
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields
-from io import StringIO
-from math import isfinite, isinf
 from typing import Any, Final, TypeVar
 
 import numpy as np
@@ -46,7 +43,6 @@ __all__ = [
     "LifeRows",
     "LoadLives",
     "ZoneLife",
-    "curves_csv",
     "curves_json",
     "life_curve",
     "lives_of_rows",
@@ -190,65 +186,6 @@ def curves_json(curves: Sequence[LifeCurve]) -> str:
         },
         indent=2,
     )
-
-
-def curves_csv(curves: Sequence[LifeCurve]) -> str:
-    """Return the points, one a line below a header that names the units (RFC 4180).
-
-    SI units, hours and millions of revolutions; a decimal point, ten significant digits, an empty
-    field for what does not exist, ``inf`` for a life without an end.
-    """
-    text = StringIO(newline="")
-    writer = csv.writer(text)
-    field = curves[0].over.field
-    theories = list(dict.fromkeys(name for curve in curves for name in curve.theories))
-    writer.writerow(
-        [
-            "variant",
-            f"{field.name}_{field.unit}",
-            "status",
-            *(f"{name}_h" for name in theories),
-            *(f"{name}_Mrev" for name in theories),
-            *(f"{name}_holds" for name in theories),
-            "headline_theory",
-            "headline_h",
-            "headline_Mrev",
-            "headline_holds",
-            "headline_below",
-            "viscosity_ratio",
-            "contamination_factor",
-        ]
-    )
-    for curve in curves:
-        records = [curve.theories.get(name) for name in theories]
-        leading = curve.headline
-        for point in range(len(curve)):
-            writer.writerow(
-                [
-                    curve.label,
-                    _life_cell(curve.values[point]),
-                    str(curve.status[point]),
-                    *("" if own is None else _life_cell(own.hours[point]) for own in records),
-                    *("" if own is None else _life_cell(own.life[point]) for own in records),
-                    *(_yes_or_no(own is not None and own.valid[point]) for own in records),
-                    str(leading.theory[point]),
-                    _life_cell(leading.hours[point]),
-                    _life_cell(leading.life[point]),
-                    _yes_or_no(leading.valid[point]),
-                    _yes_or_no(leading.below[point]),
-                    _life_cell(curve.viscosity_ratio[point]),
-                    _life_cell(curve.contamination_factor[point]),
-                ]
-            )
-    return text.getvalue()
-
-
-def _yes_or_no(value: bool) -> str:
-    return "yes" if value else "no"
-
-
-def _life_cell(value: float) -> str:
-    return "inf" if isinf(value) else f"{value:.10g}" if isfinite(value) else ""
 
 
 def life_curve(

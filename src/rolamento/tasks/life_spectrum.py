@@ -7,11 +7,9 @@ steps may load different races and rows.
 
 from __future__ import annotations
 
-import csv
 import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from io import StringIO
 from math import isfinite
 from typing import Any, Final, Literal
 
@@ -245,41 +243,6 @@ def _of_theory(own: DutyLife) -> dict[str, Any]:
         "step_hours": own.steps.hours,
         "damage": own.damage,
     }
-
-
-def spectrum_csv(found: SpectrumLife) -> str:
-    """Return the steps, one a line below a header that names the units (RFC 4180)."""
-    text = StringIO(newline="")
-    writer = csv.writer(text)
-    theories = list(found.theories)
-    writer.writerow(
-        [
-            "step",
-            "status",
-            "time_share",
-            "revolution_share",
-            *found.steps.cells,
-            *(f"{name}_h" for name in theories),
-            *(f"{name}_damage" for name in theories),
-        ]
-    )
-    for step in range(len(found.steps)):
-        writer.writerow(
-            [
-                step + 1,
-                str(found.status[step]),
-                _cell(found.time_shares[step]),
-                _cell(found.revolution_shares[step]),
-                *(cells[step] for cells in found.steps.cells.values()),
-                *(_cell(own.steps.hours[step]) for own in found.theories.values()),
-                *(_cell(own.damage[step]) for own in found.theories.values()),
-            ]
-        )
-    return text.getvalue()
-
-
-def _cell(value: float) -> str:
-    return f"{value:.10g}" if isfinite(value) else ""
 
 
 def life_under(
